@@ -1,0 +1,10 @@
+#include "bem/assembly_loop.h"
+
+namespace palpa::bem {
+
+using Avx2 = xsimd::fma3<xsimd::avx2>;
+
+void assembleRowsAvx2(const AssemblyTask<double>& task) { detail::assembleRows<Avx2>(task); }
+void assembleRowsAvx2(const AssemblyTask<float>& task) { detail::assembleRows<Avx2>(task); }
+
+}  // namespace palpa::bem

@@ -1,0 +1,56 @@
+#pragma once
+#include <cstddef>
+
+#include "bem/flat_triangle.h"
+#include "bem/triangle_rule.h"
+
+namespace palpa::bem {
+
+/// Below `rule16` (distance of the collocation point from the centroid over the element's radius) integrals are
+/// taken in closed form, up to `rule7` by the 16-point rule, beyond by the 7-point rule.
+struct QuadratureRange {
+  double rule16;
+  double rule7;
+};
+
+/// One call's worth of assembly: the rows of the collocation points [pointBegin, pointEnd) against all
+/// elements. Plain pointers, because the loop is compiled for several instruction sets.
+/// Row of point i, component c: c * pointCount + i. Column of coefficient j, component c: 3 j + c. Column-major.
+template <class Scalar>
+struct AssemblyTask {
+  const double* position[3];  ///< collocation points by component, pointCount each
+  std::ptrdiff_t pointCount, pointBegin, pointEnd;
+  const FlatTriangle* triangles;
+  const double (*corners)[3][3];          ///< per triangle, per corner, position
+  const int (*displacementOfCorner)[3];   ///< per triangle: displacement coefficient of each corner
+  const int (*tractionOfCorner)[3];       ///< per triangle: traction coefficient of each corner
+  std::ptrdiff_t triangleCount;
+  QuadratureRange range;
+  const TrianglePoint* rule7;
+  const TrianglePoint* rule16;
+  double shear, poissonRatio;
+  Scalar* H;  ///< (3 pointCount) x (3 displacement coefficients)
+  Scalar* G;  ///< (3 pointCount) x (3 traction coefficients)
+  bool (*cancelled)(const void*);
+  const void* cancelledContext;
+};
+
+/// Adds all elements' contributions; returns early when cancelled.
+template <class Scalar>
+using AssembleRows = void (*)(const AssemblyTask<Scalar>&);
+
+/// The fastest variant this processor can run.
+template <class Scalar>
+AssembleRows<Scalar> assembleRowsForThisProcessor();
+/// Its name, for reports: "avx512", "avx2" or "baseline".
+const char* instructionSetName();
+
+// One pair per instruction set; only call what the processor supports.
+void assembleRowsAvx512(const AssemblyTask<double>&);
+void assembleRowsAvx512(const AssemblyTask<float>&);
+void assembleRowsAvx2(const AssemblyTask<double>&);
+void assembleRowsAvx2(const AssemblyTask<float>&);
+void assembleRowsBaseline(const AssemblyTask<double>&);
+void assembleRowsBaseline(const AssemblyTask<float>&);
+
+}  // namespace palpa::bem
