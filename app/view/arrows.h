@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vtkRenderer.h>
+
+#include <vector>
+
+#include "app/view/label_placement.h"
+#include "app/view/scene.h"
+
+/// Force arrows. Internal to app/view.
+namespace palpa::view {
+
+/// Where an arrow is drawn.
+struct PlacedArrow {
+  Eigen::Vector3d tail;
+  Eigen::Vector3d tip;
+  const ForceArrow* arrow = nullptr;
+
+  /// The end away from `arrow->at`, where the label goes.
+  const Eigen::Vector3d& freeEnd() const;
+  const Eigen::Vector3d& heldEnd() const;
+};
+
+/// Ends of all arrows with a force; `bodyDiagonal` (mm) sets their scale.
+std::vector<PlacedArrow> placeArrows(const SurfaceScene& scene, double bodyDiagonal);
+
+/// Adds the arrows as solid bodies to `renderer`. Called once for the scene's own renderer and once
+/// for a translucent one in front, so that an arrow inside or behind the body still shines through.
+void addArrows(const std::vector<PlacedArrow>& arrows, double bodyDiagonal, double opacity,
+               vtkRenderer* renderer);
+
+/// Writes the labels in `overlay` beside the free ends, within `bounds`, where `occupancy` (which
+/// they join) leaves room. `scene` is the renderer whose camera shows the arrows.
+void addArrowLabels(const std::vector<PlacedArrow>& arrows, double fontSize,
+                    const Rectangle& bounds, Occupancy& occupancy, vtkRenderer* scene,
+                    vtkRenderer* overlay);
+
+}  // namespace palpa::view

@@ -1,0 +1,170 @@
+#include "app/view/body.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataSilhouette.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+#include "app/view/colour_map.h"
+#include "app/view/geometry.h"
+
+namespace palpa::view {
+namespace {
+
+/// Surfaces are pushed back behind lines, and the ghost behind the body, by these polygon offsets.
+constexpr double kSurfaceOffset = 1;
+constexpr double kGhostOffset = 4;
+constexpr double kGhostOpacity = 0.24;
+
+vtkSmartPointer<vtkActor> addSurface(vtkPolyData* surface, const Colour& colour, double offset,
+                                     vtkRenderer* renderer) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(offset, offset);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.36);
+  property->SetDiffuse(0.70);
+  property->SetSpecular(0.08);
+  property->SetSpecularPower(14);
+  renderer->AddActor(actor);
+  return actor;
+}
+
+vtkSmartPointer<vtkActor> makeLines(vtkPolyDataMapper* mapper, const Colour& colour, double opacity,
+                                    double width) {
+  mapper->ScalarVisibilityOff();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-kSurfaceOffset, -kSurfaceOffset);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetOpacity(opacity);
+  property->SetLineWidth(static_cast<float>(width));
+  property->LightingOff();
+  return actor;
+}
+
+void addLines(vtkPolyData* lines, const Colour& colour, double opacity, double width,
+              vtkRenderer* renderer) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  renderer->AddActor(makeLines(mapper, colour, opacity, width));
+}
+
+void addSilhouette(vtkPolyData* surface, const Colour& colour, double opacity, double width,
+                   vtkRenderer* renderer) {
+  vtkNew<vtkPolyDataSilhouette> silhouette;
+  silhouette->SetInputData(surface);
+  silhouette->SetCamera(renderer->GetActiveCamera());
+  silhouette->SetEnableFeatureAngle(0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(silhouette->GetOutputPort());
+  renderer->AddActor(makeLines(mapper, colour, opacity, width));
+}
+
+/// The ghost fades out where the body has not moved: there the two coincide, and a border between
+/// "in front" and "behind" would only show rounding errors.
+void setGhostOpacity(vtkPolyData* ghost, double visibleMotion) {
+  vtkDataArray* displacement = ghost->GetPointData()->GetArray("displacement");
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("ghost");
+  colours->SetNumberOfComponents(4);
+  for (vtkIdType i = 0; i < ghost->GetNumberOfPoints(); ++i) {
+    Eigen::Vector3d moved;
+    displacement->GetTuple(i, moved.data());
+    const double share = std::min(1.0, moved.norm() / visibleMotion);
+    const double opacity = kGhostOpacity * share * share * (3 - 2 * share);
+    for (const double part : kGhostColour) {
+      colours->InsertNextValue(static_cast<unsigned char>(255 * part));
+    }
+    colours->InsertNextValue(static_cast<unsigned char>(255 * opacity));
+  }
+  ghost->GetPointData()->SetScalars(colours);
+}
+
+void addGhost(const SurfaceScene& scene, vtkPolyData* reference, vtkRenderer* renderer,
+              double pixel) {
+  const auto surface = undeformedWithNormals(reference, scene.creaseAngle);
+  setGhostOpacity(surface, 0.04 * surface->GetLength());
+  const auto actor = addSurface(surface, kGhostColour, kGhostOffset, renderer);
+  actor->GetMapper()->ScalarVisibilityOn();
+  actor->GetMapper()->SetColorModeToDirectScalars();
+  actor->ForceTranslucentOn();
+  // Only the near side: the ghost is then one layer thick and needs no sorting.
+  actor->GetProperty()->BackfaceCullingOn();
+  addSilhouette(reference, kGhostColour, 0.9, 1.2 * pixel, renderer);
+  addLines(creaseLines(reference, scene.creaseAngle), kGhostColour, 0.7, 1.1 * pixel, renderer);
+}
+
+std::vector<int> freeTriangles(const SurfaceScene& scene) {
+  std::vector<bool> held(scene.triangles.size(), false);
+  for (const int triangle : scene.supports) held[static_cast<std::size_t>(triangle)] = true;
+  std::vector<int> free;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (!held[i]) free.push_back(static_cast<int>(i));
+  }
+  return free;
+}
+
+}  // namespace
+
+void addBody(const SurfaceScene& scene, vtkRenderer* renderer, double pixel) {
+  const auto reference = referenceSurface(scene);
+  const auto surface = deformedWithNormals(reference, scene.creaseAngle);
+
+  const auto body =
+      addSurface(subset(surface, freeTriangles(scene)), kBodyColour, kSurfaceOffset, renderer);
+  if (scene.field) {
+    vtkMapper* mapper = body->GetMapper();
+    mapper->ScalarVisibilityOn();
+    mapper->SetScalarModeToUsePointData();
+    mapper->SetLookupTable(colourMap(*scene.field));
+    mapper->UseLookupTableScalarRangeOn();
+    mapper->InterpolateScalarsBeforeMappingOn();
+  }
+  if (!scene.supports.empty()) {
+    addSurface(subset(surface, scene.supports), kSupportColour, kSurfaceOffset, renderer);
+    addLines(deform(borderLines(reference, scene.supports)), kLineColour, 0.8, 1.6 * pixel,
+             renderer);
+  }
+  if (scene.showMeshEdges) {
+    addLines(deform(meshLines(reference)), kLineColour, 0.32, 0.8 * pixel, renderer);
+  }
+  addLines(deform(creaseLines(reference, scene.creaseAngle)), kLineColour, 0.55, 1.3 * pixel,
+           renderer);
+  addSilhouette(deform(reference), kLineColour, 0.55, 1.3 * pixel, renderer);
+  for (const ContactPatch& patch : scene.contactPatches) {
+    addLines(deform(contactLines(reference, patch)), kAppliedForceColour, 1, 2.2 * pixel, renderer);
+  }
+  if (scene.showUndeformed) addGhost(scene, reference, renderer, pixel);
+}
+
+void addLights(vtkRenderer* renderer) {
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOff();
+  const auto add = [renderer](double x, double y, double intensity) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(x, y, 1);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    renderer->AddLight(light);
+  };
+  add(-0.60, 0.65, 0.85);
+  add(0.30, -0.5, 0.36);
+}
+
+}  // namespace palpa::view

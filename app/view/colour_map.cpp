@@ -1,0 +1,60 @@
+#include "app/view/colour_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpa::view {
+namespace {
+
+/// Equidistant colours of viridis (S. van der Walt, N. Smith, 2015, CC0); between them the transfer
+/// function interpolates in CIELAB, which keeps the lightness linear. The darkest tenth is left
+/// out: on the shaded side of a body it would be black.
+constexpr std::array<unsigned, 9> kViridis{0x482878, 0x3e4989, 0x31688e, 0x26828e, 0x1f9e89,
+                                           0x35b779, 0x6ece58, 0xb5de2b, 0xfde725};
+
+Colour fromHex(unsigned rgb) {
+  return {((rgb >> 16) & 0xff) / 255.0, ((rgb >> 8) & 0xff) / 255.0, (rgb & 0xff) / 255.0};
+}
+
+}  // namespace
+
+std::array<double, 2> colourRange(const ScalarField& field) {
+  std::array<double, 2> range{0, 1};
+  if (field.range) {
+    range = *field.range;
+  } else if (!field.values.empty()) {
+    const auto [low, high] = std::minmax_element(field.values.begin(), field.values.end());
+    range = {*low, *high};
+    if (field.colours == ScalarField::Colours::kDiverging) {
+      const double largest = std::max(std::abs(*low), std::abs(*high));
+      range = {-largest, largest};
+    }
+  }
+  if (range[1] - range[0] <= 1e-12 * std::max(std::abs(range[0]), std::abs(range[1]))) {
+    const double half = range[0] == 0 ? 1 : 0.5 * std::abs(range[0]);
+    range = {range[0] - half, range[1] + half};
+  }
+  return range;
+}
+
+vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field) {
+  auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
+  const auto [low, high] = colourRange(field);
+  if (field.colours == ScalarField::Colours::kDiverging) {
+    // K. Moreland, Diverging color maps for scientific visualization (2009).
+    map->SetColorSpaceToDiverging();
+    map->AddRGBPoint(low, 0.230, 0.299, 0.754);
+    map->AddRGBPoint(high, 0.706, 0.016, 0.150);
+  } else {
+    map->SetColorSpaceToLab();
+    for (std::size_t i = 0; i < kViridis.size(); ++i) {
+      const Colour colour = fromHex(kViridis[i]);
+      const double t = static_cast<double>(i) / (kViridis.size() - 1);
+      map->AddRGBPoint(low + t * (high - low), colour[0], colour[1], colour[2]);
+    }
+  }
+  map->Build();
+  return map;
+}
+
+}  // namespace palpa::view

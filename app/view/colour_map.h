@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vtkColorTransferFunction.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+#include "app/view/scene.h"
+
+/// Colours. Internal to app/view.
+namespace palpa::view {
+
+using Colour = std::array<double, 3>;  ///< red, green, blue in 0 … 1
+
+inline constexpr Colour kBodyColour{0.74, 0.80, 0.87};
+inline constexpr Colour kSupportColour{0.47, 0.49, 0.53};
+inline constexpr Colour kGhostColour{0.45, 0.52, 0.60};
+inline constexpr Colour kLineColour{0.13, 0.15, 0.18};
+inline constexpr Colour kTextColour{0.10, 0.11, 0.13};
+inline constexpr Colour kAppliedForceColour{0.85, 0.07, 0.22};
+inline constexpr Colour kReactionColour{0.16, 0.21, 0.30};
+
+/// The values at the two ends of the field's colours. Where the field gives no range: the data's
+/// own, made symmetric about zero for diverging colours, and widened when all values are equal.
+std::array<double, 2> colourRange(const ScalarField& field);
+
+/// The field's colours over `colourRange(field)`: viridis (perceptually uniform, readable in grey
+/// and for colour-blind people) or Moreland's blue-white-red.
+vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field);
+
+}  // namespace palpa::view

@@ -1,0 +1,79 @@
+#include "app/view/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace palpa::view {
+namespace {
+
+std::string withDecimals(double value, int decimals) {
+  std::array<char, 64> text{};
+  // Adding zero turns -0 into 0.
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value + 0.0);
+  return text.data();
+}
+
+/// The smallest of 1, 2, 2.5, 5 · 10^k that cuts `span` into at most `wanted` steps.
+double roundStep(double span, int wanted) {
+  const double raw = span / wanted;
+  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
+    if (factor * power >= raw * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+int decimalsFor(double step) {
+  for (int decimals = 0; decimals < 12; ++decimals) {
+    const double scaled = step * std::pow(10.0, decimals);
+    if (std::abs(scaled - std::round(scaled)) < 1e-6 * scaled) return decimals;
+  }
+  return 12;
+}
+
+}  // namespace
+
+Ticks niceTicks(double low, double high, int wanted) {
+  Ticks ticks;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  const bool drawable = std::isfinite(low) && std::isfinite(high) && high - low > 1e-12 * largest &&
+                        largest > std::numeric_limits<double>::min();
+  if (!drawable) {
+    ticks.values = {low};
+    ticks.labels = {threeDigits(low)};
+    return ticks;
+  }
+  const int magnitude = static_cast<int>(std::floor(std::log10(largest)));
+  if (magnitude < -2 || magnitude > 4) {
+    // Engineering notation: exponents in steps of three.
+    ticks.exponent = 3 * static_cast<int>(std::floor(magnitude / 3.0));
+  }
+  const double factor = std::pow(10.0, ticks.exponent);
+  const double step = roundStep((high - low) / factor, wanted);
+  const int decimals = decimalsFor(step);
+  const double slack = 1e-9 * step;
+  const auto first = static_cast<long>(std::ceil((low / factor - slack) / step));
+  const auto last = static_cast<long>(std::floor((high / factor + slack) / step));
+  for (long i = first; i <= last; ++i) {
+    ticks.values.push_back(static_cast<double>(i) * step * factor);
+    ticks.labels.push_back(withDecimals(static_cast<double>(i) * step, decimals));
+  }
+  return ticks;
+}
+
+std::string threeDigits(double value) {
+  if (!std::isfinite(value)) return "not finite";
+  if (value == 0) return "0";
+  const int magnitude = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+  if (magnitude < -4 || magnitude > 6) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.2e", value);
+    return text.data();
+  }
+  return withDecimals(value, std::max(0, 2 - magnitude));
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace palpa::view {
+
+/// Numbers written beside a scalar bar.
+struct Ticks {
+  std::vector<double> values;       ///< ascending, multiples of 1, 2, 2.5 or 5 times a power of ten
+  std::vector<std::string> labels;  ///< values / 10^exponent, all with the same number of decimals
+  int exponent = 0;                 ///< of the common factor; 0 where plain numbers read well
+};
+
+/// About `wanted` (>= 2) round numbers within [low, high]. An empty or non-finite range gives the
+/// one tick `low`.
+Ticks niceTicks(double low, double high, int wanted);
+
+/// `value` with three significant digits, without needless exponent: 0.134, 12.3, 4570.
+std::string threeDigits(double value);
+
+}  // namespace palpa::view
