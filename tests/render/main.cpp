@@ -1,0 +1,129 @@
+// Regression test of the pictures:
+//   palpa_render_tests CASE BASELINES OUTPUT   draws one case and compares it with
+//   BASELINES/CASE.png palpa_render_tests --cases NAME…           fails unless these are all the
+//   scenes palpa_render_tests --notices OUTPUT        fails unless the comparison notices visible
+//   changes palpa_render_tests --no-display            fails unless drawing without a display
+//   throws
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/view/errors.h"
+#include "tests/render/compare.h"
+#include "tests/render/scenes.h"
+
+namespace palpa::render_tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+int drawAndCompare(const std::string& name, const fs::path& baselines, const fs::path& output) {
+  const auto cases = allCases();
+  const auto found = cases.find(name);
+  if (found == cases.end()) {
+    std::cerr << name << ": there is no such scene\n";
+    return 1;
+  }
+  fs::create_directories(output);
+  const fs::path picture = output / (name + ".png");
+  const fs::path baseline = baselines / (name + ".png");
+  const fs::path difference = output / (name + ".difference.png");
+  fs::remove(difference);
+  view::renderToPng(found->second.scene, picture, found->second.options);
+  if (!fs::exists(baseline)) {
+    std::cerr << name << ": no baseline; look at " << picture << " and copy it to " << baseline
+              << " if it is right\n";
+    return 1;
+  }
+  const Difference result = compare(picture, baseline, difference);
+  std::cout << name << ": " << result.text() << '\n';
+  if (result.acceptable()) {
+    fs::remove(difference);
+    return 0;
+  }
+  std::cerr << name << ": differs from " << baseline << "; see " << picture << " and " << difference
+            << '\n';
+  return 1;
+}
+
+int requireAllCases(const std::vector<std::string>& names) {
+  const std::set<std::string> listed(names.begin(), names.end());
+  std::set<std::string> scenes;
+  for (const auto& [name, unused] : allCases()) scenes.insert(name);
+  if (listed == scenes) return 0;
+  std::cerr << "the scenes and the list in CMakeLists.txt differ\n";
+  return 1;
+}
+
+/// Draws one scene with small but visible changes; each must be found.
+int requireChangesNoticed(const fs::path& output) {
+  fs::create_directories(output);
+  const Case original = allCases().at("sphere_contact_push");
+  const fs::path base = output / "notices.png";
+  view::renderToPng(original.scene, base, original.options);
+
+  std::map<std::string, view::SurfaceScene> changed;
+  for (const char* name : {"same", "other_number", "no_arrow", "no_contact_patch", "no_ghost",
+                           "other_range", "turned_by_two_degrees"}) {
+    changed[name] = original.scene;
+  }
+  changed["other_number"].arrows[0].label = "7.00 N";
+  changed["no_arrow"].arrows.pop_back();
+  changed["no_contact_patch"].contactPatches.clear();
+  changed["no_ghost"].showUndeformed = false;
+  changed["other_range"].field->range = {0.0, 6.0};
+  changed["turned_by_two_degrees"].camera.direction += Eigen::Vector3d(0.02, 0.03, 0);
+
+  int failures = 0;
+  for (const auto& [name, scene] : changed) {
+    const fs::path picture = output / ("notices_" + name + ".png");
+    view::renderToPng(scene, picture, original.options);
+    const Difference result = compare(picture, base, {});
+    const bool right = result.acceptable() == (name == "same");
+    std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
+    failures += !right;
+  }
+  return failures == 0 ? 0 : 1;
+}
+
+int requireDisplayError() {
+  unsetenv("DISPLAY");
+  try {
+    view::renderToPng(allCases().begin()->second.scene, "never-written.png");
+  } catch (const view::NoDisplayError& error) {
+    const std::string message = error.what();
+    std::cout << message << '\n';
+    return message.find("xvfb-run") != std::string::npos ? 0 : 1;
+  }
+  std::cerr << "drew without a display\n";
+  return 1;
+}
+
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.size() == 1 && arguments[0] == "--no-display") return requireDisplayError();
+  if (arguments.size() == 2 && arguments[0] == "--notices") {
+    return requireChangesNoticed(arguments[1]);
+  }
+  if (!arguments.empty() && arguments[0] == "--cases") {
+    return requireAllCases({arguments.begin() + 1, arguments.end()});
+  }
+  if (arguments.size() == 3) return drawAndCompare(arguments[0], arguments[1], arguments[2]);
+  std::cerr << "usage: palpa_render_tests CASE BASELINES OUTPUT\n";
+  return 2;
+}
+
+}  // namespace
+}  // namespace palpa::render_tests
+
+int main(int argc, char** argv) {
+  try {
+    return palpa::render_tests::run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::cerr << "palpa_render_tests: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,44 @@
+#include "app/view/ticks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace palpa::view {
+namespace {
+
+using Labels = std::vector<std::string>;
+
+TEST(Ticks, AreRoundNumbersWithinTheRange) {
+  EXPECT_EQ(niceTicks(0, 2.03, 5).labels, (Labels{"0.0", "0.5", "1.0", "1.5", "2.0"}));
+  EXPECT_EQ(niceTicks(-0.4, 0.4, 4).labels, (Labels{"-0.4", "-0.2", "0.0", "0.2", "0.4"}));
+  EXPECT_EQ(niceTicks(0, 10000, 4).labels, (Labels{"0", "2500", "5000", "7500", "10000"}));
+}
+
+TEST(Ticks, SmallAndLargeNumbersShareAFactor) {
+  const Ticks small = niceTicks(0, 1.5e-6, 3);
+  EXPECT_EQ(small.exponent, -6);
+  EXPECT_EQ(small.labels, (Labels{"0.0", "0.5", "1.0", "1.5"}));
+  EXPECT_NEAR(small.values.back(), 1.5e-6, 1e-15);
+  EXPECT_EQ(niceTicks(0, 3e7, 3).exponent, 6);
+}
+
+TEST(Ticks, AnEmptyOrBrokenRangeGivesOneTick) {
+  EXPECT_EQ(niceTicks(2, 2, 5).labels, (Labels{"2.00"}));
+  EXPECT_EQ(niceTicks(0, 0, 5).labels, (Labels{"0"}));
+  EXPECT_EQ(niceTicks(0, std::nan(""), 5).values.size(), 1u);
+  EXPECT_EQ(niceTicks(0, std::numeric_limits<double>::infinity(), 5).values.size(), 1u);
+}
+
+TEST(ThreeDigits, KeepsThreeDigits) {
+  EXPECT_EQ(threeDigits(0.13449), "0.134");
+  EXPECT_EQ(threeDigits(12.345), "12.3");
+  EXPECT_EQ(threeDigits(4567.8), "4568");
+  EXPECT_EQ(threeDigits(-0.001), "-0.00100");
+  EXPECT_EQ(threeDigits(1.2e-9), "1.20e-09");
+  EXPECT_EQ(threeDigits(0), "0");
+}
+
+}  // namespace
+}  // namespace palpa::view
