@@ -10,21 +10,21 @@ namespace palpa::bem {
 namespace {
 
 /// Points per task: small enough to cancel and balance, large enough to reuse an element's data.
-constexpr std::ptrdiff_t kPointsPerTask = 64;
+constexpr std::ptrdiff_t kPointsPerTask = 128;
 
-/// Distances (over the element's radius) from which the two rules keep a tolerance; measured against the closed
-/// form in extended range by tests/bem/integration_test.cpp, which fails if they are too optimistic. The error of a
-/// rule of degree k falls like ratio^-(k+1).
+/// Distances (over the element's radius) from which the two rules keep a tolerance; measured
+/// against the closed form in extended range by tests/bem/integration_test.cpp, which fails if they
+/// are too optimistic. The error of a rule of degree k falls like ratio^-(k+1).
 QuadratureRange quadratureRange(double tolerance) {
-  return {1.35 * std::pow(tolerance, -1.0 / 9.0), 1.2 * std::pow(tolerance, -1.0 / 6.0)};
+  return {0.75 * std::pow(tolerance, -1.0 / 9.0), 1.0 * std::pow(tolerance, -1.0 / 6.0)};
 }
 
-/// Completes rows [begin, end) of H: a translation of the whole body needs no traction, so each row of 3 x 3
-/// blocks sums to zero. What is missing is the free term (and, at a node, its own singular block), which
-/// belongs to the coefficients that make up u(x).
+/// Completes rows [begin, end) of H: a translation of the whole body needs no traction, so each row
+/// of 3 x 3 blocks sums to zero. What is missing is the free term (and, at a node, its own singular
+/// block), which belongs to the coefficients that make up u(x).
 template <class Scalar>
 void addFreeTerm(const BoundaryMesh& mesh, const std::vector<CollocationPoint>& points,
-                 std::ptrdiff_t begin, std::ptrdiff_t end, Matrix<Scalar>& H) {
+                 std::ptrdiff_t begin, std::ptrdiff_t end, typename LargeMatrix<Scalar>::Map H) {
   const auto m = static_cast<std::ptrdiff_t>(points.size());
   const auto length = end - begin;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(length, 9);
@@ -46,15 +46,17 @@ void addFreeTerm(const BoundaryMesh& mesh, const std::vector<CollocationPoint>& 
 /// Element data in the form the assembly loop reads.
 struct ElementTable {
   std::vector<FlatTriangle> triangles;
-  std::vector<std::array<std::array<double, 3>, 3>> corners;
+  struct Corners {
+    double position[3][3];
+  };
+  std::vector<Corners> corners;
 
   explicit ElementTable(const BoundaryMesh& mesh) : corners(mesh.triangles.size()) {
     triangles.reserve(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& c = mesh.triangles[t];
-      triangles.push_back(makeFlatTriangle(mesh.nodes[c[0]], mesh.nodes[c[1]], mesh.nodes[c[2]]));
       for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i) corners[t][k][i] = mesh.nodes[c[k]][i];
+        for (int i = 0; i < 3; ++i) corners[t].position[k][i] = mesh.nodes[mesh.triangles[t][k]][i];
+      triangles.push_back(makeFlatTriangle(corners[t].position));
     }
   }
 };
@@ -75,15 +77,15 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
     for (std::size_t p = 0; p < points.size(); ++p) position[i][p] = points[p].position[i];
   }
 
-  BoundaryOperators<Scalar> result{Matrix<Scalar>(3 * m, 3 * mesh.nodeCount()),
-                                   Matrix<Scalar>(3 * m, 3 * slots.count())};
+  BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, 3 * mesh.nodeCount()),
+                                   LargeMatrix<Scalar>(3 * m, 3 * slots.count())};
   AssemblyTask<Scalar> task{};
   for (int i = 0; i < 3; ++i) task.position[i] = position[i].data();
   task.pointCount = m;
   task.triangles = table.triangles.data();
-  task.corners = reinterpret_cast<const double(*)[3][3]>(table.corners.data());
-  task.displacementOfCorner = reinterpret_cast<const int(*)[3]>(mesh.triangles.data());
-  task.tractionOfCorner = reinterpret_cast<const int(*)[3]>(slots.ofCorner.data());
+  task.corners = &table.corners.front().position[0][0];
+  task.displacementOfCorner = mesh.triangles.front().data();
+  task.tractionOfCorner = slots.ofCorner.front().data();
   task.triangleCount = mesh.triangleCount();
   task.range = quadratureRange(std::clamp(options.tolerance, 1e-12, 1e-3));
   task.rule7 = triangleRule7().data();
@@ -98,20 +100,14 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   task.cancelledContext = &job.stop;
   const AssembleRows<Scalar> assembleRows = assembleRowsForThisProcessor<Scalar>();
 
-  const auto columns = result.H.cols() + result.G.cols();
-  parallelFor(columns, job, "", [&](std::ptrdiff_t column) {
-    if (column < result.H.cols())
-      result.H.col(column).setZero();
-    else
-      result.G.col(column - result.H.cols()).setZero();
-  });
-  parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble", [&](std::ptrdiff_t index) {
-    AssemblyTask<Scalar> part = task;
-    part.pointBegin = index * kPointsPerTask;
-    part.pointEnd = std::min(m, part.pointBegin + kPointsPerTask);
-    assembleRows(part);
-    addFreeTerm(mesh, points, part.pointBegin, part.pointEnd, result.H);
-  });
+  parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble",
+              [&](std::ptrdiff_t index) {
+                AssemblyTask<Scalar> part = task;
+                part.pointBegin = index * kPointsPerTask;
+                part.pointEnd = std::min(m, part.pointBegin + kPointsPerTask);
+                assembleRows(part);
+                addFreeTerm<Scalar>(mesh, points, part.pointBegin, part.pointEnd, result.H.view());
+              });
   return result;
 }
 

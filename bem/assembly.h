@@ -1,35 +1,33 @@
 #pragma once
-#include <Eigen/Core>
 #include <vector>
 
 #include "bem/boundary_mesh.h"
 #include "bem/collocation.h"
 #include "bem/job.h"
+#include "bem/large_matrix.h"
 #include "bem/material.h"
 
 namespace palpa::bem {
 
-template <class Scalar>
-using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
-
 struct AssemblyOptions {
-  /// Relative error allowed in the integrals over one element, against the norm of their 3 x 3 block. Supported
-  /// range [1e-12, 1e-3]: it decides how far the closed form reaches.
+  /// Relative error allowed in the integrals over one element, against the norm of their 3 x 3
+  /// block. Supported range [1e-12, 1e-3]: it decides how far the closed form reaches.
   double tolerance = 1e-7;
 };
 
-/// The discretised boundary integral equation H u = G p with m collocation points, n displacement coefficients
-/// and q traction slots. Rows: component c of point i is row c m + i. Columns: component c of coefficient j is
-/// column 3 j + c. u in mm, p in MPa; H is dimensionless, G in mm/MPa.
+/// The discretised boundary integral equation H u = G p with m collocation points, n displacement
+/// coefficients and q traction slots. Rows: component c of point i is row c m + i. Columns:
+/// component c of coefficient j is column 3 j + c. u in mm, p in MPa; H is dimensionless, G in
+/// mm/MPa.
 template <class Scalar>
 struct BoundaryOperators {
-  Matrix<Scalar> H;  ///< (3m) x (3n), free term included
-  Matrix<Scalar> G;  ///< (3m) x (3q)
+  LargeMatrix<Scalar> H;  ///< (3m) x (3n), free term included
+  LargeMatrix<Scalar> G;  ///< (3m) x (3q)
 };
 
-/// Integrates Kelvin's kernels over the mesh, all elements for all collocation points, and completes H by
-/// rigid-body translation (its row sums vanish). Cost about 2e-8 s per (point, triangle) on two cores.
-/// The result does not depend on the number of threads. Throws Cancelled.
+/// Integrates Kelvin's kernels over the mesh, all elements for all collocation points, and
+/// completes H by rigid-body translation (its row sums vanish). Cost about 2e-8 s per (point,
+/// triangle) on two cores. The result does not depend on the number of threads. Throws Cancelled.
 template <class Scalar>
 BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots& slots,
                                    const std::vector<CollocationPoint>& points,

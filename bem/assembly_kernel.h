@@ -6,24 +6,26 @@
 
 namespace palpa::bem {
 
-/// Below `rule16` (distance of the collocation point from the centroid over the element's radius) integrals are
-/// taken in closed form, up to `rule7` by the 16-point rule, beyond by the 7-point rule.
+/// Below `rule16` (distance of the collocation point from the centroid over the element's radius)
+/// integrals are taken in closed form, up to `rule7` by the 16-point rule, beyond by the 7-point
+/// rule.
 struct QuadratureRange {
   double rule16;
   double rule7;
 };
 
-/// One call's worth of assembly: the rows of the collocation points [pointBegin, pointEnd) against all
-/// elements. Plain pointers, because the loop is compiled for several instruction sets.
-/// Row of point i, component c: c * pointCount + i. Column of coefficient j, component c: 3 j + c. Column-major.
+/// One call's worth of assembly: the rows of the collocation points [pointBegin, pointEnd) against
+/// all elements. Plain pointers, because the loop is compiled for several instruction sets. Row of
+/// point i, component c: c * pointCount + i. Column of coefficient j, component c: 3 j + c.
+/// Column-major.
 template <class Scalar>
 struct AssemblyTask {
   const double* position[3];  ///< collocation points by component, pointCount each
   std::ptrdiff_t pointCount, pointBegin, pointEnd;
   const FlatTriangle* triangles;
-  const double (*corners)[3][3];          ///< per triangle, per corner, position
-  const int (*displacementOfCorner)[3];   ///< per triangle: displacement coefficient of each corner
-  const int (*tractionOfCorner)[3];       ///< per triangle: traction coefficient of each corner
+  const double* corners;            ///< 9 per triangle: the positions of its corners, mm
+  const int* displacementOfCorner;  ///< 3 per triangle: displacement coefficient of each corner
+  const int* tractionOfCorner;      ///< 3 per triangle: traction coefficient of each corner
   std::ptrdiff_t triangleCount;
   QuadratureRange range;
   const TrianglePoint* rule7;
@@ -39,18 +41,44 @@ struct AssemblyTask {
 template <class Scalar>
 using AssembleRows = void (*)(const AssemblyTask<Scalar>&);
 
-/// The fastest variant this processor can run.
+/// y += A x over some columns and a range of rows, in double precision whatever the storage of A:
+/// what iterative refinement needs of its residuals.
+template <class Scalar>
+struct ProductTask {
+  const Scalar* matrix;  ///< column-major
+  std::ptrdiff_t rows;   ///< also the leading dimension of y
+  std::ptrdiff_t rowBegin, rowEnd;
+  const int* columns;  ///< the columns of A that take part
+  std::ptrdiff_t columnCount;
+  const double*
+      x;  ///< per right-hand side k: x + k xStride, indexed by column of A; zeros are skipped
+  std::ptrdiff_t xStride;
+  int rightHandSides;
+  double* y;  ///< rows x rightHandSides
+};
+template <class Scalar>
+using AddProduct = void (*)(const ProductTask<Scalar>&);
+
+/// The fastest variants this processor can run.
 template <class Scalar>
 AssembleRows<Scalar> assembleRowsForThisProcessor();
+template <class Scalar>
+AddProduct<Scalar> addProductForThisProcessor();
 /// Its name, for reports: "avx512", "avx2" or "baseline".
 const char* instructionSetName();
 
-// One pair per instruction set; only call what the processor supports.
+// One set per instruction set; only call what the processor supports.
 void assembleRowsAvx512(const AssemblyTask<double>&);
 void assembleRowsAvx512(const AssemblyTask<float>&);
+void addProductAvx512(const ProductTask<double>&);
+void addProductAvx512(const ProductTask<float>&);
 void assembleRowsAvx2(const AssemblyTask<double>&);
 void assembleRowsAvx2(const AssemblyTask<float>&);
+void addProductAvx2(const ProductTask<double>&);
+void addProductAvx2(const ProductTask<float>&);
 void assembleRowsBaseline(const AssemblyTask<double>&);
 void assembleRowsBaseline(const AssemblyTask<float>&);
+void addProductBaseline(const ProductTask<double>&);
+void addProductBaseline(const ProductTask<float>&);
 
 }  // namespace palpa::bem

@@ -2,8 +2,9 @@
 #include "bem/assembly_kernel.h"
 #include "bem/flat_triangle_integrals.h"
 
-/// The assembly loop, included by one source file per instruction set. It knows neither what an element's
-/// geometry is nor what its basis functions are: an element type brings `integrate` and `kBasisCount`.
+/// The assembly loop, included by one source file per instruction set. It knows neither what an
+/// element's geometry is nor what its basis functions are: an element type brings `integrate` and
+/// `kBasisCount`.
 namespace palpa::bem::detail {
 
 template <class Batch, class Scalar>
@@ -18,17 +19,21 @@ struct FlatLinearElement {
     const FlatTriangle& t = geometry();
     Batch squared(0.0);
     for (int i = 0; i < 3; ++i) squared += (x[i] - t.centroid[i]) * (x[i] - t.centroid[i]);
-    const double nearest = xsimd::hmin(squared) / (t.radius * t.radius);
-    if (nearest >= task.range.rule7 * task.range.rule7)
-      integrateByRule<Batch>(t, task.corners[index], task.rule7, 7, x, out);
-    else if (nearest >= task.range.rule16 * task.range.rule16)
-      integrateByRule<Batch>(t, task.corners[index], task.rule16, 16, x, out);
+    const auto allBeyond = [&](double ratio) {
+      const double distance = ratio * t.radius;
+      return xsimd::all(squared >= Batch(distance * distance));
+    };
+    if (allBeyond(task.range.rule7))
+      integrateByRule<Batch>(t, task.corners + 9 * index, task.rule7, 7, x, out);
+    else if (allBeyond(task.range.rule16))
+      integrateByRule<Batch>(t, task.corners + 9 * index, task.rule16, 16, x, out);
     else
       integrateClosedForm<Batch>(t, x, out);
   }
 };
 
-/// Adds the 3 x 3 blocks of one basis function for a batch of points: `block(i, j)` yields component (i, j).
+/// Adds the 3 x 3 blocks of one basis function for a batch of points: `block(i, j)` yields
+/// component (i, j).
 template <class Batch, class Scalar, class Block>
 inline void scatter(Scalar* matrix, std::ptrdiff_t pointCount, std::ptrdiff_t firstPoint,
                     int validLanes, int coefficient, const Block& block) {
@@ -48,7 +53,8 @@ inline void scatter(Scalar* matrix, std::ptrdiff_t pointCount, std::ptrdiff_t fi
   }
 }
 
-/// Turns the integrals of one element into blocks of T and U (see kelvin.h) and adds them to H and G.
+/// Turns the integrals of one element into blocks of T and U (see kelvin.h) and adds them to H and
+/// G.
 template <class Batch, class Scalar>
 inline void addElement(const AssemblyTask<Scalar>& task, std::ptrdiff_t element,
                        const TriangleIntegrals<Batch>& integrals, std::ptrdiff_t firstPoint,
@@ -61,22 +67,36 @@ inline void addElement(const AssemblyTask<Scalar>& task, std::ptrdiff_t element,
   const double* n = task.triangles[element].normal;
   for (int a = 0; a < 3; ++a) {
     const BasisIntegrals<Batch>& basis = integrals[a];
-    const Batch diagonalU =
-        (basis.rr3[0] + basis.rr3[2] + basis.rr3[5]) * Batch(3 - 4 * nu);
-    const Batch diagonalT =
-        (basis.rr5[0] + basis.rr5[2] + basis.rr5[5]) * Batch(1 - 2 * nu);
+    const Batch diagonalU = (basis.rr3[0] + basis.rr3[2] + basis.rr3[5]) * Batch(3 - 4 * nu);
+    const Batch diagonalT = (basis.rr5[0] + basis.rr5[2] + basis.rr5[5]) * Batch(1 - 2 * nu);
     scatter<Batch>(task.G, task.pointCount, firstPoint, validLanes,
-                   task.tractionOfCorner[element][a], [&](int i, int j) {
+                   task.tractionOfCorner[3 * element + a], [&](int i, int j) {
                      const Batch rr = basis.rr3[kPacked[i][j]];
                      return weightU * (i == j ? rr + diagonalU : rr);
                    });
     scatter<Batch>(task.H, task.pointCount, firstPoint, validLanes,
-                   task.displacementOfCorner[element][a], [&](int i, int j) {
+                   task.displacementOfCorner[3 * element + a], [&](int i, int j) {
                      const Batch rr = Batch(3.0) * basis.rr5[kPacked[i][j]];
                      if (i == j) return weightT * (rr + diagonalT);
                      const Batch turn = basis.r3[i] * n[j] - basis.r3[j] * n[i];
                      return weightT * (rr - Batch(1 - 2 * nu) * turn);
                    });
+  }
+}
+
+template <class Arch, class Scalar>
+void addProduct(const ProductTask<Scalar>& task) {
+  // Plain loops: the compiler vectorises them for the instruction set this file is compiled for.
+  // `Arch` keeps the instances apart.
+  for (std::ptrdiff_t c = 0; c < task.columnCount; ++c) {
+    const int column = task.columns[c];
+    const Scalar* a = task.matrix + column * task.rows;
+    for (int k = 0; k < task.rightHandSides; ++k) {
+      const double factor = task.x[k * task.xStride + column];
+      if (factor == 0) continue;
+      double* y = task.y + k * task.rows;
+      for (std::ptrdiff_t row = task.rowBegin; row < task.rowEnd; ++row) y[row] += factor * a[row];
+    }
   }
 }
 

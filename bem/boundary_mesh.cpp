@@ -114,7 +114,8 @@ void BoundaryMesh::validate() const {
 TractionSlots::TractionSlots(const BoundaryMesh& mesh) {
   std::map<std::tuple<int, int, int>, int> index;
   for (int t = 0; t < mesh.triangleCount(); ++t)
-    for (const int node : mesh.triangles[t]) index[{node, mesh.smoothingGroups[t], mesh.tags[t]}] = 0;
+    for (const int node : mesh.triangles[t])
+      index[{node, mesh.smoothingGroups[t], mesh.tags[t]}] = 0;
   firstOfNode.assign(mesh.nodeCount() + 1, 0);
   for (auto& [key, slot] : index) {
     const auto& [node, group, tag] = key;
@@ -127,8 +128,7 @@ TractionSlots::TractionSlots(const BoundaryMesh& mesh) {
   ofCorner.resize(mesh.triangles.size());
   for (int t = 0; t < mesh.triangleCount(); ++t)
     for (int corner = 0; corner < 3; ++corner) {
-      const int slot =
-          index[{mesh.triangles[t][corner], mesh.smoothingGroups[t], mesh.tags[t]}];
+      const int slot = index[{mesh.triangles[t][corner], mesh.smoothingGroups[t], mesh.tags[t]}];
       ofCorner[t][corner] = slot;
       slots[slot].normal += cornerAngle(mesh, t, corner) * mesh.normal(t);
     }

@@ -4,8 +4,8 @@
 
 namespace palpa::bem {
 
-/// The world's fault, not the caller's: a problem that cannot be solved as given. The message names what is
-/// wrong, where, and what the user can do about it.
+/// The world's fault, not the caller's: a problem that cannot be solved as given. The message names
+/// what is wrong, where, and what the user can do about it.
 class SolverError : public std::runtime_error {
  public:
   enum class Kind {
@@ -25,8 +25,8 @@ class SolverError : public std::runtime_error {
   Kind kind_;
 };
 
-/// Thrown by a long operation whose stop token was triggered. Deliberately not a std::exception: cancelling is
-/// a result the caller asked for, and no handler of errors should swallow it.
+/// Thrown by a long operation whose stop token was triggered. Deliberately not a std::exception:
+/// cancelling is a result the caller asked for, and no handler of errors should swallow it.
 struct Cancelled {};
 
 }  // namespace palpa::bem

@@ -1,7 +1,8 @@
 #include "bem/flat_triangle.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 namespace palpa::bem {
 namespace {
@@ -12,9 +13,9 @@ void copy(const Eigen::Vector3d& from, double (&to)[3]) {
 
 }  // namespace
 
-FlatTriangle makeFlatTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c) {
+FlatTriangle makeFlatTriangle(const double (&positions)[3][3]) {
   FlatTriangle t{};
+  const Eigen::Vector3d a(positions[0]), b(positions[1]), c(positions[2]);
   const Eigen::Vector3d first = (b - a).normalized();
   const Eigen::Vector3d cross = (b - a).cross(c - a);
   const Eigen::Vector3d normal = cross.normalized();

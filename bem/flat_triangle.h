@@ -1,11 +1,10 @@
 #pragma once
-#include <Eigen/Core>
-
 namespace palpa::bem {
 
-/// A flat triangle as the integration routines want it: a frame with the first corner as origin, the first
-/// edge along the first axis and the outward normal as the third. Plain numbers, no Eigen, because this is read
-/// in code that is compiled several times for different instruction sets.
+/// A flat triangle as the integration routines want it: a frame with the first corner as origin,
+/// the first edge along the first axis and the outward normal as the third. Plain numbers, no
+/// Eigen, because this is read in code that is compiled several times for different instruction
+/// sets.
 struct FlatTriangle {
   double origin[3];       ///< first corner, mm
   double axis[2][3];      ///< unit in-plane axes
@@ -19,11 +18,11 @@ struct FlatTriangle {
   double length[3];       ///< of that edge, mm
 };
 
-FlatTriangle makeFlatTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c);
+/// From the positions of the corners, counter-clockwise seen from outside.
+FlatTriangle makeFlatTriangle(const double (&positions)[3][3]);
 
-/// Integrals over one element for one basis function N, with r = y - x, R = |r|, d = r.n (a batch holds several
-/// collocation points x). Symmetric tensors are stored as xx, xy, yy, xz, yz, zz.
+/// Integrals over one element for one basis function N, with r = y - x, R = |r|, d = r.n (a batch
+/// holds several collocation points x). Symmetric tensors are stored as xx, xy, yy, xz, yz, zz.
 template <class Batch>
 struct BasisIntegrals {
   Batch rr3[6];  ///< ∫ N r_i r_j / R^3; its trace is ∫ N / R

@@ -4,14 +4,14 @@
 #include "bem/flat_triangle.h"
 #include "bem/triangle_rule.h"
 
-/// The integrals of `BasisIntegrals` over a flat triangle with linear basis functions, for a batch of collocation
-/// points at once. `Batch` is an xsimd batch of doubles, or plain double.
+/// The integrals of `BasisIntegrals` over a flat triangle with linear basis functions, for a batch
+/// of collocation points at once. `Batch` is an xsimd batch of doubles, or plain double.
 namespace palpa::bem {
 
-/// Plain quadrature with `count` points; for collocation points at some distance (see `QuadratureRange`).
-/// `corners` are the triangle's corners in space.
+/// Plain quadrature with `count` points; for collocation points at some distance (see
+/// `QuadratureRange`). `corners` are the 9 coordinates of the triangle's corners.
 template <class Batch>
-inline void integrateByRule(const FlatTriangle& triangle, const double (&corners)[3][3],
+inline void integrateByRule(const FlatTriangle& triangle, const double* corners,
                             const TrianglePoint* rule, int count, const Batch (&x)[3],
                             TriangleIntegrals<Batch>& out) {
   for (auto& basis : out) {
@@ -23,7 +23,7 @@ inline void integrateByRule(const FlatTriangle& triangle, const double (&corners
     const double* n = rule[q].barycentric;
     Batch r[3];
     for (int i = 0; i < 3; ++i)
-      r[i] = Batch(n[0] * corners[0][i] + n[1] * corners[1][i] + n[2] * corners[2][i]) - x[i];
+      r[i] = Batch(n[0] * corners[i] + n[1] * corners[3 + i] + n[2] * corners[6 + i]) - x[i];
     const Batch squared = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
     const Batch inverseSquared = Batch(1.0) / squared;
     const Batch inverseCubed = inverseSquared * xsimd::sqrt(inverseSquared);
@@ -51,6 +51,17 @@ inline void integrateByRule(const FlatTriangle& triangle, const double (&corners
 
 namespace detail {
 
+/// `condition ? a : b`, lane by lane; the plain form lets the same formulas run on doubles.
+inline double choose(bool condition, double a, double b) {
+  return condition ? a : b;
+}
+template <class T, class Arch>
+inline xsimd::batch<T, Arch> choose(const xsimd::batch_bool<T, Arch>& condition,
+                                    const xsimd::batch<T, Arch>& a,
+                                    const xsimd::batch<T, Arch>& b) {
+  return xsimd::select(condition, a, b);
+}
+
 /// Rotates a symmetric tensor from the triangle's frame (11, 12, 22, 13, 23, 33) to space.
 template <class Batch>
 inline void rotateToSpace(const FlatTriangle& t, const Batch (&local)[6], Batch (&out)[6]) {
@@ -70,44 +81,48 @@ inline void rotateToSpace(const FlatTriangle& t, const Batch (&local)[6], Batch 
 
 }  // namespace detail
 
-/// Closed form, for any position of the collocation point: far, near, in the triangle's plane, and (as a
-/// principal value for basis functions that do not vanish there) in the triangle itself. At a corner, the
-/// integrals of that corner's own basis function have no principal value over one triangle alone; what is
-/// returned for them is finite and has to be replaced (`assemble` does so by rigid-body translation).
+/// Closed form, for any position of the collocation point: far, near, in the triangle's plane, and
+/// (as a principal value for basis functions that do not vanish there) in the triangle itself. At a
+/// corner, the integrals of that corner's own basis function have no principal value over one
+/// triangle alone; what is returned for them is finite and has to be replaced (`assemble` does so
+/// by rigid-body translation).
 ///
-/// Derivation: with ρ the in-plane part of r and z = d, every integral is reduced to edge integrals by the
-/// divergence theorem in the plane (grad(1/R) = -ρ/R^3 and so on), as for the Laplace kernels in
-/// Wilton et al., IEEE Trans. Antennas Propag. 32 (1984) 276-281. On an edge with unit tangent t, outward in-plane
-/// normal m, p = m.ρ and R0^2 = p^2 + z^2:
+/// Derivation: with ρ the in-plane part of r and z = d, every integral is reduced to edge integrals
+/// by the divergence theorem in the plane (grad(1/R) = -ρ/R^3 and so on), as for the Laplace
+/// kernels in Wilton et al., IEEE Trans. Antennas Propag. 32 (1984) 276-281. On an edge with unit
+/// tangent t, outward in-plane normal m, p = m.ρ and R0^2 = p^2 + z^2:
 ///   L = ∫ ds/R,  [R],  ∫ R ds = ([sR] + R0^2 L)/2,  ∫ s^2/R ds = ([sR] - R0^2 L)/2,
 ///   K = ∫ ds/R^3 = [s/R]/R0^2,  ∫ s/R^3 ds = -[1/R],  ∫ s^2/R^3 ds = L - [s/R].
-/// Θ = z ∫ 1/R^3 is the solid angle (Van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983) 125-126).
+/// Θ = z ∫ 1/R^3 is the solid angle (Van Oosterom & Strackee, IEEE Trans. Biomed. Eng. 30 (1983)
+/// 125-126).
 template <class Batch>
 inline void integrateClosedForm(const FlatTriangle& t, const Batch (&x)[3],
                                 TriangleIntegrals<Batch>& out) {
-  constexpr double kTiny = 1e-150;
+  // Distances below rounding are lifted to it: at a corner, 1/R meets factors that vanish there.
+  const Batch tiny(1e-14 * t.radius), tinySquared(1e-28 * t.radius * t.radius);
   const Batch zero(0.0);
   const Batch q[3] = {x[0] - t.origin[0], x[1] - t.origin[1], x[2] - t.origin[2]};
-  const auto along = [&q](const double (&axis)[3]) {
+  const auto along = [&q](const double(&axis)[3]) {
     return q[0] * axis[0] + q[1] * axis[1] + q[2] * axis[2];
   };
   const Batch x1 = along(t.axis[0]), x2 = along(t.axis[1]);
-  // A collocation point of the triangle itself lies in its plane: rounding must not give it a solid angle.
+  // A collocation point of the triangle itself lies in its plane: rounding must not give it a solid
+  // angle.
   const Batch height = -along(t.normal);
-  const Batch z = xsimd::select(xsimd::abs(height) < Batch(1e-12 * t.radius), zero, height);
+  const Batch z = detail::choose(xsimd::abs(height) < Batch(1e-12 * t.radius), zero, height);
   const Batch zz = z * z;
 
   Batch c[3][2], R[3];
   for (int k = 0; k < 3; ++k) {
     c[k][0] = Batch(t.corner[k][0]) - x1;
     c[k][1] = Batch(t.corner[k][1]) - x2;
-    R[k] = xsimd::max(xsimd::sqrt(c[k][0] * c[k][0] + c[k][1] * c[k][1] + zz), Batch(kTiny));
+    R[k] = xsimd::max(xsimd::sqrt(c[k][0] * c[k][0] + c[k][1] * c[k][1] + zz), tiny);
   }
   const auto dot = [&](int a, int b) { return c[a][0] * c[b][0] + c[a][1] * c[b][1] + zz; };
   const Batch theta =
       Batch(2.0) * xsimd::atan2(Batch(2 * t.area) * z, R[0] * R[1] * R[2] + dot(0, 1) * R[2] +
                                                            dot(0, 2) * R[1] + dot(1, 2) * R[0]);
-  const Batch solidAngle = xsimd::select(z == zero, zero, theta);
+  const Batch solidAngle = detail::choose(z == zero, zero, theta);
 
   // Moments: A of 1/R, B of 1/R^3, C of 3 z/R^5 (C0 with z^3, C1 with z^2).
   Batch a0 = -z * solidAngle, a1[2] = {zero, zero};
@@ -122,14 +137,13 @@ inline void integrateClosedForm(const FlatTriangle& t, const Batch (&x)[3],
     const Batch s2 = s1 + t.length[k];
     const Batch p = c[k][0] * m0 + c[k][1] * m1;
     const Batch R1 = R[k], R2 = R[next];
-    const Batch R0 = xsimd::max(p * p + zz, Batch(kTiny * kTiny));
+    const Batch R0 = xsimd::max(p * p + zz, tinySquared);
     // Three forms of one logarithm, each without cancellation where it is used.
     const auto ahead = s1 >= zero, behind = s2 <= zero;
-    const Batch numerator = xsimd::select(
-        ahead, R2 + s2, xsimd::select(behind, R1 - s1, (R2 + s2) * (R1 - s1)));
-    const Batch denominator =
-        xsimd::select(ahead, R1 + s1, xsimd::select(behind, R2 - s2, R0));
-    const Batch L = xsimd::log(numerator / xsimd::max(denominator, Batch(kTiny * kTiny)));
+    const Batch numerator =
+        detail::choose(ahead, R2 + s2, detail::choose(behind, R1 - s1, (R2 + s2) * (R1 - s1)));
+    const Batch denominator = detail::choose(ahead, R1 + s1, detail::choose(behind, R2 - s2, R0));
+    const Batch L = xsimd::log(numerator / denominator);
     const Batch dR = R2 - R1;
     const Batch dInverse = Batch(1.0) / R2 - Batch(1.0) / R1;
     const Batch kappa = s2 / R2 - s1 / R1;

@@ -32,23 +32,24 @@ Matrix3d kelvinTraction(const Vector3d& x, const Vector3d& y, const Vector3d& n,
 
 Matrix3d kelvinStressFromTraction(const Vector3d& x, const Vector3d& y, const Vector3d& p,
                                   const Material& material) {
-  // D_kij p_k = 1 / (8 pi (1-nu) R^2) [ (1-2nu)(e_j p_i + e_i p_j - delta_ij e.p) + 3 e_i e_j e.p ],
-  // with e pointing from the interior point x to the boundary point y.
+  // D_kij p_k = 1 / (8 pi (1-nu) R^2) [ (1-2nu)(e_j p_i + e_i p_j - delta_ij e.p) + 3 e_i e_j e.p
+  // ], with e pointing from the interior point x to the boundary point y.
   const double nu = material.poissonRatio;
   const Vector3d r = y - x;
   const double squared = r.squaredNorm();
   const Vector3d e = r / std::sqrt(squared);
   const double along = e.dot(p);
-  const Matrix3d shearPart =
-      e * p.transpose() + p * e.transpose() - along * Matrix3d::Identity();
+  const Matrix3d shearPart = e * p.transpose() + p * e.transpose() - along * Matrix3d::Identity();
   return ((1 - 2 * nu) * shearPart + 3 * along * e * e.transpose()) /
          (8 * kPi * (1 - nu) * squared);
 }
 
 Matrix3d kelvinStressFromDisplacement(const Vector3d& x, const Vector3d& y, const Vector3d& n,
                                       const Vector3d& u, const Material& material) {
-  // S_kij u_k = G / (4 pi (1-nu) R^3) { 3 (e.n) [ (1-2nu) delta_ij e.u + nu (e_j u_i + e_i u_j) - 5 e_i e_j e.u ]
-  //   + 3 nu (n_i e_j e.u + n_j e_i e.u) + (1-2nu)(3 (n.u) e_i e_j + n_j u_i + n_i u_j) - (1-4nu) delta_ij n.u }
+  // S_kij u_k = G / (4 pi (1-nu) R^3) { 3 (e.n) [ (1-2nu) delta_ij e.u + nu (e_j u_i + e_i u_j) - 5
+  // e_i e_j e.u ]
+  //   + 3 nu (n_i e_j e.u + n_j e_i e.u) + (1-2nu)(3 (n.u) e_i e_j + n_j u_i + n_i u_j) - (1-4nu)
+  //   delta_ij n.u }
   const double nu = material.poissonRatio;
   const Vector3d r = y - x;
   const double distance = r.norm();

@@ -50,6 +50,8 @@ void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
   job.throwIfCancelled();
 }
 
-void setBlasThreads(int threads) { openblas_set_num_threads(threads); }
+void setBlasThreads(int threads) {
+  openblas_set_num_threads(threads);
+}
 
 }  // namespace palpa::bem

@@ -46,7 +46,11 @@ constexpr std::array<TrianglePoint, 16> kRule16 = [] {
 
 }  // namespace
 
-std::span<const TrianglePoint> triangleRule7() { return kRule7; }
-std::span<const TrianglePoint> triangleRule16() { return kRule16; }
+std::span<const TrianglePoint> triangleRule7() {
+  return kRule7;
+}
+std::span<const TrianglePoint> triangleRule16() {
+  return kRule16;
+}
 
 }  // namespace palpa::bem

@@ -1,0 +1,183 @@
+#include <algorithm>
+#include <chrono>
+
+#include "bem/assembly_kernel.h"
+#include "bem/lu_factorisation.h"
+#include "bem/parallel.h"
+#include "bem/reference_problem.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::MatrixXd;
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<int> nonzeroRows(const MatrixXd& x) {
+  std::vector<int> rows;
+  for (Eigen::Index row = 0; row < x.rows(); ++row)
+    if (!x.row(row).isZero(0)) rows.push_back(static_cast<int>(row));
+  return rows;
+}
+
+/// y += matrix * x in double precision, on all cores, touching only columns whose factors are not
+/// zero.
+template <class Scalar>
+void addProduct(const LargeMatrix<Scalar>& matrix, const MatrixXd& x, MatrixXd& y) {
+  constexpr std::ptrdiff_t kRowsPerTask = 1024;
+  const std::vector<int> columns = nonzeroRows(x);
+  ProductTask<Scalar> task{matrix.data(),
+                           matrix.rows(),
+                           0,
+                           0,
+                           columns.data(),
+                           static_cast<std::ptrdiff_t>(columns.size()),
+                           x.data(),
+                           x.rows(),
+                           static_cast<int>(x.cols()),
+                           y.data()};
+  const AddProduct<Scalar> product = addProductForThisProcessor<Scalar>();
+  parallelFor((matrix.rows() + kRowsPerTask - 1) / kRowsPerTask, Job{}, "", [&](std::ptrdiff_t k) {
+    ProductTask<Scalar> part = task;
+    part.rowBegin = k * kRowsPerTask;
+    part.rowEnd = std::min(part.rows, part.rowBegin + kRowsPerTask);
+    product(part);
+  });
+}
+
+/// Column of A0 for every degree of freedom: displacement columns of H where the displacement is
+/// unknown, minus traction columns of G where the traction is.
+template <class Stored, class Factor>
+LargeMatrix<Factor> systemMatrix(const BoundaryOperators<Stored>& operators,
+                                 const DegreesOfFreedom& dofs, const Job& job) {
+  LargeMatrix<Factor> A(operators.H.rows(), dofs.count());
+  const auto H = operators.H.view();
+  const auto G = operators.G.view();
+  constexpr std::ptrdiff_t kColumnsPerTask = 64;
+  parallelFor((dofs.count() + kColumnsPerTask - 1) / kColumnsPerTask, job, "",
+              [&](std::ptrdiff_t k) {
+                const auto end = std::min<std::ptrdiff_t>(dofs.count(), (k + 1) * kColumnsPerTask);
+                for (auto dof = static_cast<int>(k * kColumnsPerTask); dof < end; ++dof) {
+                  auto column = A.view().col(dof);
+                  const auto addColumn = [&](const auto& source, double factor) {
+                    if (factor != 0)
+                      column += static_cast<Factor>(factor) * source.template cast<Factor>();
+                  };
+                  if (dof < dofs.nodalCount() && !dofs.isConstrained(dof)) {
+                    const int node = dof / 3;
+                    for (int i = 0; i < 3; ++i)
+                      addColumn(H.col(3 * node + i), dofs.frame(node)(i, dof % 3));
+                  } else {
+                    for (const auto& weight : dofs.tractionOf(dof))
+                      for (int i = 0; i < 3; ++i)
+                        addColumn(G.col(3 * weight.slot + i), -weight.traction[i]);
+                  }
+                }
+              });
+  return A;
+}
+
+template <class Stored, class Factor>
+class DenseReferenceProblem final : public ReferenceProblem {
+ public:
+  DenseReferenceProblem(DegreesOfFreedom dofMap, BoundaryOperators<Stored> operators,
+                        const Job& job)
+      : ReferenceProblem(std::move(dofMap)),
+        operators_(std::move(operators)),
+        factors_(systemMatrix<Stored, Factor>(operators_, dofs(), job), job) {}
+
+  MatrixXd solve(const BoundaryField& known, Effort effort) const override {
+    constexpr bool kExactFactors = std::is_same_v<Factor, double>;
+    constexpr double kConverged = std::is_same_v<Stored, double> ? 1e-13 : 1e-9;
+    const int rounds = effort == Effort::kFast ? 1 : kExactFactors ? 2 : 8;
+    MatrixXd v = MatrixXd::Zero(dofs().count(), known.u.cols());
+    BoundaryField field = known;
+    double previous = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < rounds; ++round) {
+      // Each column is scaled to 1 so that single precision neither overflows nor loses small
+      // states.
+      MatrixXd r = residual(field);
+      const Eigen::RowVectorXd scale =
+          r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
+      Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
+          (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
+      factors_.solveInPlace(step);
+      const MatrixXd correction = step.template cast<double>() * scale.asDiagonal();
+      const double change = correction.norm();
+      if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
+      v += correction;
+      previous = change;
+      if (change <= kConverged * v.norm() || round + 1 == rounds) break;
+      field = dofs().expand(v, MatrixXd());
+      field.u += known.u;
+      field.p += known.p;
+    }
+    return v;
+  }
+
+  double relativeResidual(const BoundaryField& field) const override {
+    MatrixXd fromTraction = MatrixXd::Zero(operators_.G.rows(), field.p.cols());
+    addProduct(operators_.G, field.p, fromTraction);
+    const double size = fromTraction.template lpNorm<Eigen::Infinity>();
+    const double defect = residual(field).template lpNorm<Eigen::Infinity>();
+    return defect / std::max(size, 1e-300);
+  }
+
+  double conditionEstimate() const override { return factors_.conditionEstimate(); }
+
+  std::size_t bytes() const override {
+    return operators_.H.bytes() + operators_.G.bytes() + factors_.bytes();
+  }
+
+ private:
+  MatrixXd residual(const BoundaryField& field) const {
+    MatrixXd r = MatrixXd::Zero(operators_.H.rows(), field.u.cols());
+    addProduct<Stored>(operators_.H, -field.u, r);
+    addProduct<Stored>(operators_.G, field.p, r);
+    return r;
+  }
+
+  BoundaryOperators<Stored> operators_;
+  LuFactorisation<Factor> factors_;
+};
+
+template <class Stored, class Factor>
+std::unique_ptr<ReferenceProblem> make(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                       DegreesOfFreedom dofs, const Material& material,
+                                       const AssemblyOptions& options, const Job& job,
+                                       ReferenceProblemTimes* times) {
+  const auto start = std::chrono::steady_clock::now();
+  BoundaryOperators<Stored> operators =
+      assemble<Stored>(mesh, slots, dofs.collocationPoints(mesh, slots), material, options, job);
+  if (times) times->assemble = secondsSince(start);
+  const auto assembled = std::chrono::steady_clock::now();
+  auto problem = std::make_unique<DenseReferenceProblem<Stored, Factor>>(std::move(dofs),
+                                                                         std::move(operators), job);
+  if (times) times->factorise = secondsSince(assembled);
+  return problem;
+}
+
+}  // namespace
+
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
+    const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, Precision precision, const Job& job,
+    ReferenceProblemTimes* times) {
+  material.validate();
+  DegreesOfFreedom dofs(mesh, slots, conditions, material);
+  checkSolvable(mesh, slots, conditions, dofs, material);
+  setBlasThreads(workerCount(job));
+  switch (choosePrecision(precision, mesh.nodeCount())) {
+    case Precision::kMixed:
+      return make<double, float>(mesh, slots, std::move(dofs), material, options, job, times);
+    case Precision::kSingle:
+      return make<float, float>(mesh, slots, std::move(dofs), material, options, job, times);
+    default:
+      return make<double, double>(mesh, slots, std::move(dofs), material, options, job, times);
+  }
+}
+
+}  // namespace palpa::bem

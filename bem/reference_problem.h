@@ -1,0 +1,75 @@
+#pragma once
+#include <memory>
+#include <span>
+
+#include "bem/assembly.h"
+#include "bem/boundary_conditions.h"
+
+namespace palpa::bem {
+
+/// The mixed boundary value problem whose solution operator is computed once and then touched (the
+/// seed's RBVP): A0 v + Ā0 v̄ = 0 in the degrees of freedom of `DegreesOfFreedom`. This interface
+/// assumes nothing of how H, G or A0 are stored. Immutable after construction; all members may be
+/// called from several threads.
+class ReferenceProblem {
+ public:
+  virtual ~ReferenceProblem() = default;
+
+  const DegreesOfFreedom& dofs() const { return dofs_; }
+
+  enum class Effort { kRefined, kFast };
+  /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u. kRefined
+  /// iterates on the residual in double precision until it stops falling; kFast takes the
+  /// factorisation's answer as it is.
+  virtual Eigen::MatrixXd solve(const BoundaryField& known,
+                                Effort effort = Effort::kRefined) const = 0;
+
+  /// The whole field: known plus unknown part.
+  BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined) const;
+
+  /// Columns of Xi = -A0^-1 Ā0 for the given nodal degrees of freedom: the unknowns for a unit
+  /// known value.
+  Eigen::MatrixXd greensColumns(std::span<const int> columns,
+                                Effort effort = Effort::kRefined) const;
+
+  /// max norm of G p - H u relative to that of its largest term: how well a field fulfils the
+  /// equations.
+  virtual double relativeResidual(const BoundaryField& field) const = 0;
+  virtual double conditionEstimate() const = 0;
+  virtual std::size_t bytes() const = 0;
+
+ protected:
+  explicit ReferenceProblem(DegreesOfFreedom dofs) : dofs_(std::move(dofs)) {}
+
+ private:
+  DegreesOfFreedom dofs_;
+};
+
+/// How dense operators are stored and factorised.
+enum class Precision {
+  kAutomatic,  ///< double up to about 1,300 nodes, single beyond
+  kDouble,     ///< everything in double: 24 (3n)^2 bytes
+  kMixed,      ///< H and G in double, factors in single, refined: 20 (3n)^2 bytes
+  kSingle      ///< everything stored in single, solved with residuals in double: 12 (3n)^2 bytes
+};
+
+/// The precision that kAutomatic stands for at a number of nodes.
+Precision choosePrecision(Precision wanted, int nodeCount);
+
+/// Memory that a dense reference problem takes, in bytes, before anything is allocated.
+double estimateBytes(int nodeCount, int slotCount, Precision precision);
+
+struct ReferenceProblemTimes {
+  double assemble = 0;   ///< s
+  double factorise = 0;  ///< s
+};
+
+/// Assembles and factorises a dense problem. Throws SolverError when it cannot be solved, Cancelled
+/// on stop.
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
+    const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, Precision precision, const Job& job,
+    ReferenceProblemTimes* times = nullptr);
+
+}  // namespace palpa::bem

@@ -1,0 +1,47 @@
+#pragma once
+#include <Eigen/Dense>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bem/boundary_conditions.h"
+#include "bem/traction_projection.h"
+
+namespace palpa::bem {
+
+/// Force and moment about the origin that the tractions `p` (3 per slot, MPa) exert on the body
+/// over the given triangles; exact for the linear tractions.
+Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots,
+                            const Eigen::VectorXd& p, std::span<const int> triangles);
+
+/// Strain energy 1/2 ∫ p.u dΓ in N mm = mJ, of a field without body forces.
+double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
+                    const Eigen::VectorXd& p);
+
+/// Cauchy stress at every slot (MPa), from the traction and the tangential derivatives of the
+/// displacement: with n the normal, sigma n = p and, in the tangent plane, Hooke's law in the form
+///   sigma_ab = 2 G [ e_ab + nu / (1 - nu) e_cc delta_ab ] + nu / (1 - nu) p_n delta_ab,
+/// regular at nu = 0.5 (Brebbia, Telles & Wrobel, sect. 5.8). Each slot takes the area-weighted
+/// mean of its triangles.
+std::vector<Eigen::Matrix3d> surfaceStress(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                           const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                           const Material& material);
+
+/// sqrt(3/2 s:s) with s the deviator of `stress`.
+double vonMises(const Eigen::Matrix3d& stress);
+
+/// State at a point inside the body.
+struct InteriorState {
+  Eigen::Vector3d displacement;  ///< mm
+  Eigen::Matrix3d stress;        ///< MPa
+};
+
+/// Somigliana's identity: u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u. The displacement integrals are
+/// exact; those of the stress are taken by subdivision to about 1e-6. Empty for a point outside the
+/// body. Closer to the surface than a small part of an element the stress inherits the kinks of the
+/// linear field: use `surfaceStress` there.
+std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                           const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                           const Material& material, const Eigen::Vector3d& point);
+
+}  // namespace palpa::bem
