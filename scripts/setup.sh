@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by ./run and ./check: finds the project, installs what is missing, builds. bash 5.
 # Every function may be called from any directory; nothing is done twice.
 
@@ -23,12 +24,12 @@ as_root() {
 
 # Fills the array missing_packages with those of packages.txt that are not installed.
 find_missing_packages() {
-  local wanted installed
-  wanted=$(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$palpa_root/packages.txt" | sort -u)
+  local -a wanted
+  mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$palpa_root/packages.txt" | sort -u)
   # dpkg-query fails when it does not know one of the names: that is an answer, not an error.
-  installed=$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null |
-    sed -n 's/^installed //p' | sort -u) || true
-  mapfile -t missing_packages < <(comm -23 <(echo "$wanted") <(echo "$installed"))
+  mapfile -t missing_packages < <(comm -23 <(printf '%s\n' "${wanted[@]}") \
+    <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
+      sed -n 's/^installed //p' | sort -u))
 }
 
 install_packages() {
