@@ -1,0 +1,33 @@
+#pragma once
+#include <vector>
+
+#include "bem/boundary_conditions.h"
+#include "bem/surface_point.h"
+
+namespace palpa::bem {
+
+/// A contact's pressure mask (James & Pai, A unified treatment of elastostatic contact simulation,
+/// Haptics-e 2001): a smooth bump of traction around a surface point, carried by the free nodes
+/// around it. A force f (N) acts as the traction field f times Φ; the work-conjugate displacement
+/// is the mean d = ∫ Φ u dΓ. Independent of the mesh in the limit, and continuous when the point
+/// slides.
+struct ContactMask {
+  SurfacePoint point;
+  double radius;                  ///< mm; at least what was asked for
+  std::vector<int> nodes;         ///< nodes that carry traction
+  Eigen::VectorXd traction;       ///< their coefficients of Φ, 1/mm^2; ∫ Φ dΓ = 1
+  std::vector<int> measureNodes;  ///< nodes whose displacement enters d
+  Eigen::VectorXd measure;        ///< their weights; they sum to 1
+
+  /// d = ∫ Φ u dΓ for every column of u (3 rows per node): 3 x columns.
+  Eigen::MatrixXd displacement(const Eigen::MatrixXd& u) const;
+};
+
+/// The mask (1 - (ρ/radius)^2)^2 for ρ = |x - point| < radius, L2-projected onto the free nodes of
+/// the connected piece of surface around the point and normalised. The radius is raised to 2 edge
+/// lengths of the mesh there if it is smaller: a narrower bump cannot be represented. Throws
+/// SolverError (kBadCondition) when supports hold all of the touched place.
+ContactMask makeContactMask(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs,
+                            const Eigen::Vector3d& at, double radius);
+
+}  // namespace palpa::bem

@@ -1,0 +1,54 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "bem/capacitance_matrix.h"
+#include "bem/greens_function.h"
+
+namespace palpa::bem {
+
+/// The seed's Capacitance Matrix Algorithm: nodes whose type of boundary condition is exchanged (a
+/// free node is given a displacement, a held node a traction) without solving the large system
+/// again (James & Pai, ArtDefo, SIGGRAPH 1999, sect. 4; Jun & Cho, sect. 3.2). With E the columns
+/// of the identity of the switched degrees of freedom S,
+///   C = -E^T Xi E,   v0 = [Xi (I - E E^T) - E E^T] v̄,   v = v0 + (E + Xi E) C^-1 E^T v0.
+class NodalSwitching {
+ public:
+  /// `known`: the known values of the reference problem (dofs().nodalCount() rows, scaled tractions
+  /// and mm); `unknown`: its solution v for them and for all loads; `field`: the whole field, loads
+  /// included.
+  NodalSwitching(std::shared_ptr<GreensFunction> greens, Eigen::VectorXd known,
+                 Eigen::VectorXd unknown, BoundaryField field);
+
+  /// Switches all three degrees of freedom of a node, or switches them back. A node may be switched
+  /// once; an extra traction at an edge between two supports is not part of it.
+  void add(int node);
+  void remove(int node);
+  const std::vector<int>& nodes() const { return nodes_; }
+
+  /// The new known values of the switched nodes, 3 per node in their frames and in the order of
+  /// nodes(): displacement in mm for a node that was free, traction / tractionScale for one that
+  /// was held.
+  struct Solution {
+    Eigen::VectorXd v;         ///< all unknowns; those of switched nodes are of the other kind
+    Eigen::VectorXd switched;  ///< the unknowns of the switched degrees of freedom, 3 per node
+    BoundaryField field;
+  };
+  Solution solve(const Eigen::VectorXd& values) const;
+
+ private:
+  std::vector<int> dofsOf(int node) const { return {3 * node, 3 * node + 1, 3 * node + 2}; }
+
+  std::shared_ptr<GreensFunction> greens_;
+  Eigen::VectorXd known_, unknown_;
+  BoundaryField field_;
+  std::vector<int> nodes_;
+  Eigen::MatrixXd columns_;  ///< Xi E
+  CapacitanceMatrix capacitance_;
+};
+
+/// Area that a nodal traction acts on, mm^2: the force of a traction p at one node (linear basis)
+/// is p times this.
+double nodalArea(const BoundaryMesh& mesh, int node);
+
+}  // namespace palpa::bem
