@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+namespace palpa::modeling {
+
+/// Limits for text from outside.
+struct JsonLimits {
+  std::size_t bytes;
+  std::size_t values;
+  int depth;
+};
+
+/// Parses JSON after a pass without memory use that enforces the limits and refuses repeated keys,
+/// numbers beyond the range of double and text that is not JSON (with line and column).
+/// Throws ModelingError; messages begin with `source: `.
+nlohmann::json parseGuarded(std::string_view text, const std::string& source,
+                            const JsonLimits& limits);
+
+/// Path of a step inside a JSON document, in the form `supports[0].kind`.
+std::string joinPath(const std::string& path, const std::string& key);
+std::string joinPath(const std::string& path, std::size_t index);
+
+}  // namespace palpa::modeling

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <charconv>
+#include <string>
+
+namespace palpa::modeling {
+
+/// Shortest decimal text that reads back as the same number; negative zero is written as 0.
+inline std::string numberText(double value) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value == 0.0 ? 0.0 : value).ptr;
+  return std::string(buffer, end);
+}
+
+}  // namespace palpa::modeling
