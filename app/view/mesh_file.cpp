@@ -109,15 +109,15 @@ std::string meshFileEndings() {
   return ".stl, .obj, .ply or .vtp";
 }
 
-bool isMeshFileName(const std::filesystem::path& path) {
-  return std::find(kEndings.begin(), kEndings.end(), endingOf(path)) != kEndings.end();
-}
-
-void writeMesh(const MeshFile& mesh, const std::filesystem::path& path) {
-  if (!isMeshFileName(path)) {
+void requireMeshFileName(const std::filesystem::path& path) {
+  if (std::find(kEndings.begin(), kEndings.end(), endingOf(path)) == kEndings.end()) {
     throw ViewError("cannot write a mesh to " + path.string() + ": the name must end in " +
                     meshFileEndings());
   }
+}
+
+void writeMesh(const MeshFile& mesh, const std::filesystem::path& path) {
+  requireMeshFileName(path);
   // VTK's PLY writer does not report a file it cannot open.
   const bool writable = std::ofstream(path, std::ios::binary).is_open();
   if (!writable || !write(mesh, path)) {

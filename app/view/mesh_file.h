@@ -25,7 +25,9 @@ struct MeshFile {
 
 /// The endings `writeMesh` knows, for messages: ".stl, .obj, .ply or .vtp".
 std::string meshFileEndings();
-bool isMeshFileName(const std::filesystem::path& path);
+
+/// Throws ViewError unless `path` ends in one of them.
+void requireMeshFileName(const std::filesystem::path& path);
 
 /// Writes binary STL, OBJ, binary PLY or VTP according to the file name's ending, replacing an
 /// existing file. Throws ViewError when the ending is not known or the file cannot be written.

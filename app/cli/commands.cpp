@@ -1,0 +1,13 @@
+#include "app/cli/commands.h"
+
+namespace palpa::cli {
+
+std::vector<std::unique_ptr<Command>> allCommands() {
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(makeNewCommand());
+  commands.push_back(makeInfoCommand());
+  commands.push_back(makeMeshCommand());
+  return commands;
+}
+
+}  // namespace palpa::cli

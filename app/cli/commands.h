@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+
+#include "app/cli/command.h"
+
+namespace palpa::cli {
+
+std::unique_ptr<Command> makeNewCommand();
+std::unique_ptr<Command> makeInfoCommand();
+std::unique_ptr<Command> makeCheckCommand();
+std::unique_ptr<Command> makeMeshCommand();
+std::unique_ptr<Command> makeSolveCommand();
+std::unique_ptr<Command> makeTouchCommand();
+std::unique_ptr<Command> makeRenderCommand();
+
+}  // namespace palpa::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "app/cli/exit_code.h"
+
+namespace palpa::cli {
+
+/// The command line is wrong in a way CLI11 cannot see (a number out of range, a pair of options).
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file the command was asked to write cannot be written.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What remains of an exception at the end of the program: one line for people, a code for the
+/// shell.
+struct Failure {
+  ExitCode code = kInternalError;
+  std::string kind;  ///< the code's name in JSON: "usage", "bad_input", …
+  std::string message;
+};
+
+/// Translates the exception being handled. To be called inside a catch block.
+Failure currentFailure();
+
+}  // namespace palpa::cli

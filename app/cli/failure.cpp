@@ -1,0 +1,50 @@
+#include <new>
+#include "app/cli/errors.h"
+#include "app/view/errors.h"
+#include "bem/error.h"
+#include "modeling/error.h"
+
+namespace palpa::cli {
+namespace {
+
+Failure failureOf(const modeling::ModelingError& error) {
+  if (error.kind() == modeling::ModelingError::Kind::tooLarge) {
+    return {kCannotBeSolved, "cannot_be_solved", error.what()};
+  }
+  return {kBadInput, "bad_input", error.what()};
+}
+
+Failure failureOf(const bem::SolverError& error) {
+  using Kind = bem::SolverError::Kind;
+  if (error.kind() == Kind::kBadMaterial || error.kind() == Kind::kBadMesh) {
+    return {kBadInput, "bad_input", error.what()};
+  }
+  return {kCannotBeSolved, "cannot_be_solved", error.what()};
+}
+
+}  // namespace
+
+Failure currentFailure() {
+  try {
+    throw;
+  } catch (const bem::Cancelled&) {
+    return {kCancelled, "cancelled", "cancelled"};
+  } catch (const UsageError& error) {
+    return {kUsage, "usage", error.what()};
+  } catch (const modeling::ModelingError& error) {
+    return failureOf(error);
+  } catch (const bem::SolverError& error) {
+    return failureOf(error);
+  } catch (const view::ViewError& error) {
+    return {kBadInput, "bad_input", error.what()};
+  } catch (const OutputError& error) {
+    return {kBadInput, "bad_input", error.what()};
+  } catch (const std::bad_alloc&) {
+    return {kCannotBeSolved, "cannot_be_solved",
+            "out of memory; a larger --edge-length needs less"};
+  } catch (const std::exception& error) {
+    return {kInternalError, "internal", std::string("internal error: ") + error.what()};
+  }
+}
+
+}  // namespace palpa::cli

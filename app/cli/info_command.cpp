@@ -1,0 +1,152 @@
+#include "app/cli/commands.h"
+#include "app/cli/project_input.h"
+#include "app/cli/text.h"
+#include "modeling/mesh.h"
+#include "modeling/surface_properties.h"
+
+namespace palpa::cli {
+namespace {
+
+std::string regionText(const modeling::Region& region) {
+  std::string text;
+  for (const modeling::RegionPart& part : region.parts) {
+    if (!text.empty()) text += " and ";
+    if (const auto* patches = std::get_if<modeling::PatchSet>(&part)) {
+      for (std::size_t i = 0; i < patches->patches.size(); ++i) {
+        text += (i ? ", " : "") + patches->patches[i];
+      }
+    } else {
+      const auto& half = std::get<modeling::HalfSpace>(part);
+      text += "where " + toText(half.normal) + format(" · x < %.6g mm", half.below);
+    }
+  }
+  return text;
+}
+
+std::string loadText(const modeling::Load& load) {
+  if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) {
+    return format("pressure %.6g MPa on ", pressure->pressure) + regionText(pressure->where);
+  }
+  if (const auto* traction = std::get_if<modeling::UniformTraction>(&load.what)) {
+    return "traction " + toText(traction->traction) + " MPa on " + regionText(traction->where);
+  }
+  const auto& bump = std::get<modeling::Bump>(load.what);
+  return format("bump of %.6g MPa along ", bump.peak) + toText(bump.direction) + " within " +
+         format("%.6g mm of ", bump.radius) + toText(bump.center);
+}
+
+std::string touchText(const modeling::Touch& touch) {
+  std::string text = "at " + toText(touch.at);
+  if (const auto* moved = std::get_if<modeling::TouchDisplacement>(&touch.action)) {
+    text += " moved by " + toText(moved->vector) + " mm";
+  } else {
+    text += " pulled with " + toText(std::get<modeling::TouchForce>(touch.action).vector) + " N";
+  }
+  if (touch.radius) text += format(", radius %.6g mm", *touch.radius);
+  return text;
+}
+
+/// Corners of the box around the surface, from points on it (the box of the control points is
+/// larger than a curved body).
+std::array<Eigen::Vector3d, 2> surfaceBox(const modeling::SurfaceEvaluator& surface) {
+  constexpr int kSteps = 48;
+  Eigen::Vector3d low = surface.position(0, surface.range(0, 0)[0], surface.range(0, 1)[0]);
+  Eigen::Vector3d high = low;
+  for (int patch = 0; patch < surface.patchCount(); ++patch) {
+    const auto u = surface.range(patch, 0);
+    const auto v = surface.range(patch, 1);
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        const Eigen::Vector3d p = surface.position(patch, u[0] + (u[1] - u[0]) * i / kSteps,
+                                                   v[0] + (v[1] - v[0]) * j / kSteps);
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    }
+  }
+  return {low, high};
+}
+
+class InfoCommand : public Command {
+ public:
+  std::string name() const override { return "info"; }
+  std::string summary() const override { return "Say what a project holds"; }
+  std::string example() const override { return "palpa-cli info ball.json"; }
+
+  void declare(CLI::App& options) override { input_.declare(options); }
+
+  void run(const Context& context) override {
+    const modeling::Project project = input_.read();
+    const modeling::SurfaceEvaluator surface(project.solid);
+    const auto box = surfaceBox(surface);
+    const double volume = modeling::volume(surface);
+    const double area = modeling::area(surface);
+    const double nodes = modeling::estimateNodeCount(project.solid, project.mesh);
+
+    Json report{{"name", project.name},
+                {"material",
+                 {{"name", project.material.name},
+                  {"youngs_modulus_MPa", project.material.youngsModulus},
+                  {"poisson_ratio", project.material.poissonRatio}}},
+                {"control_points", project.solid.controlPoints().size()},
+                {"patches", Json::array()},
+                {"bounding_box_mm", {toJson(box[0]), toJson(box[1])}},
+                {"volume_mm3", volume},
+                {"area_mm2", area},
+                {"supports", Json::array()},
+                {"loads", Json::array()},
+                {"touches", Json::array()},
+                {"mesh",
+                 {{"edge_length_mm", project.mesh.edgeLength},
+                  {"estimated_nodes", static_cast<long>(nodes)}}}};
+
+    std::string text = "name       " + project.name + "\n";
+    text += format("material   %s, E = %.6g MPa, nu = %.6g\n", project.material.name.c_str(),
+                   project.material.youngsModulus, project.material.poissonRatio);
+    text += format("solid      %zu patches over %zu control points\n",
+                   project.solid.patches().size(), project.solid.controlPoints().size());
+    for (const modeling::Patch& patch : project.solid.patches()) {
+      report["patches"].push_back({{"name", patch.name},
+                                   {"degree", {patch.degree[0], patch.degree[1]}},
+                                   {"net", {patch.net.size(), patch.net.front().size()}}});
+      text += format("  %s: degree %d × %d, net %zu × %zu\n", patch.name.c_str(), patch.degree[0],
+                     patch.degree[1], patch.net.size(), patch.net.front().size());
+    }
+    text += "size       " + toText(box[0]) + " … " + toText(box[1]) + " mm\n";
+    text += format("volume     %.6g mm³, surface %.6g mm²\n", volume, area);
+    for (const modeling::Support& support : project.supports) {
+      const char* kind = support.kind == modeling::Support::Kind::fixed ? "fixed" : "roller";
+      report["supports"].push_back({{"name", support.name},
+                                    {"kind", kind},
+                                    {"where", regionText(support.where)},
+                                    {"displacement_mm", toJson(support.displacement)}});
+      text += "support    " + support.name + ": " + kind + ", " + regionText(support.where);
+      if (support.displacement.norm() > 0) {
+        text += ", moved by " + toText(support.displacement) + " mm";
+      }
+      text += "\n";
+    }
+    for (const modeling::Load& load : project.loads) {
+      report["loads"].push_back({{"name", load.name}, {"what", loadText(load)}});
+      text += "load       " + load.name + ": " + loadText(load) + "\n";
+    }
+    for (const modeling::Touch& touch : project.touches) {
+      report["touches"].push_back({{"name", touch.name}, {"what", touchText(touch)}});
+      text += "touch      " + touch.name + ": " + touchText(touch) + "\n";
+    }
+    text += format("mesh       edge length %.6g mm, about %.0f nodes\n", project.mesh.edgeLength,
+                   nodes);
+    context.print(report, text);
+  }
+
+ private:
+  ProjectInput input_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeInfoCommand() {
+  return std::make_unique<InfoCommand>();
+}
+
+}  // namespace palpa::cli

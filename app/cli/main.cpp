@@ -1,0 +1,96 @@
+// palpa-cli: the command line of Palpa. One file per subcommand; see docs/command-line.md.
+#include <algorithm>
+#include <iostream>
+#include <string_view>
+
+#include "app/cli/command.h"
+#include "app/cli/errors.h"
+#include "app/cli/interrupt.h"
+
+namespace palpa::cli {
+namespace {
+
+void declareCommon(CLI::App& app, CommonOptions& options) {
+  app.add_flag("--json", options.json, "Write one JSON object instead of text");
+  app.add_flag("-q,--quiet", options.quiet, "Write neither text nor progress");
+  app.add_option("--threads", options.threads, "Number of threads; 0 means all cores")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("N");
+}
+
+void report(const Failure& failure, bool asJson) {
+  std::cerr << "palpa-cli: " << failure.message << '\n';
+  if (!asJson) return;
+  const Json error{{"error",
+                    {{"kind", failure.kind},
+                     {"exit_code", static_cast<int>(failure.code)},
+                     {"message", failure.message}}}};
+  std::cout << error.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+std::string usageMessage(const CLI::ParseError& error, int argc, char** argv) {
+  // CLI11 calls a misspelt command a missing one.
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError) && argc > 1 &&
+      std::string(error.what()).find("subcommand") != std::string::npos) {
+    return std::string("there is no command '") + argv[1] + "'";
+  }
+  return error.what();
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "Palpa: model a solid with spline patches and touch it as a real elastic body.\n"
+      "Lengths in mm, forces in N, stresses in MPa.");
+  app.name("palpa-cli");
+  app.set_version_flag("--version", "palpa-cli " PALPA_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done, 2 usage, 3 bad input, 4 cannot be solved, 5 cancelled.\n"
+      "'palpa-cli COMMAND --help' shows the options of a command and an example.");
+  app.get_formatter()->column_width(34);
+
+  CommonOptions options;
+  const auto commands = allCommands();
+  std::vector<CLI::App*> declared;
+  for (const auto& command : commands) {
+    CLI::App* sub = app.add_subcommand(command->name(), command->summary());
+    command->declare(*sub);
+    declareCommon(*sub, options);
+    sub->footer("Example:\n  " + command->example());
+    declared.push_back(sub);
+  }
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    // CLI11 may give up before it has seen --json.
+    const bool asJson = std::any_of(argv, argv + argc,
+                                    [](std::string_view argument) { return argument == "--json"; });
+    report({kUsage, "usage", usageMessage(error, argc, argv) + "; see palpa-cli --help"}, asJson);
+    return kUsage;
+  }
+
+  ProgressLine progress(!options.quiet);
+  try {
+    const Interrupt interrupt;
+    const Context context{options, interrupt.token(), progress};
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      if (declared[i]->parsed()) commands[i]->run(context);
+    }
+    return kDone;
+  } catch (...) {
+    progress.clear();
+    const Failure failure = currentFailure();
+    report(failure, options.json);
+    return failure.code;
+  }
+}
+
+}  // namespace
+}  // namespace palpa::cli
+
+int main(int argc, char** argv) {
+  return palpa::cli::run(argc, argv);
+}

@@ -1,0 +1,76 @@
+#include "app/cli/commands.h"
+#include "app/cli/mesh_report.h"
+#include "app/cli/project_input.h"
+#include "app/cli/text.h"
+#include "app/view/errors.h"
+#include "app/view/mesh_file.h"
+
+namespace palpa::cli {
+namespace {
+
+class MeshCommand : public Command {
+ public:
+  std::string name() const override { return "mesh"; }
+  std::string summary() const override { return "Mesh the surface of a project's solid"; }
+  std::string example() const override {
+    return "palpa-cli mesh ball.json --edge-length 3 -o ball.stl";
+  }
+
+  void declare(CLI::App& options) override {
+    input_.declare(options);
+    options
+        .add_option(
+            "-o,--output", output_,
+            "Mesh file to write: " + view::meshFileEndings() + " (.vtp names patches and supports)")
+        ->type_name("FILE");
+  }
+
+  void run(const Context& context) override {
+    // A wrong file name is better known before the work than after it.
+    if (!output_.empty()) view::requireMeshFileName(output_);
+    const modeling::Project project = input_.read();
+    const auto regions = modeling::meshRegions(project);
+    const modeling::SurfaceMesh mesh = modeling::mesh(project.solid, project.mesh, regions);
+    const modeling::MeshQuality quality = modeling::measureQuality(mesh);
+    Json report = toJson(mesh, quality);
+    std::string text = toText(mesh, quality);
+    if (!output_.empty()) {
+      view::writeMesh(meshFile(project, mesh), output_);
+      report["file"] = output_;
+      text += "written    " + output_ + "\n";
+    }
+    context.print(report, text);
+  }
+
+ private:
+  static view::MeshFile meshFile(const modeling::Project& project,
+                                 const modeling::SurfaceMesh& mesh) {
+    view::MeshFile file{mesh.positions, mesh.triangles, {}, {}};
+    file.triangleData.push_back(
+        {"patch", 1, {mesh.patchOfTriangle.begin(), mesh.patchOfTriangle.end()}});
+    file.triangleData.push_back(
+        {"smoothing_group",
+         1,
+         {mesh.smoothingGroupOfTriangle.begin(), mesh.smoothingGroupOfTriangle.end()}});
+    // meshRegions() lists the supports first.
+    view::MeshData support{"support", 1, std::vector<double>(mesh.triangles.size(), -1)};
+    for (std::size_t i = 0; i < project.supports.size(); ++i) {
+      for (const int triangle : mesh.trianglesOfRegion[i]) {
+        support.values[static_cast<std::size_t>(triangle)] = static_cast<double>(i);
+      }
+    }
+    file.triangleData.push_back(std::move(support));
+    return file;
+  }
+
+  ProjectInput input_;
+  std::string output_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeMeshCommand() {
+  return std::make_unique<MeshCommand>();
+}
+
+}  // namespace palpa::cli

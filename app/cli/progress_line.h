@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace palpa::cli {
+
+/// One line on standard error that follows long work, rewritten in place: "assemble  45 %".
+/// Silent unless standard error is a terminal. Thread-safe.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool wanted);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(std::string_view phase, double fraction);
+
+  /// Removes the line, so that other output can follow.
+  void clear();
+
+ private:
+  bool enabled_;
+  std::mutex mutex_;
+  std::string shown_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+}  // namespace palpa::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "modeling/project.h"
+
+namespace palpa::cli {
+
+/// The project a command works on, and the options that change it for this run.
+class ProjectInput {
+ public:
+  /// Adds FILE and --edge-length.
+  void declare(CLI::App& options);
+
+  /// Reads the file and applies the options. Errors as readProject(), and UsageError.
+  modeling::Project read() const;
+
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
+  std::string edgeLength_;
+};
+
+}  // namespace palpa::cli

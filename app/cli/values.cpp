@@ -1,0 +1,62 @@
+#include "app/cli/values.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "app/cli/errors.h"
+
+namespace palpa::cli {
+namespace {
+
+std::optional<double> number(std::string_view text) {
+  // from_chars knows no leading plus sign; people write one.
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+double parseNumber(const std::string& option, const std::string& text) {
+  const auto value = number(text);
+  if (!value) throw UsageError(option + ": expected a number, found '" + text + "'");
+  return *value;
+}
+
+double parsePositive(const std::string& option, const std::string& text) {
+  const auto value = number(text);
+  if (!value || *value <= 0) {
+    throw UsageError(option + ": expected a number greater than zero, found '" + text + "'");
+  }
+  return *value;
+}
+
+Eigen::Vector3d parseVector(const std::string& option, const std::string& text) {
+  Eigen::Vector3d vector;
+  std::string_view rest = text;
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = rest.find(',');
+    const auto value = number(rest.substr(0, comma));
+    const bool isLast = comma == std::string_view::npos;
+    if (!value || isLast != (i == 2)) {
+      throw UsageError(option + ": expected three numbers x,y,z without spaces, found '" + text +
+                       "'");
+    }
+    vector[i] = *value;
+    if (!isLast) rest.remove_prefix(comma + 1);
+  }
+  return vector;
+}
+
+std::vector<Eigen::Vector3d> parseVectors(const std::string& option,
+                                          const std::vector<std::string>& texts) {
+  std::vector<Eigen::Vector3d> vectors;
+  for (const std::string& text : texts) vectors.push_back(parseVector(option, text));
+  return vectors;
+}
+
+}  // namespace palpa::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+/// Values of options as text. All throw UsageError that names the option and what it expects.
+namespace palpa::cli {
+
+/// A finite number. Independent of the locale.
+double parseNumber(const std::string& option, const std::string& text);
+
+/// A finite number > 0.
+double parsePositive(const std::string& option, const std::string& text);
+
+/// Three finite numbers "x,y,z".
+Eigen::Vector3d parseVector(const std::string& option, const std::string& text);
+
+std::vector<Eigen::Vector3d> parseVectors(const std::string& option,
+                                          const std::vector<std::string>& texts);
+
+}  // namespace palpa::cli
