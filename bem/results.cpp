@@ -39,6 +39,32 @@ Matrix3d unpack(const double (&packed)[6]) {
   return full;
 }
 
+/// Integrals of Kelvin's kernels against the three basis functions of one triangle.
+struct TriangleBlocks {
+  Matrix3d U[3], T[3];
+  double solidAngle = 0;  ///< of the triangle, seen from the collocation point
+
+  TriangleBlocks(const BoundaryMesh& mesh, int t, const Material& material, const Vector3d& point) {
+    constexpr double kPi = std::numbers::pi;
+    const double nu = material.poissonRatio;
+    const FlatTriangle flat = flatTriangle(mesh, t);
+    const Vector3d normal(flat.normal);
+    const double x[3] = {point[0], point[1], point[2]};
+    TriangleIntegrals<double> integrals;
+    integrateClosedForm<double>(flat, x, integrals);
+    for (int a = 0; a < 3; ++a) {
+      const Matrix3d rr3 = unpack(integrals[a].rr3), rr5 = unpack(integrals[a].rr5);
+      const Vector3d r3(integrals[a].r3);
+      U[a] = ((3 - 4 * nu) * rr3.trace() * Matrix3d::Identity() + rr3) /
+             (16 * kPi * material.shear() * (1 - nu));
+      T[a] = -((1 - 2 * nu) * rr5.trace() * Matrix3d::Identity() + 3 * rr5 -
+               (1 - 2 * nu) * (r3 * normal.transpose() - normal * r3.transpose())) /
+             (8 * kPi * (1 - nu));
+      solidAngle += rr5.trace();
+    }
+  }
+};
+
 /// A triangle cut out of a mesh triangle, by the barycentric weights of its corners (columns).
 using Cell = Matrix3d;
 
@@ -161,36 +187,42 @@ double vonMises(const Matrix3d& stress) {
   return std::sqrt(1.5) * deviator.norm();
 }
 
+Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
+                             const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                             const Material& material, const SurfacePoint& place) {
+  // With ũ the interpolated value at x: C (u(x) - ũ) = ∫ U p - ∫ T (u - ũ), and C = -∫ T by
+  // rigid-body translation. Subtracting ũ keeps every integral convergent, also where x lies on an
+  // edge.
+  const Vector3d interpolated = cornerDisplacements(mesh, u, place.triangle) * place.weights;
+  Vector3d right = Vector3d::Zero();
+  Matrix3d freeTerm = Matrix3d::Zero();
+  for (int t = 0; t < mesh.triangleCount(); ++t) {
+    const Matrix3d displacements = cornerDisplacements(mesh, u, t);
+    const Matrix3d tractions = cornerTractions(slots, p, t);
+    const TriangleBlocks blocks(mesh, t, material, place.position);
+    for (int a = 0; a < 3; ++a) {
+      right += blocks.U[a] * tractions.col(a) - blocks.T[a] * (displacements.col(a) - interpolated);
+      freeTerm -= blocks.T[a];
+    }
+  }
+  return interpolated + freeTerm.partialPivLu().solve(right);
+}
+
 std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                            const Material& material, const Vector3d& point) {
-  constexpr double kPi = std::numbers::pi;
-  const double nu = material.poissonRatio;
-  const double x[3] = {point[0], point[1], point[2]};
-  const Matrix3d identity = Matrix3d::Identity();
   InteriorState state{Vector3d::Zero(), Matrix3d::Zero()};
   double solidAngle = 0;
   for (int t = 0; t < mesh.triangleCount(); ++t) {
-    const FlatTriangle flat = flatTriangle(mesh, t);
-    const Vector3d normal(flat.normal);
     const Matrix3d displacements = cornerDisplacements(mesh, u, t);
     const Matrix3d tractions = cornerTractions(slots, p, t);
-    TriangleIntegrals<double> integrals;
-    integrateClosedForm<double>(flat, x, integrals);
-    for (int a = 0; a < 3; ++a) {
-      const Matrix3d rr3 = unpack(integrals[a].rr3), rr5 = unpack(integrals[a].rr5);
-      const Vector3d r3(integrals[a].r3);
-      const Matrix3d U =
-          ((3 - 4 * nu) * rr3.trace() * identity + rr3) / (16 * kPi * material.shear() * (1 - nu));
-      const Matrix3d T = -((1 - 2 * nu) * rr5.trace() * identity + 3 * rr5 -
-                           (1 - 2 * nu) * (r3 * normal.transpose() - normal * r3.transpose())) /
-                         (8 * kPi * (1 - nu));
-      state.displacement += U * tractions.col(a) - T * displacements.col(a);
-      solidAngle += rr5.trace();
-    }
+    const TriangleBlocks blocks(mesh, t, material, point);
+    for (int a = 0; a < 3; ++a)
+      state.displacement += blocks.U[a] * tractions.col(a) - blocks.T[a] * displacements.col(a);
+    solidAngle += blocks.solidAngle;
     state.stress += StressIntegral(mesh, t, displacements, tractions, material, point).value();
   }
-  if (solidAngle < 2 * kPi) return std::nullopt;
+  if (solidAngle < 2 * std::numbers::pi) return std::nullopt;
   return state;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bem/boundary_conditions.h"
+#include "bem/surface_point.h"
 #include "bem/traction_projection.h"
 
 namespace palpa::bem {
@@ -29,6 +30,13 @@ std::vector<Eigen::Matrix3d> surfaceStress(const BoundaryMesh& mesh, const Tract
 
 /// sqrt(3/2 s:s) with s the deviator of `stress`.
 double vonMises(const Eigen::Matrix3d& stress);
+
+/// Displacement at any surface point from the boundary integral equation there (Sloan's iterate of
+/// the collocation solution), mm. As accurate as the nodal values, whereas interpolation between
+/// nodes loses a second-order term that is several per cent under a load a few elements wide.
+Eigen::Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                    const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                    const Material& material, const SurfacePoint& place);
 
 /// State at a point inside the body.
 struct InteriorState {

@@ -1,0 +1,117 @@
+#include "app/core/touch_model.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "app/core/memory.h"
+#include "bem/results.h"
+
+namespace palpa::app {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Refuses a model that does not fit into memory, with the numbers and with an edge length that
+/// would.
+void checkMemory(double nodes, double slots, double edgeLength, const BuildOptions& options) {
+  const double limit = options.memoryLimit > 0 ? options.memoryLimit : 0.85 * availableMemory();
+  if (limit <= 0) return;
+  // Numbers beyond the range of int are still to be reported.
+  const double chosenNodes = std::min(nodes, 1e8), chosenSlots = std::min(slots, 1e8);
+  const double bytes = bem::estimateBytes(static_cast<int>(chosenNodes),
+                                          static_cast<int>(chosenSlots), options.precision) *
+                       (nodes / chosenNodes) * (nodes / chosenNodes);
+  if (bytes <= limit) return;
+  // Memory grows with the square of the number of nodes, which grows with 1 / edge length squared.
+  const double fitting = edgeLength * std::pow(bytes / limit, 0.25) * 1.05;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "an edge length of %.4g mm needs about %.3g nodes and %s of memory; %s can be used. "
+      "Take an edge length of %.2g mm or more",
+      edgeLength, nodes, formatBytes(bytes).c_str(), formatBytes(limit).c_str(), fitting);
+  throw bem::SolverError(bem::SolverError::Kind::kTooLarge, text);
+}
+
+}  // namespace
+
+TouchState TouchModel::describe(bem::BoundaryField field,
+                                std::vector<TouchState::Contact> contacts) const {
+  TouchState state{std::move(field), {}, std::move(contacts), 0, 0, 0};
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double magnitude = 0;
+  const auto count = [&](const Eigen::Vector3d& force) {
+    sum += force;
+    magnitude += force.norm();
+  };
+  // The tractions on a support are what it and any load there exert together.
+  const Eigen::VectorXd reaction = state.field.p.col(0) - setup_.conditions.traction;
+  for (const auto& support : setup_.supports) {
+    state.supports.push_back({support.name, bem::tractionResultant(setup_.mesh, setup_.slots,
+                                                                   reaction, support.triangles)});
+    count(state.supports.back().resultant.force);
+  }
+  for (const auto& load : setup_.loads) count(load.resultant.force);
+  for (const auto& contact : state.contacts) count(contact.force);
+  state.balance = sum.norm();
+  state.relativeBalance = magnitude > 0 ? state.balance / magnitude : 0;
+  state.energy =
+      bem::strainEnergy(setup_.mesh, setup_.slots, state.field.u.col(0), state.field.p.col(0));
+  return state;
+}
+
+std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
+                                                  const BuildOptions& options,
+                                                  const bem::Job& job) {
+  modeling::MeshSettings settings = project.mesh;
+  if (options.edgeLength) settings.edgeLength = *options.edgeLength;
+  Stopwatch watch;
+  job.report("mesh", 0);
+  const double expected = modeling::estimateNodeCount(project.solid, settings);
+  checkMemory(expected, expected, settings.edgeLength, options);
+  const auto regions = modeling::meshRegions(project);
+  modeling::SurfaceMesh surface = modeling::mesh(project.solid, settings, regions);
+  job.throwIfCancelled();
+  BuildReport report;
+  report.nodes = static_cast<int>(surface.positions.size());
+  report.triangles = static_cast<int>(surface.triangles.size());
+  report.quality = modeling::measureQuality(surface);
+  BoundarySetup setup = makeBoundarySetup(project, surface);
+  checkMemory(report.nodes, setup.slots.count(), settings.edgeLength, options);
+  std::shared_ptr<TouchModel> model(new TouchModel(std::move(surface), std::move(setup)));
+  report.meshSeconds = watch.lap();
+  job.report("mesh", 1);
+
+  bem::ReferenceProblemTimes times;
+  const BoundarySetup& parts = model->setup_;
+  model->problem_ = bem::makeDenseReferenceProblem(parts.mesh, parts.slots, parts.conditions.ofSlot,
+                                                   parts.material, options.assembly,
+                                                   options.precision, job, &times);
+  report.assembleSeconds = times.assemble;
+  report.factoriseSeconds = times.factorise;
+  report.memory = static_cast<double>(model->problem_->bytes());
+  watch.lap();
+  job.throwIfCancelled();
+  job.report("solve", 0);
+  const bem::DegreesOfFreedom& dofs = model->problem_->dofs();
+  model->rest_ =
+      model->describe(model->problem_->solveField(dofs.knownField(parts.conditions)), {});
+  report.solveSeconds = watch.lap();
+  job.report("solve", 1);
+  model->report_ = report;
+  return model;
+}
+
+}  // namespace palpa::app

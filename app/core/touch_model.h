@@ -1,0 +1,84 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "app/core/boundary_setup.h"
+#include "bem/reference_problem.h"
+#include "modeling/project.h"
+
+namespace palpa::app {
+
+struct BuildOptions {
+  std::optional<double> edgeLength;  ///< mm; replaces that of the project
+  bem::Precision precision = bem::Precision::kAutomatic;
+  bem::AssemblyOptions assembly;
+  /// Bytes the model may take; 0: 85 % of what is available now.
+  double memoryLimit = 0;
+};
+
+struct BuildReport {
+  int nodes = 0, triangles = 0;
+  modeling::MeshQuality quality;
+  double meshSeconds = 0, assembleSeconds = 0, factoriseSeconds = 0, solveSeconds = 0;
+  double memory = 0;  ///< bytes of the operators and factors
+};
+
+/// Displacements and tractions on the whole boundary with everything a person wants to read off:
+/// what one solution of the static problem or of a touch is.
+struct TouchState {
+  bem::BoundaryField field;  ///< one column
+  struct Force {
+    std::string name;
+    bem::Resultant resultant;  ///< on the body, N and N mm about the origin
+  };
+  std::vector<Force> supports;
+  struct Contact {
+    Eigen::Vector3d at;            ///< mm, on the unloaded surface
+    double radius;                 ///< mm; 0 for a single node
+    Eigen::Vector3d force;         ///< N, exerted by the contact on the body
+    Eigen::Vector3d displacement;  ///< mm
+    double stiffness;              ///< N/mm along the displacement it causes
+  };
+  std::vector<Contact> contacts;
+  double energy = 0;  ///< strain energy, mJ
+  /// Norm of the sum of all forces on the body (N): zero for the exact solution, so an honest error
+  /// indicator.
+  double balance = 0;
+  /// The same over the sum of the magnitudes of all forces; 0 when there are none.
+  double relativeBalance = 0;
+};
+
+/// What a project becomes: meshed, assembled, factorised, solved for its own supports and loads,
+/// ready to be touched. Immutable, so that it can be shared between threads.
+class TouchModel {
+ public:
+  const modeling::SurfaceMesh& surface() const { return surface_; }
+  const BoundarySetup& setup() const { return setup_; }
+  const std::shared_ptr<const bem::ReferenceProblem>& problem() const { return problem_; }
+  /// The state without touches.
+  const TouchState& rest() const { return rest_; }
+  const BuildReport& report() const { return report_; }
+
+  /// Forces, energy and balance that belong to a field and its contacts.
+  TouchState describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts) const;
+
+ private:
+  friend std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project&,
+                                                           const BuildOptions&, const bem::Job&);
+  TouchModel(modeling::SurfaceMesh surface, BoundarySetup setup)
+      : surface_(std::move(surface)), setup_(std::move(setup)) {}
+
+  modeling::SurfaceMesh surface_;
+  BoundarySetup setup_;
+  std::shared_ptr<const bem::ReferenceProblem> problem_;
+  TouchState rest_;
+  BuildReport report_;
+};
+
+/// Runs the whole way from project to model. Phases of progress: "mesh", "assemble", "factorise",
+/// "solve". Throws ModelingError (bad project), SolverError (cannot be solved; kTooLarge with the
+/// estimate before memory is taken), Cancelled.
+std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
+                                                  const BuildOptions& options, const bem::Job& job);
+
+}  // namespace palpa::app
