@@ -4,9 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <set>
 
+#include "modeling/border_fit.h"
 #include "modeling/error.h"
 #include "modeling/mesh_counts.h"
+#include "modeling/mesh_improve.h"
+#include "modeling/mesh_refine.h"
 #include "modeling/structured_mesh.h"
 #include "modeling/surface_properties.h"
 #include "modeling/text.h"
@@ -81,39 +85,42 @@ void renumber(WorkMesh& work, const Counts& counts) {
             });
 }
 
-/// The true surface point in the middle (in parameters) of each triangle.
-std::vector<Eigen::Vector3d> centroids(const WorkMesh& work) {
-  std::vector<Eigen::Vector3d> points;
-  for (const WorkTriangle& triangle : work.triangles) {
-    double u = 0.0;
-    double v = 0.0;
-    for (int node : triangle.nodes) {
-      u += work.in(node, triangle.patch).u / 3.0;
-      v += work.in(node, triangle.patch).v / 3.0;
+/// The distinct half spaces of all regions; their order gives the bits of WorkTriangle::sides.
+std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions) {
+  constexpr std::size_t kMost = 64;
+  std::vector<HalfSpace> result;
+  for (const MeshRegion& region : regions)
+    for (const RegionPart& part : region.where.parts) {
+      const auto* half = std::get_if<HalfSpace>(&part);
+      if (half && std::find(result.begin(), result.end(), *half) == result.end())
+        result.push_back(*half);
     }
-    points.push_back(work.surface->position(triangle.patch, u, v));
-  }
-  return points;
+  if (result.size() > kMost)
+    throw ModelingError("the regions have " + std::to_string(result.size()) +
+                            " different half spaces; at most 64 are possible",
+                        ModelingError::Kind::tooLarge);
+  return result;
 }
 
-bool contains(const RegionPart& part, const Solid& solid, int patch, const Eigen::Vector3d& x,
-              double tolerance) {
-  if (const auto* half = std::get_if<HalfSpace>(&part))
-    return half->value(x) < -tolerance * half->normal.norm();
-  for (const std::string& name : std::get<PatchSet>(part).patches)
-    if (solid.patches()[patch].name == name) return true;
-  return false;
+bool contains(const RegionPart& part, const WorkMesh& work, const WorkTriangle& triangle,
+              const std::vector<HalfSpace>& halfSpaces) {
+  if (const auto* half = std::get_if<HalfSpace>(&part)) {
+    const auto k = std::find(halfSpaces.begin(), halfSpaces.end(), *half) - halfSpaces.begin();
+    return (triangle.sides >> k) & 1;
+  }
+  const auto& names = std::get<PatchSet>(part).patches;
+  return std::find(names.begin(), names.end(), work.solid->patches()[triangle.patch].name) !=
+         names.end();
 }
 
 std::vector<int> trianglesOf(const MeshRegion& region, const WorkMesh& work,
-                             const std::vector<Eigen::Vector3d>& middles, double tolerance) {
+                             const std::vector<HalfSpace>& halfSpaces) {
   std::vector<int> triangles;
-  for (std::size_t t = 0; t < middles.size(); ++t)
-    for (const RegionPart& part : region.where.parts)
-      if (contains(part, *work.solid, work.triangles[t].patch, middles[t], tolerance)) {
-        triangles.push_back(static_cast<int>(t));
-        break;
-      }
+  for (std::size_t t = 0; t < work.triangles.size(); ++t)
+    if (std::any_of(region.where.parts.begin(), region.where.parts.end(), [&](const auto& part) {
+          return contains(part, work, work.triangles[t], halfSpaces);
+        }))
+      triangles.push_back(static_cast<int>(t));
   if (triangles.empty())
     throw ModelingError(region.name +
                         ": no part of the surface lies in this region; check the half space "
@@ -121,7 +128,8 @@ std::vector<int> trianglesOf(const MeshRegion& region, const WorkMesh& work,
   return triangles;
 }
 
-SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshRegion> regions) {
+SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshRegion> regions,
+                   const std::vector<HalfSpace>& halfSpaces) {
   renumber(work, counts);
   SurfaceMesh mesh;
   for (const WorkNode& node : work.nodes) {
@@ -135,13 +143,52 @@ SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshReg
     mesh.patchOfTriangle.push_back(triangle.patch);
     mesh.smoothingGroupOfTriangle.push_back(groups[triangle.patch]);
   }
-  const std::vector<Eigen::Vector3d> middles = centroids(work);
-  // A face lying in the border plane itself must not be chosen by rounding.
-  const auto [low, high] = boundingBox(*work.solid);
-  const double tolerance = 1e-9 * (high - low).norm();
   for (const MeshRegion& region : regions)
-    mesh.trianglesOfRegion.push_back(trianglesOf(region, work, middles, tolerance));
+    mesh.trianglesOfRegion.push_back(trianglesOf(region, work, halfSpaces));
   return mesh;
+}
+
+/// Bits of the half spaces that belong to a region with refineBorder.
+std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
+                             const std::vector<HalfSpace>& halfSpaces) {
+  std::uint64_t bits = 0;
+  for (const MeshRegion& region : regions)
+    for (const RegionPart& part : region.where.parts)
+      if (const auto* half = std::get_if<HalfSpace>(&part); half && region.refineBorder)
+        bits |= std::uint64_t{1} << (std::find(halfSpaces.begin(), halfSpaces.end(), *half) -
+                                     halfSpaces.begin());
+  return bits;
+}
+
+/// Patches named in a region with refineBorder: their outer edges are borders, too.
+std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Solid& solid) {
+  std::set<int> patches;
+  for (const MeshRegion& region : regions)
+    for (const RegionPart& part : region.where.parts)
+      if (const auto* set = std::get_if<PatchSet>(&part); set && region.refineBorder)
+        for (const std::string& name : set->patches) patches.insert(*solid.findPatch(name));
+  return patches;
+}
+
+void refine(MeshEditor& editor, const MeshSettings& settings, std::uint64_t borders,
+            const std::set<int>& borderPatches) {
+  if (settings.refinementLevels == 0) return;
+  const WorkMesh& work = editor.mesh();
+  const std::vector<bool> sharp = sharpEdges(*work.solid, *work.surface);
+  const auto isSource = [&](int a, int b) {
+    const WorkTriangle& left = work.triangles[editor.leftOf(a, b)];
+    const WorkTriangle& right = work.triangles[editor.leftOf(b, a)];
+    if (settings.refineAtBorders &&
+        (((left.sides ^ right.sides) & borders) != 0 ||
+         borderPatches.contains(left.patch) != borderPatches.contains(right.patch)))
+      return true;
+    if (!settings.refineAtSharpEdges || left.patch == right.patch) return false;
+    const int edge = work.edgeBetween(a, b);
+    return edge >= 0 && sharp[edge];
+  };
+  refineTowards(editor, isSource, std::ldexp(settings.edgeLength, -settings.refinementLevels),
+                settings.edgeLength);
+  improveShapes(editor);
 }
 
 }  // namespace
@@ -172,8 +219,13 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   for (const MeshRegion& region : regions) checkRegion(region.where, solid, region.name);
   const SurfaceEvaluator surface(solid);
   const Counts counts = subdivisionCounts(solid, surface, settings.edgeLength);
-  WorkMesh work = structuredMesh(solid, surface, counts);
-  return finish(work, counts, regions);
+  const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
+  MeshEditor editor(structuredMesh(solid, surface, counts), halfSpaces);
+  for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
+  improveShapes(editor);
+  refine(editor, settings, refinedBorders(regions, halfSpaces), refinedPatches(regions, solid));
+  WorkMesh work = editor.take();
+  return finish(work, counts, regions, halfSpaces);
 }
 
 }  // namespace palpa::modeling

@@ -20,6 +20,10 @@ struct HalfSpace {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double below = 0.0;
 
+  bool operator==(const HalfSpace& other) const {
+    return normal == other.normal && below == other.below;
+  }
+
   double value(const Eigen::Vector3d& x) const { return normal.dot(x) - below; }
 };
 

@@ -105,11 +105,11 @@ class Builder {
     const double first = std::min(angle(0, 1, 2), angle(0, 2, 3));
     const double second = std::min(angle(0, 1, 3), angle(1, 2, 3));
     if (second > first + 1e-9) {
-      mesh_.triangles.push_back({{cell[0], cell[1], cell[3]}, patch});
-      mesh_.triangles.push_back({{cell[1], cell[2], cell[3]}, patch});
+      mesh_.triangles.push_back({{cell[0], cell[1], cell[3]}, patch, 0});
+      mesh_.triangles.push_back({{cell[1], cell[2], cell[3]}, patch, 0});
     } else {
-      mesh_.triangles.push_back({{cell[0], cell[1], cell[2]}, patch});
-      mesh_.triangles.push_back({{cell[0], cell[2], cell[3]}, patch});
+      mesh_.triangles.push_back({{cell[0], cell[1], cell[2]}, patch, 0});
+      mesh_.triangles.push_back({{cell[0], cell[2], cell[3]}, patch, 0});
     }
   }
 

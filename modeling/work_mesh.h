@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "modeling/edge_curve.h"
@@ -18,7 +19,6 @@ struct WorkNode {
   std::vector<SurfaceParameter> at;
   int edge = -1;            ///< solid edge the node lies on; -1 inside a patch or in a corner
   double edgeFraction = 0;  ///< on that edge, 0 … 1 of the parameter of uses[0]
-  int border = -1;          ///< half space border the node lies on; -1 for none
 
   bool isCorner() const { return at.size() > 2; }
 };
@@ -26,6 +26,7 @@ struct WorkNode {
 struct WorkTriangle {
   std::array<int, 3> nodes;
   int patch;
+  std::uint64_t sides = 0;  ///< bit k: the triangle lies in half space k the mesh was fitted to
 };
 
 /// Triangles over the patches of a solid with what is needed to change them: where a node may
