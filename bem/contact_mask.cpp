@@ -30,6 +30,20 @@ double longestEdge(const BoundaryMesh& mesh, int t) {
   return longest;
 }
 
+/// Longest edges around the corners, interpolated: continuous when the point moves, so that the
+/// radius is, too.
+double localEdgeLength(const BoundaryMesh& mesh, const std::vector<std::vector<int>>& ofNode,
+                       const SurfacePoint& point) {
+  double length = 0;
+  for (int corner = 0; corner < 3; ++corner) {
+    double longest = 0;
+    for (const int t : ofNode[mesh.triangles[point.triangle][corner]])
+      longest = std::max(longest, longestEdge(mesh, t));
+    length += point.weights[corner] * longest;
+  }
+  return length;
+}
+
 /// Triangles that reach into the ball and hang together with the touched one: the far side of a
 /// thin body must not be touched as well.
 std::vector<int> touchedTriangles(const BoundaryMesh& mesh,
@@ -69,10 +83,7 @@ ContactMask makeContactMask(const BoundaryMesh& mesh, const DegreesOfFreedom& do
   ContactMask mask;
   mask.point = nearestSurfacePoint(mesh, at);
   const auto ofNode = trianglesOfNodes(mesh);
-  double localEdge = 0;
-  for (const int node : mesh.triangles[mask.point.triangle])
-    for (const int t : ofNode[node]) localEdge = std::max(localEdge, longestEdge(mesh, t));
-  mask.radius = std::max(radius, 2.0 * localEdge);
+  mask.radius = std::max(radius, 2.0 * localEdgeLength(mesh, ofNode, mask.point));
 
   const std::vector<int> touched = touchedTriangles(mesh, ofNode, mask.point, mask.radius);
   std::map<int, int> index;  // free nodes of the touched triangles

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "bem/error.h"
+#include "bem/nodal_switching.h"
+#include "bem/surface_point.h"
+#include "test_meshes.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The two matrices of A v + Ā v̄ = 0, written out column by column from H and G: the definition
+/// against which the capacitance method is checked.
+struct WrittenOut {
+  MatrixXd A, ABar;
+
+  WrittenOut(const BoundaryMesh& mesh, const TractionSlots& slots, const DegreesOfFreedom& dofs,
+             const Material& material) {
+    const auto operators = assemble<double>(mesh, slots, dofs.collocationPoints(mesh, slots),
+                                            material, AssemblyOptions{}, Job{});
+    A.resize(dofs.count(), dofs.count());
+    ABar = MatrixXd::Zero(dofs.count(), dofs.nodalCount());
+    for (int dof = 0; dof < dofs.count(); ++dof) {
+      VectorXd traction = VectorXd::Zero(dofs.count());
+      for (const auto& w : dofs.tractionOf(dof))
+        for (int i = 0; i < 3; ++i)
+          traction -= w.traction[i] * operators.G.view().col(3 * w.slot + i);
+      if (dof >= dofs.nodalCount()) {
+        A.col(dof) = traction;
+        continue;
+      }
+      VectorXd displacement = VectorXd::Zero(dofs.count());
+      for (int i = 0; i < 3; ++i)
+        displacement += dofs.frame(dof / 3)(i, dof % 3) * operators.H.view().col(3 * (dof / 3) + i);
+      A.col(dof) = dofs.isConstrained(dof) ? traction : displacement;
+      ABar.col(dof) = dofs.isConstrained(dof) ? displacement : traction;
+    }
+  }
+
+  VectorXd solveSwitched(const std::vector<int>& nodes, const VectorXd& known) const {
+    MatrixXd a = A, aBar = ABar;
+    for (const int node : nodes)
+      for (int k = 0; k < 3; ++k) a.col(3 * node + k).swap(aBar.col(3 * node + k));
+    return a.partialPivLu().solve(-aBar * known);
+  }
+};
+
+using Conditions = std::function<SlotCondition(int tag)>;
+
+void expectSwitchingEqualsFreshSolve(const BoundaryMesh& mesh, const Conditions& conditionOfTag,
+                                     unsigned seed) {
+  const TractionSlots slots(mesh);
+  const Material material{0.1, 0.45};
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : slots.slots) conditions.push_back(conditionOfTag(slot.tag));
+  const std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
+      mesh, slots, conditions, material, AssemblyOptions{}, Precision::kDouble, Job{});
+  const DegreesOfFreedom& dofs = problem->dofs();
+  const WrittenOut written(mesh, slots, dofs, material);
+
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  VectorXd known(dofs.nodalCount());
+  for (double& value : known) value = normal(random);
+  const BoundaryField given = dofs.expand(VectorXd::Zero(dofs.count()), known);
+  const VectorXd unknown = problem->solve(given).col(0);
+  NodalSwitching switching(std::make_shared<GreensFunction>(problem), known, unknown,
+                           problem->solveField(given));
+
+  // Nodes of any kind join in random order, some leave again.
+  for (int step = 0; step < 14; ++step) {
+    const auto& members = switching.nodes();
+    if (step % 4 == 3) {
+      switching.remove(members[random() % members.size()]);
+    } else {
+      int node = static_cast<int>(random() % mesh.nodes.size());
+      while (std::find(members.begin(), members.end(), node) != members.end())
+        node = (node + 1) % mesh.nodeCount();
+      switching.add(node);
+    }
+    VectorXd values(3 * static_cast<Eigen::Index>(members.size()));
+    VectorXd knownNow = known;
+    for (std::size_t s = 0; s < members.size(); ++s)
+      for (int k = 0; k < 3; ++k)
+        knownNow[3 * members[s] + k] = values[3 * static_cast<Eigen::Index>(s) + k] =
+            normal(random);
+    const VectorXd fresh = written.solveSwitched(members, knownNow);
+    const VectorXd updated = switching.solve(values).v;
+    ASSERT_LE((updated - fresh).norm(), 1e-9 * fresh.norm()) << "after step " << step;
+  }
+}
+
+TEST(NodalSwitching, EqualsFreshSolveOnASphereWithAFixedPart) {
+  BoundaryMesh mesh = test::sphereMesh(25, 5);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+    mesh.tags[t] = mesh.point(t, Eigen::Vector3d::Constant(1.0 / 3))[2] < -12 ? 1 : 0;
+  const auto conditions = [](int tag) {
+    return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction;
+  };
+  expectSwitchingEqualsFreshSolve(mesh, conditions, 1);
+}
+
+TEST(NodalSwitching, EqualsFreshSolveWithRollers) {
+  const auto conditions = [](int tag) {
+    return tag % 2 == 0 ? SlotCondition::kRoller : SlotCondition::kTraction;
+  };
+  expectSwitchingEqualsFreshSolve(test::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3), conditions, 2);
+}
+
+TEST(NodalSwitching, EqualsFreshSolveWithExtraTractionsAtAnEdge) {
+  const auto conditions = [](int tag) {
+    return tag == 0 || tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction;
+  };
+  expectSwitchingEqualsFreshSolve(test::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3), conditions, 3);
+}
+
+TEST(NodalSwitching, FieldFulfilsTheBoundaryEquations) {
+  // The field that comes with the solution must satisfy H u = G p: to the rounding of a double
+  // solve.
+  const BoundaryMesh mesh = test::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3);
+  const TractionSlots slots(mesh);
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : slots.slots)
+    conditions.push_back(slot.tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction);
+  const std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
+      mesh, slots, conditions, {1.0, 0.3}, AssemblyOptions{}, Precision::kDouble, Job{});
+  const auto& dofs = problem->dofs();
+  const int node = nearestNode(mesh, {1.5, 1, 1});
+  NodalSwitching switching(std::make_shared<GreensFunction>(problem),
+                           VectorXd::Zero(dofs.nodalCount()), VectorXd::Zero(dofs.count()),
+                           {VectorXd::Zero(dofs.nodalCount()), VectorXd::Zero(3 * slots.count())});
+  switching.add(node);
+  const auto solution = switching.solve(Eigen::Vector3d(0, 0, -0.1));
+  EXPECT_LE(problem->relativeResidual(solution.field), 1e-12);
+  EXPECT_NEAR(solution.field.u(3 * node + 2, 0), -0.1, 1e-15);
+  EXPECT_LT(solution.switched[2], 0);  // pushed down, the finger pushes down
+}
+
+TEST(GreensFunction, AllColumnsAgreeWithRefinedOnes) {
+  const BoundaryMesh mesh = test::sphereMesh(1, 4);
+  const TractionSlots slots(mesh);
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : slots.slots)
+    conditions.push_back(mesh.nodes[slot.node][2] < -0.5 ? SlotCondition::kFixed
+                                                         : SlotCondition::kTraction);
+  const std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
+      mesh, slots, conditions, {1.0, 0.3}, AssemblyOptions{}, Precision::kSingle, Job{});
+  GreensFunction all(problem), some(problem);
+  all.computeAll(Job{});
+  const std::vector<int> dofs{0, 17, 100, 200};
+  some.ensure(dofs);
+  // Single-precision factors: condition about 1e2 times 6e-8, with room.
+  for (const int dof : dofs)
+    EXPECT_LE((all.column(dof) - some.column(dof)).norm(), 5e-5 * some.column(dof).norm());
+  std::stop_source stop;
+  stop.request_stop();
+  GreensFunction cancelled(problem);
+  EXPECT_THROW(cancelled.computeAll(Job{stop.get_token(), {}, 1}), Cancelled);
+  EXPECT_FALSE(cancelled.isComplete());
+}
+
+}  // namespace
+}  // namespace palpa::bem
