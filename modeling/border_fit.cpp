@@ -94,7 +94,6 @@ class BorderFit {
     for (const Crossing& c : crossings) {
       if (!isCrossed(c.node, c.other)) continue;
       if (mayMove(c.node, c.other)) {
-        // Not c.part: the other end may have moved... it has not, or the edge were not crossed.
         WorkNode target = editor_.between(c.node, c.other, c.part);
         if (editor_.move(c.node, std::move(target))) {
           values_[c.node] = 0.0;
@@ -138,17 +137,19 @@ class BorderFit {
     }
   }
 
-  /// A region between the nodes would be lost: bisect the triangles that hide it until nodes lie in
-  /// it. The same for the part outside the region.
+  /// A region between the nodes would be lost, and one with few nodes be a rough polygon: bisect
+  /// the triangles it touches until enough nodes lie in it. The same for the part outside the
+  /// region.
   void resolveSmallRegion() {
     constexpr int kRounds = 14;
+    constexpr int kEnoughNodes = 8;
     for (const double sign : {-1.0, 1.0})
       for (int round = 0; round < kRounds; ++round) {
         const auto& nodes = editor_.mesh().nodes;
         const auto inside = std::count_if(nodes.begin(), nodes.end(), [&](const WorkNode& node) {
           return sign * clean(half_.value(node.position)) > 0.0;
         });
-        if (inside >= 3) break;
+        if (inside >= kEnoughNodes) break;
         std::vector<int> hiding;
         for (std::size_t t = 0; t < editor_.mesh().triangles.size(); ++t)
           if (hides(static_cast<int>(t), sign)) hiding.push_back(static_cast<int>(t));

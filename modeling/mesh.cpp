@@ -11,6 +11,7 @@
 #include "modeling/mesh_counts.h"
 #include "modeling/mesh_improve.h"
 #include "modeling/mesh_refine.h"
+#include "modeling/refinement_estimate.h"
 #include "modeling/structured_mesh.h"
 #include "modeling/surface_properties.h"
 #include "modeling/text.h"
@@ -202,27 +203,32 @@ void MeshSettings::validate(const std::string& path) const {
                         " is outside 0 … " + std::to_string(kMostLevels));
 }
 
-double estimateNodeCount(const Solid& solid, const MeshSettings& settings) {
+double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
+                         std::span<const MeshRegion> regions) {
   settings.validate();
   const SurfaceEvaluator surface(solid);
-  return structuredNodeCount(solid, subdivisionCounts(solid, surface, settings.edgeLength));
+  const double plain =
+      structuredNodeCount(solid, subdivisionCounts(solid, surface, settings.edgeLength));
+  if (settings.refinementLevels == 0) return plain;
+  return plain + refinementNodes(solid, surface, settings, regions);
 }
 
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
                  std::span<const MeshRegion> regions) {
-  const double expected = estimateNodeCount(solid, settings);
+  for (const MeshRegion& region : regions) checkRegion(region.where, solid, region.name);
+  const double expected = estimateNodeCount(solid, settings, regions);
   if (expected > kMostNodes)
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
                             " mm would need about " + numberText(std::round(expected)) +
                             " nodes; at most " + numberText(kMostNodes) + " are possible",
                         ModelingError::Kind::tooLarge);
-  for (const MeshRegion& region : regions) checkRegion(region.where, solid, region.name);
   const SurfaceEvaluator surface(solid);
   const Counts counts = subdivisionCounts(solid, surface, settings.edgeLength);
   const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
   MeshEditor editor(structuredMesh(solid, surface, counts), halfSpaces);
   for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   improveShapes(editor);
+  relieveSlivers(editor);
   refine(editor, settings, refinedBorders(regions, halfSpaces), refinedPatches(regions, solid));
   WorkMesh work = editor.take();
   return finish(work, counts, regions, halfSpaces);

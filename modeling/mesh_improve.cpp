@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "modeling/mesh_refine.h"
+
 namespace palpa::modeling {
 namespace {
 
@@ -55,6 +57,33 @@ void improveShapes(MeshEditor& editor) {
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     candidates = std::move(touched);
+  }
+}
+
+void relieveSlivers(MeshEditor& editor) {
+  constexpr double kSliver = 15.0 * std::numbers::pi / 180.0;
+  constexpr int kRounds = 8;
+  // The angle opposite the shortest edge is the smallest. When two interfaces enclose it, it stays,
+  // however small the triangles in it are.
+  const auto isGap = [&](const std::array<int, 3>& n) {
+    std::array<double, 3> opposite{};
+    for (int k = 0; k < 3; ++k)
+      opposite[k] = (editor.position(n[(k + 1) % 3]) - editor.position(n[(k + 2) % 3])).norm();
+    const auto k = std::min_element(opposite.begin(), opposite.end()) - opposite.begin();
+    return !editor.isInterface(n[k], n[(k + 1) % 3]) || !editor.isInterface(n[k], n[(k + 2) % 3]);
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<std::pair<int, std::array<int, 3>>> slivers;
+    for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      const int t = static_cast<int>(i);
+      if (!editor.isAlive(t) || editor.smallestAngleOf(t) > kSliver) continue;
+      if (isGap(editor.mesh().triangles[i].nodes))
+        slivers.emplace_back(t, editor.mesh().triangles[i].nodes);
+    }
+    if (slivers.empty()) return;
+    for (const auto& [t, nodes] : slivers)
+      if (editor.isAlive(t) && editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
+    improveShapes(editor);
   }
 }
 

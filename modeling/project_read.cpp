@@ -98,7 +98,7 @@ void checkFormat(const json& document, const std::string& source) {
   if (format == document.end())
     fail("format: is missing; this is no Palpa project (expected \"palpa-project\")");
   if (*format != "palpa-project")
-    checkAgainstSchema({{"format", *format}}, source + ": this is no Palpa project");
+    fail("format: found " + format->dump().substr(0, 60) + ", expected \"palpa-project\"");
   const auto version = document.find("version");
   if (version != document.end() && version->is_number_integer() &&
       version->get<double>() > kProjectVersion)

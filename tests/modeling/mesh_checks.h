@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "modeling/mesh.h"
+
+// Properties of finished meshes, computed independently of the mesher.
+namespace palpa::modeling::checks {
+
+/// Empty when every edge is used once in each direction, every node is used, and the Euler
+/// characteristic is that of a sphere; otherwise what is wrong.
+std::string manifoldFault(const SurfaceMesh& mesh);
+
+double enclosedVolume(const SurfaceMesh& mesh);
+double totalArea(const SurfaceMesh& mesh);
+double regionArea(const SurfaceMesh& mesh, int region);
+
+/// Largest distance of a node from the surface point at its parameters.
+double distanceFromSurface(const SurfaceMesh& mesh, const Solid& solid);
+
+/// Largest |normal · x - below| over the nodes that region triangles share with others.
+double borderFault(const SurfaceMesh& mesh, int region, const HalfSpace& half);
+
+}  // namespace palpa::modeling::checks

@@ -1,0 +1,141 @@
+#include "modeling/project_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "modeling/error.h"
+#include "modeling/primitives.h"
+
+namespace palpa::modeling {
+namespace {
+
+namespace fs = std::filesystem;
+
+Project example() {
+  Project project;
+  project.name = "Ball \"soft\" ü";
+  project.material = {"silicone", 0.1, 0.49};
+  project.solid = makeSphere(25.0);
+  Region base = Region::below({0, 0, 1}, -20.0);
+  base.parts.push_back(PatchSet{{"bottom"}});
+  project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
+                      {"guide", Support::Kind::roller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
+  project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
+                   {"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, -0.0, 1.0 / 3.0}}},
+                   {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
+  project.touches = {{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, 3.0},
+                     {"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, std::nullopt}};
+  project.mesh = {4.0, 2, true, true};
+  project.view = R"({"zoom":1.5,"camera":[1,2,3],"about":{"b":1,"a":null}})";
+  return project;
+}
+
+class ProjectFile : public testing::Test {
+ protected:
+  ProjectFile() {
+    folder_ = fs::temp_directory_path() / ("palpa_project_test_" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  ~ProjectFile() override { fs::remove_all(folder_); }
+
+  static std::string contentOf(const fs::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ProjectFile, WhatIsLoadedIsSavedWithTheSameBytes) {
+  const std::string text = toJson(example());
+  EXPECT_EQ(toJson(parseProject(text, "test")), text);
+}
+
+TEST_F(ProjectFile, KeepsEveryValue) {
+  const Project before = example();
+  const Project after = parseProject(toJson(before), "test");
+  EXPECT_EQ(after.name, before.name);
+  EXPECT_EQ(after.material.poissonRatio, 0.49);
+  EXPECT_EQ(after.solid.controlPoints(), before.solid.controlPoints());
+  ASSERT_EQ(after.supports.size(), 2U);
+  EXPECT_EQ(after.supports[1].kind, Support::Kind::roller);
+  EXPECT_EQ(after.supports[1].displacement, Eigen::Vector3d(0, 0, -1e-3));
+  EXPECT_EQ(after.supports[0].where.parts.size(), 2U);
+  EXPECT_EQ(std::get<UniformTraction>(after.loads[1].what).traction.z(), 1.0 / 3.0);
+  EXPECT_EQ(std::get<Bump>(after.loads[2].what).radius, 4.0);
+  EXPECT_EQ(*after.touches[0].radius, 3.0);
+  EXPECT_EQ(std::get<TouchForce>(after.touches[1].action).vector.x(), 0.5);
+  EXPECT_EQ(after.mesh.refinementLevels, 2);
+  EXPECT_TRUE(after.mesh.refineAtSharpEdges && after.mesh.refineAtBorders);
+  EXPECT_EQ(after.view, before.view);
+}
+
+TEST_F(ProjectFile, AcceptsAFileWithoutOptionalParts) {
+  Project project = example();
+  project.supports.clear();
+  project.loads.clear();
+  project.touches.clear();
+  project.view.clear();
+  std::string text = toJson(project);
+  for (const char* part : {"  \"supports\": [],\n", "  \"loads\": [],\n", "  \"touches\": [],\n"})
+    text.erase(text.find(part), std::string(part).size());
+  EXPECT_TRUE(parseProject(text, "test").supports.empty());
+}
+
+TEST_F(ProjectFile, SavesAndKeepsABackup) {
+  const fs::path path = folder_ / "ball.json";
+  Project project = example();
+  writeProject(project, path);
+  EXPECT_FALSE(fs::exists(folder_ / "ball.json.bak"));
+  const std::string first = contentOf(path);
+  project.name = "second";
+  writeProject(project, path);
+  EXPECT_EQ(contentOf(folder_ / "ball.json.bak"), first);
+  EXPECT_EQ(readProject(path).name, "second");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
+}
+
+TEST_F(ProjectFile, FailsToSaveWithoutHarm) {
+  try {
+    writeProject(example(), folder_ / "missing" / "ball.json");
+    FAIL();
+  } catch (const ModelingError& error) {
+    EXPECT_EQ(error.kind(), ModelingError::Kind::io);
+  }
+  Project broken = example();
+  const fs::path path = folder_ / "ball.json";
+  writeProject(broken, path);
+  const std::string good = contentOf(path);
+  broken.material.youngsModulus = -1.0;
+  EXPECT_THROW(writeProject(broken, path), ModelingError);
+  EXPECT_EQ(contentOf(path), good);
+}
+
+TEST_F(ProjectFile, NamesAMissingFile) {
+  try {
+    readProject(folder_ / "none.json");
+    FAIL();
+  } catch (const ModelingError& error) {
+    EXPECT_EQ(error.kind(), ModelingError::Kind::notFound);
+    EXPECT_NE(std::string(error.what()).find("none.json: there is no such file"),
+              std::string::npos);
+  }
+  EXPECT_THROW(readProject(folder_), ModelingError);
+}
+
+TEST_F(ProjectFile, NamesTheRegionsOfAMesh) {
+  const std::vector<MeshRegion> regions = meshRegions(example());
+  ASSERT_EQ(regions.size(), 4U);
+  EXPECT_EQ(regions[0].name, "supports[0] \"base\"");
+  EXPECT_EQ(regions[3].name, "loads[1] \"drag\"");
+  EXPECT_FALSE(regions[3].refineBorder);
+}
+
+}  // namespace
+}  // namespace palpa::modeling
