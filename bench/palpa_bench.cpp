@@ -1,0 +1,204 @@
+// Times every stage from a mesh to a touch, side by side with a plain scalar assembly in the same
+// run, and prints one table with the targets beside the measurements.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "app/core/boundary_setup.h"
+#include "app/core/memory.h"
+#include "bem/assembly_kernel.h"
+#include "bem/contact_solver.h"
+#include "bem/greens_function.h"
+#include "bem/parallel.h"
+#include "bench/plain_assembly.h"
+#include "modeling/primitives.h"
+
+namespace {
+
+using namespace palpa;
+using Eigen::Vector3d;
+
+template <class Work>
+double secondsFor(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Median over repetitions until half a second has gone by (at least 3).
+template <class Work>
+double medianSecondsFor(const Work& work) {
+  std::vector<double> times;
+  double total = 0;
+  while (times.size() < 3 || (total < 0.5 && times.size() < 1000)) {
+    times.push_back(secondsFor(work));
+    total += times.back();
+  }
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2),
+                   times.end());
+  return times[times.size() / 2];
+}
+
+/// The seed's sphere: R = 25 mm, fixed below z = -20 mm.
+app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
+  modeling::Project project;
+  project.name = "bench";
+  project.material = {"silicone-like", 0.1, 0.45};
+  project.solid = modeling::makeSphere(25);
+  project.supports.push_back({"base",
+                              modeling::Support::Kind::fixed,
+                              {{modeling::HalfSpace{Vector3d::UnitZ(), -20}}},
+                              Vector3d::Zero()});
+  project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
+  return app::makeBoundarySetup(
+      project, modeling::mesh(project.solid, project.mesh, modeling::meshRegions(project)));
+}
+
+std::vector<Vector3d> pointsOnSphere(int count) {
+  std::vector<Vector3d> points;  // a spiral over the part that is free
+  for (int k = 0; k < count; ++k) {
+    const double z = 0.95 - 1.5 * (k + 0.5) / count;
+    const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+    points.emplace_back(25 * r * std::cos(angle), 25 * r * std::sin(angle), 25 * z);
+  }
+  return points;
+}
+
+struct Row {
+  std::string what, measured, target;
+};
+
+class Bench {
+ public:
+  Bench(const bem::Job& job, bool withGreensFunction) : job_(job), all_(withGreensFunction) {}
+
+  void run(int cells) {
+    const app::BoundarySetup setup = sphereSetup(cells);
+    const int n = setup.mesh.nodeCount();
+    const double pairs = static_cast<double>(n) * setup.mesh.triangleCount();
+    rows_.clear();
+    const double plain = assembly(setup, pairs);
+    bem::ReferenceProblemTimes times;
+    std::shared_ptr<const bem::ReferenceProblem> problem;
+    double build = 0;
+    // The first round pays for memory the operating system has to find; both are shown.
+    const double cold = secondsFor([&] { problem = build_(setup, times); });
+    problem.reset();
+    build = secondsFor([&] { problem = build_(setup, times); });
+    const double ours = times.assemble / pairs * 1e9;
+    add("assembly, as used", "%.1f ns/pair", ours, "<= 40");
+    add("plain scalar assembly", "%.0f ns/pair", plain, "");
+    add("ratio plain / ours", "%.1f", plain / ours, ">= 10");
+    add("assembly", "%.3f s", times.assemble, "");
+    add("factorisation", "%.3f s", times.factorise, "");
+    touches(setup, problem, build, cold, n);
+    const double singleMatrix = 4 * std::pow(3.0 * n, 2);
+    add("memory of the model", "%.0f MiB", static_cast<double>(problem->bytes()) / (1 << 20), "");
+    add("  in single (3n)^2 matrices", "%.2f", static_cast<double>(problem->bytes()) / singleMatrix,
+        n > 9000 ? "<= 3" : "");
+    if (all_) {
+      bem::GreensFunction greens(problem);
+      add("all columns of Xi", "%.2f s", secondsFor([&] { greens.computeAll(job_); }),
+          n > 2000 && n < 3000 ? "<= 10" : "");
+    }
+    print(n, setup.mesh.triangleCount());
+  }
+
+ private:
+  std::unique_ptr<bem::ReferenceProblem> build_(const app::BoundarySetup& setup,
+                                                bem::ReferenceProblemTimes& times) const {
+    return bem::makeDenseReferenceProblem(setup.mesh, setup.slots, setup.conditions.ofSlot,
+                                          setup.material, {}, bem::Precision::kAutomatic, job_,
+                                          &times);
+  }
+
+  /// Times the plain assembly on a sample of the collocation points; ns per pair.
+  double assembly(const app::BoundarySetup& setup, double pairs) const {
+    const int n = setup.mesh.nodeCount();
+    const int sample = std::max(8, static_cast<int>(std::min(1.0, 2e6 / pairs) * n));
+    std::vector<Vector3d> points;
+    for (int k = 0; k < sample; ++k)
+      points.push_back(
+          setup.mesh.nodes[static_cast<std::size_t>(static_cast<double>(k) * n / sample)]);
+    Eigen::MatrixXd H, G;
+    const double seconds = secondsFor(
+        [&] { bench::assemblePlain(setup.mesh, setup.slots, points, setup.material, H, G, job_); });
+    return seconds / (static_cast<double>(sample) * setup.mesh.triangleCount()) * 1e9;
+  }
+
+  void touches(const app::BoundarySetup& setup,
+               const std::shared_ptr<const bem::ReferenceProblem>& problem, double build,
+               double cold, int n) {
+    const auto& dofs = problem->dofs();
+    const bem::BoundaryField zero{Eigen::VectorXd::Zero(3 * n),
+                                  Eigen::VectorXd::Zero(3 * setup.slots.count())};
+    const std::vector<int> nodeDofs{0, 1, 2};
+    const double column = medianSecondsFor([&] { problem->greensColumns(nodeDofs); });
+    add("3 columns of Xi (one node)", "%.1f ms", column * 1e3, "");
+    const char* target = n > 900 && n < 1300 ? "<= 0.5" : n > 2300 && n < 2800 ? "<= 3" : "";
+    add("mesh to touchable", "%.2f s", build + column, target);
+    add("  with memory never used before", "%.2f s", cold + column, "");
+    for (const int count : {10, 50}) {
+      bem::ContactSolver solver(problem, setup.slots, zero);
+      int last = 0;
+      for (const Vector3d& at : pointsOnSphere(count))
+        last = solver.addGrab(bem::makeContactMask(setup.mesh, dofs, at, 3), Vector3d(-0.02 * at));
+      double depth = 0;
+      const double update = medianSecondsFor([&] {
+        solver.setDisplacement(last, Vector3d(0, 0, depth += 1e-4));
+        solver.forces();
+      });
+      const std::string contacts = std::to_string(count) + " contacts";
+      add("force update, " + contacts, "%.1f kHz", 1e-3 / update, count == 10 ? ">= 10" : ">= 1");
+      if (count > 10) continue;
+      const Eigen::VectorXd forces = solver.forces();
+      const double field = medianSecondsFor([&] { solver.field(forces); });
+      add("full field, " + contacts, "%.2f kHz", 1e-3 / field, n > 9000 ? ">= 1" : "");
+    }
+  }
+
+  void add(const std::string& what, const char* format, double value, const std::string& target) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    rows_.push_back({what, text, target});
+  }
+
+  void print(int nodes, int triangles) const {
+    std::printf("\nn = %d nodes, %d triangles\n", nodes, triangles);
+    std::printf("  %-34s %16s  %s\n", "what", "measured", "target");
+    for (const Row& row : rows_)
+      std::printf("  %-34s %16s  %s\n", row.what.c_str(), row.measured.c_str(), row.target.c_str());
+    std::fflush(stdout);
+  }
+
+  bem::Job job_;
+  bool all_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App options{"Times the stages from a mesh to a touch on the clamped sphere."};
+  std::vector<int> cells{7, 10, 13, 14, 20, 21};
+  bool large = false, withoutAll = false;
+  int threads = 0;
+  options.add_option("--cells", cells,
+                     "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
+  options.add_flag("--large", large, "also n = 5,000 and 10,000 (needs 12 GiB of memory)");
+  options.add_flag("--without-greens-function", withoutAll, "skip computing all of Xi");
+  options.add_option("--threads", threads, "0: all cores");
+  CLI11_PARSE(options, argc, argv);
+  if (large) cells.insert(cells.end(), {29, 41});
+
+  bem::Job job;
+  job.threads = threads;
+  std::printf("instruction set %s, %d threads, sphere R = 25 mm fixed below z = -20 mm\n",
+              bem::instructionSetName(), bem::workerCount(job));
+  for (const int count : cells) Bench(job, !withoutAll && count < 25).run(count);
+  return 0;
+}
