@@ -4,13 +4,9 @@
 #include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPolyDataSilhouette.h>
 #include <vtkProperty.h>
-#include <vtkUnsignedCharArray.h>
-
-#include <algorithm>
 
 #include "app/view/colour_map.h"
 #include "app/view/geometry.h"
@@ -18,10 +14,9 @@
 namespace palpa::view {
 namespace {
 
-/// Surfaces are pushed back behind lines, and the ghost behind the body, by these polygon offsets.
+/// Surfaces are pushed back behind lines by this polygon offset.
 constexpr double kSurfaceOffset = 1;
-constexpr double kGhostOffset = 4;
-constexpr double kGhostOpacity = 0.24;
+constexpr double kGhostOpacity = 0.22;
 
 vtkSmartPointer<vtkActor> addSurface(vtkPolyData* surface, const Colour& colour, double offset,
                                      vtkRenderer* renderer) {
@@ -75,38 +70,11 @@ void addSilhouette(vtkPolyData* surface, const Colour& colour, double opacity, d
   renderer->AddActor(makeLines(mapper, colour, opacity, width));
 }
 
-/// The ghost fades out where the body has not moved: there the two coincide, and a border between
-/// "in front" and "behind" would only show rounding errors.
-void setGhostOpacity(vtkPolyData* ghost, double visibleMotion) {
-  vtkDataArray* displacement = ghost->GetPointData()->GetArray("displacement");
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("ghost");
-  colours->SetNumberOfComponents(4);
-  for (vtkIdType i = 0; i < ghost->GetNumberOfPoints(); ++i) {
-    Eigen::Vector3d moved;
-    displacement->GetTuple(i, moved.data());
-    const double share = std::min(1.0, moved.norm() / visibleMotion);
-    const double opacity = kGhostOpacity * share * share * (3 - 2 * share);
-    for (const double part : kGhostColour) {
-      colours->InsertNextValue(static_cast<unsigned char>(255 * part));
-    }
-    colours->InsertNextValue(static_cast<unsigned char>(255 * opacity));
-  }
-  ghost->GetPointData()->SetScalars(colours);
-}
-
-void addGhost(const SurfaceScene& scene, vtkPolyData* reference, vtkRenderer* renderer,
-              double pixel) {
-  const auto surface = undeformedWithNormals(reference, scene.creaseAngle);
-  setGhostOpacity(surface, 0.04 * surface->GetLength());
-  const auto actor = addSurface(surface, kGhostColour, kGhostOffset, renderer);
-  actor->GetMapper()->ScalarVisibilityOn();
-  actor->GetMapper()->SetColorModeToDirectScalars();
-  actor->ForceTranslucentOn();
-  // Only the near side: the ghost is then one layer thick and needs no sorting.
-  actor->GetProperty()->BackfaceCullingOn();
+/// The undeformed shape's lines, hidden by the body where they lie behind it.
+void addGhostLines(vtkPolyData* reference, double creaseAngle, vtkRenderer* renderer,
+                   double pixel) {
   addSilhouette(reference, kGhostColour, 0.9, 1.2 * pixel, renderer);
-  addLines(creaseLines(reference, scene.creaseAngle), kGhostColour, 0.7, 1.1 * pixel, renderer);
+  addLines(creaseLines(reference, creaseAngle), kGhostColour, 0.7, 1.1 * pixel, renderer);
 }
 
 std::vector<int> freeTriangles(const SurfaceScene& scene) {
@@ -149,7 +117,15 @@ void addBody(const SurfaceScene& scene, vtkRenderer* renderer, double pixel) {
   for (const ContactPatch& patch : scene.contactPatches) {
     addLines(deform(contactLines(reference, patch)), kAppliedForceColour, 1, 2.2 * pixel, renderer);
   }
-  if (scene.showUndeformed) addGhost(scene, reference, renderer, pixel);
+  if (scene.showUndeformed) addGhostLines(reference, scene.creaseAngle, renderer, pixel);
+}
+
+void addGhost(const SurfaceScene& scene, vtkRenderer* background) {
+  const auto surface = undeformedWithNormals(referenceSurface(scene), scene.creaseAngle);
+  const auto actor = addSurface(surface, kGhostColour, 0, background);
+  actor->GetProperty()->SetOpacity(kGhostOpacity);
+  // Only the near side: the ghost is then one layer thick and needs no sorting.
+  actor->GetProperty()->BackfaceCullingOn();
 }
 
 void addLights(vtkRenderer* renderer) {

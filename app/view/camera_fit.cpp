@@ -75,6 +75,16 @@ Placement place(bool parallel, const std::vector<Eigen::Vector3d>& points,
   return placement;
 }
 
+/// Clips nothing of the points, nor of arrow heads around them.
+void resetClippingRange(const std::vector<Eigen::Vector3d>& points, vtkRenderer* renderer) {
+  const ViewBounds bounds = boundsOf(points, Eigen::Matrix3d::Identity());
+  const double margin = 0.05 * bounds.size().norm();
+  const Eigen::Vector3d low = bounds.low.array() - margin;
+  const Eigen::Vector3d high = bounds.high.array() + margin;
+  const double box[6] = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
+  renderer->ResetCameraClippingRange(box);
+}
+
 }  // namespace
 
 ViewAxes viewAxes(const CameraView& view) {
@@ -109,7 +119,7 @@ void fitCamera(const CameraView& view, const std::vector<Eigen::Vector3d>& point
   // Moves the optical axis to the middle of the target without turning the camera.
   camera->SetWindowCenter(1 - (target.left + target.right) / width,
                           1 - (target.bottom + target.top) / height);
-  renderer->ResetCameraClippingRange();
+  resetClippingRange(points, renderer);
 }
 
 Eigen::Vector2d toPixels(const Eigen::Vector3d& point, vtkRenderer* renderer) {

@@ -183,18 +183,20 @@ void renderToPng(const SurfaceScene& scene, const std::filesystem::path& path,
   window->SetMultiSamples(0);
   window->SetDPI(72);
   window->SetSize(layout.width, layout.height);
-  window->SetNumberOfLayers(3);
+  window->SetNumberOfLayers(4);
+  vtkNew<vtkRenderer> background;
   vtkNew<vtkRenderer> body;
   vtkNew<vtkRenderer> shineThrough;
   vtkNew<vtkRenderer> overlay;
   int layer = 0;
-  for (vtkRenderer* renderer : {body.Get(), shineThrough.Get(), overlay.Get()}) {
+  for (vtkRenderer* renderer : {background.Get(), body.Get(), shineThrough.Get(), overlay.Get()}) {
     renderer->SetLayer(layer++);
     window->AddRenderer(renderer);
   }
-  body->GradientBackgroundOn();
-  body->SetBackground(0.90, 0.92, 0.945);
-  body->SetBackground2(1, 1, 1);
+  background->GradientBackgroundOn();
+  background->SetBackground(0.90, 0.92, 0.945);
+  background->SetBackground2(1, 1, 1);
+  background->SetActiveCamera(body->GetActiveCamera());
   shineThrough->SetActiveCamera(body->GetActiveCamera());
 
   const std::vector<Eigen::Vector3d> shape = scene.deformedPositions();
@@ -217,12 +219,13 @@ void renderToPng(const SurfaceScene& scene, const std::filesystem::path& path,
                          area.top - border};
   fitCamera(scene.camera, seen, target, layout.width, layout.height, body);
 
+  addLights(background);
   addLights(body);
   addLights(shineThrough);
+  if (scene.showUndeformed) addGhost(scene, background);
   addBody(scene, body, layout.pixel);
   addArrows(arrows, size, 1.0, body);
   addArrows(arrows, size, 0.22, shineThrough);
-  body->ResetCameraClippingRange();
   Occupancy occupancy = occupied(shape, scene, layout, body);
   addArrowLabels(arrows, 1.1 * layout.fontSize, area, occupancy, body, overlay);
 
