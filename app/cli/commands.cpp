@@ -6,7 +6,11 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(makeNewCommand());
   commands.push_back(makeInfoCommand());
+  commands.push_back(makeCheckCommand());
   commands.push_back(makeMeshCommand());
+  commands.push_back(makeSolveCommand());
+  commands.push_back(makeTouchCommand());
+  commands.push_back(makeRenderCommand());
   return commands;
 }
 

@@ -16,8 +16,16 @@ Failure failureOf(const modeling::ModelingError& error) {
 
 Failure failureOf(const bem::SolverError& error) {
   using Kind = bem::SolverError::Kind;
-  if (error.kind() == Kind::kBadMaterial || error.kind() == Kind::kBadMesh) {
-    return {kBadInput, "bad_input", error.what()};
+  switch (error.kind()) {
+    case Kind::kBadMesh:
+    case Kind::kBadMaterial:
+    case Kind::kBadCondition:
+      return {kBadInput, "bad_input", error.what()};
+    case Kind::kNotHeld:
+    case Kind::kIncompressible:
+    case Kind::kTooLarge:
+    case Kind::kSingular:
+      break;
   }
   return {kCannotBeSolved, "cannot_be_solved", error.what()};
 }

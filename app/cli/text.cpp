@@ -1,5 +1,6 @@
 #include "app/cli/text.h"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -18,16 +19,12 @@ std::string format(const char* pattern, ...) {
   return text;
 }
 
-std::string toText(const Eigen::Vector3d& v, int digits) {
-  // Adding zero turns -0 into 0.
-  return format("(%.*g, %.*g, %.*g)", digits, v.x() + 0.0, digits, v.y() + 0.0, digits,
-                v.z() + 0.0);
-}
-
-std::string memoryText(double bytes) {
-  constexpr double kMebi = 1024.0 * 1024.0;
-  if (bytes >= 1024 * kMebi) return format("%.1f GiB", bytes / (1024 * kMebi));
-  return format("%.0f MiB", bytes / kMebi);
+std::string toText(const Eigen::Vector3d& vector, int digits) {
+  // What is rounding error beside the largest component is zero to a reader; so is -0.
+  const double negligible = 1e-8 * vector.cwiseAbs().maxCoeff();
+  const Eigen::Vector3d v =
+      vector.unaryExpr([&](double x) { return std::abs(x) <= negligible ? 0.0 : x; });
+  return format("(%.*g, %.*g, %.*g)", digits, v.x(), digits, v.y(), digits, v.z());
 }
 
 Json toJson(const Eigen::Vector3d& vector) {

@@ -14,9 +14,6 @@ namespace palpa::cli {
 /// "(1.5, 0, -20)": up to `digits` significant digits per number.
 std::string toText(const Eigen::Vector3d& vector, int digits = 5);
 
-/// Bytes as MiB or GiB.
-std::string memoryText(double bytes);
-
 Json toJson(const Eigen::Vector3d& vector);
 
 }  // namespace palpa::cli

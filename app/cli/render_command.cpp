@@ -1,0 +1,135 @@
+#include <charconv>
+#include <map>
+
+#include "app/cli/commands.h"
+#include "app/cli/errors.h"
+#include "app/cli/simulation.h"
+#include "app/cli/state_report.h"
+#include "app/cli/state_scene.h"
+#include "app/cli/values.h"
+#include "app/view/display.h"
+#include "app/view/picture.h"
+
+namespace palpa::cli {
+namespace {
+
+const std::map<std::string, SceneField> kFields{{"none", SceneField::kNone},
+                                                {"displacement", SceneField::kDisplacement},
+                                                {"normal-traction", SceneField::kNormalTraction},
+                                                {"von-mises", SceneField::kVonMises}};
+
+/// Directions from the eye into the scene.
+const std::map<std::string, Eigen::Vector3d> kViews{{"front", {0, 1, 0}}, {"back", {0, -1, 0}},
+                                                    {"left", {1, 0, 0}},  {"right", {-1, 0, 0}},
+                                                    {"top", {0, 0, -1}},  {"bottom", {0, 0, 1}}};
+
+view::PictureOptions parseSize(const std::string& text) {
+  view::PictureOptions size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
+    const auto height = std::from_chars(width.ptr + 1, end, size.height);
+    const bool inRange =
+        size.width >= 160 && size.width <= 8192 && size.height >= 120 && size.height <= 8192;
+    if (height.ec == std::errc() && height.ptr == end && inRange) return size;
+  }
+  throw UsageError("--size: expected WIDTHxHEIGHT from 160x120 to 8192x8192, found '" + text + "'");
+}
+
+class RenderCommand : public Command {
+ public:
+  std::string name() const override { return "render"; }
+  std::string summary() const override { return "Draw the deformed solid into a PNG file"; }
+  std::string example() const override {
+    return "palpa-cli render ball.json --at 25,0,0 --displace -4,0,0 -o ball.png\n"
+           "  palpa-cli render projects/sphere.json -o sphere.png   (the recorded touches)\n"
+           "Without a display:\n"
+           "  xvfb-run -a -s \"-screen 0 1600x1000x24\" palpa-cli render ball.json -o ball.png";
+  }
+
+  void declare(CLI::App& options) override {
+    input_.declare(options);
+    touch_.declare(options);
+    options.add_option("-o,--output", output_, "Picture to write (.png)")
+        ->required()
+        ->type_name("FILE");
+    options
+        .add_option("--field", field_,
+                    "Colours: displacement (default), normal-traction, von-mises, none")
+        ->type_name("NAME");
+    options
+        .add_option("--view", view_,
+                    "Direction of view: front, back, left, right, top, bottom, or x,y,z from the "
+                    "eye into the scene (default: so that the touches are seen)")
+        ->type_name("NAME|X,Y,Z");
+    options.add_option("--size", size_, "Size of the picture in pixels (default 1200x900)")
+        ->type_name("WxH");
+    options.add_option("--scale", scale_, "Draw displacements this many times larger (default 1)")
+        ->type_name("FACTOR");
+    options.add_option("--zoom", zoom_, "Larger than 1: closer (default 1: everything is seen)")
+        ->type_name("FACTOR");
+    options.add_flag("--parallel", scene_.parallel, "Parallel instead of perspective projection");
+    options.add_flag("--mesh-edges", scene_.showMeshEdges, "Draw the edges of the mesh");
+    options.add_flag("--reactions", scene_.showReactions, "Draw the supports' reactions");
+    options.add_flag("--no-ghost", noGhost_, "Do not draw the undeformed shape");
+  }
+
+  void run(const Context& context) override {
+    // Whatever can be wrong without solving is better known before it.
+    touch_.validate();
+    const SceneOptions sceneOptions = readSceneOptions();
+    const view::PictureOptions size = size_.empty() ? view::PictureOptions{} : parseSize(size_);
+    const modeling::Project project = input_.read();
+    view::requireDisplay();
+
+    const auto model = buildModel(project, context);
+    const bool touched = touch_.isGiven() || !project.touches.empty();
+    const app::TouchState state = touched ? touch_.play(*model, project) : model->rest();
+    view::renderToPng(makeScene(project, *model, state, sceneOptions), output_, size);
+
+    const StateReport report{*model, state, {}};
+    Json json = report.json();
+    json["file"] = output_;
+    context.print(json, report.text() + "written    " + output_ + "\n");
+  }
+
+ private:
+  SceneOptions readSceneOptions() const {
+    SceneOptions options = scene_;
+    const auto field = kFields.find(field_);
+    if (field == kFields.end()) {
+      throw UsageError("--field: unknown field '" + field_ +
+                       "'; known are displacement, normal-traction, von-mises, none");
+    }
+    options.field = field->second;
+    options.showUndeformed = !noGhost_;
+    if (!scale_.empty()) options.displacementScale = parseNumber("--scale", scale_);
+    if (!zoom_.empty()) options.zoom = parsePositive("--zoom", zoom_);
+    if (const auto view = kViews.find(view_); view != kViews.end()) {
+      options.viewDirection = view->second;
+    } else if (!view_.empty()) {
+      options.viewDirection = parseVector("--view", view_);
+      if (options.viewDirection->norm() == 0) throw UsageError("--view: the direction is zero");
+    }
+    return options;
+  }
+
+  ProjectInput input_;
+  TouchInput touch_;
+  SceneOptions scene_;
+  std::string output_;
+  std::string field_ = "displacement";
+  std::string view_;
+  std::string size_;
+  std::string scale_;
+  std::string zoom_;
+  bool noGhost_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeRenderCommand() {
+  return std::make_unique<RenderCommand>();
+}
+
+}  // namespace palpa::cli

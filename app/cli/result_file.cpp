@@ -1,0 +1,60 @@
+#include "app/cli/result_file.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/cli/errors.h"
+#include "app/view/mesh_file.h"
+
+namespace palpa::cli {
+namespace {
+
+bool isJson(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".json";
+}
+
+void writeJson(const Json& report, const std::string& path) {
+  std::ofstream file(path);
+  file << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  file.close();
+  if (!file) throw OutputError("cannot write " + path + "; check that its folder exists");
+}
+
+/// Mean traction of each triangle: the traction jumps across edges, so it has no value at nodes.
+view::MeshData triangleTractions(const app::TouchModel& model, const app::TouchState& state) {
+  view::MeshData data{"traction_MPa", 3, {}};
+  for (const auto& slots : model.setup().slots.ofCorner) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const int slot : slots) mean += state.field.p.col(0).segment<3>(3 * slot) / 3;
+    data.values.insert(data.values.end(), mean.begin(), mean.end());
+  }
+  return data;
+}
+
+}  // namespace
+
+void requireResultFileName(const std::string& path) {
+  if (!isJson(path)) view::requireMeshFileName(path);
+}
+
+void writeResult(const app::TouchModel& model, const app::TouchState& state, const Json& report,
+                 const std::string& path) {
+  if (isJson(path)) {
+    writeJson(report, path);
+    return;
+  }
+  const bem::BoundaryMesh& mesh = model.setup().mesh;
+  view::MeshFile file{mesh.nodes, mesh.triangles, {}, {}};
+  const auto u = state.field.u.col(0);
+  if (std::filesystem::path(path).extension() == ".vtp") {
+    file.pointData.push_back({"displacement_mm", 3, {u.begin(), u.end()}});
+    file.triangleData.push_back(triangleTractions(model, state));
+  } else {
+    for (int node = 0; node < mesh.nodeCount(); ++node) {
+      file.positions[static_cast<std::size_t>(node)] += u.segment<3>(3 * node);
+    }
+  }
+  view::writeMesh(file, path);
+}
+
+}  // namespace palpa::cli

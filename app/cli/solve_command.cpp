@@ -1,0 +1,44 @@
+#include "app/cli/commands.h"
+#include "app/cli/result_file.h"
+#include "app/cli/simulation.h"
+#include "app/cli/state_report.h"
+
+namespace palpa::cli {
+namespace {
+
+class SolveCommand : public Command {
+ public:
+  std::string name() const override { return "solve"; }
+  std::string summary() const override { return "Solve for a project's supports and loads"; }
+  std::string example() const override { return "palpa-cli solve ball.json --probe 0,0,25 --json"; }
+
+  void declare(CLI::App& options) override {
+    input_.declare(options);
+    probes_.declare(options);
+    options.add_option("-o,--output", output_, kResultFileHelp)->type_name("FILE");
+  }
+
+  void run(const Context& context) override {
+    probes_.validate();
+    if (!output_.empty()) requireResultFileName(output_);
+    const modeling::Project project = input_.read();
+    const auto model = buildModel(project, context);
+    const app::TouchState& state = model->rest();
+    const StateReport report{*model, state, probes_.read(*model, state)};
+    if (!output_.empty()) writeResult(*model, state, report.json(), output_);
+    context.print(report.json(), report.text());
+  }
+
+ private:
+  ProjectInput input_;
+  ProbeInput probes_;
+  std::string output_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeSolveCommand() {
+  return std::make_unique<SolveCommand>();
+}
+
+}  // namespace palpa::cli

@@ -1,0 +1,116 @@
+#include "app/cli/state_report.h"
+
+#include "app/cli/text.h"
+#include "app/core/memory.h"
+
+namespace palpa::cli {
+namespace {
+
+constexpr double kMebibyte = 1024.0 * 1024.0;
+
+Json toJson(const std::string& name, const bem::Resultant& resultant) {
+  return {{"name", name},
+          {"force_N", cli::toJson(resultant.force)},
+          {"moment_Nmm", cli::toJson(resultant.moment)}};
+}
+
+std::string toText(const char* what, const std::string& name, const bem::Resultant& resultant) {
+  return format("%-10s %s: force ", what, name.c_str()) + cli::toText(resultant.force, 4) +
+         format(" N, |%.4g| N, moment ", resultant.force.norm()) +
+         cli::toText(resultant.moment, 4) + " N·mm\n";
+}
+
+/// Largest displacement of a node and where it is.
+struct LargestDisplacement {
+  double length = 0;  ///< mm
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+};
+
+LargestDisplacement largestDisplacement(const app::TouchModel& model,
+                                        const app::TouchState& state) {
+  LargestDisplacement largest;
+  for (int node = 0; node < model.setup().mesh.nodeCount(); ++node) {
+    const double length = state.field.u.col(0).segment<3>(3 * node).norm();
+    if (length > largest.length) largest = {length, model.setup().mesh.nodes[node]};
+  }
+  return largest;
+}
+
+}  // namespace
+
+Json StateReport::json() const {
+  const app::BuildReport& build = model.report();
+  const LargestDisplacement largest = largestDisplacement(model, state);
+  Json report{{"nodes", build.nodes}, {"triangles", build.triangles}};
+  report["supports"] = Json::array();
+  for (const auto& support : state.supports) {
+    report["supports"].push_back(toJson(support.name, support.resultant));
+  }
+  report["loads"] = Json::array();
+  for (const auto& load : model.setup().loads) {
+    report["loads"].push_back(toJson(load.name, load.resultant));
+  }
+  if (!state.contacts.empty()) {
+    report["contacts"] = Json::array();
+    for (const auto& contact : state.contacts) {
+      report["contacts"].push_back({{"at_mm", cli::toJson(contact.at)},
+                                    {"radius_mm", contact.radius},
+                                    {"force_N", cli::toJson(contact.force)},
+                                    {"displacement_mm", cli::toJson(contact.displacement)},
+                                    {"stiffness_N_per_mm", contact.stiffness}});
+    }
+  }
+  report["balance_N"] = state.balance;
+  report["relative_balance"] = state.relativeBalance;
+  report["energy_mJ"] = state.energy;
+  report["largest_displacement"] = {{"u_mm", largest.length}, {"at_mm", cli::toJson(largest.at)}};
+  report["probes"] = Json::array();
+  for (const app::Probe& probe : probes) {
+    report["probes"].push_back({{"at_mm", cli::toJson(probe.at)},
+                                {"nearest_surface_mm", cli::toJson(probe.nearestSurface)},
+                                {"u_mm", cli::toJson(probe.displacement)},
+                                {"traction_MPa", cli::toJson(probe.traction)}});
+  }
+  report["seconds"] = {{"mesh", build.meshSeconds},
+                       {"assemble", build.assembleSeconds},
+                       {"factorise", build.factoriseSeconds},
+                       {"solve", build.solveSeconds}};
+  if (!state.contacts.empty()) report["seconds"]["touch"] = touchSeconds;
+  report["memory_MiB"] = app::peakMemory() / kMebibyte;
+  return report;
+}
+
+std::string StateReport::text() const {
+  const app::BuildReport& build = model.report();
+  const LargestDisplacement largest = largestDisplacement(model, state);
+  std::string text = format("mesh       %d nodes, %d triangles, smallest angle %.1f°\n",
+                            build.nodes, build.triangles, build.quality.smallestAngle);
+  for (const auto& contact : state.contacts) {
+    text += "contact    at " + cli::toText(contact.at, 4) + " mm";
+    if (contact.radius > 0) text += format(", radius %.4g mm", contact.radius);
+    text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
+    text += "           force " + cli::toText(contact.force, 4) +
+            format(" N, |%.4g| N, stiffness %.4g N/mm\n", contact.force.norm(), contact.stiffness);
+  }
+  for (const auto& load : model.setup().loads) text += toText("load", load.name, load.resultant);
+  for (const auto& support : state.supports) {
+    text += toText("support", support.name, support.resultant);
+  }
+  text += format("balance    %.3g N (%.2g %% of all forces)\n", state.balance,
+                 100 * state.relativeBalance);
+  text += format("energy     %.4g mJ\n", state.energy);
+  text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";
+  for (const app::Probe& probe : probes) {
+    text += "probe      " + cli::toText(probe.nearestSurface, 5) + " mm: u " +
+            cli::toText(probe.displacement) + " mm, traction " + cli::toText(probe.traction) +
+            " MPa\n";
+  }
+  text +=
+      format("time       mesh %.2f s, assemble %.2f s, factorise %.2f s, solve %.2f s",
+             build.meshSeconds, build.assembleSeconds, build.factoriseSeconds, build.solveSeconds);
+  if (!state.contacts.empty()) text += format(", touch %.2f s", touchSeconds);
+  text += "; memory " + app::formatBytes(app::peakMemory()) + "\n";
+  return text;
+}
+
+}  // namespace palpa::cli

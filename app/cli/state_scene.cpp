@@ -1,0 +1,235 @@
+#include "app/cli/state_scene.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/cli/text.h"
+#include "app/view/ticks.h"
+#include "bem/results.h"
+#include "bem/surface_point.h"
+
+namespace palpa::cli {
+namespace {
+
+using Eigen::Vector3d;
+using view::ForceArrow;
+using view::ScalarField;
+
+std::vector<Vector3d> nodalDisplacements(const app::TouchState& state) {
+  std::vector<Vector3d> displacements;
+  for (Eigen::Index row = 0; row < state.field.u.rows(); row += 3) {
+    displacements.emplace_back(state.field.u.col(0).segment<3>(row));
+  }
+  return displacements;
+}
+
+/// Mean over the slots of each node: at sharp edges, where the value jumps, colours blend over one
+/// triangle.
+std::vector<double> nodalMeans(const bem::TractionSlots& slots, int nodeCount,
+                               const std::vector<double>& slotValues) {
+  std::vector<double> sums(static_cast<std::size_t>(nodeCount), 0);
+  std::vector<int> counts(sums.size(), 0);
+  for (std::size_t i = 0; i < slotValues.size(); ++i) {
+    const auto node = static_cast<std::size_t>(slots.slots[i].node);
+    sums[node] += slotValues[i];
+    ++counts[node];
+  }
+  for (std::size_t node = 0; node < sums.size(); ++node) sums[node] /= std::max(counts[node], 1);
+  return sums;
+}
+
+ScalarField scalarField(SceneField kind, const app::TouchModel& model,
+                        const app::TouchState& state) {
+  const app::BoundarySetup& setup = model.setup();
+  const int nodes = setup.mesh.nodeCount();
+  ScalarField field;
+  std::vector<double> slotValues;
+  if (kind == SceneField::kDisplacement) {
+    field.name = "Displacement |u|";
+    field.unit = "mm";
+    for (const Vector3d& u : nodalDisplacements(state)) field.values.push_back(u.norm());
+    // Zero is where the body is held: colours start there.
+    const double largest = *std::max_element(field.values.begin(), field.values.end());
+    if (largest > 0) field.range = {0.0, largest};
+    return field;
+  }
+  field.unit = "MPa";
+  if (kind == SceneField::kNormalTraction) {
+    field.name = "Normal traction";
+    field.colours = ScalarField::Colours::kDiverging;
+    for (int slot = 0; slot < setup.slots.count(); ++slot) {
+      slotValues.push_back(setup.slots.slots[static_cast<std::size_t>(slot)].normal.dot(
+          state.field.p.col(0).segment<3>(3 * slot)));
+    }
+  } else {
+    field.name = "von Mises stress";
+    for (const Eigen::Matrix3d& stress : bem::surfaceStress(
+             setup.mesh, setup.slots, state.field.u.col(0), state.field.p.col(0), setup.material)) {
+      slotValues.push_back(bem::vonMises(stress));
+    }
+  }
+  field.values = nodalMeans(setup.slots, nodes, slotValues);
+  return field;
+}
+
+std::string forceLabel(const Vector3d& force) {
+  return view::threeDigits(force.norm()) + " N";
+}
+
+/// Where a surface point is drawn, and the outward normal there.
+struct DrawnPoint {
+  Vector3d position;
+  Vector3d normal;
+};
+
+DrawnPoint drawnPoint(const Vector3d& at, const app::TouchModel& model,
+                      const app::TouchState& state, double scale) {
+  const bem::BoundaryMesh& mesh = model.setup().mesh;
+  const bem::SurfacePoint point = bem::nearestSurfacePoint(mesh, at);
+  DrawnPoint drawn{point.position, mesh.normal(point.triangle)};
+  for (int corner = 0; corner < 3; ++corner) {
+    const int node =
+        mesh.triangles[static_cast<std::size_t>(point.triangle)][static_cast<std::size_t>(corner)];
+    drawn.position += scale * point.weights[corner] * state.field.u.col(0).segment<3>(3 * node);
+  }
+  return drawn;
+}
+
+void addContacts(const app::TouchModel& model, const app::TouchState& state, double scale,
+                 view::SurfaceScene& scene) {
+  for (const auto& contact : state.contacts) {
+    const DrawnPoint drawn = drawnPoint(contact.at, model, state, scale);
+    // A pressing force ends on the surface; any other leaves it.
+    const bool presses = contact.force.dot(drawn.normal) < 0;
+    scene.arrows.push_back({drawn.position, contact.force,
+                            presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
+                            ForceArrow::Role::kApplied, forceLabel(contact.force)});
+    if (contact.radius > 0) scene.contactPatches.push_back({contact.at, contact.radius});
+  }
+}
+
+/// Mean place of a load, weighted by its traction.
+Vector3d placeOf(const app::BoundarySetup::LoadPart& load, const app::BoundarySetup& setup) {
+  Vector3d sum = Vector3d::Zero();
+  double weights = 0;
+  for (int slot = 0; slot < setup.slots.count(); ++slot) {
+    const double weight = load.traction.segment<3>(3 * slot).norm();
+    const int node = setup.slots.slots[static_cast<std::size_t>(slot)].node;
+    sum += weight * setup.mesh.nodes[static_cast<std::size_t>(node)];
+    weights += weight;
+  }
+  return weights > 0 ? Vector3d(sum / weights) : sum;
+}
+
+void addLoads(const app::TouchModel& model, const app::TouchState& state, double scale,
+              view::SurfaceScene& scene) {
+  for (const auto& load : model.setup().loads) {
+    const Vector3d force = load.resultant.force;
+    const DrawnPoint drawn = drawnPoint(placeOf(load, model.setup()), model, state, scale);
+    const bool presses = force.dot(drawn.normal) < 0;
+    scene.arrows.push_back({drawn.position, force,
+                            presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
+                            ForceArrow::Role::kApplied, forceLabel(force)});
+  }
+}
+
+void addReactions(const app::TouchModel& model, const app::TouchState& state,
+                  view::SurfaceScene& scene) {
+  const app::BoundarySetup& setup = model.setup();
+  for (std::size_t i = 0; i < setup.supports.size(); ++i) {
+    Vector3d center = Vector3d::Zero();
+    double area = 0;
+    for (const int triangle : setup.supports[i].triangles) {
+      const double part = setup.mesh.area(triangle);
+      center += part * setup.mesh.point(triangle, Vector3d::Constant(1.0 / 3));
+      area += part;
+    }
+    if (area == 0) continue;
+    const Vector3d force = state.supports[i].resultant.force;
+    scene.arrows.push_back({center / area, force, ForceArrow::Anchor::kTip,
+                            ForceArrow::Role::kReaction, forceLabel(force)});
+  }
+}
+
+/// Resultants that vanish but for the discretisation (pressure all around) would be drawn as arrows
+/// of the smallest length.
+void dropNegligible(std::vector<ForceArrow>& arrows, double absolute) {
+  std::erase_if(arrows, [&](const ForceArrow& arrow) { return arrow.force.norm() < absolute; });
+}
+
+/// Of eight directions around the body, from slightly above or below, the one from which the arrows
+/// are seen best: their places turned towards the eye, their length across the view.
+Vector3d bestDirection(const app::TouchModel& model, const view::SurfaceScene& scene) {
+  const Vector3d usual = view::CameraView{}.direction;
+  Vector3d best = usual;
+  double highest = -1;
+  for (const double elevation : {-0.42, 0.42}) {
+    for (int i = 0; i < 8; ++i) {
+      const double angle = std::atan2(usual.y(), usual.x()) + i * std::numbers::pi / 4;
+      const Vector3d direction = Vector3d(std::cos(angle), std::sin(angle), elevation).normalized();
+      // Ties go to the usual view: from above, from the front.
+      double score = (elevation < 0 ? 0.3 : 0) - 0.01 * i;
+      for (const ForceArrow& arrow : scene.arrows) {
+        const bem::SurfacePoint at = bem::nearestSurfacePoint(model.setup().mesh, arrow.at);
+        const double facing = -direction.dot(model.setup().mesh.normal(at.triangle));
+        const Vector3d along = arrow.force.normalized();
+        const double across = along.cross(direction).norm();
+        score += std::min(facing, 0.4) + 0.5 * across;
+      }
+      if (score > highest) {
+        highest = score;
+        best = direction;
+      }
+    }
+  }
+  return best;
+}
+
+std::vector<std::string> captions(const modeling::Project& project, const app::TouchModel& model,
+                                  double scale) {
+  const modeling::Material& material = project.material;
+  std::string line = material.name.empty() ? "" : material.name + ", ";
+  line += format("E = %.4g MPa, nu = %.4g, %d nodes", material.youngsModulus, material.poissonRatio,
+                 model.report().nodes);
+  if (scale != 1) line += format(", displacements drawn %.4g times", scale);
+  return {line};
+}
+
+}  // namespace
+
+view::SurfaceScene makeScene(const modeling::Project& project, const app::TouchModel& model,
+                             const app::TouchState& state, const SceneOptions& options) {
+  const app::BoundarySetup& setup = model.setup();
+  view::SurfaceScene scene;
+  scene.positions = setup.mesh.nodes;
+  scene.triangles = setup.mesh.triangles;
+  scene.displacements = nodalDisplacements(state);
+  scene.displacementScale = options.displacementScale;
+  if (options.field != SceneField::kNone) scene.field = scalarField(options.field, model, state);
+  scene.showMeshEdges = options.showMeshEdges;
+  scene.showUndeformed = options.showUndeformed;
+  for (const auto& support : setup.supports) {
+    scene.supports.insert(scene.supports.end(), support.triangles.begin(), support.triangles.end());
+    scene.supportLabel += (scene.supportLabel.empty() ? "held: " : ", ") + support.name;
+  }
+  addContacts(model, state, options.displacementScale, scene);
+  addLoads(model, state, options.displacementScale, scene);
+  if (options.showReactions) addReactions(model, state, scene);
+  double largest = 0;
+  for (const ForceArrow& arrow : scene.arrows) largest = std::max(largest, arrow.force.norm());
+  dropNegligible(scene.arrows, std::max(0.01 * largest, 2 * state.balance));
+
+  scene.title = project.name;
+  scene.captions = captions(project, model, options.displacementScale);
+  scene.camera.direction = options.viewDirection.value_or(bestDirection(model, scene));
+  if (std::abs(scene.camera.direction.normalized().z()) > 0.999) {
+    scene.camera.up = Vector3d::UnitY();
+  }
+  scene.camera.parallel = options.parallel;
+  scene.camera.zoom = options.zoom;
+  return scene;
+}
+
+}  // namespace palpa::cli

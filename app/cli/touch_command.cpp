@@ -1,0 +1,61 @@
+#include <chrono>
+
+#include "app/cli/commands.h"
+#include "app/cli/errors.h"
+#include "app/cli/result_file.h"
+#include "app/cli/simulation.h"
+#include "app/cli/state_report.h"
+#include "modeling/error.h"
+
+namespace palpa::cli {
+namespace {
+
+class TouchCommand : public Command {
+ public:
+  std::string name() const override { return "touch"; }
+  std::string summary() const override { return "Touch a project's solid and report the forces"; }
+  std::string example() const override {
+    return "palpa-cli touch ball.json --at 25,0,0 --displace -2,0,0\n"
+           "  palpa-cli touch projects/sphere.json   (plays the recorded touches)";
+  }
+
+  void declare(CLI::App& options) override {
+    input_.declare(options);
+    touch_.declare(options);
+    probes_.declare(options);
+    options.add_option("-o,--output", output_, kResultFileHelp)->type_name("FILE");
+  }
+
+  void run(const Context& context) override {
+    touch_.validate();
+    probes_.validate();
+    if (!output_.empty()) requireResultFileName(output_);
+    const modeling::Project project = input_.read();
+    if (!touch_.isGiven() && project.touches.empty()) {
+      throw modeling::ModelingError(input_.file() +
+                                    ": the project has no recorded touches; give one with --at "
+                                    "x,y,z --displace x,y,z");
+    }
+    const auto model = buildModel(project, context);
+    const auto start = std::chrono::steady_clock::now();
+    const app::TouchState state = touch_.play(*model, project);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const StateReport report{*model, state, probes_.read(*model, state), seconds.count()};
+    if (!output_.empty()) writeResult(*model, state, report.json(), output_);
+    context.print(report.json(), report.text());
+  }
+
+ private:
+  ProjectInput input_;
+  TouchInput touch_;
+  ProbeInput probes_;
+  std::string output_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeTouchCommand() {
+  return std::make_unique<TouchCommand>();
+}
+
+}  // namespace palpa::cli
