@@ -1,0 +1,42 @@
+// Ctrl-C: the first one stops the work in an orderly way, within a moment.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/app/cli_runner.h"
+
+namespace palpa::cli_tests {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+TEST(CliCancel, AnInterruptEndsWithItsOwnExitCode) {
+  const Runner cli;
+  // About 7,500 nodes: many seconds of assembly.
+  cli.run("new sphere --radius 25 -o p.json");
+  const std::string file = cli.path("p.json").string();
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    execl(PALPA_CLI, "palpa-cli", "solve", file.c_str(), "--edge-length", "1.0", "--quiet",
+          static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  const auto start = Clock::now();
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const std::chrono::duration<double> waited = Clock::now() - start;
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 5);
+  // Much less than the work would take, generous for a busy machine.
+  EXPECT_LT(waited.count(), 3.0);
+}
+
+}  // namespace
+}  // namespace palpa::cli_tests

@@ -1,0 +1,194 @@
+// palpa-cli solve and touch: the contract of their JSON, and answers a person can check.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/app/cli_runner.h"
+
+namespace palpa::cli_tests {
+namespace {
+
+class CliSimulation : public testing::Test {
+ protected:
+  /// A box 40 × 30 × 20 (mm), E = 1 MPa, nu = 0.3, held by rollers so that a uniform pressure on
+  /// top compresses it without any shear.
+  void writeOedometer() const {
+    cli_.run(
+        "new box --size 40,30,20 --edge-length 6 --youngs-modulus 1 --poisson-ratio 0.3 "
+        "-o p.json");
+    Json project = cli_.readJson("p.json");
+    project["supports"] = Json::parse(R"([
+      {"name": "floor", "kind": "roller", "where": {"patches": ["bottom"]}},
+      {"name": "walls", "kind": "roller",
+       "where": {"patches": ["side_xmin", "side_xmax", "side_ymin", "side_ymax"]}}])");
+    project["loads"] = Json::parse(
+        R"([{"name": "weight", "kind": "pressure", "where": {"patches": ["top"]}, "MPa": 0.02}])");
+    cli_.writeJson("p.json", project);
+  }
+
+  Runner cli_;
+};
+
+TEST_F(CliSimulation, SolveFulfilsItsContractAndAnExactSolution) {
+  writeOedometer();
+  const Json report = cli_.runJson("solve p.json --probe 0,0,20 --probe 20,-3,10");
+  EXPECT_GT(report.at("nodes").get<int>(), 50);
+  EXPECT_GT(report.at("triangles").get<int>(), 100);
+  for (const char* phase : {"mesh", "assemble", "factorise", "solve"}) {
+    EXPECT_GE(report.at("seconds").at(phase).get<double>(), 0) << phase;
+  }
+  EXPECT_GT(report.at("memory_MiB").get<double>(), 1);
+
+  // Uniaxial strain: u_z = -p z (1 + nu)(1 - 2 nu) / (E (1 - nu)), the walls carry p nu / (1 - nu).
+  const double pressure = 0.02;
+  const double top = -pressure * 20 * 1.3 * 0.4 / 0.7;
+  const Json& probes = report.at("probes");
+  ASSERT_EQ(probes.size(), 2u);
+  EXPECT_NEAR(probes[0].at("u_mm")[2].get<double>(), top, 1e-6 * std::abs(top));
+  EXPECT_NEAR(probes[0].at("traction_MPa")[2].get<double>(), -pressure, 1e-9);
+  EXPECT_NEAR(probes[1].at("u_mm")[2].get<double>(), top / 2, 1e-6 * std::abs(top));
+  EXPECT_NEAR(probes[1].at("traction_MPa")[0].get<double>(), -pressure * 0.3 / 0.7, 1e-7);
+  EXPECT_NEAR(probes[1].at("nearest_surface_mm")[0].get<double>(), 20, 1e-9);
+
+  const Json& floor = report.at("supports")[0];
+  EXPECT_EQ(floor.at("name"), "floor");
+  EXPECT_NEAR(floor.at("force_N")[2].get<double>(), pressure * 1200, 1e-6 * pressure * 1200);
+  EXPECT_EQ(floor.at("moment_Nmm").size(), 3u);
+  const Json& weight = report.at("loads")[0];
+  EXPECT_EQ(weight.at("name"), "weight");
+  EXPECT_NEAR(weight.at("force_N")[2].get<double>(), -pressure * 1200, 1e-9);
+  EXPECT_NEAR(report.at("balance_N").get<double>(), 0, 1e-6);
+  // Half the work of the load: p A |u_z| / 2.
+  EXPECT_NEAR(report.at("energy_mJ").get<double>(), 0.5 * pressure * 1200 * std::abs(top), 1e-6);
+}
+
+TEST_F(CliSimulation, ThreadsDoNotChangeTheAnswer) {
+  writeOedometer();
+  const Json one = cli_.runJson("solve p.json --threads 1 --probe 3,4,20");
+  const Json two = cli_.runJson("solve p.json --threads 2 --probe 3,4,20");
+  EXPECT_NEAR(one.at("probes")[0].at("u_mm")[2].get<double>(),
+              two.at("probes")[0].at("u_mm")[2].get<double>(), 1e-10);
+}
+
+TEST_F(CliSimulation, TouchGivesForceAndStiffness) {
+  cli_.run("new sphere --radius 25 -o p.json");
+  // Leading minus signs are values, not options.
+  const Json report =
+      cli_.runJson("touch p.json --at -25,0,0 --displace -2,0,0 --radius 8 --kind grab");
+  ASSERT_EQ(report.at("contacts").size(), 1u);
+  const Json& contact = report.at("contacts")[0];
+  EXPECT_NEAR(contact.at("displacement_mm")[0].get<double>(), -2, 1e-9);
+  EXPECT_LT(contact.at("force_N")[0].get<double>(), 0);
+  EXPECT_GT(contact.at("stiffness_N_per_mm").get<double>(), 0);
+  // The support answers with the opposite force; what is missing is the discretisation's error.
+  const Json& reaction = report.at("supports")[0].at("force_N");
+  const double force = norm(contact.at("force_N"));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(reaction[i].get<double>(), -contact.at("force_N")[i].get<double>(), 0.01 * force);
+  }
+  EXPECT_LE(report.at("balance_N").get<double>(), 0.01 * force);
+}
+
+TEST_F(CliSimulation, TouchIsLinear) {
+  cli_.run("new cylinder --edge-length 6 -o p.json");
+  const Json once = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-1,0.5");
+  const Json twice = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-2,1");
+  EXPECT_NEAR(2 * norm(once.at("contacts")[0].at("force_N")),
+              norm(twice.at("contacts")[0].at("force_N")), 1e-8);
+}
+
+TEST_F(CliSimulation, ForceAndDisplacementAreInverseOfEachOther) {
+  cli_.run("new box --edge-length 5 -o p.json");
+  const Json moved = cli_.runJson("touch p.json --at 5,0,20 --displace 0.1,0.2,-1 --radius 10");
+  const Json f = moved.at("contacts")[0].at("force_N");
+  char force[100];
+  std::snprintf(force, sizeof force, "%.17g,%.17g,%.17g", f[0].get<double>(), f[1].get<double>(),
+                f[2].get<double>());
+  const Json pulled =
+      cli_.runJson(std::string("touch p.json --at 5,0,20 --radius 10 --force ") + force);
+  const Json& u = pulled.at("contacts")[0].at("displacement_mm");
+  EXPECT_NEAR(u[0].get<double>(), 0.1, 1e-8);
+  EXPECT_NEAR(u[1].get<double>(), 0.2, 1e-8);
+  EXPECT_NEAR(u[2].get<double>(), -1, 1e-8);
+}
+
+TEST_F(CliSimulation, ANodeIsSwitchedAsInTheSeed) {
+  cli_.run("new box --edge-length 8 -o p.json");
+  const Json info = cli_.runJson("solve p.json");
+  // Some nodes are held; among the last ones (the top) a free one is found quickly.
+  const int node = info.at("nodes").get<int>() - 1;
+  const Outcome outcome =
+      cli_.run("touch p.json --node " + std::to_string(node) + " --displace 0,0,-0.5 --json");
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  const Json contact = outcome.json().at("contacts")[0];
+  EXPECT_NEAR(contact.at("displacement_mm")[2].get<double>(), -0.5, 1e-12);
+  EXPECT_LT(contact.at("force_N")[2].get<double>(), 0);
+  EXPECT_EQ(cli_.run("touch p.json --node 1000000 --displace 0,0,1").exitCode, 3);
+}
+
+TEST_F(CliSimulation, RecordedTouchesArePlayed) {
+  cli_.run("new box --edge-length 6 -o p.json");
+  EXPECT_EQ(cli_.run("touch p.json").exitCode, 3);
+  Json project = cli_.readJson("p.json");
+  project["touches"] = Json::parse(R"([
+    {"name": "left", "kind": "grab", "at_mm": [-10, 0, 20], "displace_mm": [0, 0, -1], "radius_mm": 5},
+    {"name": "right", "kind": "grab", "at_mm": [10, 0, 20], "displace_mm": [0, 0, 1], "radius_mm": 5}])");
+  cli_.writeJson("p.json", project);
+  const Outcome outcome = cli_.run("touch p.json --json");
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  const Json contacts = outcome.json().at("contacts");
+  ASSERT_EQ(contacts.size(), 2u);
+  // Mirrored touches with opposite sign: opposite forces, up to the mesh's asymmetry.
+  const double left = contacts[0].at("force_N")[2].get<double>();
+  const double right = contacts[1].at("force_N")[2].get<double>();
+  EXPECT_NEAR(left, -right, 0.05 * std::abs(left));
+}
+
+TEST_F(CliSimulation, ResultsGoToFiles) {
+  cli_.run("new box --edge-length 8 -o p.json");
+  for (const char* name : {"r.json", "r.vtp", "r.stl", "r.obj", "r.ply"}) {
+    const Outcome outcome =
+        cli_.run(std::string("touch p.json --quiet --at 0,0,20 --displace 0,0,-1 -o ") + name);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.empty());
+    EXPECT_GT(std::filesystem::file_size(cli_.path(name)), 500u) << name;
+  }
+  EXPECT_TRUE(cli_.readJson("r.json").contains("contacts"));
+  EXPECT_NE(cli_.read("r.vtp").find("displacement_mm"), std::string::npos);
+  EXPECT_EQ(cli_.run("solve p.json -o r.xyz").exitCode, 3);
+  EXPECT_EQ(cli_.run("solve p.json -o no/such/folder/r.json").exitCode, 3);
+}
+
+TEST_F(CliSimulation, OptionsWithoutMeaningAreUsageErrors) {
+  cli_.run("new box --edge-length 8 -o p.json");
+  for (const char* arguments :
+       {"touch p.json --at 0,0,20", "touch p.json --displace 0,0,1",
+        "touch p.json --at 0,0,20 --displace 0,0,1 --force 0,0,1",
+        "touch p.json --at 0,0,20 --node 3 --displace 0,0,1", "touch p.json --node 3 --force 0,0,1",
+        "touch p.json --node x --displace 0,0,1", "touch p.json --at 0,0 --displace 0,0,1",
+        "touch p.json --at 0,0,nan --displace 0,0,1",
+        "touch p.json --at 0,0,20 --displace 0,0,1 --radius 0",
+        "touch p.json --at 0,0,20 --displace 0,0,1 --kind bite", "solve p.json --probe 1,2",
+        "solve p.json --edge-length -1", "solve p.json --threads -1", "solve"}) {
+    const Outcome outcome = cli_.run(arguments);
+    EXPECT_EQ(outcome.exitCode, 2) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("palpa-cli: ", 0), 0u) << outcome.err;
+  }
+  EXPECT_EQ(cli_.run("touch p.json --at 0,0,60 --displace 0,0,1").exitCode, 3);
+}
+
+TEST_F(CliSimulation, TheExamplesHoldAndAreTouched) {
+  for (const char* name : {"sphere.json", "cylinder.json", "box.json"}) {
+    const std::string project = Runner::example(name);
+    EXPECT_EQ(cli_.run("check " + project).exitCode, 0) << name;
+    const Json report = cli_.runJson("touch " + project);
+    const Json& contacts = report.at("contacts");
+    ASSERT_FALSE(contacts.empty()) << name;
+    EXPECT_GT(norm(contacts[0].at("force_N")), 0) << name;
+    EXPECT_LE(report.at("relative_balance").get<double>(), 0.01) << name;
+  }
+}
+
+}  // namespace
+}  // namespace palpa::cli_tests
