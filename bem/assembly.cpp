@@ -2,45 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <mutex>
 
 #include "bem/assembly_kernel.h"
+#include "bem/flat_triangle_integrals.h"
 #include "bem/parallel.h"
 
 namespace palpa::bem {
 namespace {
-
-/// Points per task: small enough to cancel and balance, large enough to reuse an element's data.
-constexpr std::ptrdiff_t kPointsPerTask = 128;
 
 /// Distances (over the element's radius) from which the two rules keep a tolerance; measured
 /// against the closed form in extended range by tests/bem/integration_test.cpp, which fails if they
 /// are too optimistic. The error of a rule of degree k falls like ratio^-(k+1).
 QuadratureRange quadratureRange(double tolerance) {
   return {0.75 * std::pow(tolerance, -1.0 / 9.0), 1.0 * std::pow(tolerance, -1.0 / 6.0)};
-}
-
-/// Completes rows [begin, end) of H: a translation of the whole body needs no traction, so each row
-/// of 3 x 3 blocks sums to zero. What is missing is the free term (and, at a node, its own singular
-/// block), which belongs to the coefficients that make up u(x).
-template <class Scalar>
-void addFreeTerm(const BoundaryMesh& mesh, const std::vector<CollocationPoint>& points,
-                 std::ptrdiff_t begin, std::ptrdiff_t end, typename LargeMatrix<Scalar>::Map H) {
-  const auto m = static_cast<std::ptrdiff_t>(points.size());
-  const auto length = end - begin;
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(length, 9);
-  for (Eigen::Index column = 0; column < H.cols(); ++column)
-    for (int i = 0; i < 3; ++i)
-      sum.col(3 * i + column % 3) +=
-          H.col(column).segment(i * m + begin, length).template cast<double>();
-  for (std::ptrdiff_t p = begin; p < end; ++p)
-    for (int corner = 0; corner < 3; ++corner) {
-      const double weight = points[p].weights[corner];
-      if (weight == 0) continue;
-      const int node = mesh.triangles[points[p].triangle][corner];
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          H(i * m + p, 3 * node + j) -= static_cast<Scalar>(weight * sum(p - begin, 3 * i + j));
-    }
 }
 
 /// Element data in the form the assembly loop reads.
@@ -59,6 +35,29 @@ struct ElementTable {
       triangles.push_back(makeFlatTriangle(corners[t].position));
     }
   }
+};
+
+/// Scratch memory for the tiles, used again from call to call.
+class TilePool {
+ public:
+  explicit TilePool(std::size_t size) : size_(size) {}
+
+  LargeMatrix<double> take() {
+    const std::scoped_lock lock(mutex_);
+    if (free_.empty()) return {static_cast<Eigen::Index>(size_), 1};
+    LargeMatrix<double> tile = std::move(free_.back());
+    free_.pop_back();
+    return tile;
+  }
+  void giveBack(LargeMatrix<double> tile) {
+    const std::scoped_lock lock(mutex_);
+    free_.push_back(std::move(tile));
+  }
+
+ private:
+  std::size_t size_;
+  std::mutex mutex_;
+  std::vector<LargeMatrix<double>> free_;
 };
 
 }  // namespace
@@ -82,6 +81,16 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   AssemblyTask<Scalar> task{};
   for (int i = 0; i < 3; ++i) task.position[i] = position[i].data();
   task.pointCount = m;
+  std::vector<std::array<int, 3>> hostNodes;
+  std::vector<std::array<double, 3>> hostWeights;
+  for (const CollocationPoint& p : points) {
+    hostNodes.push_back(mesh.triangles[p.triangle]);
+    hostWeights.push_back({p.weights[0], p.weights[1], p.weights[2]});
+  }
+  task.hostNodes = hostNodes.front().data();
+  task.hostWeights = hostWeights.front().data();
+  task.displacementCount = mesh.nodeCount();
+  task.tractionCount = slots.count();
   task.triangles = table.triangles.data();
   task.corners = &table.corners.front().position[0][0];
   task.displacementOfCorner = mesh.triangles.front().data();
@@ -90,6 +99,10 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   task.range = quadratureRange(std::clamp(options.tolerance, 1e-12, 1e-3));
   task.rule7 = triangleRule7().data();
   task.rule16 = triangleRule16().data();
+  const RuleProducts<7> products7(task.rule7);
+  const RuleProducts<16> products16(task.rule16);
+  task.products7 = products7.weight;
+  task.products16 = products16.weight;
   task.shear = material.shear();
   task.poissonRatio = material.poissonRatio;
   task.H = result.H.data();
@@ -100,14 +113,20 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   task.cancelledContext = &job.stop;
   const AssembleRows<Scalar> assembleRows = assembleRowsForThisProcessor<Scalar>();
 
-  parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble",
-              [&](std::ptrdiff_t index) {
-                AssemblyTask<Scalar> part = task;
-                part.pointBegin = index * kPointsPerTask;
-                part.pointEnd = std::min(m, part.pointBegin + kPointsPerTask);
-                assembleRows(part);
-                addFreeTerm<Scalar>(mesh, points, part.pointBegin, part.pointEnd, result.H.view());
-              });
+  // Tiles are lent from a stack, one per working thread.
+  constexpr std::size_t kBlock = 9 * kTilePoints;
+  const std::size_t tileSize = kBlock * (task.displacementCount + task.tractionCount);
+  TilePool pool(tileSize);
+  parallelFor((m + kTilePoints - 1) / kTilePoints, job, "assemble", [&](std::ptrdiff_t index) {
+    AssemblyTask<Scalar> part = task;
+    part.pointBegin = index * kTilePoints;
+    part.pointEnd = std::min(m, part.pointBegin + kTilePoints);
+    auto tile = pool.take();
+    part.tileH = tile.data();
+    part.tileG = tile.data() + kBlock * task.displacementCount;
+    assembleRows(part);
+    pool.giveBack(std::move(tile));
+  });
   return result;
 }
 

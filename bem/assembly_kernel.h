@@ -14,14 +14,23 @@ struct QuadratureRange {
   double rule7;
 };
 
-/// One call's worth of assembly: the rows of the collocation points [pointBegin, pointEnd) against
-/// all elements. Plain pointers, because the loop is compiled for several instruction sets. Row of
-/// point i, component c: c * pointCount + i. Column of coefficient j, component c: 3 j + c.
+/// Collocation points that are worked on together. Their rows are summed in a small buffer,
+/// [coefficient][3 x 3 components][point], where one element touches a few contiguous places, and
+/// copied out once: adding to the columns of the large matrices directly costs more in cache misses
+/// than the integrals.
+inline constexpr int kTilePoints = 16;
+
+/// One call's worth of assembly: all rows of up to kTilePoints collocation points. Plain pointers,
+/// because the loop is compiled for several instruction sets.
+/// Row of point i, component c: c * pointCount + i. Column of coefficient j, component c: 3 j + c.
 /// Column-major.
 template <class Scalar>
 struct AssemblyTask {
   const double* position[3];  ///< collocation points by component, pointCount each
   std::ptrdiff_t pointCount, pointBegin, pointEnd;
+  const int* hostNodes;       ///< 3 per point: the coefficients that make up u there
+  const double* hostWeights;  ///< and their weights
+  std::ptrdiff_t displacementCount, tractionCount;  ///< coefficients
   const FlatTriangle* triangles;
   const double* corners;            ///< 9 per triangle: the positions of its corners, mm
   const int* displacementOfCorner;  ///< 3 per triangle: displacement coefficient of each corner
@@ -30,14 +39,19 @@ struct AssemblyTask {
   QuadratureRange range;
   const TrianglePoint* rule7;
   const TrianglePoint* rule16;
+  const double (*products7)[10];  ///< RuleProducts of the rules
+  const double (*products16)[10];
   double shear, poissonRatio;
-  Scalar* H;  ///< (3 pointCount) x (3 displacement coefficients)
-  Scalar* G;  ///< (3 pointCount) x (3 traction coefficients)
+  Scalar* H;      ///< (3 pointCount) x (3 displacement coefficients)
+  Scalar* G;      ///< (3 pointCount) x (3 traction coefficients)
+  double* tileH;  ///< scratch of this call: 9 kTilePoints values per displacement coefficient
+  double* tileG;  ///< and per traction coefficient; both 64-byte aligned
   bool (*cancelled)(const void*);
   const void* cancelledContext;
 };
 
-/// Adds all elements' contributions; returns early when cancelled.
+/// Integrates over all elements, adds the free term to H and stores the rows; returns early when
+/// cancelled.
 template <class Scalar>
 using AssembleRows = void (*)(const AssemblyTask<Scalar>&);
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "bem/flat_triangle.h"
@@ -8,48 +9,51 @@
 /// of collocation points at once. `Batch` is an xsimd batch of doubles, or plain double.
 namespace palpa::bem {
 
-/// Plain quadrature with `count` points; for collocation points at some distance (see
-/// `QuadratureRange`). `corners` are the 9 coordinates of the triangle's corners.
-template <class Batch>
-inline void integrateByRule(const FlatTriangle& triangle, const double* corners,
-                            const TrianglePoint* rule, int count, const Batch (&x)[3],
-                            TriangleIntegrals<Batch>& out) {
-  for (auto& basis : out) {
-    for (auto& value : basis.rr3) value = Batch(0.0);
-    for (auto& value : basis.rr5) value = Batch(0.0);
-    for (auto& value : basis.r3) value = Batch(0.0);
+/// Which of the ten different products stands for N_a N_b N_c.
+inline constexpr int kProductIndex[3][3][3] = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}},
+                                               {{1, 3, 4}, {3, 6, 7}, {4, 7, 8}},
+                                               {{2, 4, 5}, {4, 7, 8}, {5, 8, 9}}};
+
+/// Weights of the products N_a N_b N_c for every point of a rule; the same for all triangles of
+/// area 1.
+template <int Count>
+struct RuleProducts {
+  double weight[Count][10];
+
+  explicit RuleProducts(const TrianglePoint* rule) : weight{} {
+    for (int q = 0; q < Count; ++q)
+      for (int a = 0; a < 3; ++a)
+        for (int b = a; b < 3; ++b)
+          for (int c = b; c < 3; ++c)
+            weight[q][kProductIndex[a][b][c]] = rule[q].weight * rule[q].barycentric[a] *
+                                                rule[q].barycentric[b] * rule[q].barycentric[c];
   }
-  for (int q = 0; q < count; ++q) {
-    const double* n = rule[q].barycentric;
-    Batch r[3];
+};
+
+namespace detail {
+
+/// half_b = factor * sum_c product(a, b, c) r_c.
+template <class Batch>
+inline void contractProducts(const Batch (&product)[10], int a, const Batch& factor,
+                             const Batch (&r)[3][3], Batch (&half)[3][3]) {
+  for (int b = 0; b < 3; ++b) {
+    const Batch w[3] = {factor * product[kProductIndex[a][b][0]],
+                        factor * product[kProductIndex[a][b][1]],
+                        factor * product[kProductIndex[a][b][2]]};
     for (int i = 0; i < 3; ++i)
-      r[i] = Batch(n[0] * corners[i] + n[1] * corners[3 + i] + n[2] * corners[6 + i]) - x[i];
-    const Batch squared = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
-    const Batch inverseSquared = Batch(1.0) / squared;
-    const Batch inverseCubed = inverseSquared * xsimd::sqrt(inverseSquared);
-    const Batch distance =
-        r[0] * triangle.normal[0] + r[1] * triangle.normal[1] + r[2] * triangle.normal[2];
-    const Batch fifth = distance * inverseCubed * inverseSquared;
-    const Batch rr[6] = {r[0] * r[0], r[0] * r[1], r[1] * r[1],
-                         r[0] * r[2], r[1] * r[2], r[2] * r[2]};
-    Batch rr3[6], rr5[6], r3[3];
-    for (int k = 0; k < 6; ++k) {
-      rr3[k] = rr[k] * inverseCubed;
-      rr5[k] = rr[k] * fifth;
-    }
-    for (int k = 0; k < 3; ++k) r3[k] = r[k] * inverseCubed;
-    for (int a = 0; a < 3; ++a) {
-      const Batch weight(rule[q].weight * triangle.area * n[a]);
-      for (int k = 0; k < 6; ++k) {
-        out[a].rr3[k] = xsimd::fma(weight, rr3[k], out[a].rr3[k]);
-        out[a].rr5[k] = xsimd::fma(weight, rr5[k], out[a].rr5[k]);
-      }
-      for (int k = 0; k < 3; ++k) out[a].r3[k] = xsimd::fma(weight, r3[k], out[a].r3[k]);
-    }
+      half[b][i] = xsimd::fma(w[0], r[0][i], xsimd::fma(w[1], r[1][i], w[2] * r[2][i]));
   }
 }
 
-namespace detail {
+/// sum_b r_b half_b^T, a symmetric tensor.
+template <class Batch>
+inline void outerSum(const Batch (&r)[3][3], const Batch (&half)[3][3], Batch (&out)[6]) {
+  constexpr int kRow[6] = {0, 0, 1, 0, 1, 2}, kColumn[6] = {0, 1, 1, 2, 2, 2};
+  for (int k = 0; k < 6; ++k)
+    out[k] = xsimd::fma(
+        r[0][kRow[k]], half[0][kColumn[k]],
+        xsimd::fma(r[1][kRow[k]], half[1][kColumn[k]], r[2][kRow[k]] * half[2][kColumn[k]]));
+}
 
 /// `condition ? a : b`, lane by lane; the plain form lets the same formulas run on doubles.
 inline double choose(bool condition, double a, double b) {
@@ -80,6 +84,68 @@ inline void rotateToSpace(const FlatTriangle& t, const Batch (&local)[6], Batch 
 }
 
 }  // namespace detail
+
+/// A quadrature rule placed on one triangle.
+template <int Count>
+struct PlacedRule {
+  double point[Count][3];             ///< mm
+  const double (*productWeight)[10];  ///< see RuleProducts
+};
+
+/// 1 / sqrt(x) to the last bits but one; x > 0.
+template <class Batch>
+inline Batch inverseSquareRoot(const Batch& x) {
+#ifdef __AVX512F__
+  // Two Newton steps on the processor's 14-bit estimate: several times faster than a division and a
+  // square root.
+  if constexpr (std::is_same_v<Batch, xsimd::batch<double, xsimd::avx512f>>) {
+    const Batch half = Batch(0.5) * x;
+    Batch y(_mm512_rsqrt14_pd(x));
+    y = y * xsimd::fnma(half, y * y, Batch(1.5));
+    return y * xsimd::fnma(half, y * y, Batch(1.5));
+  }
+#endif
+  return Batch(1.0) / xsimd::sqrt(x);
+}
+
+/// Plain quadrature; for collocation points at some distance (see `QuadratureRange`). `corners` are
+/// the 9 coordinates of the triangle's corners. With r = sum_b N_b r_b (r_b from the collocation
+/// point to the corners), all integrals are combinations of ∫ N_a N_b N_c / R^3 and / R^5: twenty
+/// sums that stay in registers.
+template <int Count, class Batch>
+inline void integrateByRule(const FlatTriangle& triangle, const double* corners,
+                            const PlacedRule<Count>& rule, const Batch (&x)[3],
+                            TriangleIntegrals<Batch>& out) {
+  Batch third[10], fifth[10];
+  for (int m = 0; m < 10; ++m) third[m] = fifth[m] = Batch(0.0);
+  for (int q = 0; q < Count; ++q) {
+    const Batch r0 = Batch(rule.point[q][0]) - x[0], r1 = Batch(rule.point[q][1]) - x[1],
+                r2 = Batch(rule.point[q][2]) - x[2];
+    const Batch inverse = inverseSquareRoot(xsimd::fma(r0, r0, xsimd::fma(r1, r1, r2 * r2)));
+    const Batch inverseSquared = inverse * inverse;
+    const Batch inverseCubed = inverse * inverseSquared;
+    const Batch inverseFifth = inverseCubed * inverseSquared;
+    for (int m = 0; m < 10; ++m) {
+      const Batch weight(rule.productWeight[q][m]);
+      third[m] = xsimd::fma(weight, inverseCubed, third[m]);
+      fifth[m] = xsimd::fma(weight, inverseFifth, fifth[m]);
+    }
+  }
+  Batch r[3][3];  // to corner b, component i
+  for (int b = 0; b < 3; ++b)
+    for (int i = 0; i < 3; ++i) r[b][i] = Batch(corners[3 * b + i]) - x[i];
+  const Batch distance =
+      r[0][0] * triangle.normal[0] + r[0][1] * triangle.normal[1] + r[0][2] * triangle.normal[2];
+  const Batch area(triangle.area), distanceArea = distance * area;
+  for (int a = 0; a < 3; ++a) {
+    Batch half[3][3];  // sum_c ∫ N_a N_b N_c / R^3 r_c
+    detail::contractProducts(third, a, area, r, half);
+    detail::outerSum(r, half, out[a].rr3);
+    for (int i = 0; i < 3; ++i) out[a].r3[i] = half[0][i] + half[1][i] + half[2][i];
+    detail::contractProducts(fifth, a, distanceArea, r, half);
+    detail::outerSum(r, half, out[a].rr5);
+  }
+}
 
 /// Closed form, for any position of the collocation point: far, near, in the triangle's plane, and
 /// (as a principal value for basis functions that do not vanish there) in the triangle itself. At a
