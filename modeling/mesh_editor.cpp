@@ -87,12 +87,17 @@ WorkNode MeshEditor::between(int a, int b, double s) const {
 }
 
 int MeshEditor::split(int a, int b, double s) {
-  WorkNode node = between(a, b, s);
-  const WorkTriangle& left = mesh_.triangles[leftOf(a, b)];
-  const std::uint64_t differing = left.sides ^ mesh_.triangles[leftOf(b, a)].sides;
-  if (node.edge < 0 && differing != 0)
-    node = onBorder(std::move(node), halfSpaces_[std::countr_zero(differing)]);
-  return split(a, b, std::move(node));
+  const WorkNode plain = between(a, b, s);
+  const double length = (position(a) - position(b)).norm();
+  const std::uint64_t differing =
+      mesh_.triangles[leftOf(a, b)].sides ^ mesh_.triangles[leftOf(b, a)].sides;
+  const int middle = split(a, b, plain);
+  if (plain.edge >= 0 || differing == 0) return middle;
+  // A node that only counts as on the border can make the border itself run outside the triangles
+  // here; then the middle of the edge has to do.
+  WorkNode fitted = onBorder(plain, halfSpaces_[std::countr_zero(differing)]);
+  if ((fitted.position - plain.position).norm() < 0.25 * length) move(middle, std::move(fitted));
+  return middle;
 }
 
 int MeshEditor::split(int a, int b, WorkNode node) {
