@@ -16,7 +16,7 @@ namespace {
 /// and within a few per cent of the converged answer for such simple bodies.
 double suitableEdgeLength(const modeling::Solid& solid) {
   const double area = modeling::area(modeling::SurfaceEvaluator(solid));
-  const double length = std::sqrt(0.87 * area / 600);
+  const double length = std::sqrt(1.05 * area / 600);
   return std::stod(format("%.2g", length));
 }
 
