@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "bem/displacement_recovery.h"
 #include "bem/error.h"
 #include "bem/traction_projection.h"
 
@@ -14,6 +15,10 @@ namespace palpa::bem {
 namespace {
 
 using Eigen::Vector3d;
+
+/// Radius over edge length at which half the bump's height is as wide as that of a nodal basis
+/// function.
+constexpr double kNarrowest = 1.25;
 
 std::vector<std::vector<int>> trianglesOfNodes(const BoundaryMesh& mesh) {
   std::vector<std::vector<int>> result(mesh.nodes.size());
@@ -78,12 +83,12 @@ Eigen::MatrixXd ContactMask::displacement(const Eigen::MatrixXd& u) const {
   return d;
 }
 
-ContactMask makeContactMask(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs,
-                            const Vector3d& at, double radius) {
+ContactMask makeContactMask(const BoundaryMesh& mesh, const TractionSlots& slots,
+                            const DegreesOfFreedom& dofs, const Vector3d& at, double radius) {
   ContactMask mask;
   mask.point = nearestSurfacePoint(mesh, at);
   const auto ofNode = trianglesOfNodes(mesh);
-  mask.radius = std::max(radius, 2.0 * localEdgeLength(mesh, ofNode, mask.point));
+  mask.radius = std::max(radius, kNarrowest * localEdgeLength(mesh, ofNode, mask.point));
 
   const std::vector<int> touched = touchedTriangles(mesh, ofNode, mask.point, mask.radius);
   std::map<int, int> index;  // free nodes of the touched triangles
@@ -129,16 +134,23 @@ ContactMask makeContactMask(const BoundaryMesh& mesh, const DegreesOfFreedom& do
   mass.setFromTriplets(entries.begin(), entries.end());
   mask.traction = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(mass).solve(right);
 
-  // Ψ = M Φ over all nodes of the surface, and ∫ Φ dΓ = its sum.
+  // Ψ: ∫ Φ u dΓ as weights of nodal displacements, u between the nodes recovered to third order.
+  const DisplacementRecovery recovery(mesh, slots);
+  const auto coefficient = [&](int t, int corner) {
+    const auto place = index.find(mesh.triangles[t][corner]);
+    return place == index.end() ? 0.0 : mask.traction[place->second];
+  };
   std::map<int, double> measure;
   for (const int t : around)
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) {
-        const auto j = index.find(mesh.triangles[t][b]);
-        if (j != index.end())
-          measure[mesh.triangles[t][a]] +=
-              mesh.area(t) / (a == b ? 6.0 : 12.0) * mask.traction[j->second];
-      }
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      const double phiA = coefficient(t, a), phiB = coefficient(t, b), phiC = coefficient(t, c);
+      // ∫ λ_a λ_b = area / 12 and ∫ λ_a λ_b λ_c = area / 60, twice that where an index repeats.
+      measure[mesh.triangles[t][a]] += mesh.area(t) / 12.0 * (2 * phiA + phiB + phiC);
+      for (const auto& [node, weight] : recovery.bulge(t, a))
+        measure[node] += mesh.area(t) / 60.0 * (2 * phiA + 2 * phiB + phiC) * weight;
+    }
+  // The bulges of a translation vanish, so the sum is ∫ Φ dΓ.
   const double integral =
       std::accumulate(measure.begin(), measure.end(), 0.0,
                       [](double sum, const auto& entry) { return sum + entry.second; });

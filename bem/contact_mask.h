@@ -24,10 +24,10 @@ struct ContactMask {
 };
 
 /// The mask (1 - (ρ/radius)^2)^2 for ρ = |x - point| < radius, L2-projected onto the free nodes of
-/// the connected piece of surface around the point and normalised. The radius is raised to 2 edge
-/// lengths of the mesh there if it is smaller: a narrower bump cannot be represented. Throws
-/// SolverError (kBadCondition) when supports hold all of the touched place.
-ContactMask makeContactMask(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs,
-                            const Eigen::Vector3d& at, double radius);
+/// the connected piece of surface around the point and normalised. The radius is raised to 1.25
+/// times the longest edges of the mesh there if it is smaller: a narrower bump cannot be
+/// represented. Throws SolverError (kBadCondition) when supports hold all of the touched place.
+ContactMask makeContactMask(const BoundaryMesh& mesh, const TractionSlots& slots,
+                            const DegreesOfFreedom& dofs, const Eigen::Vector3d& at, double radius);
 
 }  // namespace palpa::bem

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/displacement_recovery.h"
 #include "bem/flat_triangle_integrals.h"
 #include "bem/kelvin.h"
 
@@ -138,11 +139,20 @@ Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots
 
 double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
                     const Eigen::VectorXd& p) {
+  const DisplacementRecovery recovery(mesh, slots);
   double sum = 0;
   for (int t = 0; t < mesh.triangleCount(); ++t) {
-    const Matrix3d work =
-        cornerDisplacements(mesh, u, t).transpose() * cornerTractions(slots, p, t);
+    const Matrix3d tractions = cornerTractions(slots, p, t);
+    if (tractions.isZero(0)) continue;
+    const Matrix3d work = cornerDisplacements(mesh, u, t).transpose() * tractions;
     sum += mesh.area(t) / 12.0 * (work.sum() + work.trace());
+    // ∫ λ_a λ_b λ_c = area / 60, twice that for c = a or b.
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      const Vector3d traction = 2 * tractions.col(a) + 2 * tractions.col(b) + tractions.col(c);
+      for (const auto& [node, weight] : recovery.bulge(t, a))
+        sum += mesh.area(t) / 60.0 * weight * u.segment<3>(3 * node).dot(traction);
+    }
   }
   return 0.5 * sum;
 }

@@ -15,7 +15,8 @@ namespace palpa::bem {
 Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots,
                             const Eigen::VectorXd& p, std::span<const int> triangles);
 
-/// Strain energy 1/2 ∫ p.u dΓ in N mm = mJ, of a field without body forces.
+/// Strain energy 1/2 ∫ p.u dΓ in N mm = mJ, of a field without body forces, with u between the
+/// nodes from `DisplacementRecovery`.
 double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
                     const Eigen::VectorXd& p);
 

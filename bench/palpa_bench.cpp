@@ -146,7 +146,8 @@ class Bench {
       bem::ContactSolver solver(problem, setup.slots, zero);
       int last = 0;
       for (const Vector3d& at : pointsOnSphere(count))
-        last = solver.addGrab(bem::makeContactMask(setup.mesh, dofs, at, 3), Vector3d(-0.02 * at));
+        last = solver.addGrab(bem::makeContactMask(setup.mesh, setup.slots, dofs, at, 3),
+                              Vector3d(-0.02 * at));
       double depth = 0;
       const double update = medianSecondsFor([&] {
         solver.setDisplacement(last, Vector3d(0, 0, depth += 1e-4));

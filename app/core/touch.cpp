@@ -28,8 +28,9 @@ TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch>
   bem::ContactSolver solver(model.problem(), setup.slots, model.rest().field);
   for (const modeling::Touch& touch : touches) {
     checkNearSurface(setup.mesh, touch.at, "the touch \"" + touch.name + "\"");
-    const bem::ContactMask mask = bem::makeContactMask(
-        setup.mesh, dofs, touch.at, touch.radius.value_or(defaultTouchRadius(setup.mesh)));
+    const bem::ContactMask mask =
+        bem::makeContactMask(setup.mesh, setup.slots, dofs, touch.at,
+                             touch.radius.value_or(defaultTouchRadius(setup.mesh)));
     if (const auto* moved = std::get_if<modeling::TouchDisplacement>(&touch.action))
       solver.addGrab(mask, moved->vector);
     else

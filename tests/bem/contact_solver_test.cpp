@@ -39,7 +39,7 @@ struct Sphere {
   }
   ContactSolver solver() const { return {problem, slots, zero()}; }
   ContactMask mask(const Vector3d& at, double radius) const {
-    return makeContactMask(mesh, problem->dofs(), at, radius);
+    return makeContactMask(mesh, slots, problem->dofs(), at, radius);
   }
   std::vector<int> triangles(int tag) const {
     std::vector<int> list;
@@ -84,7 +84,7 @@ TEST(ContactMask, DoesNotTouchTheFarSideOfAThinBody) {
   for (const auto& slot : slots.slots)
     conditions.push_back(slot.tag == 0 ? SlotCondition::kFixed : SlotCondition::kTraction);
   const DegreesOfFreedom dofs(plate, slots, conditions, {0.1, 0.3});
-  const ContactMask mask = makeContactMask(plate, dofs, {0, 0, 2}, 6);
+  const ContactMask mask = makeContactMask(plate, slots, dofs, {0, 0, 2}, 6);
   for (const int node : mask.nodes) EXPECT_EQ(plate.nodes[node][2], 2.0);
 }
 
