@@ -159,18 +159,18 @@ void dropNegligible(std::vector<ForceArrow>& arrows, double absolute) {
   std::erase_if(arrows, [&](const ForceArrow& arrow) { return arrow.force.norm() < absolute; });
 }
 
-/// Of eight directions around the body, from slightly above or below, the one from which the arrows
+/// Of four directions around the body, from slightly above or below, the one from which the arrows
 /// are seen best: their places turned towards the eye, their length across the view.
 Vector3d bestDirection(const app::TouchModel& model, const view::SurfaceScene& scene) {
   const Vector3d usual = view::CameraView{}.direction;
   Vector3d best = usual;
   double highest = -1;
   for (const double elevation : {-0.42, 0.42}) {
-    for (int i = 0; i < 8; ++i) {
-      const double angle = std::atan2(usual.y(), usual.x()) + i * std::numbers::pi / 4;
+    for (int i = 0; i < 4; ++i) {
+      const double angle = std::atan2(usual.y(), usual.x()) + i * std::numbers::pi / 2;
       const Vector3d direction = Vector3d(std::cos(angle), std::sin(angle), elevation).normalized();
       // Ties go to the usual view: from above, from the front.
-      double score = (elevation < 0 ? 0.3 : 0) - 0.01 * i;
+      double score = (elevation < 0 ? 0.3 : 0) - 0.05 * i;
       for (const ForceArrow& arrow : scene.arrows) {
         const bem::SurfacePoint at = bem::nearestSurfacePoint(model.setup().mesh, arrow.at);
         const double facing = -direction.dot(model.setup().mesh.normal(at.triangle));
