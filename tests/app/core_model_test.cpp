@@ -1,0 +1,221 @@
+#include <gtest/gtest.h>
+
+#include "app/core/probe.h"
+#include "app/core/touch.h"
+#include "app/core/touch_model.h"
+#include "bem/error.h"
+#include "core_projects.h"
+#include "modeling/error.h"
+
+namespace palpa::app {
+namespace {
+
+using bem::SolverError;
+using Eigen::Vector3d;
+using modeling::Region;
+using modeling::Support;
+
+std::shared_ptr<const TouchModel> build(const modeling::Project& project,
+                                        const BuildOptions& options = {}) {
+  return buildTouchModel(project, options, bem::Job{});
+}
+
+modeling::Touch grab(const Vector3d& at, const Vector3d& by, double radius) {
+  return {"grab", at, modeling::TouchDisplacement{by}, radius};
+}
+
+/// Expects a SolverError of a kind whose message contains all of `parts`.
+template <class Work>
+void expectRefused(SolverError::Kind kind, std::initializer_list<std::string> parts,
+                   const Work& work) {
+  try {
+    work();
+    FAIL() << "was not refused";
+  } catch (const SolverError& error) {
+    EXPECT_EQ(error.kind(), kind) << error.what();
+    for (const std::string& part : parts)
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
+          << "\"" << part << "\" is not in: " << error.what();
+  }
+}
+
+TEST(TouchModel, PressureOnAllOfAFreePartGivesItsResultant) {
+  modeling::Project project = test::clampedCylinder(6);
+  project.loads.push_back({"press", modeling::Pressure{Region::ofPatches({"top"}), 0.001}});
+  const auto model = build(project);
+  // The top is a polygon inscribed in the circle of radius 20: area pi 20^2 less some per cent.
+  const double expected = 0.001 * 3.14159265 * 400;
+  EXPECT_NEAR(model->setup().loads[0].resultant.force[2], -expected, 0.03 * expected);
+  EXPECT_NEAR(model->rest().supports[0].resultant.force[2],
+              -model->setup().loads[0].resultant.force[2], 0.01 * expected);
+  EXPECT_LE(model->rest().relativeBalance, 0.01);
+}
+
+TEST(TouchModel, LoadOnASupportGoesStraightIntoIt) {
+  modeling::Project project = test::clampedCylinder(8);
+  project.loads.push_back(
+      {"on the base", modeling::UniformTraction{Region::ofPatches({"bottom"}), {0, 0, -0.001}}});
+  const auto model = build(project);
+  EXPECT_NEAR(model->rest().supports[0].resultant.force[2],
+              -model->setup().loads[0].resultant.force[2], 1e-9);
+  EXPECT_LE(model->rest().field.u.norm(), 1e-9);
+}
+
+TEST(TouchModel, UniformCompressionOnRollersIsExact) {
+  // A box on three rollers under pressure on top: u = -p/E (z - nu (x - x0), …), a linear field.
+  modeling::Project project = test::freeBox(7);
+  for (const char* side : {"bottom", "side_xmin", "side_ymin"})
+    project.supports.push_back(
+        {side, Support::Kind::roller, Region::ofPatches({side}), Vector3d::Zero()});
+  project.loads.push_back({"press", modeling::Pressure{Region::ofPatches({"top"}), 0.01}});
+  const auto model = build(project);
+  const Probe corner = probe(*model, model->rest(), {20, 15, 20});
+  EXPECT_NEAR(corner.displacement[2], -0.01 / 0.1 * 20, 1e-6);
+  EXPECT_NEAR(corner.displacement[0], 0.45 * 0.01 / 0.1 * 40, 1e-6);
+  EXPECT_NEAR(model->rest().supports[0].resultant.force[2], 0.01 * 40 * 30, 1e-6);
+  EXPECT_NEAR(model->rest().energy, 0.5 * 0.01 * 0.01 / 0.1 * 40 * 30 * 20, 1e-6);
+}
+
+TEST(TouchModel, PrescribedDisplacementMovesAFreeBodyRigidly) {
+  modeling::Project project = test::clampedCylinder(8);
+  project.supports[0].displacement = Vector3d(0.5, -0.25, 1);
+  const auto model = build(project);
+  const Probe top = probe(*model, model->rest(), {0, 0, 60});
+  EXPECT_LE((top.displacement - Vector3d(0.5, -0.25, 1)).norm(), 1e-6);
+  EXPECT_LE(model->rest().supports[0].resultant.force.norm(), 1e-6);
+}
+
+TEST(Touch, RecordedTouchEqualsTheSameTouchAtOnce) {
+  const auto model = build(test::clampedSphere(5));
+  const TouchState alone = playTouches(*model, std::vector{grab({0, 0, 25}, {0, 0, -2}, 9)});
+  ASSERT_EQ(alone.contacts.size(), 1U);
+  EXPECT_LT(alone.contacts[0].force[2], 0);
+  EXPECT_NEAR(alone.supports[0].resultant.force[2], -alone.contacts[0].force[2],
+              0.01 * -alone.contacts[0].force[2]);
+  EXPECT_LE(alone.relativeBalance, 0.01);
+  EXPECT_NEAR(alone.energy, 0.5 * 2 * -alone.contacts[0].force[2], 0.01 * alone.energy);
+}
+
+TEST(Touch, ANodeMovesExactlyAsTold) {
+  const auto model = build(test::clampedSphere(5));
+  const int node = bem::nearestNode(model->setup().mesh, {0, 0, 25});
+  const TouchState state = touchNode(*model, node, {0, 0.1, -1});
+  EXPECT_LE((state.field.u.col(0).segment<3>(3 * node) - Vector3d(0, 0.1, -1)).norm(), 1e-12);
+  EXPECT_LE(state.relativeBalance, 0.01);
+}
+
+TEST(Touch, WithLoadsTheNodeIsMovedFromTheUnloadedShape) {
+  modeling::Project project = test::clampedSphere(5);
+  project.loads.push_back({"bump", modeling::Bump{{0, 0, 25}, 10, 0.002, {0, 0, -1}}});
+  const auto model = build(project);
+  const int node = bem::nearestNode(model->setup().mesh, {0, 0, 25});
+  const Vector3d there = model->rest().field.u.col(0).segment<3>(3 * node);
+  // Told to be where the load has put it, it takes no force.
+  EXPECT_LE(touchNode(*model, node, there).contacts[0].force.norm(), 1e-8);
+}
+
+TEST(Touch, RefusesHeldPlacesAndPlacesFarAway) {
+  const auto model = build(test::clampedSphere(5));
+  expectRefused(SolverError::Kind::kBadCondition, {"support"}, [&] {
+    playTouches(*model, std::vector{grab({0, 0, -25}, {0, 0, 1}, 3)});
+  });
+  expectRefused(SolverError::Kind::kBadCondition, {"away from the surface", "35"}, [&] {
+    playTouches(*model, std::vector{grab({0, 0, 60}, {0, 0, 1}, 3)});
+  });
+  expectRefused(SolverError::Kind::kBadCondition, {"no node 100000"},
+                [&] { touchNode(*model, 100000, Vector3d::Zero()); });
+}
+
+TEST(Refused, ProbeFarFromTheSurfaceNamesTheNearestPoint) {
+  const auto model = build(test::clampedSphere(6));
+  expectRefused(SolverError::Kind::kBadCondition, {"probe", "nearest surface point"}, [&] {
+    probe(*model, model->rest(), {0, 0, 0});
+  });
+}
+
+TEST(Refused, NotHeld) {
+  expectRefused(SolverError::Kind::kNotHeld, {"not held", "support"},
+                [] { build(test::freeBox(8)); });
+  modeling::Project project = test::freeBox(8);
+  project.supports.push_back(
+      {"floor", Support::Kind::roller, Region::ofPatches({"bottom"}), Vector3d::Zero()});
+  expectRefused(SolverError::Kind::kNotHeld,
+                {"translation along x", "translation along y", "rotation about the axis along z"},
+                [&] { build(project); });
+}
+
+TEST(Refused, IncompressibleAndHeldEverywhere) {
+  modeling::Project project = test::freeBox(8);
+  project.material.poissonRatio = 0.5;
+  project.supports.push_back(
+      {"all", Support::Kind::fixed,
+       Region::ofPatches({"top", "bottom", "side_xmin", "side_xmax", "side_ymin", "side_ymax"}),
+       Vector3d::Zero()});
+  expectRefused(SolverError::Kind::kIncompressible, {"0.5"}, [&] { build(project); });
+}
+
+TEST(Refused, SupportsThatOverlapOrDisagree) {
+  modeling::Project project = test::clampedCylinder(8);
+  project.supports.push_back(
+      {"low", Support::Kind::fixed, Region::below(Eigen::Vector3d::UnitZ(), 10), Vector3d::Zero()});
+  expectRefused(SolverError::Kind::kBadCondition, {"\"base\"", "\"low\"", "overlap"},
+                [&] { build(project); });
+  project = test::clampedCylinder(8);
+  project.supports.push_back(
+      {"side", Support::Kind::fixed, Region::ofPatches({"side_xmin"}), Vector3d(1, 0, 0)});
+  expectRefused(SolverError::Kind::kBadCondition, {"\"base\"", "\"side\"", "different"},
+                [&] { build(project); });
+}
+
+TEST(Refused, AMeshThatDoesNotFitIntoMemoryWithTheNumbers) {
+  BuildOptions options;
+  options.edgeLength = 0.05;
+  expectRefused(SolverError::Kind::kTooLarge, {"0.05 mm", "GiB", "nodes", "or more"},
+                [&] { build(test::clampedSphere(5), options); });
+  options.edgeLength = 3;
+  options.memoryLimit = 1e6;
+  expectRefused(SolverError::Kind::kTooLarge, {"3 mm", "1 MiB"},
+                [&] { build(test::clampedSphere(5), options); });
+}
+
+TEST(TouchModel, CanBeCancelledInEveryPhase) {
+  for (const char* phase : {"mesh", "assemble", "factorise"}) {
+    std::stop_source stop;
+    bem::Job job;
+    job.stop = stop.get_token();
+    job.progress = [&](std::string_view now, double) {
+      if (now == phase) stop.request_stop();
+    };
+    EXPECT_THROW(buildTouchModel(test::clampedSphere(4), BuildOptions{}, job), bem::Cancelled)
+        << phase;
+  }
+}
+
+TEST(TouchModel, ProgressIsMonotoneWithinEachPhase) {
+  std::string phase;
+  double last = 0;
+  bem::Job job;
+  job.progress = [&](std::string_view now, double fraction) {
+    if (now.empty()) return;
+    if (now != phase) last = 0;
+    phase = now;
+    EXPECT_GE(fraction, last);
+    EXPECT_LE(fraction, 1);
+    last = fraction;
+  };
+  buildTouchModel(test::clampedSphere(6), BuildOptions{}, job);
+  EXPECT_EQ(phase, "solve");
+}
+
+TEST(TouchModel, WorksForIncompressibleBodies) {
+  const auto model = build(test::clampedSphere(4, 0.5));
+  const TouchState state = playTouches(*model, std::vector{grab({0, 0, 25}, {0, 0, -2}, 9)});
+  const auto nearly = build(test::clampedSphere(4, 0.499));
+  const TouchState other = playTouches(*nearly, std::vector{grab({0, 0, 25}, {0, 0, -2}, 9)});
+  // Continuous in nu: the limit differs by the order of the change.
+  EXPECT_NEAR(state.contacts[0].force[2], other.contacts[0].force[2],
+              0.01 * std::abs(other.contacts[0].force[2]));
+}
+
+}  // namespace
+}  // namespace palpa::app

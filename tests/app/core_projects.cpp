@@ -1,0 +1,42 @@
+#include "core_projects.h"
+
+#include "modeling/primitives.h"
+
+namespace palpa::app::test {
+namespace {
+
+using modeling::Project;
+using modeling::Region;
+using modeling::Support;
+
+Project project(modeling::Solid solid, double edgeLength, double poissonRatio) {
+  Project result;
+  result.name = "test";
+  result.material = {"test", 0.1, poissonRatio};
+  result.solid = std::move(solid);
+  result.mesh.edgeLength = edgeLength;
+  return result;
+}
+
+}  // namespace
+
+Project clampedSphere(double edgeLength, double poissonRatio) {
+  Project result = project(modeling::makeSphere(25), edgeLength, poissonRatio);
+  result.supports.push_back({"base", Support::Kind::fixed,
+                             Region::below(Eigen::Vector3d::UnitZ(), -20),
+                             Eigen::Vector3d::Zero()});
+  return result;
+}
+
+Project clampedCylinder(double edgeLength, double poissonRatio) {
+  Project result = project(modeling::makeCylinder(20, 60), edgeLength, poissonRatio);
+  result.supports.push_back(
+      {"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), Eigen::Vector3d::Zero()});
+  return result;
+}
+
+Project freeBox(double edgeLength) {
+  return project(modeling::makeBox({40, 30, 20}), edgeLength, 0.45);
+}
+
+}  // namespace palpa::app::test
