@@ -16,17 +16,17 @@ using Clock = std::chrono::steady_clock;
 
 TEST(CliCancel, AnInterruptEndsWithItsOwnExitCode) {
   const Runner cli;
-  // About 7,500 nodes: many seconds of assembly.
+  // About 4,000 nodes: several seconds of assembly and factorisation, in 3 GiB.
   cli.run("new sphere --radius 25 -o p.json");
   const std::string file = cli.path("p.json").string();
   const pid_t child = fork();
   ASSERT_GE(child, 0);
   if (child == 0) {
-    execl(PALPA_CLI, "palpa-cli", "solve", file.c_str(), "--edge-length", "1.0", "--quiet",
+    execl(PALPA_CLI, "palpa-cli", "solve", file.c_str(), "--edge-length", "1.4", "--quiet",
           static_cast<char*>(nullptr));
     _exit(127);
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1000));
   const auto start = Clock::now();
   kill(child, SIGINT);
   int status = 0;
