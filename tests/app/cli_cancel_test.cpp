@@ -34,8 +34,8 @@ TEST(CliCancel, AnInterruptEndsWithItsOwnExitCode) {
   const std::chrono::duration<double> waited = Clock::now() - start;
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 5);
-  // Much less than the work would take, generous for a busy machine.
-  EXPECT_LT(waited.count(), 3.0);
+  // Usually a tenth of a second; a virtual machine may need seconds to hand out fresh memory.
+  EXPECT_LT(waited.count(), 6.0);
 }
 
 }  // namespace
