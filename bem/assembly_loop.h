@@ -119,8 +119,11 @@ void addFreeTerm(const AssemblyTask<Scalar>& task) {
 template <class Scalar>
 void storeTile(const AssemblyTask<Scalar>& task, const double* tile, std::ptrdiff_t coefficients,
                Scalar* matrix) {
+  constexpr std::ptrdiff_t kCancelPeriod =
+      128;  // the first tile brings in the memory of all columns
   const std::ptrdiff_t points = task.pointEnd - task.pointBegin;
-  for (std::ptrdiff_t coefficient = 0; coefficient < coefficients; ++coefficient)
+  for (std::ptrdiff_t coefficient = 0; coefficient < coefficients; ++coefficient) {
+    if (coefficient % kCancelPeriod == 0 && task.cancelled(task.cancelledContext)) return;
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) {
         const double* from = tile + (coefficient * 9 + 3 * i + j) * kTilePoints;
@@ -131,6 +134,7 @@ void storeTile(const AssemblyTask<Scalar>& task, const double* tile, std::ptrdif
         else
           for (std::ptrdiff_t k = 0; k < points; ++k) to[k] = static_cast<Scalar>(from[k]);
       }
+  }
 }
 
 template <class Arch, class Scalar>

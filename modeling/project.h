@@ -65,7 +65,7 @@ struct Touch {
   std::string name;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< mm
   std::variant<TouchDisplacement, TouchForce> action;
-  std::optional<double> radius;  ///< mm, > 0; a single node when absent
+  std::optional<double> radius;  ///< mm, > 0; that of a fingertip when absent
 };
 
 /// Everything a project file holds.
