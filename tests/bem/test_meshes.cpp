@@ -145,6 +145,16 @@ BoundaryMesh cylinderMesh(double radius, double height, int around, int up) {
   return builder.take();
 }
 
+BoundaryMesh gradedCylinderMesh(double radius, double height, int around, int up) {
+  BoundaryMesh mesh = cylinderMesh(radius, height, around, up);
+  for (Vector3d& x : mesh.nodes) {
+    const double r = std::hypot(x[0], x[1]);
+    if (r > 0) x.head<2>() *= radius * std::sin(kPi / 2 * std::min(r / radius, 1.0)) / r;
+    x[2] = height / 2 * (1 - std::cos(kPi * x[2] / height));
+  }
+  return mesh;
+}
+
 BoundaryMesh hollowCylinderMesh(double inner, double outer, double height, int around, int up) {
   MeshBuilder builder(1e-9 * outer);
   const int rings = std::max(

@@ -23,6 +23,10 @@ BoundaryMesh boxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high, in
 /// the caps. Groups and tags: 0 side, 1 bottom, 2 top.
 BoundaryMesh cylinderMesh(double radius, double height, int around, int up);
 
+/// The same cylinder with cells that become small towards its edges (at the edges about a quarter
+/// of their mean), for supports that make the stress singular there.
+BoundaryMesh gradedCylinderMesh(double radius, double height, int around, int up);
+
 /// Tube; groups and tags: 0 outer side, 1 bottom, 2 top, 3 inner side.
 BoundaryMesh hollowCylinderMesh(double inner, double outer, double height, int around, int up);
 

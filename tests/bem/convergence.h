@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include "solved_body.h"
+
+/// The field of a point force outside the body: smooth and not a polynomial, so the honest measure
+/// of convergence.
+namespace palpa::bem::test {
+
+struct ConvergenceStep {
+  int nodes;
+  double displacementError, tractionError;
+  double order;  ///< of the displacement error against the step before; 0 for the first
+};
+
+/// Sphere of radius 25 mm, exact displacement below z = -10 mm, exact tractions elsewhere; source
+/// 15 mm above the top, off the axis. `cells` along each cube edge.
+std::vector<ConvergenceStep> sphereConvergence(double poissonRatio, const std::vector<int>& cells);
+
+/// Cylinder of radius 20 and height 60 mm, exact displacement on the base, or on base and top,
+/// exact tractions elsewhere; source 15 mm beside the mantle. `around` cells around; half of that
+/// along the axis.
+std::vector<ConvergenceStep> cylinderConvergence(double poissonRatio,
+                                                 const std::vector<int>& around, bool topHeld);
+
+}  // namespace palpa::bem::test

@@ -1,0 +1,111 @@
+#include "expression.h"
+
+#include <cctype>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace palpa::bem::test {
+namespace {
+
+/// Recursive descent: sum = product {+|- product}; product = sign {*|/ sign};
+/// sign = [-|+] sign | power; power = atom [** sign]; atom = number | name | sqrt(sum) | (sum).
+class Parser {
+ public:
+  Parser(const std::string& text, const std::map<std::string, double>& names)
+      : text_(text), names_(names) {}
+
+  double value() {
+    const double result = sum();
+    if (peek() != '\0') fail("unexpected character");
+    return result;
+  }
+
+ private:
+  double sum() {
+    double result = product();
+    while (true) {
+      if (take("+"))
+        result += product();
+      else if (take("-"))
+        result -= product();
+      else
+        return result;
+    }
+  }
+  double product() {
+    double result = sign();
+    while (true) {
+      if (take("*"))
+        result *= sign();
+      else if (take("/"))
+        result /= sign();
+      else
+        return result;
+    }
+  }
+  double sign() {
+    if (take("-")) return -sign();
+    if (take("+")) return sign();
+    return power();
+  }
+  double power() {
+    const double base = atom();
+    return take("**") ? std::pow(base, sign()) : base;
+  }
+  double atom() {
+    if (take("(")) return closed(sum());
+    const char first = peek();
+    if (std::isdigit(static_cast<unsigned char>(first)) || first == '.') {
+      std::size_t used = 0;
+      const double number = std::stod(text_.substr(place_), &used);
+      place_ += used;
+      return number;
+    }
+    std::string name;
+    while (place_ < text_.size() &&
+           (std::isalnum(static_cast<unsigned char>(text_[place_])) || text_[place_] == '_'))
+      name += text_[place_++];
+    if (name == "sqrt") {
+      if (!take("(")) fail("sqrt needs parentheses");
+      return std::sqrt(closed(sum()));
+    }
+    if (name == "pi") return std::numbers::pi;
+    const auto found = names_.find(name);
+    if (found == names_.end()) fail(name.empty() ? "value missing" : "unknown name " + name);
+    return found->second;
+  }
+  double closed(double value) {
+    if (!take(")")) fail("closing parenthesis missing");
+    return value;
+  }
+
+  char peek() {
+    while (place_ < text_.size() && text_[place_] == ' ') ++place_;
+    return place_ < text_.size() ? text_[place_] : '\0';
+  }
+  /// Takes an operator if it is next; "*" is not the beginning of "**".
+  bool take(const std::string& symbol) {
+    peek();
+    if (text_.compare(place_, symbol.size(), symbol) != 0) return false;
+    if (symbol == "*" && text_.compare(place_, 2, "**") == 0) return false;
+    place_ += symbol.size();
+    return true;
+  }
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw std::invalid_argument(reason + " at character " + std::to_string(place_) + " of '" +
+                                text_ + "'");
+  }
+
+  const std::string& text_;
+  const std::map<std::string, double>& names_;
+  std::size_t place_ = 0;
+};
+
+}  // namespace
+
+double evaluate(const std::string& expression, const std::map<std::string, double>& names) {
+  return Parser(expression, names).value();
+}
+
+}  // namespace palpa::bem::test
