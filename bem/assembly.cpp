@@ -98,7 +98,7 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   task.displacementOfCorner = mesh.triangles.front().data();
   task.tractionOfCorner = slots.ofCorner.front().data();
   task.triangleCount = mesh.triangleCount();
-  task.range = quadratureRange(std::clamp(options.tolerance, 1e-12, 1e-3));
+  task.range = quadratureRange(std::clamp(options.tolerance, 1e-9, 1e-3));
   task.rule7 = triangleRule7().data();
   task.rule16 = triangleRule16().data();
   const RuleProducts<7> products7(task.rule7);

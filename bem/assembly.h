@@ -11,7 +11,7 @@ namespace palpa::bem {
 
 struct AssemblyOptions {
   /// Relative error allowed in the integrals over one element, against the norm of their 3 x 3
-  /// block. Supported range [1e-12, 1e-3]: it decides how far the closed form reaches.
+  /// block. Supported range [1e-9, 1e-3]: it decides how far the closed form reaches.
   double tolerance = 1e-7;
 };
 

@@ -40,20 +40,28 @@ DegreesOfFreedom::DegreesOfFreedom(const BoundaryMesh& mesh, const TractionSlots
       tractionScale_(material.youngsModulus / mesh.boundingSize()) {
   for (int k = 0; k < mesh.nodeCount(); ++k) {
     std::vector<Vector3d> rollerNormals, fixedNormals;
+    const auto isNewFace = [&fixedNormals](const Vector3d& normal) {
+      return std::none_of(fixedNormals.begin(), fixedNormals.end(), [&](const Vector3d& other) {
+        return other.dot(normal) > 0 && other.cross(normal).norm() < kSameFace;
+      });
+    };
+    const auto holdFully = [&](int slot) {
+      const Vector3d& normal = slots.slots[slot].normal;
+      projectors_[slot] = Matrix3d::Identity();
+      if (!isNewFace(normal)) return;
+      if (!fixedNormals.empty()) extraSlots_.push_back(slot);
+      fixedNormals.push_back(normal);
+    };
+    for (int s = slots.firstOfNode[k]; s < slots.firstOfNode[k + 1]; ++s)
+      if (conditions[s] == SlotCondition::kFixed) holdFully(s);
     for (int s = slots.firstOfNode[k]; s < slots.firstOfNode[k + 1]; ++s) {
+      if (conditions[s] != SlotCondition::kRoller) continue;
       const Vector3d& normal = slots.slots[s].normal;
-      if (conditions[s] == SlotCondition::kRoller) {
-        rollerNormals.push_back(normal);
-        projectors_[s] = normal * normal.transpose();
-      } else if (conditions[s] == SlotCondition::kFixed) {
-        projectors_[s] = Matrix3d::Identity();
-        const bool newFace =
-            std::none_of(fixedNormals.begin(), fixedNormals.end(), [&](const Vector3d& other) {
-              return other.dot(normal) > 0 && other.cross(normal).norm() < kSameFace;
-            });
-        if (newFace && !fixedNormals.empty()) extraSlots_.push_back(s);
-        if (newFace) fixedNormals.push_back(normal);
-      }
+      rollerNormals.push_back(normal);
+      projectors_[s] = normal * normal.transpose();
+      // The whole displacement of the node is known, so a roller on another face than the fixed one
+      // needs a reaction of its own. Its tangential traction there is left to the equations too.
+      if (!fixedNormals.empty() && isNewFace(normal)) holdFully(s);
     }
     std::tie(nodes_[k].frame, nodes_[k].constrained) =
         heldDirections(rollerNormals, !fixedNormals.empty());

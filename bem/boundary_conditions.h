@@ -107,8 +107,9 @@ class DegreesOfFreedom {
 /// held.
 std::vector<std::string> freeRigidMotions(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs);
 
-/// Throws SolverError unless the body is held (kNotHeld) and the data determine the pressure of an
-/// incompressible body (kIncompressible).
+/// Throws SolverError unless the body is held (kNotHeld) and the data determine the pressure of a
+/// (nearly) incompressible body (kIncompressible): not held everywhere at nu = 0.5, no closed
+/// cavity above 0.47.
 void checkSolvable(const BoundaryMesh& mesh, const TractionSlots& slots,
                    const std::vector<SlotCondition>& conditions, const DegreesOfFreedom& dofs,
                    const Material& material);

@@ -96,7 +96,7 @@ std::string StateReport::text() const {
   for (const auto& support : state.supports) {
     text += toText("support", support.name, support.resultant);
   }
-  text += format("balance    %.3g N (%.2g %% of all forces)\n", state.balance,
+  text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";

@@ -1,5 +1,6 @@
 #include "app/core/touch_model.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -51,10 +52,10 @@ TouchState TouchModel::describe(bem::BoundaryField field,
                                 std::vector<TouchState::Contact> contacts) const {
   TouchState state{std::move(field), {}, std::move(contacts), 0, 0, 0};
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double magnitude = 0;
+  double largest = 0;
   const auto count = [&](const Eigen::Vector3d& force) {
     sum += force;
-    magnitude += force.norm();
+    largest = std::max(largest, force.norm());
   };
   // The tractions on a support are what it and any load there exert together.
   const Eigen::VectorXd reaction = state.field.p.col(0) - setup_.conditions.traction;
@@ -66,7 +67,7 @@ TouchState TouchModel::describe(bem::BoundaryField field,
   for (const auto& load : setup_.loads) count(load.resultant.force);
   for (const auto& contact : state.contacts) count(contact.force);
   state.balance = sum.norm();
-  state.relativeBalance = magnitude > 0 ? state.balance / magnitude : 0;
+  state.relativeBalance = largest > 0 ? state.balance / largest : 0;
   state.energy =
       bem::strainEnergy(setup_.mesh, setup_.slots, state.field.u.col(0), state.field.p.col(0));
   return state;

@@ -44,7 +44,7 @@ struct TouchState {
   /// Norm of the sum of all forces on the body (N): zero for the exact solution, so an honest error
   /// indicator.
   double balance = 0;
-  /// The same over the sum of the magnitudes of all forces; 0 when there are none.
+  /// The same over the largest of these forces; 0 when there are none.
   double relativeBalance = 0;
 };
 

@@ -84,10 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Box, PatchTest,
                                            Patch{"ThreeRollers", {}, {0, 2, 4}}),
                          [](const auto& patch) { return patch.param.name; });
 
-// Where a roller face meets a fixed face, the node shares one traction between the two and lacks
-// the reaction of the roller (DegreesOfFreedom in bem/boundary_conditions.cpp): errors up to 5 % in
-// u and 70 % in p. Enable this together with the extra traction for such nodes.
-INSTANTIATE_TEST_SUITE_P(DISABLED_FixedMeetsRoller, PatchTest,
+INSTANTIATE_TEST_SUITE_P(FixedMeetsRoller, PatchTest,
                          ::testing::Values(Patch{"FixedAndRoller", {4}, {0, 3}}),
                          [](const auto& patch) { return patch.param.name; });
 

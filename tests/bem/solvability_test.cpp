@@ -85,6 +85,38 @@ TEST(Solvability, NamesARotationAboutAnAxisThatIsNotAtTheOrigin) {
                 {"rotation about the axis along z through (30, -7, "});
 }
 
+TEST(Solvability, NamesTheRotationsOfABallInASocket) {
+  // The mesh's normals are not quite radial, so the frictionless socket seems to resist a little.
+  for (const int n : {4, 8})
+    expectNotHeld(refusal(test::sphereMesh(5, n), kRubber, rollersOn({0})),
+                  {"rotation about the axis along x", "rotation about the axis along y",
+                   "rotation about the axis along z"});
+}
+
+TEST(Solvability, ASmallFixedPlaceHolds) {
+  BoundaryMesh mesh = test::sphereMesh(5, 12);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+    mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -4.8 ? 1 : 0;
+  EXPECT_EQ(
+      refusal(mesh, kRubber,
+              [](int tag) { return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction; })
+          .message,
+      "accepted");
+}
+
+TEST(Solvability, ANearlyIncompressibleBodyWithACavityIsRefused) {
+  BoundaryMesh mesh = test::hollowSphereMesh(2, 5, 4, 8);
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+    mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -4 ? 1 : 0;
+  const auto fixedPart = [](int tag) {
+    return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction;
+  };
+  const Refusal refused = refusal(mesh, {0.1, 0.49}, fixedPart);
+  EXPECT_EQ(refused.kind, Kind::kIncompressible);
+  EXPECT_NE(refused.message.find("cavity"), std::string::npos);
+  EXPECT_EQ(refusal(mesh, kRubber, fixedPart).message, "accepted");
+}
+
 TEST(Solvability, OneFixedFaceHolds) {
   const auto fixedBase = [](int tag) {
     return tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction;
