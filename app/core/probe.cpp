@@ -1,6 +1,7 @@
 #include "app/core/probe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "bem/error.h"
@@ -13,12 +14,16 @@ void checkNearSurface(const bem::BoundaryMesh& mesh, const Eigen::Vector3d& poin
   const bem::SurfacePoint nearest = bem::nearestSurfacePoint(mesh, point);
   const double allowed = std::max(0.02 * mesh.boundingSize(), mesh.meanEdgeLength());
   if (nearest.distance <= allowed) return;
+  // Rounding of zero would read as 1.85e-16.
+  const auto shown = [&](double coordinate) {
+    return std::abs(coordinate) < 1e-9 * mesh.boundingSize() ? 0.0 : coordinate;
+  };
   char text[256];
   std::snprintf(text, sizeof text,
                 " at (%.6g, %.6g, %.6g) mm is %.4g mm away from the surface; the nearest surface "
                 "point is (%.6g, %.6g, %.6g) mm",
-                point[0], point[1], point[2], nearest.distance, nearest.position[0],
-                nearest.position[1], nearest.position[2]);
+                point[0], point[1], point[2], nearest.distance, shown(nearest.position[0]),
+                shown(nearest.position[1]), shown(nearest.position[2]));
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, what + text);
 }
 
