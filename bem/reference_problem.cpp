@@ -19,7 +19,7 @@ Eigen::MatrixXd ReferenceProblem::greensColumns(std::span<const int> columns, Ef
 Precision choosePrecision(Precision wanted, int nodeCount) {
   // Double factors cost twice the time of single ones; below this they still come well within the
   // rebuild budget of a small body.
-  constexpr int kDoubleUpTo = 1300;
+  constexpr int kDoubleUpTo = 800;
   if (wanted != Precision::kAutomatic) return wanted;
   return nodeCount <= kDoubleUpTo ? Precision::kDouble : Precision::kSingle;
 }

@@ -47,7 +47,7 @@ class ReferenceProblem {
 
 /// How dense operators are stored and factorised.
 enum class Precision {
-  kAutomatic,  ///< double up to about 1,300 nodes, single beyond
+  kAutomatic,  ///< double up to about 800 nodes, single beyond
   kDouble,     ///< everything in double: 24 (3n)^2 bytes
   kMixed,      ///< H and G in double, factors in single, refined: 20 (3n)^2 bytes
   kSingle      ///< everything stored in single, solved with residuals in double: 12 (3n)^2 bytes

@@ -190,21 +190,22 @@ class Bench {
 
 int main(int argc, char** argv) {
   CLI::App options{"Times the stages from a mesh to a touch on the clamped sphere."};
-  std::vector<int> cells{7, 10, 13, 14, 20, 21};
+  std::vector<int> cells{8, 11, 14, 15, 22, 23};
   bool large = false, withoutAll = false;
   int threads = 0;
   options.add_option("--cells", cells,
-                     "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
+                     "cells along a cube edge of the sphere's mesh; n is about 5 cells^2");
   options.add_flag("--large", large, "also n = 5,000 and 10,000 (needs 12 GiB of memory)");
   options.add_flag("--without-greens-function", withoutAll, "skip computing all of Xi");
   options.add_option("--threads", threads, "0: all cores");
   CLI11_PARSE(options, argc, argv);
-  if (large) cells.insert(cells.end(), {29, 41});
+  if (large) cells.insert(cells.end(), {31, 44});
 
+  app::reuseFreedMemory();
   bem::Job job;
   job.threads = threads;
   std::printf("instruction set %s, %d threads, sphere R = 25 mm fixed below z = -20 mm\n",
               bem::instructionSetName(), bem::workerCount(job));
-  for (const int count : cells) Bench(job, !withoutAll && count < 25).run(count);
+  for (const int count : cells) Bench(job, !withoutAll && count < 30).run(count);
   return 0;
 }

@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
 #include "app/cli/interrupt.h"
+#include "app/core/memory.h"
 
 namespace palpa::cli {
 namespace {
@@ -92,5 +93,6 @@ int run(int argc, char** argv) {
 }  // namespace palpa::cli
 
 int main(int argc, char** argv) {
+  palpa::app::reuseFreedMemory();
   return palpa::cli::run(argc, argv);
 }
