@@ -32,7 +32,8 @@ void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
         body(index);
         const std::scoped_lock lock(mutex);
         ++done;
-        job.report(phase, static_cast<double>(done) / static_cast<double>(count));
+        if (!phase.empty())
+          job.report(phase, static_cast<double>(done) / static_cast<double>(count));
       } catch (...) {
         const std::scoped_lock lock(mutex);
         if (!firstError) firstError = std::current_exception();
