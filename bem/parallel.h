@@ -14,6 +14,7 @@ int workerCount(const Job& job);
 /// worth ≥ 50 µs and ≤ 20 ms. Throws Cancelled when the job was stopped, or the first exception a
 /// body threw. Results do not depend on the number of threads as long as bodies write to separate
 /// places.
+/// Progress is reported under `phase`; not at all if that is empty.
 void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
                  const std::function<void(std::ptrdiff_t)>& body);
 
