@@ -15,7 +15,7 @@
 #include "bem/greens_function.h"
 #include "bem/parallel.h"
 #include "bench/plain_assembly.h"
-#include "modeling/primitives.h"
+#include "modeling/shapes/primitives.h"
 
 namespace {
 
@@ -48,14 +48,14 @@ app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
   modeling::Project project;
   project.name = "bench";
   project.material = {"silicone-like", 0.1, 0.45};
-  project.solid = modeling::makeSphere(25);
+  project.body = modeling::makeSphere(25);
   project.supports.push_back({"base",
                               modeling::Support::Kind::fixed,
                               {{modeling::HalfSpace{Vector3d::UnitZ(), -20}}},
                               Vector3d::Zero()});
   project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
   return app::makeBoundarySetup(
-      project, modeling::mesh(project.solid, project.mesh, modeling::meshRegions(project)));
+      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
 }
 
 std::vector<Vector3d> pointsOnSphere(int count) {

@@ -21,7 +21,7 @@ class CheckCommand : public Command {
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::SurfaceMesh mesh = modeling::mesh(project.solid, project.mesh, regions);
+    const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions);
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     const app::BoundarySetup setup = app::makeBoundarySetup(project, mesh);
     const auto& conditions = setup.conditions.ofSlot;

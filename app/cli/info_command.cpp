@@ -1,8 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
-#include "modeling/mesh.h"
-#include "modeling/surface_properties.h"
+#include "modeling/mesh/mesh.h"
+#include "modeling/solid/surface_properties.h"
 
 namespace palpa::cli {
 namespace {
@@ -77,18 +77,19 @@ class InfoCommand : public Command {
 
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
-    const modeling::SurfaceEvaluator surface(project.solid);
+    const auto& solid = std::get<modeling::Solid>(project.body);
+    const modeling::SurfaceEvaluator surface(solid);
     const auto box = surfaceBox(surface);
     const double volume = modeling::volume(surface);
     const double area = modeling::area(surface);
-    const double nodes = modeling::estimateNodeCount(project.solid, project.mesh);
+    const double nodes = modeling::estimateNodeCount(project.body, project.mesh);
 
     Json report{{"name", project.name},
                 {"material",
                  {{"name", project.material.name},
                   {"youngs_modulus_MPa", project.material.youngsModulus},
                   {"poisson_ratio", project.material.poissonRatio}}},
-                {"control_points", project.solid.controlPoints().size()},
+                {"control_points", solid.controlPoints().size()},
                 {"patches", Json::array()},
                 {"bounding_box_mm", {toJson(box[0]), toJson(box[1])}},
                 {"volume_mm3", volume},
@@ -103,9 +104,9 @@ class InfoCommand : public Command {
     std::string text = "name       " + project.name + "\n";
     text += format("material   %s, E = %.6g MPa, nu = %.6g\n", project.material.name.c_str(),
                    project.material.youngsModulus, project.material.poissonRatio);
-    text += format("solid      %zu patches over %zu control points\n",
-                   project.solid.patches().size(), project.solid.controlPoints().size());
-    for (const modeling::Patch& patch : project.solid.patches()) {
+    text += format("solid      %zu patches over %zu control points\n", solid.patches().size(),
+                   solid.controlPoints().size());
+    for (const modeling::Patch& patch : solid.patches()) {
       report["patches"].push_back({{"name", patch.name},
                                    {"degree", {patch.degree[0], patch.degree[1]}},
                                    {"net", {patch.net.size(), patch.net.front().size()}}});

@@ -5,18 +5,16 @@
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
-#include "modeling/primitives.h"
-#include "modeling/project_file.h"
-#include "modeling/surface_properties.h"
+#include "modeling/project/project_file.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::cli {
 namespace {
 
 /// An edge length (two digits, mm) that gives about 600 nodes: solved in a fraction of a second,
 /// and within a few per cent of the converged answer for such simple bodies.
-double suitableEdgeLength(const modeling::Solid& solid) {
-  const double area = modeling::area(modeling::SurfaceEvaluator(solid));
-  const double length = std::sqrt(1.05 * area / 600);
+double suitableEdgeLength(const modeling::Body& body) {
+  const double length = std::sqrt(1.05 * modeling::area(body) / 600);
   return std::stod(format("%.2g", length));
 }
 
@@ -74,12 +72,11 @@ class NewCommand : public Command {
       return;
     }
     modeling::writeProject(project, output_);
-    Json report{{"file", output_}, {"name", project.name}, {"patches", Json::array()}};
-    for (const modeling::Patch& patch : project.solid.patches()) {
-      report["patches"].push_back(patch.name);
-    }
-    context.print(report, format("%s: %s with the patches %s, held at its base\n", output_.c_str(),
-                                 primitive_.c_str(), project.solid.patchNames().c_str()));
+    Json report{
+        {"file", output_}, {"name", project.name}, {"patches", modeling::patchNames(project.body)}};
+    context.print(report,
+                  format("%s: %s with the patches %s, held at its base\n", output_.c_str(),
+                         primitive_.c_str(), modeling::quotedPatchNames(project.body).c_str()));
   }
 
  private:
@@ -93,13 +90,13 @@ class NewCommand : public Command {
       refuse("--height", height_);
       refuse("--size", size_);
       const double radius = radius_.empty() ? 25 : parsePositive("--radius", radius_);
-      project.solid = modeling::makeSphere(radius);
+      project.body = modeling::makeSphere(radius);
       base.where = Region::below(Eigen::Vector3d::UnitZ(), -0.8 * radius);
     } else if (primitive_ == "cylinder") {
       refuse("--size", size_);
       const double radius = radius_.empty() ? 20 : parsePositive("--radius", radius_);
       const double height = height_.empty() ? 60 : parsePositive("--height", height_);
-      project.solid = modeling::makeCylinder(radius, height);
+      project.body = modeling::makeCylinder(radius, height);
       base.where = Region::ofPatches({"bottom"});
     } else if (primitive_ == "box") {
       refuse("--radius", radius_);
@@ -107,13 +104,13 @@ class NewCommand : public Command {
       const Eigen::Vector3d size =
           size_.empty() ? Eigen::Vector3d(40, 30, 20) : parseVector("--size", size_);
       if (!(size.minCoeff() > 0)) throw UsageError("--size: all lengths must be greater than zero");
-      project.solid = modeling::makeBox(size);
+      project.body = modeling::makeBox(size);
       base.where = Region::ofPatches({"bottom"});
     } else {
       throw UsageError("unknown primitive '" + primitive_ + "'; known are sphere, cylinder, box");
     }
     project.supports = {base};
-    project.mesh.edgeLength = suitableEdgeLength(project.solid);
+    project.mesh.edgeLength = suitableEdgeLength(project.body);
     return project;
   }
 

@@ -1,7 +1,7 @@
 #include "app/cli/project_input.h"
 
 #include "app/cli/values.h"
-#include "modeling/project_file.h"
+#include "modeling/project/project_file.h"
 
 namespace palpa::cli {
 

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "modeling/project.h"
+#include "modeling/project/project.h"
 
 namespace palpa::cli {
 

@@ -6,7 +6,7 @@
 
 #include "app/core/touch_model.h"
 #include "app/view/scene.h"
-#include "modeling/project.h"
+#include "modeling/project/project.h"
 
 namespace palpa::cli {
 

@@ -4,7 +4,7 @@
 
 #include "bem/boundary_conditions.h"
 #include "bem/traction_projection.h"
-#include "modeling/project.h"
+#include "modeling/project/project.h"
 
 namespace palpa::app {
 

@@ -80,10 +80,10 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   if (options.edgeLength) settings.edgeLength = *options.edgeLength;
   Stopwatch watch;
   job.report("mesh", 0);
-  const double expected = modeling::estimateNodeCount(project.solid, settings);
+  const double expected = modeling::estimateNodeCount(project.body, settings);
   checkMemory(expected, expected, settings.edgeLength, options);
   const auto regions = modeling::meshRegions(project);
-  modeling::SurfaceMesh surface = modeling::mesh(project.solid, settings, regions);
+  modeling::SurfaceMesh surface = modeling::mesh(project.body, settings, regions);
   job.throwIfCancelled();
   BuildReport report;
   report.nodes = static_cast<int>(surface.positions.size());

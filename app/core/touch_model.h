@@ -4,7 +4,7 @@
 
 #include "app/core/boundary_setup.h"
 #include "bem/reference_problem.h"
-#include "modeling/project.h"
+#include "modeling/project/project.h"
 
 namespace palpa::app {
 

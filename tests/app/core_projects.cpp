@@ -1,6 +1,6 @@
 #include "core_projects.h"
 
-#include "modeling/primitives.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::app::test {
 namespace {
@@ -13,7 +13,7 @@ Project project(modeling::Solid solid, double edgeLength, double poissonRatio) {
   Project result;
   result.name = "test";
   result.material = {"test", 0.1, poissonRatio};
-  result.solid = std::move(solid);
+  result.body = std::move(solid);
   result.mesh.edgeLength = edgeLength;
   return result;
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include "modeling/project.h"
+#include "modeling/project/project.h"
 
 /// Projects the tests of app/core begin from.
 namespace palpa::app::test {

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "modeling/surface_evaluator.h"
+#include "modeling/solid/surface_evaluator.h"
 
 namespace palpa::modeling::checks {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "modeling/mesh.h"
+#include "modeling/mesh/mesh.h"
 
 // Properties of finished meshes, computed independently of the mesher.
 namespace palpa::modeling::checks {

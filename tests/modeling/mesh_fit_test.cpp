@@ -5,8 +5,8 @@
 
 #include "mesh_checks.h"
 #include "modeling/error.h"
-#include "modeling/mesh.h"
-#include "modeling/primitives.h"
+#include "modeling/mesh/mesh.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "mesh_checks.h"
-#include "modeling/mesh.h"
-#include "modeling/primitives.h"
+#include "modeling/mesh/mesh.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
 namespace {

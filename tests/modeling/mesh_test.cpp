@@ -1,4 +1,4 @@
-#include "modeling/mesh.h"
+#include "modeling/mesh/mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "mesh_checks.h"
 #include "modeling/error.h"
-#include "modeling/primitives.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
 namespace {

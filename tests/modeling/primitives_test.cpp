@@ -1,4 +1,4 @@
-#include "modeling/primitives.h"
+#include "modeling/shapes/primitives.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "modeling/error.h"
-#include "modeling/surface_properties.h"
+#include "modeling/solid/surface_properties.h"
 
 namespace palpa::modeling {
 namespace {

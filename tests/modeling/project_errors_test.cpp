@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "modeling/error.h"
-#include "modeling/primitives.h"
-#include "modeling/project_file.h"
+#include "modeling/project/project_file.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
 namespace {
@@ -13,7 +13,7 @@ std::string goodText() {
   Project project;
   project.name = "box";
   project.material = {"rubber", 1.5, 0.45};
-  project.solid = makeBox({40, 30, 20});
+  project.body = makeBox({40, 30, 20});
   project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"top"}), 0.25}}};
   project.touches = {{"poke", {0, 0, 20}, TouchDisplacement{{0, 0, -2}}, 3.0}};
@@ -73,7 +73,7 @@ TEST(ProjectErrors, RefuseUnknownMissingAndRepeatedKeys) {
 
 TEST(ProjectErrors, CheckWhatTheSchemaCannot) {
   EXPECT_EQ(errorWith("[\"bottom\"]", "[\"botom\"]"),
-            "box.json: supports[0].where.patches[0]: no patch is named \"botom\"; the solid has "
+            "box.json: supports[0].where.patches[0]: no patch is named \"botom\"; the body has "
             "\"side_xmin\", \"side_xmax\", \"side_ymin\", \"side_ymax\", \"bottom\", \"top\"");
   EXPECT_EQ(errorWith("[0, 0, 0, 0, 1, 1, 1, 1]", "[0, 0, 0, 0, -1, 1, 1, 1]"),
             "box.json: solid.patches[0].knots[0][4]: -1 is smaller than the knot before it (0)");

@@ -1,4 +1,4 @@
-#include "modeling/project_file.h"
+#include "modeling/project/project_file.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "modeling/error.h"
-#include "modeling/primitives.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
 namespace {
@@ -20,7 +20,7 @@ Project example() {
   Project project;
   project.name = "Ball \"soft\" ü";
   project.material = {"silicone", 0.1, 0.49};
-  project.solid = makeSphere(25.0);
+  project.body = makeSphere(25.0);
   Region base = Region::below({0, 0, 1}, -20.0);
   base.parts.push_back(PatchSet{{"bottom"}});
   project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
@@ -62,7 +62,8 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   const Project after = parseProject(toJson(before), "test");
   EXPECT_EQ(after.name, before.name);
   EXPECT_EQ(after.material.poissonRatio, 0.49);
-  EXPECT_EQ(after.solid.controlPoints(), before.solid.controlPoints());
+  EXPECT_EQ(std::get<Solid>(after.body).controlPoints(),
+            std::get<Solid>(before.body).controlPoints());
   ASSERT_EQ(after.supports.size(), 2U);
   EXPECT_EQ(after.supports[1].kind, Support::Kind::roller);
   EXPECT_EQ(after.supports[1].displacement, Eigen::Vector3d(0, 0, -1e-3));

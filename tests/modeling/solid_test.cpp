@@ -1,4 +1,4 @@
-#include "modeling/solid.h"
+#include "modeling/solid/solid.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "modeling/error.h"
-#include "modeling/primitives.h"
+#include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
 namespace {

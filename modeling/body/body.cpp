@@ -1,0 +1,46 @@
+#include "modeling/body/body.h"
+
+#include "modeling/solid/surface_properties.h"
+
+namespace palpa::modeling {
+
+std::optional<int> findPatch(const Body& body, std::string_view name) {
+  if (const auto* mesh = std::get_if<MeshBody>(&body)) return mesh->findFace(name);
+  return std::get<Solid>(body).findPatch(name);
+}
+
+std::vector<std::string> patchNames(const Body& body) {
+  if (const auto* mesh = std::get_if<MeshBody>(&body)) return mesh->faceNames();
+  std::vector<std::string> names;
+  for (const Patch& patch : std::get<Solid>(body).patches()) names.push_back(patch.name);
+  return names;
+}
+
+std::string quotedPatchNames(const Body& body) {
+  std::string text;
+  for (const std::string& name : patchNames(body))
+    text += (text.empty() ? "\"" : ", \"") + name + "\"";
+  return text;
+}
+
+std::array<Eigen::Vector3d, 2> boundingBox(const Body& body) {
+  const auto* solid = std::get_if<Solid>(&body);
+  if (solid) return boundingBox(*solid);
+  const auto& positions = std::get<MeshBody>(body).positions();
+  std::array<Eigen::Vector3d, 2> corners{positions.front(), positions.front()};
+  for (const Eigen::Vector3d& p : positions)
+    corners = {corners[0].cwiseMin(p), corners[1].cwiseMax(p)};
+  return corners;
+}
+
+double volume(const Body& body) {
+  if (const auto* solid = std::get_if<Solid>(&body)) return volume(SurfaceEvaluator(*solid));
+  return volume(std::get<MeshBody>(body));
+}
+
+double area(const Body& body) {
+  if (const auto* solid = std::get_if<Solid>(&body)) return area(SurfaceEvaluator(*solid));
+  return area(std::get<MeshBody>(body));
+}
+
+}  // namespace palpa::modeling

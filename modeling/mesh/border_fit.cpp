@@ -1,0 +1,185 @@
+#include "modeling/mesh/border_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeling/mesh/mesh_refine.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the node
+constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
+constexpr double kRounding = 1e-9;    // of the longest extent; below, a node lies on the border
+
+class BorderFit {
+ public:
+  BorderFit(MeshEditor& editor, int k) : editor_(editor), k_(k), half_(editor.halfSpaces()[k]) {
+    Eigen::Vector3d low = editor.position(0);
+    Eigen::Vector3d high = low;
+    for (const WorkNode& node : editor.mesh().nodes) {
+      low = low.cwiseMin(node.position);
+      high = high.cwiseMax(node.position);
+    }
+    tolerance_ = kRounding * (high - low).norm() * half_.normal.norm();
+  }
+
+  void run() {
+    resolveSmallRegion();
+    values_.clear();
+    for (std::size_t node = 0; node < editor_.mesh().nodes.size(); ++node)
+      values_.push_back(clean(half_.value(editor_.position(static_cast<int>(node)))));
+    moveNodes();
+    cutEdges();
+    setSides();
+  }
+
+ private:
+  struct Crossing {
+    double part;  // of the edge, from node
+    int node;
+    int other;
+  };
+
+  double clean(double value) const { return std::abs(value) <= tolerance_ ? 0.0 : value; }
+
+  bool isCrossed(int a, int b) const { return values_[a] * values_[b] < 0.0; }
+
+  /// Fraction of the mesh edge a–b at which the true surface crosses the border, by regula falsi
+  /// with bisection as a guard.
+  double crossing(int a, int b) const {
+    double low = 0.0;
+    double high = 1.0;
+    double lowValue = values_[a];
+    double highValue = values_[b];
+    for (int i = 0; i < 60 && high - low > 1e-14; ++i) {
+      const double s = i % 3 == 2 ? 0.5 * (low + high)
+                                  : (low * highValue - high * lowValue) / (highValue - lowValue);
+      const double value = half_.value(editor_.between(a, b, s).position);
+      if (value == 0.0) return s;
+      if (value * lowValue > 0.0) {
+        low = s;
+        lowValue = value;
+      } else {
+        high = s;
+        highValue = value;
+      }
+    }
+    return 0.5 * (low + high);
+  }
+
+  /// May the node slide along the edge to `other` without leaving a patch edge or another border?
+  bool mayMove(int node, int other) const {
+    if (editor_.mesh().nodes[node].isCorner()) return false;
+    const std::vector<int> rails = editor_.interfaceNeighbours(node);
+    if (rails.empty()) return true;
+    return rails.size() == 2 && editor_.mesh().nodes[node].edge >= 0 &&
+           std::find(rails.begin(), rails.end(), other) != rails.end();
+  }
+
+  void moveNodes() {
+    std::vector<Crossing> crossings;
+    for (std::size_t a = 0; a < values_.size(); ++a)
+      for (int b : editor_.neighbours(static_cast<int>(a))) {
+        const int node = static_cast<int>(a);
+        if (node > b || !isCrossed(node, b)) continue;
+        const double s = crossing(node, b);
+        crossings.push_back({s, node, b});
+        crossings.push_back({1.0 - s, b, node});
+      }
+    std::erase_if(crossings, [](const Crossing& c) { return c.part > kMoveWithin; });
+    std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+      return std::tuple(a.part, a.node, a.other) < std::tuple(b.part, b.node, b.other);
+    });
+    for (const Crossing& c : crossings) {
+      if (!isCrossed(c.node, c.other)) continue;
+      if (mayMove(c.node, c.other)) {
+        WorkNode target = editor_.between(c.node, c.other, c.part);
+        if (editor_.move(c.node, std::move(target))) {
+          values_[c.node] = 0.0;
+          continue;
+        }
+      }
+      if (c.part <= kCountsAsOn) values_[c.node] = 0.0;
+    }
+  }
+
+  void cutEdges() {
+    std::vector<std::pair<int, int>> crossed;
+    for (std::size_t a = 0; a < values_.size(); ++a)
+      for (int b : editor_.neighbours(static_cast<int>(a)))
+        if (static_cast<int>(a) < b && isCrossed(static_cast<int>(a), b))
+          crossed.emplace_back(static_cast<int>(a), b);
+    // A cut leaves the other crossed edges as they are, and its new edges start on the border.
+    for (const auto& [a, b] : crossed) {
+      editor_.split(a, b, editor_.between(a, b, crossing(a, b)));
+      values_.push_back(0.0);
+    }
+  }
+
+  double valueInside(int t, double wa, double wb, double wc) const {
+    const WorkTriangle& triangle = editor_.mesh().triangles[t];
+    const SurfaceParameter& a = editor_.mesh().in(triangle.nodes[0], triangle.patch);
+    const SurfaceParameter& b = editor_.mesh().in(triangle.nodes[1], triangle.patch);
+    const SurfaceParameter& c = editor_.mesh().in(triangle.nodes[2], triangle.patch);
+    return clean(half_.value(editor_.mesh().surface->position(
+        triangle.patch, wa * a.u + wb * b.u + wc * c.u, wa * a.v + wb * b.v + wc * c.v)));
+  }
+
+  void setSides() {
+    for (std::size_t t = 0; t < editor_.mesh().triangles.size(); ++t) {
+      const WorkTriangle& triangle = editor_.mesh().triangles[t];
+      double sum = 0.0;
+      for (int node : triangle.nodes) sum += values_[node];
+      if (sum == 0.0) sum = valueInside(static_cast<int>(t), 1 / 3.0, 1 / 3.0, 1 / 3.0);
+      const std::uint64_t bit = std::uint64_t{1} << k_;
+      editor_.setSides(static_cast<int>(t), sum < 0.0 ? triangle.sides | bit : triangle.sides);
+    }
+  }
+
+  /// A region between the nodes would be lost, and one with few nodes be a rough polygon: bisect
+  /// the triangles it touches until enough nodes lie in it. The same for the part outside the
+  /// region.
+  void resolveSmallRegion() {
+    constexpr int kRounds = 14;
+    constexpr int kEnoughNodes = 8;
+    for (const double sign : {-1.0, 1.0})
+      for (int round = 0; round < kRounds; ++round) {
+        const auto& nodes = editor_.mesh().nodes;
+        const auto inside = std::count_if(nodes.begin(), nodes.end(), [&](const WorkNode& node) {
+          return sign * clean(half_.value(node.position)) > 0.0;
+        });
+        if (inside >= kEnoughNodes) break;
+        std::vector<int> hiding;
+        for (std::size_t t = 0; t < editor_.mesh().triangles.size(); ++t)
+          if (hides(static_cast<int>(t), sign)) hiding.push_back(static_cast<int>(t));
+        if (hiding.empty()) break;
+        for (int t : hiding) bisect(editor_, t);
+      }
+  }
+
+  bool hides(int t, double sign) const {
+    constexpr int kSteps = 6;
+    for (int i = 0; i <= kSteps; ++i)
+      for (int j = 0; i + j <= kSteps; ++j)
+        if (sign * valueInside(t, static_cast<double>(i) / kSteps, static_cast<double>(j) / kSteps,
+                               static_cast<double>(kSteps - i - j) / kSteps) >
+            0.0)
+          return true;
+    return false;
+  }
+
+  MeshEditor& editor_;
+  int k_;
+  HalfSpace half_;
+  double tolerance_;
+  std::vector<double> values_;  // normal · x - below at the nodes; exactly 0 on the border
+};
+
+}  // namespace
+
+void fitToBorder(MeshEditor& editor, int k) {
+  BorderFit(editor, k).run();
+}
+
+}  // namespace palpa::modeling

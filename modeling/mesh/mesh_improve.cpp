@@ -1,0 +1,90 @@
+#include "modeling/mesh/mesh_improve.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "modeling/mesh/mesh_refine.h"
+
+namespace palpa::modeling {
+namespace {
+
+/// Below this angle nodes may vanish; above, only flips and moves are worth it.
+constexpr double kCollapseAngle = 24.0 * std::numbers::pi / 180.0;
+
+/// Tries the operations on one triangle; true when one of them changed the mesh.
+bool improveOne(MeshEditor& editor, int triangle) {
+  const std::array<int, 3> n = editor.mesh().triangles[triangle].nodes;
+  std::array<int, 3> byLength{0, 1, 2};
+  const auto length = [&](int k) {
+    return (editor.position(n[k]) - editor.position(n[(k + 1) % 3])).norm();
+  };
+  std::stable_sort(byLength.begin(), byLength.end(),
+                   [&](int a, int b) { return length(a) > length(b); });
+  for (int k : byLength)
+    if (editor.flip(n[k], n[(k + 1) % 3])) return true;
+  if (editor.smallestAngleOf(triangle) < kCollapseAngle) {
+    const int shortest = byLength[2];
+    const int a = n[shortest];
+    const int b = n[(shortest + 1) % 3];
+    if (editor.collapse(a, b) || editor.collapse(b, a)) return true;
+  }
+  for (int node : n)
+    if (editor.smooth(node)) return true;
+  return false;
+}
+
+}  // namespace
+
+void improveShapes(MeshEditor& editor) {
+  constexpr int kRounds = 40;
+  std::vector<int> candidates(editor.mesh().triangles.size());
+  for (std::size_t t = 0; t < candidates.size(); ++t) candidates[t] = static_cast<int>(t);
+  for (int round = 0; round < kRounds && !candidates.empty(); ++round) {
+    std::vector<std::pair<double, int>> bad;
+    for (int t : candidates)
+      if (editor.isAlive(t) && editor.penalty(t) > 0.0) bad.emplace_back(-editor.penalty(t), t);
+    std::sort(bad.begin(), bad.end());
+    // Only what a change of this round touched can improve in the next one.
+    std::vector<int> touched;
+    for (const auto& [key, t] : bad) {
+      if (!editor.isAlive(t)) continue;
+      const std::array<int, 3> nodes = editor.mesh().triangles[t].nodes;
+      if (!improveOne(editor, t)) continue;
+      for (int node : nodes)
+        for (int near : editor.neighbours(node))
+          touched.insert(touched.end(), editor.around(near).begin(), editor.around(near).end());
+    }
+    std::sort(touched.begin(), touched.end());
+    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+    candidates = std::move(touched);
+  }
+}
+
+void relieveSlivers(MeshEditor& editor) {
+  constexpr double kSliver = 15.0 * std::numbers::pi / 180.0;
+  constexpr int kRounds = 8;
+  // The angle opposite the shortest edge is the smallest. When two interfaces enclose it, it stays,
+  // however small the triangles in it are.
+  const auto isGap = [&](const std::array<int, 3>& n) {
+    std::array<double, 3> opposite{};
+    for (int k = 0; k < 3; ++k)
+      opposite[k] = (editor.position(n[(k + 1) % 3]) - editor.position(n[(k + 2) % 3])).norm();
+    const auto k = std::min_element(opposite.begin(), opposite.end()) - opposite.begin();
+    return !editor.isInterface(n[k], n[(k + 1) % 3]) || !editor.isInterface(n[k], n[(k + 2) % 3]);
+  };
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<std::pair<int, std::array<int, 3>>> slivers;
+    for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      const int t = static_cast<int>(i);
+      if (!editor.isAlive(t) || editor.smallestAngleOf(t) > kSliver) continue;
+      if (isGap(editor.mesh().triangles[i].nodes))
+        slivers.emplace_back(t, editor.mesh().triangles[i].nodes);
+    }
+    if (slivers.empty()) return;
+    for (const auto& [t, nodes] : slivers)
+      if (editor.isAlive(t) && editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
+    improveShapes(editor);
+  }
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,102 @@
+#include "modeling/mesh/mesh_refine.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <queue>
+
+namespace palpa::modeling {
+namespace {
+
+/// A triangle is small enough when its longest edge is below this multiple of the wanted size:
+/// the diagonal of a square cell (with room for distortion) is not to be cut at the wanted size.
+constexpr double kDiagonal = 1.6;
+
+struct DirectedEdge {
+  int a;
+  int b;
+  double length;
+};
+
+DirectedEdge longestEdge(const MeshEditor& editor, int triangle) {
+  const auto& n = editor.mesh().triangles[triangle].nodes;
+  DirectedEdge longest{n[0], n[1], 0.0};
+  for (int k = 0; k < 3; ++k) {
+    const int a = n[k];
+    const int b = n[(k + 1) % 3];
+    const double length = (editor.position(a) - editor.position(b)).norm();
+    // Rounding must not decide between equal edges, or paths would not end.
+    if (length > longest.length * (1.0 + 1e-9)) longest = {a, b, length};
+  }
+  return longest;
+}
+
+/// Length of the shortest way along mesh edges from the nodes of source edges (Dijkstra).
+std::vector<double> distances(const MeshEditor& editor,
+                              const std::function<bool(int, int)>& isSource) {
+  const auto count = editor.mesh().nodes.size();
+  std::vector<double> distance(count, std::numeric_limits<double>::infinity());
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int node = static_cast<int>(i);
+    if (editor.around(node).empty()) continue;
+    for (int other : editor.interfaceNeighbours(node))
+      if (isSource(node, other)) {
+        distance[i] = 0.0;
+        queue.emplace(0.0, node);
+        break;
+      }
+  }
+  while (!queue.empty()) {
+    const auto [d, node] = queue.top();
+    queue.pop();
+    if (d > distance[node]) continue;
+    for (int other : editor.neighbours(node)) {
+      const double length = d + (editor.position(node) - editor.position(other)).norm();
+      if (length >= distance[other]) continue;
+      distance[other] = length;
+      queue.emplace(length, other);
+    }
+  }
+  return distance;
+}
+
+}  // namespace
+
+void bisect(MeshEditor& editor, int triangle) {
+  const std::array<int, 3> nodes = editor.mesh().triangles[triangle].nodes;
+  while (editor.mesh().triangles[triangle].nodes == nodes) {
+    DirectedEdge edge = longestEdge(editor, triangle);
+    for (;;) {
+      const DirectedEdge next = longestEdge(editor, editor.leftOf(edge.b, edge.a));
+      if (next.length <= edge.length * (1.0 + 1e-9)) break;
+      edge = next;
+    }
+    editor.split(edge.a, edge.b);
+  }
+}
+
+void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSource,
+                   double smallest, double largest) {
+  constexpr int kRounds = 40;  // each round halves an area; 6 levels need about 12
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<double> distance = distances(editor, isSource);
+    std::vector<std::pair<int, std::array<int, 3>>> large;
+    for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      const int t = static_cast<int>(i);
+      if (!editor.isAlive(t)) continue;
+      const std::array<int, 3>& nodes = editor.mesh().triangles[i].nodes;
+      const double nearest = std::min({distance[nodes[0]], distance[nodes[1]], distance[nodes[2]]});
+      const double size = smallest + kSizeGrowth * nearest;
+      if (size < largest && longestEdge(editor, t).length > kDiagonal * size)
+        large.emplace_back(t, nodes);
+    }
+    if (large.empty()) return;
+    // A triangle that a neighbour's bisection has cut meanwhile is judged again in the next round.
+    for (const auto& [t, nodes] : large)
+      if (editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
+  }
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+#include "modeling/mesh/mesh_editor.h"
+
+namespace palpa::modeling {
+
+/// Growth of the triangle size per distance from where it is smallest.
+inline constexpr double kSizeGrowth = 0.5;
+
+/// Cuts the triangle's longest edge; first that of its neighbour across it while longer, so that
+/// angles stay bounded from below (Rivara's longest-edge bisection).
+void bisect(MeshEditor& editor, int triangle);
+
+/// Bisects until triangles are not larger than the size wanted at their place: `smallest` mm on the
+/// edges for which isSource(a, b) holds, growing by kSizeGrowth per distance up to `largest`.
+/// Distances are measured along mesh edges.
+void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSource,
+                   double smallest, double largest);
+
+}  // namespace palpa::modeling

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "modeling/mesh/mesh.h"
+#include "modeling/solid/edge_curve.h"
+#include "modeling/solid/solid.h"
+#include "modeling/solid/surface_evaluator.h"
+
+namespace palpa::modeling {
+
+/// A node while the mesh is being made. It knows its parameters in every patch it belongs to: one
+/// inside a patch, two on an edge, three or more in a corner.
+struct WorkNode {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::vector<SurfaceParameter> at;
+  int edge = -1;            ///< solid edge the node lies on; -1 inside a patch or in a corner
+  double edgeFraction = 0;  ///< on that edge, 0 … 1 of the parameter of uses[0]
+
+  bool isCorner() const { return at.size() > 2; }
+};
+
+struct WorkTriangle {
+  std::array<int, 3> nodes;
+  int patch;
+  std::uint64_t sides = 0;  ///< bit k: the triangle lies in half space k the mesh was fitted to
+};
+
+/// Triangles over the patches of a solid with what is needed to change them: where a node may
+/// move, and what lies between two nodes on the true surface.
+struct WorkMesh {
+  const Solid* solid = nullptr;
+  const SurfaceEvaluator* surface = nullptr;
+  std::vector<WorkNode> nodes;
+  std::vector<WorkTriangle> triangles;
+
+  /// Parameters of a node in one of its patches.
+  const SurfaceParameter& in(int node, int patch) const;
+
+  /// The solid edge that the mesh edge a–b lies on; -1 when it runs inside a patch.
+  int edgeBetween(int a, int b) const;
+
+  /// A node on the mesh edge a–b at the fraction s from a to b: on the solid's edge when the mesh
+  /// edge lies on one, else on the straight parameter line in the patch. Not yet added.
+  WorkNode between(int a, int b, int patch, double s) const;
+
+  WorkNode nodeInPatch(const SurfaceParameter& at) const;
+  WorkNode nodeOnEdge(int edge, double fraction) const;
+  WorkNode nodeInCorner(int vertex) const;
+};
+
+}  // namespace palpa::modeling

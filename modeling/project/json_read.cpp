@@ -1,0 +1,84 @@
+#include "modeling/project/json_values.h"
+
+namespace palpa::modeling {
+
+using nlohmann::json;
+
+Eigen::Vector3d vectorFrom(const json& value) {
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+namespace {
+
+RegionPart partFrom(const json& value) {
+  if (value.contains("patches")) return PatchSet{value["patches"]};
+  const json& half = value["half_space"];
+  return HalfSpace{vectorFrom(half["normal"]), half["below_mm"].get<double>()};
+}
+
+}  // namespace
+
+Material materialFrom(const json& value) {
+  return {value.value("name", ""), value["youngs_modulus_MPa"].get<double>(),
+          value["poisson_ratio"].get<double>()};
+}
+
+Region regionFrom(const json& value) {
+  Region region;
+  if (!value.is_array()) return {{partFrom(value)}};
+  for (const json& part : value) region.parts.push_back(partFrom(part));
+  return region;
+}
+
+Solid solidFrom(const json& value) {
+  std::vector<Eigen::Vector3d> points;
+  for (const json& point : value["control_points_mm"]) points.push_back(vectorFrom(point));
+  std::vector<Patch> patches;
+  for (const json& patch : value["patches"])
+    patches.push_back({patch["name"], patch["degree"], patch["knots"], patch["net"]});
+  return Solid(std::move(points), std::move(patches));
+}
+
+Support supportFrom(const json& value) {
+  Support support;
+  support.name = value["name"];
+  support.kind = value["kind"] == "fixed" ? Support::Kind::fixed : Support::Kind::roller;
+  support.where = regionFrom(value["where"]);
+  if (value.contains("displacement_mm"))
+    support.displacement = vectorFrom(value["displacement_mm"]);
+  return support;
+}
+
+Load loadFrom(const json& value) {
+  const std::string name = value["name"];
+  if (value["kind"] == "pressure")
+    return {name, Pressure{regionFrom(value["where"]), value["MPa"].get<double>()}};
+  if (value["kind"] == "traction")
+    return {name, UniformTraction{regionFrom(value["where"]), vectorFrom(value["MPa"])}};
+  return {name, Bump{vectorFrom(value["center_mm"]), value["radius_mm"].get<double>(),
+                     value["peak_MPa"].get<double>(), vectorFrom(value["direction"])}};
+}
+
+Touch touchFrom(const json& value) {
+  Touch touch;
+  touch.name = value["name"];
+  touch.at = vectorFrom(value["at_mm"]);
+  if (value.contains("displace_mm"))
+    touch.action = TouchDisplacement{vectorFrom(value["displace_mm"])};
+  else
+    touch.action = TouchForce{vectorFrom(value["force_N"])};
+  if (value.contains("radius_mm")) touch.radius = value["radius_mm"].get<double>();
+  return touch;
+}
+
+MeshSettings meshFrom(const json& value) {
+  MeshSettings settings;
+  settings.edgeLength = value["edge_length_mm"];
+  if (!value.contains("refinement")) return settings;
+  settings.refinementLevels = value["refinement"]["levels"];
+  for (const json& at : value["refinement"]["at"])
+    (at == "sharp_edges" ? settings.refineAtSharpEdges : settings.refineAtBorders) = true;
+  return settings;
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,122 @@
+#include "modeling/project/json_values.h"
+#include "modeling/text.h"
+
+namespace palpa::modeling {
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string vectorText(const Eigen::Vector3d& v) {
+  return "[" + numberText(v.x()) + ", " + numberText(v.y()) + ", " + numberText(v.z()) + "]";
+}
+
+std::string linesText(const std::vector<std::string>& lines, const std::string& indent) {
+  if (lines.empty()) return "[]";
+  std::string result = "[\n";
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    result += indent + "  " + lines[i] + (i + 1 < lines.size() ? ",\n" : "\n");
+  return result + indent + "]";
+}
+
+namespace {
+
+std::string partText(const RegionPart& part) {
+  if (const auto* half = std::get_if<HalfSpace>(&part))
+    return "{\"half_space\": {\"normal\": " + vectorText(half->normal) +
+           ", \"below_mm\": " + numberText(half->below) + "}}";
+  return "{\"patches\": " + listText(std::get<PatchSet>(part).patches, quoted) + "}";
+}
+
+}  // namespace
+
+std::string regionText(const Region& region) {
+  return region.parts.size() == 1 ? partText(region.parts.front())
+                                  : listText(region.parts, partText);
+}
+
+std::string solidText(const Solid& solid) {
+  std::vector<std::string> points;
+  for (const Eigen::Vector3d& point : solid.controlPoints()) points.push_back(vectorText(point));
+  std::vector<std::string> patches;
+  for (const Patch& patch : solid.patches()) {
+    std::vector<std::string> rows;
+    for (const auto& row : patch.net)
+      rows.push_back(listText(row, [](int index) { return std::to_string(index); }));
+    patches.push_back(
+        "{\n        \"name\": " + quoted(patch.name) + ",\n        \"degree\": [" +
+        std::to_string(patch.degree[0]) + ", " + std::to_string(patch.degree[1]) +
+        "],\n        \"knots\": [\n          " + listText(patch.knots[0], numberText) +
+        ",\n          " + listText(patch.knots[1], numberText) +
+        "\n        ],\n        \"net\": " + linesText(rows, "        ") + "\n      }");
+  }
+  return "{\n    \"control_points_mm\": " + linesText(points, "    ") +
+         ",\n    \"patches\": " + linesText(patches, "    ") + "\n  }";
+}
+
+std::string supportText(const Support& support) {
+  std::string text = "{\"name\": " + quoted(support.name) + ", \"kind\": " +
+                     (support.kind == Support::Kind::fixed ? "\"fixed\"" : "\"roller\"") +
+                     ", \"where\": " + regionText(support.where);
+  if (support.displacement != Eigen::Vector3d::Zero())
+    text += ", \"displacement_mm\": " + vectorText(support.displacement);
+  return text + "}";
+}
+
+namespace {
+
+std::string loadBody(const Pressure& load) {
+  return "\"pressure\", \"where\": " + regionText(load.where) +
+         ", \"MPa\": " + numberText(load.pressure);
+}
+
+std::string loadBody(const UniformTraction& load) {
+  return "\"traction\", \"where\": " + regionText(load.where) +
+         ", \"MPa\": " + vectorText(load.traction);
+}
+
+std::string loadBody(const Bump& load) {
+  return "\"bump\", \"center_mm\": " + vectorText(load.center) +
+         ", \"radius_mm\": " + numberText(load.radius) +
+         ", \"peak_MPa\": " + numberText(load.peak) +
+         ", \"direction\": " + vectorText(load.direction);
+}
+
+}  // namespace
+
+std::string loadText(const Load& load) {
+  return "{\"name\": " + quoted(load.name) +
+         ", \"kind\": " + std::visit([](const auto& what) { return loadBody(what); }, load.what) +
+         "}";
+}
+
+std::string touchText(const Touch& touch) {
+  std::string text = "{\"name\": " + quoted(touch.name) +
+                     ", \"kind\": \"grab\", \"at_mm\": " + vectorText(touch.at);
+  if (const auto* moved = std::get_if<TouchDisplacement>(&touch.action))
+    text += ", \"displace_mm\": " + vectorText(moved->vector);
+  else
+    text += ", \"force_N\": " + vectorText(std::get<TouchForce>(touch.action).vector);
+  if (touch.radius) text += ", \"radius_mm\": " + numberText(*touch.radius);
+  return text + "}";
+}
+
+std::string meshText(const MeshSettings& mesh) {
+  std::string text = "{\"edge_length_mm\": " + numberText(mesh.edgeLength);
+  if (mesh.refinementLevels > 0 || mesh.refineAtSharpEdges || mesh.refineAtBorders) {
+    std::vector<std::string> at;
+    if (mesh.refineAtSharpEdges) at.push_back("sharp_edges");
+    if (mesh.refineAtBorders) at.push_back("support_borders");
+    text += ", \"refinement\": {\"levels\": " + std::to_string(mesh.refinementLevels) +
+            ", \"at\": " + listText(at, quoted) + "}";
+  }
+  return text + "}";
+}
+
+std::string materialText(const Material& material) {
+  return "{\"name\": " + quoted(material.name) +
+         ", \"youngs_modulus_MPa\": " + numberText(material.youngsModulus) +
+         ", \"poisson_ratio\": " + numberText(material.poissonRatio) + "}";
+}
+
+}  // namespace palpa::modeling

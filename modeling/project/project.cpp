@@ -1,0 +1,124 @@
+#include "modeling/project/project.h"
+
+#include <cmath>
+#include <set>
+
+#include "modeling/error.h"
+#include "modeling/text.h"
+
+namespace palpa::modeling {
+namespace {
+
+std::string indexed(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+void requireFinite(const Eigen::Vector3d& value, const std::string& path) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(value[axis]))
+      throw ModelingError(path + "[" + std::to_string(axis) + "]: must be finite");
+}
+
+void requireFinite(double value, const std::string& path) {
+  if (!std::isfinite(value)) throw ModelingError(path + ": must be finite");
+}
+
+void requirePositive(double value, const std::string& path) {
+  if (!std::isfinite(value) || value <= 0.0)
+    throw ModelingError(path + ": " + numberText(value) + " must be finite and greater than 0");
+}
+
+void requireNotZero(const Eigen::Vector3d& value, const std::string& path) {
+  if (value.norm() == 0.0) throw ModelingError(path + ": must not be zero");
+}
+
+/// A name within its list, not empty and used once.
+void checkName(const std::string& name, const std::string& path, std::set<std::string>& names) {
+  if (name.empty()) throw ModelingError(path + ".name: is empty");
+  if (!names.insert(name).second)
+    throw ModelingError(path + ".name: \"" + name + "\" is used twice in this list");
+}
+
+void checkMaterial(const Material& material) {
+  requirePositive(material.youngsModulus, "material.youngs_modulus_MPa");
+  const double nu = material.poissonRatio;
+  if (!(nu > -1.0 && nu <= 0.5))
+    throw ModelingError("material.poisson_ratio: " + numberText(nu) +
+                        " is outside the possible range -1 < nu <= 0.5");
+}
+
+void checkLoad(const Pressure& load, const Body& body, const std::string& path) {
+  checkRegion(load.where, body, path + ".where");
+  requireFinite(load.pressure, path + ".MPa");
+}
+
+void checkLoad(const UniformTraction& load, const Body& body, const std::string& path) {
+  checkRegion(load.where, body, path + ".where");
+  requireFinite(load.traction, path + ".MPa");
+}
+
+void checkLoad(const Bump& load, const Body&, const std::string& path) {
+  requireFinite(load.center, path + ".center_mm");
+  requirePositive(load.radius, path + ".radius_mm");
+  requireFinite(load.peak, path + ".peak_MPa");
+  requireFinite(load.direction, path + ".direction");
+  requireNotZero(load.direction, path + ".direction");
+}
+
+void checkTouch(const Touch& touch, const std::string& path) {
+  requireFinite(touch.at, path + ".at_mm");
+  if (touch.radius) requirePositive(*touch.radius, path + ".radius_mm");
+  if (const auto* moved = std::get_if<TouchDisplacement>(&touch.action))
+    requireFinite(moved->vector, path + ".displace_mm");
+  else
+    requireFinite(std::get<TouchForce>(touch.action).vector, path + ".force_N");
+}
+
+}  // namespace
+
+void checkProject(const Project& project) {
+  checkMaterial(project.material);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < project.supports.size(); ++i) {
+    const Support& support = project.supports[i];
+    const std::string path = indexed("supports", i);
+    checkName(support.name, path, names);
+    checkRegion(support.where, project.body, path + ".where");
+    requireFinite(support.displacement, path + ".displacement_mm");
+  }
+  names.clear();
+  for (std::size_t i = 0; i < project.loads.size(); ++i) {
+    const std::string path = indexed("loads", i);
+    checkName(project.loads[i].name, path, names);
+    std::visit([&](const auto& load) { checkLoad(load, project.body, path); },
+               project.loads[i].what);
+  }
+  names.clear();
+  for (std::size_t i = 0; i < project.touches.size(); ++i) {
+    const std::string path = indexed("touches", i);
+    checkName(project.touches[i].name, path, names);
+    checkTouch(project.touches[i], path);
+  }
+  project.mesh.validate("mesh");
+}
+
+const Region* regionOf(const Load& load) {
+  if (const auto* pressure = std::get_if<Pressure>(&load.what)) return &pressure->where;
+  if (const auto* traction = std::get_if<UniformTraction>(&load.what)) return &traction->where;
+  return nullptr;
+}
+
+std::vector<MeshRegion> meshRegions(const Project& project) {
+  std::vector<MeshRegion> regions;
+  for (std::size_t i = 0; i < project.supports.size(); ++i) {
+    const Support& support = project.supports[i];
+    regions.push_back({indexed("supports", i) + " \"" + support.name + "\"", support.where, true});
+  }
+  for (std::size_t i = 0; i < project.loads.size(); ++i)
+    if (const Region* where = regionOf(project.loads[i]))
+      regions.push_back(
+          {indexed("loads", i) + " \"" + project.loads[i].name + "\"", *where, false});
+  return regions;
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,95 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "modeling/error.h"
+#include "modeling/project/json_guard.h"
+#include "modeling/project/json_values.h"
+#include "modeling/project/project_file.h"
+#include "modeling/project/schema_check.h"
+
+namespace palpa::modeling {
+namespace {
+
+using nlohmann::json;
+
+/// The text of the "view" object with its keys in the order of the file; empty when there is none.
+std::string viewText(std::string_view text) {
+  using nlohmann::ordered_json;
+  const auto onlyView = [](int depth, ordered_json::parse_event_t event, ordered_json& parsed) {
+    return depth != 1 || event != ordered_json::parse_event_t::key || parsed == "view";
+  };
+  const ordered_json document = ordered_json::parse(text, onlyView);
+  return document.contains("view") ? document["view"].dump() : std::string();
+}
+
+/// Before the schema, because a newer version may follow another one.
+void checkFormat(const json& document, const std::string& source) {
+  const auto fail = [&](const std::string& what) { throw ModelingError(source + ": " + what); };
+  if (!document.is_object()) fail("this is no Palpa project: expected an object { … }");
+  const auto format = document.find("format");
+  if (format == document.end())
+    fail("format: is missing; this is no Palpa project (expected \"palpa-project\")");
+  if (*format != "palpa-project")
+    fail("format: found " + format->dump().substr(0, 60) + ", expected \"palpa-project\"");
+  const auto version = document.find("version");
+  if (version != document.end() && version->is_number_integer() &&
+      version->get<double>() > kProjectVersion)
+    fail("version: found " + version->dump() + "; this program reads up to version " +
+         std::to_string(kProjectVersion) + "; a newer Palpa is needed");
+}
+
+Project projectFrom(const json& document) {
+  Project project;
+  project.name = document.value("name", "");
+  project.material = materialFrom(document["material"]);
+  project.body = solidFrom(document["solid"]);
+  for (const json& one : document.value("supports", json::array()))
+    project.supports.push_back(supportFrom(one));
+  for (const json& one : document.value("loads", json::array()))
+    project.loads.push_back(loadFrom(one));
+  for (const json& one : document.value("touches", json::array()))
+    project.touches.push_back(touchFrom(one));
+  project.mesh = meshFrom(document["mesh"]);
+  return project;
+}
+
+}  // namespace
+
+Project parseProject(std::string_view text, const std::string& sourceName) {
+  const JsonLimits limits{kLargestProjectFile, kMostProjectValues, kDeepestNesting};
+  const json document = parseGuarded(text, sourceName, limits);
+  checkFormat(document, sourceName);
+  checkAgainstSchema(document, sourceName);
+  try {
+    Project project = projectFrom(document);
+    if (document.contains("view")) project.view = viewText(text);
+    checkProject(project);
+    return project;
+  } catch (const ModelingError& error) {
+    throw ModelingError(sourceName + ": " + error.what(), error.kind());
+  } catch (const json::exception& error) {
+    throw ModelingError(sourceName + ": " + error.what());
+  }
+}
+
+Project readProject(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::error_code code;
+  if (!std::filesystem::exists(path, code))
+    throw ModelingError(name + ": there is no such file", ModelingError::Kind::notFound);
+  if (!std::filesystem::is_regular_file(path, code))
+    throw ModelingError(name + ": this is not a file", ModelingError::Kind::io);
+  const std::uintmax_t size = std::filesystem::file_size(path, code);
+  if (!code && size > kLargestProjectFile)
+    throw ModelingError(name + ": the file has " + std::to_string(size) + " bytes; at most " +
+                            std::to_string(kLargestProjectFile) + " are accepted",
+                        ModelingError::Kind::tooLarge);
+  std::ifstream file(path, std::ios::binary);
+  std::string text(code ? 0 : size, '\0');
+  if (!file || code || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
+    throw ModelingError(name + ": the file cannot be read", ModelingError::Kind::io);
+  return parseProject(text, name);
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpa::modeling {
+
+/// One NUBS patch: a tensor-product B-spline surface whose control points are indices into the
+/// solid's shared list. Direction 0 is u, direction 1 is v.
+struct Patch {
+  std::string name;
+  std::array<int, 2> degree{};               ///< 1 … 5 in each direction
+  std::array<std::vector<double>, 2> knots;  ///< clamped; size = net size + degree + 1
+  std::vector<std::vector<int>> net;         ///< net[i][j]: i along u, j along v
+
+  std::array<double, 2> range(int direction) const {
+    return {knots[direction].front(), knots[direction].back()};
+  }
+};
+
+/// The four sides of a patch, counter-clockwise in the (u, v) plane.
+enum class Side { vMin = 0, uMax = 1, vMax = 2, uMin = 3 };
+
+inline constexpr std::array<Side, 4> kSides{Side::vMin, Side::uMax, Side::vMax, Side::uMin};
+
+/// Direction of the parameter that varies along a side: 0 (u) for vMin and vMax, 1 (v) otherwise.
+constexpr int directionOf(Side side) {
+  return side == Side::vMin || side == Side::vMax ? 0 : 1;
+}
+
+/// True when walking around the patch counter-clockwise follows the growing parameter on this side.
+constexpr bool isForward(Side side) {
+  return side == Side::vMin || side == Side::uMax;
+}
+
+std::string_view sideName(Side side);
+
+struct PatchEdge {
+  int patch = -1;
+  Side side = Side::vMin;
+};
+
+/// An edge of the solid: two patch sides glued together.
+struct SolidEdge {
+  std::array<PatchEdge, 2> uses;
+  bool reversed = false;          ///< the parameters of the two sides run in opposite directions
+  bool smooth = false;            ///< editing keeps the tangent plane continuous across the edge
+  std::array<int, 2> vertices{};  ///< control points at the start and end of uses[0]'s parameter
+};
+
+/// A closed body bounded by NUBS patches that share control points (positions in mm).
+///
+/// Invariants, checked by the constructor: degrees 1 … 5; knots finite, non-decreasing, clamped,
+/// interior multiplicity at most the degree; net sizes match the knots; indices in range; points
+/// finite; patch names unique; every patch side is glued to exactly one other side with the same
+/// points, degree and (after affine normalisation) knots; around every vertex the patches form one
+/// fan; neighbours agree in orientation and the normals du × dv point outwards (volume > 0).
+///
+/// A value type; const access from several threads is safe. Copies share patches and edges, and so
+/// does withControlPoints(): a copy costs 24 bytes per control point.
+class Solid {
+ public:
+  /// The empty solid: no patches. The only one that breaks the invariants.
+  Solid();
+
+  /// `smoothEdges` names edges by either of their two sides; all others are sharp.
+  /// @throws ModelingError that names the offending place as in the project file, for example
+  ///         `solid.patches[2].knots[0][5]: 0.4 is smaller than the knot before it (0.5)`.
+  Solid(std::vector<Eigen::Vector3d> controlPoints, std::vector<Patch> patches,
+        const std::vector<PatchEdge>& smoothEdges = {});
+
+  /// The same patches over other points. @throws ModelingError when a point is not finite or the
+  /// volume not positive; std::invalid_argument when their number differs.
+  Solid withControlPoints(std::vector<Eigen::Vector3d> controlPoints) const;
+
+  /// The same solid with the given edges (indices into edges()) smooth or sharp.
+  Solid withSmoothEdges(const std::vector<int>& edges, bool smooth) const;
+
+  const std::vector<Eigen::Vector3d>& controlPoints() const { return controlPoints_; }
+  const std::vector<Patch>& patches() const { return topology_->patches; }
+  const std::vector<SolidEdge>& edges() const { return topology_->edges; }
+
+  /// True when the two share patches and edges: only control points can differ.
+  bool sharesTopologyWith(const Solid& other) const { return topology_ == other.topology_; }
+
+  /// Index into edges() of the edge a patch side belongs to.
+  int edgeOf(int patch, Side side) const {
+    return topology_->edgeOfSide[patch][static_cast<int>(side)];
+  }
+
+  /// Control point at the start or end (in growing parameter) of a side: the solid's vertex there.
+  std::array<int, 2> verticesOf(int patch, Side side) const;
+
+  std::optional<int> findPatch(std::string_view name) const;
+
+ private:
+  struct Topology {
+    std::vector<Patch> patches;
+    std::vector<SolidEdge> edges;
+    std::vector<std::array<int, 4>> edgeOfSide;
+  };
+
+  std::vector<Eigen::Vector3d> controlPoints_;
+  std::shared_ptr<const Topology> topology_;
+};
+
+}  // namespace palpa::modeling

@@ -1,0 +1,136 @@
+#include "modeling/solid/surface_evaluator.h"
+
+#include <Eigen/Geometry>
+#include <Geom_BSplineSurface.hxx>
+#include <Standard_Failure.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
+#include <algorithm>
+
+#include "modeling/error.h"
+
+namespace palpa::modeling {
+namespace {
+
+Eigen::Vector3d toEigen(const gp_XYZ& v) {
+  return {v.X(), v.Y(), v.Z()};
+}
+
+std::vector<double> distinct(const std::vector<double>& knots) {
+  std::vector<double> result = knots;
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+Handle(Geom_BSplineSurface)
+    makeSurface(const std::vector<Eigen::Vector3d>& points, const Patch& patch) {
+  const int rows = static_cast<int>(patch.net.size());
+  const int columns = static_cast<int>(patch.net.front().size());
+  TColgp_Array2OfPnt poles(1, rows, 1, columns);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const Eigen::Vector3d& p = points[patch.net[i][j]];
+      poles.SetValue(i + 1, j + 1, gp_Pnt(p.x(), p.y(), p.z()));
+    }
+  const auto split = [&](int direction) {
+    const std::vector<double> values = distinct(patch.knots[direction]);
+    const int count = static_cast<int>(values.size());
+    TColStd_Array1OfReal knots(1, count);
+    TColStd_Array1OfInteger multiplicities(1, count);
+    for (int i = 0; i < count; ++i) {
+      const auto& all = patch.knots[direction];
+      knots.SetValue(i + 1, values[i]);
+      multiplicities.SetValue(i + 1,
+                              static_cast<int>(std::count(all.begin(), all.end(), values[i])));
+    }
+    return std::pair(knots, multiplicities);
+  };
+  const auto [uKnots, uMultiplicities] = split(0);
+  const auto [vKnots, vMultiplicities] = split(1);
+  return new Geom_BSplineSurface(poles, uKnots, vKnots, uMultiplicities, vMultiplicities,
+                                 patch.degree[0], patch.degree[1]);
+}
+
+}  // namespace
+
+struct SurfaceEvaluator::Surfaces {
+  struct Entry {
+    Handle(Geom_BSplineSurface) surface;
+    std::array<std::vector<double>, 2> spans;
+    std::array<int, 2> degree;
+  };
+  std::vector<Entry> entries;
+};
+
+SurfaceEvaluator::SurfaceEvaluator(const Solid& solid)
+    : SurfaceEvaluator(solid.controlPoints(), solid.patches()) {}
+
+SurfaceEvaluator::SurfaceEvaluator(const std::vector<Eigen::Vector3d>& points,
+                                   const std::vector<Patch>& patches) {
+  auto surfaces = std::make_shared<Surfaces>();
+  for (const Patch& patch : patches) {
+    try {
+      surfaces->entries.push_back({makeSurface(points, patch),
+                                   {distinct(patch.knots[0]), distinct(patch.knots[1])},
+                                   patch.degree});
+    } catch (const Standard_Failure& failure) {
+      throw ModelingError("patch \"" + patch.name +
+                          "\": OpenCASCADE refuses it as a surface: " + failure.GetMessageString());
+    }
+  }
+  surfaces_ = std::move(surfaces);
+}
+
+int SurfaceEvaluator::patchCount() const {
+  return static_cast<int>(surfaces_->entries.size());
+}
+
+std::array<double, 2> SurfaceEvaluator::range(int patch, int direction) const {
+  const auto& spans = surfaces_->entries[patch].spans[direction];
+  return {spans.front(), spans.back()};
+}
+
+const std::vector<double>& SurfaceEvaluator::spans(int patch, int direction) const {
+  return surfaces_->entries[patch].spans[direction];
+}
+
+int SurfaceEvaluator::degree(int patch, int direction) const {
+  return surfaces_->entries[patch].degree[direction];
+}
+
+Eigen::Vector3d SurfaceEvaluator::position(int patch, double u, double v) const {
+  const auto& entry = surfaces_->entries[patch];
+  gp_Pnt point;
+  entry.surface->D0(std::clamp(u, entry.spans[0].front(), entry.spans[0].back()),
+                    std::clamp(v, entry.spans[1].front(), entry.spans[1].back()), point);
+  return toEigen(point.XYZ());
+}
+
+SurfacePoint SurfaceEvaluator::evaluate(int patch, double u, double v) const {
+  const auto& entry = surfaces_->entries[patch];
+  gp_Pnt point;
+  gp_Vec du, dv;
+  entry.surface->D1(std::clamp(u, entry.spans[0].front(), entry.spans[0].back()),
+                    std::clamp(v, entry.spans[1].front(), entry.spans[1].back()), point, du, dv);
+  return {toEigen(point.XYZ()), toEigen(du.XYZ()), toEigen(dv.XYZ())};
+}
+
+Eigen::Vector3d SurfaceEvaluator::normal(int patch, double u, double v) const {
+  constexpr double kParallel = 1e-2;  // sine of the angle below which du × dv is not trusted
+  constexpr double kInside = 0.02;    // of the way to the patch's centre
+  const auto [uMin, uMax] = range(patch, 0);
+  const auto [vMin, vMax] = range(patch, 1);
+  Eigen::Vector3d best = Eigen::Vector3d::Zero();
+  for (double inside : {0.0, kInside}) {
+    const SurfacePoint p = evaluate(patch, u + inside * (0.5 * (uMin + uMax) - u),
+                                    v + inside * (0.5 * (vMin + vMax) - v));
+    const Eigen::Vector3d cross = p.du.cross(p.dv);
+    const double length = cross.norm();
+    if (length > 0.0) best = cross / length;
+    if (length > kParallel * p.du.norm() * p.dv.norm()) break;
+  }
+  return best;
+}
+
+}  // namespace palpa::modeling
