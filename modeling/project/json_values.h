@@ -19,6 +19,9 @@ Load loadFrom(const nlohmann::json& value);
 Touch touchFrom(const nlohmann::json& value);
 MeshSettings meshFrom(const nlohmann::json& value);
 
+/// degree and control_points may be absent: 3 and the shape's default.
+Primitive primitiveFrom(const nlohmann::json& value);
+
 /// A string in quotes, with escapes; invalid UTF-8 is replaced.
 std::string quoted(const std::string& text);
 
@@ -33,6 +36,7 @@ std::string supportText(const Support& support);
 std::string loadText(const Load& load);
 std::string touchText(const Touch& touch);
 std::string meshText(const MeshSettings& mesh);
+std::string primitiveText(const Primitive& primitive);
 
 /// "[a, b, c]" from any list, each element through `text`.
 template <class List, class Text>
