@@ -8,6 +8,7 @@
 
 #include "modeling/error.h"
 #include "modeling/mesh/border_fit.h"
+#include "modeling/mesh/half_spaces.h"
 #include "modeling/mesh/mesh_counts.h"
 #include "modeling/mesh/mesh_improve.h"
 #include "modeling/mesh/mesh_refine.h"
@@ -86,29 +87,10 @@ void renumber(WorkMesh& work, const Counts& counts) {
             });
 }
 
-/// The distinct half spaces of all regions; their order gives the bits of WorkTriangle::sides.
-std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions) {
-  constexpr std::size_t kMost = 64;
-  std::vector<HalfSpace> result;
-  for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts) {
-      const auto* half = std::get_if<HalfSpace>(&part);
-      if (half && std::find(result.begin(), result.end(), *half) == result.end())
-        result.push_back(*half);
-    }
-  if (result.size() > kMost)
-    throw ModelingError("the regions have " + std::to_string(result.size()) +
-                            " different half spaces; at most 64 are possible",
-                        ModelingError::Kind::tooLarge);
-  return result;
-}
-
 bool contains(const RegionPart& part, const WorkMesh& work, const WorkTriangle& triangle,
               const std::vector<HalfSpace>& halfSpaces) {
-  if (const auto* half = std::get_if<HalfSpace>(&part)) {
-    const auto k = std::find(halfSpaces.begin(), halfSpaces.end(), *half) - halfSpaces.begin();
-    return (triangle.sides >> k) & 1;
-  }
+  if (const auto* half = std::get_if<HalfSpace>(&part))
+    return isInside(triangle.sides, *half, halfSpaces);
   const auto& names = std::get<PatchSet>(part).patches;
   return std::find(names.begin(), names.end(), work.solid->patches()[triangle.patch].name) !=
          names.end();
@@ -122,10 +104,7 @@ std::vector<int> trianglesOf(const MeshRegion& region, const WorkMesh& work,
           return contains(part, work, work.triangles[t], halfSpaces);
         }))
       triangles.push_back(static_cast<int>(t));
-  if (triangles.empty())
-    throw ModelingError(region.name +
-                        ": no part of the surface lies in this region; check the half space "
-                        "(normal · x < below_mm) against the size and place of the solid");
+  if (triangles.empty()) failEmptyRegion(region);
   return triangles;
 }
 
@@ -147,18 +126,6 @@ SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshReg
   for (const MeshRegion& region : regions)
     mesh.trianglesOfRegion.push_back(trianglesOf(region, work, halfSpaces));
   return mesh;
-}
-
-/// Bits of the half spaces that belong to a region with refineBorder.
-std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
-                             const std::vector<HalfSpace>& halfSpaces) {
-  std::uint64_t bits = 0;
-  for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts)
-      if (const auto* half = std::get_if<HalfSpace>(&part); half && region.refineBorder)
-        bits |= std::uint64_t{1} << (std::find(halfSpaces.begin(), halfSpaces.end(), *half) -
-                                     halfSpaces.begin());
-  return bits;
 }
 
 /// Patches named in a region with refineBorder: their outer edges are borders, too.
