@@ -71,13 +71,20 @@ struct SurfaceMesh {
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});
 
-/// The same for a mesh body: its surface, retriangulated to the edge length. Nodes have no
-/// parameters (the list is empty); patches are the body's faces.
+/// The same for a mesh body: its surface, triangulated anew to the edge length. Nodes lie on the
+/// body's triangles and have no parameters (the list is empty); they are in the order of a space
+/// filling curve. Sharp edges (kSharpAngle), borders of faces and of regions become chains of mesh
+/// edges; patches are the body's faces. Where features are closer than the edge length or turn
+/// within it, edges are shorter. Cost: about 25 µs per triangle of the body and of the mesh.
+/// @throws also ModelingError: the edge length is too coarse for the body (it would lose or gain
+///         more than kMostVolumeChange of its volume); Cancelled
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});
 
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});
+
+inline constexpr double kMostVolumeChange = 0.2;
 
 inline constexpr double kMostNodes = 5e6;
 

@@ -29,18 +29,18 @@ std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions) {
   return result;
 }
 
-std::vector<int> trianglesOf(const MeshRegion& region, const Solid& solid,
+std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
                              const std::vector<int>& patchOfTriangle,
                              const std::vector<std::uint64_t>& insideOfTriangle,
                              const std::vector<HalfSpace>& halfSpaces) {
   std::uint64_t chosen = 0;
-  std::vector<bool> isNamed(solid.patches().size(), false);
+  std::vector<bool> isNamed(patchNames(body).size(), false);
   for (const RegionPart& part : region.where.parts)
     if (const auto* half = std::get_if<HalfSpace>(&part))
       chosen |= std::uint64_t{1} << indexOf(*half, halfSpaces);
     else
       for (const std::string& name : std::get<PatchSet>(part).patches)
-        if (const auto patch = solid.findPatch(name)) isNamed[*patch] = true;
+        if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
   std::vector<int> triangles;
   for (std::size_t t = 0; t < patchOfTriangle.size(); ++t)
     if (isNamed[patchOfTriangle[t]] || (insideOfTriangle[t] & chosen) != 0)
@@ -62,12 +62,12 @@ std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
   return bits;
 }
 
-std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Solid& solid) {
+std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Body& body) {
   std::set<int> patches;
   for (const MeshRegion& region : regions)
     for (const RegionPart& part : region.where.parts)
       if (const auto* set = std::get_if<PatchSet>(&part); set && region.refineBorder)
-        for (const std::string& name : set->patches) patches.insert(*solid.findPatch(name));
+        for (const std::string& name : set->patches) patches.insert(*findPatch(body, name));
   return patches;
 }
 

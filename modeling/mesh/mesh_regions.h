@@ -17,7 +17,7 @@ std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions);
 
 /// Triangles of a region, ascending. `insideOfTriangle` are the half spaces each triangle lies in.
 /// @throws ModelingError that begins with the region's name when there are none
-std::vector<int> trianglesOf(const MeshRegion& region, const Solid& solid,
+std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
                              const std::vector<int>& patchOfTriangle,
                              const std::vector<std::uint64_t>& insideOfTriangle,
                              const std::vector<HalfSpace>& halfSpaces);
@@ -27,6 +27,6 @@ std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
                              const std::vector<HalfSpace>& halfSpaces);
 
 /// Patches named in a region with refineBorder: their outer edges are borders, too.
-std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Solid& solid);
+std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Body& body);
 
 }  // namespace palpa::modeling

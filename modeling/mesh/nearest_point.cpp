@@ -1,0 +1,89 @@
+#include "modeling/mesh/nearest_point.h"
+
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace palpa::modeling {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Eigen::Vector3d;
+
+Point toPoint(const Vector3d& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+Vector3d toVector(const Point& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+template <class Primitive>
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+/// Elements and the tree that points to them; not movable for that reason.
+template <class Element, class Primitive>
+struct ElementTree {
+  std::vector<Element> elements;
+  AabbTree<Primitive> tree;
+
+  void build() {
+    tree.insert(elements.begin(), elements.end());
+    // Everything that CGAL would do lazily (and not thread-safely) at the first question.
+    tree.build();
+    tree.accelerate_distance_queries();
+  }
+};
+
+using TriangleList = std::vector<Kernel::Triangle_3>;
+using SegmentList = std::vector<Kernel::Segment_3>;
+
+}  // namespace
+
+struct NearestOnTriangles::Tree
+    : ElementTree<Kernel::Triangle_3,
+                  CGAL::AABB_triangle_primitive<Kernel, TriangleList::iterator>> {};
+
+struct NearestOnSegments::Tree
+    : ElementTree<Kernel::Segment_3, CGAL::AABB_segment_primitive<Kernel, SegmentList::iterator>> {
+};
+
+NearestOnTriangles::NearestOnTriangles(const std::vector<std::array<Vector3d, 3>>& triangles) {
+  auto tree = std::make_shared<Tree>();
+  // CGAL may divide by the area: triangles without one are covered by their neighbours.
+  for (const auto& [a, b, c] : triangles)
+    if ((b - a).cross(c - a).squaredNorm() > 0.0)
+      tree->elements.emplace_back(toPoint(a), toPoint(b), toPoint(c));
+  if (tree->elements.empty()) return;
+  tree->build();
+  tree_ = std::move(tree);
+}
+
+Vector3d NearestOnTriangles::nearest(const Vector3d& point) const {
+  return tree_ ? toVector(tree_->tree.closest_point(toPoint(point))) : point;
+}
+
+NearestOnSegments::NearestOnSegments(const std::vector<std::array<Vector3d, 2>>& segments) {
+  auto tree = std::make_shared<Tree>();
+  for (const auto& [a, b] : segments)
+    if (a != b) tree->elements.emplace_back(toPoint(a), toPoint(b));
+  if (tree->elements.empty()) return;
+  tree->build();
+  tree_ = std::move(tree);
+}
+
+Vector3d NearestOnSegments::nearest(const Vector3d& point) const {
+  return tree_ ? toVector(tree_->tree.closest_point(toPoint(point))) : point;
+}
+
+double NearestOnSegments::distance(const Vector3d& point) const {
+  return tree_ ? (nearest(point) - point).norm() : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace palpa::modeling

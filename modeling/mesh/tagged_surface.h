@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <vector>
+
+namespace palpa::modeling {
+
+/// What a triangle of a mesh body belongs to. Edges between triangles with different tags are
+/// *features*: sharp edges, borders of faces, borders of half spaces. The mesh keeps them.
+struct SurfaceTag {
+  int face = 0;             ///< of the body
+  int region = 0;           ///< smooth region: what sharp edges divide
+  std::uint64_t sides = 0;  ///< bit k: lies in half space k
+
+  auto operator<=>(const SurfaceTag&) const = default;
+};
+
+/// A closed, oriented, manifold triangle surface with a tag per triangle.
+struct TaggedSurface {
+  std::vector<Eigen::Vector3d> positions;  ///< mm
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<SurfaceTag> tags;
+};
+
+}  // namespace palpa::modeling
