@@ -25,14 +25,9 @@ namespace palpa::modeling {
 namespace {
 
 constexpr double kTolerance = 1e-4;  // of the diagonal of the bounding box
+constexpr double kRounding = 1e-9;   // of the diagonal: no approximation worth a note
 constexpr int kUsualNodes = 600;
 constexpr double kChordsPerEdgeLength = 50.0;
-
-std::string shortNumber(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2g", value);
-  return buffer;
-}
 
 double diagonalOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
@@ -44,6 +39,10 @@ double areaOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(shape, properties);
   return properties.Mass();
+}
+
+std::string facesText(int count) {
+  return count == 1 ? "1 face" : std::to_string(count) + " faces";
 }
 
 struct Named {
@@ -63,14 +62,14 @@ Named divideClosed(const CadSolid& solid) {
   TopExp_Explorer found(result, TopAbs_SOLID);
   if (!found.More()) return {solid.shape, names, 0};
   Named named{TopoDS::Solid(found.Current()), {}, 0};
-  std::map<const void*, std::string> parts;
+  FaceNames parts;
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid.shape, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
     TopTools_IndexedMapOfShape pieces;
     TopExp::MapShapes(divider.GetContext()->Apply(faces(i)), TopAbs_FACE, pieces);
     for (int k = 1; k <= pieces.Extent(); ++k)
-      parts[pieces(k).TShape().get()] = names[static_cast<std::size_t>(i) - 1];
+      parts.Bind(pieces(k), names[static_cast<std::size_t>(i) - 1]);
     if (pieces.Extent() > 1) ++named.divided;
   }
   named.faceNames = uniqueFaceNames(named.shape, parts);
@@ -87,13 +86,13 @@ std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
     imported.body = std::move(result.solid);
     imported.deviation = result.deviation;
     if (named.divided > 0)
-      imported.notes.push_back(std::to_string(named.divided) +
-                               " faces that close on themselves were divided.");
-    if (result.approximatedFaces > 0)
-      imported.notes.push_back(
-          std::to_string(result.approximatedFaces) +
-          " faces are no plain B-splines; patches follow them within " +
-          shortNumber(result.deviation) + " mm (tolerance " + shortNumber(tolerance) + " mm).");
+      imported.notes.push_back("Divided, because a patch must not close on itself: " +
+                               facesText(named.divided) + ".");
+    if (result.approximatedFaces > 0 && result.deviation > kRounding * diagonalOf(solid.shape))
+      imported.notes.push_back("Approximated, because they are no plain B-splines: " +
+                               facesText(result.approximatedFaces) + "; the patches differ by up to " +
+                               shortNumberText(result.deviation) + " mm (tolerance " +
+                               shortNumberText(tolerance) + " mm).");
     return "";
   } catch (const NoPatches& none) {
     return none.reason;
@@ -119,7 +118,7 @@ void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reaso
       reason + ".");
   if (result.deviation > 0.0)
     imported.notes.push_back("Flat triangles follow the curved faces within " +
-                             shortNumber(result.deviation) + " mm.");
+                             shortNumberText(result.deviation) + " mm.");
 }
 
 }  // namespace

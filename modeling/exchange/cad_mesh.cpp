@@ -15,7 +15,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
-#include <map>
+#include <optional>
 
 #include "modeling/error.h"
 #include "modeling/exchange/opencascade_session.h"
@@ -69,15 +69,23 @@ class Joiner {
 
   MeshResult finish() {
     dropEmptyFaces();
-    return {MeshBody(std::move(data_)), deviation_, false};
+    return {MeshBody(std::move(data_)), deviation_};
   }
-
-  double deviation() const { return deviation_; }
 
  private:
   int addPoint(const Vector3d& p) {
     data_.positions.push_back(p);
     return static_cast<int>(data_.positions.size()) - 1;
+  }
+
+  /// The entry of a list that belongs to a shape; made when the shape is new. Shapes of swept bodies
+  /// share their geometry at several places, so the place counts.
+  template <class Entry>
+  static Entry& entryOf(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& known,
+                        std::vector<Entry>& entries) {
+    const int index = known.Add(shape);
+    entries.resize(static_cast<std::size_t>(known.Extent()));
+    return entries[static_cast<std::size_t>(index) - 1];
   }
 
   /// Vertices at the nodes of an edge: its two ends, and the nodes between counted along it.
@@ -87,7 +95,7 @@ class Joiner {
         BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
     if (polygon.IsNull()) throw ModelingError("OpenCASCADE left an edge without triangles");
     const int count = polygon->NbNodes();
-    std::vector<int>& row = rowOfEdge_[edge.TShape().get()];
+    std::vector<int>& row = entryOf(edge, edges_, rowOfEdge_);
     if (row.empty()) {
       for (int i = 1; i <= count; ++i) {
         const int node = polygon->Node(i);
@@ -96,9 +104,9 @@ class Joiner {
           continue;
         }
         const TopoDS_Vertex end = 2 * i > count ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
-        const auto [found, added] = endPoint_.try_emplace(end.TShape().get(), -1);
-        if (added) found->second = addPoint(position(node));
-        row.push_back(found->second);
+        std::optional<int>& point = entryOf(end, ends_, pointOfEnd_);
+        if (!point) point = addPoint(position(node));
+        row.push_back(*point);
       }
     }
     if (static_cast<int>(row.size()) != count)
@@ -150,8 +158,10 @@ class Joiner {
   const std::vector<std::string>& names_;
   MeshBody::Data data_;
   std::vector<int> vertexOfNode_;
-  std::map<const void*, std::vector<int>> rowOfEdge_;
-  std::map<const void*, int> endPoint_;
+  TopTools_IndexedMapOfShape edges_;
+  std::vector<std::vector<int>> rowOfEdge_;  // one per edges_
+  TopTools_IndexedMapOfShape ends_;
+  std::vector<std::optional<int>> pointOfEnd_;  // one per ends_
   double deviation_ = 0.0;
 };
 
@@ -181,19 +191,23 @@ MeshResult attempt(const TopoDS_Solid& shape, const std::vector<std::string>& fa
 
 MeshResult makeMeshBody(const TopoDS_Solid& shape, const std::vector<std::string>& faceNames,
                         double chordTolerance, const Job& job) {
-  // Narrow faces and small features may collapse in a coarse triangulation.
+  // In a coarse triangulation narrow faces may collapse; and OpenCASCADE's idea of the chord
+  // tolerance is loose at times. Finer ones help against both.
   constexpr int kMostAttempts = 4;
-  for (int i = 1;; ++i) {
+  std::optional<MeshResult> best;
+  std::string fault;
+  double finer = chordTolerance;
+  for (int i = 0; i < kMostAttempts; ++i, finer /= 2.5) {
     try {
-      MeshResult result = attempt(shape, faceNames, chordTolerance, job);
-      result.coarser = result.deviation > 2.0 * chordTolerance;
-      return result;
+      MeshResult result = attempt(shape, faceNames, finer, job);
+      if (!best || result.deviation < best->deviation) best = std::move(result);
+      if (best->deviation <= chordTolerance) break;
     } catch (const ModelingError& error) {
-      if (i == kMostAttempts)
-        throw ModelingError(std::string("no closed triangulation was found: ") + error.what());
+      fault = error.what();
     }
-    chordTolerance /= 4.0;
   }
+  if (!best) throw ModelingError("no closed triangulation was found: " + fault);
+  return *best;
 }
 
 }  // namespace palpa::modeling

@@ -13,12 +13,11 @@ namespace palpa::modeling {
 struct MeshResult {
   MeshBody body;
   double deviation = 0.0;  ///< mm, the largest found over samples of all triangles
-  bool coarser = false;    ///< OpenCASCADE could not keep the chord tolerance everywhere
 };
 
 /// Triangulates a closed solid. Triangles are joined along the shape's edges by their nodes' places
 /// on them, so the result is closed whatever the tolerances of the file. `faceNames` in the order of
-/// TopExp::MapShapes; `chordTolerance` in mm.
+/// TopExp::MapShapes. `chordTolerance` in mm is what is aimed at; `deviation` is what was reached.
 /// @throws ModelingError (without the file's name), Standard_Failure, Cancelled
 MeshResult makeMeshBody(const TopoDS_Solid& shape, const std::vector<std::string>& faceNames,
                         double chordTolerance, const Job& job);

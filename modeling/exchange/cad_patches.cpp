@@ -12,7 +12,6 @@
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "modeling/error.h"
 #include "modeling/exchange/knot_chain.h"
@@ -31,12 +30,6 @@ using Net = std::vector<std::vector<Vector3d>>;
 
 Vector3d toEigen(const gp_Pnt& p) {
   return {p.X(), p.Y(), p.Z()};
-}
-
-std::string shortNumber(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.2g", value);
-  return buffer;
 }
 
 /// A patch with control points of its own, before they are joined with those of its neighbours.
@@ -211,10 +204,13 @@ class Welder {
   int vertexIndex(int edge, bool end, const Vector3d* position) {
     const TopoDS_Edge& shape = TopoDS::Edge(quads_.edges(edge));
     const TopoDS_Vertex vertex = end ? TopExp::LastVertex(shape) : TopExp::FirstVertex(shape);
-    const auto [found, added] =
-        vertices_.try_emplace(vertex.TShape().get(), static_cast<int>(points_.size()));
-    if (added) points_.push_back(position ? *position : toEigen(BRep_Tool::Pnt(vertex)));
-    return found->second;
+    const int known = vertices_.Extent();
+    const std::size_t found = static_cast<std::size_t>(vertices_.Add(vertex)) - 1;
+    if (vertices_.Extent() > known) {
+      pointOfVertex_.push_back(static_cast<int>(points_.size()));
+      points_.push_back(position ? *position : toEigen(BRep_Tool::Pnt(vertex)));
+    }
+    return pointOfVertex_[found];
   }
 
   std::vector<int> indices(int edge, const std::vector<Vector3d>& row) {
@@ -260,9 +256,9 @@ class Welder {
       const Vector3d& p = points_[row[i]];
       throw NoPatches{"the parameters of the faces \"" + quads_.faces[uses[0].face].name +
                       "\" and \"" + quads_.faces[uses[1].face].name +
-                      "\" do not agree along their common edge near (" + shortNumber(p.x()) + ", " +
-                      shortNumber(p.y()) + ", " + shortNumber(p.z()) + ") mm (they differ by " +
-                      shortNumber(distance) + " mm)"};
+                      "\" do not agree along their common edge near (" + shortNumberText(p.x()) + ", " +
+                      shortNumberText(p.y()) + ", " + shortNumberText(p.z()) + ") mm (they differ by " +
+                      shortNumberText(distance) + " mm)"};
     }
   }
 
@@ -323,7 +319,8 @@ class Welder {
   std::vector<LoosePatch> patches_;
   double tolerance_;
   std::vector<Vector3d> points_;
-  std::map<const void*, int> vertices_;
+  TopTools_IndexedMapOfShape vertices_;
+  std::vector<int> pointOfVertex_;
   std::vector<std::vector<int>> rows_;  // per edge, along it
 };
 
@@ -420,8 +417,8 @@ PatchResult makePatches(const TopoDS_Solid& shape, const std::vector<std::string
     result = attempt(quads, chains, tolerance, job);
   }
   if (!(result.deviation <= tolerance))
-    throw NoPatches{"patches would differ from it by " + shortNumber(result.deviation) +
-                    " mm, more than the tolerance of " + shortNumber(tolerance) + " mm"};
+    throw NoPatches{"patches would differ from it by " + shortNumberText(result.deviation) +
+                    " mm, more than the tolerance of " + shortNumberText(tolerance) + " mm"};
   const double expected = volumeOf(shape);
   const double enclosed = volume(SurfaceEvaluator(result.solid));
   constexpr double kVolume = 0.01;  // relative; guards against gross misunderstanding only

@@ -78,7 +78,7 @@ CadContent readStep(const std::filesystem::path& path, const std::string& text, 
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(
         transfer->EntityFromShapeResult(face, 1));
     if (!item.IsNull() && !item->Name().IsNull() && item->Name()->Length() > 0)
-      content.faceNames[face.TShape().get()] = item->Name()->ToCString();
+      content.faceNames.Bind(face, item->Name()->ToCString());
   });
   return content;
 }
@@ -100,7 +100,7 @@ CadContent readIges(const std::filesystem::path& path, const Job& job) {
     if (!entity->HasName()) continue;
     const TopoDS_Shape face = TransferBRep::ShapeResult(reader.WS()->TransferReader()->TransientProcess(), entity);
     if (!face.IsNull() && face.ShapeType() == TopAbs_FACE)
-      content.faceNames[face.TShape().get()] = entity->NameValue()->ToCString();
+      content.faceNames.Bind(face, entity->NameValue()->ToCString());
   }
   return content;
 }
@@ -115,7 +115,7 @@ CadContent readBrep(const std::string& text, const Job& job) {
   const std::vector<std::string> names = brepNamesFrom(text);
   forEachFace(content.shape, [&](int index, const TopoDS_Shape& face) {
     if (index <= static_cast<int>(names.size()))
-      content.faceNames[face.TShape().get()] = names[static_cast<std::size_t>(index) - 1];
+      content.faceNames.Bind(face, names[static_cast<std::size_t>(index) - 1]);
   });
   return content;
 }

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <NCollection_DataMap.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 #include <TopoDS_Shape.hxx>
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include "modeling/job.h"
@@ -10,11 +11,13 @@
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {
 
+/// Names of faces, whatever their orientation; those without are absent.
+using FaceNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+
 /// What a CAD file holds, in mm.
 struct CadContent {
   TopoDS_Shape shape;
-  /// Names of faces, by their underlying shape (TopoDS_Shape::TShape()); those without are absent.
-  std::map<const void*, std::string> faceNames;
+  FaceNames faceNames;
 };
 
 /// Reads a file. To be called within an OpenCascadeSession; the file's text has been checked before

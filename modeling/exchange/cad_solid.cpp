@@ -5,6 +5,7 @@
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
@@ -19,6 +20,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "modeling/error.h"
@@ -50,17 +52,17 @@ double diagonalOf(const TopoDS_Shape& shape) {
 
 /// Names follow a face to what replaced it.
 void followNames(const TopoDS_Shape& before, const auto& replacement,
-                 std::map<const void*, std::string>& names) {
+                 FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(before, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
-    const auto found = names.find(faces(i).TShape().get());
-    if (found == names.end()) continue;
-    const std::string name = found->second;
+    const std::string* found = names.Seek(faces(i));
+    if (!found) continue;
+    const std::string name = *found;
     const TopoDS_Shape after = replacement(faces(i));
     TopTools_IndexedMapOfShape parts;
     if (!after.IsNull()) TopExp::MapShapes(after, TopAbs_FACE, parts);
-    for (int k = 1; k <= parts.Extent(); ++k) names[parts(k).TShape().get()] = name;
+    for (int k = 1; k <= parts.Extent(); ++k) names.Bind(parts(k), name);
   }
 }
 
@@ -117,11 +119,19 @@ std::string openPlace(const TopoDS_Shape& shape) {
   return "";
 }
 
-/// A solid from the shells of a shape that is none.
+/// A solid from the shells of a shape that is none, and from faces that are closed by themselves.
 TopoDS_Shape solidFromShells(const TopoDS_Shape& shape) {
   BRepBuilderAPI_MakeSolid maker;
   for (TopExp_Explorer shells(shape, TopAbs_SHELL); shells.More(); shells.Next())
     maker.Add(TopoDS::Shell(shells.Current()));
+  const BRep_Builder builder;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next()) {
+    TopoDS_Shell shell;
+    builder.MakeShell(shell);
+    builder.Add(shell, faces.Current());
+    shell.Closed(Standard_True);
+    maker.Add(shell);
+  }
   if (!maker.IsDone()) throw ModelingError("its faces do not join to a closed surface");
   return maker.Solid();
 }
@@ -155,7 +165,7 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
     if (!open.empty()) throw ModelingError(open);
     shape = solidFromShells(shape);
     result.notes.push_back("Loose faces were sewn together; gaps up to " +
-                           numberText(kSewing * diagonal) + " mm were closed.");
+                           shortNumberText(kSewing * diagonal) + " mm were closed.");
   }
   if (!BRepCheck_Analyzer(shape).IsValid()) {
     shape = repair(shape, result, job);
@@ -175,21 +185,20 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
 }
 
 std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape,
-                                         const std::map<const void*, std::string>& names) {
+                                         const FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::map<std::string, int> uses;
   for (int i = 1; i <= faces.Extent(); ++i) {
-    const auto found = names.find(faces(i).TShape().get());
-    if (found != names.end()) ++uses[found->second];
+    if (const std::string* name = names.Seek(faces(i))) ++uses[*name];
   }
   std::set<std::string> taken;
   std::map<std::string, int> next;
   std::vector<std::string> result;
   for (int i = 1; i <= faces.Extent(); ++i) {
-    const auto found = names.find(faces(i).TShape().get());
-    const bool named = found != names.end();
-    const std::string base = named ? found->second : "face";
+    const std::string* found = names.Seek(faces(i));
+    const bool named = found != nullptr;
+    const std::string base = named ? *found : "face";
     std::string name = base;
     if (!named || uses[base] > 1) {
       int number = named ? next[base] : i - 1;

@@ -13,8 +13,8 @@ namespace palpa::modeling {
 /// The one closed, outward oriented solid of a file.
 struct CadSolid {
   TopoDS_Solid shape;
-  std::map<const void*, std::string> faceNames;  ///< as in CadContent
-  std::vector<std::string> notes;                ///< repairs, as sentences
+  FaceNames faceNames;
+  std::vector<std::string> notes;  ///< repairs, as sentences
 };
 
 /// Finds the solid of a file; sews loose faces and repairs faults when needed. The order and the
@@ -26,6 +26,6 @@ CadSolid findSolid(const CadContent& content, const Job& job);
 /// The names of the faces in the order of TopExp::MapShapes, unique and not empty: face_7 for the
 /// seventh one when it has none.
 std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape,
-                                         const std::map<const void*, std::string>& names);
+                                         const FaceNames& names);
 
 }  // namespace palpa::modeling

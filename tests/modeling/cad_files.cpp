@@ -71,13 +71,13 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
 
 double volumeOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
-  BRepGProp::VolumeProperties(shape, properties);
+  BRepGProp::VolumeProperties(shape, properties, 1e-8);
   return properties.Mass();
 }
 
 double areaOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
-  BRepGProp::SurfaceProperties(shape, properties);
+  BRepGProp::SurfaceProperties(shape, properties, 1e-8);
   return properties.Mass();
 }
 
