@@ -1,0 +1,161 @@
+#include "modeling/exchange/cad_export.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepTools.hxx>
+#include <IGESBasic_Name.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Writer.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Writer.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TransferBRep.hxx>
+#include <XSControl_TransferWriter.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <fstream>
+
+#include "modeling/error.h"
+#include "modeling/exchange/brep_names.h"
+#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/opencascade_session.h"
+#include "modeling/exchange/solid_shape.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr const char* kPhase = "export";
+
+Handle(TCollection_HAsciiString) text(const std::string& value) {
+  return new TCollection_HAsciiString(value.c_str());
+}
+
+bool writeStep(const ShapeOfSolid& made, const Solid& solid, const std::string& name,
+               const std::filesystem::path& path, const Job& job) {
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("write.step.schema", "AP214IS");
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetCVal("write.step.product.name", name.c_str());
+  STEPControl_Writer writer;
+  const auto progress = makeProgress(job, kPhase);
+  if (writer.Transfer(made.shape, STEPControl_ManifoldSolidBrep, Standard_True,
+                      progress->Start()) != IFSelect_RetDone)
+    return false;
+  const auto finder = writer.WS()->TransferWriter()->FinderProcess();
+  for (std::size_t p = 0; p < made.faces.size(); ++p) {
+    const auto item = STEPConstruct::FindEntity(finder, made.faces[p]);
+    if (!item.IsNull()) item->SetName(text(solid.patches()[p].name));
+  }
+  APIHeaderSection_MakeHeader header(writer.Model());
+  header.SetName(text(name));
+  header.SetOriginatingSystem(text("Palpa"));
+  job.throwIfCancelled();
+  return writer.Write(path.c_str()) == IFSelect_RetDone;
+}
+
+bool writeIges(const ShapeOfSolid& made, const Solid& solid, const std::string& name,
+               const std::filesystem::path& path, const Job& job) {
+  IGESControl_Controller::Init();
+  Interface_Static::SetCVal("write.iges.unit", "MM");
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetCVal("write.iges.header.product", name.c_str());
+  constexpr int kBoundaryRepresentation = 1;  // faces share edges, instead of loose trimmed surfaces
+  IGESControl_Writer writer("MM", kBoundaryRepresentation);
+  const auto progress = makeProgress(job, kPhase);
+  if (!writer.AddShape(made.shape, progress->Start())) return false;
+  const auto finder = writer.TransferProcess();
+  for (std::size_t p = 0; p < made.faces.size(); ++p) {
+    const auto face = Handle(IGESData_IGESEntity)::DownCast(
+        TransferBRep::TransientFromShape(finder, made.faces[p]));
+    if (face.IsNull()) continue;
+    Handle(IGESBasic_Name) property = new IGESBasic_Name;
+    property->Init(1, text(solid.patches()[p].name));
+    face->AddProperty(property);
+    writer.AddEntity(property);
+  }
+  writer.ComputeModel();
+  job.throwIfCancelled();
+  return writer.Write(path.c_str());
+}
+
+bool writeBrep(const ShapeOfSolid& made, const Solid& solid, const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::binary);
+  BRepTools::Write(made.shape, file, Standard_False, Standard_False, TopTools_FormatVersion_VERSION_1);
+  std::vector<std::string> names;
+  for (const Patch& patch : solid.patches()) names.push_back(patch.name);
+  file << brepNamesText(names);
+  file.close();
+  return file.good();
+}
+
+[[noreturn]] void failWriting(const std::filesystem::path& path) {
+  throw ModelingError(path.string() +
+                          ": cannot be written; check that its folder exists and can be written "
+                          "and that the disk is not full. The old file, if any, is unchanged",
+                      ModelingError::Kind::io);
+}
+
+/// Waits until the file is on the disk.
+bool flush(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool done = ::fsync(file) == 0;
+  ::close(file);
+  return done;
+}
+
+}  // namespace
+
+void exportCad(const Body& body, const std::filesystem::path& path, const std::string& name,
+               const Job& job) {
+  const auto format = cadFormatOf(path);
+  if (!format)
+    throw ModelingError(path.string() + ": a CAD file's name must end in " + kCadFileEndings);
+  const Solid* solid = std::get_if<Solid>(&body);
+  if (!solid)
+    throw ModelingError(path.string() +
+                        ": a mesh body has no spline surface to write to a CAD file; write it to "
+                        "STL, OBJ or PLY instead");
+  if (solid->patches().empty()) throw ModelingError("the solid has no patches to write");
+  job.throwIfCancelled();
+  job.report(kPhase, 0.0);
+
+  std::filesystem::path fresh = path;
+  fresh += ".new";
+  std::error_code code;
+  const auto discard = [&] { std::filesystem::remove(fresh, code); };
+  try {
+    // OpenCASCADE says only that it failed; this way the reason is known to be the file.
+    if (!std::ofstream(fresh, std::ios::binary).is_open()) failWriting(path);
+    const OpenCascadeSession session;
+    const ShapeOfSolid made = makeShape(*solid);
+    const std::string part = name.empty() ? "palpa" : name;
+    bool written = false;
+    if (*format == CadFormat::step) written = writeStep(made, *solid, part, fresh, job);
+    if (*format == CadFormat::iges) written = writeIges(made, *solid, part, fresh, job);
+    if (*format == CadFormat::brep) written = writeBrep(made, *solid, fresh);
+    job.throwIfCancelled();
+    if (!written || !flush(fresh)) failWriting(path);
+  } catch (const Cancelled&) {
+    discard();
+    throw;
+  } catch (...) {
+    discard();
+    rethrowAsModelingError(path.string());
+  }
+  std::filesystem::rename(fresh, path, code);
+  if (code) {
+    discard();
+    failWriting(path);
+  }
+  job.report(kPhase, 1.0);
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <TopoDS_Solid.hxx>
+#include <string>
+#include <vector>
+
+#include "modeling/exchange/quad_faces.h"
+#include "modeling/job.h"
+#include "modeling/solid/solid.h"
+
+// Internal to modeling/exchange/: only .cpp files include this header.
+namespace palpa::modeling {
+
+struct PatchResult {
+  Solid solid;
+  int approximatedFaces = 0;
+  double deviation = 0.0;  ///< mm, the largest found over samples of all faces
+};
+
+/// The NUBS solid of a shape whose faces are all four-sided. `faceNames` in the order of
+/// TopExp::MapShapes; `tolerance` in mm.
+/// @throws NoPatches, Standard_Failure, Cancelled
+PatchResult makePatches(const TopoDS_Solid& shape, const std::vector<std::string>& faceNames,
+                        double tolerance, const Job& job);
+
+}  // namespace palpa::modeling

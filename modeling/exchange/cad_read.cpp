@@ -1,0 +1,143 @@
+#include "modeling/exchange/cad_read.h"
+
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <IGESControl_Controller.hxx>
+#include <IGESControl_Reader.hxx>
+#include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <fstream>
+#include <sstream>
+
+#include "modeling/error.h"
+#include "modeling/exchange/brep_names.h"
+#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/cad_text_check.h"
+#include "modeling/exchange/opencascade_session.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr const char* kPhase = "read";
+
+std::string readText(const std::filesystem::path& path) {
+  std::error_code code;
+  if (!std::filesystem::exists(path, code))
+    throw ModelingError(path.string() + ": there is no such file", ModelingError::Kind::notFound);
+  if (!std::filesystem::is_regular_file(path, code))
+    throw ModelingError(path.string() + ": is not a file", ModelingError::Kind::io);
+  const auto size = std::filesystem::file_size(path, code);
+  if (!code && size > kLargestCadFile)
+    throw ModelingError(path.string() + ": has " + std::to_string(size >> 20) +
+                            " MiB; at most " + std::to_string(kLargestCadFile >> 20) +
+                            " MiB are read",
+                        ModelingError::Kind::tooLarge);
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file.is_open() || file.bad())
+    throw ModelingError(path.string() + ": cannot be read", ModelingError::Kind::io);
+  return text.str();
+}
+
+[[noreturn]] void failReading(const std::filesystem::path& path) {
+  throw ModelingError(path.string() + ": OpenCASCADE cannot read it; the file is damaged, or is not "
+                                      "of the format its name says");
+}
+
+void forEachFace(const TopoDS_Shape& shape, const auto& action) {
+  TopTools_IndexedMapOfShape faces;
+  TopExp::MapShapes(shape, TopAbs_FACE, faces);
+  for (int i = 1; i <= faces.Extent(); ++i) action(i, faces(i));
+}
+
+CadContent readStep(const std::filesystem::path& path, const std::string& text, const Job& job) {
+  STEPControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  STEPControl_Reader reader;
+  std::istringstream stream(text);
+  if (reader.ReadStream("file", stream) != IFSelect_RetDone) failReading(path);
+  job.throwIfCancelled();
+  const auto progress = makeProgress(job, kPhase);
+  reader.TransferRoots(progress->Start());
+  job.throwIfCancelled();
+  CadContent content{reader.OneShape(), {}};
+  const auto& transfer = reader.WS()->TransferReader();
+  forEachFace(content.shape, [&](int, const TopoDS_Shape& face) {
+    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(
+        transfer->EntityFromShapeResult(face, 1));
+    if (!item.IsNull() && !item->Name().IsNull() && item->Name()->Length() > 0)
+      content.faceNames.Bind(face, item->Name()->ToCString());
+  });
+  return content;
+}
+
+CadContent readIges(const std::filesystem::path& path, const Job& job) {
+  IGESControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  Interface_Static::SetIVal("read.iges.bspline.continuity", 0);  // splines stay as they are
+  IGESControl_Reader reader;
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) failReading(path);
+  job.throwIfCancelled();
+  const auto progress = makeProgress(job, kPhase);
+  reader.TransferRoots(progress->Start());
+  job.throwIfCancelled();
+  CadContent content{reader.OneShape(), {}};
+  const auto model = reader.IGESModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto entity = model->Entity(i);
+    if (!entity->HasName()) continue;
+    const TopoDS_Shape face = TransferBRep::ShapeResult(reader.WS()->TransferReader()->TransientProcess(), entity);
+    if (!face.IsNull() && face.ShapeType() == TopAbs_FACE)
+      content.faceNames.Bind(face, entity->NameValue()->ToCString());
+  }
+  return content;
+}
+
+CadContent readBrep(const std::string& text, const Job& job) {
+  CadContent content;
+  std::istringstream stream(text);
+  const auto progress = makeProgress(job, kPhase);
+  BRepTools::Read(content.shape, stream, BRep_Builder(), progress->Start());
+  job.throwIfCancelled();
+  if (content.shape.IsNull()) return content;
+  const std::vector<std::string> names = brepNamesFrom(text);
+  forEachFace(content.shape, [&](int index, const TopoDS_Shape& face) {
+    if (index <= static_cast<int>(names.size()))
+      content.faceNames.Bind(face, names[static_cast<std::size_t>(index) - 1]);
+  });
+  return content;
+}
+
+}  // namespace
+
+CadContent readCad(const std::filesystem::path& path, const Job& job) {
+  const auto format = cadFormatOf(path);
+  if (!format)
+    throw ModelingError(path.string() + ": a CAD file's name must end in " + kCadFileEndings);
+  job.report(kPhase, 0.0);
+  const std::string text = readText(path);
+  checkCadText(text, *format, path.string());
+  job.throwIfCancelled();
+  CadContent content;
+  if (*format == CadFormat::step) content = readStep(path, text, job);
+  if (*format == CadFormat::iges) content = readIges(path, job);
+  if (*format == CadFormat::brep) content = readBrep(text, job);
+  if (content.shape.IsNull())
+    throw ModelingError(path.string() + ": holds no shape that can be read");
+  job.report(kPhase, 1.0);
+  return content;
+}
+
+}  // namespace palpa::modeling

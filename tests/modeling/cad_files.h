@@ -1,0 +1,33 @@
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <filesystem>
+#include <string>
+
+namespace palpa::modeling::tests {
+
+/// A temporary folder, removed with everything in it.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::filesystem::path file(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Writes a shape as another program would: without Palpa's writer.
+void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
+                  const std::string& stepUnit = "MM");
+
+std::string readText(const std::filesystem::path& path);
+void writeText(const std::filesystem::path& path, const std::string& text);
+
+double volumeOf(const TopoDS_Shape& shape);
+double areaOf(const TopoDS_Shape& shape);
+
+}  // namespace palpa::modeling::tests
