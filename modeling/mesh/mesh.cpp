@@ -201,6 +201,10 @@ void MeshSettings::validate(const std::string& path) const {
   if (refinementLevels < 0 || refinementLevels > kMostLevels)
     throw ModelingError(path + ".refinement.levels: " + std::to_string(refinementLevels) +
                         " is outside 0 … " + std::to_string(kMostLevels));
+  for (const auto& [patch, factor] : patchFactors)
+    if (!std::isfinite(factor) || factor <= 0.0)
+      throw ModelingError(path + ".patch_factors." + patch + ": " + numberText(factor) +
+                          " must be finite and greater than 0");
 }
 
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,

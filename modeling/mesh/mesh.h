@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@ struct MeshSettings {
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
+  /// Per patch name a factor > 0 on the edge length; 1 for patches not named.
+  std::map<std::string, double> patchFactors;
 
   /// @throws ModelingError that begins with `path` and names the field
   void validate(const std::string& path = "mesh") const;

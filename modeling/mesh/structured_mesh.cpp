@@ -75,8 +75,12 @@ class Builder {
     }
     const auto [uLow, uHigh] = mesh_.surface->range(patch, 0);
     const auto [vLow, vHigh] = mesh_.surface->range(patch, 1);
-    const auto uPart = [&](int node) { return (mesh_.in(node, patch).u - uLow) / (uHigh - uLow); };
-    const auto vPart = [&](int node) { return (mesh_.in(node, patch).v - vLow) / (vHigh - vLow); };
+    const auto uPart = [&, low = uLow, size = uHigh - uLow](int node) {
+      return (mesh_.in(node, patch).u - low) / size;
+    };
+    const auto vPart = [&, low = vLow, size = vHigh - vLow](int node) {
+      return (mesh_.in(node, patch).v - low) / size;
+    };
     for (int i = 1; i < m; ++i)
       for (int j = 1; j < n; ++j) {
         // The crossing of the line bottom[i]–top[i] with the line left[j]–right[j] in the unit

@@ -9,7 +9,7 @@
 // Reading and writing project files (docs/project-file.md; resources/project.schema.json).
 namespace palpa::modeling {
 
-inline constexpr int kProjectVersion = 1;
+inline constexpr int kProjectVersion = 2;
 inline constexpr std::size_t kLargestProjectFile = 64UL << 20;  // bytes
 inline constexpr std::size_t kMostProjectValues = 2'000'000;    // numbers, strings, lists, …
 inline constexpr int kDeepestNesting = 32;

@@ -5,6 +5,7 @@
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
 #include "modeling/project/json_values.h"
+#include "modeling/project/migration.h"
 #include "modeling/project/project_file.h"
 #include "modeling/project/schema_check.h"
 
@@ -23,6 +24,16 @@ std::string viewText(std::string_view text) {
   return document.contains("view") ? document["view"].dump() : std::string();
 }
 
+/// A message that quotes hostile names or lists thousands of patches stays readable: cut after
+/// kLongest bytes, between two characters.
+std::string clipped(std::string message) {
+  constexpr std::size_t kLongest = 2000;
+  if (message.size() <= kLongest) return message;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xC0U) == 0x80U) --end;
+  return message.substr(0, end) + "…";
+}
+
 /// Before the schema, because a newer version may follow another one.
 void checkFormat(const json& document, const std::string& source) {
   const auto fail = [&](const std::string& what) { throw ModelingError(source + ": " + what); };
@@ -31,10 +42,10 @@ void checkFormat(const json& document, const std::string& source) {
   if (format == document.end())
     fail("format: is missing; this is no Palpa project (expected \"palpa-project\")");
   if (*format != "palpa-project")
-    fail("format: found " + format->dump().substr(0, 60) + ", expected \"palpa-project\"");
+    fail("format: found " + (format->is_string() ? format->dump() : "no text") +
+         ", expected \"palpa-project\"");
   const auto version = document.find("version");
-  if (version != document.end() && version->is_number_integer() &&
-      version->get<double>() > kProjectVersion)
+  if (version != document.end() && version->is_number() && version->get<double>() > kProjectVersion)
     fail("version: found " + version->dump() + "; this program reads up to version " +
          std::to_string(kProjectVersion) + "; a newer Palpa is needed");
 }
@@ -43,7 +54,11 @@ Project projectFrom(const json& document) {
   Project project;
   project.name = document.value("name", "");
   project.material = materialFrom(document["material"]);
-  project.body = solidFrom(document["solid"]);
+  if (document.contains("solid"))
+    project.body = solidFrom(document["solid"]);
+  else
+    project.body = meshBodyFrom(document["mesh_body"]);
+  if (document.contains("primitive")) project.primitive = primitiveFrom(document["primitive"]);
   for (const json& one : document.value("supports", json::array()))
     project.supports.push_back(supportFrom(one));
   for (const json& one : document.value("loads", json::array()))
@@ -54,22 +69,40 @@ Project projectFrom(const json& document) {
   return project;
 }
 
+/// Runs a step whose errors do not name the file yet.
+template <class Step>
+auto named(const std::string& source, Step step) {
+  try {
+    return step();
+  } catch (const ModelingError& error) {
+    throw ModelingError(source + ": " + error.what(), error.kind());
+  } catch (const json::exception& error) {
+    throw ModelingError(source + ": " + error.what());
+  }
+}
+
+Project parseUnclipped(std::string_view text, const std::string& source) {
+  const JsonLimits limits{kLargestProjectFile, kMostProjectValues, kDeepestNesting};
+  json document = parseGuarded(text, source, limits);
+  checkFormat(document, source);
+  const int fileVersion = named(source, [&] { return migrateDocument(document); });
+  checkAgainstSchema(document, source);
+  return named(source, [&] {
+    Project project = projectFrom(document);
+    if (document.contains("view")) project.view = viewText(text);
+    migrateProject(project, fileVersion);
+    checkProject(project);
+    return project;
+  });
+}
+
 }  // namespace
 
 Project parseProject(std::string_view text, const std::string& sourceName) {
-  const JsonLimits limits{kLargestProjectFile, kMostProjectValues, kDeepestNesting};
-  const json document = parseGuarded(text, sourceName, limits);
-  checkFormat(document, sourceName);
-  checkAgainstSchema(document, sourceName);
   try {
-    Project project = projectFrom(document);
-    if (document.contains("view")) project.view = viewText(text);
-    checkProject(project);
-    return project;
+    return parseUnclipped(text, sourceName);
   } catch (const ModelingError& error) {
-    throw ModelingError(sourceName + ": " + error.what(), error.kind());
-  } catch (const json::exception& error) {
-    throw ModelingError(sourceName + ": " + error.what());
+    throw ModelingError(clipped(error.what()), error.kind());
   }
 }
 

@@ -54,16 +54,29 @@ void syncFolder(const std::filesystem::path& folder) {
 
 }  // namespace
 
+namespace {
+
+std::string bodyText(const Solid& solid) {
+  return "\"solid\": " + solidText(solid);
+}
+
+std::string bodyText(const MeshBody& body) {
+  return "\"mesh_body\": " + meshBodyText(body);
+}
+
+}  // namespace
+
 std::string toJson(const Project& project) {
   std::string text =
       "{\n  \"format\": \"palpa-project\",\n  \"version\": " + std::to_string(kProjectVersion) +
       ",\n  \"name\": " + quoted(project.name) +
-      ",\n  \"material\": " + materialText(project.material) +
-      ",\n  \"solid\": " + solidText(std::get<Solid>(project.body)) +
-      ",\n  \"supports\": " + objectsText(project.supports, supportText) +
-      ",\n  \"loads\": " + objectsText(project.loads, loadText) +
-      ",\n  \"touches\": " + objectsText(project.touches, touchText) +
-      ",\n  \"mesh\": " + meshText(project.mesh);
+      ",\n  \"material\": " + materialText(project.material) + ",\n  " +
+      std::visit([](const auto& body) { return bodyText(body); }, project.body);
+  if (project.primitive) text += ",\n  \"primitive\": " + primitiveText(*project.primitive);
+  text += ",\n  \"supports\": " + objectsText(project.supports, supportText) +
+          ",\n  \"loads\": " + objectsText(project.loads, loadText) +
+          ",\n  \"touches\": " + objectsText(project.touches, touchText) +
+          ",\n  \"mesh\": " + meshText(project.mesh);
   if (!project.view.empty()) text += ",\n  \"view\": " + project.view;
   return text + "\n}\n";
 }
