@@ -30,15 +30,6 @@ Region regionFrom(const json& value) {
   return region;
 }
 
-Solid solidFrom(const json& value) {
-  std::vector<Eigen::Vector3d> points;
-  for (const json& point : value["control_points_mm"]) points.push_back(vectorFrom(point));
-  std::vector<Patch> patches;
-  for (const json& patch : value["patches"])
-    patches.push_back({patch["name"], patch["degree"], patch["knots"], patch["net"]});
-  return Solid(std::move(points), std::move(patches));
-}
-
 Support supportFrom(const json& value) {
   Support support;
   support.name = value["name"];
@@ -74,6 +65,8 @@ Touch touchFrom(const json& value) {
 MeshSettings meshFrom(const json& value) {
   MeshSettings settings;
   settings.edgeLength = value["edge_length_mm"];
+  if (value.contains("patch_factors"))
+    settings.patchFactors = value["patch_factors"].get<std::map<std::string, double>>();
   if (!value.contains("refinement")) return settings;
   settings.refinementLevels = value["refinement"]["levels"];
   for (const json& at : value["refinement"]["at"])

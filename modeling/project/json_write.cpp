@@ -35,25 +35,6 @@ std::string regionText(const Region& region) {
                                   : listText(region.parts, partText);
 }
 
-std::string solidText(const Solid& solid) {
-  std::vector<std::string> points;
-  for (const Eigen::Vector3d& point : solid.controlPoints()) points.push_back(vectorText(point));
-  std::vector<std::string> patches;
-  for (const Patch& patch : solid.patches()) {
-    std::vector<std::string> rows;
-    for (const auto& row : patch.net)
-      rows.push_back(listText(row, [](int index) { return std::to_string(index); }));
-    patches.push_back(
-        "{\n        \"name\": " + quoted(patch.name) + ",\n        \"degree\": [" +
-        std::to_string(patch.degree[0]) + ", " + std::to_string(patch.degree[1]) +
-        "],\n        \"knots\": [\n          " + listText(patch.knots[0], numberText) +
-        ",\n          " + listText(patch.knots[1], numberText) +
-        "\n        ],\n        \"net\": " + linesText(rows, "        ") + "\n      }");
-  }
-  return "{\n    \"control_points_mm\": " + linesText(points, "    ") +
-         ",\n    \"patches\": " + linesText(patches, "    ") + "\n  }";
-}
-
 std::string supportText(const Support& support) {
   std::string text = "{\"name\": " + quoted(support.name) + ", \"kind\": " +
                      (support.kind == Support::Kind::fixed ? "\"fixed\"" : "\"roller\"") +
@@ -103,6 +84,12 @@ std::string touchText(const Touch& touch) {
 
 std::string meshText(const MeshSettings& mesh) {
   std::string text = "{\"edge_length_mm\": " + numberText(mesh.edgeLength);
+  if (!mesh.patchFactors.empty()) {
+    std::string factors;
+    for (const auto& [patch, factor] : mesh.patchFactors)
+      factors += (factors.empty() ? "" : ", ") + quoted(patch) + ": " + numberText(factor);
+    text += ", \"patch_factors\": {" + factors + "}";
+  }
   if (mesh.refinementLevels > 0 || mesh.refineAtSharpEdges || mesh.refineAtBorders) {
     std::vector<std::string> at;
     if (mesh.refineAtSharpEdges) at.push_back("sharp_edges");

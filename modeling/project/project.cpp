@@ -100,6 +100,13 @@ void checkProject(const Project& project) {
     checkTouch(project.touches[i], path);
   }
   project.mesh.validate("mesh");
+  for (const auto& [patch, factor] : project.mesh.patchFactors)
+    if (!findPatch(project.body, patch))
+      throw ModelingError("mesh.patch_factors." + patch +
+                          ": no patch has this name; the body has " +
+                          quotedPatchNames(project.body));
+  if (project.primitive && !std::holds_alternative<Solid>(project.body))
+    throw ModelingError("primitive: a mesh body is not made from a primitive");
 }
 
 const Region* regionOf(const Load& load) {

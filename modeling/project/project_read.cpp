@@ -1,12 +1,12 @@
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
 #include "modeling/project/json_values.h"
+#include "modeling/project/migration.h"
 #include "modeling/project/project_file.h"
 #include "modeling/project/schema_check.h"
+#include "modeling/project/text_file.h"
 
 namespace palpa::modeling {
 namespace {
@@ -23,6 +23,16 @@ std::string viewText(std::string_view text) {
   return document.contains("view") ? document["view"].dump() : std::string();
 }
 
+/// A message that quotes hostile names or lists thousands of patches stays readable: cut after
+/// kLongest bytes, between two characters.
+std::string clipped(std::string message) {
+  constexpr std::size_t kLongest = 2000;
+  if (message.size() <= kLongest) return message;
+  std::size_t end = kLongest;
+  while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xC0U) == 0x80U) --end;
+  return message.substr(0, end) + "…";
+}
+
 /// Before the schema, because a newer version may follow another one.
 void checkFormat(const json& document, const std::string& source) {
   const auto fail = [&](const std::string& what) { throw ModelingError(source + ": " + what); };
@@ -31,19 +41,28 @@ void checkFormat(const json& document, const std::string& source) {
   if (format == document.end())
     fail("format: is missing; this is no Palpa project (expected \"palpa-project\")");
   if (*format != "palpa-project")
-    fail("format: found " + format->dump().substr(0, 60) + ", expected \"palpa-project\"");
+    fail("format: found " + (format->is_string() ? format->dump() : "no text") +
+         ", expected \"palpa-project\"");
   const auto version = document.find("version");
-  if (version != document.end() && version->is_number_integer() &&
-      version->get<double>() > kProjectVersion)
-    fail("version: found " + version->dump() + "; this program reads up to version " +
-         std::to_string(kProjectVersion) + "; a newer Palpa is needed");
+  if (version == document.end()) fail("version: is missing");
+  const std::string found =
+      "version: found " + (version->is_primitive() ? version->dump() : "a list");
+  if (version->is_number() && version->get<double>() > kProjectVersion)
+    fail(found + "; this program reads up to version " + std::to_string(kProjectVersion) +
+         "; a newer Palpa is needed");
+  if (!version->is_number_integer() || *version < 1)
+    fail(found + ", expected a whole number from 1 to " + std::to_string(kProjectVersion));
 }
 
 Project projectFrom(const json& document) {
   Project project;
   project.name = document.value("name", "");
   project.material = materialFrom(document["material"]);
-  project.body = solidFrom(document["solid"]);
+  if (document.contains("solid"))
+    project.body = solidFrom(document["solid"]);
+  else
+    project.body = meshBodyFrom(document["mesh_body"]);
+  if (document.contains("primitive")) project.primitive = primitiveFrom(document["primitive"]);
   for (const json& one : document.value("supports", json::array()))
     project.supports.push_back(supportFrom(one));
   for (const json& one : document.value("loads", json::array()))
@@ -54,42 +73,45 @@ Project projectFrom(const json& document) {
   return project;
 }
 
+/// Runs a step whose errors do not name the file yet.
+template <class Step>
+auto named(const std::string& source, Step step) {
+  try {
+    return step();
+  } catch (const ModelingError& error) {
+    throw ModelingError(source + ": " + error.what(), error.kind());
+  } catch (const json::exception& error) {
+    throw ModelingError(source + ": " + error.what());
+  }
+}
+
+Project parseUnclipped(std::string_view text, const std::string& source) {
+  const JsonLimits limits{kLargestProjectFile, kMostProjectValues, kDeepestNesting};
+  json document = parseGuarded(text, source, limits);
+  checkFormat(document, source);
+  const int fileVersion = named(source, [&] { return migrateDocument(document); });
+  checkAgainstSchema(document, source);
+  return named(source, [&] {
+    Project project = projectFrom(document);
+    if (document.contains("view")) project.view = viewText(text);
+    migrateProject(project, fileVersion);
+    checkProject(project);
+    return project;
+  });
+}
+
 }  // namespace
 
 Project parseProject(std::string_view text, const std::string& sourceName) {
-  const JsonLimits limits{kLargestProjectFile, kMostProjectValues, kDeepestNesting};
-  const json document = parseGuarded(text, sourceName, limits);
-  checkFormat(document, sourceName);
-  checkAgainstSchema(document, sourceName);
   try {
-    Project project = projectFrom(document);
-    if (document.contains("view")) project.view = viewText(text);
-    checkProject(project);
-    return project;
+    return parseUnclipped(text, sourceName);
   } catch (const ModelingError& error) {
-    throw ModelingError(sourceName + ": " + error.what(), error.kind());
-  } catch (const json::exception& error) {
-    throw ModelingError(sourceName + ": " + error.what());
+    throw ModelingError(clipped(error.what()), error.kind());
   }
 }
 
 Project readProject(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code code;
-  if (!std::filesystem::exists(path, code))
-    throw ModelingError(name + ": there is no such file", ModelingError::Kind::notFound);
-  if (!std::filesystem::is_regular_file(path, code))
-    throw ModelingError(name + ": this is not a file", ModelingError::Kind::io);
-  const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (!code && size > kLargestProjectFile)
-    throw ModelingError(name + ": the file has " + std::to_string(size) + " bytes; at most " +
-                            std::to_string(kLargestProjectFile) + " are accepted",
-                        ModelingError::Kind::tooLarge);
-  std::ifstream file(path, std::ios::binary);
-  std::string text(code ? 0 : size, '\0');
-  if (!file || code || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
-    throw ModelingError(name + ": the file cannot be read", ModelingError::Kind::io);
-  return parseProject(text, name);
+  return parseProject(readTextFile(path, kLargestProjectFile), path.string());
 }
 
 }  // namespace palpa::modeling

@@ -136,10 +136,14 @@ std::optional<std::string> objectViolation(const json& schema, const json& value
                                            const std::string& path) {
   const json properties = schema.value("properties", json::object());
   // Unknown keys first: a misspelt key also leaves a required one missing, and names the cause.
-  if (!schema.value("additionalProperties", true))
-    for (const auto& item : value.items())
-      if (!properties.contains(item.key()))
-        return joinPath(path, item.key()) + ": unknown key, expected one of " + keysOf(properties);
+  const json others = schema.value("additionalProperties", json(true));
+  for (const auto& item : value.items()) {
+    if (properties.contains(item.key())) continue;
+    const std::string itemPath = joinPath(path, item.key());
+    if (others == false) return itemPath + ": unknown key, expected one of " + keysOf(properties);
+    if (others.is_object())
+      if (auto inner = violation(others, item.value(), itemPath)) return inner;
+  }
   for (const json& key : schema.value("required", json::array()))
     if (!value.contains(key)) return joinPath(path, key.get<std::string>()) + ": is missing";
   if (value.size() < schema.value("minProperties", std::size_t{0}) ||

@@ -80,8 +80,8 @@ TEST(ProjectErrors, CheckWhatTheSchemaCannot) {
 }
 
 TEST(ProjectErrors, ReadFormatAndVersionFirst) {
-  EXPECT_EQ(errorWith("\"version\": 1", "\"version\": 2"),
-            "box.json: version: found 2; this program reads up to version 1; a newer Palpa is "
+  EXPECT_EQ(errorWith("\"version\": 2", "\"version\": 3"),
+            "box.json: version: found 3; this program reads up to version 2; a newer Palpa is "
             "needed");
   EXPECT_EQ(errorOf("{}").find("box.json: format: is missing"), 0U);
   EXPECT_NE(errorOf("{\"format\": \"other\"}").find("found \"other\", expected \"palpa-project\""),
@@ -91,8 +91,8 @@ TEST(ProjectErrors, ReadFormatAndVersionFirst) {
 }
 
 TEST(ProjectErrors, PointIntoBrokenText) {
-  EXPECT_EQ(errorWith("\"version\": 1,", "\"version\": 1;").find("box.json: line 3, column 15"), 0U)
-      << errorWith("\"version\": 1,", "\"version\": 1;");
+  EXPECT_EQ(errorWith("\"version\": 2,", "\"version\": 2;").find("box.json: line 3, column 15"), 0U)
+      << errorWith("\"version\": 2,", "\"version\": 2;");
   const std::string text = goodText();
   for (std::size_t length : {std::size_t{0}, std::size_t{1}, text.size() / 2, text.size() - 3}) {
     const std::string error = errorOf(text.substr(0, length));

@@ -20,7 +20,9 @@ Project example() {
   Project project;
   project.name = "Ball \"soft\" ü";
   project.material = {"silicone", 0.1, 0.49};
-  project.body = makeSphere(25.0);
+  const Solid ball = makeSphere(25.0);
+  project.body = ball.withSmoothEdges({1, 4, static_cast<int>(ball.edges().size()) - 1}, true);
+  project.primitive = Primitive{SphereShape{25.0}, 3, 7};
   Region base = Region::below({0, 0, 1}, -20.0);
   base.parts.push_back(PatchSet{{"bottom"}});
   project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
@@ -30,7 +32,10 @@ Project example() {
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
   project.touches = {{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, 3.0},
                      {"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, std::nullopt}};
-  project.mesh = {4.0, 2, true, true};
+  project.mesh.edgeLength = 4.0;
+  project.mesh.refinementLevels = 2;
+  project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
+  project.mesh.patchFactors = {{"top", 0.5}, {"bottom", 1.0 / 3.0}};
   project.view = R"({"zoom":1.5,"camera":[1,2,3],"about":{"b":1,"a":null}})";
   return project;
 }
@@ -74,7 +79,46 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(std::get<TouchForce>(after.touches[1].action).vector.x(), 0.5);
   EXPECT_EQ(after.mesh.refinementLevels, 2);
   EXPECT_TRUE(after.mesh.refineAtSharpEdges && after.mesh.refineAtBorders);
+  EXPECT_EQ(after.mesh.patchFactors, before.mesh.patchFactors);
+  EXPECT_EQ(std::get<SphereShape>(after.primitive->shape).radius, 25.0);
+  EXPECT_EQ(after.primitive->controlPoints, 7);
+  const auto smooth = [](const Project& project) {
+    std::vector<bool> flags;
+    for (const SolidEdge& edge : std::get<Solid>(project.body).edges())
+      flags.push_back(edge.smooth);
+    return flags;
+  };
+  EXPECT_EQ(smooth(after), smooth(before));
   EXPECT_EQ(after.view, before.view);
+}
+
+/// A tetrahedron with two faces whose triangles alternate.
+Project tetrahedron() {
+  MeshBody::Data data;
+  data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 / 3.0}};
+  data.triangles = {{0, 2, 1}, {3, 0, 1}, {2, 3, 1}, {0, 3, 2}};
+  data.faceOfTriangle = {1, 0, 1, 1};
+  data.faceNames = {"front", "others"};
+  Project project;
+  project.material = {"rubber", 1.5, 0.45};
+  project.body = MeshBody(data);
+  project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"front"}), {0, 0, 0}}};
+  project.mesh.patchFactors = {{"others", 2.0}};
+  return project;
+}
+
+TEST_F(ProjectFile, KeepsAMeshBodyInItsOrder) {
+  const Project before = tetrahedron();
+  const std::string text = toJson(before);
+  EXPECT_NE(text.find("{\"name\": \"others\", \"triangles\": [[0, 1], [2, 2]]}"), std::string::npos)
+      << text;
+  const Project after = parseProject(text, "test");
+  const auto& body = std::get<MeshBody>(after.body);
+  EXPECT_EQ(body.positions(), std::get<MeshBody>(before.body).positions());
+  EXPECT_EQ(body.triangles(), std::get<MeshBody>(before.body).triangles());
+  EXPECT_EQ(body.faceOfTriangle(), std::get<MeshBody>(before.body).faceOfTriangle());
+  EXPECT_EQ(body.faceNames(), std::get<MeshBody>(before.body).faceNames());
+  EXPECT_EQ(toJson(after), text);
 }
 
 TEST_F(ProjectFile, AcceptsAFileWithoutOptionalParts) {

@@ -1,0 +1,47 @@
+#include "modeling/project/migration.h"
+
+#include <numbers>
+
+#include "modeling/error.h"
+#include "modeling/solid/surface_properties.h"
+
+namespace palpa::modeling {
+namespace {
+
+using nlohmann::json;
+
+/// Version 2 added mesh bodies, primitives, smooth edges and patch factors; nothing moved.
+void fromVersion1(json& document) {
+  const auto refuse = [](const json& object, const char* key, const std::string& path) {
+    if (object.is_object() && object.contains(key))
+      throw ModelingError(path + key + ": unknown key in a file of version 1 (new in version 2)");
+  };
+  refuse(document, "mesh_body", "");
+  refuse(document, "primitive", "");
+  if (document.contains("solid")) refuse(document["solid"], "smooth_edges", "solid.");
+  if (document.contains("mesh")) refuse(document["mesh"], "patch_factors", "mesh.");
+  document["version"] = 2;
+}
+
+Solid withSmoothEdgesFound(const Solid& solid) {
+  const std::vector<bool> sharp =
+      sharpEdges(solid, SurfaceEvaluator(solid), kSmoothAngle * std::numbers::pi / 180.0);
+  std::vector<int> smooth;
+  for (std::size_t edge = 0; edge < sharp.size(); ++edge)
+    if (!sharp[edge]) smooth.push_back(static_cast<int>(edge));
+  return solid.withSmoothEdges(smooth, true);
+}
+
+}  // namespace
+
+int migrateDocument(json& document) {
+  const int fileVersion = document["version"];
+  if (fileVersion == 1) fromVersion1(document);
+  return fileVersion;
+}
+
+void migrateProject(Project& project, int fileVersion) {
+  if (fileVersion == 1) project.body = withSmoothEdgesFound(std::get<Solid>(project.body));
+}
+
+}  // namespace palpa::modeling
