@@ -5,6 +5,7 @@ namespace palpa::cli {
 std::vector<std::unique_ptr<Command>> allCommands() {
   std::vector<std::unique_ptr<Command>> commands;
   commands.push_back(makeNewCommand());
+  commands.push_back(makeMaterialsCommand());
   commands.push_back(makeInfoCommand());
   commands.push_back(makeCheckCommand());
   commands.push_back(makeMeshCommand());

@@ -7,6 +7,7 @@
 namespace palpa::cli {
 
 std::unique_ptr<Command> makeNewCommand();
+std::unique_ptr<Command> makeMaterialsCommand();
 std::unique_ptr<Command> makeInfoCommand();
 std::unique_ptr<Command> makeCheckCommand();
 std::unique_ptr<Command> makeMeshCommand();

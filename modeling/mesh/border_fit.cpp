@@ -12,6 +12,8 @@ constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the no
 constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
 constexpr double kRounding = 1e-9;    // of the longest extent; below, a node lies on the border
 
+constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
+
 class BorderFit {
  public:
   BorderFit(MeshEditor& editor, int k) : editor_(editor), k_(k), half_(editor.halfSpaces()[k]) {
@@ -80,7 +82,7 @@ class BorderFit {
   void moveNodes() {
     std::vector<Crossing> crossings;
     for (std::size_t a = 0; a < values_.size(); ++a)
-      for (int b : editor_.neighbours(static_cast<int>(a))) {
+      for (int b : neighbours(a)) {
         const int node = static_cast<int>(a);
         if (node > b || !isCrossed(node, b)) continue;
         const double s = crossing(node, b);
@@ -107,7 +109,7 @@ class BorderFit {
   void cutEdges() {
     std::vector<std::pair<int, int>> crossed;
     for (std::size_t a = 0; a < values_.size(); ++a)
-      for (int b : editor_.neighbours(static_cast<int>(a)))
+      for (int b : neighbours(a))
         if (static_cast<int>(a) < b && isCrossed(static_cast<int>(a), b))
           crossed.emplace_back(static_cast<int>(a), b);
     // A cut leaves the other crossed edges as they are, and its new edges start on the border.
@@ -115,6 +117,11 @@ class BorderFit {
       editor_.split(a, b, editor_.between(a, b, crossing(a, b)));
       values_.push_back(0.0);
     }
+  }
+
+  std::vector<int> neighbours(std::size_t node) const {
+    if (node % kCheckpoint == 0) editor_.checkpoint();
+    return editor_.neighbours(static_cast<int>(node));
   }
 
   double valueInside(int t, double wa, double wb, double wc) const {
@@ -128,6 +135,7 @@ class BorderFit {
 
   void setSides() {
     for (std::size_t t = 0; t < editor_.mesh().triangles.size(); ++t) {
+      if (t % kCheckpoint == 0) editor_.checkpoint();
       const WorkTriangle& triangle = editor_.mesh().triangles[t];
       double sum = 0.0;
       for (int node : triangle.nodes) sum += values_[node];
@@ -159,6 +167,7 @@ class BorderFit {
   }
 
   bool hides(int t, double sign) const {
+    if (t % 100 == 0) editor_.checkpoint();
     constexpr int kSteps = 6;
     for (int i = 0; i <= kSteps; ++i)
       for (int j = 0; i + j <= kSteps; ++j)

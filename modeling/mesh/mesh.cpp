@@ -11,6 +11,7 @@
 #include "modeling/mesh/mesh_counts.h"
 #include "modeling/mesh/mesh_improve.h"
 #include "modeling/mesh/mesh_refine.h"
+#include "modeling/mesh/mesh_regions.h"
 #include "modeling/mesh/refinement_estimate.h"
 #include "modeling/mesh/structured_mesh.h"
 #include "modeling/mesh/work_mesh.h"
@@ -86,49 +87,6 @@ void renumber(WorkMesh& work, const Counts& counts) {
             });
 }
 
-/// The distinct half spaces of all regions; their order gives the bits of WorkTriangle::sides.
-std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions) {
-  constexpr std::size_t kMost = 64;
-  std::vector<HalfSpace> result;
-  for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts) {
-      const auto* half = std::get_if<HalfSpace>(&part);
-      if (half && std::find(result.begin(), result.end(), *half) == result.end())
-        result.push_back(*half);
-    }
-  if (result.size() > kMost)
-    throw ModelingError("the regions have " + std::to_string(result.size()) +
-                            " different half spaces; at most 64 are possible",
-                        ModelingError::Kind::tooLarge);
-  return result;
-}
-
-bool contains(const RegionPart& part, const WorkMesh& work, const WorkTriangle& triangle,
-              const std::vector<HalfSpace>& halfSpaces) {
-  if (const auto* half = std::get_if<HalfSpace>(&part)) {
-    const auto k = std::find(halfSpaces.begin(), halfSpaces.end(), *half) - halfSpaces.begin();
-    return (triangle.sides >> k) & 1;
-  }
-  const auto& names = std::get<PatchSet>(part).patches;
-  return std::find(names.begin(), names.end(), work.solid->patches()[triangle.patch].name) !=
-         names.end();
-}
-
-std::vector<int> trianglesOf(const MeshRegion& region, const WorkMesh& work,
-                             const std::vector<HalfSpace>& halfSpaces) {
-  std::vector<int> triangles;
-  for (std::size_t t = 0; t < work.triangles.size(); ++t)
-    if (std::any_of(region.where.parts.begin(), region.where.parts.end(), [&](const auto& part) {
-          return contains(part, work, work.triangles[t], halfSpaces);
-        }))
-      triangles.push_back(static_cast<int>(t));
-  if (triangles.empty())
-    throw ModelingError(region.name +
-                        ": no part of the surface lies in this region; check the half space "
-                        "(normal · x < below_mm) against the size and place of the solid");
-  return triangles;
-}
-
 SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshRegion> regions,
                    const std::vector<HalfSpace>& halfSpaces) {
   renumber(work, counts);
@@ -143,32 +101,13 @@ SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshReg
     mesh.triangles.push_back(triangle.nodes);
     mesh.patchOfTriangle.push_back(triangle.patch);
     mesh.smoothingGroupOfTriangle.push_back(groups[triangle.patch]);
+    mesh.halfSpacesOfTriangle.push_back(triangle.sides);
   }
+  mesh.halfSpaces = halfSpaces;
   for (const MeshRegion& region : regions)
-    mesh.trianglesOfRegion.push_back(trianglesOf(region, work, halfSpaces));
+    mesh.trianglesOfRegion.push_back(trianglesOf(region, *work.solid, mesh.patchOfTriangle,
+                                                 mesh.halfSpacesOfTriangle, halfSpaces));
   return mesh;
-}
-
-/// Bits of the half spaces that belong to a region with refineBorder.
-std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
-                             const std::vector<HalfSpace>& halfSpaces) {
-  std::uint64_t bits = 0;
-  for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts)
-      if (const auto* half = std::get_if<HalfSpace>(&part); half && region.refineBorder)
-        bits |= std::uint64_t{1} << (std::find(halfSpaces.begin(), halfSpaces.end(), *half) -
-                                     halfSpaces.begin());
-  return bits;
-}
-
-/// Patches named in a region with refineBorder: their outer edges are borders, too.
-std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Solid& solid) {
-  std::set<int> patches;
-  for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts)
-      if (const auto* set = std::get_if<PatchSet>(&part); set && region.refineBorder)
-        for (const std::string& name : set->patches) patches.insert(*solid.findPatch(name));
-  return patches;
 }
 
 void refine(MeshEditor& editor, const MeshSettings& settings, std::uint64_t borders,
@@ -218,7 +157,12 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
 }
 
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions) {
+                 std::span<const MeshRegion> regions, const Job& job) {
+  const auto report = [&](double fraction) {
+    job.throwIfCancelled();
+    job.report("mesh", fraction);
+  };
+  report(0.0);
   for (const MeshRegion& region : regions) checkRegion(region.where, solid, region.name);
   const double expected = estimateNodeCount(solid, settings, regions);
   if (expected > kMostNodes)
@@ -229,13 +173,20 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   const SurfaceEvaluator surface(solid);
   const Counts counts = subdivisionCounts(solid, surface, settings.edgeLength);
   const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
-  MeshEditor editor(structuredMesh(solid, surface, counts), halfSpaces);
+  report(0.05);
+  MeshEditor editor(structuredMesh(solid, surface, counts, job), halfSpaces, job);
+  report(0.3);
   for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
+  report(0.5);
   improveShapes(editor);
   relieveSlivers(editor);
+  report(0.6);
   refine(editor, settings, refinedBorders(regions, halfSpaces), refinedPatches(regions, solid));
+  report(0.9);
   WorkMesh work = editor.take();
-  return finish(work, counts, regions, halfSpaces);
+  SurfaceMesh result = finish(work, counts, regions, halfSpaces);
+  report(1.0);
+  return result;
 }
 
 }  // namespace palpa::modeling

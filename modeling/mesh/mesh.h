@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 
 #include "modeling/body/body.h"
 #include "modeling/body/region.h"
+#include "modeling/job.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::modeling {
@@ -52,6 +54,8 @@ struct SurfaceMesh {
   std::vector<int> patchOfTriangle;
   std::vector<int> smoothingGroupOfTriangle;        ///< normals are continuous inside a group
   std::vector<std::vector<int>> trianglesOfRegion;  ///< per region passed to mesh(), ascending
+  std::vector<HalfSpace> halfSpaces;                ///< the distinct ones of the regions
+  std::vector<std::uint64_t> halfSpacesOfTriangle;  ///< bit k: inside halfSpaces[k]
 };
 
 /// Meshes the solid and fits the mesh to the borders of the regions. Deterministic: the same input
@@ -62,17 +66,18 @@ struct SurfaceMesh {
 /// it; with refinement the size falls linearly towards sharp edges or borders.
 ///
 /// @throws ModelingError: settings out of range; a region that selects no triangle (named); more
-///         than kMostNodes nodes (checked before anything is allocated).
+///         than kMostNodes nodes (checked before anything is allocated). Cancelled. Progress comes
+///         as phase "mesh".
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions = {});
+                 std::span<const MeshRegion> regions = {}, const Job& job = {});
 
 /// The same for a mesh body: its surface, retriangulated to the edge length. Nodes have no
 /// parameters (the list is empty); patches are the body's faces.
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions = {});
+                 std::span<const MeshRegion> regions = {}, const Job& job = {});
 
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions = {});
+                 std::span<const MeshRegion> regions = {}, const Job& job = {});
 
 inline constexpr double kMostNodes = 5e6;
 
@@ -84,7 +89,7 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions = {});
+                         std::span<const MeshRegion> regions = {}, const Job& job = {});
 
 MeshQuality measureQuality(const SurfaceMesh& mesh);
 

@@ -5,7 +5,7 @@
 
 namespace palpa::modeling {
 
-SurfaceMesh mesh(const MeshBody&, const MeshSettings&, std::span<const MeshRegion>) {
+SurfaceMesh mesh(const MeshBody&, const MeshSettings&, std::span<const MeshRegion>, const Job&) {
   throw ModelingError("mesh bodies cannot be meshed yet");
 }
 
@@ -14,8 +14,8 @@ double estimateNodeCount(const MeshBody&, const MeshSettings&, std::span<const M
 }
 
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions) {
-  return std::visit([&](const auto& one) { return mesh(one, settings, regions); }, body);
+                 std::span<const MeshRegion> regions, const Job& job) {
+  return std::visit([&](const auto& one) { return mesh(one, settings, regions, job); }, body);
 }
 
 double estimateNodeCount(const Body& body, const MeshSettings& settings,

@@ -17,8 +17,11 @@ constexpr double kAlongNormal = 0.3;  // least cosine between a triangle's norma
 
 }  // namespace
 
-MeshEditor::MeshEditor(WorkMesh mesh, std::vector<HalfSpace> halfSpaces)
-    : mesh_(std::move(mesh)), halfSpaces_(std::move(halfSpaces)), around_(mesh_.nodes.size()) {
+MeshEditor::MeshEditor(WorkMesh mesh, std::vector<HalfSpace> halfSpaces, Job job)
+    : mesh_(std::move(mesh)),
+      halfSpaces_(std::move(halfSpaces)),
+      around_(mesh_.nodes.size()),
+      job_(std::move(job)) {
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
     for (int node : mesh_.triangles[t].nodes) around_[node].push_back(static_cast<int>(t));
 }
@@ -101,6 +104,7 @@ int MeshEditor::split(int a, int b, double s) {
 }
 
 int MeshEditor::split(int a, int b, WorkNode node) {
+  checkpoint();
   const int middle = static_cast<int>(mesh_.nodes.size());
   const std::array<std::pair<int, int>, 2> halves{{{leftOf(a, b), b}, {leftOf(b, a), a}}};
   mesh_.nodes.push_back(std::move(node));
@@ -170,6 +174,7 @@ double MeshEditor::starPenalty(int node) const {
 }
 
 bool MeshEditor::flip(int a, int b) {
+  checkpoint();
   const int t0 = leftOf(a, b);
   const int t1 = leftOf(b, a);
   if (t0 < 0 || t1 < 0 || isInterface(a, b)) return false;
@@ -191,6 +196,7 @@ bool MeshEditor::flip(int a, int b) {
 }
 
 bool MeshEditor::collapse(int from, int to) {
+  checkpoint();
   if (mesh_.nodes[from].isCorner()) return false;
   const std::vector<int> rails = interfaceNeighbours(from);
   if (!rails.empty() &&
@@ -272,6 +278,7 @@ bool MeshEditor::tryPosition(int node, const WorkNode& where, double before) {
 }
 
 bool MeshEditor::move(int node, WorkNode where) {
+  checkpoint();
   std::swap(mesh_.nodes[node], where);
   if (starIsValid(node)) return true;
   std::swap(mesh_.nodes[node], where);
@@ -279,6 +286,7 @@ bool MeshEditor::move(int node, WorkNode where) {
 }
 
 bool MeshEditor::smooth(int node) {
+  checkpoint();
   const double before = starPenalty(node);
   if (before <= 0.0 || mesh_.nodes[node].isCorner()) return false;
   const std::vector<int> rails = interfaceNeighbours(node);

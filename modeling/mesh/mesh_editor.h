@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "modeling/body/region.h"
+#include "modeling/job.h"
 #include "modeling/mesh/work_mesh.h"
 
 namespace palpa::modeling {
@@ -13,8 +14,12 @@ namespace palpa::modeling {
 /// *interface*; no operation destroys one, and nodes on it stay on it.
 class MeshEditor {
  public:
-  /// `halfSpaces[k]` belongs to bit k of WorkTriangle::sides.
-  MeshEditor(WorkMesh mesh, std::vector<HalfSpace> halfSpaces);
+  /// `halfSpaces[k]` belongs to bit k of WorkTriangle::sides. Every change looks at the job's stop
+  /// token first; algorithms that compute long between changes ask checkpoint() themselves.
+  MeshEditor(WorkMesh mesh, std::vector<HalfSpace> halfSpaces, Job job = {});
+
+  /// @throws Cancelled
+  void checkpoint() const { job_.throwIfCancelled(); }
 
   /// The mesh without the gaps that collapses leave. The editor is empty afterwards.
   WorkMesh take();
@@ -65,6 +70,7 @@ class MeshEditor {
   WorkMesh mesh_;
   std::vector<HalfSpace> halfSpaces_;
   std::vector<std::vector<int>> around_;  // live triangles around each node
+  Job job_;
 };
 
 }  // namespace palpa::modeling

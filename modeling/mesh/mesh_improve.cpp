@@ -11,6 +11,8 @@ namespace {
 /// Below this angle nodes may vanish; above, only flips and moves are worth it.
 constexpr double kCollapseAngle = 24.0 * std::numbers::pi / 180.0;
 
+constexpr int kCheckpoint = 1000;  // triangles between two looks at the stop token
+
 /// Tries the operations on one triangle; true when one of them changed the mesh.
 bool improveOne(MeshEditor& editor, int triangle) {
   const std::array<int, 3> n = editor.mesh().triangles[triangle].nodes;
@@ -41,8 +43,10 @@ void improveShapes(MeshEditor& editor) {
   for (std::size_t t = 0; t < candidates.size(); ++t) candidates[t] = static_cast<int>(t);
   for (int round = 0; round < kRounds && !candidates.empty(); ++round) {
     std::vector<std::pair<double, int>> bad;
-    for (int t : candidates)
+    for (int t : candidates) {
+      if (t % kCheckpoint == 0) editor.checkpoint();
       if (editor.isAlive(t) && editor.penalty(t) > 0.0) bad.emplace_back(-editor.penalty(t), t);
+    }
     std::sort(bad.begin(), bad.end());
     // Only what a change of this round touched can improve in the next one.
     std::vector<int> touched;
@@ -75,6 +79,7 @@ void relieveSlivers(MeshEditor& editor) {
   for (int round = 0; round < kRounds; ++round) {
     std::vector<std::pair<int, std::array<int, 3>>> slivers;
     for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      if (i % kCheckpoint == 0) editor.checkpoint();
       const int t = static_cast<int>(i);
       if (!editor.isAlive(t) || editor.smallestAngleOf(t) > kSliver) continue;
       if (isGap(editor.mesh().triangles[i].nodes))

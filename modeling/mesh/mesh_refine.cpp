@@ -12,6 +12,8 @@ namespace {
 /// the diagonal of a square cell (with room for distortion) is not to be cut at the wanted size.
 constexpr double kDiagonal = 1.6;
 
+constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
+
 struct DirectedEdge {
   int a;
   int b;
@@ -39,6 +41,7 @@ std::vector<double> distances(const MeshEditor& editor,
   using Entry = std::pair<double, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::size_t i = 0; i < count; ++i) {
+    if (i % kCheckpoint == 0) editor.checkpoint();
     const int node = static_cast<int>(i);
     if (editor.around(node).empty()) continue;
     for (int other : editor.interfaceNeighbours(node))
@@ -48,7 +51,8 @@ std::vector<double> distances(const MeshEditor& editor,
         break;
       }
   }
-  while (!queue.empty()) {
+  for (std::size_t visited = 0; !queue.empty(); ++visited) {
+    if (visited % kCheckpoint == 0) editor.checkpoint();
     const auto [d, node] = queue.top();
     queue.pop();
     if (d > distance[node]) continue;
@@ -84,6 +88,7 @@ void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSo
     const std::vector<double> distance = distances(editor, isSource);
     std::vector<std::pair<int, std::array<int, 3>>> large;
     for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      if (i % kCheckpoint == 0) editor.checkpoint();
       const int t = static_cast<int>(i);
       if (!editor.isAlive(t)) continue;
       const std::array<int, 3>& nodes = editor.mesh().triangles[i].nodes;

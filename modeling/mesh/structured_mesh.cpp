@@ -7,10 +7,12 @@
 namespace palpa::modeling {
 namespace {
 
+constexpr int kRowCheck = 1000;  // nodes between two looks at the stop token
+
 class Builder {
  public:
-  Builder(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts)
-      : counts_(counts) {
+  Builder(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts, const Job& job)
+      : counts_(counts), job_(job) {
     mesh_.solid = &solid;
     mesh_.surface = &surface;
   }
@@ -31,6 +33,7 @@ class Builder {
 
   void addCornersAndEdges() {
     for (const SolidEdge& edge : mesh_.solid->edges()) {
+      job_.throwIfCancelled();
       for (int vertex : edge.vertices)
         if (!corners_.contains(vertex)) corners_[vertex] = add(mesh_.nodeInCorner(vertex));
       const PatchEdge use = edge.uses[0];
@@ -81,8 +84,9 @@ class Builder {
     const auto vPart = [&, low = vLow, size = vHigh - vLow](int node) {
       return (mesh_.in(node, patch).v - low) / size;
     };
-    for (int i = 1; i < m; ++i)
+    for (int i = 1; i < m; ++i) {
       for (int j = 1; j < n; ++j) {
+        if (j % kRowCheck == 1) job_.throwIfCancelled();
         // The crossing of the line bottom[i]–top[i] with the line left[j]–right[j] in the unit
         // square: u = u0 + v du, v = v0 + u dv.
         const double u0 = uPart(bottom[i]);
@@ -94,9 +98,12 @@ class Builder {
         grid[i][j] =
             add(mesh_.nodeInPatch({patch, uLow + u * (uHigh - uLow), vLow + v * (vHigh - vLow)}));
       }
-    for (int i = 0; i < m; ++i)
+    }
+    for (int i = 0; i < m; ++i) {
+      job_.throwIfCancelled();
       for (int j = 0; j < n; ++j)
         addCell(patch, {grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]});
+    }
   }
 
   /// Cell corners counter-clockwise; the diagonal with the larger smallest angle wins, and the
@@ -118,6 +125,7 @@ class Builder {
   }
 
   const Counts& counts_;
+  const Job& job_;
   WorkMesh mesh_;
   std::map<int, int> corners_;           // solid vertex -> node
   std::vector<std::vector<int>> edges_;  // nodes along each solid edge
@@ -125,8 +133,9 @@ class Builder {
 
 }  // namespace
 
-WorkMesh structuredMesh(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts) {
-  return Builder(solid, surface, counts).build();
+WorkMesh structuredMesh(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts,
+                        const Job& job) {
+  return Builder(solid, surface, counts, job).build();
 }
 
 }  // namespace palpa::modeling

@@ -9,6 +9,7 @@ namespace palpa::modeling {
 /// edges nodes are equally spaced in arc length; inside, lines run straight in the parameters
 /// between the points on opposite sides. Each cell is split along its better diagonal.
 /// The solid and the evaluator must outlive the result.
-WorkMesh structuredMesh(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts);
+WorkMesh structuredMesh(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts,
+                        const Job& job = {});
 
 }  // namespace palpa::modeling

@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "modeling/error.h"
-#include "modeling/project/project_file.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::modeling {
@@ -36,11 +35,7 @@ Solid withSmoothEdgesFound(const Solid& solid) {
 }  // namespace
 
 int migrateDocument(json& document) {
-  const auto version = document.find("version");
-  if (version == document.end() || !version->is_number_integer() || *version < 1 ||
-      *version > kProjectVersion)
-    return kProjectVersion;
-  const int fileVersion = *version;
+  const int fileVersion = document["version"];
   if (fileVersion == 1) fromVersion1(document);
   return fileVersion;
 }

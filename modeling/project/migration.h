@@ -9,8 +9,8 @@
 // read from the result (migrateProject). Fixtures of every old version: tests/data/projects/.
 namespace palpa::modeling {
 
-/// Upgrades a document whose "version" is older, in place, and returns the version it had.
-/// Documents without a known older version are left for the schema to judge.
+/// Upgrades a document in place and returns the version it had, which must be one of
+/// 1 … kProjectVersion; all else is left for the schema to judge.
 /// @throws ModelingError for keys that its version did not have
 int migrateDocument(nlohmann::json& document);
 

@@ -27,8 +27,13 @@ Project parseProject(std::string_view text, const std::string& sourceName);
 /// control point per line. toJson(parseProject(toJson(p))) == toJson(p), byte for byte.
 std::string toJson(const Project& project);
 
-/// Saves atomically: writes beside the target, flushes it to disk, keeps the old file as
-/// `<path>.bak`, then renames. On failure (ModelingError, kind io) the old file is untouched.
+/// toJson() after checkProject() and after reading the text back: what is saved can be opened
+/// again, within all limits on size. Costs as much as loading. @throws ModelingError with `name` in
+/// front
+std::string checkedText(const Project& project, const std::string& name);
+
+/// Saves checkedText() with writeAtomically(); the old file stays as backupPath(). On failure
+/// (ModelingError) the old file is untouched.
 void writeProject(const Project& project, const std::filesystem::path& path);
 
 }  // namespace palpa::modeling

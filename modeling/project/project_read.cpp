@@ -1,6 +1,4 @@
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
@@ -8,6 +6,7 @@
 #include "modeling/project/migration.h"
 #include "modeling/project/project_file.h"
 #include "modeling/project/schema_check.h"
+#include "modeling/project/text_file.h"
 
 namespace palpa::modeling {
 namespace {
@@ -45,9 +44,14 @@ void checkFormat(const json& document, const std::string& source) {
     fail("format: found " + (format->is_string() ? format->dump() : "no text") +
          ", expected \"palpa-project\"");
   const auto version = document.find("version");
-  if (version != document.end() && version->is_number() && version->get<double>() > kProjectVersion)
-    fail("version: found " + version->dump() + "; this program reads up to version " +
-         std::to_string(kProjectVersion) + "; a newer Palpa is needed");
+  if (version == document.end()) fail("version: is missing");
+  const std::string found =
+      "version: found " + (version->is_primitive() ? version->dump() : "a list");
+  if (version->is_number() && version->get<double>() > kProjectVersion)
+    fail(found + "; this program reads up to version " + std::to_string(kProjectVersion) +
+         "; a newer Palpa is needed");
+  if (!version->is_number_integer() || *version < 1)
+    fail(found + ", expected a whole number from 1 to " + std::to_string(kProjectVersion));
 }
 
 Project projectFrom(const json& document) {
@@ -107,22 +111,7 @@ Project parseProject(std::string_view text, const std::string& sourceName) {
 }
 
 Project readProject(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code code;
-  if (!std::filesystem::exists(path, code))
-    throw ModelingError(name + ": there is no such file", ModelingError::Kind::notFound);
-  if (!std::filesystem::is_regular_file(path, code))
-    throw ModelingError(name + ": this is not a file", ModelingError::Kind::io);
-  const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (!code && size > kLargestProjectFile)
-    throw ModelingError(name + ": the file has " + std::to_string(size) + " bytes; at most " +
-                            std::to_string(kLargestProjectFile) + " are accepted",
-                        ModelingError::Kind::tooLarge);
-  std::ifstream file(path, std::ios::binary);
-  std::string text(code ? 0 : size, '\0');
-  if (!file || code || !file.read(text.data(), static_cast<std::streamsize>(text.size())))
-    throw ModelingError(name + ": the file cannot be read", ModelingError::Kind::io);
-  return parseProject(text, name);
+  return parseProject(readTextFile(path, kLargestProjectFile), path.string());
 }
 
 }  // namespace palpa::modeling

@@ -36,6 +36,15 @@ TEST_F(CliProject, NewWithoutAFileWritesTheProjectToStandardOutput) {
   EXPECT_EQ(cli_.run("new box").json().at("format"), "palpa-project");
 }
 
+TEST_F(CliProject, MaterialsNamesTheSourceOfEachConstant) {
+  const Json materials = cli_.runJson("materials").at("materials");
+  EXPECT_GE(materials.size(), 10u);
+  for (const Json& material : materials) {
+    EXPECT_GT(material.at("youngs_modulus_MPa").get<double>(), 0.0);
+    EXPECT_FALSE(material.at("reference").get<std::string>().empty());
+  }
+}
+
 TEST_F(CliProject, NewPlacesSolidsAsDocumented) {
   const auto boxOf = [&](const std::string& arguments) {
     cli_.run("new " + arguments + " -o p.json");

@@ -1,0 +1,311 @@
+#include "modeling/mesh/mesh_follow.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <stdexcept>
+
+#include "modeling/error.h"
+#include "modeling/mesh/mesh_regions.h"
+#include "modeling/mesh/node_place.h"
+#include "modeling/mesh/place_text.h"
+#include "modeling/mesh/triangle_shape.h"
+#include "modeling/solid/surface_properties.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr double kOnBorder = 2e-9;    // of the diagonal: below, a node lies on the border
+constexpr double kConverged = 1e-11;  // of the diagonal: how exactly it must after sliding
+constexpr double kNearBorder = 0.1;   // of a triangle's longest edge: its middle may be this wrong
+constexpr double kCountsAsOn = 0.1;   // of the shortest edge at a node that cannot slide
+constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the job
+
+/// Ends the attempt; the reason becomes FollowResult::whyAnew.
+struct Anew {
+  std::string why;
+};
+
+bool sameBits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::memcmp(a.data(), b.data(), 3 * sizeof(double)) == 0;
+}
+
+bool samePatches(const Solid& a, const Solid& b) {
+  if (a.sharesTopologyWith(b)) return true;
+  return a.controlPoints().size() == b.controlPoints().size() &&
+         std::equal(a.patches().begin(), a.patches().end(), b.patches().begin(), b.patches().end(),
+                    [](const Patch& p, const Patch& q) {
+                      return p.name == q.name && p.degree == q.degree && p.knots == q.knots &&
+                             p.net == q.net;
+                    });
+}
+
+class Follower {
+ public:
+  Follower(const SurfaceMesh& previous, const Solid& meshed, const Solid& solid,
+           const FollowLimits& limits, const Job& job)
+      : previous_(previous),
+        meshed_(meshed),
+        solid_(solid),
+        surface_(solid),
+        limits_(limits),
+        job_(job),
+        result_(previous) {
+    if (previous.parameters.size() != previous.positions.size())
+      throw std::invalid_argument("followSolid: the mesh has no parameters; it is of a mesh body");
+    const auto [low, high] = boundingBox(solid);
+    diagonal_ = (high - low).norm();
+  }
+
+  MeshUpdate run(std::span<const MeshRegion> regions) {
+    checkRegions(regions);
+    gatherBorders();
+    for (std::size_t i = 0; i < result_.positions.size(); ++i) {
+      if (i % kCheckpoint == 0) job_.throwIfCancelled();
+      moveNode(static_cast<int>(i));
+    }
+    std::vector<int> moved = differingNodes(previous_, result_);
+    checkSides(moved);
+    checkTriangles(moved);
+    if (!moved.empty()) checkGroups();
+    return {std::move(result_), std::move(moved)};
+  }
+
+ private:
+  void checkRegions(std::span<const MeshRegion> regions) const {
+    const Anew changed{"the supports, loads or borders the mesh was fitted to have changed"};
+    if (distinctHalfSpaces(regions) != previous_.halfSpaces ||
+        regions.size() != previous_.trianglesOfRegion.size())
+      throw changed;
+    for (std::size_t r = 0; r < regions.size(); ++r)
+      if (trianglesOf(regions[r], solid_, previous_.patchOfTriangle, previous_.halfSpacesOfTriangle,
+                      previous_.halfSpaces) != previous_.trianglesOfRegion[r])
+        throw changed;
+  }
+
+  /// Which half spaces all and which some triangles around each node lie in.
+  void gatherBorders() {
+    all_.assign(result_.positions.size(), ~std::uint64_t{0});
+    some_.assign(result_.positions.size(), 0);
+    if (previous_.halfSpaces.empty()) return;
+    for (std::size_t t = 0; t < previous_.triangles.size(); ++t)
+      for (int node : previous_.triangles[t]) {
+        all_[node] &= previous_.halfSpacesOfTriangle[t];
+        some_[node] |= previous_.halfSpacesOfTriangle[t];
+      }
+  }
+
+  double tolerance(const HalfSpace& half, double part) const {
+    return part * diagonal_ * half.normal.norm();
+  }
+
+  /// Half spaces on whose border the node lies: between triangles inside and outside, and exactly.
+  std::vector<HalfSpace> slidingBorders(int node) const {
+    std::vector<HalfSpace> borders;
+    for (std::uint64_t bits = some_[node] & ~all_[node]; bits != 0; bits &= bits - 1) {
+      const HalfSpace& half = previous_.halfSpaces[std::countr_zero(bits)];
+      if (std::abs(half.value(previous_.positions[node])) <= tolerance(half, kOnBorder))
+        borders.push_back(half);
+    }
+    return borders;
+  }
+
+  void moveNode(int node) {
+    const SurfaceParameter& at = result_.parameters[node];
+    if (!patchMoved(at.patch)) return;
+    const NodePlace place = placeOf(solid_, surface_, at);
+    if (place.vertex >= 0) {
+      result_.positions[node] = solid_.controlPoints()[place.vertex];
+      return;
+    }
+    result_.positions[node] = surface_.position(at.patch, at.u, at.v);
+    if (sameBits(result_.positions[node], previous_.positions[node])) return;
+    const std::vector<HalfSpace> borders = slidingBorders(node);
+    if (!borders.empty()) slide(node, place, borders);
+  }
+
+  bool patchMoved(int patch) {
+    if (patchMoved_.empty()) {
+      for (const Patch& p : solid_.patches()) {
+        bool moved = false;
+        for (const std::vector<int>& row : p.net)
+          for (int point : row)
+            moved =
+                moved || !sameBits(meshed_.controlPoints()[point], solid_.controlPoints()[point]);
+        patchMoved_.push_back(moved);
+      }
+    }
+    return patchMoved_[patch];
+  }
+
+  /// Newton's method for normal · x(u, v) = below. Inside a patch the shortest step on the surface
+  /// that reaches the planes in first order, δ = G⁻¹ Jᵀ Nᵀ λ with (N J G⁻¹ Jᵀ Nᵀ) λ = -value, where
+  /// J = (du dv), G = Jᵀ J and the rows of N are the normals; on an edge the same with its single
+  /// parameter.
+  void slide(int node, const NodePlace& place, const std::vector<HalfSpace>& borders) {
+    constexpr int kIterations = 25;
+    const Eigen::Index count = static_cast<Eigen::Index>(borders.size());
+    SurfaceParameter& at = result_.parameters[node];
+    const auto [uLow, uHigh] = surface_.range(at.patch, 0);
+    const auto [vLow, vHigh] = surface_.range(at.patch, 1);
+    const bool alongU = place.edge < 0 || at.v == vLow || at.v == vHigh;
+    const bool alongV = place.edge < 0 || !alongU;
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+      const SurfacePoint p = surface_.evaluate(at.patch, at.u, at.v);
+      Eigen::MatrixXd normals(count, 3);
+      Eigen::VectorXd values(count);
+      bool converged = true;
+      for (Eigen::Index k = 0; k < count; ++k) {
+        normals.row(k) = borders[k].normal.transpose();
+        values[k] = borders[k].value(p.position);
+        converged = converged && std::abs(values[k]) <= tolerance(borders[k], kConverged);
+      }
+      if (converged) {
+        result_.positions[node] = surface_.position(at.patch, at.u, at.v);
+        return;
+      }
+      Eigen::Matrix<double, 3, 2> jacobian;
+      jacobian << p.du, p.dv;
+      if (!alongU) jacobian.col(0).setZero();
+      if (!alongV) jacobian.col(1).setZero();
+      Eigen::Matrix2d metric = jacobian.transpose() * jacobian;
+      metric.diagonal().array() += 1e-12 * metric.trace();
+      const Eigen::MatrixXd toParameters = metric.inverse() * (normals * jacobian).transpose();
+      const Eigen::MatrixXd system = normals * jacobian * toParameters;
+      const Eigen::Vector2d step = toParameters * system.fullPivLu().solve(-values);
+      if (!step.allFinite()) break;
+      if (alongU) at.u += step[0];
+      if (alongV) at.v += step[1];
+      const bool inside =
+          (!alongU || (at.u > uLow && at.u < uHigh)) && (!alongV || (at.v > vLow && at.v < vHigh));
+      if (!inside) break;
+    }
+    throw Anew{"the border of a half space near " + placeText(previous_.positions[node]) +
+               " has moved to another patch or edge, or away from the surface"};
+  }
+
+  /// Each moved node must be on the side of every plane on which its triangles are.
+  void checkSides(const std::vector<int>& moved) const {
+    if (previous_.halfSpaces.empty()) return;
+    std::vector<double> shortest(result_.positions.size(), HUGE_VAL);
+    for (const auto& n : previous_.triangles)
+      for (int k = 0; k < 3; ++k) {
+        const double length =
+            (previous_.positions[n[k]] - previous_.positions[n[(k + 1) % 3]]).norm();
+        shortest[n[k]] = std::min(shortest[n[k]], length);
+        shortest[n[(k + 1) % 3]] = std::min(shortest[n[(k + 1) % 3]], length);
+      }
+    for (int node : moved)
+      for (std::size_t k = 0; k < previous_.halfSpaces.size(); ++k) {
+        const HalfSpace& half = previous_.halfSpaces[k];
+        const bool inside = (all_[node] >> k) & 1;
+        const bool outside = !((some_[node] >> k) & 1);
+        const double value = half.value(result_.positions[node]);
+        const double before = std::abs(half.value(previous_.positions[node]));
+        const double allowed = inside || outside
+                                   ? tolerance(half, kOnBorder)
+                                   : std::max({tolerance(half, kOnBorder), 1.5 * before,
+                                               kCountsAsOn * shortest[node] * half.normal.norm()});
+        if ((!outside && value > allowed) || (!inside && value < -allowed))
+          throw Anew{"the surface near " + placeText(result_.positions[node]) +
+                     " has crossed the border of a half space"};
+      }
+  }
+
+  void checkTriangles(const std::vector<int>& moved) const {
+    std::vector<bool> isMoved(result_.positions.size(), false);
+    for (int node : moved) isMoved[node] = true;
+    for (std::size_t t = 0; t < result_.triangles.size(); ++t) {
+      if (t % kCheckpoint == 0) job_.throwIfCancelled();
+      const auto& n = result_.triangles[t];
+      if (isMoved[n[0]] || isMoved[n[1]] || isMoved[n[2]]) checkTriangle(t);
+    }
+  }
+
+  void checkTriangle(std::size_t t) const {
+    const auto& n = result_.triangles[t];
+    const auto& x = result_.positions;
+    const auto& old = previous_.positions;
+    const std::string near = " near " + placeText(x[n[0]]);
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const double length = (x[n[k]] - x[n[(k + 1) % 3]]).norm();
+      const double before = (old[n[k]] - old[n[(k + 1) % 3]]).norm();
+      longest = std::max(longest, length);
+      if (length > limits_.edgeRatio * before || before > limits_.edgeRatio * length)
+        throw Anew{"an edge" + near + " has become " + roundedText(length) + " mm long, from " +
+                   roundedText(before) + " mm"};
+    }
+    const double angle = smallestAngle(x[n[0]], x[n[1]], x[n[2]]);
+    if (angle < limits_.smallestAngle * std::numbers::pi / 180.0 &&
+        angle < smallestAngle(old[n[0]], old[n[1]], old[n[2]]))
+      throw Anew{"a triangle" + near + " has become too thin"};
+
+    const int patch = result_.patchOfTriangle[t];
+    const std::array<NodePlace, 3> places{placeOf(solid_, surface_, result_.parameters[n[0]]),
+                                          placeOf(solid_, surface_, result_.parameters[n[1]]),
+                                          placeOf(solid_, surface_, result_.parameters[n[2]])};
+    const auto [a, b, c] = cornersIn(surface_, patch, {&places[0], &places[1], &places[2]});
+    const double u = (a.u + b.u + c.u) / 3.0;
+    const double v = (a.v + b.v + c.v) / 3.0;
+    const Eigen::Vector3d normal = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
+    if (!(normal.dot(surface_.normal(patch, u, v)) > limits_.leastAlongNormal * normal.norm()))
+      throw Anew{"a triangle" + near + " has turned away from the surface"};
+    for (std::size_t k = 0; k < previous_.halfSpaces.size(); ++k) {
+      const HalfSpace& half = previous_.halfSpaces[k];
+      const bool inside = (previous_.halfSpacesOfTriangle[t] >> k) & 1;
+      const double value = half.value(surface_.position(patch, u, v)) * (inside ? 1.0 : -1.0);
+      if (value > kNearBorder * longest * half.normal.norm())
+        throw Anew{"the surface" + near + " has crossed the border of a half space"};
+    }
+  }
+
+  void checkGroups() const {
+    const std::vector<int> groups = smoothingGroups(solid_, sharpEdges(solid_, surface_));
+    for (std::size_t t = 0; t < result_.triangles.size(); ++t)
+      if (groups[result_.patchOfTriangle[t]] != result_.smoothingGroupOfTriangle[t])
+        throw Anew{"an edge has become sharp or smooth"};
+  }
+
+  const SurfaceMesh& previous_;
+  const Solid& meshed_;
+  const Solid& solid_;
+  SurfaceEvaluator surface_;
+  const FollowLimits& limits_;
+  const Job& job_;
+  SurfaceMesh result_;
+  double diagonal_ = 0.0;
+  std::vector<bool> patchMoved_;
+  std::vector<std::uint64_t> all_;   // per node: half spaces that all its triangles lie in
+  std::vector<std::uint64_t> some_;  // … and those that some lie in
+};
+
+}  // namespace
+
+std::vector<int> differingNodes(const SurfaceMesh& a, const SurfaceMesh& b) {
+  if (a.positions.size() != b.positions.size())
+    throw std::invalid_argument("differingNodes: the meshes have different numbers of nodes");
+  std::vector<int> nodes;
+  for (std::size_t i = 0; i < a.positions.size(); ++i)
+    if (!sameBits(a.positions[i], b.positions[i])) nodes.push_back(static_cast<int>(i));
+  return nodes;
+}
+
+FollowResult followSolid(const SurfaceMesh& previous, const Solid& meshed, const Solid& solid,
+                         std::span<const MeshRegion> regions, const FollowLimits& limits,
+                         const Job& job) {
+  job.throwIfCancelled();
+  if (!samePatches(meshed, solid)) return {std::nullopt, "the patches or their knots have changed"};
+  try {
+    return {Follower(previous, meshed, solid, limits, job).run(regions), ""};
+  } catch (const Anew& anew) {
+    return {std::nullopt, anew.why};
+  } catch (const ModelingError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,206 @@
+#include "modeling/project/atomic_write.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <optional>
+#include <system_error>
+
+#include "modeling/error.h"
+
+namespace palpa::modeling {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestName = 255;  // bytes, on all common file systems
+constexpr std::string_view kFreshEnd = ".palpa-new";
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what) {
+  throw ModelingError(
+      path.string() + ": cannot be written (" + what + "); the old file, if any, is unchanged",
+      ModelingError::Kind::io);
+}
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  fail(path, std::generic_category().message(error));
+}
+
+/// The first bytes of a name, cut between two UTF-8 characters.
+std::string shortened(const std::string& name, std::size_t most) {
+  if (name.size() <= most) return name;
+  while (most > 0 && (static_cast<unsigned char>(name[most]) & 0xC0U) == 0x80U) --most;
+  return name.substr(0, most);
+}
+
+/// The file behind any symbolic links, which need not exist yet.
+fs::path behindLinks(const fs::path& path) {
+  constexpr int kMostLinks = 40;
+  fs::path target = path;
+  std::error_code code;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(target, code); ++i) {
+    const fs::path next = fs::read_symlink(target, code);
+    if (code) fail(path, code.value());
+    target = target.parent_path() / next;  // an absolute link replaces the whole
+  }
+  if (fs::is_symlink(target, code)) fail(path, ELOOP);
+  return target;
+}
+
+/// State of the old file; nothing when there is none.
+std::optional<struct stat> oldFile(const fs::path& path) {
+  struct stat state {};
+  if (::stat(path.c_str(), &state) != 0) {
+    if (errno == ENOENT) return std::nullopt;
+    fail(path, errno);
+  }
+  if (S_ISDIR(state.st_mode)) fail(path, EISDIR);
+  if (!S_ISREG(state.st_mode)) fail(path, "this is not a file");
+  if (::access(path.c_str(), W_OK) != 0) fail(path, errno);
+  return state;
+}
+
+fs::path folderOf(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// Hidden files for this target begin so; long names share a beginning, which harms nobody.
+std::string freshStart(const fs::path& path) {
+  return "." + shortened(path.filename().string(), 100) + ".";
+}
+
+void removeLeftovers(const fs::path& path) {
+  const std::string start = freshStart(path);
+  std::error_code code;
+  for (auto it = fs::directory_iterator(folderOf(path), code);
+       !code && it != fs::directory_iterator(); it.increment(code)) {
+    const std::string name = it->path().filename().string();
+    if (!name.starts_with(start) || !name.ends_with(kFreshEnd)) continue;
+    std::error_code ignored;  // another process may be faster
+    const auto written = fs::last_write_time(it->path(), ignored);
+    if (!ignored && fs::file_time_type::clock::now() - written > std::chrono::hours(24))
+      fs::remove(it->path(), ignored);
+  }
+}
+
+/// A name of our own beside the target, removed unless it was renamed away.
+class FreshName {
+ public:
+  explicit FreshName(const fs::path& target) {
+    static std::atomic<unsigned> count{0};
+    path_ = folderOf(target) / (freshStart(target) + std::to_string(::getpid()) + "-" +
+                                std::to_string(count++) + std::string(kFreshEnd));
+  }
+  FreshName(const FreshName&) = delete;
+  FreshName& operator=(const FreshName&) = delete;
+  ~FreshName() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+
+  const fs::path& path() const { return path_; }
+
+  /// 0, or the error
+  int renameTo(const fs::path& target) {
+    if (std::rename(path_.c_str(), target.c_str()) != 0) return errno;
+    path_.clear();
+    return 0;
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// 0, or the error. Some network and user-space file systems cannot flush; they say EINVAL.
+int flushed(int file) {
+  return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+}
+
+/// 0, or the error.
+int fillDurably(int file, std::string_view text, const std::optional<struct stat>& old) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
+    if (written > 0)
+      done += static_cast<std::size_t>(written);
+    else if (written == 0)
+      return ENOSPC;
+    else if (errno != EINTR)
+      return errno;
+  }
+  if (old) {
+    // The group first: changing it clears the set-group bit. Where it may not be changed, the
+    // group's permissions would mean somebody else and are dropped.
+    const bool sameGroup = ::fchown(file, static_cast<uid_t>(-1), old->st_gid) == 0;
+    const mode_t keep = sameGroup ? 07777 : 07707;
+    if (::fchmod(file, old->st_mode & keep) != 0) return errno;
+  }
+  return flushed(file);
+}
+
+int writeDurably(const fs::path& path, std::string_view text, const std::optional<struct stat>& old,
+                 bool secret) {
+  ::unlink(path.c_str());  // left by an earlier process with our number
+  const int file =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, secret ? 0600 : 0666);
+  if (file < 0) return errno;
+  int error = fillDurably(file, text, old);
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+/// Gives the old file its second name, which replaces an older backup in one step.
+void keepBackup(const fs::path& target) {
+  const fs::path backup = backupPath(target);
+  const auto failed = [&](const std::string& what) {
+    fail(target, "its backup " + backup.string() + " cannot be made: " + what);
+  };
+  FreshName fresh(backup);
+  std::error_code code;
+  if (fs::is_directory(backup, code)) failed("there is a folder of that name");
+  fs::create_hard_link(target, fresh.path(), code);
+  if (code) {  // no hard links on this file system
+    fs::copy_file(target, fresh.path(), code);
+    if (code) failed(code.message());
+    const int file = ::open(fresh.path().c_str(), O_RDONLY | O_CLOEXEC);
+    const int error = file < 0 ? errno : flushed(file);
+    if (file >= 0) ::close(file);
+    if (error != 0) failed(std::generic_category().message(error));
+  }
+  if (const int error = fresh.renameTo(backup); error != 0)
+    failed(std::generic_category().message(error));
+}
+
+void flushFolder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;  // the content is safe already; only the rename may be lost in a crash
+  ::fsync(file);
+  ::close(file);
+}
+
+}  // namespace
+
+fs::path backupPath(const fs::path& path) {
+  const fs::path target = behindLinks(path);
+  return target.parent_path() / (shortened(target.filename().string(), kLongestName - 4) + ".bak");
+}
+
+void writeAtomically(std::string_view text, const fs::path& path, AtomicWriteOptions options) {
+  if (!path.has_filename()) fail(path, "there is no file name");
+  const fs::path target = behindLinks(path);
+  const std::optional<struct stat> old = oldFile(target);
+  FreshName fresh(target);
+  if (const int error = writeDurably(fresh.path(), text, old, options.secret); error != 0)
+    fail(path, error);
+  // The backup is a second name of the old file until the rename replaces the first one: at no
+  // moment is there no complete file under the target's name.
+  if (old && options.backup) keepBackup(target);
+  if (const int error = fresh.renameTo(target); error != 0) fail(path, error);
+  flushFolder(folderOf(target));
+  removeLeftovers(target);
+}
+
+}  // namespace palpa::modeling
