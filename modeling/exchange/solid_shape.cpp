@@ -15,7 +15,7 @@
 #include <TopoDS_Wire.hxx>
 #include <map>
 
-#include "modeling/solid/spline_surface.h"
+#include "modeling/solid/opencascade_surface.h"
 
 namespace palpa::modeling {
 namespace {
@@ -46,8 +46,8 @@ Handle(Geom_BSplineCurve) sideCurve(const Handle(Geom_BSplineSurface) & surface,
 }
 
 /// The side in the parameter plane, run through by the parameter of the edge's first use.
-Handle(Geom2d_Curve) sideLine(const Patch& patch, Side side, const std::array<double, 2>& edgeRange,
-                              bool reversed) {
+Handle(Geom2d_Curve)
+    sideLine(const Patch& patch, Side side, const std::array<double, 2>& edgeRange, bool reversed) {
   const auto [uMin, uMax] = patch.range(0);
   const auto [vMin, vMax] = patch.range(1);
   gp_Pnt2d start(side == Side::uMax ? uMax : uMin, side == Side::vMax ? vMax : vMin);
@@ -157,7 +157,7 @@ ShapeOfSolid makeShape(const Solid& solid) {
   Surfaces surfaces;
   ShapeOfSolid result;
   for (const Patch& patch : solid.patches()) {
-    surfaces.push_back(makeSplineSurface(solid.controlPoints(), patch));
+    surfaces.push_back(makeSurface(solid.controlPoints(), patch));
     builder.MakeFace(result.faces.emplace_back(), surfaces.back(), kTolerance);
     builder.NaturalRestriction(result.faces.back(), Standard_True);
   }

@@ -6,14 +6,13 @@
 #include <set>
 
 #include "modeling/error.h"
-#include "modeling/solid/surface_evaluator.h"
+#include "modeling/solid/basis.h"
 #include "modeling/solid/surface_properties.h"
 #include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
 
-constexpr int kMaxDegree = 5;
 constexpr double kMaxCoordinate = 1e7;   // mm; ten kilometres: beyond it, a unit is mistaken
 constexpr double kKnotTolerance = 1e-9;  // of the knot range, when the knots of two sides compare
 
@@ -249,7 +248,7 @@ void checkVertexFans(const std::vector<Patch>& patches, const std::vector<SolidE
 }
 
 void checkOutward(const std::vector<Eigen::Vector3d>& points, const std::vector<Patch>& patches) {
-  const double enclosed = volume(SurfaceEvaluator(points, patches));
+  const double enclosed = volume(points, patches);
   if (enclosed > 0.0) return;
   throw ModelingError("solid.patches: the enclosed volume is " + numberText(enclosed) +
                       " mm³; the normals du × dv must point outwards (exchange u and v in every "

@@ -1,24 +1,17 @@
 #include "modeling/solid/surface_evaluator.h"
 
 #include <Eigen/Geometry>
-#include <Geom_BSplineSurface.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
 
 #include "modeling/error.h"
-#include "modeling/solid/spline_surface.h"
+#include "modeling/solid/opencascade_surface.h"
 
 namespace palpa::modeling {
 namespace {
 
 Eigen::Vector3d toEigen(const gp_XYZ& v) {
   return {v.X(), v.Y(), v.Z()};
-}
-
-std::vector<double> distinct(const std::vector<double>& knots) {
-  std::vector<double> result = knots;
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
 }
 
 }  // namespace
@@ -40,7 +33,7 @@ SurfaceEvaluator::SurfaceEvaluator(const std::vector<Eigen::Vector3d>& points,
   auto surfaces = std::make_shared<Surfaces>();
   for (const Patch& patch : patches) {
     try {
-      surfaces->entries.push_back({makeSplineSurface(points, patch),
+      surfaces->entries.push_back({makeSurface(points, patch),
                                    {distinct(patch.knots[0]), distinct(patch.knots[1])},
                                    patch.degree});
     } catch (const Standard_Failure& failure) {

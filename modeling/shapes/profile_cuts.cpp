@@ -1,0 +1,233 @@
+#include "modeling/shapes/profile_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "modeling/error.h"
+
+namespace palpa::modeling {
+namespace {
+
+/// Places on a profile as lengths from the seam, ascending, in [0, 2 · length).
+using Marks = std::vector<double>;
+
+Marks cornerLengths(const Profile& profile) {
+  Marks marks;
+  for (double corner : profile.corners()) marks.push_back(profile.lengthUpTo(corner));
+  return marks;
+}
+
+/// The corners of `profile` in the order that puts them nearest to those of `reference`: the first
+/// returned belongs to the first of the reference.
+Marks alignedCorners(const Profile& profile, const Marks& reference, double referenceLength) {
+  const Marks own = cornerLengths(profile);
+  const std::size_t count = own.size();
+  const auto turned = [&](std::size_t shift) {
+    Marks marks;
+    for (std::size_t i = 0; i < count; ++i)
+      marks.push_back(own[(i + shift) % count] + (i + shift >= count ? profile.length() : 0.0));
+    return marks;
+  };
+  const auto distance = [&](const Marks& marks) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double apart = marks[i] / profile.length() - reference[i] / referenceLength;
+      sum += std::pow(apart - std::round(apart), 2);
+    }
+    return sum;
+  };
+  Marks best = turned(0);
+  for (std::size_t shift = 1; shift < count; ++shift)
+    if (distance(turned(shift)) < distance(best) - 1e-9) best = turned(shift);
+  return best;
+}
+
+/// How the marks of one profile follow from those of the reference.
+class Correspondence {
+ public:
+  Correspondence(const Profile& profile, const Profile& reference)
+      : profile_(profile), whole_(profile.length()), referenceWhole_(reference.length()) {
+    anchors_ = cornerLengths(reference);
+    if (profile.corners().empty() || anchors_.empty()) {
+      anchors_ = {0.0};
+      own_ = {0.0};
+    } else {
+      own_ = alignedCorners(profile, anchors_, referenceWhole_);
+    }
+    anchors_.push_back(anchors_.front() + referenceWhole_);
+    own_.push_back(own_.front() + whole_);
+  }
+
+  /// The parameter (0 … 3, growing with the mark) for a length along the reference: corners map to
+  /// corners, lengths between them in proportion.
+  double parameter(double mark) const {
+    double rounds = 0.0;
+    while (mark < anchors_.front()) mark += referenceWhole_, rounds -= 1.0;
+    while (mark >= anchors_.back()) mark -= referenceWhole_, rounds += 1.0;
+    const auto above = std::upper_bound(anchors_.begin(), anchors_.end(), mark);
+    const std::size_t i = std::min<std::size_t>(above - anchors_.begin(), anchors_.size() - 1);
+    const double part = (mark - anchors_[i - 1]) / (anchors_[i] - anchors_[i - 1]);
+    double length = own_[i - 1] + part * (own_[i] - own_[i - 1]);
+    while (length >= whole_) length -= whole_, rounds += 1.0;
+    // A corner's own parameter, not the one that its length gives back.
+    for (double corner : profile_.corners())
+      if (std::abs(profile_.lengthUpTo(corner) - length) <= 1e-12 * whole_) return corner + rounds;
+    return profile_.parameterAt(length) + rounds;
+  }
+
+ private:
+  const Profile& profile_;
+  double whole_, referenceWhole_;
+  Marks anchors_, own_;
+};
+
+/// Shares of a side's length where it has marks, ends included.
+std::vector<double> sharesOf(const Marks& side) {
+  std::vector<double> shares;
+  for (double mark : side) shares.push_back((mark - side.front()) / (side.back() - side.front()));
+  return shares;
+}
+
+/// Makes two opposite sides have equally many marks: each mark gets a partner on the other side,
+/// the mark in the same order when there are equally many, otherwise one nearby or a new one.
+void matchSides(Marks& near, Marks& far) {
+  if (near.size() == far.size()) return;
+  constexpr double kPartner = 0.05;  // of the side's length
+  const std::vector<double> a = sharesOf(near);
+  std::vector<double> b = sharesOf(far);
+  std::reverse(b.begin(), b.end());
+  for (double& share : b) share = 1.0 - share;
+  const auto at = [](const Marks& side, double share) {
+    return side.front() + share * (side.back() - side.front());
+  };
+  Marks newNear, newFar;
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    const bool lastA = i + 1 >= a.size(), lastB = j + 1 >= b.size();
+    const bool pair = (lastA && lastB) || (!lastA && !lastB && std::abs(a[i] - b[j]) < kPartner);
+    if (pair) {
+      newNear.push_back(near[i++]);
+      newFar.push_back(far[far.size() - 1 - j++]);
+    } else if (!lastA && (lastB || a[i] < b[j])) {
+      newFar.push_back(at(far, 1.0 - a[i]));
+      newNear.push_back(near[i++]);
+    } else {
+      newNear.push_back(at(near, b[j]));
+      newFar.push_back(far[far.size() - 1 - j++]);
+    }
+  }
+  std::reverse(newFar.begin(), newFar.end());
+  near = newNear;
+  far = newFar;
+}
+
+/// The four sides as marks on the reference: from each of the square's corners to the next.
+std::array<Marks, 4> sidesBetween(const Marks& corners, const Marks& square, double length) {
+  std::array<Marks, 4> sides;
+  for (int k = 0; k < 4; ++k) {
+    const double from = square[k];
+    const double to = k == 3 ? square[0] + length : square[k + 1];
+    sides[k].push_back(from);
+    for (double round : {0.0, length})
+      for (double corner : corners)
+        if (corner + round > from + 1e-9 * length && corner + round < to - 1e-9 * length)
+          sides[k].push_back(corner + round);
+    sides[k].push_back(to);
+  }
+  matchSides(sides[0], sides[2]);
+  matchSides(sides[1], sides[3]);
+  return sides;
+}
+
+/// Calls visit(marks) for the choices of the square's corners, the preferred one first.
+template <class Visit>
+void forSquares(const Marks& corners, double length, Visit visit) {
+  constexpr int kParts = 16;
+  Marks others;
+  if (corners.size() < 4) {
+    if (corners.empty()) visit(Marks{0.0, 0.25 * length, 0.5 * length, 0.75 * length});
+    for (int k = 0; k < kParts; ++k) {
+      const double mark = length * k / kParts;
+      const bool free = std::none_of(corners.begin(), corners.end(), [&](double corner) {
+        const double apart = std::abs(mark - corner);
+        return std::min(apart, length - apart) < 0.5 * length / kParts;
+      });
+      if (free) others.push_back(mark);
+    }
+  }
+  const Marks fixed = corners.size() < 4 ? corners : Marks{};
+  const Marks& pool = corners.size() < 4 ? others : corners;
+  const auto choose = [&](auto& self, Marks chosen, std::size_t from) -> void {
+    if (chosen.size() == 4) {
+      std::sort(chosen.begin(), chosen.end());
+      visit(chosen);
+      return;
+    }
+    for (std::size_t i = from; i < pool.size(); ++i) {
+      Marks next = chosen;
+      next.push_back(pool[i]);
+      self(self, next, i + 1);
+    }
+  };
+  choose(choose, fixed, 0);
+}
+
+const Profile& referenceOf(const std::vector<Profile>& profiles, const std::string& shape) {
+  const Profile* reference = &profiles.front();
+  for (const Profile& profile : profiles)
+    if (profile.corners().size() > reference->corners().size()) reference = &profile;
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    const std::size_t count = profiles[i].corners().size();
+    if (count == 0 || count == reference->corners().size()) continue;
+    throw ModelingError(shape + ": sections[" + std::to_string(i) + "].profile has " +
+                        std::to_string(count) + " corners and another section " +
+                        std::to_string(reference->corners().size()) +
+                        "; all sections need equally many, or none");
+  }
+  return *reference;
+}
+
+}  // namespace
+
+std::vector<ProfileCuts> cutProfiles(const std::vector<Profile>& profiles,
+                                     const std::string& shape) {
+  constexpr int kSearchCells = 8;
+  constexpr int kFinalCells = 32;
+  constexpr double kClearlyBetter = 1.05;
+  const Profile& reference = referenceOf(profiles, shape);
+  const Marks corners = cornerLengths(reference);
+  std::vector<Correspondence> maps;
+  for (const Profile& profile : profiles) maps.emplace_back(profile, reference);
+  const auto cutsOf = [&](std::size_t section, const std::array<Marks, 4>& sides) {
+    ProfileCuts cuts;
+    for (int k = 0; k < 4; ++k)
+      for (double mark : sides[k]) cuts.side[k].push_back(maps[section].parameter(mark));
+    return cuts;
+  };
+  const auto quality = [&](const std::array<Marks, 4>& sides, int cells) {
+    double worst = 1.0;
+    for (std::size_t section : {std::size_t{0}, profiles.size() - 1})
+      worst = std::min(worst, FlatCap(profiles[section], cutsOf(section, sides)).quality(cells));
+    return worst;
+  };
+
+  std::array<Marks, 4> best;
+  double bestQuality = 0.0;
+  forSquares(corners, reference.length(), [&](const Marks& square) {
+    const std::array<Marks, 4> sides = sidesBetween(corners, square, reference.length());
+    const double q = quality(sides, kSearchCells);
+    if (q <= kClearlyBetter * bestQuality) return;
+    best = sides;
+    bestQuality = q;
+  });
+  if (bestQuality <= 0.0 || quality(best, kFinalCells) <= 0.0)
+    throw ModelingError(shape +
+                        ": the flat cap over the profile would fold, because the profile is too "
+                        "winding for a patch with four sides; simplify it or cut the body in two");
+  std::vector<ProfileCuts> result;
+  for (std::size_t i = 0; i < profiles.size(); ++i) result.push_back(cutsOf(i, best));
+  return result;
+}
+
+}  // namespace palpa::modeling
