@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -43,5 +44,10 @@ struct Region {
 /// those that do), normals finite and not zero. `path` begins the message ("supports[0].where").
 /// @throws ModelingError
 void checkRegion(const Region& region, const Body& body, const std::string& path);
+
+/// The same for many regions of one body; `names` holds patchNames(body). Thousands of names in a
+/// file then cost no more than reading them.
+void checkRegion(const Region& region, const Body& body, const std::set<std::string>& names,
+                 const std::string& path);
 
 }  // namespace palpa::modeling

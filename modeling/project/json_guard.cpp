@@ -19,7 +19,11 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
   bool number_integer(number_integer_t) override { return value(); }
   bool number_unsigned(number_unsigned_t) override { return value(); }
   bool number_float(number_float_t, const string_t&) override { return value(); }
-  bool string(string_t&) override { return value(); }
+  bool string(string_t& text) override {
+    value();
+    checkLength(text);
+    return true;
+  }
   bool binary(binary_t&) override { return value(); }
 
   bool start_object(std::size_t) override { return open(true); }
@@ -29,7 +33,11 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
 
   bool key(string_t& name) override {
     Level& level = levels_.back();
+    level.key = name.substr(0, 60);  // enough to name one that is too long
+    checkLength(name);
     level.key = name;
+    if (level.keys.size() >= limits_.keys)
+      fail(path() + ": more than " + std::to_string(limits_.keys) + " keys in one object");
     if (!level.keys.insert(name).second) fail(path() + ": this key occurs twice");
     return true;
   }
@@ -81,6 +89,12 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
         text = joinPath(text, level.count - 1);
     }
     return text;
+  }
+
+  void checkLength(const std::string& text) const {
+    if (text.size() > limits_.textBytes)
+      fail(path() + ": a text of " + std::to_string(text.size()) + " bytes; at most " +
+           std::to_string(limits_.textBytes) + " are accepted");
   }
 
   void next() {

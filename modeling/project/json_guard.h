@@ -11,6 +11,8 @@ struct JsonLimits {
   std::size_t bytes;
   std::size_t values;
   int depth;
+  std::size_t keys = 10'000;        ///< in one object
+  std::size_t textBytes = 100'000;  ///< of one string or key
 };
 
 /// Parses JSON after a pass without memory use that enforces the limits and refuses repeated keys,

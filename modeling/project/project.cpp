@@ -47,17 +47,27 @@ void checkMaterial(const Material& material) {
                         " is outside the possible range -1 < nu <= 0.5");
 }
 
-void checkLoad(const Pressure& load, const Body& body, const std::string& path) {
-  checkRegion(load.where, body, path + ".where");
+/// The body and its patch names, for all regions.
+struct Surface {
+  const Body& body;
+  std::set<std::string> names;
+
+  void check(const Region& region, const std::string& path) const {
+    checkRegion(region, body, names, path);
+  }
+};
+
+void checkLoad(const Pressure& load, const Surface& surface, const std::string& path) {
+  surface.check(load.where, path + ".where");
   requireFinite(load.pressure, path + ".MPa");
 }
 
-void checkLoad(const UniformTraction& load, const Body& body, const std::string& path) {
-  checkRegion(load.where, body, path + ".where");
+void checkLoad(const UniformTraction& load, const Surface& surface, const std::string& path) {
+  surface.check(load.where, path + ".where");
   requireFinite(load.traction, path + ".MPa");
 }
 
-void checkLoad(const Bump& load, const Body&, const std::string& path) {
+void checkLoad(const Bump& load, const Surface&, const std::string& path) {
   requireFinite(load.center, path + ".center_mm");
   requirePositive(load.radius, path + ".radius_mm");
   requireFinite(load.peak, path + ".peak_MPa");
@@ -77,21 +87,22 @@ void checkTouch(const Touch& touch, const std::string& path) {
 }  // namespace
 
 void checkProject(const Project& project) {
+  const std::vector<std::string> patches = patchNames(project.body);
+  const Surface surface{project.body, {patches.begin(), patches.end()}};
   checkMaterial(project.material);
   std::set<std::string> names;
   for (std::size_t i = 0; i < project.supports.size(); ++i) {
     const Support& support = project.supports[i];
     const std::string path = indexed("supports", i);
     checkName(support.name, path, names);
-    checkRegion(support.where, project.body, path + ".where");
+    surface.check(support.where, path + ".where");
     requireFinite(support.displacement, path + ".displacement_mm");
   }
   names.clear();
   for (std::size_t i = 0; i < project.loads.size(); ++i) {
     const std::string path = indexed("loads", i);
     checkName(project.loads[i].name, path, names);
-    std::visit([&](const auto& load) { checkLoad(load, project.body, path); },
-               project.loads[i].what);
+    std::visit([&](const auto& load) { checkLoad(load, surface, path); }, project.loads[i].what);
   }
   names.clear();
   for (std::size_t i = 0; i < project.touches.size(); ++i) {
@@ -101,7 +112,7 @@ void checkProject(const Project& project) {
   }
   project.mesh.validate("mesh");
   for (const auto& [patch, factor] : project.mesh.patchFactors)
-    if (!findPatch(project.body, patch))
+    if (!surface.names.contains(patch))
       throw ModelingError("mesh.patch_factors." + patch +
                           ": no patch has this name; the body has " +
                           quotedPatchNames(project.body));

@@ -20,7 +20,7 @@ TEST_F(CliProject, NewMakesValidProjectsWithNamedPatches) {
     EXPECT_EQ(made.exitCode, 0) << made.err;
     const Json project = cli_.readJson("p.json");
     EXPECT_EQ(project.at("format"), "palpa-project");
-    EXPECT_EQ(project.at("version"), 1);
+    EXPECT_EQ(project.at("version"), 2);
     std::string names;
     for (const Json& patch : project.at("solid").at("patches")) {
       names += patch.at("name").get<std::string>() + " ";
