@@ -46,8 +46,7 @@ std::vector<int> firstAtSamePlace(const std::vector<Vector3d>& points) {
             [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   std::vector<int> first(points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] =
-        i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
   return first;
 }
 
@@ -79,10 +78,9 @@ void joinCorners(ClosedSurface& surface, const std::vector<int>& replacement) {
     if (n[0] != n[1] && n[1] != n[2]) entries.push_back({n, static_cast<int>(t)});
   }
   std::sort(entries.begin(), entries.end());
-  entries.erase(
-      std::unique(entries.begin(), entries.end(),
-                  [](const Entry& a, const Entry& b) { return a.sorted == b.sorted; }),
-      entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end(),
+                            [](const Entry& a, const Entry& b) { return a.sorted == b.sorted; }),
+                entries.end());
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.index < b.index; });
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -115,8 +113,8 @@ WrongEdges wrongEdges(const ClosedSurface& surface) {
   return wrong;
 }
 
-/// Joins the ends of open edges that nearly meet: some programs write the same corner with different
-/// rounding. Points in one cell of a grid as wide as the tolerance, and the first ones of
+/// Joins the ends of open edges that nearly meet: some programs write the same corner with
+/// different rounding. Points in one cell of a grid as wide as the tolerance, and the first ones of
 /// neighbouring cells, become one.
 void weld(ClosedSurface& surface, const std::vector<std::pair<int, int>>& open) {
   Vector3d low = surface.positions[open.front().first];
@@ -203,9 +201,10 @@ void orient(ClosedSurface& surface) {
           reached[other] = true;
           open.push_back(other);
         } else if (!agrees) {
-          throw ModelingError("the surface has one side only (like a Klein bottle); inside and "
-                              "outside cannot be told apart at the edge " +
-                              edgeText(surface, {a, b}));
+          throw ModelingError(
+              "the surface has one side only (like a Klein bottle); inside and "
+              "outside cannot be told apart at the edge " +
+              edgeText(surface, {a, b}));
         }
       }
     }

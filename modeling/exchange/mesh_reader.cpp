@@ -21,9 +21,12 @@ constexpr std::size_t kLongestName = 80;
 
 PolygonSoup parseSoup(std::string_view bytes, MeshFormat format, const Job& job) {
   switch (format) {
-    case MeshFormat::stl: return parseStl(bytes, job);
-    case MeshFormat::obj: return parseObj(bytes, job);
-    case MeshFormat::ply: return parsePly(bytes, job);
+    case MeshFormat::stl:
+      return parseStl(bytes, job);
+    case MeshFormat::obj:
+      return parseObj(bytes, job);
+    case MeshFormat::ply:
+      return parsePly(bytes, job);
   }
   throw std::invalid_argument("parseMesh: no such format");
 }
@@ -69,8 +72,7 @@ void nameBySharpEdges(const ClosedSurface& surface, MeshBody::Data& data) {
     twiceArea += (p[b] - p[a]).cross(p[c] - p[a]).norm();
   data.faceOfTriangle =
       smoothRegions(p, surface.triangles, 0.5 * kSmallestFace * twiceArea, kMostFoundFaces);
-  const int count =
-      *std::max_element(data.faceOfTriangle.begin(), data.faceOfTriangle.end()) + 1;
+  const int count = *std::max_element(data.faceOfTriangle.begin(), data.faceOfTriangle.end()) + 1;
   for (int face = 1; face <= count; ++face)
     data.faceNames.push_back("face_" + std::to_string(face));
 }
@@ -113,8 +115,9 @@ MeshFormat meshFormatOf(const std::filesystem::path& path) {
   if (ending == ".stl") return MeshFormat::stl;
   if (ending == ".obj") return MeshFormat::obj;
   if (ending == ".ply") return MeshFormat::ply;
-  throw ModelingError(path.string() + ": the ending names no mesh format; .stl, .obj and .ply are "
-                                      "read");
+  throw ModelingError(path.string() +
+                      ": the ending names no mesh format; .stl, .obj and .ply are "
+                      "read");
 }
 
 MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string& sourceName,

@@ -13,7 +13,8 @@ namespace palpa::modeling {
 enum class MeshFormat { stl, obj, ply };
 
 struct MeshReadOptions {
-  double scale = 1.0;  ///< mm per unit of the file, finite and > 0; mesh files do not tell their unit
+  double scale =
+      1.0;  ///< mm per unit of the file, finite and > 0; mesh files do not tell their unit
 };
 
 inline constexpr std::size_t kLargestMeshFile = 512U << 20U;  ///< bytes
@@ -21,8 +22,8 @@ inline constexpr int kMostMeshTriangles = 4'000'000;
 inline constexpr int kMostPolygonCorners = 2'000;
 inline constexpr int kMostMeshFaces = 1'000;
 
-/// Reads a mesh file by its ending (.stl, .obj, .ply in any case; STL and PLY as text or binary) and
-/// makes a body of it:
+/// Reads a mesh file by its ending (.stl, .obj, .ply in any case; STL and PLY as text or binary)
+/// and makes a body of it:
 /// - polygons are cut into triangles, vertices at exactly the same place become one, triangles
 ///   without extent and doubled ones are left out; vertices of open edges are joined when they are
 ///   within 1e-6 of the body's size;
@@ -34,9 +35,9 @@ inline constexpr int kMostMeshFaces = 1'000;
 /// Never makes a body that is not closed, cuts itself or consists of several pieces.
 ///
 /// @throws ModelingError that begins with the file's name: not found, unreadable, larger than
-///         kLargestMeshFile, a syntax error with its line or byte, counts that the file cannot hold,
-///         numbers that are not finite, indices out of range, and what is wrong with the surface
-///         with the number of places and the first of them; Cancelled.
+///         kLargestMeshFile, a syntax error with its line or byte, counts that the file cannot
+///         hold, numbers that are not finite, indices out of range, and what is wrong with the
+///         surface with the number of places and the first of them; Cancelled.
 /// Cost: about 4 s for a million triangles. Stops within a second when cancelled.
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options = {},
                       const Job& job = {});

@@ -78,9 +78,10 @@ class ObjText {
 
   static bool isIgnored(std::string_view keyword) {
     static const std::set<std::string_view> kKnown{
-        "vt", "vn", "vp", "s", "p", "l", "mtllib", "usemap", "maplib", "mg", "bevel", "c_interp",
-        "d_interp", "lod", "shadow_obj", "trace_obj", "deg", "bmat", "step", "parm", "trim", "hole",
-        "scrv", "sp", "end", "con", "curv2", "ctech", "stech"};
+        "vt",     "vn",   "vp",    "s",        "p",        "l",    "mtllib",     "usemap",
+        "maplib", "mg",   "bevel", "c_interp", "d_interp", "lod",  "shadow_obj", "trace_obj",
+        "deg",    "bmat", "step",  "parm",     "trim",     "hole", "scrv",       "sp",
+        "end",    "con",  "curv2", "ctech",    "stech"};
     return kKnown.contains(keyword);
   }
 
@@ -107,8 +108,7 @@ class ObjText {
   int corner(std::string_view word) const {
     const std::string_view first = word.substr(0, word.find('/'));
     long long index = 0;
-    const auto [end, error] =
-        std::from_chars(first.data(), first.data() + first.size(), index);
+    const auto [end, error] = std::from_chars(first.data(), first.data() + first.size(), index);
     if (error != std::errc() || end != first.data() + first.size())
       cursor_.fail("expected the number of a point, found " + excerpt(word));
     const auto count = static_cast<long long>(soup_.points.size());

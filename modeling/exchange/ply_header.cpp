@@ -84,13 +84,17 @@ void checkCounts(const PlyHeader& header) {
 std::size_t sizeOf(Type type) {
   switch (type) {
     case Type::int8:
-    case Type::uint8: return 1;
+    case Type::uint8:
+      return 1;
     case Type::int16:
-    case Type::uint16: return 2;
+    case Type::uint16:
+      return 2;
     case Type::int32:
     case Type::uint32:
-    case Type::float32: return 4;
-    case Type::float64: return 8;
+    case Type::float32:
+      return 4;
+    case Type::float64:
+      return 8;
   }
   return 8;
 }

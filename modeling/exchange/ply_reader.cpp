@@ -78,14 +78,22 @@ class Values {
 
   double nextBinary(Type type) {
     switch (type) {
-      case Type::int8: return take<std::int8_t>();
-      case Type::uint8: return take<std::uint8_t>();
-      case Type::int16: return take<std::int16_t>();
-      case Type::uint16: return take<std::uint16_t>();
-      case Type::int32: return take<std::int32_t>();
-      case Type::uint32: return take<std::uint32_t>();
-      case Type::float32: return take<float>();
-      case Type::float64: return take<double>();
+      case Type::int8:
+        return take<std::int8_t>();
+      case Type::uint8:
+        return take<std::uint8_t>();
+      case Type::int16:
+        return take<std::int16_t>();
+      case Type::uint16:
+        return take<std::uint16_t>();
+      case Type::int32:
+        return take<std::int32_t>();
+      case Type::uint32:
+        return take<std::uint32_t>();
+      case Type::float32:
+        return take<float>();
+      case Type::float64:
+        return take<double>();
     }
     return 0.0;
   }
@@ -143,8 +151,8 @@ class PlyBody {
 
   void others(const PlyHeader::Element& element) {
     for (const PlyHeader::Property& property : element.properties) {
-      const bool isPolygon = element.name == "face" && (property.name == "vertex_indices" ||
-                                                        property.name == "vertex_index");
+      const bool isPolygon = element.name == "face" &&
+                             (property.name == "vertex_indices" || property.name == "vertex_index");
       if (property.countType && isPolygon)
         polygon(property);
       else if (property.countType)

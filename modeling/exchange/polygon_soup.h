@@ -27,7 +27,8 @@ struct PolygonSoup {
   void closePolygon();
 };
 
-/// The three formats. Memory stays below a small multiple of the size of `bytes`, whatever they say.
+/// The three formats. Memory stays below a small multiple of the size of `bytes`, whatever they
+/// say.
 /// @throws ModelingError without the file's name
 PolygonSoup parseStl(std::string_view bytes, const Job& job);
 PolygonSoup parseObj(std::string_view bytes, const Job& job);

@@ -96,8 +96,8 @@ std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vector3d>& 
   const Vector3d origin = points[polygon[0]];
   Vector3d normal = Vector3d::Zero();  // Newell
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    normal += (points[polygon[i]] - origin)
-                  .cross(points[polygon[(i + 1) % polygon.size()]] - origin);
+    normal +=
+        (points[polygon[i]] - origin).cross(points[polygon[(i + 1) % polygon.size()]] - origin);
   if (normal.norm() == 0.0) normal = Vector3d::UnitZ();
   const Vector3d u = normal.unitOrthogonal();
   const Vector3d v = normal.normalized().cross(u);

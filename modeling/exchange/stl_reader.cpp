@@ -17,7 +17,8 @@ namespace {
 // two bytes without meaning. Numbers are little endian.
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
-static_assert(std::endian::native == std::endian::little, "binary STL is read as it lies in memory");
+static_assert(std::endian::native == std::endian::little,
+              "binary STL is read as it lies in memory");
 
 template <class T>
 T at(std::string_view bytes, std::size_t offset) {

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTurn = 0.77;           // cosine of 40°: where a feature turns more is a corner
-constexpr double kSameSide = 0.5;        // least cosine between a triangle's old and new normal
+constexpr double kTurn = 0.77;             // cosine of 40°: where a feature turns more is a corner
+constexpr double kSameSide = 0.5;          // least cosine between a triangle's old and new normal
 constexpr double kGoodAngleCosine = 0.82;  // 35°: a relaxed star need not be better than that
-constexpr double kFarOff = 0.5;          // of the edge: a projection that jumps farther is wrong
+constexpr double kFarOff = 0.5;            // of the edge: a projection that jumps farther is wrong
 constexpr double kMostCollapseSag = 0.14;  // of an edge; what makes more loses a curved surface
 constexpr double kFlatStar = 0.98;  // cosine of 11°: no edge over a flatter star sags as much
 
@@ -71,9 +71,9 @@ SurfaceEditor::SurfaceEditor(const TaggedSurface& surface, const OriginalSurface
   for (int node = 0; node < nodeCount(); ++node) {
     const std::vector<int> rails = featureNeighbours(node);
     if (rails.empty()) continue;
-    corner_[node] = rails.size() != 2 || cosineBetween(positions_[node] - positions_[rails[0]],
-                                                       positions_[rails[1]] - positions_[node]) <
-                                             kTurn;
+    corner_[node] =
+        rails.size() != 2 || cosineBetween(positions_[node] - positions_[rails[0]],
+                                           positions_[rails[1]] - positions_[node]) < kTurn;
   }
 }
 
@@ -177,9 +177,8 @@ bool SurfaceEditor::wouldSag(int from, int to, int other) const {
 bool SurfaceEditor::isFlat(int node) const {
   Vector3d sum = Vector3d::Zero();
   for (int t : around_[node]) sum += normal(triangles_[t]);
-  return std::all_of(around_[node].begin(), around_[node].end(), [&](int t) {
-    return cosineBetween(normal(triangles_[t]), sum) > kFlatStar;
-  });
+  return std::all_of(around_[node].begin(), around_[node].end(),
+                     [&](int t) { return cosineBetween(normal(triangles_[t]), sum) > kFlatStar; });
 }
 
 bool SurfaceEditor::starStays(int node, const Vector3d& there) const {
@@ -385,8 +384,7 @@ bool SurfaceEditor::relax(int node) {
     return (there - wanted).norm() < kFarOff * length(node, to) && tryMove(node, there);
   }
   const Vector3d wanted = relaxedInside(node);
-  const Vector3d there =
-      original_.onRegion(tags_[around_[node].front()].region, wanted);
+  const Vector3d there = original_.onRegion(tags_[around_[node].front()].region, wanted);
   if ((there - wanted).norm() > kFarOff * sizes_[node]) return false;
   return tryMove(node, there);
 }

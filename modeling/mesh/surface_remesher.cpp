@@ -12,12 +12,12 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kLong = 4.0 / 3.0;  // of the wanted length; Botsch and Kobbelt's bounds, between
+constexpr double kLong = 4.0 / 3.0;   // of the wanted length; Botsch and Kobbelt's bounds, between
 constexpr double kShort = 4.0 / 5.0;  // which splitting and collapsing do not undo each other
 constexpr double kMostTurn = std::numbers::pi / 4.0;  // of a feature line between two nodes
-constexpr double kMostSag = 0.13;     // of an edge: an arc of about 60 degrees
-constexpr double kSliver = 20.0;      // degrees
-constexpr double kRelief = 0.6;       // new length of an edge that is to become shorter
+constexpr double kMostSag = 0.13;                     // of an edge: an arc of about 60 degrees
+constexpr double kSliver = 20.0;                      // degrees
+constexpr double kRelief = 0.6;              // new length of an edge that is to become shorter
 constexpr double kLeastRelief = 1.0 / 32.0;  // of the largest size
 constexpr int kPasses = 6;
 constexpr int kReliefRounds = 5;
@@ -36,7 +36,9 @@ struct Edge {
 class Remesher {
  public:
   Remesher(const TaggedSurface& surface, SizeField sizes, const Job& job)
-      : original_(surface), sizes_(std::move(sizes)), editor_(surface, original_, sizes_),
+      : original_(surface),
+        sizes_(std::move(sizes)),
+        editor_(surface, original_, sizes_),
         job_(job) {}
 
   TaggedSurface run() {
@@ -220,8 +222,7 @@ class Remesher {
   bool isSharpCorner(const std::array<int, 3>& n) const {
     int shortest = 0;
     for (int k = 1; k < 3; ++k)
-      if (editor_.length(n[k], n[(k + 1) % 3]) <
-          editor_.length(n[shortest], n[(shortest + 1) % 3]))
+      if (editor_.length(n[k], n[(k + 1) % 3]) < editor_.length(n[shortest], n[(shortest + 1) % 3]))
         shortest = k;
     const int tip = n[(shortest + 2) % 3];
     return editor_.isFeature(tip, n[shortest]) && editor_.isFeature(tip, n[(shortest + 1) % 3]);
