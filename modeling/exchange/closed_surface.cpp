@@ -167,7 +167,8 @@ void checkEdges(const ClosedSurface& surface, const WrongEdges& wrong) {
                         edgeText(surface, wrong.open.front()) + "; close the surface");
 }
 
-/// Turns triangles so that neighbours agree.
+/// Turns triangles so that neighbours agree. Few connected parts are allowed, because what encloses
+/// what is found by comparing each with each.
 void orient(ClosedSurface& surface) {
   const auto neighbours = triangleNeighbours(surface.triangles);
   std::vector<bool> reached(surface.triangles.size(), false);
@@ -178,8 +179,12 @@ void orient(ClosedSurface& surface) {
       if (n[k] == a && n[(k + 1) % 3] == b) return true;
     return false;
   };
+  int parts = 0;
   for (std::size_t seed = 0; seed < reached.size(); ++seed) {
     if (reached[seed]) continue;
+    if (++parts > kMostMeshShells)
+      throw ModelingError("consists of more than " + std::to_string(kMostMeshShells) +
+                          " closed surfaces; a project has one body with its cavities");
     reached[seed] = true;
     open.push_back(static_cast<int>(seed));
     while (!open.empty()) {

@@ -21,6 +21,7 @@ inline constexpr std::size_t kLargestMeshFile = 512U << 20U;  ///< bytes
 inline constexpr int kMostMeshTriangles = 4'000'000;
 inline constexpr int kMostPolygonCorners = 2'000;
 inline constexpr int kMostMeshFaces = 1'000;
+inline constexpr int kMostMeshShells = 200;  ///< closed surfaces: the body's and its cavities'
 
 /// Reads a mesh file by its ending (.stl, .obj, .ply in any case; STL and PLY as text or binary)
 /// and makes a body of it:
@@ -38,7 +39,7 @@ inline constexpr int kMostMeshFaces = 1'000;
 ///         kLargestMeshFile, a syntax error with its line or byte, counts that the file cannot
 ///         hold, numbers that are not finite, indices out of range, and what is wrong with the
 ///         surface with the number of places and the first of them; Cancelled.
-/// Cost: about 4 s for a million triangles. Stops within a second when cancelled.
+/// Cost: about 6 s for a million triangles. Stops within a second when cancelled.
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options = {},
                       const Job& job = {});
 

@@ -36,10 +36,11 @@ class EarClipping {
   std::vector<std::array<int, 3>> run() {
     std::vector<std::array<int, 3>> triangles;
     int first = 0;
+    int refreshes = 20;
     for (std::size_t left = polygon_.size(); left > 3; --left) {
       int ear = bestEar(first);
-      if (quality_[ear] <= 0.0) {
-        // What stood in the way may be gone by now.
+      if (quality_[ear] <= 0.0 && refreshes-- > 0) {
+        // What stood in the way may be gone by now. A polygon that crosses itself has no ears.
         for (int i = after_[ear]; i != ear; i = after_[i]) quality_[i] = quality(i);
         quality_[ear] = quality(ear);
         ear = bestEar(first);

@@ -303,6 +303,9 @@ TEST(MeshReader, CrowdedEdgesAndVerticesAreNamed) {
 TEST(MeshReader, SurfacesThatCutThemselvesAreRefused) {
   expectRefused(cube(0.0, 1) + cube(0.5, 9), MeshFormat::obj, {"cuts or touches itself", "mm"});
   expectRefused(cube(0.0, 1) + cube(2.0, 9), MeshFormat::obj, {"2 separate bodies"});
+  std::string many;
+  for (int i = 0; i < 201; ++i) many += cube(2.0 * i, 8 * i + 1);
+  expectRefused(many, MeshFormat::obj, {"more than 200 closed surfaces"});
 }
 
 TEST(MeshReader, AKleinBottleHasNoInside) {
