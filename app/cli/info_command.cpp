@@ -67,6 +67,47 @@ std::array<Eigen::Vector3d, 2> surfaceBox(const modeling::SurfaceEvaluator& surf
   return {low, high};
 }
 
+std::array<Eigen::Vector3d, 2> surfaceBox(const modeling::Body& body) {
+  const auto* solid = std::get_if<modeling::Solid>(&body);
+  return solid ? surfaceBox(modeling::SurfaceEvaluator(*solid)) : modeling::boundingBox(body);
+}
+
+/// Adds what the body consists of to the report and returns it as text.
+std::string describe(const modeling::Solid& solid, Json& report) {
+  report["control_points"] = solid.controlPoints().size();
+  report["patches"] = Json::array();
+  std::string text = format("solid      %zu patches over %zu control points\n",
+                            solid.patches().size(), solid.controlPoints().size());
+  for (const modeling::Patch& patch : solid.patches()) {
+    report["patches"].push_back({{"name", patch.name},
+                                 {"degree", {patch.degree[0], patch.degree[1]}},
+                                 {"net", {patch.net.size(), patch.net.front().size()}}});
+    text += format("  %s: degree %d × %d, net %zu × %zu\n", patch.name.c_str(), patch.degree[0],
+                   patch.degree[1], patch.net.size(), patch.net.front().size());
+  }
+  return text;
+}
+
+std::string describe(const modeling::MeshBody& body, Json& report) {
+  std::vector<std::size_t> triangles(body.faceNames().size(), 0);
+  for (const int face : body.faceOfTriangle()) ++triangles[face];
+  report["vertices"] = body.positions().size();
+  report["triangles"] = body.triangles().size();
+  report["faces"] = Json::array();
+  std::string text = format("mesh body  %zu faces, %zu triangles; it has no control points\n",
+                            triangles.size(), body.triangles().size());
+  for (std::size_t face = 0; face < triangles.size(); ++face) {
+    const std::string& name = body.faceNames()[face];
+    report["faces"].push_back({{"name", name}, {"triangles", triangles[face]}});
+    text += format("  %s: %zu triangles\n", name.c_str(), triangles[face]);
+  }
+  return text;
+}
+
+std::string describe(const modeling::Body& body, Json& report) {
+  return std::visit([&](const auto& one) { return describe(one, report); }, body);
+}
+
 class InfoCommand : public Command {
  public:
   std::string name() const override { return "info"; }
@@ -77,11 +118,9 @@ class InfoCommand : public Command {
 
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
-    const auto& solid = std::get<modeling::Solid>(project.body);
-    const modeling::SurfaceEvaluator surface(solid);
-    const auto box = surfaceBox(surface);
-    const double volume = modeling::volume(surface);
-    const double area = modeling::area(surface);
+    const auto box = surfaceBox(project.body);
+    const double volume = modeling::volume(project.body);
+    const double area = modeling::area(project.body);
     const double nodes = modeling::estimateNodeCount(project.body, project.mesh);
 
     Json report{{"name", project.name},
@@ -89,8 +128,6 @@ class InfoCommand : public Command {
                  {{"name", project.material.name},
                   {"youngs_modulus_MPa", project.material.youngsModulus},
                   {"poisson_ratio", project.material.poissonRatio}}},
-                {"control_points", solid.controlPoints().size()},
-                {"patches", Json::array()},
                 {"bounding_box_mm", {toJson(box[0]), toJson(box[1])}},
                 {"volume_mm3", volume},
                 {"area_mm2", area},
@@ -104,15 +141,7 @@ class InfoCommand : public Command {
     std::string text = "name       " + project.name + "\n";
     text += format("material   %s, E = %.6g MPa, nu = %.6g\n", project.material.name.c_str(),
                    project.material.youngsModulus, project.material.poissonRatio);
-    text += format("solid      %zu patches over %zu control points\n", solid.patches().size(),
-                   solid.controlPoints().size());
-    for (const modeling::Patch& patch : solid.patches()) {
-      report["patches"].push_back({{"name", patch.name},
-                                   {"degree", {patch.degree[0], patch.degree[1]}},
-                                   {"net", {patch.net.size(), patch.net.front().size()}}});
-      text += format("  %s: degree %d × %d, net %zu × %zu\n", patch.name.c_str(), patch.degree[0],
-                     patch.degree[1], patch.net.size(), patch.net.front().size());
-    }
+    text += describe(project.body, report);
     text += "size       " + toText(box[0]) + " … " + toText(box[1]) + " mm\n";
     text += format("volume     %.6g mm³, surface %.6g mm²\n", volume, area);
     for (const modeling::Support& support : project.supports) {

@@ -19,8 +19,8 @@ using Triangles = std::vector<std::array<int, 3>>;
 std::vector<std::array<int, 3>> triangleNeighbours(const Triangles& triangles);
 
 /// For each triangle the one whose normal and membership it takes: itself, or, for a triangle too
-/// thin for a reliable normal, its neighbour over the longest edge (followed until one is reliable),
-/// so that slivers do not look like sharp edges.
+/// thin for a reliable normal, its neighbour over the longest edge (followed until one is
+/// reliable), so that slivers do not look like sharp edges.
 std::vector<int> reliableTriangles(const std::vector<Eigen::Vector3d>& positions,
                                    const Triangles& triangles,
                                    std::span<const std::array<int, 3>> neighbours);

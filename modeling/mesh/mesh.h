@@ -84,7 +84,7 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});
 
-inline constexpr double kMostVolumeChange = 0.2;
+inline constexpr double kMostVolumeChange = 0.5;
 
 inline constexpr double kMostNodes = 5e6;
 

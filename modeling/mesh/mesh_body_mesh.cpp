@@ -75,6 +75,14 @@ void forRefinedEdges(const TaggedSurface& surface, const RefinedFeatures& refine
     }
 }
 
+/// An edge length much larger than the body means one as large as it: what is derived from it
+/// would lose all meaning.
+MeshSettings bounded(MeshSettings settings, const MeshBody& body) {
+  const auto [low, high] = boundingBox(Body(body));
+  settings.edgeLength = std::min(settings.edgeLength, 0.5 * (high - low).norm());
+  return settings;
+}
+
 double finestLength(const MeshSettings& settings) {
   return std::ldexp(settings.edgeLength, -settings.refinementLevels);
 }
@@ -187,9 +195,11 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                             " nodes; at most " + numberText(kMostNodes) + " are possible",
                         ModelingError::Kind::tooLarge);
   const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
-  const TaggedSurface original = cutSurface(body, settings, halfSpaces);
-  const RefinedFeatures refined(body, settings, regions, halfSpaces);
-  TaggedSurface surface = remesh(original, sizeField(original, settings, refined), job);
+  const MeshSettings used = bounded(settings, body);
+  const TaggedSurface original = cutSurface(body, used, halfSpaces);
+  job.throwIfCancelled();
+  const RefinedFeatures refined(body, used, regions, halfSpaces);
+  TaggedSurface surface = remesh(original, sizeField(original, used, refined), job);
   checkVolume(surface, body, settings.edgeLength);
   renumber(surface);
   SurfaceMesh mesh;

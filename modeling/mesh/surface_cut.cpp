@@ -13,7 +13,12 @@ constexpr double kRounding = 1e-9;  // of the longest extent; nearer vertices li
 constexpr double kAlong = 0.1;      // largest slope against the border of an edge that snaps to it
 
 /// Signed distances of all vertices from the border in mm, exactly 0 for those that lie on it.
-std::vector<double> distances(const TaggedSurface& surface, const HalfSpace& half, double snap) {
+struct Distances {
+  std::vector<double> exact;
+  std::vector<double> snapped;  ///< with the features that run along the border put onto it
+};
+
+Distances distances(const TaggedSurface& surface, const HalfSpace& half, double snap) {
   Eigen::Vector3d low = surface.positions.front();
   Eigen::Vector3d high = low;
   for (const Eigen::Vector3d& p : surface.positions) {
@@ -21,12 +26,12 @@ std::vector<double> distances(const TaggedSurface& surface, const HalfSpace& hal
     high = high.cwiseMax(p);
   }
   const double tolerance = kRounding * (high - low).norm();
-  std::vector<double> result;
+  std::vector<double> exact;
   for (const Eigen::Vector3d& p : surface.positions) {
     const double d = half.value(p) / half.normal.norm();
-    result.push_back(std::abs(d) <= tolerance ? 0.0 : d);
+    exact.push_back(std::abs(d) <= tolerance ? 0.0 : d);
   }
-  const std::vector<double> exact = result;
+  std::vector<double> snapped = exact;
   const auto neighbours = triangleNeighbours(surface.triangles);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -36,22 +41,28 @@ std::vector<double> distances(const TaggedSurface& surface, const HalfSpace& hal
       const double length = (surface.positions[a] - surface.positions[b]).norm();
       if (std::abs(exact[a]) <= snap && std::abs(exact[b]) <= snap &&
           std::abs(exact[a] - exact[b]) <= kAlong * length)
-        result[a] = result[b] = 0.0;
+        snapped[a] = snapped[b] = 0.0;
     }
-  return result;
+  return {std::move(exact), std::move(snapped)};
 }
 
 class Cutter {
  public:
-  Cutter(TaggedSurface& surface, std::vector<double> distance)
-      : surface_(surface), distance_(std::move(distance)) {}
+  Cutter(TaggedSurface& surface, Distances distances)
+      : surface_(surface),
+        exact_(std::move(distances.exact)),
+        distance_(std::move(distances.snapped)) {}
 
   void cut() {
     const std::size_t before = surface_.triangles.size();
     for (std::size_t t = 0; t < before; ++t) cutTriangle(t);
   }
 
-  const std::vector<double>& distance() const { return distance_; }
+  bool isInside(const std::array<int, 3>& n) const {
+    const double sum = distance_[n[0]] + distance_[n[1]] + distance_[n[2]];
+    // A triangle in the border, or put onto it, lies where it was before.
+    return (sum != 0.0 ? sum : exact_[n[0]] + exact_[n[1]] + exact_[n[2]]) < 0.0;
+  }
 
  private:
   bool isCrossed(int a, int b) const { return distance_[a] * distance_[b] < 0.0; }
@@ -65,6 +76,7 @@ class Cutter {
       surface_.positions.push_back((1.0 - s) * surface_.positions[low] +
                                    s * surface_.positions[high]);
       distance_.push_back(0.0);
+      exact_.push_back(0.0);
     }
     return place->second;
   }
@@ -102,6 +114,7 @@ class Cutter {
   }
 
   TaggedSurface& surface_;
+  std::vector<double> exact_;
   std::vector<double> distance_;
   std::map<std::pair<int, int>, int> onEdge_;
 };
@@ -111,12 +124,8 @@ class Cutter {
 void cutAtBorder(TaggedSurface& surface, const HalfSpace& half, int k, double snap) {
   Cutter cutter(surface, distances(surface, half, snap));
   cutter.cut();
-  const std::vector<double>& distance = cutter.distance();
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    double sum = 0.0;
-    for (int node : surface.triangles[t]) sum += distance[node];
-    if (sum < 0.0) surface.tags[t].sides |= std::uint64_t{1} << k;
-  }
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (cutter.isInside(surface.triangles[t])) surface.tags[t].sides |= std::uint64_t{1} << k;
 }
 
 }  // namespace palpa::modeling

@@ -17,7 +17,7 @@ constexpr double kSameSide = 0.5;          // least cosine between a triangle's 
 constexpr double kGoodAngleCosine = 0.82;  // 35°: a relaxed star need not be better than that
 constexpr double kFarOff = 0.5;            // of the edge: a projection that jumps farther is wrong
 constexpr double kMostCollapseSag = 0.14;  // of an edge; what makes more loses a curved surface
-constexpr double kCoarse = 0.5;  // of the wanted length, from which on edges are checked for sag
+constexpr double kFlatStar = 0.98;  // cosine of 11°: no edge over a flatter star sags as much
 
 double cosineBetween(const Vector3d& a, const Vector3d& b) {
   const double lengths = a.norm() * b.norm();
@@ -169,10 +169,16 @@ double SurfaceEditor::sag(int a, int b) const {
 /// Would the edge from–other cut off too much of the surface as to–other?
 bool SurfaceEditor::wouldSag(int from, int to, int other) const {
   const double longer = length(to, other);
-  if (longer < kCoarse * 0.5 * (sizes_[to] + sizes_[other]) || longer <= length(from, other))
-    return false;
+  if (longer <= length(from, other)) return false;
   const Vector3d middle = 0.5 * (positions_[to] + positions_[other]);
   return (onOriginal(from, other, middle) - middle).norm() > kMostCollapseSag * longer;
+}
+
+bool SurfaceEditor::isFlat(int node) const {
+  Vector3d sum = Vector3d::Zero();
+  for (int t : around_[node]) sum += normal(triangles_[t]);
+  return std::all_of(around_[node].begin(), around_[node].end(),
+                     [&](int t) { return cosineBetween(normal(triangles_[t]), sum) > kFlatStar; });
 }
 
 bool SurfaceEditor::starStays(int node, const Vector3d& there) const {
@@ -249,12 +255,13 @@ bool SurfaceEditor::collapse(int from, int to) {
     if (!rails.empty() && isFeature(from, apex) && isFeature(to, apex)) return false;
     if (!rails.empty() && rails[0] != to && rails[1] != to) return false;
   }
+  const bool flat = isFlat(from);
   for (int other : mine) {
     constexpr double kLongest = 4.0 / 3.0;
     if (other != to && length(other, to) > kLongest * 0.5 * (sizes_[other] + sizes_[to]) &&
         length(other, to) > length(other, from))
       return false;
-    if (other != to && wouldSag(from, to, other)) return false;
+    if (!flat && other != to && wouldSag(from, to, other)) return false;
   }
   double worst = -1.0;
   for (int t : around_[from]) {
@@ -314,6 +321,15 @@ bool SurfaceEditor::flip(int a, int b) {
   if (1.0 - std::max(angle(first), angle(second)) <
       kGain * (1.0 - std::max(smallestAngleCosine(left), smallestAngleCosine(right))))
     return false;
+  if (bend < kFlatStar) {
+    const auto sagOf = [&](int from, int to) {
+      const Vector3d middle = 0.5 * (positions_[from] + positions_[to]);
+      return (onOriginal(a, b, middle) - middle).norm();
+    };
+    const double shortest =
+        std::min({length(a, c), length(c, b), length(b, d), length(d, a), length(c, d)});
+    if (sagOf(c, d) > std::max(sagOf(a, b), kMostCollapseSag * shortest)) return false;
+  }
   replace(left, first);
   replace(right, second);
   return true;

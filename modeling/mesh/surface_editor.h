@@ -77,6 +77,7 @@ class SurfaceEditor {
   Eigen::Vector3d normalWith(const std::array<int, 3>& triangle, int node,
                              const Eigen::Vector3d& there) const;
   Eigen::Vector3d onOriginal(int a, int b, const Eigen::Vector3d& point) const;
+  bool isFlat(int node) const;
   bool wouldSag(int from, int to, int other) const;
   bool starStays(int node, const Eigen::Vector3d& there) const;
   double worstAngleCosine(int node) const;

@@ -26,11 +26,21 @@ struct Soup {
 
 Soup sphereSoup(double radius, int level) {
   const double g = std::numbers::phi;
-  Soup soup{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-             {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
-            {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-             {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-             {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  Soup soup{{{-1, g, 0},
+             {1, g, 0},
+             {-1, -g, 0},
+             {1, -g, 0},
+             {0, -1, g},
+             {0, 1, g},
+             {0, -1, -g},
+             {0, 1, -g},
+             {g, 0, -1},
+             {g, 0, 1},
+             {-g, 0, -1},
+             {-g, 0, 1}},
+            {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+             {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+             {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (int i = 0; i < level; ++i) {
     std::map<std::pair<int, int>, int> middles;
     const auto middle = [&](int a, int b) {
@@ -58,7 +68,8 @@ Soup sphereSoup(double radius, int level) {
 
 MeshBody oneFace(std::vector<Vector3d> positions, std::vector<Triangle> triangles) {
   const std::size_t count = triangles.size();
-  return MeshBody({std::move(positions), std::move(triangles), std::vector<int>(count, 0), {"all"}});
+  return MeshBody(
+      {std::move(positions), std::move(triangles), std::vector<int>(count, 0), {"all"}});
 }
 
 MeshBody bodyOf(const Solid& solid, double edgeLength) {
@@ -91,7 +102,7 @@ MeshBody boredCylinder(double radius, double bore, double height, int sides) {
     const Vector3d out(std::cos(2 * kPi * i / sides), std::sin(2 * kPi * i / sides), 0);
     for (const double r : {radius, bore})
       for (const double z : {0.0, height}) soup.positions.push_back(r * out + Vector3d(0, 0, z));
-    const int a = 4 * i;                  // outer bottom, outer top, inner bottom, inner top
+    const int a = 4 * i;  // outer bottom, outer top, inner bottom, inner top
     const int b = 4 * ((i + 1) % sides);
     soup.quad(a, b, b + 1, a + 1);
     soup.quad(b + 2, a + 2, a + 3, b + 3);

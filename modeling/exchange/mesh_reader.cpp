@@ -1,0 +1,153 @@
+#include "modeling/exchange/mesh_reader.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include "modeling/body/smooth_regions.h"
+#include "modeling/error.h"
+#include "modeling/exchange/closed_surface.h"
+#include "modeling/exchange/text_cursor.h"
+#include "modeling/text.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr int kMostFoundFaces = 100;
+constexpr double kSmallestFace = 1e-3;  // of the whole area
+constexpr std::size_t kLongestName = 80;
+
+PolygonSoup parseSoup(std::string_view bytes, MeshFormat format, const Job& job) {
+  switch (format) {
+    case MeshFormat::stl:
+      return parseStl(bytes, job);
+    case MeshFormat::obj:
+      return parseObj(bytes, job);
+    case MeshFormat::ply:
+      return parsePly(bytes, job);
+  }
+  throw std::invalid_argument("parseMesh: no such format");
+}
+
+/// Names in project files are UTF-8; a file's may be anything.
+std::string faceName(std::string_view name) {
+  std::string result(name.substr(0, kLongestName));
+  for (char& c : result)
+    if (c < ' ' || c > '~') c = '_';
+  return result;
+}
+
+/// The groups become faces in the order of the file, those without a triangle left out. Equal names
+/// after cleaning get a number.
+void nameByGroups(const ClosedSurface& surface, const std::vector<std::string>& groupNames,
+                  MeshBody::Data& data) {
+  std::vector<int> faceOfGroup(groupNames.size(), -1);
+  std::map<std::string, int> uses;
+  for (int group : surface.groups) {
+    if (faceOfGroup[group] >= 0) continue;
+    faceOfGroup[group] = 0;
+  }
+  for (std::size_t g = 0; g < groupNames.size(); ++g) {
+    if (faceOfGroup[g] < 0) continue;
+    faceOfGroup[g] = static_cast<int>(data.faceNames.size());
+    std::string name = faceName(groupNames[g]);
+    if (name.empty()) name = "face";
+    const std::string plain = name;
+    while (++uses[name] > 1) name = plain + "_" + std::to_string(uses[plain]);
+    data.faceNames.push_back(name);
+  }
+  if (data.faceNames.size() > static_cast<std::size_t>(kMostMeshFaces))
+    throw ModelingError("has " + std::to_string(data.faceNames.size()) + " groups; at most " +
+                            std::to_string(kMostMeshFaces) + " can become faces",
+                        ModelingError::Kind::tooLarge);
+  for (int group : surface.groups) data.faceOfTriangle.push_back(faceOfGroup[group]);
+}
+
+void nameBySharpEdges(const ClosedSurface& surface, MeshBody::Data& data) {
+  double twiceArea = 0.0;
+  const auto& p = surface.positions;
+  for (const auto& [a, b, c] : surface.triangles)
+    twiceArea += (p[b] - p[a]).cross(p[c] - p[a]).norm();
+  data.faceOfTriangle =
+      smoothRegions(p, surface.triangles, 0.5 * kSmallestFace * twiceArea, kMostFoundFaces);
+  const int count = *std::max_element(data.faceOfTriangle.begin(), data.faceOfTriangle.end()) + 1;
+  for (int face = 1; face <= count; ++face)
+    data.faceNames.push_back("face_" + std::to_string(face));
+}
+
+MeshBody bodyFrom(std::string_view bytes, MeshFormat format, const MeshReadOptions& options,
+                  const Job& job) {
+  if (!std::isfinite(options.scale) || options.scale <= 0.0)
+    throw ModelingError("the scale " + numberText(options.scale) +
+                        " must be finite and greater than 0");
+  if (bytes.size() > kLargestMeshFile)
+    throw ModelingError("has " + std::to_string(bytes.size()) + " bytes; at most " +
+                            std::to_string(kLargestMeshFile) + " are read",
+                        ModelingError::Kind::tooLarge);
+  job.report("import", 0.0);
+  const PolygonSoup soup = parseSoup(bytes, format, job);
+  job.report("import", 0.3);
+  ClosedSurface surface = closeSurface(soup, options.scale, job);
+  job.report("import", 0.6);
+  makeBoundary(surface, job);
+  job.report("import", 0.9);
+  MeshBody::Data data;
+  if (surface.groups.empty() ||
+      std::equal(surface.groups.begin() + 1, surface.groups.end(), surface.groups.begin()))
+    nameBySharpEdges(surface, data);
+  else
+    nameByGroups(surface, soup.groupNames, data);
+  data.positions = std::move(surface.positions);
+  data.triangles = std::move(surface.triangles);
+  MeshBody body(std::move(data));
+  job.report("import", 1.0);
+  return body;
+}
+
+}  // namespace
+
+MeshFormat meshFormatOf(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  if (ending == ".stl") return MeshFormat::stl;
+  if (ending == ".obj") return MeshFormat::obj;
+  if (ending == ".ply") return MeshFormat::ply;
+  throw ModelingError(path.string() +
+                      ": the ending names no mesh format; .stl, .obj and .ply are "
+                      "read");
+}
+
+MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string& sourceName,
+                   const MeshReadOptions& options, const Job& job) {
+  try {
+    return bodyFrom(bytes, format, options, job);
+  } catch (const ModelingError& error) {
+    throw ModelingError(sourceName + ": " + error.what(), error.kind());
+  }
+}
+
+MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
+                      const Job& job) {
+  const MeshFormat format = meshFormatOf(path);
+  const std::string name = path.string();
+  std::error_code code;
+  if (!std::filesystem::exists(path, code))
+    throw ModelingError(name + ": there is no such file", ModelingError::Kind::notFound);
+  if (!std::filesystem::is_regular_file(path, code))
+    throw ModelingError(name + ": this is not a file", ModelingError::Kind::io);
+  const std::uintmax_t size = std::filesystem::file_size(path, code);
+  if (!code && size > kLargestMeshFile)
+    throw ModelingError(name + ": the file has " + std::to_string(size) + " bytes; at most " +
+                            std::to_string(kLargestMeshFile) + " are read",
+                        ModelingError::Kind::tooLarge);
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(code ? 0 : size, '\0');
+  if (!file || code || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    throw ModelingError(name + ": the file cannot be read", ModelingError::Kind::io);
+  return parseMesh(bytes, format, name, options, job);
+}
+
+}  // namespace palpa::modeling

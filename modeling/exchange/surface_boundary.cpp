@@ -1,0 +1,158 @@
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <optional>
+
+#include "modeling/error.h"
+#include "modeling/exchange/closed_surface.h"
+
+namespace palpa::modeling {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Face = Mesh::Face_index;
+using GroupMap = Mesh::Property_map<Face, int>;
+
+Eigen::Vector3d centre(const Mesh& mesh, Face face) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) {
+    const Kernel::Point_3& p = mesh.point(vertex);
+    sum += Eigen::Vector3d(p.x(), p.y(), p.z());
+  }
+  return sum / 3.0;
+}
+
+Mesh toMesh(const ClosedSurface& surface, GroupMap& groups) {
+  Mesh mesh;
+  for (const Eigen::Vector3d& p : surface.positions) mesh.add_vertex({p.x(), p.y(), p.z()});
+  groups = mesh.add_property_map<Face, int>("f:group", -1).first;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto vertex = [&](int k) {
+      return Mesh::Vertex_index(static_cast<Mesh::size_type>(surface.triangles[t][k]));
+    };
+    const Face face = mesh.add_face(vertex(0), vertex(1), vertex(2));
+    if (face == Mesh::null_face())
+      throw ModelingError("parts of the surface touch near " +
+                          placeText(surface.positions[surface.triangles[t][0]]));
+    groups[face] = surface.groups.empty() ? 0 : surface.groups[t];
+  }
+  return mesh;
+}
+
+ClosedSurface fromMesh(const Mesh& mesh, const GroupMap& groups, bool hasGroups) {
+  ClosedSurface surface;
+  std::vector<int> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
+  for (const auto vertex : mesh.vertices()) {
+    number[vertex] = static_cast<int>(surface.positions.size());
+    const Kernel::Point_3& p = mesh.point(vertex);
+    surface.positions.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const Face face : mesh.faces()) {
+    std::array<int, 3> triangle{};
+    int k = 0;
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+      triangle[k++] = number[vertex];
+    surface.triangles.push_back(triangle);
+    if (hasGroups) surface.groups.push_back(groups[face]);
+  }
+  return surface;
+}
+
+/// The repair fills small holes with new faces: these belong to their neighbours' group.
+void fillGroups(const Mesh& mesh, GroupMap& groups) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const Face face : mesh.faces()) {
+      if (groups[face] >= 0) continue;
+      for (const auto edge : mesh.halfedges_around_face(mesh.halfedge(face))) {
+        const Face other = mesh.face(mesh.opposite(edge));
+        if (other == Mesh::null_face() || groups[other] < 0) continue;
+        groups[face] = groups[other];
+        changed = true;
+        break;
+      }
+    }
+  }
+}
+
+void removeFlatTriangles(Mesh& mesh, GroupMap& groups) {
+  for (const Face face : mesh.faces())
+    if (pmp::is_degenerate_triangle_face(face, mesh)) {
+      if (!pmp::remove_degenerate_faces(mesh) || !CGAL::is_closed(mesh))
+        throw ModelingError("triangles without area near " + placeText(centre(mesh, face)) +
+                            " cannot be removed; repair the surface");
+      fillGroups(mesh, groups);
+      return;
+    }
+}
+
+struct Found {
+  Face one;
+  Face other;
+};
+
+void refuseSelfIntersection(const Mesh& mesh) {
+  // The first pair ends the search: there may be as many as the square of the triangles.
+  struct StopAtFirst {
+    StopAtFirst& operator*() { return *this; }
+    StopAtFirst& operator++() { return *this; }
+    StopAtFirst& operator++(int) { return *this; }
+    StopAtFirst& operator=(const std::pair<Face, Face>& pair) {
+      throw Found{pair.first, pair.second};
+    }
+  };
+  try {
+    pmp::self_intersections(mesh, StopAtFirst());
+  } catch (const Found& found) {
+    throw ModelingError("the surface cuts or touches itself: a triangle around " +
+                        placeText(centre(mesh, found.one)) + " and one around " +
+                        placeText(centre(mesh, found.other)) +
+                        " overlap; separate the walls or unite the bodies");
+  }
+}
+
+/// Outwards around the whole, inwards around its cavities.
+void orientOutwards(Mesh& mesh) {
+  pmp::orient_to_bound_a_volume(mesh);
+  const auto part = mesh.add_property_map<Face, std::size_t>("f:part", 0).first;
+  std::vector<double> volumes(pmp::connected_components(mesh, part), 0.0);
+  const Kernel::Point_3 origin = mesh.point(*mesh.vertices().begin());
+  for (const Face face : mesh.faces()) {
+    std::array<Kernel::Point_3, 3> p;
+    int k = 0;
+    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
+      p[k++] = mesh.point(vertex);
+    volumes[part[face]] += CGAL::volume(origin, p[0], p[1], p[2]);
+  }
+  const auto bodies =
+      std::count_if(volumes.begin(), volumes.end(), [](double volume) { return volume > 0.0; });
+  if (bodies > 1)
+    throw ModelingError("holds " + std::to_string(bodies) +
+                        " separate bodies; a project has one: keep one of them or unite them");
+}
+
+}  // namespace
+
+void makeBoundary(ClosedSurface& surface, const Job& job) {
+  try {
+    GroupMap groups;
+    Mesh mesh = toMesh(surface, groups);
+    job.throwIfCancelled();
+    removeFlatTriangles(mesh, groups);
+    job.throwIfCancelled();
+    refuseSelfIntersection(mesh);
+    job.throwIfCancelled();
+    orientOutwards(mesh);
+    surface = fromMesh(mesh, groups, !surface.groups.empty());
+  } catch (const CGAL::Failure_exception&) {
+    throw ModelingError("the surface is too irregular to tell inside from outside; repair it");
+  }
+}
+
+}  // namespace palpa::modeling
