@@ -66,7 +66,8 @@ bool writeIges(const ShapeOfSolid& made, const Solid& solid, const std::string& 
   Interface_Static::SetCVal("write.iges.unit", "MM");
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.iges.header.product", name.c_str());
-  constexpr int kBoundaryRepresentation = 1;  // faces share edges, instead of loose trimmed surfaces
+  constexpr int kBoundaryRepresentation =
+      1;  // faces share edges, instead of loose trimmed surfaces
   IGESControl_Writer writer("MM", kBoundaryRepresentation);
   const auto progress = makeProgress(job, kPhase);
   if (!writer.AddShape(made.shape, progress->Start())) return false;
@@ -87,7 +88,8 @@ bool writeIges(const ShapeOfSolid& made, const Solid& solid, const std::string& 
 
 bool writeBrep(const ShapeOfSolid& made, const Solid& solid, const std::filesystem::path& path) {
   std::ofstream file(path, std::ios::binary);
-  BRepTools::Write(made.shape, file, Standard_False, Standard_False, TopTools_FormatVersion_VERSION_1);
+  BRepTools::Write(made.shape, file, Standard_False, Standard_False,
+                   TopTools_FormatVersion_VERSION_1);
   std::vector<std::string> names;
   for (const Patch& patch : solid.patches()) names.push_back(patch.name);
   file << brepNamesText(names);

@@ -86,19 +86,20 @@ std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
     imported.body = std::move(result.solid);
     imported.deviation = result.deviation;
     if (named.divided > 0)
-      imported.notes.push_back("Divided, because a patch must not close on itself: " +
-                               facesText(named.divided) + ".");
+      imported.notes.push_back(
+          "Divided, because a patch must not close on itself: " + facesText(named.divided) + ".");
     if (result.approximatedFaces > 0 && result.deviation > kRounding * diagonalOf(solid.shape))
       imported.notes.push_back("Approximated, because they are no plain B-splines: " +
-                               facesText(result.approximatedFaces) + "; the patches differ by up to " +
+                               facesText(result.approximatedFaces) +
+                               "; the patches differ by up to " +
                                shortNumberText(result.deviation) + " mm (tolerance " +
                                shortNumberText(tolerance) + " mm).");
     return "";
   } catch (const NoPatches& none) {
     return none.reason;
   } catch (const Standard_Failure& failure) {
-    return std::string("OpenCASCADE cannot convert its surfaces (") + failure.DynamicType()->Name() +
-           ")";
+    return std::string("OpenCASCADE cannot convert its surfaces (") +
+           failure.DynamicType()->Name() + ")";
   }
 }
 
@@ -109,12 +110,13 @@ void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reaso
                             " mm would need too many triangles; use a larger one",
                         ModelingError::Kind::tooLarge);
   const double chordTolerance = edgeLength / kChordsPerEdgeLength;
-  MeshResult result = makeMeshBody(
-      solid.shape, uniqueFaceNames(solid.shape, solid.faceNames), chordTolerance, job);
+  MeshResult result =
+      makeMeshBody(solid.shape, uniqueFaceNames(solid.shape, solid.faceNames), chordTolerance, job);
   imported.body = std::move(result.body);
   imported.deviation = result.deviation;
   imported.notes.push_back(
-      "The body became a mesh body, which can be held and touched but has no control points, because " +
+      "The body became a mesh body, which can be held and touched but has no control points, "
+      "because " +
       reason + ".");
   if (result.deviation > 0.0)
     imported.notes.push_back("Flat triangles follow the curved faces within " +

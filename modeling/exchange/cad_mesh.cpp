@@ -78,8 +78,8 @@ class Joiner {
     return static_cast<int>(data_.positions.size()) - 1;
   }
 
-  /// The entry of a list that belongs to a shape; made when the shape is new. Shapes of swept bodies
-  /// share their geometry at several places, so the place counts.
+  /// The entry of a list that belongs to a shape; made when the shape is new. Shapes of swept
+  /// bodies share their geometry at several places, so the place counts.
   template <class Entry>
   static Entry& entryOf(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& known,
                         std::vector<Entry>& entries) {
@@ -103,7 +103,8 @@ class Joiner {
           row.push_back(addPoint(position(node)));
           continue;
         }
-        const TopoDS_Vertex end = 2 * i > count ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
+        const TopoDS_Vertex end =
+            2 * i > count ? TopExp::LastVertex(edge) : TopExp::FirstVertex(edge);
         std::optional<int>& point = entryOf(end, ends_, pointOfEnd_);
         if (!point) point = addPoint(position(node));
         row.push_back(*point);

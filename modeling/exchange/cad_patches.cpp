@@ -64,7 +64,8 @@ void matchKnots(Geom_BSplineSurface& spline, int direction, const KnotSet& knots
     const double value = low + knot.at * length;
     int found = 0;
     for (int i = 2; i < (u ? spline.NbUKnots() : spline.NbVKnots()); ++i)
-      if (std::abs((u ? spline.UKnot(i) : spline.VKnot(i)) - value) <= kSameKnot * length) found = i;
+      if (std::abs((u ? spline.UKnot(i) : spline.VKnot(i)) - value) <= kSameKnot * length)
+        found = i;
     if (found == 0) {
       if (u)
         spline.InsertUKnot(value, knot.multiplicity, 0.0);
@@ -196,7 +197,8 @@ class Welder {
           if (rows_[e].empty() && quads_.faces[use.face].kind == kind)
             rows_[e] = indices(static_cast<int>(e), use.row);
     for (std::size_t e = 1; e <= edges; ++e)
-      if (rows_[e].empty() && !uses[e].empty()) rows_[e] = straightRow(static_cast<int>(e), uses[e][0]);
+      if (rows_[e].empty() && !uses[e].empty())
+        rows_[e] = straightRow(static_cast<int>(e), uses[e][0]);
     for (std::size_t e = 1; e <= edges; ++e)
       for (const Use& use : uses[e]) checkAgreement(uses[e], use, rows_[e]);
   }
@@ -256,9 +258,9 @@ class Welder {
       const Vector3d& p = points_[row[i]];
       throw NoPatches{"the parameters of the faces \"" + quads_.faces[uses[0].face].name +
                       "\" and \"" + quads_.faces[uses[1].face].name +
-                      "\" do not agree along their common edge near (" + shortNumberText(p.x()) + ", " +
-                      shortNumberText(p.y()) + ", " + shortNumberText(p.z()) + ") mm (they differ by " +
-                      shortNumberText(distance) + " mm)"};
+                      "\" do not agree along their common edge near (" + shortNumberText(p.x()) +
+                      ", " + shortNumberText(p.y()) + ", " + shortNumberText(p.z()) +
+                      ") mm (they differ by " + shortNumberText(distance) + " mm)"};
     }
   }
 
@@ -286,10 +288,10 @@ class Welder {
           net[i][j] = static_cast<int>(points_.size());
           points_.push_back(patches_[f].net[i][j]);
         } else {
-          net[i][j] = i == 0                    ? left[j]
-                      : i + 1 == bottom.size()  ? right[j]
-                      : j == 0                  ? bottom[i]
-                                                : top[i];
+          net[i][j] = i == 0                   ? left[j]
+                      : i + 1 == bottom.size() ? right[j]
+                      : j == 0                 ? bottom[i]
+                                               : top[i];
         }
       }
   }

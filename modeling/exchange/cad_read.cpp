@@ -39,9 +39,8 @@ std::string readText(const std::filesystem::path& path) {
     throw ModelingError(path.string() + ": is not a file", ModelingError::Kind::io);
   const auto size = std::filesystem::file_size(path, code);
   if (!code && size > kLargestCadFile)
-    throw ModelingError(path.string() + ": has " + std::to_string(size >> 20) +
-                            " MiB; at most " + std::to_string(kLargestCadFile >> 20) +
-                            " MiB are read",
+    throw ModelingError(path.string() + ": has " + std::to_string(size >> 20) + " MiB; at most " +
+                            std::to_string(kLargestCadFile >> 20) + " MiB are read",
                         ModelingError::Kind::tooLarge);
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -52,8 +51,9 @@ std::string readText(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void failReading(const std::filesystem::path& path) {
-  throw ModelingError(path.string() + ": OpenCASCADE cannot read it; the file is damaged, or is not "
-                                      "of the format its name says");
+  throw ModelingError(path.string() +
+                      ": OpenCASCADE cannot read it; the file is damaged, or is not "
+                      "of the format its name says");
 }
 
 void forEachFace(const TopoDS_Shape& shape, const auto& action) {
@@ -75,8 +75,8 @@ CadContent readStep(const std::filesystem::path& path, const std::string& text, 
   CadContent content{reader.OneShape(), {}};
   const auto& transfer = reader.WS()->TransferReader();
   forEachFace(content.shape, [&](int, const TopoDS_Shape& face) {
-    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(
-        transfer->EntityFromShapeResult(face, 1));
+    const auto item =
+        Handle(StepRepr_RepresentationItem)::DownCast(transfer->EntityFromShapeResult(face, 1));
     if (!item.IsNull() && !item->Name().IsNull() && item->Name()->Length() > 0)
       content.faceNames.Bind(face, item->Name()->ToCString());
   });
@@ -98,7 +98,8 @@ CadContent readIges(const std::filesystem::path& path, const Job& job) {
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto entity = model->Entity(i);
     if (!entity->HasName()) continue;
-    const TopoDS_Shape face = TransferBRep::ShapeResult(reader.WS()->TransferReader()->TransientProcess(), entity);
+    const TopoDS_Shape face =
+        TransferBRep::ShapeResult(reader.WS()->TransferReader()->TransientProcess(), entity);
     if (!face.IsNull() && face.ShapeType() == TopAbs_FACE)
       content.faceNames.Bind(face, entity->NameValue()->ToCString());
   }

@@ -51,8 +51,7 @@ double diagonalOf(const TopoDS_Shape& shape) {
 }
 
 /// Names follow a face to what replaced it.
-void followNames(const TopoDS_Shape& before, const auto& replacement,
-                 FaceNames& names) {
+void followNames(const TopoDS_Shape& before, const auto& replacement, FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(before, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i) {
@@ -73,8 +72,9 @@ TopoDS_Shape sew(const TopoDS_Shape& shape, double tolerance, CadSolid& result, 
   const auto progress = makeProgress(job, "sew");
   sewing.Perform(progress->Start());
   job.throwIfCancelled();
-  followNames(shape, [&](const TopoDS_Shape& face) { return sewing.ModifiedSubShape(face); },
-              result.faceNames);
+  followNames(
+      shape, [&](const TopoDS_Shape& face) { return sewing.ModifiedSubShape(face); },
+      result.faceNames);
   return sewing.SewedShape();
 }
 
@@ -83,8 +83,9 @@ TopoDS_Shape repair(const TopoDS_Shape& shape, CadSolid& result, const Job& job)
   const auto progress = makeProgress(job, "repair");
   fix->Perform(progress->Start());
   job.throwIfCancelled();
-  followNames(shape, [&](const TopoDS_Shape& face) { return fix->Context()->Apply(face); },
-              result.faceNames);
+  followNames(
+      shape, [&](const TopoDS_Shape& face) { return fix->Context()->Apply(face); },
+      result.faceNames);
   return fix->Shape();
 }
 
@@ -184,8 +185,7 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
   return result;
 }
 
-std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape,
-                                         const FaceNames& names) {
+std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape, const FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
   std::map<std::string, int> uses;

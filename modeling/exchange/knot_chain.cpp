@@ -135,8 +135,8 @@ KnotChains::KnotChains(const QuadFaces& quads) : faces_(quads.faces) {
     const QuadFace& face = faces_[place / 2];
     KnotSet& chain = chains_[places_[place].chain];
     if (face.kind == QuadFace::Kind::spline)
-      chain.degree = std::max(
-          chain.degree, place % 2 == 0 ? face.spline->UDegree() : face.spline->VDegree());
+      chain.degree =
+          std::max(chain.degree, place % 2 == 0 ? face.spline->UDegree() : face.spline->VDegree());
     if (face.kind == QuadFace::Kind::smooth) open[places_[place].chain] = true;
   }
   for (std::size_t c = 0; c < chains_.size(); ++c)
@@ -211,13 +211,14 @@ void KnotChains::addBreaks(int face, int direction) {
   KnotSet& chain = chains_[place.chain];
   const QuadFace& quad = faces_[face];
   const bool alongU = (direction == 0) != quad.swapped;  // in the surface's own parameters
-  const auto& [uRange, vRange] = quad.swapped ? std::array{quad.range[1], quad.range[0]} : quad.range;
+  const auto& [uRange, vRange] =
+      quad.swapped ? std::array{quad.range[1], quad.range[0]} : quad.range;
   const GeomAdaptor_Surface adaptor(quad.surface, uRange[0], uRange[1], vRange[0], vRange[1]);
   const auto [low, high] = quad.range[static_cast<std::size_t>(direction)];
   constexpr std::array kContinuity{GeomAbs_C1, GeomAbs_C2, GeomAbs_C3};
   for (int c = 0; c < 3; ++c) {
-    const int count = alongU ? adaptor.NbUIntervals(kContinuity[c])
-                             : adaptor.NbVIntervals(kContinuity[c]);
+    const int count =
+        alongU ? adaptor.NbUIntervals(kContinuity[c]) : adaptor.NbVIntervals(kContinuity[c]);
     TColStd_Array1OfReal ends(1, count + 1);
     if (alongU)
       adaptor.UIntervals(ends, kContinuity[c]);

@@ -206,8 +206,8 @@ QuadFaces findQuadFaces(const TopoDS_Solid& solid, const std::vector<std::string
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(solid, TopAbs_FACE, faces);
   for (int i = 1; i <= faces.Extent(); ++i)
-    result.faces.push_back(makeQuad(TopoDS::Face(faces(i)),
-                                    faceNames[static_cast<std::size_t>(i) - 1], result));
+    result.faces.push_back(
+        makeQuad(TopoDS::Face(faces(i)), faceNames[static_cast<std::size_t>(i) - 1], result));
   return result;
 }
 

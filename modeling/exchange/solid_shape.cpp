@@ -46,8 +46,8 @@ Handle(Geom_BSplineCurve) sideCurve(const Handle(Geom_BSplineSurface) & surface,
 }
 
 /// The side in the parameter plane, run through by the parameter of the edge's first use.
-Handle(Geom2d_Curve) sideLine(const Patch& patch, Side side, const std::array<double, 2>& edgeRange,
-                              bool reversed) {
+Handle(Geom2d_Curve)
+    sideLine(const Patch& patch, Side side, const std::array<double, 2>& edgeRange, bool reversed) {
   const auto [uMin, uMax] = patch.range(0);
   const auto [vMin, vMax] = patch.range(1);
   gp_Pnt2d start(side == Side::uMax ? uMax : uMin, side == Side::vMax ? vMax : vMin);

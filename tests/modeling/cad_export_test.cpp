@@ -36,8 +36,7 @@ Solid shaken(const Solid& solid, unsigned seed) {
   const auto box = boundingBox(solid);
   const double size = (box[1] - box[0]).minCoeff();
   std::vector<Eigen::Vector3d> points = solid.controlPoints();
-  for (auto& p : points)
-    p += size * Eigen::Vector3d(shift(random), shift(random), shift(random));
+  for (auto& p : points) p += size * Eigen::Vector3d(shift(random), shift(random), shift(random));
   return solid.withControlPoints(points);
 }
 
@@ -65,7 +64,8 @@ void expectSame(const Solid& a, const Solid& b, const std::string& what) {
     }
   }
   for (std::size_t i = 0; i < a.controlPoints().size(); ++i)
-    EXPECT_LE((a.controlPoints()[i] - b.controlPoints()[i]).norm(), 1e-9 * size) << what << " " << i;
+    EXPECT_LE((a.controlPoints()[i] - b.controlPoints()[i]).norm(), 1e-9 * size)
+        << what << " " << i;
 }
 
 TEST(CadExport, WhatWasWrittenIsReadBackAsTheSameSolid) {

@@ -4,8 +4,8 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffsetAPI_MakePipe.hxx>
@@ -18,15 +18,15 @@
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
 #include <GC_MakeArcOfCircle.hxx>
-#include <Geom_BSplineCurve.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Ax2.hxx>
-#include <numbers>
 #include <iostream>
+#include <numbers>
 
 #include "modeling/error.h"
 #include "modeling/solid/surface_properties.h"
@@ -80,15 +80,16 @@ TopoDS_Shape loft() {
 TopoDS_Shape quarterPipe() {
   BRepBuilderAPI_MakePolygon wall(gp_Pnt(10, 0, 0), gp_Pnt(16, 0, 0), gp_Pnt(16, 0, 25),
                                   gp_Pnt(10, 0, 25), Standard_True);
-  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wall.Wire()).Face(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)),
-                               std::numbers::pi / 2)
+  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wall.Wire()).Face(),
+                               gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), std::numbers::pi / 2)
       .Shape();
 }
 
 TopoDS_Shape wholeRing() {
   BRepBuilderAPI_MakePolygon wall(gp_Pnt(10, 0, 0), gp_Pnt(16, 0, 0), gp_Pnt(16, 0, 25),
                                   gp_Pnt(10, 0, 25), Standard_True);
-  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wall.Wire()).Face(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)))
+  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wall.Wire()).Face(),
+                               gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)))
       .Shape();
 }
 
@@ -119,7 +120,8 @@ TEST(CadImport, Explore) {
                   << (solid ? std::get<Solid>(read.body).controlPoints().size()
                             : std::get<MeshBody>(read.body).positions().size())
                   << " dev " << read.deviation << " V " << volume(read.body) << " / "
-                  << tests::volumeOf(shape) << " patches " << quotedPatchNames(read.body).substr(0, 120) << "\n";
+                  << tests::volumeOf(shape) << " patches "
+                  << quotedPatchNames(read.body).substr(0, 120) << "\n";
         for (const auto& note : read.notes) std::cout << "    " << note << "\n";
       } catch (const ModelingError& error) {
         std::cout << name << " " << format << ": ERROR " << error.what() << "\n";
