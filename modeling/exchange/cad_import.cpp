@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kTolerance = 1e-4;     // of the diagonal of the bounding box
 constexpr double kRounding = 1e-9;      // of the diagonal: no approximation worth a note
-constexpr double kLeastSeconds = 60.0;  // more than any sound file of that size takes
+constexpr double kLeastSeconds = 30.0;  // more than any sound file of that size takes
 constexpr double kSecondsPerByte = 2e-5;
 constexpr int kUsualNodes = 600;
 constexpr double kChordsPerEdgeLength = 50.0;

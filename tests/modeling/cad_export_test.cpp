@@ -100,5 +100,45 @@ TEST(CadExport, TheShapeIsAValidClosedSolidWithOurVolume) {
   }
 }
 
+TEST(CadExport, NamesOfAnyKindComeBack) {
+  const Folder folder;
+  const Solid box = makeBox({4, 3, 2});
+  std::vector<Patch> patches = box.patches();
+  const std::vector<std::string> names{"it's",   "größe 5", "a;b,c(d)",
+                                       "x/*y*/", "#12",     "back\\slash"};
+  for (std::size_t p = 0; p < names.size(); ++p) patches[p].name = names[p];
+  const Solid solid(box.controlPoints(), patches);
+  for (const char* format : kFormats) {
+    exportCad(solid, folder.file(format));
+    EXPECT_EQ(patchNames(importCad(folder.file(format)).body), names) << format;
+  }
+}
+
+TEST(CadExport, RefusesWhatItCannotWriteAndLeavesTheOldFile) {
+  const Folder folder;
+  const auto messageOf = [&](const Body& body, const std::filesystem::path& path) -> std::string {
+    try {
+      exportCad(body, path);
+    } catch (const ModelingError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const MeshBody tetrahedron({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}},
+                              {0, 0, 0, 0},
+                              {"all"}});
+  EXPECT_NE(messageOf(tetrahedron, folder.file("a.step")).find("STL, OBJ or PLY"),
+            std::string::npos);
+  EXPECT_NE(messageOf(Solid(), folder.file("a.step")).find("no patches"), std::string::npos);
+  const Solid box = makeBox({4, 3, 2});
+  EXPECT_NE(messageOf(box, folder.file("a.txt")).find(".step, .stp"), std::string::npos);
+  EXPECT_NE(messageOf(box, folder.file("none/a.step")).find("cannot be written"),
+            std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
+  exportCad(box, folder.file("a.step"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.step.new")));
+}
+
 }  // namespace
 }  // namespace palpa::modeling
