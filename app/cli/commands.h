@@ -14,5 +14,8 @@ std::unique_ptr<Command> makeMeshCommand();
 std::unique_ptr<Command> makeSolveCommand();
 std::unique_ptr<Command> makeTouchCommand();
 std::unique_ptr<Command> makeRenderCommand();
+std::unique_ptr<Command> makeImportCommand();
+std::unique_ptr<Command> makeExportCommand();
+std::unique_ptr<Command> makeConvertCommand();
 
 }  // namespace palpa::cli

@@ -1,6 +1,6 @@
-#include <cmath>
 #include <iostream>
 
+#include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
@@ -10,13 +10,6 @@
 
 namespace palpa::cli {
 namespace {
-
-/// An edge length (two digits, mm) that gives about 600 nodes: solved in a fraction of a second,
-/// and within a few per cent of the converged answer for such simple bodies.
-double suitableEdgeLength(const modeling::Body& body) {
-  const double length = std::sqrt(1.05 * modeling::area(body) / 600);
-  return std::stod(format("%.2g", length));
-}
 
 class NewCommand : public Command {
  public:

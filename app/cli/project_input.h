@@ -16,6 +16,9 @@ class ProjectInput {
   /// Reads the file and applies the options. Errors as readProject(), and UsageError.
   modeling::Project read() const;
 
+  /// True when the command line changes the mesh size.
+  bool hasEdgeLength() const { return !edgeLength_.empty(); }
+
   const std::string& file() const { return file_; }
 
  private:

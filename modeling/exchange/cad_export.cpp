@@ -55,6 +55,8 @@ bool writeStep(const ShapeOfSolid& made, const Solid& solid, const std::string& 
   }
   APIHeaderSection_MakeHeader header(writer.Model());
   header.SetName(text(name));
+  header.SetAuthorValue(1, text(""));
+  header.SetOrganizationValue(1, text(""));
   header.SetOriginatingSystem(text("Palpa"));
   job.throwIfCancelled();
   return writer.Write(path.c_str()) == IFSelect_RetDone;

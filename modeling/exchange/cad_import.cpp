@@ -18,14 +18,17 @@
 #include "modeling/exchange/cad_read.h"
 #include "modeling/exchange/cad_solid.h"
 #include "modeling/exchange/opencascade_session.h"
+#include "modeling/exchange/rehearsal.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
 
-constexpr double kTolerance = 1e-4;  // of the diagonal of the bounding box
-constexpr double kRounding = 1e-9;   // of the diagonal: no approximation worth a note
+constexpr double kTolerance = 1e-4;     // of the diagonal of the bounding box
+constexpr double kRounding = 1e-9;      // of the diagonal: no approximation worth a note
+constexpr double kLeastSeconds = 30.0;  // more than any sound file of that size takes
+constexpr double kSecondsPerByte = 2e-5;
 constexpr int kUsualNodes = 600;
 constexpr double kChordsPerEdgeLength = 50.0;
 
@@ -123,6 +126,34 @@ void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reaso
                              shortNumberText(result.deviation) + " mm.");
 }
 
+ImportedBody convert(const CadContent& content, const ImportOptions& options, const Job& job) {
+  const CadSolid solid = findSolid(content, job);
+  ImportedBody imported;
+  imported.notes = solid.notes;
+  const double tolerance =
+      options.tolerance > 0.0 ? options.tolerance : kTolerance * diagonalOf(solid.shape);
+  const std::string reason = tryPatches(solid, tolerance, job, imported);
+  if (reason.empty()) return imported;
+  const double edgeLength =
+      options.edgeLength > 0.0 ? options.edgeLength : std::sqrt(areaOf(solid.shape) / kUsualNodes);
+  makeMesh(solid, edgeLength, reason, job, imported);
+  return imported;
+}
+
+ImportedBody import(const std::filesystem::path& path, const std::string& text,
+                    const ImportOptions& options, const Job& job) {
+  try {
+    const CadContent content = readCad(path, text, job);
+    try {
+      return convert(content, options, job);
+    } catch (const ModelingError& error) {
+      throw ModelingError(path.string() + ": " + error.what(), error.kind());
+    }
+  } catch (...) {
+    rethrowAsModelingError(path.string());
+  }
+}
+
 }  // namespace
 
 void ImportOptions::validate() const {
@@ -139,29 +170,11 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
                        const Job& job) {
   options.validate();
   job.throwIfCancelled();
+  const std::string text = readCadText(path);
   const OpenCascadeSession session;
-  try {
-    const CadContent content = readCad(path, job);
-    ImportedBody imported;
-    try {
-      const CadSolid solid = findSolid(content, job);
-      imported.notes = solid.notes;
-      const double tolerance =
-          options.tolerance > 0.0 ? options.tolerance : kTolerance * diagonalOf(solid.shape);
-      const std::string reason = tryPatches(solid, tolerance, job, imported);
-      if (!reason.empty()) {
-        const double edgeLength = options.edgeLength > 0.0
-                                      ? options.edgeLength
-                                      : std::sqrt(areaOf(solid.shape) / kUsualNodes);
-        makeMesh(solid, edgeLength, reason, job, imported);
-      }
-    } catch (const ModelingError& error) {
-      throw ModelingError(path.string() + ": " + error.what(), error.kind());
-    }
-    return imported;
-  } catch (...) {
-    rethrowAsModelingError(path.string());
-  }
+  const double seconds = kLeastSeconds + kSecondsPerByte * static_cast<double>(text.size());
+  rehearse([&] { import(path, text, options, Job{}); }, path.string(), seconds, job);
+  return import(path, text, options, job);
 }
 
 }  // namespace palpa::modeling

@@ -37,12 +37,14 @@ struct ImportedBody {
 /// the faces meet side to side with the same parameters (docs/exchange.md); what exportCad() wrote
 /// is read back unchanged. Otherwise it becomes a mesh body, and a note says why.
 ///
-/// Cancelled between faces and entities; OpenCASCADE cannot stop while it parses the file (about a
-/// second per 20 MiB). Exports and imports of several threads run one after the other.
+/// The file is read twice: first in a child process, so that a damaged file that makes OpenCASCADE
+/// crash or work without end costs nothing but an error (docs/decisions/013). Cancelling stops the
+/// first reading at once, the second one between faces and entities. Exports and imports of several
+/// threads run one after the other.
 ///
 /// @throws ModelingError that begins with the file's name: not there, not readable, damaged, larger
-///         than kLargestCadFile, several solids, a surface that is not closed (with the place);
-///         Cancelled
+///         than kLargestCadFile, taking longer than 30 s and 20 s per MiB, several solids, a
+///         surface that is not closed (with the place); Cancelled
 ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& options = {},
                        const Job& job = {});
 

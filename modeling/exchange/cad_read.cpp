@@ -123,18 +123,29 @@ CadContent readBrep(const std::string& text, const Job& job) {
 
 }  // namespace
 
-CadContent readCad(const std::filesystem::path& path, const Job& job) {
+std::string readCadText(const std::filesystem::path& path) {
   const auto format = cadFormatOf(path);
   if (!format)
     throw ModelingError(path.string() + ": a CAD file's name must end in " + kCadFileEndings);
-  job.report(kPhase, 0.0);
-  const std::string text = readText(path);
+  std::string text = readText(path);
   checkCadText(text, *format, path.string());
-  job.throwIfCancelled();
+  return text;
+}
+
+CadContent readCad(const std::filesystem::path& path, const std::string& text, const Job& job) {
+  job.report(kPhase, 0.0);
   CadContent content;
-  if (*format == CadFormat::step) content = readStep(path, text, job);
-  if (*format == CadFormat::iges) content = readIges(path, job);
-  if (*format == CadFormat::brep) content = readBrep(text, job);
+  switch (cadFormatOf(path).value()) {
+    case CadFormat::step:
+      content = readStep(path, text, job);
+      break;
+    case CadFormat::iges:
+      content = readIges(path, job);
+      break;
+    case CadFormat::brep:
+      content = readBrep(text, job);
+      break;
+  }
   if (content.shape.IsNull())
     throw ModelingError(path.string() + ": holds no shape that can be read");
   job.report(kPhase, 1.0);

@@ -20,9 +20,12 @@ struct CadContent {
   FaceNames faceNames;
 };
 
-/// Reads a file. To be called within an OpenCascadeSession; the file's text has been checked before
-/// it reaches OpenCASCADE (cad_text_check.h).
+/// The text of a CAD file, complete and well formed as far as checkCadText() can tell.
+/// @throws ModelingError
+std::string readCadText(const std::filesystem::path& path);
+
+/// What OpenCASCADE makes of the file with this text. To be called within an OpenCascadeSession.
 /// @throws ModelingError, Standard_Failure, Cancelled
-CadContent readCad(const std::filesystem::path& path, const Job& job);
+CadContent readCad(const std::filesystem::path& path, const std::string& text, const Job& job);
 
 }  // namespace palpa::modeling

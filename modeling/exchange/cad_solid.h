@@ -19,13 +19,13 @@ struct CadSolid {
 
 /// Finds the solid of a file; sews loose faces and repairs faults when needed. The order and the
 /// surfaces of faces without fault stay as they are.
-/// @throws ModelingError (messages without the file's name): several solids, none, open surface with
+/// @throws ModelingError (messages without the file's name): several solids, none, open surface
+/// with
 ///         the place, too many faces; Standard_Failure, Cancelled
 CadSolid findSolid(const CadContent& content, const Job& job);
 
 /// The names of the faces in the order of TopExp::MapShapes, unique and not empty: face_7 for the
 /// seventh one when it has none.
-std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape,
-                                         const FaceNames& names);
+std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape, const FaceNames& names);
 
 }  // namespace palpa::modeling

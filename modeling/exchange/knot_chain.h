@@ -33,8 +33,8 @@ struct KnotSet {
 
 inline constexpr double kSameKnot = 1e-6;  // of the range; knots in files are rounded
 
-/// Chains of face directions that pass a knot on to each other: across an edge to the neighbour, and
-/// within a face from a side to the opposite one.
+/// Chains of face directions that pass a knot on to each other: across an edge to the neighbour,
+/// and within a face from a side to the opposite one.
 class KnotChains {
  public:
   /// Degrees and knots of all B-spline faces united; the others get the knots where their surface

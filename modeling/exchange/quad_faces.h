@@ -21,7 +21,8 @@ struct NoPatches {
   std::string reason;
 };
 
-/// One face over its parameter rectangle. The parameters are turned so that du × dv points outwards.
+/// One face over its parameter rectangle. The parameters are turned so that du × dv points
+/// outwards.
 struct QuadFace {
   enum class Kind {
     spline,  ///< a B-spline without weights, degrees up to 5: taken over as it is
@@ -35,9 +36,9 @@ struct QuadFace {
 
   std::string name;
   Kind kind = Kind::flat;
-  Handle(Geom_BSplineSurface) spline;  ///< kind spline: over the face's rectangle only
-  Handle(Geom_Surface) surface;        ///< kind smooth
-  bool swapped = false;                ///< kind smooth: the surface's own u is our v
+  Handle(Geom_BSplineSurface) spline;            ///< kind spline: over the face's rectangle only
+  Handle(Geom_Surface) surface;                  ///< kind smooth
+  bool swapped = false;                          ///< kind smooth: the surface's own u is our v
   std::array<std::array<double, 2>, 2> range{};  ///< kind smooth, our u and v
   gp_Pnt origin;                                 ///< kind flat: a point of the plane
   gp_Dir normal;                                 ///< kind flat, outwards

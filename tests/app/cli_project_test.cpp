@@ -120,7 +120,8 @@ TEST_F(CliProject, HelpHasAnExampleForEachCommand) {
   EXPECT_EQ(cli_.run("--version").exitCode, 0);
   EXPECT_EQ(cli_.run("").exitCode, 2);
   EXPECT_EQ(cli_.run("frobnicate").exitCode, 2);
-  for (const char* command : {"new", "info", "check", "mesh", "solve", "touch", "render"}) {
+  for (const char* command : {"new", "info", "check", "mesh", "solve", "touch", "render", "import",
+                              "export", "convert"}) {
     const Outcome help = cli_.run(std::string(command) + " --help");
     EXPECT_EQ(help.exitCode, 0) << command;
     EXPECT_NE(help.out.find(std::string("palpa-cli ") + command), std::string::npos) << help.out;

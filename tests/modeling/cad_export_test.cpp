@@ -36,8 +36,7 @@ Solid shaken(const Solid& solid, unsigned seed) {
   const auto box = boundingBox(solid);
   const double size = (box[1] - box[0]).minCoeff();
   std::vector<Eigen::Vector3d> points = solid.controlPoints();
-  for (auto& p : points)
-    p += size * Eigen::Vector3d(shift(random), shift(random), shift(random));
+  for (auto& p : points) p += size * Eigen::Vector3d(shift(random), shift(random), shift(random));
   return solid.withControlPoints(points);
 }
 
@@ -65,7 +64,8 @@ void expectSame(const Solid& a, const Solid& b, const std::string& what) {
     }
   }
   for (std::size_t i = 0; i < a.controlPoints().size(); ++i)
-    EXPECT_LE((a.controlPoints()[i] - b.controlPoints()[i]).norm(), 1e-9 * size) << what << " " << i;
+    EXPECT_LE((a.controlPoints()[i] - b.controlPoints()[i]).norm(), 1e-9 * size)
+        << what << " " << i;
 }
 
 TEST(CadExport, WhatWasWrittenIsReadBackAsTheSameSolid) {
@@ -98,6 +98,46 @@ TEST(CadExport, TheShapeIsAValidClosedSolidWithOurVolume) {
     const double expected = volume(solid);
     EXPECT_NEAR(tests::volumeOf(shape), expected, 1e-6 * expected) << name;
   }
+}
+
+TEST(CadExport, NamesOfAnyKindComeBack) {
+  const Folder folder;
+  const Solid box = makeBox({4, 3, 2});
+  std::vector<Patch> patches = box.patches();
+  const std::vector<std::string> names{"it's",   "größe 5", "a;b,c(d)",
+                                       "x/*y*/", "#12",     "back\\slash"};
+  for (std::size_t p = 0; p < names.size(); ++p) patches[p].name = names[p];
+  const Solid solid(box.controlPoints(), patches);
+  for (const char* format : kFormats) {
+    exportCad(solid, folder.file(format));
+    EXPECT_EQ(patchNames(importCad(folder.file(format)).body), names) << format;
+  }
+}
+
+TEST(CadExport, RefusesWhatItCannotWriteAndLeavesTheOldFile) {
+  const Folder folder;
+  const auto messageOf = [&](const Body& body, const std::filesystem::path& path) -> std::string {
+    try {
+      exportCad(body, path);
+    } catch (const ModelingError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const MeshBody tetrahedron({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}},
+                              {0, 0, 0, 0},
+                              {"all"}});
+  EXPECT_NE(messageOf(tetrahedron, folder.file("a.step")).find("STL, OBJ or PLY"),
+            std::string::npos);
+  EXPECT_NE(messageOf(Solid(), folder.file("a.step")).find("no patches"), std::string::npos);
+  const Solid box = makeBox({4, 3, 2});
+  EXPECT_NE(messageOf(box, folder.file("a.txt")).find(".step, .stp"), std::string::npos);
+  EXPECT_NE(messageOf(box, folder.file("none/a.step")).find("cannot be written"),
+            std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
+  exportCad(box, folder.file("a.step"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.step.new")));
 }
 
 }  // namespace

@@ -2,129 +2,164 @@
 
 #include <gtest/gtest.h>
 
-#include <BRepAlgoAPI_Cut.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakePolygon.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
-#include <BRepFilletAPI_MakeFillet.hxx>
-#include <BRepOffsetAPI_MakePipe.hxx>
-#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
-#include <GC_MakeArcOfCircle.hxx>
-#include <Geom_BSplineCurve.hxx>
-#include <GeomAPI_PointsToBSpline.hxx>
-#include <TColgp_Array1OfPnt.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <gp_Ax1.hxx>
-#include <gp_Ax2.hxx>
-#include <numbers>
-#include <iostream>
+#include <set>
 
 #include "modeling/error.h"
+#include "modeling/exchange/import.h"
 #include "modeling/solid/surface_properties.h"
 #include "tests/modeling/cad_files.h"
+#include "tests/modeling/cad_shapes.h"
 
 namespace palpa::modeling {
 namespace {
 
 using tests::Folder;
 
-TopoDS_Wire rectangle(double x, double y, double z) {
-  BRepBuilderAPI_MakePolygon polygon(gp_Pnt(-x, -y, z), gp_Pnt(x, -y, z), gp_Pnt(x, y, z),
-                                     gp_Pnt(-x, y, z), Standard_True);
-  return polygon.Wire();
+const std::array<const char*, 3> kFormats{"body.step", "body.igs", "body.brep"};
+
+struct Foreign {
+  const char* name;
+  TopoDS_Shape shape;
+  std::size_t faces;   ///< patches or faces expected
+  const char* reason;  ///< why it becomes a mesh body; null for a solid
+};
+
+std::vector<Foreign> foreignShapes() {
+  return {
+      {"box", BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape(), 6, nullptr},
+      {"wedge", BRepPrimAPI_MakeWedge(40.0, 30.0, 20.0, 10.0, 5.0, 30.0, 15.0).Shape(), 6, nullptr},
+      {"quarter pipe", tests::quarterPipe(), 6, nullptr},
+      {"swept rectangle", tests::sweptRectangle(), 6, nullptr},
+      {"loft", tests::loft(), 6, nullptr},
+      {"torus", BRepPrimAPI_MakeTorus(25.0, 8.0).Shape(), 4, nullptr},
+      {"cylinder", BRepPrimAPI_MakeCylinder(15.0, 40.0).Shape(), 3, "is bounded by 2 edges"},
+      {"cone", BRepPrimAPI_MakeCone(15.0, 0.0, 40.0).Shape(), 2, "has a pole"},
+      {"sphere", BRepPrimAPI_MakeSphere(25.0).Shape(), 1, "has a pole"},
+      {"filleted box", tests::filletedBox(), 26, "has a pole"},
+      {"split box", tests::splitBox(), 7, "is flat with 5 edges"},
+      {"bored cylinder", tests::boredCylinder(), 4, "has a hole"}};
 }
 
-TopoDS_Shape filletedBox() {
-  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
-  BRepFilletAPI_MakeFillet fillet(box);
-  for (TopExp_Explorer e(box, TopAbs_EDGE); e.More(); e.Next())
-    fillet.Add(3.0, TopoDS::Edge(e.Current()));
-  return fillet.Shape();
+std::string joined(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += note + "\n";
+  return text;
 }
 
-TopoDS_Shape boredCylinder() {
-  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20.0, 30.0).Shape(),
-                         BRepPrimAPI_MakeCylinder(8.0, 30.0).Shape())
-      .Shape();
+std::string errorOf(const std::filesystem::path& path, const ImportOptions& options = {}) {
+  try {
+    importBody(path, options);
+  } catch (const ModelingError& error) {
+    return error.what();
+  }
+  return "";
 }
 
-TopoDS_Shape sweptRectangle() {
-  TColgp_Array1OfPnt points(1, 4);
-  points(1) = gp_Pnt(0, 0, 0);
-  points(2) = gp_Pnt(0, 0, 20);
-  points(3) = gp_Pnt(8, 0, 40);
-  points(4) = gp_Pnt(24, 0, 55);
-  const Handle(Geom_BSplineCurve) spine = GeomAPI_PointsToBSpline(points).Curve();
-  const TopoDS_Wire path = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spine)).Wire();
-  return BRepOffsetAPI_MakePipe(path, BRepBuilderAPI_MakeFace(rectangle(5, 4, 0)).Face()).Shape();
-}
-
-TopoDS_Shape loft() {
-  BRepOffsetAPI_ThruSections sections(Standard_True);
-  sections.AddWire(rectangle(10, 10, 0));
-  sections.AddWire(rectangle(14, 8, 15));
-  sections.AddWire(rectangle(9, 12, 30));
-  return sections.Shape();
-}
-
-/// A quarter of a pipe with a rectangular wall.
-TopoDS_Shape quarterPipe() {
-  BRepBuilderAPI_MakePolygon wall(gp_Pnt(10, 0, 0), gp_Pnt(16, 0, 0), gp_Pnt(16, 0, 25),
-                                  gp_Pnt(10, 0, 25), Standard_True);
-  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wall.Wire()).Face(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)),
-                               std::numbers::pi / 2)
-      .Shape();
-}
-
-TopoDS_Shape wholeRing() {
-  BRepBuilderAPI_MakePolygon wall(gp_Pnt(10, 0, 0), gp_Pnt(16, 0, 0), gp_Pnt(16, 0, 25),
-                                  gp_Pnt(10, 0, 25), Standard_True);
-  return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeFace(wall.Wire()).Face(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)))
-      .Shape();
-}
-
-std::vector<std::pair<std::string, TopoDS_Shape>> shapes() {
-  return {{"box", BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape()},
-          {"wedge", BRepPrimAPI_MakeWedge(40.0, 30.0, 20.0, 10.0, 5.0, 30.0, 15.0).Shape()},
-          {"quarter pipe", quarterPipe()},
-          {"swept rectangle", sweptRectangle()},
-          {"loft", loft()},
-          {"torus", BRepPrimAPI_MakeTorus(25.0, 8.0).Shape()},
-          {"ring", wholeRing()},
-          {"cylinder", BRepPrimAPI_MakeCylinder(15.0, 40.0).Shape()},
-          {"cone", BRepPrimAPI_MakeCone(15.0, 5.0, 40.0).Shape()},
-          {"sphere", BRepPrimAPI_MakeSphere(25.0).Shape()},
-          {"filleted box", filletedBox()},
-          {"bored cylinder", boredCylinder()}};
-}
-
-TEST(CadImport, Explore) {
+TEST(CadImport, ForeignBodiesBecomeSolidsWhereTheyCanAndMeshBodiesOtherwise) {
   const Folder folder;
-  for (const auto& [name, shape] : shapes())
-    for (const char* format : {"a.step", "a.igs", "a.brep"}) {
-      tests::writeForeign(shape, folder.file(format));
-      try {
-        const ImportedBody read = importCad(folder.file(format));
-        const bool solid = std::holds_alternative<Solid>(read.body);
-        std::cout << name << " " << format << ": " << (solid ? "solid" : "mesh") << " "
-                  << (solid ? std::get<Solid>(read.body).controlPoints().size()
-                            : std::get<MeshBody>(read.body).positions().size())
-                  << " dev " << read.deviation << " V " << volume(read.body) << " / "
-                  << tests::volumeOf(shape) << " patches " << quotedPatchNames(read.body).substr(0, 120) << "\n";
-        for (const auto& note : read.notes) std::cout << "    " << note << "\n";
-      } catch (const ModelingError& error) {
-        std::cout << name << " " << format << ": ERROR " << error.what() << "\n";
-      }
+  for (const Foreign& foreign : foreignShapes()) {
+    const double expected = std::abs(tests::volumeOf(foreign.shape));  // one is inside out
+    const double area = tests::areaOf(foreign.shape);
+    const double size = std::cbrt(expected);
+    for (const char* format : kFormats) {
+      const std::string what = std::string(foreign.name) + " as " + format;
+      tests::writeForeign(foreign.shape, folder.file(format));
+      const ImportedBody read = importCad(folder.file(format));
+      const std::string notes = joined(read.notes);
+      // Their constructors check that both are closed, oriented and manifold.
+      EXPECT_EQ(std::holds_alternative<Solid>(read.body), foreign.reason == nullptr) << what << "\n"
+                                                                                     << notes;
+      EXPECT_NE(notes.find(foreign.reason ? foreign.reason : ""), std::string::npos)
+          << what << notes;
+      const std::vector<std::string> names = patchNames(read.body);
+      EXPECT_EQ(names.size(), foreign.faces) << what;
+      EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << what;
+      EXPECT_EQ(names.front().rfind("face_1", 0), 0u) << what << " " << names.front();
+      // A surface that is off by d everywhere encloses at most about area · d more or less.
+      EXPECT_NEAR(volume(read.body), expected, area * read.deviation + 1e-6 * expected) << what;
+      EXPECT_LT(read.deviation, foreign.reason ? 5e-3 * size : 1e-3 * size) << what;
     }
+  }
+}
+
+TEST(CadImport, PatchesKeepTheAskedTolerance) {
+  const Folder folder;
+  const auto path = folder.file("pipe.step");
+  tests::writeForeign(tests::quarterPipe(), path);
+  std::size_t points = 0;
+  for (const double tolerance : {0.1, 1e-3, 1e-5}) {
+    ImportOptions options;
+    options.tolerance = tolerance;
+    const ImportedBody read = importCad(path, options);
+    const Solid& solid = std::get<Solid>(read.body);
+    EXPECT_LE(read.deviation, tolerance);
+    EXPECT_GT(solid.controlPoints().size(), points);
+    points = solid.controlPoints().size();
+    // The cylinders' points are 10 or 16 mm away from the axis.
+    const SurfaceEvaluator surface(solid);
+    double worst = 0.0;
+    for (int patch = 0; patch < surface.patchCount(); ++patch)
+      for (int i = 0; i <= 20; ++i)
+        for (int j = 0; j <= 20; ++j) {
+          const auto [u0, u1] = surface.range(patch, 0);
+          const auto [v0, v1] = surface.range(patch, 1);
+          const Eigen::Vector3d p =
+              surface.position(patch, u0 + (u1 - u0) * i / 20, v0 + (v1 - v0) * j / 20);
+          const double radius = p.head<2>().norm();
+          worst = std::max(worst, std::max(10.0 - radius, radius - 16.0));
+        }
+    EXPECT_LE(worst, tolerance);
+  }
+}
+
+TEST(CadImport, MeshBodiesFollowTheAskedEdgeLength) {
+  const Folder folder;
+  const auto path = folder.file("bored.step");
+  tests::writeForeign(tests::boredCylinder(), path);
+  double last = 1e9;
+  for (const double edgeLength : {8.0, 2.0, 0.5}) {
+    ImportOptions options;
+    options.edgeLength = edgeLength;
+    const ImportedBody read = importCad(path, options);
+    EXPECT_LE(read.deviation, edgeLength / 50.0);
+    EXPECT_LT(read.deviation, last);
+    last = read.deviation;
+  }
+  ImportOptions options;
+  options.edgeLength = 1e-4;
+  EXPECT_NE(errorOf(path, options).find("too many triangles"), std::string::npos);
+  options.edgeLength = -1.0;
+  EXPECT_NE(errorOf(path, options).find("edge_length_mm: -1"), std::string::npos);
+}
+
+TEST(CadImport, InchesBecomeMillimetres) {
+  const Folder folder;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape();
+  tests::writeForeign(box, folder.file("inch.step"), "INCH");
+  EXPECT_NE(tests::readText(folder.file("inch.step")).find("INCH"), std::string::npos);
+  EXPECT_NEAR(volume(importCad(folder.file("inch.step")).body), 24000.0, 1e-6);
+}
+
+TEST(CadImport, TheSameFileGivesTheSameBits) {
+  const Folder folder;
+  for (const TopoDS_Shape& shape : {tests::quarterPipe(), tests::filletedBox()}) {
+    tests::writeForeign(shape, folder.file("a.step"));
+    const Body a = importCad(folder.file("a.step")).body;
+    const Body b = importCad(folder.file("a.step")).body;
+    ASSERT_EQ(a.index(), b.index());
+    if (const auto* solid = std::get_if<Solid>(&a)) {
+      EXPECT_EQ(solid->controlPoints(), std::get<Solid>(b).controlPoints());
+    } else {
+      EXPECT_EQ(std::get<MeshBody>(a).positions(), std::get<MeshBody>(b).positions());
+      EXPECT_EQ(std::get<MeshBody>(a).triangles(), std::get<MeshBody>(b).triangles());
+    }
+  }
 }
 
 }  // namespace

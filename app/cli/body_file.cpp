@@ -1,0 +1,128 @@
+#include "app/cli/body_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "app/cli/errors.h"
+#include "app/cli/text.h"
+#include "app/view/mesh_file.h"
+#include "modeling/exchange/cad_export.h"
+#include "modeling/exchange/cad_format.h"
+#include "modeling/project/project_file.h"
+
+namespace palpa::cli {
+namespace {
+
+std::string endingOf(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+bool isMeshFile(const std::string& path) {
+  const std::string ending = endingOf(path);
+  return ending == ".stl" || ending == ".obj" || ending == ".ply";
+}
+
+void writeMeshOf(const modeling::Project& project, const std::string& path, bool remesh) {
+  const auto* body = std::get_if<modeling::MeshBody>(&project.body);
+  if (body && !remesh) {
+    view::writeMesh({body->positions(), body->triangles(), {}, {}}, path);
+    return;
+  }
+  const auto regions = modeling::meshRegions(project);
+  const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions);
+  view::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
+}
+
+}  // namespace
+
+modeling::Job modelingJob(const Context& context) {
+  ProgressLine& line = context.progress;
+  return {context.stop,
+          [&line](std::string_view phase, double fraction) { line.show(phase, fraction); }};
+}
+
+double suitableEdgeLength(const modeling::Body& body) {
+  const double length = std::sqrt(1.05 * modeling::area(body) / 600);
+  return std::stod(format("%.2g", length));
+}
+
+modeling::Project makeProject(modeling::Body body, const std::string& name) {
+  modeling::Project project;
+  project.name = name;
+  project.material = {"soft silicone", 0.2, 0.48};
+  project.body = std::move(body);
+  const auto box = modeling::boundingBox(project.body);
+  modeling::Support base;
+  base.name = "base";
+  base.where = modeling::Region::below(Eigen::Vector3d::UnitZ(),
+                                       box[0].z() + 0.1 * (box[1].z() - box[0].z()));
+  project.supports = {base};
+  project.mesh.edgeLength = suitableEdgeLength(project.body);
+  return project;
+}
+
+ReadBody readBody(const std::string& path, const modeling::ImportOptions& options,
+                  const modeling::Job& job) {
+  if (endingOf(path) == ".json") return {modeling::readProject(path), 0.0, {}};
+  modeling::ImportedBody imported = modeling::importBody(path, options, job);
+  const std::string name = std::filesystem::path(path).stem().string();
+  return {makeProject(std::move(imported.body), name), imported.deviation,
+          std::move(imported.notes)};
+}
+
+void requireWritable(const std::string& path) {
+  if (endingOf(path) == ".json" || isMeshFile(path) || modeling::cadFormatOf(path)) return;
+  throw OutputError("cannot write " + path + ": the name must end in " + kWritableEndings);
+}
+
+void writeBody(const modeling::Project& project, const std::string& path, bool remesh,
+               const modeling::Job& job) {
+  if (endingOf(path) == ".json")
+    modeling::writeProject(project, path);
+  else if (isMeshFile(path))
+    writeMeshOf(project, path, remesh);
+  else
+    modeling::exportCad(project.body, path, project.name, job);
+}
+
+Json toJson(const ReadBody& read) {
+  const modeling::Body& body = read.project.body;
+  Json report;
+  if (const auto* solid = std::get_if<modeling::Solid>(&body)) {
+    report = {{"kind", "solid"}, {"control_points", solid->controlPoints().size()}};
+  } else {
+    const auto& mesh = std::get<modeling::MeshBody>(body);
+    report = {{"kind", "mesh body"},
+              {"vertices", mesh.positions().size()},
+              {"triangles", mesh.triangles().size()}};
+  }
+  report["patches"] = modeling::patchNames(body);
+  report["volume_mm3"] = modeling::volume(body);
+  report["deviation_mm"] = read.deviation;
+  report["notes"] = read.notes;
+  return report;
+}
+
+std::string toText(const ReadBody& read) {
+  const modeling::Body& body = read.project.body;
+  std::string text;
+  if (const auto* solid = std::get_if<modeling::Solid>(&body)) {
+    text = format("solid      %zu patches over %zu control points\n", solid->patches().size(),
+                  solid->controlPoints().size());
+  } else {
+    const auto& mesh = std::get<modeling::MeshBody>(body);
+    text = format("mesh body  %zu faces, %zu vertices, %zu triangles\n", mesh.faceNames().size(),
+                  mesh.positions().size(), mesh.triangles().size());
+  }
+  text += "patches    " + modeling::quotedPatchNames(body) + "\n";
+  text += format("volume     %.6g mm³\n", modeling::volume(body));
+  if (read.deviation > 0) text += format("deviation  %.2g mm\n", read.deviation);
+  for (const std::string& note : read.notes) text += "note       " + note + "\n";
+  return text;
+}
+
+}  // namespace palpa::cli

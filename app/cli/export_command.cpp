@@ -1,0 +1,48 @@
+#include "app/cli/body_file.h"
+#include "app/cli/commands.h"
+#include "app/cli/errors.h"
+#include "app/cli/project_input.h"
+
+namespace palpa::cli {
+namespace {
+
+class ExportCommand : public Command {
+ public:
+  std::string name() const override { return "export"; }
+  std::string summary() const override { return "Write a project's body to a CAD or mesh file"; }
+  std::string example() const override { return "palpa-cli export ball.json -o ball.step"; }
+
+  void declare(CLI::App& options) override {
+    input_.declare(options);
+    options
+        .add_option("-o,--output", output_,
+                    "File to write: .step, .stp, .iges, .igs, .brep (the solid), .stl, .obj, .ply "
+                    "(its mesh)")
+        ->required()
+        ->type_name("FILE");
+  }
+
+  void run(const Context& context) override {
+    requireWritable(output_);
+    if (std::filesystem::path(output_).extension() == ".json")
+      throw UsageError(
+          "export: --output must be a CAD or mesh file; palpa-cli convert copies projects");
+    const ReadBody read{input_.read(), 0.0, {}};
+    writeBody(read.project, output_, input_.hasEdgeLength(), modelingJob(context));
+    Json report{{"file", output_}};
+    report.update(toJson(read));
+    context.print(report, output_ + ": written from " + input_.file() + "\n" + toText(read));
+  }
+
+ private:
+  ProjectInput input_;
+  std::string output_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> makeExportCommand() {
+  return std::make_unique<ExportCommand>();
+}
+
+}  // namespace palpa::cli
