@@ -2,11 +2,10 @@
 
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
-#include "app/cli/errors.h"
+#include "app/cli/shape_options.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
 #include "modeling/project/project_file.h"
-#include "modeling/shapes/primitives.h"
 
 namespace palpa::cli {
 namespace {
@@ -14,23 +13,17 @@ namespace {
 class NewCommand : public Command {
  public:
   std::string name() const override { return "new"; }
-  std::string summary() const override { return "Make a project from a primitive"; }
+  std::string summary() const override { return "Make a project from a shape"; }
   std::string example() const override {
     return "palpa-cli new sphere --radius 25 -o ball.json\n"
-           "  palpa-cli new cylinder --radius 20 --height 60 -o post.json\n"
-           "  palpa-cli new box --size 40,30,20 -o block.json";
+           "  palpa-cli new box --size 40,30,20 -o block.json\n"
+           "  palpa-cli new cone --bottom-radius 20 --top-radius 0 --height 30 -o cone.json\n"
+           "  palpa-cli new revolve --profile vase.curve.json -o vase.json";
   }
 
   void declare(CLI::App& options) override {
-    options.add_option("primitive", primitive_, "sphere, cylinder or box")
-        ->required()
-        ->type_name("");
-    options.add_option("--radius", radius_, "Radius in mm (sphere, cylinder; default 25, 20)")
-        ->type_name("LENGTH");
-    options.add_option("--height", height_, "Height in mm (cylinder; default 60)")
-        ->type_name("LENGTH");
-    options.add_option("--size", size_, "Edge lengths in mm (box; default 40,30,20)")
-        ->type_name("X,Y,Z");
+    options.add_option("primitive", shape_, shapeNames())->required()->type_name("");
+    shapeOptions_.declare(options);
     options
         .add_option("--edge-length", edgeLength_,
                     "Target length of mesh edges in mm (default: gives about 600 nodes)")
@@ -41,80 +34,64 @@ class NewCommand : public Command {
         ->type_name("MPA");
     options.add_option("--poisson-ratio", poissonRatio_, "Poisson's ratio (default 0.48)")
         ->type_name("NU");
-    options.add_option("--name", projectName_, "Name of the project (default: the primitive)")
+    options.add_option("--name", projectName_, "Name of the project (default: the shape)")
         ->type_name("TEXT");
     options.add_option("-o,--output", output_, "Project file to write (default: standard output)")
         ->type_name("FILE");
   }
 
   void run(const Context& context) override {
-    modeling::Project project = makeSolid();
-    project.name = projectName_.empty() ? primitive_ : projectName_;
-    project.material.name =
-        youngsModulus_.empty() && poissonRatio_.empty() ? "soft silicone" : "custom";
-    project.material.youngsModulus =
-        youngsModulus_.empty() ? 0.2 : parsePositive("--youngs-modulus", youngsModulus_);
-    project.material.poissonRatio =
-        poissonRatio_.empty() ? 0.48 : parseNumber("--poisson-ratio", poissonRatio_);
-    if (!edgeLength_.empty()) {
-      project.mesh.edgeLength = parsePositive("--edge-length", edgeLength_);
-    }
+    const modeling::Primitive primitive = shapeOptions_.primitive(shape_);
+    const modeling::MadeSolid made = modeling::makeMeasuredPrimitive(primitive);
+    modeling::Project project;
+    project.name = projectName_.empty() ? shape_ : projectName_;
+    project.body = made.solid;
+    project.primitive = primitive;
+    modeling::Support base;
+    base.name = "base";
+    base.where = baseOf(primitive, made.solid);
+    project.supports = {base};
+    setMaterial(project.material);
+    project.mesh.edgeLength = edgeLength_.empty() ? suitableEdgeLength(project.body)
+                                                  : parsePositive("--edge-length", edgeLength_);
     modeling::checkProject(project);
     if (output_.empty()) {
       std::cout << modeling::toJson(project);
       return;
     }
     modeling::writeProject(project, output_);
-    Json report{
-        {"file", output_}, {"name", project.name}, {"patches", modeling::patchNames(project.body)}};
-    context.print(report,
-                  format("%s: %s with the patches %s, held at its base\n", output_.c_str(),
-                         primitive_.c_str(), modeling::quotedPatchNames(project.body).c_str()));
+    report(context, project, made.deviation);
   }
 
  private:
-  /// The solid, clamped at its base, with a mesh that suits its size.
-  modeling::Project makeSolid() const {
-    using modeling::Region;
-    modeling::Project project;
-    modeling::Support base;
-    base.name = "base";
-    if (primitive_ == "sphere") {
-      refuse("--height", height_);
-      refuse("--size", size_);
-      const double radius = radius_.empty() ? 25 : parsePositive("--radius", radius_);
-      project.body = modeling::makeSphere(radius);
-      base.where = Region::below(Eigen::Vector3d::UnitZ(), -0.8 * radius);
-    } else if (primitive_ == "cylinder") {
-      refuse("--size", size_);
-      const double radius = radius_.empty() ? 20 : parsePositive("--radius", radius_);
-      const double height = height_.empty() ? 60 : parsePositive("--height", height_);
-      project.body = modeling::makeCylinder(radius, height);
-      base.where = Region::ofPatches({"bottom"});
-    } else if (primitive_ == "box") {
-      refuse("--radius", radius_);
-      refuse("--height", height_);
-      const Eigen::Vector3d size =
-          size_.empty() ? Eigen::Vector3d(40, 30, 20) : parseVector("--size", size_);
-      if (!(size.minCoeff() > 0)) throw UsageError("--size: all lengths must be greater than zero");
-      project.body = modeling::makeBox(size);
-      base.where = Region::ofPatches({"bottom"});
-    } else {
-      throw UsageError("unknown primitive '" + primitive_ + "'; known are sphere, cylinder, box");
-    }
-    project.supports = {base};
-    project.mesh.edgeLength = suitableEdgeLength(project.body);
-    return project;
+  void setMaterial(modeling::Material& material) const {
+    material.name = youngsModulus_.empty() && poissonRatio_.empty() ? "soft silicone" : "custom";
+    material.youngsModulus =
+        youngsModulus_.empty() ? 0.2 : parsePositive("--youngs-modulus", youngsModulus_);
+    material.poissonRatio =
+        poissonRatio_.empty() ? 0.48 : parseNumber("--poisson-ratio", poissonRatio_);
   }
 
-  void refuse(const std::string& option, const std::string& value) const {
-    if (!value.empty()) throw UsageError(option + " has no meaning for a " + primitive_);
+  void report(const Context& context, const modeling::Project& project, double deviation) const {
+    const auto names = modeling::patchNames(project.body);
+    const Json json{
+        {"file", output_},
+        {"name", project.name},
+        {"primitive", shape_},
+        {"patches", names},
+        {"control_points", std::get<modeling::Solid>(project.body).controlPoints().size()},
+        {"deviation_mm", deviation}};
+    const auto [low, high] = modeling::boundingBox(project.body);
+    const std::string fit = deviation <= 1e-12 * (high - low).norm()
+                                ? "exactly the shape"
+                                : format("within %.2g mm of the exact shape", deviation);
+    context.print(json, format("%s: %s with the patches %s, %s, held at its base\n",
+                               output_.c_str(), shape_.c_str(),
+                               modeling::quotedPatchNames(project.body).c_str(), fit.c_str()));
   }
 
-  std::string primitive_;
-  std::string radius_;
-  std::string height_;
-  std::string size_;
+  std::string shape_;
+  ShapeOptions shapeOptions_;
   std::string edgeLength_;
   std::string youngsModulus_;
   std::string poissonRatio_;

@@ -13,14 +13,15 @@
 namespace palpa::modeling {
 
 /// A node while the mesh is being made. It knows its parameters in every patch it belongs to: one
-/// inside a patch, two on an edge, three or more in a corner.
+/// inside a patch, two on an edge, two or more in a corner (two where a single side of a body meets
+/// a single cap, as at the rim of a cone).
 struct WorkNode {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::vector<SurfaceParameter> at;
   int edge = -1;            ///< solid edge the node lies on; -1 inside a patch or in a corner
   double edgeFraction = 0;  ///< on that edge, 0 … 1 of the parameter of uses[0]
 
-  bool isCorner() const { return at.size() > 2; }
+  bool isCorner() const { return edge < 0 && at.size() > 1; }
 };
 
 struct WorkTriangle {

@@ -70,14 +70,15 @@ double distanceFrom(const ExactPatch& patch, double s, double t, const Vector3d&
   return offset.norm();
 }
 
-/// Parameters that see the largest error between the interpolation points.
+/// Parameters on a grid that includes the ends and middles of all spans.
 std::vector<double> samples(const std::vector<double>& spans) {
   const int count = static_cast<int>(spans.size()) - 1;
-  const int perSpan = std::clamp(64 / count, 2, 8);
+  const int perSpan = count <= 8 ? 8 : count <= 16 ? 4 : 2;
   std::vector<double> result;
   for (int k = 0; k < count; ++k)
     for (int i = 0; i < perSpan; ++i)
-      result.push_back(spans[k] + (spans[k + 1] - spans[k]) * (i + 0.5) / perSpan);
+      result.push_back(spans[k] + (spans[k + 1] - spans[k]) * i / perSpan);
+  result.push_back(spans.back());
   return result;
 }
 

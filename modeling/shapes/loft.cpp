@@ -120,7 +120,9 @@ SplineBasis pieceBasis(const LoftBody& body, const NetSize& net, int side, std::
     };
     basis = merged(basis, merged(own(side, piece), reversed(own(side + 2, opposite))));
   }
-  return net.fitted(body.name, basis);
+  int degree = 1;
+  for (const Level& level : body.levels) degree = std::max(degree, level.profile.degree());
+  return net.fitted(body.name, basis, degree);
 }
 
 void checkBetweenSections(const LoftBody& body) {
@@ -207,7 +209,7 @@ ExactShape describeLevels(const std::string& name, std::vector<Level> levels, co
   for (int side = 0; side < 2; ++side)
     for (std::size_t piece = 0; piece < body->pieces(side); ++piece)
       around[side].push_back(pieceBasis(*body, net, side, piece));
-  addSides(shape, body, around, net.fitted(name, blend.basis(net.degree)));
+  addSides(shape, body, around, net.fitted(name, blend.basis(net.degree), net.degree));
   addCap(shape, *body, false, around);
   addCap(shape, *body, true, around);
   return shape;

@@ -111,6 +111,10 @@ bool Profile::isClosed() const {
   return data_->closed;
 }
 
+int Profile::degree() const {
+  return data_->basis.degree;
+}
+
 double Profile::size() const {
   return data_->size;
 }
@@ -204,16 +208,6 @@ SplineBasis Profile::basis(double from, double to, int degree) const {
     }
     // Of the seam only continuity is known.
     addKnot(round + 1.0, degree);
-  }
-  if (degree < curveDegree) {
-    std::vector<double> breaks{0.0};
-    for (double knot : inner)
-      if (knot > breaks.back()) breaks.push_back(knot);
-    breaks.push_back(1.0);
-    for (std::size_t i = 1; i < breaks.size(); ++i)
-      for (double part : {0.25, 0.5, 0.75})
-        inner.push_back(breaks[i - 1] + part * (breaks[i] - breaks[i - 1]));
-    std::sort(inner.begin(), inner.end());
   }
   SplineBasis basis{degree, std::vector<double>(degree + 1, 0.0)};
   basis.knots.insert(basis.knots.end(), inner.begin(), inner.end());

@@ -30,6 +30,7 @@ class Profile {
   double turn(double t) const;
 
   bool isClosed() const;
+  int degree() const;
   /// Largest extent of the curve in x or y, mm.
   double size() const;
 
@@ -47,8 +48,8 @@ class Profile {
   /// The parameter where lengthUpTo() has this value.
   double parameterAt(double length) const;
 
-  /// Basis over [0, 1] of a spline of this degree that holds the curve between two parameters.
-  /// Exact when the degree is at least the curve's; otherwise its spans are cut in four.
+  /// Basis over [0, 1] of splines of this degree that break where the curve does between two
+  /// parameters; the curve is one of them when the degree is at least its own.
   SplineBasis basis(double from, double to, int degree) const;
 
   /// The same curve, run through backwards.

@@ -18,28 +18,48 @@ Marks cornerLengths(const Profile& profile) {
   return marks;
 }
 
-/// The corners of `profile` in the order that puts them nearest to those of `reference`: the first
-/// returned belongs to the first of the reference.
-Marks alignedCorners(const Profile& profile, const Marks& reference, double referenceLength) {
+Eigen::Vector2d centreOf(const Profile& profile) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  const auto& samples = profile.samples();
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    sum += 0.5 * (samples[i] + samples[i - 1]) * (samples[i] - samples[i - 1]).norm();
+  return sum / profile.length();
+}
+
+/// The places on `profile` that belong to the corners of the reference: its own corners, in the
+/// order that twists the loft least, or, where it has none, places in the same proportions of the
+/// length, turned likewise. Least twist: the sum of the squared distances between corresponding
+/// points, both seen from the centres of their profiles.
+Marks leastTwisted(const Profile& profile, const Profile& reference, const Marks& corners) {
+  constexpr int kTurns = 128;
   const Marks own = cornerLengths(profile);
-  const std::size_t count = own.size();
-  const auto turned = [&](std::size_t shift) {
+  const std::size_t count = corners.size();
+  const double whole = profile.length();
+  const auto turned = [&](int turn) {
     Marks marks;
-    for (std::size_t i = 0; i < count; ++i)
-      marks.push_back(own[(i + shift) % count] + (i + shift >= count ? profile.length() : 0.0));
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = i + static_cast<std::size_t>(turn);
+      if (own.empty())
+        marks.push_back(whole * turn / kTurns +
+                        whole / reference.length() * (corners[i] - corners.front()));
+      else
+        marks.push_back(own[k % count] + (k >= count ? whole : 0.0));
+    }
     return marks;
   };
-  const auto distance = [&](const Marks& marks) {
+  const Eigen::Vector2d shift = centreOf(profile) - centreOf(reference);
+  const auto twist = [&](const Marks& marks) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double apart = marks[i] / profile.length() - reference[i] / referenceLength;
-      sum += std::pow(apart - std::round(apart), 2);
-    }
+    for (std::size_t i = 0; i < count; ++i)
+      sum += (profile.point(profile.parameterAt(marks[i])) -
+              reference.point(reference.parameterAt(corners[i])) - shift)
+                 .squaredNorm();
     return sum;
   };
   Marks best = turned(0);
-  for (std::size_t shift = 1; shift < count; ++shift)
-    if (distance(turned(shift)) < distance(best) - 1e-9) best = turned(shift);
+  const int turns = own.empty() ? kTurns : static_cast<int>(count);
+  for (int turn = 1; turn < turns; ++turn)
+    if (twist(turned(turn)) < (1.0 - 1e-9) * twist(best)) best = turned(turn);
   return best;
 }
 
@@ -49,12 +69,10 @@ class Correspondence {
   Correspondence(const Profile& profile, const Profile& reference)
       : profile_(profile), whole_(profile.length()), referenceWhole_(reference.length()) {
     anchors_ = cornerLengths(reference);
-    if (profile.corners().empty() || anchors_.empty()) {
-      anchors_ = {0.0};
-      own_ = {0.0};
-    } else {
-      own_ = alignedCorners(profile, anchors_, referenceWhole_);
-    }
+    if (anchors_.empty())
+      anchors_ = own_ = {0.0};
+    else
+      own_ = leastTwisted(profile, reference, anchors_);
     anchors_.push_back(anchors_.front() + referenceWhole_);
     own_.push_back(own_.front() + whole_);
   }
@@ -140,13 +158,22 @@ std::array<Marks, 4> sidesBetween(const Marks& corners, const Marks& square, dou
   return sides;
 }
 
-/// Calls visit(marks) for the choices of the square's corners, the preferred one first.
+constexpr int kParts = 16;  // of the length, where a square may have corners that are none
+
+/// Calls visit(marks) for squares with equal sides, the one that begins at the seam first.
+template <class Visit>
+void forEqualSides(double length, Visit visit) {
+  for (int k = 0; 4 * k < kParts; ++k) {
+    const double start = length * k / kParts;
+    visit(Marks{start, start + 0.25 * length, start + 0.5 * length, start + 0.75 * length});
+  }
+}
+
+/// Calls visit(marks) for all choices of the square's corners.
 template <class Visit>
 void forSquares(const Marks& corners, double length, Visit visit) {
-  constexpr int kParts = 16;
   Marks others;
   if (corners.size() < 4) {
-    if (corners.empty()) visit(Marks{0.0, 0.25 * length, 0.5 * length, 0.75 * length});
     for (int k = 0; k < kParts; ++k) {
       const double mark = length * k / kParts;
       const bool free = std::none_of(corners.begin(), corners.end(), [&](double corner) {
@@ -214,13 +241,16 @@ std::vector<ProfileCuts> cutProfiles(const std::vector<Profile>& profiles,
 
   std::array<Marks, 4> best;
   double bestQuality = 0.0;
-  forSquares(corners, reference.length(), [&](const Marks& square) {
+  const auto consider = [&](const Marks& square) {
     const std::array<Marks, 4> sides = sidesBetween(corners, square, reference.length());
     const double q = quality(sides, kSearchCells);
     if (q <= kClearlyBetter * bestQuality) return;
     best = sides;
     bestQuality = q;
-  });
+  };
+  // A profile without corners is round in most cases, and then equal sides are as good as any.
+  if (corners.empty()) forEqualSides(reference.length(), consider);
+  if (bestQuality <= 0.0) forSquares(corners, reference.length(), consider);
   if (bestQuality <= 0.0 || quality(best, kFinalCells) <= 0.0)
     throw ModelingError(shape +
                         ": the flat cap over the profile would fold, because the profile is too "

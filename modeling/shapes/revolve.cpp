@@ -15,6 +15,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kSameParameter = 1e-9;
+
 /// An end of the profile on the axis is covered by a patch over a disc; how far it reaches.
 struct AxisCap {
   double parameter = 0.0;  ///< of the profile, where the cap ends
@@ -110,7 +112,7 @@ AxisCap capAtStart(const Profile& profile) {
   const double end = profile.corners().empty() ? 1.0 : profile.corners().front();
   const double steepest = start + kBend * (kRight - start);
   for (int k = 1; k <= kSteps; ++k) {
-    const double t = end * k / kSteps;
+    const double t = k == kSteps ? end : end * k / kSteps;
     if (slope(t, -1) > steepest) break;
     cap.parameter = t;
   }
@@ -171,8 +173,8 @@ std::vector<double> bandCuts(const Profile& profile, double from, double to) {
   if (!profile.isClosed()) {
     cuts.push_back(from);
     for (double corner : profile.corners())
-      if (corner > from && corner < to) cuts.push_back(corner);
-    if (to > from) cuts.push_back(to);
+      if (corner > from + kSameParameter && corner < to - kSameParameter) cuts.push_back(corner);
+    cuts.push_back(to);
     return cuts;
   }
   constexpr std::size_t kFewest = 4;
@@ -201,7 +203,8 @@ void addBands(ExactShape& shape, const RoundNet& round, const NetSize& net, cons
       const Vector2d p = profile.point(from + t * (to - from));
       return Vector3d(p.x() * radial + p.y() * Vector3d::UnitZ());
     };
-    addBand(shape, name, round, net.fitted("revolve", profile.basis(from, to, net.degree)), point,
+    addBand(shape, name, round,
+            net.fitted("revolve", profile.basis(from, to, net.degree), profile.degree()), point,
             isSmoothAt(profile, from), isSmoothAt(profile, to));
   }
 }
@@ -223,7 +226,7 @@ ExactShape describe(const RevolveShape& revolve, const NetSize& net) {
   }
   const double from = start ? start->parameter : 0.0;
   const double to = end ? 1.0 - end->parameter : 1.0;
-  const bool capsOnly = !profile.isClosed() && to - from < 1e-9;
+  const bool capsOnly = !profile.isClosed() && to - from < kSameParameter;
   const bool apex = (start && start->apex) || (end && end->apex);
   const RoundNet round{apex, apex ? net.fromApex() : uniformBasis(net.degree, net.aroundQuarter())};
   shape.smallestLength = profile.size();

@@ -36,17 +36,21 @@ int NetSize::aroundQuarter() const {
 
 SplineBasis NetSize::fromApex() const {
   constexpr std::array<int, 6> kPreferred{0, 17, 10, 9, 10, 10};
-  constexpr double kRatio = 0.4;
-  return gradedBasis(degree, countOr(kPreferred[degree]), kRatio);
+  // The tip is a hundredth of the whole, or what a ratio of 0.4 gives with few spans.
+  const int count = countOr(kPreferred[degree]);
+  const double ratio = std::max(0.4, std::pow(0.01, 1.0 / std::max(1, count - degree - 1)));
+  return gradedBasis(degree, count, ratio);
 }
 
-SplineBasis NetSize::fitted(const std::string& shape, const SplineBasis& needed) const {
+SplineBasis NetSize::fitted(const std::string& shape, const SplineBasis& needed,
+                            int degreeOfShape) const {
   if (controlPoints > 0 && needed.count() > controlPoints)
     throw ModelingError(shape + ": " + std::to_string(controlPoints) +
                         " control points per direction; degree " + std::to_string(degree) +
                         " needs at least " + std::to_string(needed.count()) +
                         " for the curves and sections given (0: as many as needed)");
-  return refined(needed, alongLine());
+  const bool exact = degreeOfShape <= degree;
+  return refined(needed, exact ? alongLine() : countOr(degree + 4 * needed.spanCount()));
 }
 
 NetSize checkNetSize(const std::string& shape, const Primitive& primitive) {

@@ -39,9 +39,10 @@ struct NetSize {
   /// From an apex (0) to a rim. A surface with tangents at its apex cannot be a cone there; spans
   /// that shrink towards it confine the error to a tip of about 1 % of the cone.
   SplineBasis fromApex() const;
-  /// A basis that the shape needs, refined to the number of control points asked for, or to
-  /// degree + 2. @throws ModelingError, beginning with `shape`, when it has more already
-  SplineBasis fitted(const std::string& shape, const SplineBasis& needed) const;
+  /// A basis whose breaks the shape needs, refined to the number of control points asked for;
+  /// without a number to degree + 2, or, where splines of a higher degree must be approximated, to
+  /// four times the spans. @throws ModelingError, beginning with `shape`, when it has more already
+  SplineBasis fitted(const std::string& shape, const SplineBasis& needed, int degreeOfShape) const;
 };
 
 /// The degree is 1 … 5 and the number of control points 0 or degree + 1 … 64. @throws ModelingError

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "modeling/body/region.h"
+#include "modeling/shapes/make_primitive.h"
+
+// The shapes `palpa-cli new` can make and the options that describe them.
+namespace palpa::cli {
+
+/// "sphere, ellipsoid, …": all names, in the order of the help.
+std::string shapeNames();
+
+/// The options of all shapes and their values as text, empty where not given.
+class ShapeOptions {
+ public:
+  void declare(CLI::App& options);
+
+  /// @throws UsageError: a shape that does not exist, an option without meaning for it, a missing
+  ///         or malformed value; ModelingError: a profile file that cannot be read
+  modeling::Primitive primitive(const std::string& shape) const;
+
+ private:
+  std::map<std::string, std::string> values_;
+};
+
+/// Where a new body of this shape is held: its flat base, or the lowest tenth of a round one.
+modeling::Region baseOf(const modeling::Primitive& primitive, const modeling::Solid& solid);
+
+}  // namespace palpa::cli
