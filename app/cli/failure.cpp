@@ -3,6 +3,7 @@
 #include "app/view/errors.h"
 #include "bem/error.h"
 #include "modeling/error.h"
+#include "modeling/job.h"
 
 namespace palpa::cli {
 namespace {
@@ -36,6 +37,8 @@ Failure currentFailure() {
   try {
     throw;
   } catch (const bem::Cancelled&) {
+    return {kCancelled, "cancelled", "cancelled"};
+  } catch (const modeling::Cancelled&) {
     return {kCancelled, "cancelled", "cancelled"};
   } catch (const UsageError& error) {
     return {kUsage, "usage", error.what()};
