@@ -8,6 +8,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeMaterialsCommand());
   commands.push_back(makeInfoCommand());
   commands.push_back(makeCheckCommand());
+  commands.push_back(makeEditCommand());
   commands.push_back(makeMeshCommand());
   commands.push_back(makeSolveCommand());
   commands.push_back(makeTouchCommand());

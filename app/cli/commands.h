@@ -10,6 +10,7 @@ std::unique_ptr<Command> makeNewCommand();
 std::unique_ptr<Command> makeMaterialsCommand();
 std::unique_ptr<Command> makeInfoCommand();
 std::unique_ptr<Command> makeCheckCommand();
+std::unique_ptr<Command> makeEditCommand();
 std::unique_ptr<Command> makeMeshCommand();
 std::unique_ptr<Command> makeSolveCommand();
 std::unique_ptr<Command> makeTouchCommand();

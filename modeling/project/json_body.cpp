@@ -10,9 +10,6 @@ namespace palpa::modeling {
 
 using nlohmann::json;
 
-namespace {
-
-/// The names of kSides in files: u_min where messages say u-min.
 std::string sideKey(Side side) {
   std::string key(sideName(side));
   key[key.find('-')] = '_';
@@ -24,6 +21,8 @@ Side sideFrom(const json& value) {
     if (value == sideKey(side)) return side;
   return Side::uMin;
 }
+
+namespace {
 
 std::vector<PatchEdge> smoothEdgesFrom(const json& list, const std::vector<Patch>& patches) {
   std::unordered_map<std::string, int> patchOfName;

@@ -24,6 +24,10 @@ MeshSettings meshFrom(const nlohmann::json& value);
 /// degree and control_points may be absent: 3 and the shape's default.
 Primitive primitiveFrom(const nlohmann::json& value);
 
+/// The names of kSides in files: u_min where messages say u-min.
+Side sideFrom(const nlohmann::json& value);
+std::string sideKey(Side side);
+
 /// A string in quotes, with escapes; invalid UTF-8 is replaced.
 std::string quoted(const std::string& text);
 

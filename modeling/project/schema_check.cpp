@@ -15,19 +15,44 @@ namespace {
 
 using nlohmann::json;
 
-const json& schemaDocument() {
-  static const json document = json::parse(kProjectSchema);
-  return document;
+/// Lets a schema that refers to `project.schema.json#/…` stand alone: the project schema becomes a
+/// part of it, and all references become local.
+void redirectReferences(json& part, const std::string& from, const std::string& to) {
+  if (part.is_object())
+    if (const auto reference = part.find("$ref"); reference != part.end()) {
+      const std::string target = *reference;
+      if (target.rfind(from, 0) == 0) *reference = to + target.substr(from.size());
+    }
+  if (part.is_structured())
+    for (json& inner : part) redirectReferences(inner, from, to);
 }
 
-const valijson::Schema& compiledSchema() {
-  static const auto schema = [] {
-    auto compiled = std::make_unique<valijson::Schema>();
-    const valijson::adapters::NlohmannJsonAdapter adapter(schemaDocument());
-    valijson::SchemaParser().populateSchema(adapter, *compiled);
-    return compiled;
-  }();
-  return *schema;
+json standaloneCommandsSchema() {
+  json project = json::parse(kProjectSchema);
+  redirectReferences(project, "#/", "#/definitions/project/");
+  json commands = json::parse(kCommandsSchema);
+  redirectReferences(commands, "project.schema.json#/", "#/definitions/project/");
+  commands["definitions"]["project"] = std::move(project);
+  return commands;
+}
+
+struct CompiledSchema {
+  explicit CompiledSchema(json schemaDocument) : document(std::move(schemaDocument)) {
+    const valijson::adapters::NlohmannJsonAdapter adapter(document);
+    valijson::SchemaParser().populateSchema(adapter, schema);
+  }
+
+  json document;
+  valijson::Schema schema;
+};
+
+const CompiledSchema& compiledSchema(SchemaName name) {
+  if (name == SchemaName::commands) {
+    static const CompiledSchema commands(standaloneCommandsSchema());
+    return commands;
+  }
+  static const CompiledSchema project(json::parse(kProjectSchema));
+  return project;
 }
 
 /// A value in a message: scalars as they are, long ones cut, lists and objects by their size.
@@ -44,6 +69,7 @@ std::string typeName(const std::string& type) {
   if (type == "integer") return "a whole number";
   if (type == "number") return "a number";
   if (type == "string") return "a text in quotes";
+  if (type == "boolean") return "true or false";
   return type;
 }
 
@@ -53,6 +79,7 @@ bool hasType(const json& value, const std::string& type) {
   if (type == "integer") return value.is_number_integer();
   if (type == "number") return value.is_number();
   if (type == "string") return value.is_string();
+  if (type == "boolean") return value.is_boolean();
   return false;
 }
 
@@ -69,7 +96,7 @@ std::string keysOf(const json& object) {
   return text;
 }
 
-std::optional<std::string> violation(const json& schema, const json& value,
+std::optional<std::string> violation(const json& root, const json& schema, const json& value,
                                      const std::string& path);
 
 std::string at(const std::string& path) {
@@ -115,7 +142,7 @@ std::optional<std::string> typeViolation(const json& schema, const json& value,
   return std::nullopt;
 }
 
-std::optional<std::string> arrayViolation(const json& schema, const json& value,
+std::optional<std::string> arrayViolation(const json& root, const json& schema, const json& value,
                                           const std::string& path) {
   const std::size_t low = schema.value("minItems", std::size_t{0});
   const std::size_t high = schema.value("maxItems", SIZE_MAX);
@@ -128,11 +155,11 @@ std::optional<std::string> arrayViolation(const json& schema, const json& value,
   }
   if (const auto items = schema.find("items"); items != schema.end())
     for (std::size_t i = 0; i < value.size(); ++i)
-      if (auto inner = violation(*items, value[i], joinPath(path, i))) return inner;
+      if (auto inner = violation(root, *items, value[i], joinPath(path, i))) return inner;
   return std::nullopt;
 }
 
-std::optional<std::string> objectViolation(const json& schema, const json& value,
+std::optional<std::string> objectViolation(const json& root, const json& schema, const json& value,
                                            const std::string& path) {
   const json properties = schema.value("properties", json::object());
   // Unknown keys first: a misspelt key also leaves a required one missing, and names the cause.
@@ -142,7 +169,7 @@ std::optional<std::string> objectViolation(const json& schema, const json& value
     const std::string itemPath = joinPath(path, item.key());
     if (others == false) return itemPath + ": unknown key, expected one of " + keysOf(properties);
     if (others.is_object())
-      if (auto inner = violation(others, item.value(), itemPath)) return inner;
+      if (auto inner = violation(root, others, item.value(), itemPath)) return inner;
   }
   for (const json& key : schema.value("required", json::array()))
     if (!value.contains(key)) return joinPath(path, key.get<std::string>()) + ": is missing";
@@ -152,32 +179,32 @@ std::optional<std::string> objectViolation(const json& schema, const json& value
            ", expected exactly one of " + keysOf(properties);
   for (const auto& item : properties.items())
     if (const auto found = value.find(item.key()); found != value.end())
-      if (auto inner = violation(item.value(), *found, joinPath(path, item.key()))) return inner;
+      if (auto inner = violation(root, item.value(), *found, joinPath(path, item.key())))
+        return inner;
   return std::nullopt;
 }
 
-/// The first violation of the schema (with the keywords that project.schema.json uses), in words.
-std::optional<std::string> violation(const json& schema, const json& value,
+/// The first violation of the schema (with the keywords that our schemas use), in words.
+std::optional<std::string> violation(const json& root, const json& schema, const json& value,
                                      const std::string& path) {
   if (const auto reference = schema.find("$ref"); reference != schema.end())
-    return violation(
-        schemaDocument().at(json::json_pointer(reference->get<std::string>().substr(1))), value,
-        path);
+    return violation(root, root.at(json::json_pointer(reference->get<std::string>().substr(1))),
+                     value, path);
   if (auto found = typeViolation(schema, value, path)) return found;
   if (value.is_array())
-    if (auto found = arrayViolation(schema, value, path)) return found;
+    if (auto found = arrayViolation(root, schema, value, path)) return found;
   if (value.is_object())
-    if (auto found = objectViolation(schema, value, path)) return found;
+    if (auto found = objectViolation(root, schema, value, path)) return found;
   for (const json& part : schema.value("allOf", json::array()))
-    if (auto found = violation(part, value, path)) return found;
+    if (auto found = violation(root, part, value, path)) return found;
   if (schema.contains("if")) {
-    const char* branch = violation(schema["if"], value, path) ? "else" : "then";
+    const char* branch = violation(root, schema["if"], value, path) ? "else" : "then";
     if (schema.contains(branch))
-      if (auto found = violation(schema[branch], value, path)) return found;
+      if (auto found = violation(root, schema[branch], value, path)) return found;
   }
   if (schema.contains("oneOf")) {
     int matches = 0;
-    for (const json& part : schema["oneOf"]) matches += !violation(part, value, path);
+    for (const json& part : schema["oneOf"]) matches += !violation(root, part, value, path);
     if (matches != 1)
       return at(path) + ": expected " + schema["oneOf"][0].value("description", "one variant") +
              (matches == 0 ? ", found neither" : ", found both");
@@ -187,14 +214,16 @@ std::optional<std::string> violation(const json& schema, const json& value,
 
 }  // namespace
 
-void checkAgainstSchema(const json& document, const std::string& source) {
+void checkAgainstSchema(const json& document, const std::string& source, SchemaName schema) {
+  const CompiledSchema& compiled = compiledSchema(schema);
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   const valijson::adapters::NlohmannJsonAdapter adapter(document);
-  if (validator.validate(compiledSchema(), adapter, nullptr)) return;
-  const auto found = violation(schemaDocument(), document, "");
-  throw ModelingError(source + ": " +
-                      found.value_or("does not follow the project schema "
-                                     "(resources/project.schema.json)"));
+  if (validator.validate(compiled.schema, adapter, nullptr)) return;
+  const auto found = violation(compiled.document, compiled.document, document, "");
+  const std::string name = schema == SchemaName::project ? "project" : "commands";
+  throw ModelingError(
+      source + ": " +
+      found.value_or("does not follow the schema (resources/" + name + ".schema.json)"));
 }
 
 }  // namespace palpa::modeling

@@ -268,6 +268,11 @@ Solid restoreTangents(const Solid& before, const Solid& after, const std::vector
     });
     points = improved(problem, std::move(points));
   }
+  // When all three rows are held in a shape that is not smooth, somebody has to give way.
+  const double allowed = std::max(kLargeAngle, 2.0 * largestAngle(problem, before.controlPoints()));
+  if (!held.empty() && largestAngle(problem, points) > allowed)
+    points = improved(makeProblem(after, changed, std::vector<char>(count, 0)), std::move(points));
+  if (points == after.controlPoints()) return after;
   return after.withControlPoints(std::move(points));
 }
 

@@ -19,8 +19,9 @@ double largestTangentAngle(const Solid& solid);
 
 /// Makes the smooth edges tangent-continuous again after some control points of `before` were moved
 /// to give `after` (same topology). The points in `held` (ascending) stay where the user put them
-/// whenever the rest can follow; others near them, in the three rows beside the edge, move as
-/// little as possible. Edges and points that the change does not reach keep their bits.
+/// as long as the others can follow (up to 0.02 rad, or twice the angle before); the others near
+/// them, in the three rows beside the edge, move as little as possible. Edges and points that the
+/// change does not reach keep their bits.
 ///
 /// Exact (below 1e-6 rad) where the net allows it, for example between the quarters of a cylinder;
 /// where three smooth edges meet in a corner the spline space allows only an approximation, and

@@ -9,8 +9,13 @@ target_compile_definitions(palpa_cli_runner PUBLIC
 add_dependencies(palpa_cli_runner palpa-cli)
 
 palpa_add_test(palpa_cli_tests
-  SOURCES cli_bad_input_test.cpp cli_cancel_test.cpp cli_exchange_test.cpp cli_project_test.cpp
-          cli_simulation_test.cpp
+  SOURCES
+    cli_bad_input_test.cpp
+    cli_cancel_test.cpp
+    cli_edit_test.cpp
+    cli_exchange_test.cpp
+    cli_project_test.cpp
+    cli_simulation_test.cpp
   LIBRARIES palpa_cli_runner
   LABEL cli)
 # Sanitizer presets leave out the label render: graphics drivers leak and race on their own.

@@ -1,0 +1,151 @@
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "modeling/editing/apply_command.h"
+#include "modeling/editing/field_check.h"
+#include "modeling/error.h"
+#include "modeling/text.h"
+
+namespace palpa::modeling {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// x → linear x + shift; vectors are turned by `turn`, the part of it without scaling.
+struct AffineMap {
+  Matrix3d linear = Matrix3d::Identity();
+  Vector3d shift = Vector3d::Zero();
+  Matrix3d turn = Matrix3d::Identity();
+
+  Vector3d operator()(const Vector3d& x) const { return linear * x + shift; }
+};
+
+AffineMap around(const Matrix3d& linear, const Vector3d& center, const Matrix3d& turn) {
+  return {linear, center - linear * center, turn};
+}
+
+AffineMap mapOf(const Translation& how) {
+  requireFinite(how.vector, "translate_mm");
+  return {Matrix3d::Identity(), how.vector, Matrix3d::Identity()};
+}
+
+AffineMap mapOf(const Rotation& how) {
+  requireDirection(how.axis, "rotate.axis");
+  requireFinite(how.angleDegrees, "rotate.angle_deg");
+  requireFinite(how.center, "rotate.center_mm");
+  const Matrix3d turn =
+      Eigen::AngleAxisd(how.angleDegrees * std::numbers::pi / 180.0, how.axis.stableNormalized())
+          .toRotationMatrix();
+  return around(turn, how.center, turn);
+}
+
+AffineMap mapOf(const Scaling& how) {
+  for (int axis = 0; axis < 3; ++axis)
+    requirePositive(how.factors[axis], "scale.factors[" + std::to_string(axis) + "]");
+  requireFinite(how.center, "scale.center_mm");
+  return around(how.factors.asDiagonal(), how.center, Matrix3d::Identity());
+}
+
+AffineMap mapOf(const MirrorPlane& how) {
+  requireFinite(how.point, "mirror.point_mm");
+  requireDirection(how.normal, "mirror.normal");
+  const Vector3d n = how.normal.stableNormalized();
+  const Matrix3d mirror = Matrix3d::Identity() - 2.0 * n * n.transpose();
+  return around(mirror, how.point, mirror);
+}
+
+/// Exchanges u and v of a patch, which turns its normal round.
+void exchangeParameters(Patch& patch) {
+  std::vector<std::vector<int>> net(patch.net.front().size(), std::vector<int>(patch.net.size()));
+  for (std::size_t i = 0; i < patch.net.size(); ++i)
+    for (std::size_t j = 0; j < patch.net[i].size(); ++j) net[j][i] = patch.net[i][j];
+  patch.net = std::move(net);
+  std::swap(patch.degree[0], patch.degree[1]);
+  std::swap(patch.knots[0], patch.knots[1]);
+}
+
+Side exchanged(Side side) {
+  switch (side) {
+    case Side::vMin:
+      return Side::uMin;
+    case Side::uMin:
+      return Side::vMin;
+    case Side::vMax:
+      return Side::uMax;
+    default:
+      return Side::vMax;
+  }
+}
+
+Body transformed(const Solid& solid, const AffineMap& map) {
+  std::vector<Vector3d> points = solid.controlPoints();
+  for (Vector3d& point : points) point = map(point);
+  if (map.linear.determinant() > 0.0) return solid.withControlPoints(std::move(points));
+  std::vector<Patch> patches = solid.patches();
+  for (Patch& patch : patches) exchangeParameters(patch);
+  std::vector<PatchEdge> smooth;
+  for (const SolidEdge& edge : solid.edges())
+    if (edge.smooth) smooth.push_back({edge.uses[0].patch, exchanged(edge.uses[0].side)});
+  return Solid(std::move(points), std::move(patches), smooth);
+}
+
+Body transformed(const MeshBody& body, const AffineMap& map) {
+  MeshBody::Data data{body.positions(), body.triangles(), body.faceOfTriangle(), body.faceNames()};
+  for (Vector3d& position : data.positions) position = map(position);
+  if (map.linear.determinant() < 0.0)
+    for (auto& triangle : data.triangles) std::swap(triangle[1], triangle[2]);
+  return MeshBody(std::move(data));
+}
+
+/// The half space of the images of all its points. normal · x < below becomes
+/// (A⁻ᵀ normal) · x' < below + (A⁻ᵀ normal) · shift, brought back to the length of the normal.
+HalfSpace transformed(const HalfSpace& half, const AffineMap& map, const Matrix3d& inverse) {
+  const Vector3d normal = inverse.transpose() * half.normal;
+  const double scale = half.normal.stableNorm() / normal.stableNorm();
+  return {scale * normal, scale * (half.below + normal.dot(map.shift))};
+}
+
+void transform(Region& region, const AffineMap& map, const Matrix3d& inverse) {
+  for (RegionPart& part : region.parts)
+    if (auto* half = std::get_if<HalfSpace>(&part)) *half = transformed(*half, map, inverse);
+}
+
+void transformConditions(Project& project, const AffineMap& map) {
+  const Matrix3d inverse = map.linear.inverse();
+  for (Support& support : project.supports) {
+    transform(support.where, map, inverse);
+    support.displacement = map.turn * support.displacement;
+  }
+  for (Load& load : project.loads) {
+    if (auto* pressure = std::get_if<Pressure>(&load.what)) {
+      transform(pressure->where, map, inverse);
+    } else if (auto* traction = std::get_if<UniformTraction>(&load.what)) {
+      transform(traction->where, map, inverse);
+      traction->traction = map.turn * traction->traction;
+    } else {
+      auto& bump = std::get<Bump>(load.what);
+      bump.center = map(bump.center);
+      bump.direction = map.turn * bump.direction;
+    }
+  }
+  for (Touch& touch : project.touches) {
+    touch.at = map(touch.at);
+    std::visit([&](auto& action) { action.vector = map.turn * action.vector; }, touch.action);
+  }
+}
+
+}  // namespace
+
+Edited applyTo(const TransformSolid& command, const Project& project) {
+  const AffineMap map = std::visit([](const auto& how) { return mapOf(how); }, command.how);
+  if (map.linear == Matrix3d::Identity() && map.shift == Vector3d::Zero()) return {project, 0.0};
+  Edited result = withBody(
+      project, std::visit([&](const auto& body) { return transformed(body, map); }, project.body));
+  transformConditions(result.project, map);
+  return result;
+}
+
+}  // namespace palpa::modeling

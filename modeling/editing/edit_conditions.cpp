@@ -1,0 +1,148 @@
+#include <algorithm>
+
+#include "modeling/editing/apply_command.h"
+#include "modeling/editing/field_check.h"
+#include "modeling/error.h"
+
+namespace palpa::modeling {
+namespace {
+
+/// The place of a name in a list of supports, loads or touches.
+template <class List>
+auto find(List& list, const std::string& name, const std::string& what) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == name; });
+  if (found != list.end()) return found;
+  std::string names;
+  for (const auto& one : list) names += (names.empty() ? "\"" : ", \"") + one.name + "\"";
+  throw ModelingError("name: no " + what + " is named \"" + name + "\"; " +
+                      (names.empty() ? "there are none" : "there are " + names));
+}
+
+template <class One>
+Edited added(const Project& project, std::vector<One> Project::*list, const One& one) {
+  Edited result{project, 0.0};
+  (result.project.*list).push_back(one);
+  return result;
+}
+
+template <class One>
+Edited replaced(const Project& project, std::vector<One> Project::*list, const std::string& name,
+                const One& one, const std::string& what) {
+  Edited result{project, 0.0};
+  *find(result.project.*list, name, what) = one;
+  return result;
+}
+
+template <class One>
+Edited removed(const Project& project, std::vector<One> Project::*list, const std::string& name,
+               const std::string& what) {
+  Edited result{project, 0.0};
+  auto& all = result.project.*list;
+  all.erase(find(all, name, what));
+  return result;
+}
+
+void rename(Region& region, const std::string& from, const std::string& to) {
+  for (RegionPart& part : region.parts)
+    if (auto* set = std::get_if<PatchSet>(&part))
+      std::replace(set->patches.begin(), set->patches.end(), from, to);
+}
+
+Body renamed(const Solid& solid, const std::string& from, const std::string& to) {
+  const int index = requirePatch(solid, from, "patch");
+  std::vector<Patch> patches = solid.patches();
+  patches[index].name = to;
+  std::vector<PatchEdge> smooth;
+  for (const SolidEdge& edge : solid.edges())
+    if (edge.smooth) smooth.push_back(edge.uses[0]);
+  return Solid(solid.controlPoints(), std::move(patches), smooth);
+}
+
+Body renamed(const MeshBody& body, const std::string& from, const std::string& to) {
+  const auto index = body.findFace(from);
+  if (!index)
+    throw ModelingError("patch: no face is named \"" + from + "\"; the body has " +
+                        quotedPatchNames(body));
+  MeshBody::Data data{body.positions(), body.triangles(), body.faceOfTriangle(), body.faceNames()};
+  data.faceNames[*index] = to;
+  return MeshBody(std::move(data));
+}
+
+}  // namespace
+
+Edited applyTo(const AddSupport& command, const Project& project) {
+  return added(project, &Project::supports, command.support);
+}
+Edited applyTo(const SetSupport& command, const Project& project) {
+  return replaced(project, &Project::supports, command.name, command.support, "support");
+}
+Edited applyTo(const RemoveSupport& command, const Project& project) {
+  return removed(project, &Project::supports, command.name, "support");
+}
+
+Edited applyTo(const AddLoad& command, const Project& project) {
+  return added(project, &Project::loads, command.load);
+}
+Edited applyTo(const SetLoad& command, const Project& project) {
+  return replaced(project, &Project::loads, command.name, command.load, "load");
+}
+Edited applyTo(const RemoveLoad& command, const Project& project) {
+  return removed(project, &Project::loads, command.name, "load");
+}
+
+Edited applyTo(const AddTouch& command, const Project& project) {
+  return added(project, &Project::touches, command.touch);
+}
+Edited applyTo(const SetTouch& command, const Project& project) {
+  return replaced(project, &Project::touches, command.name, command.touch, "touch");
+}
+Edited applyTo(const RemoveTouch& command, const Project& project) {
+  return removed(project, &Project::touches, command.name, "touch");
+}
+
+Edited applyTo(const SetMaterial& command, const Project& project) {
+  Edited result{project, 0.0};
+  result.project.material = command.material;
+  return result;
+}
+
+Edited applyTo(const SetMesh& command, const Project& project) {
+  Edited result{project, 0.0};
+  result.project.mesh = command.mesh;
+  return result;
+}
+
+Edited applyTo(const RenameProject& command, const Project& project) {
+  Edited result{project, 0.0};
+  result.project.name = command.name;
+  return result;
+}
+
+Edited applyTo(const RenamePatch& command, const Project& project) {
+  const auto& [from, to] = command;
+  if (to.empty()) throw ModelingError("name: is empty");
+  const auto taken = findPatch(project.body, to);
+  if (taken && from != to)
+    throw ModelingError("name: \"" + to + "\" is already the name of a patch");
+  Edited result{project, 0.0};
+  result.project.body =
+      std::visit([&](const auto& body) { return renamed(body, from, to); }, project.body);
+  if (from == to) return {project, 0.0};
+  for (Support& support : result.project.supports) rename(support.where, from, to);
+  for (Load& load : result.project.loads) {
+    if (auto* pressure = std::get_if<Pressure>(&load.what)) rename(pressure->where, from, to);
+    if (auto* traction = std::get_if<UniformTraction>(&load.what))
+      rename(traction->where, from, to);
+  }
+  auto factor = result.project.mesh.patchFactors.extract(from);
+  if (!factor.empty()) {
+    factor.key() = to;
+    result.project.mesh.patchFactors.insert(std::move(factor));
+  }
+  // A renamed patch is not a name that the primitive would give.
+  result.project.primitive.reset();
+  return result;
+}
+
+}  // namespace palpa::modeling
