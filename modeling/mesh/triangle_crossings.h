@@ -14,7 +14,7 @@ struct TriangleCrossing {
   int b = -1;              ///< a < b
   bool isThrough = false;  ///< an edge of one passes through the inside of the other, or they
                            ///< overlap beyond a common edge; false when they only touch
-  Eigen::Vector3d at;  ///< a point of both, up to rounding
+  Eigen::Vector3d at;      ///< a point of both, up to rounding
 };
 
 /// All such pairs, ordered, by a tree of boxes, a separating axis test in floating point for what
