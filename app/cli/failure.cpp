@@ -3,6 +3,7 @@
 #include "app/view/errors.h"
 #include "bem/error.h"
 #include "modeling/error.h"
+#include "modeling/job.h"
 
 namespace palpa::cli {
 namespace {
@@ -37,8 +38,12 @@ Failure currentFailure() {
     throw;
   } catch (const bem::Cancelled&) {
     return {kCancelled, "cancelled", "cancelled"};
+  } catch (const modeling::Cancelled&) {
+    return {kCancelled, "cancelled", "cancelled"};
   } catch (const UsageError& error) {
     return {kUsage, "usage", error.what()};
+  } catch (const ReportedFailure& error) {
+    return {kBadInput, "bad_input", error.what(), true};
   } catch (const modeling::ModelingError& error) {
     return failureOf(error);
   } catch (const bem::SolverError& error) {

@@ -20,7 +20,12 @@ struct MeshSettings {
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
 
-  /// @throws ModelingError that begins with `path` and names the field
+  /// Patches on which the edge length is multiplied by a factor, 0.05 … 20. Each patch at most
+  /// once; patches around them get as many pieces as needed to fit.
+  std::vector<std::pair<std::string, double>> patchFactors{};
+
+  /// Everything but the names in patchFactors. @throws ModelingError that begins with `path` and
+  /// names the field
   void validate(const std::string& path = "mesh") const;
 };
 
@@ -58,11 +63,14 @@ struct SurfaceMesh {
 /// Meshes the solid and fits the mesh to the borders of the regions. Deterministic: the same input
 /// gives the same mesh to the last bit.
 ///
-/// The number of pieces along each chain of glued edges follows from arc length / edgeLength; the
-/// border of a half space becomes a chain of mesh edges, so that each triangle lies on one side of
-/// it; with refinement the size falls linearly towards sharp edges or borders.
+/// The number of pieces along each chain of glued edges follows from arc length / edgeLength, with
+/// at least three for a quarter of a circle, closer where it bends; triangles of thin patches are
+/// bisected until they are at most about five times as long as high; the border of a half space
+/// becomes a chain of mesh edges, so that each triangle lies on one side of it; with refinement the
+/// size falls linearly towards sharp edges or borders.
 ///
-/// @throws ModelingError: settings out of range; a region that selects no triangle (named); more
+/// @throws ModelingError: settings out of range; an unknown patch in patchFactors; a region that
+/// selects no triangle (named); more
 ///         than kMostNodes nodes (checked before anything is allocated). Cancelled. Progress comes
 ///         as phase "mesh".
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
@@ -78,7 +86,8 @@ SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
 
 inline constexpr double kMostNodes = 5e6;
 
-/// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it.
+/// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it,
+/// within a factor of two or three where patches are so narrow that their cells have to be cut.
 /// Without memory for any edge length (infinite for the absurd) and in milliseconds.
 /// @throws ModelingError as validate() and checkRegion()
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
