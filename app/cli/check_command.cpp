@@ -1,4 +1,8 @@
+#include <algorithm>
+
 #include "app/cli/commands.h"
+#include "app/cli/errors.h"
+#include "app/cli/geometry_report.h"
 #include "app/cli/mesh_report.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
@@ -21,8 +25,23 @@ class CheckCommand : public Command {
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions);
+    const modeling::Job job{context.stop, [&](std::string_view phase, double fraction) {
+                              context.progress.show(phase, fraction);
+                            }};
+    const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
+    const auto findings = modeling::checkGeometry(mesh, project.body, job);
+    const auto errors = std::count_if(findings.begin(), findings.end(),
+                                      [](const auto& finding) { return finding.isError; });
+    if (errors > 0) {
+      Json report{{"valid", false}, {"name", project.name}};
+      report.update(toJson(mesh, quality));
+      report["geometry"] = toJson(findings);
+      context.print(report, toText(mesh, quality) + toText(findings));
+      throw ReportedFailure(input_.file() + format(": the geometry has %d fault%s",
+                                                   static_cast<int>(errors),
+                                                   errors > 1 ? "s" : ""));
+    }
     const app::BoundarySetup setup = app::makeBoundarySetup(project, mesh);
     const auto& conditions = setup.conditions.ofSlot;
     const bem::DegreesOfFreedom dofs(setup.mesh, setup.slots, conditions, setup.material);
@@ -35,9 +54,10 @@ class CheckCommand : public Command {
 
     Json report{{"valid", true}, {"name", project.name}};
     report.update(toJson(mesh, quality));
+    report["geometry"] = toJson(findings);
     report["memory_MiB"] = memory / (1024.0 * 1024.0);
-    context.print(report, input_.file() + ": valid\n" + toText(mesh, quality) + "memory     " +
-                              app::formatBytes(memory) + " to solve\n");
+    context.print(report, input_.file() + ": valid\n" + toText(mesh, quality) + toText(findings) +
+                              "memory     " + app::formatBytes(memory) + " to solve\n");
   }
 
  private:

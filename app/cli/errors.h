@@ -19,12 +19,19 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The command has written its report, which says what is wrong with the input.
+class ReportedFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// What remains of an exception at the end of the program: one line for people, a code for the
 /// shell.
 struct Failure {
   ExitCode code = kInternalError;
   std::string kind;  ///< the code's name in JSON: "usage", "bad_input", …
   std::string message;
+  bool isReported = false;  ///< standard output has it already
 };
 
 /// Translates the exception being handled. To be called inside a catch block.

@@ -42,6 +42,8 @@ Failure currentFailure() {
     return {kCancelled, "cancelled", "cancelled"};
   } catch (const UsageError& error) {
     return {kUsage, "usage", error.what()};
+  } catch (const ReportedFailure& error) {
+    return {kBadInput, "bad_input", error.what(), true};
   } catch (const modeling::ModelingError& error) {
     return failureOf(error);
   } catch (const bem::SolverError& error) {

@@ -84,7 +84,7 @@ int run(int argc, char** argv) {
   } catch (...) {
     progress.clear();
     const Failure failure = currentFailure();
-    report(failure, options.json);
+    report(failure, options.json && !failure.isReported);
     return failure.code;
   }
 }

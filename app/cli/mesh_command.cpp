@@ -30,7 +30,10 @@ class MeshCommand : public Command {
     if (!output_.empty()) view::requireMeshFileName(output_);
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions);
+    const modeling::SurfaceMesh mesh = modeling::mesh(
+        project.body, project.mesh, regions,
+        {context.stop,
+         [&](std::string_view phase, double done) { context.progress.show(phase, done); }});
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     Json report = toJson(mesh, quality);
     std::string text = toText(mesh, quality);

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/cli/drawn_surface.h"
 #include "app/cli/text.h"
 #include "app/view/ticks.h"
-#include "bem/results.h"
 #include "bem/surface_point.h"
 
 namespace palpa::cli {
@@ -15,64 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 using view::ForceArrow;
-using view::ScalarField;
-
-std::vector<Vector3d> nodalDisplacements(const app::TouchState& state) {
-  std::vector<Vector3d> displacements;
-  for (Eigen::Index row = 0; row < state.field.u.rows(); row += 3) {
-    displacements.emplace_back(state.field.u.col(0).segment<3>(row));
-  }
-  return displacements;
-}
-
-/// Mean over the slots of each node: at sharp edges, where the value jumps, colours blend over one
-/// triangle.
-std::vector<double> nodalMeans(const bem::TractionSlots& slots, int nodeCount,
-                               const std::vector<double>& slotValues) {
-  std::vector<double> sums(static_cast<std::size_t>(nodeCount), 0);
-  std::vector<int> counts(sums.size(), 0);
-  for (std::size_t i = 0; i < slotValues.size(); ++i) {
-    const auto node = static_cast<std::size_t>(slots.slots[i].node);
-    sums[node] += slotValues[i];
-    ++counts[node];
-  }
-  for (std::size_t node = 0; node < sums.size(); ++node) sums[node] /= std::max(counts[node], 1);
-  return sums;
-}
-
-ScalarField scalarField(SceneField kind, const app::TouchModel& model,
-                        const app::TouchState& state) {
-  const app::BoundarySetup& setup = model.setup();
-  const int nodes = setup.mesh.nodeCount();
-  ScalarField field;
-  std::vector<double> slotValues;
-  if (kind == SceneField::kDisplacement) {
-    field.name = "Displacement |u|";
-    field.unit = "mm";
-    for (const Vector3d& u : nodalDisplacements(state)) field.values.push_back(u.norm());
-    // Zero is where the body is held: colours start there.
-    const double largest = *std::max_element(field.values.begin(), field.values.end());
-    if (largest > 0) field.range = {0.0, largest};
-    return field;
-  }
-  field.unit = "MPa";
-  if (kind == SceneField::kNormalTraction) {
-    field.name = "Normal traction";
-    field.colours = ScalarField::Colours::kDiverging;
-    for (int slot = 0; slot < setup.slots.count(); ++slot) {
-      slotValues.push_back(setup.slots.slots[static_cast<std::size_t>(slot)].normal.dot(
-          state.field.p.col(0).segment<3>(3 * slot)));
-    }
-  } else {
-    field.name = "von Mises stress";
-    for (const Eigen::Matrix3d& stress : bem::surfaceStress(
-             setup.mesh, setup.slots, state.field.u.col(0), state.field.p.col(0), setup.material)) {
-      slotValues.push_back(bem::vonMises(stress));
-    }
-  }
-  field.values = nodalMeans(setup.slots, nodes, slotValues);
-  return field;
-}
 
 std::string forceLabel(const Vector3d& force) {
   return view::threeDigits(force.norm()) + " N";
@@ -203,15 +145,10 @@ view::SurfaceScene makeScene(const modeling::Project& project, const app::TouchM
                              const app::TouchState& state, const SceneOptions& options) {
   const app::BoundarySetup& setup = model.setup();
   view::SurfaceScene scene;
-  scene.positions = setup.mesh.nodes;
-  scene.triangles = setup.mesh.triangles;
-  scene.displacements = nodalDisplacements(state);
-  scene.displacementScale = options.displacementScale;
-  if (options.field != SceneField::kNone) scene.field = scalarField(options.field, model, state);
+  addSurface(project, model, state, options, scene);
   scene.showMeshEdges = options.showMeshEdges;
   scene.showUndeformed = options.showUndeformed;
   for (const auto& support : setup.supports) {
-    scene.supports.insert(scene.supports.end(), support.triangles.begin(), support.triangles.end());
     scene.supportLabel += (scene.supportLabel.empty() ? "held: " : ", ") + support.name;
   }
   addContacts(model, state, options.displacementScale, scene);

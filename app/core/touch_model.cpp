@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <span>
 
 #include "app/core/memory.h"
 #include "bem/results.h"
@@ -46,6 +47,18 @@ void checkMemory(double nodes, double slots, double edgeLength, const BuildOptio
   throw bem::SolverError(bem::SolverError::Kind::kTooLarge, text);
 }
 
+/// modeling::mesh() under a job of bem: the same stop token and progress, the same Cancelled.
+modeling::SurfaceMesh meshUnderJob(const modeling::Project& project,
+                                   const modeling::MeshSettings& settings,
+                                   std::span<const modeling::MeshRegion> regions,
+                                   const bem::Job& job) {
+  try {
+    return modeling::mesh(project.body, settings, regions, {job.stop, job.progress});
+  } catch (const modeling::Cancelled&) {
+    throw bem::Cancelled{};
+  }
+}
+
 }  // namespace
 
 TouchState TouchModel::describe(bem::BoundaryField field,
@@ -79,11 +92,10 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   modeling::MeshSettings settings = project.mesh;
   if (options.edgeLength) settings.edgeLength = *options.edgeLength;
   Stopwatch watch;
-  job.report("mesh", 0);
   const double expected = modeling::estimateNodeCount(project.body, settings);
   checkMemory(expected, expected, settings.edgeLength, options);
   const auto regions = modeling::meshRegions(project);
-  modeling::SurfaceMesh surface = modeling::mesh(project.body, settings, regions);
+  modeling::SurfaceMesh surface = meshUnderJob(project, settings, regions, job);
   job.throwIfCancelled();
   BuildReport report;
   report.nodes = static_cast<int>(surface.positions.size());
@@ -93,7 +105,6 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   checkMemory(report.nodes, setup.slots.count(), settings.edgeLength, options);
   std::shared_ptr<TouchModel> model(new TouchModel(std::move(surface), std::move(setup)));
   report.meshSeconds = watch.lap();
-  job.report("mesh", 1);
 
   bem::ReferenceProblemTimes times;
   const BoundarySetup& parts = model->setup_;

@@ -91,7 +91,9 @@ std::vector<int> freeTriangles(const SurfaceScene& scene) {
 
 void addBody(const SurfaceScene& scene, vtkRenderer* renderer, double pixel) {
   const auto reference = referenceSurface(scene);
-  const auto surface = deformedWithNormals(reference, scene.creaseAngle);
+  const auto surface = scene.normals.empty() ? deformedWithNormals(reference, scene.creaseAngle)
+                                             : deformedWithNormals(reference, scene.normals);
+  const auto whole = scene.normals.empty() ? reference : merged(reference);
 
   const auto body =
       addSurface(subset(surface, freeTriangles(scene)), kBodyColour, kSurfaceOffset, renderer);
@@ -105,19 +107,19 @@ void addBody(const SurfaceScene& scene, vtkRenderer* renderer, double pixel) {
   }
   if (!scene.supports.empty()) {
     addSurface(subset(surface, scene.supports), kSupportColour, kSurfaceOffset, renderer);
-    addLines(deform(borderLines(reference, scene.supports)), kLineColour, 0.8, 1.6 * pixel,
-             renderer);
+    addLines(deform(borderLines(whole, scene.supports)), kLineColour, 0.8, 1.6 * pixel, renderer);
   }
   if (scene.showMeshEdges) {
-    addLines(deform(meshLines(reference)), kLineColour, 0.32, 0.8 * pixel, renderer);
+    addLines(
+        deform(scene.meshLines.empty() ? meshLines(whole) : meshLines(reference, scene.meshLines)),
+        kLineColour, 0.32, 0.8 * pixel, renderer);
   }
-  addLines(deform(creaseLines(reference, scene.creaseAngle)), kLineColour, 0.55, 1.3 * pixel,
-           renderer);
-  addSilhouette(deform(reference), kLineColour, 0.55, 1.3 * pixel, renderer);
+  addLines(deform(creaseLines(whole, scene.creaseAngle)), kLineColour, 0.55, 1.3 * pixel, renderer);
+  addSilhouette(deform(whole), kLineColour, 0.55, 1.3 * pixel, renderer);
   for (const ContactPatch& patch : scene.contactPatches) {
-    addLines(deform(contactLines(reference, patch)), kAppliedForceColour, 1, 2.2 * pixel, renderer);
+    addLines(deform(contactLines(whole, patch)), kAppliedForceColour, 1, 2.2 * pixel, renderer);
   }
-  if (scene.showUndeformed) addGhostLines(reference, scene.creaseAngle, renderer, pixel);
+  if (scene.showUndeformed) addGhostLines(whole, scene.creaseAngle, renderer, pixel);
 }
 
 void addGhost(const SurfaceScene& scene, vtkRenderer* background) {

@@ -1,6 +1,7 @@
 #include "app/view/geometry.h"
 
 #include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
 #include <vtkCutter.h>
 #include <vtkDoubleArray.h>
 #include <vtkExtractEdges.h>
@@ -114,6 +115,38 @@ vtkSmartPointer<vtkPolyData> deformedWithNormals(vtkPolyData* reference, double 
   normals->AutoOrientNormalsOff();
   normals->Update();
   return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> deformedWithNormals(vtkPolyData* reference,
+                                                 const std::vector<Eigen::Vector3d>& normals) {
+  const auto surface = deform(reference);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Normals");
+  array->SetNumberOfComponents(3);
+  for (const Eigen::Vector3d& normal : normals) array->InsertNextTuple(normal.data());
+  surface->GetPointData()->SetNormals(array);
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> merged(vtkPolyData* reference) {
+  vtkNew<vtkCleanPolyData> filter;
+  filter->SetInputData(reference);
+  filter->SetTolerance(0);
+  filter->ConvertPolysToLinesOff();
+  filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> meshLines(vtkPolyData* reference,
+                                       const std::vector<std::array<int, 2>>& pairs) {
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [a, b] : pairs) cells->InsertNextCell({a, b});
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  lines->SetPoints(reference->GetPoints());
+  lines->GetPointData()->ShallowCopy(reference->GetPointData());
+  lines->SetLines(cells);
+  return lines;
 }
 
 vtkSmartPointer<vtkPolyData> meshLines(vtkPolyData* reference) {

@@ -23,8 +23,20 @@ vtkSmartPointer<vtkPolyData> deformedWithNormals(vtkPolyData* reference, double 
 /// The same for the undeformed shape.
 vtkSmartPointer<vtkPolyData> undeformedWithNormals(vtkPolyData* reference, double creaseAngle);
 
+/// The deformed surface with the given normals, one per point.
+vtkSmartPointer<vtkPolyData> deformedWithNormals(vtkPolyData* reference,
+                                                 const std::vector<Eigen::Vector3d>& normals);
+
+/// The same surface with points of equal position put together: what lines are found on when points
+/// are split at sharp edges. The triangles keep their order.
+vtkSmartPointer<vtkPolyData> merged(vtkPolyData* reference);
+
 /// Lines along all edges of triangles.
 vtkSmartPointer<vtkPolyData> meshLines(vtkPolyData* reference);
+
+/// Lines between pairs of points of the surface.
+vtkSmartPointer<vtkPolyData> meshLines(vtkPolyData* reference,
+                                       const std::vector<std::array<int, 2>>& pairs);
 
 /// Lines along creases of the undeformed surface.
 vtkSmartPointer<vtkPolyData> creaseLines(vtkPolyData* reference, double creaseAngle);

@@ -31,6 +31,14 @@ void SurfaceScene::validate() const {
   require(displacements.empty() || displacements.size() == positions.size(),
           "displacements need one entry per point");
   requireFinite(displacements, "displacements");
+  require(normals.empty() || normals.size() == positions.size(),
+          "normals need one entry per point");
+  requireFinite(normals, "normals");
+  for (const auto& line : meshLines) {
+    for (const int end : line) {
+      require(end >= 0 && end < pointCount, "meshLines name a point that does not exist");
+    }
+  }
   require(std::isfinite(displacementScale), "displacementScale is not finite");
   if (field) {
     require(field->values.size() == positions.size(), "field.values need one entry per point");

@@ -67,13 +67,18 @@ struct SurfaceScene {
   std::vector<Eigen::Vector3d> displacements;  ///< mm; one per point, or empty
   double displacementScale = 1;                ///< drawn shape = positions + scale * displacements
 
+  /// Unit normals of the drawn shape, one per point, or empty: then they follow from the triangles
+  /// and creaseAngle. With normals, a point on a sharp edge is there once for each side of it.
+  std::vector<Eigen::Vector3d> normals;
+
   std::optional<ScalarField> field;  ///< without one the body has one plain colour
 
-  double creaseAngle = 0.6;     ///< rad; edges whose faces turn by more are drawn sharp
-  bool showMeshEdges = false;   ///< thin lines along all triangle edges
-  bool showUndeformed = false;  ///< translucent ghost of the undeformed shape
-  std::vector<int> supports;    ///< indices of held triangles, drawn in the support colour
-  std::string supportLabel;     ///< words for the support colour, e.g. "held: base"; may be empty
+  double creaseAngle = 0.6;    ///< rad; edges whose faces turn by more are drawn sharp
+  bool showMeshEdges = false;  ///< thin lines along meshLines; without these along all triangles
+  std::vector<std::array<int, 2>> meshLines;  ///< pairs of points
+  bool showUndeformed = false;                ///< translucent ghost of the undeformed shape
+  std::vector<int> supports;  ///< indices of held triangles, drawn in the support colour
+  std::string supportLabel;   ///< words for the support colour, e.g. "held: base"; may be empty
   std::vector<ForceArrow> arrows;
   double arrowLength = 0.32;  ///< of the largest arrow, as a fraction of the body's diagonal
   std::vector<ContactPatch> contactPatches;

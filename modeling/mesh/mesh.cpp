@@ -22,6 +22,8 @@ namespace palpa::modeling {
 namespace {
 
 constexpr int kMostLevels = 6;
+constexpr double kSmallestFactor = 0.05;
+constexpr double kLargestFactor = 20.0;
 
 /// Position along the Hilbert curve through a 2^order square grid (standard quadrant recursion).
 std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y, int order) {
@@ -140,18 +142,20 @@ void MeshSettings::validate(const std::string& path) const {
   if (refinementLevels < 0 || refinementLevels > kMostLevels)
     throw ModelingError(path + ".refinement.levels: " + std::to_string(refinementLevels) +
                         " is outside 0 … " + std::to_string(kMostLevels));
-  for (const auto& [patch, factor] : patchFactors)
-    if (!std::isfinite(factor) || factor <= 0.0)
-      throw ModelingError(path + ".patch_factors." + patch + ": " + numberText(factor) +
-                          " must be finite and greater than 0");
+  for (const auto& [name, factor] : patchFactors) {
+    const std::string place = path + ".patch_factors." + name;
+    if (!(factor >= kSmallestFactor && factor <= kLargestFactor))
+      throw ModelingError(place + ": " + numberText(factor) + " is outside " +
+                          numberText(kSmallestFactor) + " … " + numberText(kLargestFactor));
+  }
 }
 
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
                          std::span<const MeshRegion> regions) {
   settings.validate();
   const SurfaceEvaluator surface(solid);
-  const double plain =
-      structuredNodeCount(solid, subdivisionCounts(solid, surface, settings.edgeLength));
+  const Counts counts = subdivisionCounts(solid, surface, patchEdgeLengths(solid, settings));
+  const double plain = structuredNodeCount(solid, counts) + narrowPatchNodes(surface, counts);
   if (settings.refinementLevels == 0) return plain;
   return plain + refinementNodes(solid, surface, settings, regions);
 }
@@ -164,6 +168,10 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   };
   report(0.0);
   for (const MeshRegion& region : regions) checkRegion(region.where, solid, region.name);
+  for (const auto& [name, factor] : settings.patchFactors)
+    if (!solid.findPatch(name))
+      throw ModelingError("mesh.patch_factors: there is no patch \"" + name +
+                          "\"; the patches are " + quotedPatchNames(solid));
   const double expected = estimateNodeCount(solid, settings, regions);
   if (expected > kMostNodes)
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
@@ -171,10 +179,12 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
                             " nodes; at most " + numberText(kMostNodes) + " are possible",
                         ModelingError::Kind::tooLarge);
   const SurfaceEvaluator surface(solid);
-  const Counts counts = subdivisionCounts(solid, surface, settings.edgeLength);
+  const std::vector<double> lengths = patchEdgeLengths(solid, settings);
+  const Counts counts = subdivisionCounts(solid, surface, lengths, job);
   const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
   report(0.05);
-  MeshEditor editor(structuredMesh(solid, surface, counts, job), halfSpaces, job);
+  MeshEditor editor(structuredMesh(solid, surface, counts, lengths, job), halfSpaces, job);
+  boundAspect(editor, narrowPatches(surface, counts));
   report(0.3);
   for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   report(0.5);

@@ -20,10 +20,12 @@ struct MeshSettings {
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
-  /// Per patch name a factor > 0 on the edge length; 1 for patches not named.
-  std::map<std::string, double> patchFactors;
+  /// Patches on which the edge length is multiplied by a factor, 0.05 … 20; 1 for those not named.
+  /// Patches around them get as many pieces as needed to fit.
+  std::map<std::string, double> patchFactors{};
 
-  /// @throws ModelingError that begins with `path` and names the field
+  /// Everything but the names in patchFactors. @throws ModelingError that begins with `path` and
+  /// names the field
   void validate(const std::string& path = "mesh") const;
 };
 
@@ -61,11 +63,14 @@ struct SurfaceMesh {
 /// Meshes the solid and fits the mesh to the borders of the regions. Deterministic: the same input
 /// gives the same mesh to the last bit.
 ///
-/// The number of pieces along each chain of glued edges follows from arc length / edgeLength; the
-/// border of a half space becomes a chain of mesh edges, so that each triangle lies on one side of
-/// it; with refinement the size falls linearly towards sharp edges or borders.
+/// The number of pieces along each chain of glued edges follows from arc length / edgeLength, with
+/// at least three for a quarter of a circle, closer where it bends; triangles of thin patches are
+/// bisected until they are at most about five times as long as high; the border of a half space
+/// becomes a chain of mesh edges, so that each triangle lies on one side of it; with refinement the
+/// size falls linearly towards sharp edges or borders.
 ///
-/// @throws ModelingError: settings out of range; a region that selects no triangle (named); more
+/// @throws ModelingError: settings out of range; an unknown patch in patchFactors; a region that
+/// selects no triangle (named); more
 ///         than kMostNodes nodes (checked before anything is allocated). Cancelled. Progress comes
 ///         as phase "mesh".
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
@@ -88,7 +93,8 @@ inline constexpr double kMostVolumeChange = 0.5;
 
 inline constexpr double kMostNodes = 5e6;
 
-/// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it.
+/// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it,
+/// within a factor of two or three where patches are so narrow that their cells have to be cut.
 /// Without memory for any edge length (infinite for the absurd) and in milliseconds.
 /// @throws ModelingError as validate() and checkRegion()
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,

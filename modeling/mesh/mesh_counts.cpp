@@ -2,25 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <set>
 
+#include "modeling/mesh/mesh_refine.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::modeling {
 namespace {
 
-double meanLength(const SurfaceEvaluator& surface, int patch, int direction) {
+constexpr double kGradingLines = 1.5;  // measured on thin plates, discs and pins
+
+double meanPieces(const SurfaceEvaluator& surface, int patch, int direction, double edgeLength) {
   const auto [low, high] = surface.range(patch, 1 - direction);
-  const auto length = [&](double fixed) {
-    return IsoCurve(surface, patch, direction, fixed).length();
+  const auto pieces = [&](double fixed) {
+    return IsoCurve(surface, patch, direction, fixed).pieces(edgeLength);
   };
-  return (length(low) + 4.0 * length(0.5 * (low + high)) + length(high)) / 6.0;
+  return (pieces(low) + 4.0 * pieces(0.5 * (low + high)) + pieces(high)) / 6.0;
+}
+
+/// Into how many pieces the long sides of a patch's cells are to be cut, and their direction.
+struct Cuts {
+  int direction = 0;
+  double pieces = 1.0;
+};
+
+/// Measured on the patch's middle lines: the aspect of a right triangle with legs a and b much
+/// longer is √3/2 · b / a.
+Cuts cutsOf(const SurfaceEvaluator& surface, int patch, const std::array<double, 2>& counts) {
+  std::array<double, 2> cell{};
+  for (int direction : {0, 1}) {
+    const auto [low, high] = surface.range(patch, 1 - direction);
+    cell[direction] =
+        IsoCurve(surface, patch, direction, 0.5 * (low + high)).length() / counts[direction];
+  }
+  Cuts cuts{cell[0] > cell[1] ? 0 : 1, 1.0};
+  // Absurdly small edge lengths make the cells vanish.
+  if (!(cell[0] > 0.0 && cell[1] > 0.0)) return cuts;
+  while (cuts.pieces < kMostCuts && 0.5 * std::numbers::sqrt3 * cell[cuts.direction] >
+                                        kMostAspect * cuts.pieces * cell[1 - cuts.direction])
+    cuts.pieces *= 2.0;
+  return cuts;
 }
 
 }  // namespace
 
-Counts subdivisionCounts(const Solid& solid, const SurfaceEvaluator& surface, double edgeLength) {
+std::vector<double> patchEdgeLengths(const Solid& solid, const MeshSettings& settings) {
+  std::vector<double> lengths(solid.patches().size(), settings.edgeLength);
+  for (const auto& [name, factor] : settings.patchFactors)
+    if (const auto patch = solid.findPatch(name)) lengths[*patch] = factor * settings.edgeLength;
+  return lengths;
+}
+
+Counts subdivisionCounts(const Solid& solid, const SurfaceEvaluator& surface,
+                         const std::vector<double>& edgeLengths, const Job& job) {
   const int patches = static_cast<int>(solid.patches().size());
   std::vector<int> chain(2 * patches);
   std::iota(chain.begin(), chain.end(), 0);
@@ -34,7 +70,8 @@ Counts subdivisionCounts(const Solid& solid, const SurfaceEvaluator& surface, do
   }
   std::vector<double> count(2 * patches, 1.0);
   for (int i = 0; i < 2 * patches; ++i) {
-    const double pieces = std::round(meanLength(surface, i / 2, i % 2) / edgeLength);
+    job.throwIfCancelled();
+    const double pieces = std::round(meanPieces(surface, i / 2, i % 2, edgeLengths[i / 2]));
     count[root(i)] = std::max(count[root(i)], pieces);
   }
   Counts result(patches);
@@ -51,6 +88,25 @@ double structuredNodeCount(const Solid& solid, const Counts& counts) {
     vertices.insert(edge.vertices.begin(), edge.vertices.end());
   }
   return nodes + static_cast<double>(vertices.size());
+}
+
+std::set<int> narrowPatches(const SurfaceEvaluator& surface, const Counts& counts) {
+  std::set<int> result;
+  for (int patch = 0; patch < surface.patchCount(); ++patch)
+    if (cutsOf(surface, patch, counts[patch]).pieces > 1.0) result.insert(patch);
+  return result;
+}
+
+double narrowPatchNodes(const SurfaceEvaluator& surface, const Counts& counts) {
+  double nodes = 0.0;
+  for (int patch = 0; patch < surface.patchCount(); ++patch) {
+    const Cuts cuts = cutsOf(surface, patch, counts[patch]);
+    if (cuts.pieces == 1.0) continue;
+    // On every long line, and the grading beside the patch.
+    const double lines = counts[patch][1 - cuts.direction] + 1.0;
+    nodes += (lines + kGradingLines) * counts[patch][cuts.direction] * (cuts.pieces - 1.0);
+  }
+  return nodes;
 }
 
 }  // namespace palpa::modeling

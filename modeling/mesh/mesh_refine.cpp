@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numbers>
 #include <queue>
 
 namespace palpa::modeling {
@@ -101,6 +102,54 @@ void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSo
     // A triangle that a neighbour's bisection has cut meanwhile is judged again in the next round.
     for (const auto& [t, nodes] : large)
       if (editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
+  }
+}
+
+void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
+  if (narrowPatches.empty()) return;
+  constexpr double kGraded = 3.0;  // longest over shortest edge around narrow patches
+  const auto& triangles = editor.mesh().triangles;
+  // Sides of a triangle by length, shortest first, and the ratio of the last to the first.
+  const auto sorted = [&](int t) {
+    std::array<DirectedEdge, 3> sides{};
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangles[t].nodes[k];
+      const int b = triangles[t].nodes[(k + 1) % 3];
+      sides[k] = {a, b, (editor.position(a) - editor.position(b)).norm()};
+    }
+    std::stable_sort(sides.begin(), sides.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
+      return x.length < y.length;
+    });
+    return sides;
+  };
+  // A long cell has two triangles with one long side each and the diagonal in common. Halving the
+  // sides and turning the diagonal gives two cells of half the length.
+  for (int cuts = 1; cuts < kMostCuts; cuts *= 2) {
+    std::vector<DirectedEdge> sides;
+    std::vector<DirectedEdge> diagonals;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (i % kCheckpoint == 0) editor.checkpoint();
+      if (!narrowPatches.contains(triangles[i].patch)) continue;
+      const std::array<DirectedEdge, 3> s = sorted(static_cast<int>(i));
+      if (0.5 * std::numbers::sqrt3 * s[1].length <= kMostAspect * s[0].length) continue;
+      sides.push_back(s[1]);
+      diagonals.push_back(s[2]);
+    }
+    for (const DirectedEdge& side : sides)
+      if (editor.leftOf(side.a, side.b) >= 0) editor.split(side.a, side.b);
+    for (const DirectedEdge& diagonal : diagonals)
+      if (editor.leftOf(diagonal.a, diagonal.b) >= 0) editor.flip(diagonal.a, diagonal.b);
+    // One step at a time, so that the triangles that are cut here stay of good shape.
+    std::vector<std::pair<int, std::array<int, 3>>> uneven;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (i % kCheckpoint == 0) editor.checkpoint();
+      if (narrowPatches.contains(triangles[i].patch)) continue;
+      const std::array<DirectedEdge, 3> s = sorted(static_cast<int>(i));
+      if (s[2].length > kGraded * s[0].length)
+        uneven.emplace_back(static_cast<int>(i), triangles[i].nodes);
+    }
+    for (const auto& [t, nodes] : uneven)
+      if (triangles[t].nodes == nodes) bisect(editor, t);
   }
 }
 

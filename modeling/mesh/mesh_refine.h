@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 
 #include "modeling/mesh/mesh_editor.h"
 
@@ -8,6 +9,11 @@ namespace palpa::modeling {
 
 /// Growth of the triangle size per distance from where it is smallest.
 inline constexpr double kSizeGrowth = 0.5;
+
+/// Triangles of narrow patches are cut across until their aspect (MeshQuality::largestAspect) is at
+/// most this, but each edge into at most kMostCuts pieces.
+inline constexpr double kMostAspect = 4.5;
+inline constexpr int kMostCuts = 16;
 
 /// Cuts the triangle's longest edge; first that of its neighbour across it while longer, so that
 /// angles stay bounded from below (Rivara's longest-edge bisection).
@@ -18,5 +24,10 @@ void bisect(MeshEditor& editor, int triangle);
 /// Distances are measured along mesh edges.
 void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSource,
                    double smallest, double largest);
+
+/// Halves the long edges of the triangles in the named patches, whose cells are long and narrow,
+/// until they are within the bounds above, and grades the patches around them. For a structured
+/// mesh.
+void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches);
 
 }  // namespace palpa::modeling

@@ -11,8 +11,9 @@ constexpr int kRowCheck = 1000;  // nodes between two looks at the stop token
 
 class Builder {
  public:
-  Builder(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts, const Job& job)
-      : counts_(counts), job_(job) {
+  Builder(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts,
+          const std::vector<double>& edgeLengths, const Job& job)
+      : counts_(counts), edgeLengths_(edgeLengths), job_(job) {
     mesh_.solid = &solid;
     mesh_.surface = &surface;
   }
@@ -41,7 +42,9 @@ class Builder {
       const SurfaceParameter start = onSide(*mesh_.surface, use, 0.0);
       const IsoCurve curve(*mesh_.surface, use.patch, direction,
                            direction == 0 ? start.v : start.u);
-      const std::vector<double> fractions = curve.equalLengths(pieces(use.patch, direction));
+      const double length =
+          std::min(edgeLengths_[edge.uses[0].patch], edgeLengths_[edge.uses[1].patch]);
+      const std::vector<double> fractions = curve.cut(pieces(use.patch, direction), length);
       std::vector<int> line{corners_[edge.vertices[0]]};
       for (std::size_t i = 1; i + 1 < fractions.size(); ++i)
         line.push_back(add(mesh_.nodeOnEdge(static_cast<int>(edges_.size()), fractions[i])));
@@ -125,6 +128,7 @@ class Builder {
   }
 
   const Counts& counts_;
+  const std::vector<double>& edgeLengths_;
   const Job& job_;
   WorkMesh mesh_;
   std::map<int, int> corners_;           // solid vertex -> node
@@ -134,8 +138,8 @@ class Builder {
 }  // namespace
 
 WorkMesh structuredMesh(const Solid& solid, const SurfaceEvaluator& surface, const Counts& counts,
-                        const Job& job) {
-  return Builder(solid, surface, counts, job).build();
+                        const std::vector<double>& edgeLengths, const Job& job) {
+  return Builder(solid, surface, counts, edgeLengths, job).build();
 }
 
 }  // namespace palpa::modeling

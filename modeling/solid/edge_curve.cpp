@@ -1,5 +1,6 @@
 #include "modeling/solid/edge_curve.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +32,7 @@ IsoCurve::IsoCurve(const SurfaceEvaluator& surface, int patch, int direction, do
   };
   fractions_.push_back(0.0);
   lengths_.push_back(0.0);
+  turns_.push_back(0.0);
   Eigen::Vector3d before = point(low);
   for (std::size_t i = 1; i < spans.size(); ++i)
     for (int k = 1; k <= kSamplesPerSpan; ++k) {
@@ -42,24 +44,43 @@ IsoCurve::IsoCurve(const SurfaceEvaluator& surface, int patch, int direction, do
       const double coarse = (here - before).norm();
       fractions_.push_back((t - low) / (high - low));
       lengths_.push_back(lengths_.back() + fine + (fine - coarse) / 3.0);
+      // The angle between the half chords is the turn over half of the step.
+      const Eigen::Vector3d first = middle - before;
+      const Eigen::Vector3d second = here - middle;
+      turns_.push_back(turns_.back() +
+                       2.0 * std::atan2(first.cross(second).norm(), first.dot(second)));
       before = here;
     }
   fractions_.back() = 1.0;
 }
 
-double IsoCurve::parameterAt(double length) const {
-  const auto above = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length);
-  const std::size_t i = above - lengths_.begin();
-  const double width = lengths_[i] - lengths_[i - 1];
-  const double part = width > 0.0 ? (length - lengths_[i - 1]) / width : 0.5;
-  return fractions_[i - 1] + std::clamp(part, 0.0, 1.0) * (fractions_[i] - fractions_[i - 1]);
+std::vector<double> IsoCurve::density(double pieceLength) const {
+  constexpr double kFinest = 64.0;  // times more pieces than without bends
+  std::vector<double> result{0.0};
+  bool bends = false;
+  for (std::size_t i = 1; i < lengths_.size(); ++i) {
+    const double straight = (lengths_[i] - lengths_[i - 1]) / pieceLength;
+    const double bent = std::min((turns_[i] - turns_[i - 1]) / kPieceAngle, kFinest * straight);
+    bends = bends || bent > straight;
+    result.push_back(result.back() + std::max(straight, bent));
+  }
+  // Without strong bends exactly the arc length, whatever the rounding of the sum.
+  if (!bends)
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = lengths_[i] / pieceLength;
+  return result;
 }
 
-std::vector<double> IsoCurve::equalLengths(int count) const {
+std::vector<double> IsoCurve::cut(int count, double pieceLength) const {
+  const std::vector<double> share = density(pieceLength);
   std::vector<double> result(count + 1);
-  for (int i = 0; i <= count; ++i) {
-    const double part = static_cast<double>(i) / count;
-    result[i] = parameterAt(part * length());
+  for (int k = 0; k <= count; ++k) {
+    const double wanted = static_cast<double>(k) / count * share.back();
+    const auto above = std::upper_bound(share.begin() + 1, share.end() - 1, wanted);
+    const std::size_t i = above - share.begin();
+    const double width = share[i] - share[i - 1];
+    const double part = width > 0.0 ? (wanted - share[i - 1]) / width : 0.5;
+    result[k] =
+        fractions_[i - 1] + std::clamp(part, 0.0, 1.0) * (fractions_[i] - fractions_[i - 1]);
   }
   result.front() = 0.0;
   result.back() = 1.0;

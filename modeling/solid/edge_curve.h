@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "modeling/solid/surface_evaluator.h"
@@ -22,23 +23,34 @@ SurfaceParameter onSide(const SurfaceEvaluator& surface, PatchEdge edge, double 
 /// edge.uses[use].
 SurfaceParameter onEdge(const SurfaceEvaluator& surface, const SolidEdge& edge, int use, double t);
 
-/// A line of constant parameter of a patch with its arc length (relative accuracy about 1e-6).
-/// `direction` is the parameter that varies, `fixed` the value of the other one.
+/// A piece of a curve should turn by no more than this, so that a quarter of a circle has three.
+inline constexpr double kPieceAngle = std::numbers::pi / 6.0;
+
+/// A line of constant parameter of a patch with its arc length (relative accuracy about 1e-6) and
+/// how much it turns. `direction` is the parameter that varies, `fixed` the value of the other one.
 class IsoCurve {
  public:
   IsoCurve(const SurfaceEvaluator& surface, int patch, int direction, double fixed);
 
   double length() const { return lengths_.back(); }
 
-  /// Fractions 0 … 1 of the parameter range at which the curve is cut into `count` equal lengths;
-  /// count + 1 values, the first 0 and the last 1.
-  std::vector<double> equalLengths(int count) const;
+  /// How many pieces of the given length it takes, counted finer where the curve bends so much that
+  /// they would turn by more than kPieceAngle: ∫ max(1 / pieceLength, κ / kPieceAngle) ds, with
+  /// pieces not below pieceLength / 64 and kinks at knots left out.
+  double pieces(double pieceLength) const { return density(pieceLength).back(); }
+
+  /// Fractions 0 … 1 of the parameter range at which the curve is cut into `count` parts with equal
+  /// shares of that integral: equal lengths where it bends little. count + 1 values, the first 0
+  /// and the last 1.
+  std::vector<double> cut(int count, double pieceLength) const;
 
  private:
-  double parameterAt(double length) const;
+  /// The integral up to each sample.
+  std::vector<double> density(double pieceLength) const;
 
   std::vector<double> fractions_;  // sample parameters, as fractions of the range
   std::vector<double> lengths_;    // arc length up to each sample
+  std::vector<double> turns_;      // by how much the curve turns up to each sample, rad
 };
 
 }  // namespace palpa::modeling

@@ -1,0 +1,126 @@
+// How the mesher spends its nodes: factors of patches, bends, narrow patches.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh_checks.h"
+#include "modeling/error.h"
+#include "modeling/mesh/mesh.h"
+#include "modeling/shapes/primitives.h"
+
+namespace palpa::modeling {
+namespace {
+
+using Eigen::Vector3d;
+
+MeshSettings edgeLength(double h) {
+  MeshSettings settings;
+  settings.edgeLength = h;
+  return settings;
+}
+
+double meanArea(const SurfaceMesh& mesh, int patch) {
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.patchOfTriangle[t] != patch) continue;
+    const auto& [a, b, c] = mesh.triangles[t];
+    sum +=
+        0.5 *
+        (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]).norm();
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(PatchFactors, MakeAPatchFinerAndFitTheOthersToIt) {
+  const Solid box = makeBox({40, 30, 20});
+  MeshSettings settings = edgeLength(5.0);
+  const SurfaceMesh plain = mesh(box, settings);
+  settings.patchFactors = {{"top", 0.5}};
+  const SurfaceMesh finer = mesh(box, settings);
+  EXPECT_EQ(checks::manifoldFault(finer), "");
+  const int top = *box.findPatch("top");
+  EXPECT_NEAR(meanArea(finer, top) / meanArea(plain, top), 0.25, 1e-9);
+  // 16 × 12 cells on top (and, opposite, on the bottom), 4 along z.
+  EXPECT_EQ(finer.positions.size(), 2U * 17 * 13 + 3U * 2 * (16 + 12));
+  EXPECT_EQ(estimateNodeCount(box, settings), static_cast<double>(finer.positions.size()));
+  settings.patchFactors = {{"top", 1.0}, {"bottom", 1.0}};
+  EXPECT_EQ(mesh(box, settings).positions, plain.positions);
+}
+
+TEST(PatchFactors, AreChecked) {
+  const Solid box = makeBox({40, 30, 20});
+  const auto message = [&](std::map<std::string, double> factors) -> std::string {
+    MeshSettings settings = edgeLength(5.0);
+    settings.patchFactors = std::move(factors);
+    try {
+      mesh(box, settings);
+    } catch (const ModelingError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({{"lid", 0.5}}).find("no patch \"lid\"; the patches are \"side_xmin\""),
+            std::string::npos)
+      << message({{"lid", 0.5}});
+  for (double factor : {0.0, -1.0, 0.01, 100.0, std::numeric_limits<double>::quiet_NaN(),
+                        std::numeric_limits<double>::infinity()})
+    EXPECT_EQ(message({{"top", factor}}).find("mesh.patch_factors.top: "), 0U) << factor;
+}
+
+TEST(Bends, ACoarseMeshHasThreePiecesPerQuarterOfACircle) {
+  const Solid cylinder = makeCylinder(20.0, 60.0);
+  const SurfaceMesh result = mesh(cylinder, edgeLength(100.0));
+  // On the rim at the top, every 30 degrees.
+  std::vector<double> angles;
+  for (const Vector3d& x : result.positions)
+    if (std::abs(x.z() - 60.0) < 1e-9 && std::abs(x.head<2>().norm() - 20.0) < 0.01)
+      angles.push_back(std::atan2(x.y(), x.x()));
+  std::sort(angles.begin(), angles.end());
+  ASSERT_EQ(angles.size(), 12U);
+  for (std::size_t i = 1; i < angles.size(); ++i)
+    EXPECT_NEAR(angles[i] - angles[i - 1], std::numbers::pi / 6, 0.01);
+}
+
+TEST(Bends, NodesGatherWhereAnEdgeBends) {
+  // The sphere drawn out along x: its flat middle and its tight ends.
+  const Solid sphere = makeSphere(10.0);
+  std::vector<Vector3d> points = sphere.controlPoints();
+  for (Vector3d& p : points) p.x() *= 6.0;
+  const Solid cigar = sphere.withControlPoints(points);
+  const SurfaceMesh coarse = mesh(cigar, edgeLength(12.0));
+  EXPECT_EQ(checks::manifoldFault(coarse), "");
+  // Equal lengths would give a fifth of the surface, the tight ends, a fifth of the nodes.
+  const auto nodesBeyond = [&](double x) {
+    return std::count_if(coarse.positions.begin(), coarse.positions.end(),
+                         [&](const Vector3d& p) { return std::abs(p.x()) > x; });
+  };
+  EXPECT_GT(nodesBeyond(48.0), static_cast<long>(coarse.positions.size()) / 3);
+}
+
+TEST(NarrowPatches, HaveTrianglesOfBoundedAspect) {
+  struct Case {
+    Solid solid;
+    double h;
+  };
+  for (const Case& c : {Case{makeBox({40, 40, 0.5}), 5.0}, Case{makeBox({40, 40, 0.5}), 2.0},
+                        Case{makeCylinder(20.0, 0.5), 5.0}, Case{makeBox({40, 0.3, 20}), 5.0},
+                        Case{makeCylinder(0.5, 40.0), 5.0}}) {
+    const SurfaceMesh result = mesh(c.solid, edgeLength(c.h));
+    EXPECT_EQ(checks::manifoldFault(result), "");
+    const MeshQuality quality = measureQuality(result);
+    EXPECT_LT(quality.largestAspect, 5.6) << c.h;
+    EXPECT_GT(quality.smallestAngle, 15.0) << c.h;
+    const double estimate = estimateNodeCount(c.solid, edgeLength(c.h));
+    EXPECT_LT(std::abs(std::log(estimate / static_cast<double>(result.positions.size()))),
+              std::log(3.0));
+  }
+}
+
+}  // namespace
+}  // namespace palpa::modeling
