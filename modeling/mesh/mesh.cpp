@@ -21,6 +21,8 @@ namespace palpa::modeling {
 namespace {
 
 constexpr int kMostLevels = 6;
+constexpr double kSmallestFactor = 0.05;
+constexpr double kLargestFactor = 20.0;
 
 /// Position along the Hilbert curve through a 2^order square grid (standard quadrant recursion).
 std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y, int order) {
@@ -201,10 +203,14 @@ void MeshSettings::validate(const std::string& path) const {
   if (refinementLevels < 0 || refinementLevels > kMostLevels)
     throw ModelingError(path + ".refinement.levels: " + std::to_string(refinementLevels) +
                         " is outside 0 … " + std::to_string(kMostLevels));
-  for (const auto& [patch, factor] : patchFactors)
-    if (!std::isfinite(factor) || factor <= 0.0)
-      throw ModelingError(path + ".patch_factors." + patch + ": " + numberText(factor) +
-                          " must be finite and greater than 0");
+  std::set<std::string> names;
+  for (const auto& [name, factor] : patchFactors) {
+    const std::string place = path + ".patch_factors." + name;
+    if (!(factor >= kSmallestFactor && factor <= kLargestFactor))
+      throw ModelingError(place + ": " + numberText(factor) + " is outside " +
+                          numberText(kSmallestFactor) + " … " + numberText(kLargestFactor));
+    if (!names.insert(name).second) throw ModelingError(place + ": the patch has a factor already");
+  }
 }
 
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,10 +17,13 @@ struct MeshSettings {
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
-  /// Per patch name a factor > 0 on the edge length; 1 for patches not named.
-  std::map<std::string, double> patchFactors;
 
-  /// @throws ModelingError that begins with `path` and names the field
+  /// Patches on which the edge length is multiplied by a factor, 0.05 … 20. Each patch at most
+  /// once; patches around them get as many pieces as needed to fit.
+  std::vector<std::pair<std::string, double>> patchFactors{};
+
+  /// Everything but the names in patchFactors. @throws ModelingError that begins with `path` and
+  /// names the field
   void validate(const std::string& path = "mesh") const;
 };
 

@@ -66,7 +66,8 @@ MeshSettings meshFrom(const json& value) {
   MeshSettings settings;
   settings.edgeLength = value["edge_length_mm"];
   if (value.contains("patch_factors"))
-    settings.patchFactors = value["patch_factors"].get<std::map<std::string, double>>();
+    for (const auto& item : value["patch_factors"].items())
+      settings.patchFactors.emplace_back(item.key(), item.value().get<double>());
   if (!value.contains("refinement")) return settings;
   settings.refinementLevels = value["refinement"]["levels"];
   for (const json& at : value["refinement"]["at"])

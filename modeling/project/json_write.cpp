@@ -1,3 +1,5 @@
+#include <map>
+
 #include "modeling/project/json_values.h"
 #include "modeling/text.h"
 
@@ -86,7 +88,9 @@ std::string meshText(const MeshSettings& mesh) {
   std::string text = "{\"edge_length_mm\": " + numberText(mesh.edgeLength);
   if (!mesh.patchFactors.empty()) {
     std::string factors;
-    for (const auto& [patch, factor] : mesh.patchFactors)
+    // By name, as they come back from a file.
+    for (const auto& [patch, factor] :
+         std::map<std::string, double>(mesh.patchFactors.begin(), mesh.patchFactors.end()))
       factors += (factors.empty() ? "" : ", ") + quoted(patch) + ": " + numberText(factor);
     text += ", \"patch_factors\": {" + factors + "}";
   }
