@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
+#include <cstdio>
 #include <optional>
 #include <system_error>
 

@@ -166,9 +166,10 @@ Autosave::Autosave(fs::path folder) : folder_(std::move(folder)) {
 }
 
 void Autosave::write(const Project& project, const fs::path& original, std::uint64_t revision) {
-  const fs::path absolute = original.empty() ? original : fs::absolute(original);
-  const ProcessId process = thisProcess();
   std::error_code code;
+  fs::path absolute = original.empty() ? original : fs::absolute(original, code);
+  if (code) absolute = original;  // the working folder has gone
+  const ProcessId process = thisProcess();
   if (!fs::exists(folder_, code) && fs::create_directories(folder_, code))
     fs::permissions(folder_, fs::perms::owner_all, code);
   if (!fs::is_directory(folder_, code))
@@ -192,7 +193,7 @@ void Autosave::remove() noexcept {
 RecoveryList findRecoverable(const fs::path& folder) {
   RecoveryList result;
   std::error_code code;
-  if (!fs::exists(folder, code)) return result;
+  if (!fs::exists(folder, code) && !code) return result;
   fs::directory_iterator it(folder, code);
   for (; !code && it != fs::directory_iterator(); it.increment(code))
     if (it->path().extension() == kExtension) list(it->path(), result);

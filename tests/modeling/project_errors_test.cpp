@@ -121,7 +121,7 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
       0U);
   EXPECT_EQ(
       errorWith("\"edge_length_mm\": 4", "\"edge_length_mm\": 4, \"patch_factors\": {\"top\": 0}"),
-      "box.json: mesh.patch_factors.top: found 0, expected more than 0");
+      "box.json: mesh.patch_factors.top: found 0, expected at least 0.05");
   EXPECT_EQ(errorWith("\"solid\"", "\"mesh_body\": {}, \"solid\""),
             "box.json: mesh_body.vertices_mm: is missing");
   EXPECT_EQ(

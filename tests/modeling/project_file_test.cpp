@@ -35,7 +35,7 @@ Project example() {
   project.mesh.edgeLength = 4.0;
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
-  project.mesh.patchFactors = {{"top", 0.5}, {"bottom", 1.0 / 3.0}};
+  project.mesh.patchFactors = {{"bottom", 1.0 / 3.0}, {"top", 0.5}};
   project.view = R"({"zoom":1.5,"camera":[1,2,3],"about":{"b":1,"a":null}})";
   return project;
 }
