@@ -27,8 +27,9 @@ namespace {
 
 constexpr double kTolerance = 1e-4;     // of the diagonal of the bounding box
 constexpr double kRounding = 1e-9;      // of the diagonal: no approximation worth a note
-constexpr double kLeastSeconds = 30.0;  // more than any sound file of that size takes
+constexpr double kLeastSeconds = 10.0;  // more than any sound file of that size takes
 constexpr double kSecondsPerByte = 2e-5;
+constexpr double kSecondsForMesh = 300.0;  // more when the edge length is asked for
 constexpr int kUsualNodes = 600;
 constexpr double kChordsPerEdgeLength = 50.0;
 
@@ -172,7 +173,8 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
   job.throwIfCancelled();
   const std::string text = readCadText(path);
   const OpenCascadeSession session;
-  const double seconds = kLeastSeconds + kSecondsPerByte * static_cast<double>(text.size());
+  const double seconds = kLeastSeconds + kSecondsPerByte * static_cast<double>(text.size()) +
+                         (options.edgeLength > 0.0 ? kSecondsForMesh : 0.0);
   rehearse([&] { import(path, text, options, Job{}); }, path.string(), seconds, job);
   return import(path, text, options, job);
 }

@@ -43,7 +43,7 @@ struct ImportedBody {
 /// threads run one after the other.
 ///
 /// @throws ModelingError that begins with the file's name: not there, not readable, damaged, larger
-///         than kLargestCadFile, taking longer than 30 s and 20 s per MiB, several solids, a
+///         than kLargestCadFile, taking longer than 10 s and 20 s per MiB, several solids, a
 ///         surface that is not closed (with the place); Cancelled
 ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& options = {},
                        const Job& job = {});

@@ -42,6 +42,7 @@ class Joiner {
     if (mesh.IsNull() || mesh->NbTriangles() == 0)
       throw ModelingError("OpenCASCADE cannot triangulate the face \"" + names_[index] + "\"");
     vertexOfNode_.assign(static_cast<std::size_t>(mesh->NbNodes()) + 1, -1);
+    collapsed_.assign(vertexOfNode_.size(), -1);
     const auto position = [&](int node) {
       return toEigen(mesh->Node(node).Transformed(location.Transformation()));
     };
@@ -113,6 +114,11 @@ class Joiner {
     if (static_cast<int>(row.size()) != count)
       throw ModelingError("OpenCASCADE cut an edge into different pieces on its two sides");
     for (int i = 1; i <= count; ++i) vertexOfNode_[polygon->Node(i)] = row[i - 1];
+    if (!BRep_Tool::Degenerated(edge) || !mesh->HasUVNodes()) return;
+    const gp_XY along =
+        mesh->UVNode(polygon->Node(count)).XY() - mesh->UVNode(polygon->Node(1)).XY();
+    for (int i = 1; i <= count; ++i)
+      collapsed_[polygon->Node(i)] = std::abs(along.X()) > std::abs(along.Y()) ? 0 : 1;
   }
 
   /// Distance of the surface from the flat triangle, at its middle and at those of its sides.
@@ -122,11 +128,19 @@ class Joiner {
     const auto& p = data_.positions;
     const Vector3d normal =
         (p[triangle[1]] - p[triangle[0]]).cross(p[triangle[2]] - p[triangle[0]]).normalized();
+    std::array<gp_XY, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = mesh.UVNode(nodes[k]).XY();
+    for (int k = 0; k < 3; ++k) {  // at a pole one parameter means nothing; take the middle one
+      const int direction = collapsed_[nodes[k]];
+      if (direction < 0) continue;
+      const gp_XY middle = 0.5 * (corners[(k + 1) % 3] + corners[(k + 2) % 3]);
+      corners[k].SetCoord(direction + 1, middle.Coord(direction + 1));
+    }
     constexpr std::array<std::array<double, 3>, 4> kPlaces{
         {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.5, 0.5, 0}, {0, 0.5, 0.5}, {0.5, 0, 0.5}}};
     for (const auto& weights : kPlaces) {
       gp_XY uv;
-      for (int k = 0; k < 3; ++k) uv += weights[k] * mesh.UVNode(nodes[k]).XY();
+      for (int k = 0; k < 3; ++k) uv += weights[k] * corners[k];
       const Vector3d onSurface = toEigen(surface.Value(uv.X(), uv.Y()));
       deviation_ = std::max(deviation_, std::abs(normal.dot(onSurface - p[triangle[0]])));
     }
@@ -159,6 +173,7 @@ class Joiner {
   const std::vector<std::string>& names_;
   MeshBody::Data data_;
   std::vector<int> vertexOfNode_;
+  std::vector<int> collapsed_;  // per node: the direction (0 u, 1 v) that is a pole there, or -1
   TopTools_IndexedMapOfShape edges_;
   std::vector<std::vector<int>> rowOfEdge_;  // one per edges_
   TopTools_IndexedMapOfShape ends_;

@@ -15,7 +15,7 @@ ImportedBody importBody(const std::filesystem::path& path, const ImportOptions& 
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == ".stl" || ending == ".obj" || ending == ".ply") {
-    // MERGE: return {readMeshFile(path, job), {}, 0.0};  (modeling/exchange/mesh_reader.h)
+    // MERGE: return {readMeshFile(path, {}, job), {}, 0.0};  (modeling/exchange/mesh_reader.h)
     throw ModelingError(path.string() + ": mesh files cannot be read yet");
   }
   throw ModelingError(path.string() + ": cannot be imported; the name must end in " +

@@ -6,6 +6,7 @@
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <GeomConvert.hxx>
+#include <GeomLib_IsPlanarSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_RectangularTrimmedSurface.hxx>
@@ -25,6 +26,7 @@ namespace {
 
 constexpr int kMaxDegree = 5;
 constexpr double kOnSide = 1e-5;  // of the range: how far an edge may leave the line of its side
+constexpr double kFlat = 1e-6;    // mm: how far a surface may leave a plane to be one
 
 [[noreturn]] void fail(const std::string& face, const std::string& what) {
   throw NoPatches{"the face \"" + face + "\" " + what};
@@ -157,19 +159,51 @@ Handle(Geom_Surface) withoutTrimming(Handle(Geom_Surface) surface) {
   return surface;
 }
 
+/// Fills in the plane when the surface is one, or is flat under another name (many programs write
+/// planes as B-splines).
+bool findPlane(const TopoDS_Face& face, QuadFace& quad) {
+  const BRepAdaptor_Surface adaptor(face, Standard_False);
+  gp_Pln plane;
+  if (adaptor.GetType() == GeomAbs_Plane) {
+    plane = adaptor.Plane();
+  } else {
+    const GeomLib_IsPlanarSurface planar(BRep_Tool::Surface(face), kFlat);
+    if (!planar.IsPlanar()) return false;
+    plane = planar.Plan();
+  }
+  quad.kind = QuadFace::Kind::flat;
+  quad.origin = plane.Location();
+  double u0, u1, v0, v1;
+  BRepTools::UVBounds(face, u0, u1, v0, v1);
+  gp_Pnt point;
+  gp_Vec du, dv;
+  adaptor.D1(0.5 * (u0 + u1), 0.5 * (v0 + v1), point, du, dv);
+  quad.normal = plane.Axis().Direction();
+  const bool along = du.Crossed(dv).Dot(gp_Vec(quad.normal)) > 0.0;
+  if (along != (face.Orientation() == TopAbs_FORWARD)) quad.normal.Reverse();
+  return true;
+}
+
+bool isPlane(const TopoDS_Face& face) {
+  return BRepAdaptor_Surface(face, Standard_False).GetType() == GeomAbs_Plane;
+}
+
 QuadFace makeQuad(const TopoDS_Face& face, const std::string& name, const QuadFaces& all) {
   QuadFace quad;
   quad.name = name;
-  const BRepAdaptor_Surface adaptor(face, Standard_False);
-  if (adaptor.GetType() == GeomAbs_Plane) {
-    const gp_Pln plane = adaptor.Plane();
-    quad.origin = plane.Location();
-    quad.normal = plane.Axis().Direction();
-    if (plane.Direct() != (face.Orientation() == TopAbs_FORWARD)) quad.normal.Reverse();
+  if (isPlane(face)) {
+    findPlane(face, quad);
     findFlatSides(face, quad, all);
     return quad;
   }
-  const Rectangle box = findCurvedSides(face, quad, all);
+  Rectangle box;
+  try {
+    box = findCurvedSides(face, quad, all);
+  } catch (const NoPatches&) {
+    if (!findPlane(face, quad)) throw;
+    findFlatSides(face, quad, all);
+    return quad;
+  }
   quad.swapped = face.Orientation() == TopAbs_REVERSED;
   quad.surface = withoutTrimming(BRep_Tool::Surface(face));
   quad.spline = asSpline(quad.surface, box);

@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 
@@ -21,9 +22,10 @@ namespace palpa::modeling {
 namespace {
 
 constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes the child may use beyond what is used now
+constexpr double kPatience = 20.0;           // waiting for the child, in its own seconds
 constexpr int kFailed = 100;                 // exit code for a ModelingError, plus its kind
 
-void limitMemory() {
+void setLimits(double seconds) {
   long pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   const rlim_t bytes = static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
@@ -31,17 +33,20 @@ void limitMemory() {
   ::getrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = std::min(limit.rlim_max, bytes + kMemory);
   ::setrlimit(RLIMIT_AS, &limit);
+  const auto whole = static_cast<rlim_t>(std::ceil(seconds));
+  const rlimit time{whole, whole + 1};
+  ::setrlimit(RLIMIT_CPU, &time);
   const rlimit noCore{0, 0};
   ::setrlimit(RLIMIT_CORE, &noCore);
 }
 
-[[noreturn]] void runChild(const std::function<void()>& work, int pipe) {
+[[noreturn]] void runChild(const std::function<void()>& work, double seconds, int pipe) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) std::signal(signal, SIG_DFL);
   const int nothing = ::open("/dev/null", O_WRONLY);
   ::dup2(nothing, STDOUT_FILENO);
   ::dup2(nothing, STDERR_FILENO);
-  limitMemory();
+  setLimits(seconds);
   try {
     work();
   } catch (const ModelingError& error) {
@@ -108,18 +113,19 @@ void rehearse(const std::function<void()>& work, const std::string& source, doub
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw ModelingError(source + ": no pipe could be opened", ModelingError::Kind::io);
   const pid_t process = ::fork();
-  if (process == 0) runChild(work, ends[1]);
+  if (process == 0) runChild(work, seconds, ends[1]);
   ::close(ends[1]);
   if (process < 0) {
     ::close(ends[0]);
     throw ModelingError(source + ": no process could be started", ModelingError::Kind::io);
   }
   Child child(process, ends[0]);
-  if (!child.listen(seconds, job))
+  const bool ended = child.listen(kPatience * seconds, job);
+  const int status = ended ? child.waitForEnd() : 0;
+  if (!ended || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
     throw ModelingError(source + ": OpenCASCADE works on it for longer than " +
                             shortNumberText(seconds) + " s; the file is damaged or too complicated",
                         ModelingError::Kind::tooLarge);
-  const int status = child.waitForEnd();
   if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) < kFailed))
     throw ModelingError(source + ": OpenCASCADE fails on it; the file is damaged");
   if (WEXITSTATUS(status) >= kFailed)

@@ -16,7 +16,8 @@ namespace palpa::modeling {
 /// does.
 /// @throws ModelingError: the one that `work` throws; or one that begins with `source` when the
 /// child
-///         crashed, worked longer than `seconds`, or could not be started. Cancelled.
+///         crashed, used the processor for longer than `seconds`, or could not be started.
+///         Cancelled.
 void rehearse(const std::function<void()>& work, const std::string& source, double seconds,
               const Job& job);
 

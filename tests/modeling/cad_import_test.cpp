@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -35,6 +36,8 @@ std::vector<Foreign> foreignShapes() {
       {"box", BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape(), 6, nullptr},
       {"wedge", BRepPrimAPI_MakeWedge(40.0, 30.0, 20.0, 10.0, 5.0, 30.0, 15.0).Shape(), 6, nullptr},
       {"quarter pipe", tests::quarterPipe(), 6, nullptr},
+      {"rational quarter pipe", BRepBuilderAPI_NurbsConvert(tests::quarterPipe()).Shape(), 6,
+       nullptr},
       {"swept rectangle", tests::sweptRectangle(), 6, nullptr},
       {"loft", tests::loft(), 6, nullptr},
       {"torus", BRepPrimAPI_MakeTorus(25.0, 8.0).Shape(), 4, nullptr},
