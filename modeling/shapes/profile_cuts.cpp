@@ -77,10 +77,11 @@ class Correspondence {
     own_.push_back(own_.front() + whole_);
   }
 
-  /// The parameter (0 … 3, growing with the mark) for a length along the reference: corners map to
+  /// The parameter (0 … 4, growing with the mark) for a length along the reference: corners map to
   /// corners, lengths between them in proportion.
   double parameter(double mark) const {
-    double rounds = 0.0;
+    // One round more than needed: a mark before the first anchor must not become negative.
+    double rounds = 1.0;
     while (mark < anchors_.front()) mark += referenceWhole_, rounds -= 1.0;
     while (mark >= anchors_.back()) mark -= referenceWhole_, rounds += 1.0;
     const auto above = std::upper_bound(anchors_.begin(), anchors_.end(), mark);

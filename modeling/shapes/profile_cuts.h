@@ -20,8 +20,8 @@ struct ProfileCuts {
 /// Cuts profiles that belong together (the sections of a loft, counter-clockwise) at corresponding
 /// places. Every corner sharper than kSharpAngle becomes a cut. With four or more corners the
 /// square's corners are chosen among them, with fewer they are completed by points at sixteenths of
-/// the length; without any, four equal lengths are tried first, from the seam on. Of several choices
-/// that which distorts the caps least is taken. All profiles must have equally many corners
+/// the length; without any, four equal lengths are tried first, from the seam on. Of several
+/// choices that which distorts the caps least is taken. All profiles must have equally many corners
 /// or none. @throws ModelingError: they have not; or every cap would fold (beginning with `shape`)
 std::vector<ProfileCuts> cutProfiles(const std::vector<Profile>& profiles,
                                      const std::string& shape);

@@ -67,11 +67,73 @@ TEST_F(CliProject, NewPlacesSolidsAsDocumented) {
   EXPECT_NEAR(cylinder.at("bounding_box_mm")[0][2].get<double>(), 0, 1e-9);
 }
 
+TEST_F(CliProject, NewMakesEveryShape) {
+  cli_.write("vase.json",
+             R"({"degree": 3, "knots": [0, 0, 0, 0, 1, 1, 1, 1],
+                 "points_mm": [[15, 0], [25, 15], [5, 30], [12, 45]]})");
+  cli_.write("square.json",
+             R"({"degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4],
+                 "points_mm": [[0, 0], [30, 0], [30, 30], [0, 30], [0, 0]]})");
+  cli_.write("tower.json", "[{\"z_mm\": 0, \"profile\": " + cli_.read("square.json") +
+                               "}, {\"z_mm\": 20, \"profile\": " + cli_.read("square.json") + "}]");
+  const double pi = std::numbers::pi;
+  const std::vector<std::pair<std::string, double>> shapes{
+      {"ellipsoid --radii 30,20,15", 4.0 / 3 * pi * 9000},
+      {"cone --bottom-radius 20 --top-radius 10 --height 30", pi * 10 * 700},
+      {"cone --bottom-radius 20 --top-radius 0 --height 30", pi * 10 * 400},
+      {"capsule --radius 10 --length 30", pi * (3000 + 4000.0 / 3)},
+      {"torus --major-radius 25 --minor-radius 8 --degree 4 --control-points 9",
+       2 * pi * pi * 25 * 64},
+      {"revolve --profile vase.json", 29779},
+      {"extrude --profile square.json --height 20", 18000},
+      {"loft --profile tower.json", 18000}};
+  for (const auto& [arguments, volume] : shapes) {
+    const Json report = cli_.runJson("new " + arguments + " -o p.json");
+    EXPECT_LT(report.at("deviation_mm").get<double>(), 0.03) << arguments;
+    const std::string kind = arguments.substr(0, arguments.find(' '));
+    EXPECT_EQ(cli_.readJson("p.json").at("primitive").at("kind"), kind);
+    EXPECT_NEAR(cli_.runJson("info p.json").at("volume_mm3").get<double>() / volume, 1.0, 2e-3)
+        << arguments;
+    // Held, so that it can be touched at once.
+    EXPECT_EQ(cli_.run("check p.json").exitCode, 0) << arguments;
+  }
+}
+
+TEST_F(CliProject, NewSaysWhatIsWrongWithAProfile) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {R"({"degree": 3, "knots": [0, 1], "points_mm": [[0, 0], [1, "a"]]})",
+       R"(points_mm[1][1]: found "a", expected a number)"},
+      {R"({"degree": 9, "knots": [], "points_mm": []})",
+       "degree: found 9, expected a whole number from 1 to 5"},
+      {R"({"degree": 3, "knots": []})", R"(the key "points_mm" is missing)"},
+      {R"({"degree": 1, "knots": [], "points_mm": [], "weights": []})", "weights: unknown key"},
+      {R"({"degree": 1, "knots": [0, 0, 1, 1], "points_mm": [[1, 2, 3]]})",
+       "points_mm[0]: found 3 numbers, expected 2"},
+      {R"({"degree": 1, "knots": [0, 0, 1, 2, 2], "points_mm": [[5, 0], [0, 10], [5, 20]]})",
+       "the curve touches the axis near z = 10 mm"},
+      {"[1, 2", "truncated"},
+      {std::string(100000, '['), "nested deeper"}};
+  for (const auto& [text, message] : files) {
+    cli_.write("curve.json", text);
+    const Outcome outcome = cli_.run("new revolve --profile curve.json -o p.json");
+    EXPECT_EQ(outcome.exitCode, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(cli_.path("p.json")));
+  }
+  EXPECT_EQ(cli_.run("new revolve --profile missing.json").exitCode, 3);
+  EXPECT_EQ(cli_.run("new revolve --profile .").exitCode, 3);
+  EXPECT_EQ(cli_.run("new torus --minor-radius 40").exitCode, 3);
+  EXPECT_EQ(cli_.run("new sphere --degree 6").exitCode, 3);
+  EXPECT_EQ(cli_.run("new sphere --control-points 3").exitCode, 3);
+}
+
 TEST_F(CliProject, NewRefusesWhatMakesNoSense) {
   for (const char* arguments :
        {"new pyramid", "new", "new sphere --radius -3", "new sphere --radius nan",
         "new sphere --radius 1e999", "new sphere --height 3", "new box --size 1,2",
-        "new box --size 1,2,0", "new box --size 1,2,3,4", "new sphere --no-such-option"}) {
+        "new box --size 1,2,0", "new box --size 1,2,3,4", "new sphere --no-such-option",
+        "new revolve", "new loft --height 3", "new cone --top-radius -1", "new torus --degree 2.5",
+        "new box --profile p.json"}) {
     const Outcome outcome = cli_.run(arguments);
     EXPECT_EQ(outcome.exitCode, 2) << arguments;
     EXPECT_EQ(outcome.err.rfind("palpa-cli: ", 0), 0u) << arguments << ": " << outcome.err;
