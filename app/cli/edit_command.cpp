@@ -22,6 +22,7 @@ std::vector<std::string> changedParts(const modeling::Change& change) {
   add(change.topology, "topology");
   add(change.edges, "edges");
   add(change.patchNames, "patch names");
+  add(change.primitive, "primitive");
   add(change.name, "name");
   add(change.material, "material");
   add(change.supports, "supports");

@@ -33,7 +33,9 @@ std::vector<PointSelection> selectionsFrom(const json& list) {
 }
 
 PointSelection::Part partFrom(const json& value) {
-  const auto& [key, what] = *value.items().begin();
+  const auto only = value.items().begin();
+  const std::string& key = only.key();
+  const json& what = only.value();
   if (key == "patches") return PatchPoints{what};
   if (key == "edge") return SidePoints{what["patch"], sideFrom(what["side"])};
   if (key == "net") {

@@ -120,7 +120,8 @@ Edited applyTo(const RenameProject& command, const Project& project) {
 }
 
 Edited applyTo(const RenamePatch& command, const Project& project) {
-  const auto& [from, to] = command;
+  const std::string& from = command.patch;
+  const std::string& to = command.name;
   if (to.empty()) throw ModelingError("name: is empty");
   const auto taken = findPatch(project.body, to);
   if (taken && from != to)

@@ -102,7 +102,7 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions = {}, const Job& job = {});
+                         std::span<const MeshRegion> regions = {});
 
 MeshQuality measureQuality(const SurfaceMesh& mesh);
 

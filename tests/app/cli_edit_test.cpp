@@ -25,7 +25,7 @@ TEST_F(CliEdit, TheExampleOfTheDocumentationWorks) {
   const Json report = cli_.runJson("edit block.json --commands bulge.json -o bulged.json");
   ASSERT_EQ(report.at("commands").size(), 9U);
   EXPECT_EQ(report.at("commands")[1].at("changed")[0], "topology");
-  EXPECT_EQ(report.at("commands")[7].at("label"), "Add support \"floor\"");
+  EXPECT_EQ(report.at("commands")[7].at("label"), "Add load \"press\"");
   EXPECT_LT(report.at("largest_angle_across_smooth_edges_rad").get<double>(), 0.02);
   EXPECT_EQ(cli_.run("check bulged.json").exitCode, 0);
   const Json info = cli_.runJson("info bulged.json");

@@ -248,6 +248,19 @@ TEST(EditKnots, RefineWithoutChangingTheShape) {
                "patch: no patch is named \"tip\"");
 }
 
+TEST(EditKnots, RemovalKeepsSmoothEdgesSmooth) {
+  const Solid cylinder = makeCylinder(15, 40);
+  std::vector<int> sides;
+  for (std::size_t e = 0; e < cylinder.edges().size(); ++e)
+    if (tangentAngle(cylinder, static_cast<int>(e)) < 0.1) sides.push_back(static_cast<int>(e));
+  const Project before = editingProject(makeTangent(cylinder.withSmoothEdges(sides, true), sides));
+  // A knot next to the vertical edges: without it the quarters would meet at an angle.
+  const Edited after = apply(RemoveKnot{"side_xmin", 0, 0.25, 1, 1.0}, before);
+  EXPECT_GT(after.deviation, 1e-4);
+  EXPECT_LT(largestTangentAngle(solidOf(after.project)), 1e-6);
+  EXPECT_NEAR(sampledDistance(solidOf(before), solidOf(after.project)), after.deviation, 1e-12);
+}
+
 TEST(EditKnots, AnEdgeBecomesSmoothAndSharpAgain) {
   const Project smooth = apply(SetEdge{"top", Side::uMax, true}, box()).project;
   EXPECT_LT(largestTangentAngle(solidOf(smooth)), 1e-6);
