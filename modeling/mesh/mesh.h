@@ -87,7 +87,7 @@ SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
 inline constexpr double kMostNodes = 5e6;
 
 /// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it,
-/// within a factor of two or three where patches are so narrow that their cells have to be cut.
+/// within a factor of about four where patches are so narrow that their cells have to be cut.
 /// Without memory for any edge length (infinite for the absurd) and in milliseconds.
 /// @throws ModelingError as validate() and checkRegion()
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
@@ -95,7 +95,7 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions = {}, const Job& job = {});
+                         std::span<const MeshRegion> regions = {});
 
 MeshQuality measureQuality(const SurfaceMesh& mesh);
 
