@@ -94,7 +94,7 @@ inline constexpr double kMostVolumeChange = 0.5;
 inline constexpr double kMostNodes = 5e6;
 
 /// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it,
-/// within a factor of two or three where patches are so narrow that their cells have to be cut.
+/// within a factor of about four where patches are so narrow that their cells have to be cut.
 /// Without memory for any edge length (infinite for the absurd) and in milliseconds.
 /// @throws ModelingError as validate() and checkRegion()
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,

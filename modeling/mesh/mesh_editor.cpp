@@ -12,6 +12,7 @@ namespace palpa::modeling {
 namespace {
 
 constexpr double kGoodAngle = 35.0 * std::numbers::pi / 180.0;
+constexpr double kTurn = 20.0 * std::numbers::pi / 180.0;  // nodes at such bends of edges stay
 constexpr double kSmallGain = 1e-6;   // of the penalty; below it a change is not worth making
 constexpr double kAlongNormal = 0.3;  // least cosine between a triangle's normal and the surface's
 
@@ -193,6 +194,12 @@ bool MeshEditor::flip(int a, int b) {
   replace(t0, {a, d, c});
   replace(t1, {d, b, c});
   return true;
+}
+
+bool MeshEditor::turnsAt(int node, int before, int after) const {
+  const Eigen::Vector3d in = position(node) - position(before);
+  const Eigen::Vector3d out = position(after) - position(node);
+  return in.dot(out) < std::cos(kTurn) * in.norm() * out.norm();
 }
 
 bool MeshEditor::collapse(int from, int to) {

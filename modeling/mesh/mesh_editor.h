@@ -61,6 +61,7 @@ class MeshEditor {
   double shapePenalty(int a, int b, int c) const;
   bool isValid(int a, int b, int c, int patch) const;
   bool starIsValid(int node) const;
+  bool turnsAt(int node, int before, int after) const;
   double starPenalty(int node) const;
   bool tryPosition(int node, const WorkNode& where, double before);
   WorkNode onBorder(WorkNode node, const HalfSpace& half) const;

@@ -32,6 +32,37 @@ TEST_F(CliProject, NewMakesValidProjectsWithNamedPatches) {
   }
 }
 
+TEST_F(CliProject, CheckFindsAControlPointPulledThroughTheOtherSide) {
+  cli_.run("new sphere --radius 25 --edge-length 5 -o p.json");
+  EXPECT_EQ(cli_.runJson("check p.json").at("geometry"), Json::array());
+  Json project = cli_.readJson("p.json");
+  Json& points = project.at("solid").at("control_points_mm");
+  std::size_t top = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i][2].get<double>() > points[top][2].get<double>()) top = i;
+  }
+  points[top] = {0, 0, -150};
+  cli_.writeJson("p.json", project);
+  const Outcome outcome = cli_.run("check p.json --json");
+  EXPECT_EQ(outcome.exitCode, 3);
+  EXPECT_NE(outcome.err.find("the geometry has"), std::string::npos) << outcome.err;
+  const Json report = outcome.json();
+  EXPECT_EQ(report.at("valid"), false);
+  bool found = false;
+  for (const Json& finding : report.at("geometry")) {
+    if (finding.at("kind") != "self_intersection") continue;
+    found = true;
+    EXPECT_EQ(finding.at("severity"), "error");
+    EXPECT_EQ(finding.at("at_mm").size(), 3U);
+    EXPECT_FALSE(finding.at("triangles").empty());
+    EXPECT_EQ(finding.at("patches").back(), "top");
+  }
+  EXPECT_TRUE(found) << report;
+  const Outcome text = cli_.run("check p.json");
+  EXPECT_EQ(text.exitCode, 3);
+  EXPECT_NE(text.out.find("error      the surface cuts through itself near ("), std::string::npos);
+}
+
 TEST_F(CliProject, NewWithoutAFileWritesTheProjectToStandardOutput) {
   EXPECT_EQ(cli_.run("new box").json().at("format"), "palpa-project");
 }

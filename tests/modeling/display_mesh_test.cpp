@@ -74,9 +74,11 @@ void expectSound(const DisplayMesh& display, const SurfaceMesh& boundary, const 
     const auto& [a, b, c] = display.triangles[t];
     const Vector3d normal = (display.positions[b] - display.positions[a])
                                 .cross(display.positions[c] - display.positions[a]);
+    // In the corners of round caps, where du and dv are parallel, pieces can be flat.
+    const bool hasArea = normal.norm() > 0.01;
     for (int vertex : display.triangles[t]) {
       // Coarse flat pieces of a bent surface lie askew to its normals.
-      EXPECT_GT(normal.dot(display.normals[vertex]), 0.2 * normal.norm());
+      EXPECT_TRUE(!hasArea || normal.dot(display.normals[vertex]) > 0.2 * normal.norm());
       EXPECT_EQ(boundary.smoothingGroupOfTriangle[display.links[vertex].triangle],
                 boundary.smoothingGroupOfTriangle[whole]);
     }

@@ -41,6 +41,12 @@ TEST(Scene, EveryMistakeIsRefused) {
       [](SurfaceScene& s) {
         s.field = ScalarField{"f", "", {1, 2, std::nan("")}, {}, {}};
       },
+      [](SurfaceScene& s) {
+        s.normals = {{0, 0, 1}};
+      },
+      [](SurfaceScene& s) {
+        s.meshLines = {{0, 3}};
+      },
       [](SurfaceScene& s) { s.supports = {1}; },
       [](SurfaceScene& s) {
         s.contactPatches = {{{0, 0, 0}, 0}};
