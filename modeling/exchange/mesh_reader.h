@@ -47,6 +47,9 @@ MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& 
 MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string& sourceName,
                    const MeshReadOptions& options = {}, const Job& job = {});
 
+/// Does the ending name one of the formats?
+bool isMeshFile(const std::filesystem::path& path);
+
 /// The format that the ending names. @throws ModelingError for any other ending
 MeshFormat meshFormatOf(const std::filesystem::path& path);
 
