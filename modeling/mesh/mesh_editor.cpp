@@ -209,6 +209,7 @@ bool MeshEditor::collapse(int from, int to) {
   if (!rails.empty() &&
       (rails.size() != 2 || std::find(rails.begin(), rails.end(), to) == rails.end()))
     return false;
+  if (!rails.empty() && turnsAt(from, rails[0], rails[1])) return false;
   // Only the two triangles at the edge may vanish; more common neighbours would pinch the mesh.
   const std::vector<int> first = neighbours(from);
   const std::vector<int> second = neighbours(to);
