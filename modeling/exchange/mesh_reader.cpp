@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "modeling/body/smooth_regions.h"
 #include "modeling/error.h"
@@ -106,18 +107,26 @@ MeshBody bodyFrom(std::string_view bytes, MeshFormat format, const MeshReadOptio
   return body;
 }
 
-}  // namespace
-
-MeshFormat meshFormatOf(const std::filesystem::path& path) {
+std::optional<MeshFormat> formatNamedBy(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
   if (ending == ".stl") return MeshFormat::stl;
   if (ending == ".obj") return MeshFormat::obj;
   if (ending == ".ply") return MeshFormat::ply;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool isMeshFile(const std::filesystem::path& path) {
+  return formatNamedBy(path).has_value();
+}
+
+MeshFormat meshFormatOf(const std::filesystem::path& path) {
+  if (const auto format = formatNamedBy(path)) return *format;
   throw ModelingError(path.string() +
-                      ": the ending names no mesh format; .stl, .obj and .ply are "
-                      "read");
+                      ": the ending names no mesh format; .stl, .obj and .ply are read");
 }
 
 MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string& sourceName,
