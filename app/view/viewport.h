@@ -1,0 +1,100 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/view/viewport_scene.h"
+
+class vtkRenderWindow;
+
+namespace palpa::view {
+
+/// The directions of the standard views: looking at the body's front (along +y), and so on.
+enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kIsometric };
+
+/// The interactive picture of a body: surface, control net, marks, arrows, grid, axes; its camera;
+/// and what lies under the pointer. Knows no window system: it draws into a render window given by
+/// the caller, from the thread that owns its OpenGL context. Nothing here is thread-safe.
+///
+/// Setters only note what to draw; render() draws it. Pixel coordinates are device pixels with the
+/// origin at the top left, as window systems deliver them.
+class Viewport {
+ public:
+  /// `pixelRatio`: device pixels per logical pixel; widths and sizes of handles grow with it.
+  explicit Viewport(vtkRenderWindow* window, double pixelRatio = 1.0);
+  ~Viewport();
+
+  void setTheme(const ViewportTheme& theme);
+  void setPixelRatio(double ratio);
+  void setShading(Shading shading);
+  void setGridVisible(bool visible);
+  void setAxesVisible(bool visible);
+  void setControlNetVisible(bool visible);
+
+  /// A body with new triangles; marks are reset.
+  void setBody(const ViewportBody& body);
+  /// The same triangles at other places: the quick path while a control point is dragged.
+  void moveBody(const std::vector<Eigen::Vector3d>& positions,
+                const std::vector<Eigen::Vector3d>& normals);
+  /// One per triangle.
+  void setMarks(const std::vector<Mark>& marks);
+
+  void setControlNet(const ControlNet& net);
+  void moveControlPoints(const std::vector<Eigen::Vector3d>& points);
+  /// One per control point.
+  void setHandleStates(const std::vector<HandleState>& states);
+
+  void setLoadArrows(const std::vector<ForceArrow>& arrows);
+  void setWarnings(const std::vector<WarningMarker>& warnings);
+  void setGizmo(const std::optional<Gizmo>& gizmo);
+  /// A rectangle between two pixels while selecting; none to remove it.
+  void setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners);
+
+  // Camera. Orbiting turns about the vertical axis and the screen's horizontal one; the point
+  // looked at stays.
+  void orbit(const Eigen::Vector2d& pixels);
+  void pan(const Eigen::Vector2d& pixels);
+  /// Factor > 1 comes nearer; what lies under `at` stays there.
+  void zoom(double factor, const Eigen::Vector2d& at);
+  void fit();
+  void fitTo(const std::vector<Eigen::Vector3d>& points);
+  void lookFrom(StandardView view);
+  void setParallelProjection(bool parallel);
+  bool parallelProjection() const;
+  CameraView camera() const;
+  void setCamera(const CameraView& camera);
+
+  // What lies under a pixel.
+  std::optional<SurfaceHit> surfaceAt(const Eigen::Vector2d& pixel) const;
+  /// The control point whose handle is nearest to the pixel, the one in front when several are;
+  /// within `reach` logical pixels.
+  std::optional<int> controlPointAt(const Eigen::Vector2d& pixel, double reach = 9) const;
+  std::vector<int> controlPointsIn(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
+  GizmoAxis gizmoAt(const Eigen::Vector2d& pixel) const;
+
+  // From pixels to lengths.
+  Eigen::Vector2d toPixel(const Eigen::Vector3d& point) const;
+  /// The point under `pixel` in the plane through `through` parallel to the screen.
+  Eigen::Vector3d inViewPlane(const Eigen::Vector2d& pixel, const Eigen::Vector3d& through) const;
+  /// The point of the line `through` + s `direction` nearest to the ray under `pixel`; nothing when
+  /// the line points at the eye.
+  std::optional<Eigen::Vector3d> onLine(const Eigen::Vector2d& pixel,
+                                        const Eigen::Vector3d& through,
+                                        const Eigen::Vector3d& direction) const;
+
+  /// Draws everything into the window.
+  void render();
+
+  /// Draws and writes what the window shows as PNG. Throws ViewError.
+  void writePng(const std::filesystem::path& path);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace palpa::view
