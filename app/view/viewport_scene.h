@@ -36,7 +36,8 @@ struct ControlNet {
 /// How a control point is drawn.
 enum class HandleState : std::uint8_t { kPlain, kHovered, kSelected, kFollowing };
 
-/// How the surface is drawn.
+/// How the surface is drawn: without lines; with its borders and, faintly, knot lines; or these
+/// lines alone, all of them, with a tint on marked triangles.
 enum class Shading { kShaded, kShadedWithEdges, kWire };
 
 /// A place the person should look at, with a word about what is wrong.

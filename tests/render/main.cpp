@@ -1,13 +1,14 @@
 // Regression test of the pictures:
-//   palpa_render_tests CASE BASELINES OUTPUT   draws one case and compares it with
-//   BASELINES/CASE.png palpa_render_tests --cases NAME…           fails unless these are all the
-//   scenes palpa_render_tests --notices OUTPUT        fails unless the comparison notices visible
-//   changes palpa_render_tests --no-display            fails unless drawing without a display
-//   throws
+//   CASE BASELINES OUTPUT   draws one case and compares it with BASELINES/CASE.png
+//   --cases NAME…           fails unless these are all the cases
+//   --notices OUTPUT        fails unless the comparison notices visible changes
+//   --no-display            fails unless drawing without a display throws
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,14 +16,29 @@
 #include "app/view/errors.h"
 #include "tests/render/compare.h"
 #include "tests/render/scenes.h"
+#include "tests/render/viewport_scenes.h"
 
 namespace palpa::render_tests {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// What draws each case.
+std::map<std::string, std::function<void(const fs::path&)>> pictures() {
+  std::map<std::string, std::function<void(const fs::path&)>> all;
+  for (const auto& [name, scene] : allCases()) {
+    all[name] = [scene](const fs::path& path) {
+      view::renderToPng(scene.scene, path, scene.options);
+    };
+  }
+  for (const auto& [name, scene] : viewportCases()) {
+    all[name] = [scene](const fs::path& path) { draw(scene, path); };
+  }
+  return all;
+}
+
 int drawAndCompare(const std::string& name, const fs::path& baselines, const fs::path& output) {
-  const auto cases = allCases();
+  const auto cases = pictures();
   const auto found = cases.find(name);
   if (found == cases.end()) {
     std::cerr << name << ": there is no such scene\n";
@@ -33,7 +49,7 @@ int drawAndCompare(const std::string& name, const fs::path& baselines, const fs:
   const fs::path baseline = baselines / (name + ".png");
   const fs::path difference = output / (name + ".difference.png");
   fs::remove(difference);
-  view::renderToPng(found->second.scene, picture, found->second.options);
+  found->second(picture);
   if (!fs::exists(baseline)) {
     std::cerr << name << ": no baseline; look at " << picture << " and copy it to " << baseline
               << " if it is right\n";
@@ -53,7 +69,7 @@ int drawAndCompare(const std::string& name, const fs::path& baselines, const fs:
 int requireAllCases(const std::vector<std::string>& names) {
   const std::set<std::string> listed(names.begin(), names.end());
   std::set<std::string> scenes;
-  for (const auto& [name, unused] : allCases()) scenes.insert(name);
+  for (const auto& [name, unused] : pictures()) scenes.insert(name);
   if (listed == scenes) return 0;
   std::cerr << "the scenes and the list in CMakeLists.txt differ\n";
   return 1;

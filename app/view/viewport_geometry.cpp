@@ -1,0 +1,73 @@
+#include "app/view/viewport_geometry.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace palpa::view {
+
+void assign(const std::vector<Eigen::Vector3d>& from, vtkFloatArray* to) {
+  to->SetNumberOfComponents(3);
+  to->SetNumberOfTuples(static_cast<vtkIdType>(from.size()));
+  if (!from.empty()) {
+    float* target = to->GetPointer(0);
+    for (const Eigen::Vector3d& point : from) {
+      for (int k = 0; k < 3; ++k) *target++ = static_cast<float>(point[k]);
+    }
+  }
+  to->Modified();
+}
+
+void assign(const std::vector<Eigen::Vector3d>& from, vtkPoints* to) {
+  assign(from, vtkFloatArray::FastDownCast(to->GetData()));
+  to->Modified();
+}
+
+vtkSmartPointer<vtkPoints> makeFloatPoints() {
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToFloat();
+  return points;
+}
+
+vtkSmartPointer<vtkCellArray> polylines(const std::vector<std::vector<int>>& lines) {
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const std::vector<int>& line : lines) {
+    cells->InsertNextCell(static_cast<int>(line.size()));
+    for (const int point : line) cells->InsertCellPoint(point);
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkCellArray> segments(const std::vector<std::array<int, 2>>& lines) {
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const std::array<int, 2>& line : lines) cells->InsertNextCell({line[0], line[1]});
+  return cells;
+}
+
+vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines) {
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(lines);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -1);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+void setColour(vtkActor* actor, const Colour& colour) {
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
+Colour mixed(const Colour& a, const Colour& b, double t) {
+  Colour colour;
+  for (std::size_t i = 0; i < 3; ++i) colour[i] = (1 - t) * a[i] + t * b[i];
+  return colour;
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPoints.h>
+#include <vtkSmartPointer.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "app/view/viewport_scene.h"
+
+/// VTK's arrays from plain ones. Internal to app/view.
+namespace palpa::view {
+
+/// Copies the points (as float) into the array, which keeps its identity: what is drawn from it
+/// follows without being made again.
+void assign(const std::vector<Eigen::Vector3d>& from, vtkFloatArray* to);
+void assign(const std::vector<Eigen::Vector3d>& from, vtkPoints* to);
+
+vtkSmartPointer<vtkPoints> makeFloatPoints();
+
+vtkSmartPointer<vtkCellArray> polylines(const std::vector<std::vector<int>>& lines);
+vtkSmartPointer<vtkCellArray> segments(const std::vector<std::array<int, 2>>& lines);
+
+/// An unlit actor for lines of `points`, in front of surfaces that contain them. `width` is set by
+/// the caller.
+vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines);
+
+void setColour(vtkActor* actor, const Colour& colour);
+
+/// The mixture (1 - t) a + t b.
+Colour mixed(const Colour& a, const Colour& b, double t);
+
+}  // namespace palpa::view
