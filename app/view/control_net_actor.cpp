@@ -3,11 +3,13 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
 namespace palpa::view {
 namespace {
 
-constexpr double kRim = 2.5;             // pixels by which the rim's diameter exceeds the disc's
+constexpr double kRim = 1.2;             // logical pixels, width of the rim around a handle
 constexpr double kHiddenOpacity = 0.22;  // of what the body hides
 
 /// Diameter in pixels.
@@ -39,20 +41,38 @@ Colour colourOf(HandleState state, const ViewportTheme& theme) {
   return theme.handle;
 }
 
-/// `nearer`: polygon offset units towards the eye, so that discs win over their rims and net lines.
-vtkSmartPointer<vtkActor> makePoints(vtkPolyData* data, double nearer, vtkRenderer* renderer) {
+/// Square points of VTK, cut to discs with a rim and smooth borders.
+vtkSmartPointer<vtkActor> makeDiscs(vtkPolyData* data, vtkRenderer* renderer) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
+  // In front of the surface and the net lines.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-nearer);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-8);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetRepresentationToPoints();
-  actor->GetProperty()->RenderPointsAsSpheresOn();  // the only round points that VTK has
   actor->GetProperty()->LightingOff();
+  blendInOrder(actor);
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true,
+      "//VTK::Light::Impl\n"
+      "float fromCenter = 0.5 * size * length(2.0 * gl_PointCoord - 1.0);\n"
+      "if (fromCenter >= 0.5 * size) discard;\n"
+      "float inside = clamp(0.5 * size - fromCenter, 0.0, 1.0);\n"
+      "float inRim = clamp(fromCenter - (0.5 * size - rimWidth) + 0.5, 0.0, 1.0);\n"
+      "gl_FragData[0] = vec4(mix(fillColour, rimColour, inRim), opacityUniform * inside);\n",
+      false);
   renderer->AddActor(actor);
   return actor;
+}
+
+void setLooks(vtkActor* discs, double size, double rim, const Colour& fill, const Colour& edge) {
+  discs->GetProperty()->SetPointSize(static_cast<float>(size));
+  vtkUniforms* uniforms = discs->GetShaderProperty()->GetFragmentCustomUniforms();
+  uniforms->SetUniformf("size", static_cast<float>(size));
+  uniforms->SetUniformf("rimWidth", static_cast<float>(rim));
+  uniforms->SetUniform3f("fillColour", fill.data());
+  uniforms->SetUniform3f("rimColour", edge.data());
 }
 
 }  // namespace
@@ -67,9 +87,8 @@ ControlNetActor::ControlNetActor(vtkRenderer* scene, vtkRenderer* shineThrough)
   for (Handles& handles : handles_) {
     handles.data = vtkSmartPointer<vtkPolyData>::New();
     handles.data->SetPoints(points_);
-    handles.rim = makePoints(handles.data, 4, scene);
-    handles.disc = makePoints(handles.data, 8, scene);
-    handles.hidden = makePoints(handles.data, 0, shineThrough);
+    handles.shown = makeDiscs(handles.data, scene);
+    handles.hidden = makeDiscs(handles.data, shineThrough);
   }
   updateLooks();
 }
@@ -102,9 +121,8 @@ void ControlNetActor::setVisible(bool visible) {
   lines_->SetVisibility(visible);
   hiddenLines_->SetVisibility(visible);
   for (const Handles& handles : handles_) {
-    for (vtkActor* actor : {handles.rim.Get(), handles.disc.Get(), handles.hidden.Get()}) {
-      actor->SetVisibility(visible);
-    }
+    handles.shown->SetVisibility(visible);
+    handles.hidden->SetVisibility(visible);
   }
 }
 
@@ -127,16 +145,13 @@ void ControlNetActor::updateLooks() {
   hiddenLines_->GetProperty()->SetOpacity(0.6 * kHiddenOpacity);
   for (std::size_t k = 0; k < handles_.size(); ++k) {
     const auto state = static_cast<HandleState>(k);
-    const double size = sizeOf(state) * pixelRatio_;
-    const Handles& handles = handles_[k];
-    handles.disc->GetProperty()->SetPointSize(static_cast<float>(size));
-    handles.rim->GetProperty()->SetPointSize(static_cast<float>(size + kRim * pixelRatio_));
-    handles.hidden->GetProperty()->SetPointSize(static_cast<float>(size));
-    handles.hidden->GetProperty()->SetOpacity(kHiddenOpacity);
-    setColour(handles.disc, colourOf(state, theme_));
-    setColour(handles.rim, theme_.line);
-    // Plain handles are nearly white or black: hidden ones take the colour of the net instead.
-    setColour(handles.hidden, state == HandleState::kPlain ? theme_.net : colourOf(state, theme_));
+    const double size = (sizeOf(state) + 2 * kRim) * pixelRatio_;
+    const Colour colour = colourOf(state, theme_);
+    setLooks(handles_[k].shown, size, kRim * pixelRatio_, colour, theme_.line);
+    // Plain handles are nearly white: behind the body all of the disc takes the colour of the net.
+    const Colour faint = state == HandleState::kPlain ? theme_.net : colour;
+    setLooks(handles_[k].hidden, size, 0, faint, faint);
+    handles_[k].hidden->GetProperty()->SetOpacity(kHiddenOpacity);
   }
 }
 

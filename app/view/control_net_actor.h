@@ -24,10 +24,10 @@ class ControlNetActor {
   void setPixelRatio(double ratio);
 
  private:
-  /// The handles of one state: a disc on a slightly larger one, its rim.
+  /// The handles of one state.
   struct Handles {
     vtkSmartPointer<vtkPolyData> data;
-    vtkSmartPointer<vtkActor> rim, disc, hidden;
+    vtkSmartPointer<vtkActor> shown, hidden;
   };
 
   void updateLooks();

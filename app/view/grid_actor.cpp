@@ -53,7 +53,6 @@ GridActor::Lines GridActor::makeLines(vtkRenderer* renderer) {
   lines.actor->GetMapper()->SetColorModeToDirectScalars();
   // Behind everything that touches the ground.
   lines.actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(2, 2);
-  lines.actor->ForceTranslucentOn();
   renderer->AddActor(lines.actor);
   return lines;
 }
@@ -119,7 +118,7 @@ void GridActor::update(const Turntable& camera, double level) {
     const auto last = std::llround(std::floor((middle + area.radius) / spacing));
     for (auto i = first; i <= last; ++i) {
       if (i == 0) continue;
-      const double opacity = i % kStrongEvery == 0 ? 0.55 : 0.24;
+      const double opacity = i % kStrongEvery == 0 ? 0.7 : 0.34;
       addLine(area, axis, spacing * static_cast<double>(i), theme_.grid, opacity, grid_);
     }
     addLine(area, axis, 0, kAxisColours[static_cast<std::size_t>(axis)], 0.9, axes_);

@@ -44,6 +44,7 @@ void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
       solid_.push_back(part);
     }
     for (const auto& part : makeArrow(placed, bodyDiagonal, colour, kFaint)) {
+      blendInOrder(part);
       shineThrough_->AddActor(part);
       faint_.push_back(part);
     }

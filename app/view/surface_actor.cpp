@@ -65,8 +65,8 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   body_->SetMapper(mapper);
   vtkProperty* property = body_->GetProperty();
   property->SetInterpolationToPhong();
-  property->SetAmbient(0.34);
-  property->SetDiffuse(0.72);
+  property->SetAmbient(0.44);
+  property->SetDiffuse(0.62);
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
   renderer->AddActor(body_);
@@ -150,8 +150,8 @@ void SurfaceActor::updateLines() {
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
     setColour(lines, wire ? theme_.text : theme_.line);
   }
-  borders_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixelRatio_));
-  borders_->GetProperty()->SetOpacity(0.85);
+  borders_->GetProperty()->SetLineWidth(static_cast<float>(1.4 * pixelRatio_));
+  borders_->GetProperty()->SetOpacity(0.75);
   knotLines_->GetProperty()->SetLineWidth(static_cast<float>(pixelRatio_));
   knotLines_->GetProperty()->SetOpacity(wire ? 0.35 : 0.22);
 }

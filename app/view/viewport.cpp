@@ -232,7 +232,7 @@ void Viewport::setCamera(const CameraView& view) {
   parts_->camera.setDistance(parts_->camera.distance() / view.zoom);
 }
 
-void Viewport::render() {
+void Viewport::render(Quality quality) {
   Parts& parts = *parts_;
   const int* size = parts.window->GetSize();
   if (size[0] < 1 || size[1] < 1) return;
@@ -241,6 +241,7 @@ void Viewport::render() {
   parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
   parts.gizmoActor.update(parts.gizmo, parts.camera, parts.pixelRatio);
   parts.updateOverlay();
+  parts.overlay->SetUseFXAA(quality == Quality::kFine);
   parts.window->Render();
 }
 

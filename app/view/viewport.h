@@ -30,8 +30,8 @@ enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kIsometri
 class Viewport {
  public:
   /// `pixelRatio`: device pixels per logical pixel; widths and sizes of handles grow with it. Sets
-  /// the window's multisampling, dots per inch and layers. The window's OpenGL context, when it has
-  /// one, must be current here and in the destructor.
+  /// the window's dots per inch and layers and turns its multisampling off. The window's OpenGL
+  /// context, when it has one, must be current here and in the destructor.
   explicit Viewport(vtkRenderWindow* window, double pixelRatio = 1.0);
   ~Viewport();
 
@@ -105,9 +105,9 @@ class Viewport {
                                         const Eigen::Vector3d& direction) const;
 
   /// Draws everything into the window.
-  void render();
+  void render(Quality quality = Quality::kFine);
 
-  /// Draws and writes what the window shows as PNG. Throws ViewError.
+  /// Draws finely and writes what the window shows as PNG. Throws ViewError.
   void writePng(const std::filesystem::path& path);
 
  private:

@@ -45,6 +45,10 @@ vtkSmartPointer<vtkCellArray> segments(const std::vector<std::array<int, 2>>& li
   return cells;
 }
 
+void blendInOrder(vtkActor* actor) {
+  actor->ForceOpaqueOn();
+}
+
 vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines) {
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
@@ -57,6 +61,7 @@ vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines) 
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
+  blendInOrder(actor);
   return actor;
 }
 

@@ -25,8 +25,13 @@ vtkSmartPointer<vtkPoints> makeFloatPoints();
 vtkSmartPointer<vtkCellArray> polylines(const std::vector<std::vector<int>>& lines);
 vtkSmartPointer<vtkCellArray> segments(const std::vector<std::array<int, 2>>& lines);
 
-/// An unlit actor for lines of `points`, in front of surfaces that contain them. `width` is set by
-/// the caller.
+/// Blends the actor in the order in which actors were added to the renderer. VTK's own way for
+/// translucent ones costs two passes over the whole picture, as long as the rest of it takes to
+/// draw in software; lines and handles need no sorting.
+void blendInOrder(vtkActor* actor);
+
+/// An unlit actor for lines of `points`, in front of surfaces that contain them, blended in order.
+/// The width is set by the caller.
 vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines);
 
 void setColour(vtkActor* actor, const Colour& colour);

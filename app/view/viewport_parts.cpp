@@ -8,7 +8,6 @@
 namespace palpa::view {
 namespace {
 
-constexpr int kMultiSamples = 4;
 constexpr double kFallbackDiagonal = 100;  // mm, where there is no body
 
 }  // namespace
@@ -16,16 +15,16 @@ constexpr double kFallbackDiagonal = 100;  // mm, where there is no body
 Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
     : window(renderWindow),
       pixelRatio(ratio),
-      shapes(overlay),
-      grid(scene),
+      shapes(shineThrough),
       surface(scene),
+      grid(scene),
       netActor(scene, shineThrough),
       arrows(scene, shineThrough, overlay),
       signs(overlay),
       axes(overlay),
       gizmoActor(overlay) {
-  window->SetMultiSamples(kMultiSamples);
-  window->SetDPI(72);  // a point of a font is a pixel
+  window->SetMultiSamples(0);  // in software four samples take three times as long
+  window->SetDPI(72);          // a point of a font is a pixel
   window->SetNumberOfLayers(3);
   int layer = 0;
   for (vtkRenderer* renderer : {scene.Get(), shineThrough.Get(), overlay.Get()}) {

@@ -63,10 +63,11 @@ struct Viewport::Parts {
   std::optional<std::array<Eigen::Vector2d, 2>> rubberBand;
   Bounds bodyBounds, netBounds;
 
-  // Shapes are added to the overlay before all texts: they lie behind them.
+  // Drawn below the texts, and smoothed in fine pictures with all that the overlay covers.
   FlatShapes shapes;
-  GridActor grid;
+  // Within a renderer, what is added later is blended over what was added before.
   SurfaceActor surface;
+  GridActor grid;
   ControlNetActor netActor;
   LoadArrows arrows;
   WarningSigns signs;

@@ -40,6 +40,10 @@ enum class HandleState : std::uint8_t { kPlain, kHovered, kSelected, kFollowing 
 /// lines alone, all of them, with a tint on marked triangles.
 enum class Shading { kShaded, kShadedWithEdges, kWire };
 
+/// Edges are smoothed in fine pictures. Drawn in software that costs twice the time: quick ones are
+/// for while something moves.
+enum class Quality { kQuick, kFine };
+
 /// A place the person should look at, with a word about what is wrong.
 struct WarningMarker {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
