@@ -10,7 +10,7 @@ namespace palpa::view {
 namespace {
 
 constexpr double kRim = 1.2;             // logical pixels, width of the rim around a handle
-constexpr double kHiddenOpacity = 0.22;  // of what the body hides
+constexpr double kHiddenOpacity = 0.20;  // of what the body hides
 
 /// Diameter in pixels.
 double sizeOf(HandleState state) {
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkActor> makeDiscs(vtkPolyData* data, vtkRenderer* renderer) {
   mapper->ScalarVisibilityOff();
   // In front of the surface and the net lines.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-8);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-14);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();

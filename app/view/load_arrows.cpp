@@ -50,7 +50,9 @@ void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
     }
     if (placed.arrow->label.empty()) continue;
     Label label;
-    label.text = makeText(placed.arrow->label, {kFontSize * pixelRatio, true, colour});
+    // Between the arrow's colour and that of text, which is readable in every theme.
+    const Colour written = mixed(colour, theme.text, 0.3);
+    label.text = makeText(placed.arrow->label, {kFontSize * pixelRatio, true, written});
     label.free = placed.freeEnd();
     label.held = placed.heldEnd();
     label.size = textSize(label.text, overlay_);

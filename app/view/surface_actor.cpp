@@ -12,7 +12,7 @@ namespace palpa::view {
 namespace {
 
 /// How much of the mark's own colour replaces that of the body.
-constexpr double kMarkStrength = 0.72;
+constexpr double kMarkStrength = 0.82;
 /// In the wire picture only marked triangles are drawn, as a tint of this opacity.
 constexpr double kTintOpacity = 0.35;
 
@@ -59,14 +59,14 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   mapper->SetInputData(surface_);
   mapper->SetScalarModeToUseCellData();
   mapper->SetColorModeToDirectScalars();
-  // Pushed back behind the lines and handles on it.
+  // Pushed back behind the lines and handles on it, also where it is seen at a grazing angle.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(1, 1);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
   body_->SetMapper(mapper);
   vtkProperty* property = body_->GetProperty();
   property->SetInterpolationToPhong();
-  property->SetAmbient(0.44);
-  property->SetDiffuse(0.62);
+  property->SetAmbient(0.50);
+  property->SetDiffuse(0.56);
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
   renderer->AddActor(body_);
@@ -86,7 +86,7 @@ void SurfaceActor::setBody(const ViewportBody& body) {
   const auto setLines = [](vtkActor* actor, const std::vector<std::vector<int>>& lines) {
     vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
   };
-  setLines(borders_, body.borders);
+  setLines(borders_, distinctLines(body.borders, body.positions));
   setLines(knotLines_, body.knotLines);
   marks_.assign(body.triangles.size(), Mark::kNone);
   move(body.positions, body.normals);
@@ -150,8 +150,8 @@ void SurfaceActor::updateLines() {
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
     setColour(lines, wire ? theme_.text : theme_.line);
   }
-  borders_->GetProperty()->SetLineWidth(static_cast<float>(1.4 * pixelRatio_));
-  borders_->GetProperty()->SetOpacity(0.75);
+  borders_->GetProperty()->SetLineWidth(static_cast<float>(2 * pixelRatio_));
+  borders_->GetProperty()->SetOpacity(0.65);
   knotLines_->GetProperty()->SetLineWidth(static_cast<float>(pixelRatio_));
   knotLines_->GetProperty()->SetOpacity(wire ? 0.35 : 0.22);
 }

@@ -5,6 +5,10 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
+
+#include "app/view/bounds.h"
+
 namespace palpa::view {
 
 void assign(const std::vector<Eigen::Vector3d>& from, vtkFloatArray* to) {
@@ -28,6 +32,30 @@ vtkSmartPointer<vtkPoints> makeFloatPoints() {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToFloat();
   return points;
+}
+
+std::vector<std::vector<int>> distinctLines(const std::vector<std::vector<int>>& lines,
+                                            const std::vector<Eigen::Vector3d>& positions) {
+  Bounds bounds;
+  for (const Eigen::Vector3d& position : positions) bounds.add(position);
+  const double tolerance = bounds.empty() ? 0 : 1e-7 * bounds.size().norm();
+  const auto coincide = [&](int i, int j) {
+    const Eigen::Vector3d& a = positions[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d& b = positions[static_cast<std::size_t>(j)];
+    return (a - b).squaredNorm() <= tolerance * tolerance;
+  };
+  const auto same = [&](const std::vector<int>& a, const std::vector<int>& b) {
+    return a.size() == b.size() && (std::equal(a.begin(), a.end(), b.begin(), coincide) ||
+                                    std::equal(a.begin(), a.end(), b.rbegin(), coincide));
+  };
+  std::vector<std::vector<int>> distinct;
+  for (const std::vector<int>& line : lines) {
+    const bool known =
+        std::any_of(distinct.begin(), distinct.end(),
+                    [&](const std::vector<int>& other) { return same(line, other); });
+    if (!known) distinct.push_back(line);
+  }
+  return distinct;
 }
 
 vtkSmartPointer<vtkCellArray> polylines(const std::vector<std::vector<int>>& lines) {
@@ -57,7 +85,7 @@ vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines) 
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -1);
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -6);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();

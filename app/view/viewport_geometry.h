@@ -22,6 +22,11 @@ void assign(const std::vector<Eigen::Vector3d>& from, vtkPoints* to);
 
 vtkSmartPointer<vtkPoints> makeFloatPoints();
 
+/// Each line once: neighbouring patches name their common border both, forwards or backwards, with
+/// points of their own. Drawn twice, it would be stippled where the two cover different pixels.
+std::vector<std::vector<int>> distinctLines(const std::vector<std::vector<int>>& lines,
+                                            const std::vector<Eigen::Vector3d>& positions);
+
 vtkSmartPointer<vtkCellArray> polylines(const std::vector<std::vector<int>>& lines);
 vtkSmartPointer<vtkCellArray> segments(const std::vector<std::array<int, 2>>& lines);
 

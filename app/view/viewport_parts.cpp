@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "app/view/body.h"
+#include "app/view/text.h"
 
 namespace palpa::view {
 namespace {
@@ -34,6 +35,8 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
     window->AddRenderer(renderer);
   }
   scene->GradientBackgroundOn();
+  // VTK skips a renderer that has nothing visible, and with it the smoothing of what it covers.
+  overlay->AddActor2D(makeText(" ", {}));
 }
 
 Viewport::Parts::~Parts() {

@@ -8,7 +8,7 @@ ViewportTheme ViewportTheme::light() {
   theme.backgroundBottom = {0.855, 0.880, 0.910};
   theme.body = {0.76, 0.81, 0.87};
   theme.support = {0.10, 0.60, 0.58};
-  theme.load = {0.96, 0.56, 0.14};
+  theme.load = {1.00, 0.60, 0.14};
   theme.hovered = {0.93, 0.96, 1.00};
   theme.selected = {0.22, 0.52, 0.95};
   theme.warning = {0.88, 0.20, 0.20};
@@ -29,7 +29,7 @@ ViewportTheme ViewportTheme::dark() {
   theme.backgroundBottom = {0.115, 0.125, 0.140};
   theme.body = {0.60, 0.65, 0.72};
   theme.support = {0.12, 0.66, 0.62};
-  theme.load = {0.98, 0.58, 0.16};
+  theme.load = {1.00, 0.60, 0.16};
   theme.hovered = {0.82, 0.88, 0.96};
   theme.selected = {0.30, 0.60, 1.00};
   theme.warning = {0.95, 0.28, 0.26};
