@@ -68,25 +68,29 @@ void Turntable::setDistance(double distance) {
       std::clamp(distance, kNearestDistance * sceneRadius_, kFarthestDistance * sceneRadius_);
 }
 
-Placement Turntable::fitting(const std::vector<Eigen::Vector3d>& points, double margin) const {
+Turntable::Fit Turntable::fitting(const std::vector<Eigen::Vector3d>& points, double margin) const {
+  Bounds bounds;
+  for (const Eigen::Vector3d& point : points) bounds.add(point);
+  const double size = bounds.empty() ? 0 : bounds.size().norm();
+  if (size <= 1e-9 * sceneRadius_) return {bounds.empty() ? focus_ : bounds.center(), distance_};
+
   const double spare = std::min({margin, 0.25 * width_, 0.25 * height_});
   const Rectangle target{spare, spare, width_ - spare, height_ - spare};
-  return fitPlacement(parallel_, points, axes().toView(), target, height_);
-}
-
-double Turntable::distanceFor(double pixelsPerLength) const {
-  return height_ / (2 * pixelsPerLength * halfAngleTangent());
+  const Eigen::Matrix3d toView = axes().toView();
+  const Placement placement = fitPlacement(parallel_, points, toView, target, height_);
+  const double distance = height_ / (2 * placement.pixelsPerLength * halfAngleTangent());
+  // A line seen end on would draw the camera into it.
+  return {toView.transpose() * placement.focus, std::max(distance, size)};
 }
 
 void Turntable::fit(const std::vector<Eigen::Vector3d>& points, double margin) {
-  if (points.empty()) return;
-  const Placement placement = fitting(points, margin);
-  focus_ = axes().toView().transpose() * placement.focus;
-  setDistance(distanceFor(placement.pixelsPerLength));
+  const Fit found = fitting(points, margin);
+  focus_ = found.focus;
+  setDistance(found.distance);
 }
 
 double Turntable::fittingDistance(const std::vector<Eigen::Vector3d>& points, double margin) const {
-  return points.empty() ? distance_ : distanceFor(fitting(points, margin).pixelsPerLength);
+  return fitting(points, margin).distance;
 }
 
 ViewAxes Turntable::axes() const {

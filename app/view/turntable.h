@@ -38,7 +38,8 @@ class Turntable {
   void pan(const Eigen::Vector2d& pixels, const Eigen::Vector3d& point);
   /// Comes nearer by the factor, as far as the limits allow; `point` stays where it appears.
   void zoom(double factor, const Eigen::Vector3d& point);
-  /// Shows all points, with `margin` pixels left free on each side. Nothing happens without points.
+  /// Shows all points, with `margin` pixels left free on each side. A single place comes to the
+  /// middle at the distance there was; nothing happens without points.
   void fit(const std::vector<Eigen::Vector3d>& points, double margin);
   /// The distance that fit() would choose.
   double fittingDistance(const std::vector<Eigen::Vector3d>& points, double margin) const;
@@ -66,8 +67,11 @@ class Turntable {
   std::array<double, 2> clippingRange(const Bounds& bounds) const;
 
  private:
-  Placement fitting(const std::vector<Eigen::Vector3d>& points, double margin) const;
-  double distanceFor(double pixelsPerLength) const;
+  struct Fit {
+    Eigen::Vector3d focus;
+    double distance;
+  };
+  Fit fitting(const std::vector<Eigen::Vector3d>& points, double margin) const;
 
   double azimuth_ = 0;    ///< rad, of the direction of view about the vertical, from x to y
   double elevation_ = 0;  ///< rad, of the direction of view above the horizontal
