@@ -46,9 +46,9 @@ vtkSmartPointer<vtkActor> makeDiscs(vtkPolyData* data, vtkRenderer* renderer) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
-  // In front of the surface and the net lines.
+  // In front of the net lines, and of the surface where it cuts into the disc.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-14);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(-160);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();

@@ -80,7 +80,8 @@ Turntable::Fit Turntable::fitting(const std::vector<Eigen::Vector3d>& points, do
   const Placement placement = fitPlacement(parallel_, points, toView, target, height_);
   const double distance = height_ / (2 * placement.pixelsPerLength * halfAngleTangent());
   // A line seen end on would draw the camera into it.
-  return {toView.transpose() * placement.focus, std::max(distance, size)};
+  if (!(distance >= size)) return {bounds.center(), size};
+  return {toView.transpose() * placement.focus, distance};
 }
 
 void Turntable::fit(const std::vector<Eigen::Vector3d>& points, double margin) {

@@ -51,6 +51,10 @@ Placement fitPlacement(bool parallel, const std::vector<Eigen::Vector3d>& points
   for (const Eigen::Vector3d& point : points) flat.add(toView * point);
   Placement placement{flat.center(), fittingScale(flat.size(), target)};
   if (parallel) return placement;
+  // The eye keeps away from what is long and seen end on.
+  const double nearest = std::max(flat.size().z(), std::numeric_limits<double>::min());
+  const double largest = height / (2 * nearest * std::tan(kVerticalViewAngle / 2));
+  placement.pixelsPerLength = std::min(placement.pixelsPerLength, largest);
   // The perspective size depends on the distance, and that on the size: a contraction, since near
   // parts grow only by (size / distance). Eight rounds are far below a pixel.
   for (int round = 0; round < 8; ++round) {
@@ -58,7 +62,7 @@ Placement fitPlacement(bool parallel, const std::vector<Eigen::Vector3d>& points
         height / (2 * placement.pixelsPerLength * std::tan(kVerticalViewAngle / 2));
     const Bounds seen = perspectiveBounds(points, toView, placement.focus, distance);
     placement.focus.head<2>() += seen.center().head<2>();
-    placement.pixelsPerLength = fittingScale(seen.size(), target);
+    placement.pixelsPerLength = std::min(fittingScale(seen.size(), target), largest);
   }
   return placement;
 }

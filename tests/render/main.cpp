@@ -75,6 +75,40 @@ int requireAllCases(const std::vector<std::string>& names) {
   return 1;
 }
 
+/// Small but visible changes of a picture of the interactive view; each must be found.
+int requireViewportChangesNoticed(const fs::path& output) {
+  const ViewportCase original = viewportCases().at("viewport_selection_gizmo");
+  const fs::path base = output / "notices_viewport.png";
+  draw(original, base);
+  const std::map<std::string, std::function<void(view::Viewport&)>> changes{
+      {"viewport_same", [](view::Viewport&) {}},
+      {"viewport_no_gizmo", [](view::Viewport& v) { v.setGizmo({}); }},
+      {"viewport_no_net", [](view::Viewport& v) { v.setControlNetVisible(false); }},
+      {"viewport_no_grid", [](view::Viewport& v) { v.setGridVisible(false); }},
+      {"viewport_no_axes", [](view::Viewport& v) { v.setAxesVisible(false); }},
+      {"viewport_no_lines", [](view::Viewport& v) { v.setShading(view::Shading::kShaded); }},
+      {"viewport_turned",
+       [](view::Viewport& v) {
+         v.orbit({4, 0});
+       }},
+  };
+  int failures = 0;
+  for (const auto& [name, change] : changes) {
+    ViewportCase changed = original;
+    changed.setUp = [&](view::Viewport& viewport) {
+      original.setUp(viewport);
+      change(viewport);
+    };
+    const fs::path picture = output / ("notices_" + name + ".png");
+    draw(changed, picture);
+    const Difference result = compare(picture, base, {});
+    const bool right = result.acceptable() == (name == "viewport_same");
+    std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
+    failures += !right;
+  }
+  return failures;
+}
+
 /// Draws one scene with small but visible changes; each must be found.
 int requireChangesNoticed(const fs::path& output) {
   fs::create_directories(output);
@@ -103,6 +137,7 @@ int requireChangesNoticed(const fs::path& output) {
     std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
     failures += !right;
   }
+  failures += requireViewportChangesNoticed(output);
   return failures == 0 ? 0 : 1;
 }
 
