@@ -2,6 +2,7 @@
 //   CASE BASELINES OUTPUT   draws one case and compares it with BASELINES/CASE.png
 //   --cases NAME…           fails unless these are all the cases
 //   --notices OUTPUT        fails unless the comparison notices visible changes
+//   --reused OUTPUT         fails unless a window shows the same after showing something else
 //   --no-display            fails unless drawing without a display throws
 #include <cstdlib>
 #include <exception>
@@ -109,6 +110,33 @@ int requireViewportChangesNoticed(const fs::path& output) {
   return failures;
 }
 
+/// A window that has shown something else before shows the same as a new one.
+int requireNothingLeftBehind(const fs::path& output) {
+  fs::create_directories(output);
+  const auto cases = viewportCases();
+  const fs::path fresh = output / "fresh.png";
+  const fs::path reused = output / "reused.png";
+  int failures = 0;
+  for (const auto& [first, last] : {std::pair{"viewport_hovered_point", "viewport_high_dpi"},
+                                    std::pair{"viewport_high_dpi", "viewport_selection_gizmo"},
+                                    std::pair{"viewport_knot_lines", "viewport_close_up"}}) {
+    ViewportCase before = cases.at(first);
+    ViewportCase after = cases.at(last);
+    // Visibilities are not part of what a case sets up anew.
+    after.setUp = [setUp = after.setUp](view::Viewport& viewport) {
+      viewport.setControlNetVisible(true);
+      viewport.setGridVisible(true);
+      setUp(viewport);
+    };
+    draw(after, fresh);
+    drawAfter(before, after, reused);
+    const Difference result = compare(reused, fresh, {});
+    std::cout << first << ", " << last << ": " << result.text() << '\n';
+    failures += !(result.sameSize && result.largestBlock == 0);
+  }
+  return failures == 0 ? 0 : 1;
+}
+
 /// Draws one scene with small but visible changes; each must be found.
 int requireChangesNoticed(const fs::path& output) {
   fs::create_directories(output);
@@ -158,6 +186,9 @@ int run(const std::vector<std::string>& arguments) {
   if (arguments.size() == 1 && arguments[0] == "--no-display") return requireDisplayError();
   if (arguments.size() == 2 && arguments[0] == "--notices") {
     return requireChangesNoticed(arguments[1]);
+  }
+  if (arguments.size() == 2 && arguments[0] == "--reused") {
+    return requireNothingLeftBehind(arguments[1]);
   }
   if (!arguments.empty() && arguments[0] == "--cases") {
     return requireAllCases({arguments.begin() + 1, arguments.end()});

@@ -242,4 +242,18 @@ void draw(const ViewportCase& viewportCase, const std::filesystem::path& picture
   viewport.writePng(picture);
 }
 
+void drawAfter(const ViewportCase& first, const ViewportCase& last,
+               const std::filesystem::path& picture) {
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(first.width / 2, first.height / 2);
+  Viewport viewport(window, first.pixelRatio);
+  first.setUp(viewport);
+  viewport.render(view::Quality::kQuick);
+  window->SetSize(last.width, last.height);
+  viewport.setPixelRatio(last.pixelRatio);
+  last.setUp(viewport);
+  viewport.writePng(picture);
+}
+
 }  // namespace palpa::render_tests

@@ -26,4 +26,8 @@ std::map<std::string, ViewportCase> viewportCases();
 
 void draw(const ViewportCase& viewportCase, const std::filesystem::path& picture);
 
+/// Draws `last` in a window that has shown `first`, in another size, before.
+void drawAfter(const ViewportCase& first, const ViewportCase& last,
+               const std::filesystem::path& picture);
+
 }  // namespace palpa::render_tests
