@@ -25,6 +25,11 @@ enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kIsometri
 /// origin at the top left, as window systems deliver them. Arrays of wrong lengths and indices out
 /// of range throw std::invalid_argument.
 ///
+/// A vtkGenericOpenGLRenderWindow in a Qt widget also needs: SetIsCurrent(true) once, or nothing is
+/// drawn; in paintGL the widget's framebuffer bound between a Reset() and Push() of the window's
+/// state and a Pop(); and a surface format with DeprecatedFunctions, or Mesa draws all lines one
+/// pixel wide.
+///
 /// Costs with 10,000 points and 20,000 triangles: moveBody() and setHandleStates() well below a
 /// millisecond, picking about half a millisecond.
 class Viewport {
