@@ -27,14 +27,14 @@ ViewportTheme ViewportTheme::dark() {
   ViewportTheme theme;
   theme.backgroundTop = {0.215, 0.230, 0.255};
   theme.backgroundBottom = {0.115, 0.125, 0.140};
-  theme.body = {0.60, 0.65, 0.72};
+  theme.body = {0.47, 0.52, 0.59};
   theme.support = {0.12, 0.66, 0.62};
   theme.load = {1.00, 0.60, 0.16};
-  theme.hovered = {0.82, 0.88, 0.96};
+  theme.hovered = {0.72, 0.78, 0.87};
   theme.selected = {0.30, 0.60, 1.00};
   theme.warning = {0.95, 0.28, 0.26};
   theme.line = {0.06, 0.07, 0.09};
-  theme.net = {0.62, 0.68, 0.77};
+  theme.net = {0.84, 0.89, 0.96};
   theme.handle = {0.92, 0.94, 0.97};
   theme.handleHovered = {1.00, 0.80, 0.26};
   theme.handleSelected = {0.25, 0.60, 1.00};
