@@ -24,15 +24,11 @@ constexpr double kHeadRadius = 0.021;
 constexpr double kHeadLength = 0.062;
 constexpr int kSides = 32;
 
-const Colour& colourOf(const ForceArrow& arrow) {
-  return arrow.role == ForceArrow::Role::kApplied ? kAppliedForceColour : kReactionColour;
-}
-
-void addPart(vtkAlgorithmOutput* shape, const Colour& colour, double opacity,
-             vtkRenderer* renderer) {
+vtkSmartPointer<vtkActor> makePart(vtkAlgorithmOutput* shape, const Colour& colour,
+                                   double opacity) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(shape);
-  vtkNew<vtkActor> actor;
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
@@ -42,7 +38,7 @@ void addPart(vtkAlgorithmOutput* shape, const Colour& colour, double opacity,
   property->SetSpecular(0.15);
   property->SetSpecularPower(20);
   property->BackfaceCullingOn();
-  renderer->AddActor(actor);
+  return actor;
 }
 
 }  // namespace
@@ -55,14 +51,18 @@ const Eigen::Vector3d& PlacedArrow::heldEnd() const {
   return arrow->anchor == ForceArrow::Anchor::kTail ? tail : tip;
 }
 
-std::vector<PlacedArrow> placeArrows(const SurfaceScene& scene, double bodyDiagonal) {
+const Colour& arrowColour(ForceArrow::Role role) {
+  return role == ForceArrow::Role::kApplied ? kAppliedForceColour : kReactionColour;
+}
+
+std::vector<PlacedArrow> placeArrows(const std::vector<ForceArrow>& arrows, double longest) {
   double largest = 0;
-  for (const ForceArrow& arrow : scene.arrows) largest = std::max(largest, arrow.force.norm());
+  for (const ForceArrow& arrow : arrows) largest = std::max(largest, arrow.force.norm());
   std::vector<PlacedArrow> placed;
-  for (const ForceArrow& arrow : scene.arrows) {
+  for (const ForceArrow& arrow : arrows) {
     const double force = arrow.force.norm();
     if (force == 0) continue;
-    const double length = scene.arrowLength * bodyDiagonal * std::max(force / largest, 0.25);
+    const double length = longest * std::max(force / largest, 0.25);
     const Eigen::Vector3d vector = length * arrow.force / force;
     if (arrow.anchor == ForceArrow::Anchor::kTail) {
       placed.push_back({arrow.at, arrow.at + vector, &arrow});
@@ -73,34 +73,42 @@ std::vector<PlacedArrow> placeArrows(const SurfaceScene& scene, double bodyDiago
   return placed;
 }
 
+std::array<vtkSmartPointer<vtkActor>, 2> makeArrow(const PlacedArrow& arrow, double bodyDiagonal,
+                                                   const Colour& colour, double opacity) {
+  const Eigen::Vector3d along = arrow.tip - arrow.tail;
+  const double length = along.norm();
+  const double shrink = std::min(1.0, 0.6 * length / (kHeadLength * bodyDiagonal));
+  const double headLength = shrink * kHeadLength * bodyDiagonal;
+  const Eigen::Vector3d direction = along / length;
+  const Eigen::Vector3d neck = arrow.tip - headLength * direction;
+
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(arrow.tail.x(), arrow.tail.y(), arrow.tail.z());
+  line->SetPoint2(neck.x(), neck.y(), neck.z());
+  vtkNew<vtkTubeFilter> shaft;
+  shaft->SetInputConnection(line->GetOutputPort());
+  shaft->SetRadius(shrink * kShaftRadius * bodyDiagonal);
+  shaft->SetNumberOfSides(kSides);
+  shaft->CappingOn();
+
+  const Eigen::Vector3d middle = arrow.tip - 0.5 * headLength * direction;
+  vtkNew<vtkConeSource> head;
+  head->SetCenter(middle.x(), middle.y(), middle.z());
+  head->SetDirection(direction.x(), direction.y(), direction.z());
+  head->SetHeight(headLength);
+  head->SetRadius(shrink * kHeadRadius * bodyDiagonal);
+  head->SetResolution(kSides);
+  return {makePart(shaft->GetOutputPort(), colour, opacity),
+          makePart(head->GetOutputPort(), colour, opacity)};
+}
+
 void addArrows(const std::vector<PlacedArrow>& arrows, double bodyDiagonal, double opacity,
                vtkRenderer* renderer) {
   for (const PlacedArrow& placed : arrows) {
-    const Eigen::Vector3d along = placed.tip - placed.tail;
-    const double length = along.norm();
-    const double shrink = std::min(1.0, 0.6 * length / (kHeadLength * bodyDiagonal));
-    const double headLength = shrink * kHeadLength * bodyDiagonal;
-    const Eigen::Vector3d direction = along / length;
-    const Eigen::Vector3d neck = placed.tip - headLength * direction;
-
-    vtkNew<vtkLineSource> line;
-    line->SetPoint1(placed.tail.x(), placed.tail.y(), placed.tail.z());
-    line->SetPoint2(neck.x(), neck.y(), neck.z());
-    vtkNew<vtkTubeFilter> shaft;
-    shaft->SetInputConnection(line->GetOutputPort());
-    shaft->SetRadius(shrink * kShaftRadius * bodyDiagonal);
-    shaft->SetNumberOfSides(kSides);
-    shaft->CappingOn();
-    addPart(shaft->GetOutputPort(), colourOf(*placed.arrow), opacity, renderer);
-
-    const Eigen::Vector3d middle = placed.tip - 0.5 * headLength * direction;
-    vtkNew<vtkConeSource> head;
-    head->SetCenter(middle.x(), middle.y(), middle.z());
-    head->SetDirection(direction.x(), direction.y(), direction.z());
-    head->SetHeight(headLength);
-    head->SetRadius(shrink * kHeadRadius * bodyDiagonal);
-    head->SetResolution(kSides);
-    addPart(head->GetOutputPort(), colourOf(*placed.arrow), opacity, renderer);
+    const Colour& colour = arrowColour(placed.arrow->role);
+    for (const auto& part : makeArrow(placed, bodyDiagonal, colour, opacity)) {
+      renderer->AddActor(part);
+    }
   }
 }
 
@@ -112,7 +120,8 @@ void addArrowLabels(const std::vector<PlacedArrow>& arrows, double fontSize,
   }
   for (const PlacedArrow& placed : arrows) {
     if (placed.arrow->label.empty()) continue;
-    const auto text = makeText(placed.arrow->label, {fontSize, true, colourOf(*placed.arrow)});
+    const auto text =
+        makeText(placed.arrow->label, {fontSize, true, arrowColour(placed.arrow->role)});
     const Eigen::Vector2d end = toPixels(placed.freeEnd(), scene);
     LabelWish wish;
     wish.anchor = end;

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <vtkActor.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 
+#include <array>
 #include <vector>
 
+#include "app/view/colour_map.h"
 #include "app/view/label_placement.h"
 #include "app/view/scene.h"
 
@@ -21,8 +25,15 @@ struct PlacedArrow {
   const Eigen::Vector3d& heldEnd() const;
 };
 
-/// Ends of all arrows with a force; `bodyDiagonal` (mm) sets their scale.
-std::vector<PlacedArrow> placeArrows(const SurfaceScene& scene, double bodyDiagonal);
+/// Ends of all arrows with a force, the largest `longest` (mm) long.
+std::vector<PlacedArrow> placeArrows(const std::vector<ForceArrow>& arrows, double longest);
+
+/// In the colours of pictures.
+const Colour& arrowColour(ForceArrow::Role role);
+
+/// Shaft and head of an arrow as solid bodies.
+std::array<vtkSmartPointer<vtkActor>, 2> makeArrow(const PlacedArrow& arrow, double bodyDiagonal,
+                                                   const Colour& colour, double opacity);
 
 /// Adds the arrows as solid bodies to `renderer`. Called once for the scene's own renderer and once
 /// for a translucent one in front, so that an arrow inside or behind the body still shines through.

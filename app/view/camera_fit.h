@@ -7,17 +7,10 @@
 
 #include "app/view/rectangle.h"
 #include "app/view/scene.h"
+#include "app/view/view_fit.h"
 
 /// Cameras. Internal to app/view.
 namespace palpa::view {
-
-/// Orthonormal axes of a view: to the right, up, and from the eye into the scene.
-struct ViewAxes {
-  Eigen::Vector3d right;
-  Eigen::Vector3d up;
-  Eigen::Vector3d forward;
-};
-ViewAxes viewAxes(const CameraView& view);
 
 /// Places the renderer's active camera so that, at zoom 1, all `points` appear inside `target`, as
 /// large as possible and centred. `width` and `height` are the picture's size in pixels.

@@ -2,8 +2,6 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -19,9 +17,9 @@
 #include "app/view/colour_map.h"
 #include "app/view/corner_axes.h"
 #include "app/view/display.h"
-#include "app/view/errors.h"
 #include "app/view/flat.h"
 #include "app/view/label_placement.h"
+#include "app/view/png.h"
 #include "app/view/scalar_bar.h"
 #include "app/view/text.h"
 
@@ -149,20 +147,6 @@ vtkSmartPointer<vtkImageData> reduced(vtkUnsignedCharArray* large, const Picture
   return image;
 }
 
-void writePng(vtkImageData* image, const std::filesystem::path& path) {
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(image);
-  // VTK reports a failed write on its own error channel; the exception below says it in words.
-  vtkObject::GlobalWarningDisplayOff();
-  writer->Write();
-  vtkObject::GlobalWarningDisplayOn();
-  if (writer->GetErrorCode() != 0 || !std::filesystem::exists(path)) {
-    throw ViewError("cannot write the picture " + path.string() +
-                    "; check that its folder exists and can be written");
-  }
-}
-
 void requireSize(const PictureOptions& options) {
   const bool valid = options.width >= 160 && options.width <= 8192 && options.height >= 120 &&
                      options.height <= 8192;
@@ -201,7 +185,7 @@ void renderToPng(const SurfaceScene& scene, const std::filesystem::path& path,
 
   const std::vector<Eigen::Vector3d> shape = scene.deformedPositions();
   const double size = diagonal(scene.positions);
-  const std::vector<PlacedArrow> arrows = placeArrows(scene, size);
+  const std::vector<PlacedArrow> arrows = placeArrows(scene.arrows, scene.arrowLength * size);
   std::vector<Eigen::Vector3d> seen = shape;
   if (scene.showUndeformed) {
     seen.insert(seen.end(), scene.positions.begin(), scene.positions.end());

@@ -1,13 +1,15 @@
 // Regression test of the pictures:
-//   palpa_render_tests CASE BASELINES OUTPUT   draws one case and compares it with
-//   BASELINES/CASE.png palpa_render_tests --cases NAME…           fails unless these are all the
-//   scenes palpa_render_tests --notices OUTPUT        fails unless the comparison notices visible
-//   changes palpa_render_tests --no-display            fails unless drawing without a display
-//   throws
+//   CASE BASELINES OUTPUT   draws one case and compares it with BASELINES/CASE.png
+//   --cases NAME…           fails unless these are all the cases
+//   --notices OUTPUT        fails unless the comparison notices visible changes
+//   --reused OUTPUT         fails unless a window shows the same after showing something else
+//   --no-display            fails unless drawing without a display throws
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,14 +17,29 @@
 #include "app/view/errors.h"
 #include "tests/render/compare.h"
 #include "tests/render/scenes.h"
+#include "tests/render/viewport_scenes.h"
 
 namespace palpa::render_tests {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// What draws each case.
+std::map<std::string, std::function<void(const fs::path&)>> pictures() {
+  std::map<std::string, std::function<void(const fs::path&)>> all;
+  for (const auto& [name, scene] : allCases()) {
+    all[name] = [scene](const fs::path& path) {
+      view::renderToPng(scene.scene, path, scene.options);
+    };
+  }
+  for (const auto& [name, scene] : viewportCases()) {
+    all[name] = [scene](const fs::path& path) { draw(scene, path); };
+  }
+  return all;
+}
+
 int drawAndCompare(const std::string& name, const fs::path& baselines, const fs::path& output) {
-  const auto cases = allCases();
+  const auto cases = pictures();
   const auto found = cases.find(name);
   if (found == cases.end()) {
     std::cerr << name << ": there is no such scene\n";
@@ -33,7 +50,7 @@ int drawAndCompare(const std::string& name, const fs::path& baselines, const fs:
   const fs::path baseline = baselines / (name + ".png");
   const fs::path difference = output / (name + ".difference.png");
   fs::remove(difference);
-  view::renderToPng(found->second.scene, picture, found->second.options);
+  found->second(picture);
   if (!fs::exists(baseline)) {
     std::cerr << name << ": no baseline; look at " << picture << " and copy it to " << baseline
               << " if it is right\n";
@@ -53,10 +70,71 @@ int drawAndCompare(const std::string& name, const fs::path& baselines, const fs:
 int requireAllCases(const std::vector<std::string>& names) {
   const std::set<std::string> listed(names.begin(), names.end());
   std::set<std::string> scenes;
-  for (const auto& [name, unused] : allCases()) scenes.insert(name);
+  for (const auto& [name, unused] : pictures()) scenes.insert(name);
   if (listed == scenes) return 0;
   std::cerr << "the scenes and the list in CMakeLists.txt differ\n";
   return 1;
+}
+
+/// Small but visible changes of a picture of the interactive view; each must be found.
+int requireViewportChangesNoticed(const fs::path& output) {
+  const ViewportCase original = viewportCases().at("viewport_selection_gizmo");
+  const fs::path base = output / "notices_viewport.png";
+  draw(original, base);
+  const std::map<std::string, std::function<void(view::Viewport&)>> changes{
+      {"viewport_same", [](view::Viewport&) {}},
+      {"viewport_no_gizmo", [](view::Viewport& v) { v.setGizmo({}); }},
+      {"viewport_no_net", [](view::Viewport& v) { v.setControlNetVisible(false); }},
+      {"viewport_no_grid", [](view::Viewport& v) { v.setGridVisible(false); }},
+      {"viewport_no_axes", [](view::Viewport& v) { v.setAxesVisible(false); }},
+      {"viewport_no_lines", [](view::Viewport& v) { v.setShading(view::Shading::kShaded); }},
+      {"viewport_turned",
+       [](view::Viewport& v) {
+         v.orbit({4, 0});
+       }},
+  };
+  int failures = 0;
+  for (const auto& [name, change] : changes) {
+    ViewportCase changed = original;
+    changed.setUp = [&](view::Viewport& viewport) {
+      original.setUp(viewport);
+      change(viewport);
+    };
+    const fs::path picture = output / ("notices_" + name + ".png");
+    draw(changed, picture);
+    const Difference result = compare(picture, base, {});
+    const bool right = result.acceptable() == (name == "viewport_same");
+    std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
+    failures += !right;
+  }
+  return failures;
+}
+
+/// A window that has shown something else before shows the same as a new one.
+int requireNothingLeftBehind(const fs::path& output) {
+  fs::create_directories(output);
+  const auto cases = viewportCases();
+  const fs::path fresh = output / "fresh.png";
+  const fs::path reused = output / "reused.png";
+  int failures = 0;
+  for (const auto& [first, last] : {std::pair{"viewport_hovered_point", "viewport_high_dpi"},
+                                    std::pair{"viewport_high_dpi", "viewport_selection_gizmo"},
+                                    std::pair{"viewport_knot_lines", "viewport_close_up"}}) {
+    ViewportCase before = cases.at(first);
+    ViewportCase after = cases.at(last);
+    // Visibilities are not part of what a case sets up anew.
+    after.setUp = [setUp = after.setUp](view::Viewport& viewport) {
+      viewport.setControlNetVisible(true);
+      viewport.setGridVisible(true);
+      setUp(viewport);
+    };
+    draw(after, fresh);
+    drawAfter(before, after, reused);
+    const Difference result = compare(reused, fresh, {});
+    std::cout << first << ", " << last << ": " << result.text() << '\n';
+    failures += !(result.sameSize && result.largestBlock == 0);
+  }
+  return failures == 0 ? 0 : 1;
 }
 
 /// Draws one scene with small but visible changes; each must be found.
@@ -87,6 +165,7 @@ int requireChangesNoticed(const fs::path& output) {
     std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
     failures += !right;
   }
+  failures += requireViewportChangesNoticed(output);
   return failures == 0 ? 0 : 1;
 }
 
@@ -107,6 +186,9 @@ int run(const std::vector<std::string>& arguments) {
   if (arguments.size() == 1 && arguments[0] == "--no-display") return requireDisplayError();
   if (arguments.size() == 2 && arguments[0] == "--notices") {
     return requireChangesNoticed(arguments[1]);
+  }
+  if (arguments.size() == 2 && arguments[0] == "--reused") {
+    return requireNothingLeftBehind(arguments[1]);
   }
   if (!arguments.empty() && arguments[0] == "--cases") {
     return requireAllCases({arguments.begin() + 1, arguments.end()});

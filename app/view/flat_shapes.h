@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "app/view/viewport_geometry.h"
+
+/// Flat shapes of the interactive view. Internal to app/view.
+namespace palpa::view {
+
+/// Coloured polygons in one actor of a renderer's overlay, made anew for every picture. Pixels are
+/// counted from the picture's top left corner; later shapes cover earlier ones.
+class FlatShapes {
+ public:
+  explicit FlatShapes(vtkRenderer* overlay);
+
+  /// Removes all shapes; `height` of the picture in pixels.
+  void clear(int height);
+  /// Convex.
+  void addPolygon(const std::vector<Eigen::Vector2d>& corners, const Colour& colour,
+                  double opacity = 1);
+  void addLine(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width,
+               const Colour& colour, double opacity = 1);
+  void addDisc(const Eigen::Vector2d& center, double radius, const Colour& colour,
+               double opacity = 1);
+  void addRectangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Colour& colour,
+                    double opacity = 1);
+  /// A frame of the given width just inside the rectangle.
+  void addFrame(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width,
+                const Colour& colour, double opacity = 1);
+  /// To be called when all shapes are added.
+  void finish();
+
+ private:
+  int height_ = 1;
+  vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkUnsignedCharArray> colours_;
+  vtkSmartPointer<vtkPolyData> data_;
+};
+
+}  // namespace palpa::view

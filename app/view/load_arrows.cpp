@@ -1,0 +1,86 @@
+#include "app/view/load_arrows.h"
+
+#include <cmath>
+
+#include "app/view/arrows.h"
+#include "app/view/text.h"
+
+namespace palpa::view {
+namespace {
+
+constexpr double kLongest = 0.24;  // of the body's diagonal
+constexpr double kFaint = 0.22;
+constexpr double kFontSize = 13;  // logical pixels
+
+}  // namespace
+
+LoadArrows::LoadArrows(vtkRenderer* scene, vtkRenderer* shineThrough, vtkRenderer* overlay)
+    : scene_(scene), shineThrough_(shineThrough), overlay_(overlay) {}
+
+void LoadArrows::clear() {
+  for (const auto& actor : solid_) scene_->RemoveActor(actor);
+  for (const auto& actor : faint_) shineThrough_->RemoveActor(actor);
+  for (const Label& label : labels_) overlay_->RemoveActor2D(label.text);
+  solid_.clear();
+  faint_.clear();
+  labels_.clear();
+  ends_.clear();
+}
+
+void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
+                     const ViewportTheme& theme, double pixelRatio) {
+  clear();
+  plate_ = mixed(theme.backgroundTop, theme.backgroundBottom, 0.5);
+  pixelRatio_ = pixelRatio;
+  for (const PlacedArrow& placed : placeArrows(arrows, kLongest * bodyDiagonal)) {
+    ends_.push_back(placed.tail);
+    ends_.push_back(placed.tip);
+    // Reactions are quiet: they take the colour of text, applied forces one that stands out.
+    const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
+                              ? arrowColour(placed.arrow->role)
+                              : mixed(theme.text, theme.body, 0.25);
+    for (const auto& part : makeArrow(placed, bodyDiagonal, colour, 1)) {
+      scene_->AddActor(part);
+      solid_.push_back(part);
+    }
+    for (const auto& part : makeArrow(placed, bodyDiagonal, colour, kFaint)) {
+      blendInOrder(part);
+      shineThrough_->AddActor(part);
+      faint_.push_back(part);
+    }
+    if (placed.arrow->label.empty()) continue;
+    Label label;
+    // Between the arrow's colour and that of text, which is readable in every theme.
+    const Colour written = mixed(colour, theme.text, 0.3);
+    label.text = makeText(placed.arrow->label, {kFontSize * pixelRatio, true, written});
+    label.free = placed.freeEnd();
+    label.held = placed.heldEnd();
+    label.size = textSize(label.text, overlay_);
+    overlay_->AddActor2D(label.text);
+    labels_.push_back(label);
+  }
+}
+
+void LoadArrows::update(const Turntable& camera, FlatShapes& shapes) {
+  for (const Label& label : labels_) {
+    const Eigen::Vector2d end = camera.toPixel(label.free);
+    const Eigen::Vector2d other = camera.toPixel(label.held);
+    const bool visible = end.allFinite() && other.allFinite();
+    label.text->SetVisibility(visible);
+    if (!visible) continue;
+    const Eigen::Vector2d along = end - other;
+    const Eigen::Vector2d away =
+        along.norm() > 0 ? Eigen::Vector2d(along.normalized()) : Eigen::Vector2d(0, -1);
+    // The label's box touches, in the direction of the arrow, a circle around its end.
+    const Eigen::Vector2d half = 0.5 * label.size;
+    const double gap = 12 * pixelRatio_;
+    const Eigen::Vector2d center =
+        end + gap * away + Eigen::Vector2d(half.x() * away.x(), half.y() * away.y());
+    const Eigen::Vector2d pad = Eigen::Vector2d(5, 3) * pixelRatio_;
+    shapes.addRectangle(center - half - pad, center + half + pad, plate_, 0.72);
+    label.text->SetPosition(std::round(center.x() - half.x()),
+                            std::round(camera.height() - center.y() - half.y()));
+  }
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <array>
+
+#include "app/view/flat_shapes.h"
+#include "app/view/turntable.h"
+
+/// The axes in the corner of the interactive view. Internal to app/view.
+namespace palpa::view {
+
+/// Three axes with letters in the lower left corner that turn with the camera.
+class OrientationAxes {
+ public:
+  explicit OrientationAxes(vtkRenderer* overlay);
+
+  void setVisible(bool visible);
+  /// Once at least; the overlay must belong to a window by then.
+  void setPixelRatio(double ratio);
+  /// To be called before drawing, between clear() and finish() of `shapes`.
+  void update(const Turntable& camera, FlatShapes& shapes);
+
+ private:
+  std::array<vtkSmartPointer<vtkTextActor>, 3> letters_;
+  std::array<Eigen::Vector2d, 3> sizes_;
+  vtkRenderer* overlay_;
+  bool visible_ = true;
+  double pixelRatio_ = 1;
+};
+
+}  // namespace palpa::view

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "app/view/viewport_geometry.h"
+#include "app/view/viewport_scene.h"
+
+/// The body of the interactive view. Internal to app/view.
+namespace palpa::view {
+
+/// Surface, border and knot lines in a renderer. The actors live as long as this object; new shapes
+/// are written into their arrays.
+class SurfaceActor {
+ public:
+  explicit SurfaceActor(vtkRenderer* renderer);
+
+  void setBody(const ViewportBody& body);
+  void move(const std::vector<Eigen::Vector3d>& positions,
+            const std::vector<Eigen::Vector3d>& normals);
+  /// One per triangle of the body.
+  void setMarks(const std::vector<Mark>& marks);
+  void setShading(Shading shading);
+  void setTheme(const ViewportTheme& theme);
+  void setPixelRatio(double ratio);
+
+ private:
+  void colourTriangles();
+  void updateLines();
+
+  vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkFloatArray> normals_;
+  vtkSmartPointer<vtkUnsignedCharArray> colours_;  ///< RGBA of each triangle
+  vtkSmartPointer<vtkPolyData> surface_;
+  vtkSmartPointer<vtkActor> body_, borders_, knotLines_;
+  std::vector<Mark> marks_;
+  Shading shading_ = Shading::kShadedWithEdges;
+  ViewportTheme theme_ = ViewportTheme::light();
+  double pixelRatio_ = 1;
+};
+
+}  // namespace palpa::view

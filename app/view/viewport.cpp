@@ -1,0 +1,260 @@
+#include "app/view/viewport.h"
+
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "app/view/png.h"
+#include "app/view/viewport_parts.h"
+
+namespace palpa::view {
+namespace {
+
+constexpr double kRadiansPerPixel = 0.007;  // logical pixels: half a turn in 450
+
+void require(bool condition, const char* message) {
+  if (!condition) throw std::invalid_argument(std::string("viewport: ") + message);
+}
+
+void requirePolylines(const std::vector<std::vector<int>>& lines, int pointCount) {
+  for (const std::vector<int>& line : lines) {
+    for (const int point : line) {
+      require(point >= 0 && point < pointCount, "a line names a point that does not exist");
+    }
+  }
+}
+
+void requireValid(const ViewportBody& body) {
+  const int pointCount = static_cast<int>(body.positions.size());
+  require(body.normals.size() == body.positions.size(), "normals need one entry per point");
+  for (const Triangle& triangle : body.triangles) {
+    for (const int corner : triangle) {
+      require(corner >= 0 && corner < pointCount, "a triangle names a point that does not exist");
+    }
+  }
+  requirePolylines(body.borders, pointCount);
+  requirePolylines(body.knotLines, pointCount);
+}
+
+CameraView directions(StandardView view) {
+  CameraView camera;
+  switch (view) {
+    case StandardView::kFront:
+      camera.direction = {0, 1, 0};
+      break;
+    case StandardView::kBack:
+      camera.direction = {0, -1, 0};
+      break;
+    case StandardView::kLeft:
+      camera.direction = {1, 0, 0};
+      break;
+    case StandardView::kRight:
+      camera.direction = {-1, 0, 0};
+      break;
+    case StandardView::kTop:
+      camera.direction = {0, 0, -1};
+      camera.up = {0, 1, 0};
+      break;
+    case StandardView::kBottom:
+      camera.direction = {0, 0, 1};
+      camera.up = {0, -1, 0};
+      break;
+    case StandardView::kIsometric:
+      camera.direction = {-1, 1, -1};
+      break;
+  }
+  return camera;
+}
+
+}  // namespace
+
+Viewport::Viewport(vtkRenderWindow* window, double pixelRatio)
+    : parts_(std::make_unique<Parts>(window, pixelRatio)) {
+  setTheme(ViewportTheme::light());
+  setPixelRatio(pixelRatio);
+}
+
+Viewport::~Viewport() = default;
+
+void Viewport::setTheme(const ViewportTheme& theme) {
+  parts_->theme = theme;
+  parts_->applyTheme();
+}
+
+void Viewport::setPixelRatio(double ratio) {
+  require(ratio > 0 && ratio <= 16, "the pixel ratio is between 0 and 16");
+  parts_->pixelRatio = ratio;
+  parts_->grid.setPixelRatio(ratio);
+  parts_->surface.setPixelRatio(ratio);
+  parts_->netActor.setPixelRatio(ratio);
+  parts_->axes.setPixelRatio(ratio);
+  parts_->remakeArrows();
+  parts_->remakeWarnings();
+}
+
+void Viewport::setShading(Shading shading) {
+  parts_->surface.setShading(shading);
+}
+
+void Viewport::setGridVisible(bool visible) {
+  parts_->grid.setVisible(visible);
+}
+
+void Viewport::setAxesVisible(bool visible) {
+  parts_->axes.setVisible(visible);
+}
+
+void Viewport::setControlNetVisible(bool visible) {
+  parts_->netVisible = visible;
+  parts_->netActor.setVisible(visible);
+}
+
+void Viewport::setBody(const ViewportBody& body) {
+  requireValid(body);
+  parts_->body = body;
+  parts_->surface.setBody(body);
+  parts_->syncBounds();
+  parts_->remakeArrows();
+}
+
+void Viewport::moveBody(const std::vector<Eigen::Vector3d>& positions,
+                        const std::vector<Eigen::Vector3d>& normals) {
+  require(positions.size() == parts_->body.positions.size() && normals.size() == positions.size(),
+          "a moved body has as many points and normals as before");
+  parts_->body.positions = positions;
+  parts_->body.normals = normals;
+  parts_->surface.move(positions, normals);
+  parts_->syncBounds();
+}
+
+void Viewport::setMarks(const std::vector<Mark>& marks) {
+  require(marks.size() == parts_->body.triangles.size(), "marks need one entry per triangle");
+  parts_->surface.setMarks(marks);
+}
+
+void Viewport::setControlNet(const ControlNet& net) {
+  const int pointCount = static_cast<int>(net.points.size());
+  for (const std::array<int, 2>& line : net.lines) {
+    for (const int end : line) {
+      require(end >= 0 && end < pointCount, "a net line names a point that does not exist");
+    }
+  }
+  parts_->net = net;
+  parts_->netActor.setNet(net);
+  parts_->syncBounds();
+}
+
+void Viewport::moveControlPoints(const std::vector<Eigen::Vector3d>& points) {
+  require(points.size() == parts_->net.points.size(), "a moved net has as many points as before");
+  parts_->net.points = points;
+  parts_->netActor.movePoints(points);
+  parts_->syncBounds();
+}
+
+void Viewport::setHandleStates(const std::vector<HandleState>& states) {
+  require(states.size() == parts_->net.points.size(),
+          "handle states need one entry per control point");
+  parts_->netActor.setStates(states);
+}
+
+void Viewport::setLoadArrows(const std::vector<ForceArrow>& arrows) {
+  parts_->forces = arrows;
+  parts_->remakeArrows();
+}
+
+void Viewport::setWarnings(const std::vector<WarningMarker>& warnings) {
+  parts_->warnings = warnings;
+  parts_->remakeWarnings();
+}
+
+void Viewport::setGizmo(const std::optional<Gizmo>& gizmo) {
+  parts_->gizmo = gizmo;
+}
+
+void Viewport::setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners) {
+  parts_->rubberBand = corners;
+}
+
+void Viewport::orbit(const Eigen::Vector2d& pixels) {
+  const Eigen::Vector2d angles = -kRadiansPerPixel / parts_->pixelRatio * pixels;
+  parts_->camera.orbit(angles.x(), angles.y());
+}
+
+void Viewport::pan(const Eigen::Vector2d& pixels, const std::optional<Eigen::Vector2d>& from) {
+  parts_->syncSize();
+  parts_->camera.pan(pixels, from ? parts_->pointUnder(*from) : parts_->camera.focus());
+}
+
+void Viewport::zoom(double factor, const Eigen::Vector2d& at) {
+  require(factor > 0, "a zoom factor is positive");
+  parts_->syncSize();
+  parts_->camera.zoom(factor, parts_->pointUnder(at));
+}
+
+void Viewport::fit() {
+  fitTo(parts_->shownPoints());
+}
+
+void Viewport::fitTo(const std::vector<Eigen::Vector3d>& points) {
+  parts_->syncSize();
+  parts_->camera.fit(points, parts_->fitMargin());
+}
+
+void Viewport::lookFrom(StandardView view) {
+  const CameraView camera = directions(view);
+  parts_->camera.setDirection(camera.direction, camera.up);
+}
+
+void Viewport::setParallelProjection(bool parallel) {
+  parts_->camera.setParallel(parallel);
+}
+
+bool Viewport::parallelProjection() const {
+  return parts_->camera.parallel();
+}
+
+CameraView Viewport::camera() const {
+  parts_->syncSize();
+  const Turntable& camera = parts_->camera;
+  const ViewAxes axes = camera.axes();
+  const double fitting = camera.fittingDistance(parts_->shownPoints(), parts_->fitMargin());
+  return {axes.forward, axes.up, camera.parallel(), fitting / camera.distance()};
+}
+
+void Viewport::setCamera(const CameraView& view) {
+  require(view.direction.norm() > 0 && view.zoom > 0, "a camera needs a direction and a zoom > 0");
+  parts_->camera.setDirection(view.direction, view.up);
+  parts_->camera.setParallel(view.parallel);
+  fit();
+  parts_->camera.setDistance(parts_->camera.distance() / view.zoom);
+}
+
+void Viewport::render(Quality quality) {
+  Parts& parts = *parts_;
+  const int* size = parts.window->GetSize();
+  if (size[0] < 1 || size[1] < 1) return;
+  parts.syncSize();
+  parts.applyCamera();
+  parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
+  parts.gizmoActor.update(parts.gizmo, parts.camera, parts.pixelRatio);
+  parts.updateOverlay();
+  parts.overlay->SetUseFXAA(quality == Quality::kFine);
+  parts.window->Render();
+}
+
+void Viewport::writePng(const std::filesystem::path& path) {
+  render();
+  const int width = parts_->camera.width();
+  const int height = parts_->camera.height();
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width, height, 1);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  parts_->window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
+  image->GetPointData()->SetScalars(pixels);
+  view::writePng(image, path);
+}
+
+}  // namespace palpa::view

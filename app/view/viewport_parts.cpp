@@ -1,0 +1,150 @@
+#include "app/view/viewport_parts.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "app/view/body.h"
+#include "app/view/text.h"
+
+namespace palpa::view {
+namespace {
+
+constexpr double kFallbackDiagonal = 100;  // mm, where there is no body
+
+}  // namespace
+
+Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
+    : window(renderWindow),
+      pixelRatio(ratio),
+      shapes(shineThrough),
+      surface(scene),
+      grid(scene),
+      netActor(scene, shineThrough),
+      arrows(scene, shineThrough, overlay),
+      signs(overlay),
+      axes(overlay),
+      gizmoActor(overlay) {
+  window->SetMultiSamples(0);  // in software four samples take three times as long
+  window->SetDPI(72);          // a point of a font is a pixel
+  window->SetNumberOfLayers(3);
+  int layer = 0;
+  for (vtkRenderer* renderer : {scene.Get(), shineThrough.Get(), overlay.Get()}) {
+    renderer->SetLayer(layer++);
+    renderer->SetActiveCamera(vtkView);
+    addLights(renderer);
+    window->AddRenderer(renderer);
+  }
+  scene->GradientBackgroundOn();
+  // VTK skips a renderer that has nothing visible, and with it the smoothing of what it covers.
+  overlay->AddActor2D(makeText(" ", {}));
+}
+
+Viewport::Parts::~Parts() {
+  for (vtkRenderer* renderer : {scene.Get(), shineThrough.Get(), overlay.Get()}) {
+    window->RemoveRenderer(renderer);
+  }
+}
+
+void Viewport::Parts::syncSize() {
+  const int* size = window->GetSize();
+  camera.setSize(size[0], size[1]);
+}
+
+void Viewport::Parts::syncBounds() {
+  bodyBounds = {};
+  for (const Eigen::Vector3d& point : body.positions) bodyBounds.add(point);
+  netBounds = {};
+  for (const Eigen::Vector3d& point : net.points) netBounds.add(point);
+  Bounds all = bodyBounds;
+  all.add(netBounds);
+  camera.setScene(all);
+}
+
+void Viewport::Parts::remakeArrows() {
+  arrows.set(forces, bodyDiagonal(), theme, pixelRatio);
+}
+
+void Viewport::Parts::remakeWarnings() {
+  signs.set(warnings, theme, pixelRatio);
+}
+
+void Viewport::Parts::applyTheme() {
+  scene->SetBackground(theme.backgroundBottom.data());
+  scene->SetBackground2(theme.backgroundTop.data());
+  grid.setTheme(theme);
+  surface.setTheme(theme);
+  netActor.setTheme(theme);
+  remakeArrows();
+  remakeWarnings();
+}
+
+void Viewport::Parts::applyCamera() {
+  Bounds all = bodyBounds;
+  all.add(netBounds);
+  for (const Eigen::Vector3d& point : arrows.ends()) all.add(point);
+  // The ground fades out at one visible height from the focus.
+  const Eigen::Vector3d reach = Eigen::Vector3d(1, 1, 0) * camera.visibleHeight();
+  Eigen::Vector3d middle = camera.focus();
+  middle.z() = groundLevel(bodyBounds);
+  all.add(middle - reach);
+  all.add(middle + reach);
+  if (gizmo) {
+    for (const GizmoArrow& arrow : gizmoArrows(*gizmo, camera, pixelRatio)) all.add(arrow.end);
+  }
+
+  const Eigen::Vector3d eye = camera.eye();
+  const std::array<double, 2> range = camera.clippingRange(all);
+  vtkView->SetPosition(eye.data());
+  vtkView->SetFocalPoint(camera.focus().data());
+  vtkView->SetViewUp(camera.axes().up.data());
+  vtkView->SetViewAngle(kVerticalViewAngle * 180 / std::numbers::pi);
+  vtkView->SetParallelProjection(camera.parallel());
+  vtkView->SetParallelScale(0.5 * camera.visibleHeight());
+  vtkView->SetClippingRange(range[0], range[1]);
+}
+
+void Viewport::Parts::updateOverlay() {
+  shapes.clear(camera.height());
+  axes.update(camera, shapes);
+  arrows.update(camera, shapes);
+  signs.update(camera, shapes);
+  if (rubberBand) {
+    const auto& [a, b] = *rubberBand;
+    shapes.addRectangle(a, b, theme.selected, 0.12);
+    shapes.addFrame(a, b, std::max(1.0, std::round(pixelRatio)), theme.selected, 0.9);
+  }
+  shapes.finish();
+}
+
+std::vector<Eigen::Vector3d> Viewport::Parts::shownPoints() const {
+  std::vector<Eigen::Vector3d> points = body.positions;
+  if (netVisible) points.insert(points.end(), net.points.begin(), net.points.end());
+  points.insert(points.end(), arrows.ends().begin(), arrows.ends().end());
+  return points;
+}
+
+double Viewport::Parts::fitMargin() const {
+  return 0.09 * std::min(camera.width(), camera.height());
+}
+
+double Viewport::Parts::bodyDiagonal() const {
+  const double diagonal = bodyBounds.empty() ? 0 : bodyBounds.size().norm();
+  return diagonal > 0 ? diagonal : kFallbackDiagonal;
+}
+
+Eigen::Vector3d Viewport::Parts::pointUnder(const Eigen::Vector2d& pixel) const {
+  const Ray ray = camera.ray(pixel);
+  if (const auto hit = firstHit(ray, body.positions, body.triangles)) return ray.at(hit->distance);
+  return camera.inViewPlane(pixel, camera.focus());
+}
+
+bool Viewport::Parts::hidden(const Eigen::Vector3d& point) const {
+  // A point on the surface is not hidden by the triangles that meet there.
+  constexpr double kOnSurface = 1e-3;  // of the distance
+  const Ray ray = camera.ray(camera.toPixel(point));
+  const double distance = (point - ray.origin).dot(ray.direction);
+  const auto hit = firstHit(ray, body.positions, body.triangles);
+  return hit && hit->distance < distance - kOnSurface * camera.distance();
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include "app/view/control_net_actor.h"
+#include "app/view/flat_shapes.h"
+#include "app/view/gizmo_actor.h"
+#include "app/view/grid_actor.h"
+#include "app/view/load_arrows.h"
+#include "app/view/orientation_axes.h"
+#include "app/view/surface_actor.h"
+#include "app/view/turntable.h"
+#include "app/view/viewport.h"
+#include "app/view/warning_signs.h"
+
+/// Internal to app/view.
+namespace palpa::view {
+
+/// What a Viewport consists of.
+struct Viewport::Parts {
+  Parts(vtkRenderWindow* renderWindow, double ratio);
+  ~Parts();
+
+  /// Takes over the size of the window.
+  void syncSize();
+  /// After lengths in the scene have changed.
+  void syncBounds();
+  void remakeArrows();
+  void remakeWarnings();
+  void applyTheme();
+  void applyCamera();
+  void updateOverlay();
+
+  /// Everything that fit() shows.
+  std::vector<Eigen::Vector3d> shownPoints() const;
+  double fitMargin() const;
+  double bodyDiagonal() const;
+  /// What lies under a pixel: the surface, or the plane through the focus.
+  Eigen::Vector3d pointUnder(const Eigen::Vector2d& pixel) const;
+  /// True when the body lies between the eye and the point.
+  bool hidden(const Eigen::Vector3d& point) const;
+
+  vtkSmartPointer<vtkRenderWindow> window;
+  vtkNew<vtkCamera> vtkView;
+  vtkNew<vtkRenderer> scene;         ///< background, grid, body, net, arrows
+  vtkNew<vtkRenderer> shineThrough;  ///< faint copies of what the body may hide
+  vtkNew<vtkRenderer> overlay;       ///< gizmo, signs, labels: in front of everything
+
+  Turntable camera;
+  ViewportTheme theme = ViewportTheme::light();
+  double pixelRatio;
+
+  ViewportBody body;
+  ControlNet net;
+  bool netVisible = true;
+  std::vector<ForceArrow> forces;
+  std::vector<WarningMarker> warnings;
+  std::optional<Gizmo> gizmo;
+  std::optional<std::array<Eigen::Vector2d, 2>> rubberBand;
+  Bounds bodyBounds, netBounds;
+
+  // Drawn below the texts, and smoothed in fine pictures with all that the overlay covers.
+  FlatShapes shapes;
+  // Within a renderer, what is added later is blended over what was added before.
+  SurfaceActor surface;
+  GridActor grid;
+  ControlNetActor netActor;
+  LoadArrows arrows;
+  WarningSigns signs;
+  OrientationAxes axes;
+  GizmoActor gizmoActor;
+};
+
+}  // namespace palpa::view

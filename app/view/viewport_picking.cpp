@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <limits>
+
+#include "app/view/viewport_parts.h"
+
+// What lies under a pixel, and lengths from pixels: the const half of Viewport.
+namespace palpa::view {
+namespace {
+
+/// A hidden handle counts as this much farther from the pointer, in parts of the reach: it can be
+/// picked where no visible one is about as near.
+constexpr double kHiddenPenalty = 0.5;
+/// Handles whose distances to the pointer differ by less lie on top of each other, logical pixels.
+constexpr double kSamePlace = 1.5;
+
+}  // namespace
+
+std::optional<SurfaceHit> Viewport::surfaceAt(const Eigen::Vector2d& pixel) const {
+  parts_->syncSize();
+  const Ray ray = parts_->camera.ray(pixel);
+  const auto hit = firstHit(ray, parts_->body.positions, parts_->body.triangles);
+  if (!hit) return std::nullopt;
+  return SurfaceHit{hit->triangle, ray.at(hit->distance)};
+}
+
+std::optional<int> Viewport::controlPointAt(const Eigen::Vector2d& pixel, double reach) const {
+  parts_->syncSize();
+  if (!parts_->netVisible) return std::nullopt;
+  struct Candidate {
+    int point;
+    double distance;
+    double depth;
+  };
+  const Turntable& camera = parts_->camera;
+  const double limit = reach * parts_->pixelRatio;
+  std::vector<Candidate> candidates;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < parts_->net.points.size(); ++i) {
+    const Eigen::Vector3d& point = parts_->net.points[i];
+    double distance = (camera.toPixel(point) - pixel).norm();
+    if (!(distance <= limit)) continue;  // also a point behind the eye: NaN
+    if (parts_->hidden(point)) distance += kHiddenPenalty * limit;
+    candidates.push_back({static_cast<int>(i), distance, camera.depth(point)});
+    smallest = std::min(smallest, distance);
+  }
+  std::erase_if(candidates, [&](const Candidate& candidate) {
+    return candidate.distance > smallest + kSamePlace * parts_->pixelRatio;
+  });
+  const auto front =
+      std::min_element(candidates.begin(), candidates.end(),
+                       [](const Candidate& a, const Candidate& b) { return a.depth < b.depth; });
+  if (front == candidates.end()) return std::nullopt;
+  return front->point;
+}
+
+std::vector<int> Viewport::controlPointsIn(const Eigen::Vector2d& a,
+                                           const Eigen::Vector2d& b) const {
+  parts_->syncSize();
+  const Eigen::Array2d low = a.cwiseMin(b);
+  const Eigen::Array2d high = a.cwiseMax(b);
+  std::vector<int> inside;
+  if (!parts_->netVisible) return inside;
+  for (std::size_t i = 0; i < parts_->net.points.size(); ++i) {
+    const Eigen::Array2d pixel = parts_->camera.toPixel(parts_->net.points[i]);
+    if ((pixel >= low).all() && (pixel <= high).all()) inside.push_back(static_cast<int>(i));
+  }
+  return inside;
+}
+
+GizmoAxis Viewport::gizmoAt(const Eigen::Vector2d& pixel) const {
+  parts_->syncSize();
+  if (!parts_->gizmo) return GizmoAxis::kNone;
+  return gizmoAxisAt(pixel, *parts_->gizmo, parts_->camera, parts_->pixelRatio);
+}
+
+Eigen::Vector2d Viewport::toPixel(const Eigen::Vector3d& point) const {
+  parts_->syncSize();
+  return parts_->camera.toPixel(point);
+}
+
+Eigen::Vector3d Viewport::inViewPlane(const Eigen::Vector2d& pixel,
+                                      const Eigen::Vector3d& through) const {
+  parts_->syncSize();
+  return parts_->camera.inViewPlane(pixel, through);
+}
+
+std::optional<Eigen::Vector3d> Viewport::onLine(const Eigen::Vector2d& pixel,
+                                                const Eigen::Vector3d& through,
+                                                const Eigen::Vector3d& direction) const {
+  parts_->syncSize();
+  const auto s = nearestOnLine(parts_->camera.ray(pixel), through, direction);
+  if (!s) return std::nullopt;
+  return Eigen::Vector3d(through + *s * direction);
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "app/view/viewport.h"
+#include "modeling/solid/solid.h"
+
+namespace palpa::render_tests {
+
+/// A solid as the interactive view takes it.
+view::ViewportBody viewportBody(const modeling::Solid& solid, int piecesPerSpan = 6);
+view::ControlNet controlNet(const modeling::Solid& solid);
+
+/// A picture of the interactive view.
+struct ViewportCase {
+  std::function<void(view::Viewport&)> setUp;
+  int width = 800;
+  int height = 600;
+  double pixelRatio = 1;
+};
+
+/// Every case by name.
+std::map<std::string, ViewportCase> viewportCases();
+
+void draw(const ViewportCase& viewportCase, const std::filesystem::path& picture);
+
+/// Draws `last` in a window that has shown `first`, in another size, before.
+void drawAfter(const ViewportCase& first, const ViewportCase& last,
+               const std::filesystem::path& picture);
+
+}  // namespace palpa::render_tests
