@@ -2,9 +2,11 @@
 
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
+#include "app/cli/errors.h"
 #include "app/cli/shape_options.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
+#include "modeling/project/material_library.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::cli {
@@ -28,6 +30,10 @@ class NewCommand : public Command {
         .add_option("--edge-length", edgeLength_,
                     "Target length of mesh edges in mm (default: gives about 600 nodes)")
         ->type_name("LENGTH");
+    options
+        .add_option("--material", material_,
+                    "Material of the library by name (see: palpa-cli materials)")
+        ->type_name("NAME");
     options
         .add_option("--youngs-modulus", youngsModulus_,
                     "Young's modulus in MPa (default 0.2, soft silicone)")
@@ -65,6 +71,13 @@ class NewCommand : public Command {
 
  private:
   void setMaterial(modeling::Material& material) const {
+    if (!material_.empty()) {
+      if (!youngsModulus_.empty() || !poissonRatio_.empty()) {
+        throw UsageError("--material brings its constants; leave out the modulus and the ratio");
+      }
+      material = modeling::libraryMaterial(material_).material;
+      return;
+    }
     material.name = youngsModulus_.empty() && poissonRatio_.empty() ? "soft silicone" : "custom";
     material.youngsModulus =
         youngsModulus_.empty() ? 0.2 : parsePositive("--youngs-modulus", youngsModulus_);
@@ -93,6 +106,7 @@ class NewCommand : public Command {
   std::string shape_;
   ShapeOptions shapeOptions_;
   std::string edgeLength_;
+  std::string material_;
   std::string youngsModulus_;
   std::string poissonRatio_;
   std::string projectName_;

@@ -38,7 +38,7 @@ struct ImportedBody {
 /// is read back unchanged. Otherwise it becomes a mesh body, and a note says why.
 ///
 /// The file is read twice: first in a child process, so that a damaged file that makes OpenCASCADE
-/// crash or work without end costs nothing but an error (docs/decisions/013). Cancelling stops the
+/// crash or work without end costs nothing but an error (docs/decisions/010). Cancelling stops the
 /// first reading at once, the second one between faces and entities. Exports and imports of several
 /// threads run one after the other.
 ///

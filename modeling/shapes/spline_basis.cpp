@@ -77,15 +77,20 @@ SplineBasis merged(const SplineBasis& a, const SplineBasis& b) {
   const std::vector<double> first = innerKnots(a);
   const std::vector<double> second = innerKnots(b);
   std::vector<double> inner;
+  // Where one basis has a knot more often than the other, the two differ by rounding: the first
+  // value counts, or the knots would decrease.
+  const auto add = [&](double knot) {
+    inner.push_back(!inner.empty() && knot - inner.back() < kSameKnot ? inner.back() : knot);
+  };
   auto i = first.begin();
   auto j = second.begin();
   while (i != first.end() || j != second.end()) {
     const bool both = i != first.end() && j != second.end() && std::abs(*i - *j) < kSameKnot;
     if (j == second.end() || both || (i != first.end() && *i < *j)) {
-      inner.push_back(*i++);
+      add(*i++);
       if (both) ++j;
     } else {
-      inner.push_back(*j++);
+      add(*j++);
     }
   }
   return clamped(a.degree, inner);

@@ -56,6 +56,16 @@ TEST_F(CliExchange, ForeignFilesAreApproximatedAndSaySo) {
   EXPECT_LT(finer.at("deviation_mm").get<double>(), 1e-5);
 }
 
+TEST_F(CliExchange, AnImportedMeshBodyIsSavedCheckedAndTouched) {
+  const Json imported = cli_.runJson("import " + foreign("bored_cylinder.step") + " -o bored.json");
+  EXPECT_EQ(imported.at("kind"), "mesh body");
+  EXPECT_FALSE(imported.at("notes").empty());
+  EXPECT_TRUE(cli_.runJson("check bored.json").at("valid"));
+  const Json touched = cli_.runJson("touch bored.json --at 20,0,25 --displace -1,0,0");
+  EXPECT_LT(touched.at("contacts")[0].at("force_N")[0].get<double>(), -0.1);
+  EXPECT_LE(touched.at("relative_balance").get<double>(), 0.01);
+}
+
 TEST_F(CliExchange, MeshBodiesSayWhyAndAreWrittenAsTriangles) {
   for (const char* name : {"b.stl", "b.obj", "b.ply"}) {
     const Json report =

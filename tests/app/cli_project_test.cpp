@@ -76,6 +76,13 @@ TEST_F(CliProject, MaterialsNamesTheSourceOfEachConstant) {
   }
 }
 
+TEST_F(CliProject, NewTakesAMaterialFromTheLibrary) {
+  const Json project = cli_.run("new box --material liver").json();
+  EXPECT_EQ(project.at("material").at("name"), "Liver");
+  EXPECT_EQ(cli_.run("new box --material cheese").exitCode, 3);
+  EXPECT_EQ(cli_.run("new box --material liver --poisson-ratio 0.3").exitCode, 2);
+}
+
 TEST_F(CliProject, NewPlacesSolidsAsDocumented) {
   const auto boxOf = [&](const std::string& arguments) {
     cli_.run("new " + arguments + " -o p.json");

@@ -13,6 +13,7 @@ palpa_add_test(palpa_cli_tests
     cli_bad_input_test.cpp
     cli_cancel_test.cpp
     cli_edit_test.cpp
+    cli_examples_test.cpp
     cli_exchange_test.cpp
     cli_project_test.cpp
     cli_simulation_test.cpp

@@ -1,0 +1,69 @@
+// The example projects: made from their scripts, sound, touched.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "tests/app/cli_runner.h"
+
+namespace palpa::cli_tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::set<std::string> exampleNames() {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(PALPA_PROJECTS))
+    if (entry.path().extension() == ".json") names.insert(entry.path().stem());
+  return names;
+}
+
+TEST(CliExamples, AreWhatTheirScriptsMake) {
+  const Runner cli;
+  const std::string command = std::string("PALPA_CLI=") + PALPA_CLI + " " + PALPA_PROJECTS +
+                              "/../scripts/make-projects " + cli.path(".").string();
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  int made = 0;
+  for (const auto& entry : fs::directory_iterator(cli.path("."))) {
+    const std::string name = entry.path().filename();
+    std::ifstream committed(fs::path(PALPA_PROJECTS) / name);
+    std::ostringstream text;
+    text << committed.rdbuf();
+    EXPECT_TRUE(cli.read(name) == text.str()) << name << ": run scripts/make-projects";
+    ++made;
+  }
+  EXPECT_EQ(made, 5);
+}
+
+class CliExample : public testing::TestWithParam<std::string> {
+ protected:
+  Runner cli_;
+};
+
+TEST_P(CliExample, IsSoundAndInEquilibriumWhenTouched) {
+  const std::string file = Runner::example(GetParam());
+  const Json check = cli_.runJson("check " + file);
+  EXPECT_TRUE(check.at("valid"));
+  EXPECT_GE(check.at("quality").at("smallest_angle_degrees").get<double>(), 15.0);
+  const Json touched = cli_.runJson("touch " + file);
+  ASSERT_GE(touched.at("contacts").size(), 1u);
+  for (const Json& contact : touched.at("contacts")) EXPECT_GT(norm(contact.at("force_N")), 0.0);
+  // The contacts and the supports balance up to the error of a coarse mesh. The finger is bent: the
+  // couple of forces in its base is many times the force at its tip, which the error is compared
+  // to.
+  const double most = GetParam() == "gripper-finger" ? 0.05 : 0.01;
+  EXPECT_LE(touched.at("relative_balance").get<double>(), most);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CliExample, testing::ValuesIn(exampleNames()),
+                         [](const auto& parameter) {
+                           std::string name = parameter.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace palpa::cli_tests
