@@ -44,7 +44,7 @@ class CliExample : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(CliExample, IsSoundAndInEquilibriumWhenTouched) {
-  const std::string file = Runner::example(GetParam());
+  const std::string file = Runner::example(GetParam() + ".json");
   const Json check = cli_.runJson("check " + file);
   EXPECT_TRUE(check.at("valid"));
   EXPECT_GE(check.at("quality").at("smallest_angle_degrees").get<double>(), 15.0);
