@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/geometry_report.h"
@@ -9,7 +7,9 @@
 #include "app/core/boundary_setup.h"
 #include "app/core/memory.h"
 #include "app/core/probe.h"
+#include "bem/error.h"
 #include "bem/reference_problem.h"
+#include "modeling/error.h"
 
 namespace palpa::cli {
 namespace {
@@ -31,36 +31,66 @@ class CheckCommand : public Command {
     const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     const auto findings = modeling::checkGeometry(mesh, project.body, job);
-    const auto errors = std::count_if(findings.begin(), findings.end(),
-                                      [](const auto& finding) { return finding.isError; });
-    if (errors > 0) {
-      Json report{{"valid", false}, {"name", project.name}};
-      report.update(toJson(mesh, quality));
-      report["geometry"] = toJson(findings);
-      context.print(report, toText(mesh, quality) + toText(findings));
-      throw ReportedFailure(input_.file() + format(": the geometry has %d fault%s",
-                                                   static_cast<int>(errors),
-                                                   errors > 1 ? "s" : ""));
+    std::vector<Failure> problems;
+    for (const auto& finding : findings) {
+      if (finding.isError) problems.push_back({kBadInput, "bad_input", finding.message});
     }
-    const app::BoundarySetup setup = app::makeBoundarySetup(project, mesh);
-    const auto& conditions = setup.conditions.ofSlot;
-    const bem::DegreesOfFreedom dofs(setup.mesh, setup.slots, conditions, setup.material);
-    bem::checkSolvable(setup.mesh, setup.slots, conditions, dofs, setup.material);
-    for (const modeling::Touch& touch : project.touches) {
-      app::checkNearSurface(setup.mesh, touch.at, "the touch \"" + touch.name + "\"");
-    }
-    const double memory =
-        bem::estimateBytes(setup.mesh.nodeCount(), setup.slots.count(), bem::Precision::kAutomatic);
+    // What holds or touches a faulty surface means nothing.
+    double memory = 0;
+    if (problems.empty()) memory = checkSolution(project, mesh, problems);
 
-    Json report{{"valid", true}, {"name", project.name}};
+    Json report{{"valid", problems.empty()}, {"name", project.name}};
     report.update(toJson(mesh, quality));
     report["geometry"] = toJson(findings);
-    report["memory_MiB"] = memory / (1024.0 * 1024.0);
-    context.print(report, input_.file() + ": valid\n" + toText(mesh, quality) + toText(findings) +
-                              "memory     " + app::formatBytes(memory) + " to solve\n");
+    report["problems"] = Json::array();
+    for (const Failure& problem : problems) report["problems"].push_back(problem.message);
+    std::string text = toText(mesh, quality);
+    for (const auto& finding : findings) {
+      if (!finding.isError) text += "warning    " + finding.message + "\n";
+    }
+    for (const Failure& problem : problems) text += "error      " + problem.message + "\n";
+    if (problems.empty()) {
+      report["memory_MiB"] = memory / (1024.0 * 1024.0);
+      text = input_.file() + ": valid\n" + text + "memory     " + app::formatBytes(memory) +
+             " to solve\n";
+    }
+    context.print(report, text);
+    if (problems.size() == 1) throw ReportedFailure(problems[0].message, problems[0].code);
+    if (problems.size() > 1) {
+      throw ReportedFailure(input_.file() + format(": %zu problems", problems.size()));
+    }
   }
 
  private:
+  /// Collects what would keep the project from being solved and touched; returns the bytes needed.
+  static double checkSolution(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
+                              std::vector<Failure>& problems) {
+    const auto collect = [&](const auto& part) {
+      try {
+        part();
+      } catch (const bem::SolverError&) {
+        problems.push_back(currentFailure());
+      } catch (const modeling::ModelingError&) {
+        problems.push_back(currentFailure());
+      }
+    };
+    double bytes = 0;
+    collect([&] {
+      const app::BoundarySetup setup = app::makeBoundarySetup(project, mesh);
+      for (const modeling::Touch& touch : project.touches) {
+        collect([&] {
+          app::checkNearSurface(setup.mesh, touch.at, "the touch \"" + touch.name + "\"");
+        });
+      }
+      const auto& conditions = setup.conditions.ofSlot;
+      const bem::DegreesOfFreedom dofs(setup.mesh, setup.slots, conditions, setup.material);
+      bem::checkSolvable(setup.mesh, setup.slots, conditions, dofs, setup.material);
+      bytes = bem::estimateBytes(setup.mesh.nodeCount(), setup.slots.count(),
+                                 bem::Precision::kAutomatic);
+    });
+    return bytes;
+  }
+
   ProjectInput input_;
 };
 

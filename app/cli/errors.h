@@ -19,10 +19,16 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The command has written its report, which says what is wrong with the input.
+/// The command has written its report, which says what is wrong.
 class ReportedFailure : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit ReportedFailure(const std::string& message, ExitCode code = kBadInput)
+      : std::runtime_error(message), code_(code) {}
+
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
 };
 
 /// What remains of an exception at the end of the program: one line for people, a code for the

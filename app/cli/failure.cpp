@@ -43,7 +43,8 @@ Failure currentFailure() {
   } catch (const UsageError& error) {
     return {kUsage, "usage", error.what()};
   } catch (const ReportedFailure& error) {
-    return {kBadInput, "bad_input", error.what(), true};
+    return {error.code(), error.code() == kBadInput ? "bad_input" : "cannot_be_solved",
+            error.what(), true};
   } catch (const modeling::ModelingError& error) {
     return failureOf(error);
   } catch (const bem::SolverError& error) {

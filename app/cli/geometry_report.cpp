@@ -15,12 +15,4 @@ Json toJson(const std::vector<modeling::GeometryFinding>& findings) {
   return list;
 }
 
-std::string toText(const std::vector<modeling::GeometryFinding>& findings) {
-  std::string text;
-  for (const modeling::GeometryFinding& finding : findings) {
-    text += (finding.isError ? "error      " : "warning    ") + finding.message + '\n';
-  }
-  return text;
-}
-
 }  // namespace palpa::cli

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "app/cli/command.h"
@@ -8,8 +7,7 @@
 
 namespace palpa::cli {
 
-/// What is wrong with a surface: a list of objects, or a line each.
+/// What is wrong with a surface, as a list of objects.
 Json toJson(const std::vector<modeling::GeometryFinding>& findings);
-std::string toText(const std::vector<modeling::GeometryFinding>& findings);
 
 }  // namespace palpa::cli
