@@ -87,6 +87,8 @@ void removeFlatTriangles(Mesh& mesh, GroupMap& groups) {
       if (!pmp::remove_degenerate_faces(mesh) || !CGAL::is_closed(mesh))
         throw ModelingError("triangles without area near " + placeText(centre(mesh, face)) +
                             " cannot be removed; repair the surface");
+      if (mesh.number_of_faces() == 0)
+        throw ModelingError("all triangles are without area; there is no body");
       fillGroups(mesh, groups);
       return;
     }

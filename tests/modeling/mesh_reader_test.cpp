@@ -256,6 +256,12 @@ TEST(MeshReader, TrianglesWithoutAreaAreRemoved) {
     EXPECT_GT((p[b] - p[a]).cross(p[c] - p[a]).norm(), 1e-6);
 }
 
+TEST(MeshReader, ASurfaceOfFlatTrianglesOnlyIsNoBody) {
+  // A tetrahedron with its corners on one line; found by fuzzing.
+  expectRefused(obj({"0 0 0", "0 0 5", "0 0 4", "0 0 3"}, {"1 3 2", "1 2 4", "1 4 3", "2 3 4"}),
+                MeshFormat::obj, {"without area"});
+}
+
 TEST(MeshReader, RoundedCornersAreWelded) {
   // Every corner of every triangle is a little elsewhere.
   const MeshBody sphere = test::icosphere(10, 2);
