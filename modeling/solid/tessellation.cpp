@@ -1,47 +1,24 @@
 #include "modeling/solid/tessellation.h"
 
-#include <BSplCLib.hxx>
 #include <Eigen/Geometry>
-#include <TColStd_Array1OfReal.hxx>
-#include <algorithm>
-#include <math_Matrix.hxx>
 #include <stdexcept>
+
+#include "modeling/solid/basis.h"
 
 namespace palpa::modeling {
 namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// The basis functions that do not vanish at one parameter, and their derivatives.
-struct Basis {
-  int first = 0;  // index of the control point that belongs to values[0]
-  std::vector<double> values;
-  std::vector<double> derivatives;
-};
-
 /// Parameters of the vertices along one direction with the basis there.
 struct Direction {
-  std::vector<Basis> position;  // at the parameter itself
-  std::vector<Basis> slope;     // where the derivative is taken
+  std::vector<BasisFunctions> position;  // at the parameter itself
+  std::vector<BasisFunctions> slope;     // where the derivative is taken
   std::vector<int> knotVertices;
 };
 
-Basis basisAt(const TColStd_Array1OfReal& knots, int degree, double t) {
-  int first = 0;
-  math_Matrix values(1, 2, 1, degree + 1);
-  BSplCLib::EvalBsplineBasis(1, degree + 1, knots, t, first, values);
-  Basis basis{first - 1, {}, {}};
-  for (int i = 1; i <= degree + 1; ++i) {
-    basis.values.push_back(values(1, i));
-    basis.derivatives.push_back(values(2, i));
-  }
-  return basis;
-}
-
 Direction sample(const Patch& patch, int direction, int piecesPerSpan) {
   const std::vector<double>& knots = patch.knots[direction];
-  TColStd_Array1OfReal flat(1, static_cast<int>(knots.size()));
-  for (std::size_t i = 0; i < knots.size(); ++i) flat.SetValue(static_cast<int>(i) + 1, knots[i]);
   const double low = knots.front();
   const double high = knots.back();
   // Derivatives are taken a little inside: in the corners of a round cap du and dv are parallel,
@@ -49,8 +26,8 @@ Direction sample(const Patch& patch, int direction, int piecesPerSpan) {
   const auto inside = [&](double t) { return t + 0.01 * (0.5 * (low + high) - t); };
   Direction result;
   const auto add = [&](double t) {
-    result.position.push_back(basisAt(flat, patch.degree[direction], t));
-    result.slope.push_back(basisAt(flat, patch.degree[direction], inside(t)));
+    result.position.push_back(basisAt(knots, patch.degree[direction], t));
+    result.slope.push_back(basisAt(knots, patch.degree[direction], inside(t)));
   };
   add(low);
   for (std::size_t i = 1; i < knots.size(); ++i) {
@@ -65,11 +42,13 @@ Direction sample(const Patch& patch, int direction, int piecesPerSpan) {
   return result;
 }
 
+using Values = std::array<double, kMaxDegree + 1>;
+
 /// Appends one row: the tensor product of two sets of basis values.
-void addRow(int row, const Patch& patch, int uFirst, const std::vector<double>& u, int vFirst,
-            const std::vector<double>& v, Triplets& triplets) {
-  for (std::size_t i = 0; i < u.size(); ++i)
-    for (std::size_t j = 0; j < v.size(); ++j)
+void addRow(int row, const Patch& patch, int uFirst, const Values& u, int vFirst, const Values& v,
+            Triplets& triplets) {
+  for (int i = 0; i <= patch.degree[0]; ++i)
+    for (int j = 0; j <= patch.degree[1]; ++j)
       triplets.emplace_back(row, patch.net[uFirst + i][vFirst + j], u[i] * v[j]);
 }
 
@@ -97,13 +76,13 @@ Tessellation::Tessellation(const Solid& solid, int piecesPerSpan) {
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < columns; ++j) {
         const int row = vertex(i, j);
-        const Basis& a = u.position[i];
-        const Basis& b = v.position[j];
-        addRow(row, patch, a.first, a.values, b.first, b.values, position);
-        const Basis& c = u.slope[i];
-        const Basis& d = v.slope[j];
-        addRow(row, patch, c.first, c.derivatives, d.first, d.values, du);
-        addRow(row, patch, c.first, c.values, d.first, d.derivatives, dv);
+        const BasisFunctions& a = u.position[i];
+        const BasisFunctions& b = v.position[j];
+        addRow(row, patch, a.first, a.value, b.first, b.value, position);
+        const BasisFunctions& c = u.slope[i];
+        const BasisFunctions& d = v.slope[j];
+        addRow(row, patch, c.first, c.derivative, d.first, d.value, du);
+        addRow(row, patch, c.first, c.value, d.first, d.derivative, dv);
       }
     for (int i = 0; i + 1 < rows; ++i)
       for (int j = 0; j + 1 < columns; ++j) {
