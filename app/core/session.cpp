@@ -1,0 +1,109 @@
+#include "app/core/session.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "modeling/project/project_file.h"
+
+namespace palpa::app {
+namespace {
+
+/// Does the model depend on what changed? Touches and names do not need a new one.
+bool concernsModel(const modeling::Change& change) {
+  return change.body() || change.material || change.supports || change.loads || change.mesh;
+}
+
+}  // namespace
+
+Session::Session(modeling::Project project, Options options)
+    : document_(std::move(project)),
+      options_(std::move(options)),
+      pipeline_(std::make_unique<RebuildPipeline>(options_.build, options_.threads,
+                                                  options_.rebuildChanged)) {
+  if (!options_.autosaveFolder.empty())
+    autosave_ = std::make_unique<modeling::Autosave>(options_.autosaveFolder);
+  submit();
+}
+
+Session::Session(const std::filesystem::path& file, Options options)
+    : Session(modeling::readProject(file), std::move(options)) {
+  file_ = file;
+}
+
+Session::Session(const modeling::Snapshot& snapshot, Options options)
+    : Session(modeling::recover(snapshot), std::move(options)) {
+  if (!snapshot.original.empty()) file_ = snapshot.original;
+  recovered_ = true;
+  ++edits_;
+}
+
+modeling::Performed Session::perform(const modeling::Command& command, modeling::Merge merge) {
+  modeling::Performed performed = document_.perform(command, merge);
+  follow(performed.change);
+  return performed;
+}
+
+modeling::Change Session::undo() {
+  modeling::Change change = document_.undo();
+  follow(change);
+  return change;
+}
+
+modeling::Change Session::redo() {
+  modeling::Change change = document_.redo();
+  follow(change);
+  return change;
+}
+
+modeling::Change Session::cancelGroup() {
+  modeling::Change change = document_.cancelGroup();
+  follow(change);
+  return change;
+}
+
+void Session::follow(const modeling::Change& change) {
+  if (!change.any()) return;
+  ++edits_;
+  if (concernsModel(change)) submit();
+}
+
+void Session::submit() {
+  pipeline_->submit(project());
+}
+
+void Session::save() {
+  if (!file_) throw std::logic_error("Session::save: the project has no file");
+  saveAs(*file_);
+}
+
+void Session::saveAs(const std::filesystem::path& file) {
+  modeling::writeProject(project(), file);
+  file_ = file;
+  document_.markSaved();
+  recovered_ = false;
+  autosavedEdits_ = edits_;
+  close();
+}
+
+bool Session::autosaveIfDue(std::chrono::steady_clock::time_point now) {
+  if (!autosave_ || edits_ == autosavedEdits_) return false;
+  if (!isModified()) {  // undone: the file has everything
+    autosave_->remove();
+    autosavedEdits_ = edits_;
+    return false;
+  }
+  if (!autosaveDue_) autosaveDue_ = now + options_.autosaveEvery;
+  if (now < *autosaveDue_) return false;
+  autosaveDue_ = now + options_.autosaveEvery;
+  autosave_->write(project(), file_.value_or(std::filesystem::path()), edits_);
+  autosavedEdits_ = edits_;
+  autosaveDue_.reset();
+  return true;
+}
+
+void Session::close() {
+  if (autosave_) autosave_->remove();
+  autosaveDue_.reset();
+}
+
+}  // namespace palpa::app

@@ -1,0 +1,130 @@
+#include "app/core/session.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core_projects.h"
+#include "modeling/error.h"
+#include "modeling/project/project_file.h"
+
+namespace palpa::app {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+using modeling::Command;
+
+class SessionTest : public testing::Test {
+ protected:
+  SessionTest()
+      : folder_(fs::temp_directory_path() / ("palpa_session_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~SessionTest() override { fs::remove_all(folder_); }
+
+  Session::Options options() const {
+    Session::Options result;
+    result.autosaveFolder = folder_ / "autosave";
+    return result;
+  }
+
+  std::size_t snapshots() const {
+    if (!fs::exists(folder_ / "autosave")) return 0;
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_ / "autosave"), fs::directory_iterator()));
+  }
+
+  static Command move(double z) {
+    return modeling::MovePoints{modeling::PointSelection::of({0}), modeling::MoveBy{{0, 0, z}}, {}};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(SessionTest, EveryEditOfTheBodyEndsInAModelOfIt) {
+  Session session(test::clampedSphere(12), options());
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  const auto before = session.pipeline().model();
+  session.perform(move(2.0));
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  const auto moved = session.pipeline().model();
+  EXPECT_NE(moved->surface().positions, before->surface().positions);
+  session.undo();
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  EXPECT_EQ(session.pipeline().model()->surface().positions, before->surface().positions);
+  session.redo();
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  EXPECT_EQ(session.pipeline().model()->surface().positions, moved->surface().positions);
+}
+
+TEST_F(SessionTest, WhatDoesNotConcernTheModelStartsNoRebuild) {
+  Session session(test::clampedSphere(12), options());
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  const auto revision = session.pipeline().status().revision;
+  session.perform(modeling::RenameProject{"other"});
+  session.perform(modeling::AddTouch{
+      {"poke", {0, 0, 25}, modeling::TouchDisplacement{{0, 0, -1}}, std::nullopt}});
+  EXPECT_EQ(session.pipeline().status().revision, revision);
+  session.perform(modeling::SetMaterial{{"stiff", 5.0, 0.3}});
+  EXPECT_EQ(session.pipeline().status().revision, revision + 1);
+}
+
+TEST_F(SessionTest, ARefusedCommandChangesNothing) {
+  Session session(test::clampedSphere(12), options());
+  const std::string before = modeling::toJson(session.project());
+  const auto revision = session.pipeline().status().revision;
+  EXPECT_THROW(session.perform(modeling::RemoveSupport{"nobody"}), modeling::ModelingError);
+  EXPECT_EQ(modeling::toJson(session.project()), before);
+  EXPECT_EQ(session.pipeline().status().revision, revision);
+  EXPECT_FALSE(session.isModified());
+}
+
+TEST_F(SessionTest, SavesReopensAndKnowsWhetherItIsModified) {
+  const fs::path file = folder_ / "ball.json";
+  Session session(test::clampedSphere(12), options());
+  EXPECT_FALSE(session.file());
+  EXPECT_THROW(session.save(), std::logic_error);
+  session.perform(move(1.0));
+  EXPECT_TRUE(session.isModified());
+  session.saveAs(file);
+  EXPECT_FALSE(session.isModified());
+  session.perform(move(1.0));
+  EXPECT_TRUE(session.isModified());
+  session.undo();
+  EXPECT_FALSE(session.isModified());
+  const Session again(file, options());
+  EXPECT_EQ(modeling::toJson(again.project()), modeling::toJson(session.project()));
+  EXPECT_EQ(again.file(), file);
+  EXPECT_THROW(session.saveAs(folder_ / "no" / "such" / "folder.json"), modeling::ModelingError);
+  EXPECT_EQ(session.file(), file);
+}
+
+TEST_F(SessionTest, SnapshotsAreWrittenWhenDueAndForgottenWhenSaved) {
+  const auto start = std::chrono::steady_clock::now();
+  Session session(test::clampedSphere(12), options());
+  EXPECT_FALSE(session.autosaveIfDue(start + 1h));  // nothing to keep
+  session.perform(move(1.0));
+  EXPECT_FALSE(session.autosaveIfDue(start));
+  EXPECT_FALSE(session.autosaveIfDue(start + 59s));
+  EXPECT_TRUE(session.autosaveIfDue(start + 61s));
+  EXPECT_EQ(snapshots(), 1u);
+  EXPECT_FALSE(session.autosaveIfDue(start + 2h));  // nothing new
+  session.saveAs(folder_ / "ball.json");
+  EXPECT_EQ(snapshots(), 0u);
+}
+
+TEST_F(SessionTest, AnEditThatWasUndoneNeedsNoSnapshot) {
+  const auto start = std::chrono::steady_clock::now();
+  Session session(test::clampedSphere(12), options());
+  session.perform(move(1.0));
+  session.autosaveIfDue(start);
+  ASSERT_TRUE(session.autosaveIfDue(start + 61s));
+  session.undo();
+  EXPECT_FALSE(session.autosaveIfDue(start + 2h));
+  EXPECT_EQ(snapshots(), 0u);
+}
+
+}  // namespace
+}  // namespace palpa::app
