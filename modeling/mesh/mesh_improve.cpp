@@ -1,6 +1,9 @@
 #include "modeling/mesh/mesh_improve.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <numbers>
 
 #include "modeling/mesh/mesh_refine.h"
@@ -88,6 +91,58 @@ void relieveSlivers(MeshEditor& editor) {
     if (slivers.empty()) return;
     for (const auto& [t, nodes] : slivers)
       if (editor.isAlive(t) && editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
+    improveShapes(editor);
+  }
+}
+
+void closeWedges(MeshEditor& editor, double borderError) {
+  constexpr double kWedge = 18.0 * std::numbers::pi / 180.0;
+  constexpr double kLeastPart = 0.2;  // of an edge; shorter pieces would be slivers themselves
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    bool changed = false;
+    for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      if (i % kCheckpoint == 0) editor.checkpoint();
+      const int t = static_cast<int>(i);
+      if (!editor.isAlive(t) || editor.smallestAngleOf(t) > kWedge) continue;
+      const WorkTriangle triangle = editor.mesh().triangles[i];
+      for (int k = 0; k < 6; ++k) {
+        // The tip, the next node on the patch edge and the next one on the border, either way
+        // around.
+        const int tip = triangle.nodes[k % 3];
+        const int onEdge = triangle.nodes[(k + (k < 3 ? 1 : 2)) % 3];
+        const int onBorder = triangle.nodes[(k + (k < 3 ? 2 : 1)) % 3];
+        const auto beyond = [&](int a, int b) {
+          return editor.leftOf(a, b) == t ? editor.leftOf(b, a) : editor.leftOf(a, b);
+        };
+        const WorkTriangle& other = editor.mesh().triangles[beyond(tip, onEdge)];
+        const WorkTriangle& across = editor.mesh().triangles[beyond(tip, onBorder)];
+        const WorkTriangle& third = editor.mesh().triangles[beyond(onEdge, onBorder)];
+        const std::uint64_t differing = triangle.sides ^ across.sides;
+        if (other.patch == triangle.patch || across.patch != triangle.patch ||
+            third.patch != triangle.patch || std::popcount(differing) != 1 ||
+            third.sides != triangle.sides)
+          continue;
+        const Eigen::Vector3d toEdge = editor.position(onEdge) - editor.position(tip);
+        const Eigen::Vector3d toBorder = editor.position(onBorder) - editor.position(tip);
+        const double away = toEdge.cross(toBorder).norm() / toBorder.norm();
+        if (away > std::sin(kWedge) * toEdge.norm() || toEdge.dot(toBorder) < 0.0) continue;
+        const double part = borderError / away;
+        if (part < kLeastPart) continue;
+        int wedge = t;
+        if (part < 1.0) {
+          const int end = editor.split(tip, onEdge, std::min(part, 1.0 - kLeastPart));
+          wedge = editor.leftOf(tip, end) >= 0 &&
+                          editor.mesh().triangles[editor.leftOf(tip, end)].patch == triangle.patch
+                      ? editor.leftOf(tip, end)
+                      : editor.leftOf(end, tip);
+        }
+        editor.setSides(wedge, triangle.sides ^ differing);
+        changed = true;
+        break;
+      }
+    }
+    if (!changed) return;
     improveShapes(editor);
   }
 }
