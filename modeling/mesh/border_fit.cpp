@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the node
 constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
-constexpr double kArch = 0.25;        // of its longest edge, most that a triangle's surface rises
-constexpr double kRounding = 1e-9;    // of the longest extent; below, a node lies on the border
+constexpr double kCornerCountsAsOn = 0.1;
+constexpr double kArch = 0.25;      // of its longest edge, most that a triangle's surface rises
+constexpr double kRounding = 1e-9;  // of the longest extent; below, a node lies on the border
 
 constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
 
@@ -142,6 +143,15 @@ class BorderFit {
     const auto direction = [&](int other) {
       return (editor_.position(other) - editor_.position(node)).normalized();
     };
+    // Beside a plain border the values on the other side are about as large as on the node's own.
+    double own = 0.0;
+    double opposite = 0.0;
+    for (int other : ring)
+      if (isCrossed(node, other))
+        opposite = std::max(opposite, std::abs(values_[other]));
+      else
+        own = std::max(own, std::abs(values_[other]));
+    if (own > 0.5 * opposite) return false;
     for (int one : ring)
       for (int two : ring)
         if (isCrossed(node, one) && isCrossed(node, two) &&
@@ -184,7 +194,8 @@ class BorderFit {
           continue;
         }
       }
-      if (c.part <= kCountsAsOn) values_[c.node] = 0.0;
+      if (c.part <= (editor_.mesh().nodes[c.node].isCorner() ? kCornerCountsAsOn : kCountsAsOn))
+        values_[c.node] = 0.0;
     }
   }
 

@@ -190,7 +190,10 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   report(0.5);
   improveShapes(editor);
-  closeWedges(editor, kBorderError * *std::min_element(lengths.begin(), lengths.end()));
+  // Where borders are refined they shall be as exact as the finest triangles.
+  const int levels = settings.refineAtBorders ? settings.refinementLevels : 0;
+  const double shortest = *std::min_element(lengths.begin(), lengths.end());
+  closeWedges(editor, std::ldexp(kBorderError * shortest, -levels));
   relieveSlivers(editor);
   report(0.6);
   refine(editor, settings, refinedBorders(regions, halfSpaces), refinedPatches(regions, solid));

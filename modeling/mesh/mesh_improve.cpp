@@ -97,7 +97,8 @@ void relieveSlivers(MeshEditor& editor) {
 
 void closeWedges(MeshEditor& editor, double borderError) {
   constexpr double kWedge = 18.0 * std::numbers::pi / 180.0;
-  constexpr double kLeastPart = 0.2;  // of an edge; shorter pieces would be slivers themselves
+  constexpr double kLeastSlope = 0.1;  // of the half space's value over the surface
+  constexpr double kLeastPart = 0.2;   // of an edge; shorter pieces would be slivers themselves
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     bool changed = false;
@@ -120,22 +121,30 @@ void closeWedges(MeshEditor& editor, double borderError) {
         const WorkTriangle& third = editor.mesh().triangles[beyond(onEdge, onBorder)];
         const std::uint64_t differing = triangle.sides ^ across.sides;
         if (other.patch == triangle.patch || across.patch != triangle.patch ||
-            third.patch != triangle.patch || std::popcount(differing) != 1 ||
-            third.sides != triangle.sides)
+            std::popcount(differing) != 1 ||
+            (third.patch == triangle.patch && third.sides != triangle.sides))
           continue;
+        const bool atCorner = third.patch != triangle.patch;
         const Eigen::Vector3d toEdge = editor.position(onEdge) - editor.position(tip);
         const Eigen::Vector3d toBorder = editor.position(onBorder) - editor.position(tip);
-        const double away = toEdge.cross(toBorder).norm() / toBorder.norm();
-        if (away > std::sin(kWedge) * toEdge.norm() || toEdge.dot(toBorder) < 0.0) continue;
-        const double part = borderError / away;
-        if (part < kLeastPart) continue;
+        const double cosine = toEdge.dot(toBorder) / (toEdge.norm() * toBorder.norm());
+        if (cosine < std::cos(kWedge)) continue;
+        // Distances from the border within the surface.
+        const HalfSpace& half = editor.halfSpaces()[std::countr_zero(differing)];
+        const Eigen::Vector3d normal = toEdge.cross(toBorder).normalized();
+        const double slope = (half.normal - half.normal.dot(normal) * normal).norm();
+        if (slope < kLeastSlope * half.normal.norm()) continue;
+        const double start = std::abs(half.value(editor.position(tip))) / slope;
+        const double end = std::abs(half.value(editor.position(onEdge))) / slope;
+        const double part = end <= borderError ? 1.0 : (borderError - start) / (end - start);
+        if (part < (atCorner ? 1.0 : kLeastPart)) continue;
         int wedge = t;
         if (part < 1.0) {
-          const int end = editor.split(tip, onEdge, std::min(part, 1.0 - kLeastPart));
-          wedge = editor.leftOf(tip, end) >= 0 &&
-                          editor.mesh().triangles[editor.leftOf(tip, end)].patch == triangle.patch
-                      ? editor.leftOf(tip, end)
-                      : editor.leftOf(end, tip);
+          const int last = editor.split(tip, onEdge, std::min(part, 1.0 - kLeastPart));
+          wedge = editor.leftOf(tip, last) >= 0 &&
+                          editor.mesh().triangles[editor.leftOf(tip, last)].patch == triangle.patch
+                      ? editor.leftOf(tip, last)
+                      : editor.leftOf(last, tip);
         }
         editor.setSides(wedge, triangle.sides ^ differing);
         changed = true;

@@ -81,7 +81,8 @@ std::vector<Body> bodies() {
           {"box", makeBox({40, 30, 20}), 150.0}};
 }
 
-void expectTheCut(const Body& body, const Samples& samples, double h, const HalfSpace& half) {
+/// Returns the smallest angle in degrees; 90 for a region that may be refused and was.
+double expectTheCut(const Body& body, const Samples& samples, double h, const HalfSpace& half) {
   // A face within rounding of the border may count or not.
   constexpr double kRounding = 1e-6;
   const double least = samples.areaIn(half, kRounding);
@@ -93,7 +94,7 @@ void expectTheCut(const Body& body, const Samples& samples, double h, const Half
   };
   if (!result) {
     EXPECT_LT(least, 0.2 * h * body.border) << where();
-    return;
+    return 90.0;
   }
   EXPECT_EQ(checks::manifoldFault(*result), "") << where();
   // The border may be off by a part of the edge length, and flat triangles lose some area.
@@ -101,10 +102,13 @@ void expectTheCut(const Body& body, const Samples& samples, double h, const Half
   const double tolerance = 0.06 * h * body.border + 0.015 * whole;
   EXPECT_GT(checks::regionArea(*result, 0), least - tolerance) << where();
   EXPECT_LT(checks::regionArea(*result, 0), most + tolerance) << where();
+  EXPECT_LT(checks::borderFault(*result, 0, half), 0.14 * h * half.normal.norm()) << where();
+  return measureQuality(*result).smallestAngle;
 }
 
 TEST(Cuts, RandomOnes) {
   for (const Body& body : bodies()) {
+    int below15 = 0;
     const Samples samples(body.solid);
     std::mt19937 random(1);
     std::normal_distribution<double> any;
@@ -112,9 +116,13 @@ TEST(Cuts, RandomOnes) {
     for (int i = 0; i < 60; ++i) {
       const Vector3d normal = Vector3d(any(random), any(random), any(random)).normalized();
       const auto [low, high] = samples.extent(normal);
-      expectTheCut(body, samples, 3.0 + 5.0 * part(random),
-                   {normal, low + part(random) * (high - low)});
+      const double h = 3.0 + 5.0 * part(random);
+      const double angle =
+          expectTheCut(body, samples, h, {normal, low + part(random) * (high - low)});
+      EXPECT_GT(angle, 7.0) << body.name << ' ' << i;
+      if (angle < 15.0) ++below15;
     }
+    EXPECT_LE(below15, 4) << body.name;
   }
 }
 
@@ -123,7 +131,7 @@ TEST(Cuts, NearlyParallelToAnAxisAndBesideTheEnds) {
     const Samples samples(body.solid);
     std::mt19937 random(2);
     std::uniform_real_distribution<double> by(-1.0, 1.0);
-    for (int i = 0; i < 90; ++i) {
+    for (int i = 0; i < 36; ++i) {
       Vector3d normal = Vector3d::Zero();
       normal[i % 3] = i % 2 ? 1.0 : -1.0;
       const double tilt = i % 5 == 0 ? 0.0 : std::pow(10.0, -1 - i % 13);
@@ -169,10 +177,10 @@ TEST(Cuts, OutsideOrOnlyTouchingAreRefused) {
 TEST(Cuts, StripsAreFoundWhereverTheyLieBetweenTheNodes) {
   const Solid cylinder = makeCylinder(20.0, 60.0);
   const Solid box = makeBox({40, 30, 20});
-  for (double h : {3.0, 4.3, 7.9})
+  for (double h : {3.0, 7.9})
     for (double wide : {0.25, 0.3, 0.5, 0.7, 1.0, 1.5}) {
       const double half = 0.5 * wide * h;
-      for (double angle : {0.0, 0.03, 0.1, 0.2, 0.3, 0.785}) {
+      for (double angle : {0.0, 0.1, 0.3}) {
         const auto result =
             cut(cylinder, h,
                 {{std::cos(angle), std::sin(angle), 0.0}, -std::sqrt(400.0 - half * half)});
