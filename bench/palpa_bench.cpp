@@ -1,6 +1,7 @@
 // Times every stage from a mesh to a touch, side by side with a plain scalar assembly in the same
 // run, and prints one table with the targets beside the measurements.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +16,9 @@
 #include "bem/greens_function.h"
 #include "bem/parallel.h"
 #include "bench/plain_assembly.h"
+#include "modeling/mesh/display_mesh.h"
+#include "modeling/mesh/geometry_check.h"
+#include "modeling/mesh/mesh_follow.h"
 #include "modeling/shapes/primitives.h"
 
 namespace {
@@ -100,6 +104,7 @@ class Bench {
     add("factorisation", "%.3f s", times.factorise, "");
     touches(setup, problem, build, cold, n);
     const double singleMatrix = 4 * std::pow(3.0 * n, 2);
+    modeller(cells, n);
     add("memory of the model", "%.0f MiB", static_cast<double>(problem->bytes()) / (1 << 20), "");
     add("  in single (3n)^2 matrices", "%.2f", static_cast<double>(problem->bytes()) / singleMatrix,
         n > 9000 ? "<= 3" : "");
@@ -165,6 +170,31 @@ class Bench {
       const double field = medianSecondsFor([&] { solver.field(forces); });
       add("full field, " + contacts, "%.2f kHz", 1e-3 / field, n > 9000 ? ">= 1" : "");
     }
+  }
+
+  /// What happens between a drag of a control point and the assembly.
+  void modeller(int cells, int n) {
+    const modeling::Solid sphere = modeling::makeSphere(25);
+    const std::vector<modeling::MeshRegion> regions{
+        {"base", modeling::Region::below(Vector3d::UnitZ(), -20), true}};
+    modeling::MeshSettings settings;
+    settings.edgeLength = 25 * std::numbers::pi / 2 / cells;
+    modeling::SurfaceMesh mesh;
+    const double meshing =
+        medianSecondsFor([&] { mesh = modeling::mesh(sphere, settings, regions); });
+    std::vector<Vector3d> points = sphere.controlPoints();
+    std::max_element(points.begin(), points.end(), [](const Vector3d& a, const Vector3d& b) {
+      return a.z() < b.z();
+    })->z() += 1;
+    const modeling::Solid moved = sphere.withControlPoints(points);
+    const double follow =
+        medianSecondsFor([&] { modeling::followSolid(mesh, sphere, moved, regions); });
+    const double check = medianSecondsFor([&] { modeling::checkGeometry(mesh, sphere); });
+    const double display = medianSecondsFor([&] { modeling::displayMesh(mesh, sphere); });
+    add("meshing", "%.0f ms", meshing * 1e3, "");
+    add("following one moved control point", "%.2f ms", follow * 1e3, "");
+    add("geometry check", "%.0f ms", check * 1e3, n > 2300 && n < 2800 ? "<= 50" : "");
+    add("display mesh", "%.0f ms", display * 1e3, "");
   }
 
   void add(const std::string& what, const char* format, double value, const std::string& target) {

@@ -1,7 +1,11 @@
 #include "modeling/mesh/border_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
 
 #include "modeling/mesh/mesh_refine.h"
 
@@ -10,7 +14,9 @@ namespace {
 
 constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the node
 constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
-constexpr double kRounding = 1e-9;    // of the longest extent; below, a node lies on the border
+constexpr double kCornerCountsAsOn = 0.1;
+constexpr double kArch = 0.25;      // of its longest edge, most that a triangle's surface rises
+constexpr double kRounding = 1e-9;  // of the longest extent; below, a node lies on the border
 
 constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
 
@@ -31,7 +37,9 @@ class BorderFit {
     values_.clear();
     for (std::size_t node = 0; node < editor_.mesh().nodes.size(); ++node)
       values_.push_back(clean(half_.value(editor_.position(static_cast<int>(node)))));
+    resolveStrips();
     moveNodes();
+    resolveStrips();
     cutEdges();
     setSides();
   }
@@ -70,6 +78,88 @@ class BorderFit {
     return 0.5 * (low + high);
   }
 
+  /// Where the value at the true surface between a and b (on one side of the border) comes nearest
+  /// to the other side: the fraction of the edge and the value there, by samples and bisection.
+  std::pair<double, double> extreme(int a, int b, double sign) const {
+    constexpr int kSamples = 8;
+    const auto value = [&](double s) {
+      return sign * half_.value(editor_.between(a, b, s).position);
+    };
+    double best = 0.5;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 1; i < kSamples; ++i)
+      if (const double v = value(static_cast<double>(i) / kSamples); v < least) {
+        least = v;
+        best = static_cast<double>(i) / kSamples;
+      }
+    for (double step = 0.5 / kSamples; step > 1e-3; step *= 0.5)
+      for (const double s : {best - step, best + step})
+        if (const double v = value(s); v < least) {
+          least = v;
+          best = s;
+        }
+    return {best, sign * least};
+  }
+
+  /// An edge that crosses a strip has both ends on one side or one on the border. It gets a node in
+  /// the strip, or the strip would be lost where it runs between the nodes. Where the border only
+  /// bulges over an edge the edge stays.
+  void resolveStrips() {
+    constexpr double kBulge = 0.4;  // of the length of the crossed part of the edge
+    constexpr double kWide = 0.15;  // of its length; narrower strips are lost
+    std::vector<std::tuple<int, int, double, double>> cuts;
+    for (std::size_t a = 0; a < values_.size(); ++a)
+      for (int b : neighbours(a)) {
+        const int node = static_cast<int>(a);
+        if (node > b || isCrossed(node, b) || (values_[a] == 0.0 && values_[b] == 0.0)) continue;
+        const double length = (editor_.position(node) - editor_.position(b)).norm();
+        if (std::min(std::abs(values_[a]), std::abs(values_[b])) >
+            kArch * length * half_.normal.norm())
+          continue;
+        const double sign = values_[a] + values_[b] > 0.0 ? 1.0 : -1.0;
+        const auto [s, value] = extreme(node, b, sign);
+        if (sign * clean(value) >= 0.0) continue;
+        const WorkNode middle = editor_.between(node, b, s);
+        const Eigen::Vector3d normal =
+            editor_.mesh().surface->normal(middle.at[0].patch, middle.at[0].u, middle.at[0].v);
+        const double slope = (half_.normal - half_.normal.dot(normal) * normal).norm();
+        // Of a parabola through the three values.
+        const double width = (editor_.position(node) - editor_.position(b)).norm() *
+                             (s * std::sqrt(value / (value - values_[a])) +
+                              (1.0 - s) * std::sqrt(value / (value - values_[b])));
+        if (width > kWide * length && std::abs(value) > kBulge * slope * width)
+          cuts.emplace_back(node, b, s, value);
+      }
+    for (const auto& [a, b, s, value] : cuts) {
+      editor_.split(a, b, editor_.between(a, b, s));
+      values_.push_back(value);
+    }
+  }
+
+  /// Does the border run on both sides of the node, so that without it the region (or what is
+  /// outside) would end between its neighbours?
+  bool isNarrowAt(int node) const {
+    const std::vector<int> ring = editor_.neighbours(node);
+    const auto direction = [&](int other) {
+      return (editor_.position(other) - editor_.position(node)).normalized();
+    };
+    // Beside a plain border the values on the other side are about as large as on the node's own.
+    double own = 0.0;
+    double opposite = 0.0;
+    for (int other : ring)
+      if (isCrossed(node, other))
+        opposite = std::max(opposite, std::abs(values_[other]));
+      else
+        own = std::max(own, std::abs(values_[other]));
+    if (own > 0.5 * opposite) return false;
+    for (int one : ring)
+      for (int two : ring)
+        if (isCrossed(node, one) && isCrossed(node, two) &&
+            direction(one).dot(direction(two)) < -0.5)
+          return true;
+    return false;
+  }
+
   /// May the node slide along the edge to `other` without leaving a patch edge or another border?
   bool mayMove(int node, int other) const {
     if (editor_.mesh().nodes[node].isCorner()) return false;
@@ -90,19 +180,22 @@ class BorderFit {
         crossings.push_back({1.0 - s, b, node});
       }
     std::erase_if(crossings, [](const Crossing& c) { return c.part > kMoveWithin; });
+    std::vector<bool> stays(values_.size());
+    for (const Crossing& c : crossings) stays[c.node] = stays[c.node] || isNarrowAt(c.node);
     std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
       return std::tuple(a.part, a.node, a.other) < std::tuple(b.part, b.node, b.other);
     });
     for (const Crossing& c : crossings) {
       if (!isCrossed(c.node, c.other)) continue;
-      if (mayMove(c.node, c.other)) {
+      if (!stays[c.node] && mayMove(c.node, c.other)) {
         WorkNode target = editor_.between(c.node, c.other, c.part);
         if (editor_.move(c.node, std::move(target))) {
           values_[c.node] = 0.0;
           continue;
         }
       }
-      if (c.part <= kCountsAsOn) values_[c.node] = 0.0;
+      if (c.part <= (editor_.mesh().nodes[c.node].isCorner() ? kCornerCountsAsOn : kCountsAsOn))
+        values_[c.node] = 0.0;
     }
   }
 
@@ -168,7 +261,16 @@ class BorderFit {
 
   bool hides(int t, double sign) const {
     if (t % 100 == 0) editor_.checkpoint();
-    constexpr int kSteps = 6;
+    const std::array<int, 3>& n = editor_.mesh().triangles[t].nodes;
+    double nearest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d& x = editor_.position(n[k]);
+      nearest = std::min(nearest, -sign * half_.value(x));
+      longest = std::max(longest, (editor_.position(n[(k + 1) % 3]) - x).norm());
+    }
+    if (nearest > kArch * longest * half_.normal.norm()) return false;
+    constexpr int kSteps = 10;
     for (int i = 0; i <= kSteps; ++i)
       for (int j = 0; i + j <= kSteps; ++j)
         if (sign * valueInside(t, static_cast<double>(i) / kSteps, static_cast<double>(j) / kSteps,

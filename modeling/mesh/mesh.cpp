@@ -22,6 +22,7 @@ namespace palpa::modeling {
 namespace {
 
 constexpr int kMostLevels = 6;
+constexpr double kBorderError = 0.1;  // of the edge length, where a border meets a patch edge
 constexpr double kSmallestFactor = 0.05;
 constexpr double kLargestFactor = 20.0;
 
@@ -189,6 +190,10 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   report(0.5);
   improveShapes(editor);
+  // Where borders are refined they shall be as exact as the finest triangles.
+  const int levels = settings.refineAtBorders ? settings.refinementLevels : 0;
+  const double shortest = *std::min_element(lengths.begin(), lengths.end());
+  closeWedges(editor, std::ldexp(kBorderError * shortest, -levels));
   relieveSlivers(editor);
   report(0.6);
   refine(editor, settings, refinedBorders(regions, halfSpaces), refinedPatches(regions, solid));

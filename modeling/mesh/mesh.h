@@ -70,8 +70,8 @@ struct SurfaceMesh {
 /// size falls linearly towards sharp edges or borders.
 ///
 /// @throws ModelingError: settings out of range; an unknown patch in patchFactors; a region that
-/// selects no triangle (named); more
-///         than kMostNodes nodes (checked before anything is allocated). Cancelled. Progress comes
+/// selects nothing, or nothing wider than a quarter of the edge length (named); more than
+///         kMostNodes nodes (checked before anything is allocated). Cancelled. Progress comes
 ///         as phase "mesh".
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});

@@ -1,6 +1,9 @@
 #include "modeling/mesh/mesh_improve.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <numbers>
 
 #include "modeling/mesh/mesh_refine.h"
@@ -88,6 +91,67 @@ void relieveSlivers(MeshEditor& editor) {
     if (slivers.empty()) return;
     for (const auto& [t, nodes] : slivers)
       if (editor.isAlive(t) && editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
+    improveShapes(editor);
+  }
+}
+
+void closeWedges(MeshEditor& editor, double borderError) {
+  constexpr double kWedge = 18.0 * std::numbers::pi / 180.0;
+  constexpr double kLeastSlope = 0.1;  // of the half space's value over the surface
+  constexpr double kLeastPart = 0.2;   // of an edge; shorter pieces would be slivers themselves
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    bool changed = false;
+    for (std::size_t i = 0; i < editor.mesh().triangles.size(); ++i) {
+      if (i % kCheckpoint == 0) editor.checkpoint();
+      const int t = static_cast<int>(i);
+      if (!editor.isAlive(t) || editor.smallestAngleOf(t) > kWedge) continue;
+      const WorkTriangle triangle = editor.mesh().triangles[i];
+      for (int k = 0; k < 6; ++k) {
+        // The tip, the next node on the patch edge and the next one on the border, either way
+        // around.
+        const int tip = triangle.nodes[k % 3];
+        const int onEdge = triangle.nodes[(k + (k < 3 ? 1 : 2)) % 3];
+        const int onBorder = triangle.nodes[(k + (k < 3 ? 2 : 1)) % 3];
+        const auto beyond = [&](int a, int b) {
+          return editor.leftOf(a, b) == t ? editor.leftOf(b, a) : editor.leftOf(a, b);
+        };
+        const WorkTriangle& other = editor.mesh().triangles[beyond(tip, onEdge)];
+        const WorkTriangle& across = editor.mesh().triangles[beyond(tip, onBorder)];
+        const WorkTriangle& third = editor.mesh().triangles[beyond(onEdge, onBorder)];
+        const std::uint64_t differing = triangle.sides ^ across.sides;
+        if (other.patch == triangle.patch || across.patch != triangle.patch ||
+            std::popcount(differing) != 1 ||
+            (third.patch == triangle.patch && third.sides != triangle.sides))
+          continue;
+        const bool atCorner = third.patch != triangle.patch;
+        const Eigen::Vector3d toEdge = editor.position(onEdge) - editor.position(tip);
+        const Eigen::Vector3d toBorder = editor.position(onBorder) - editor.position(tip);
+        const double cosine = toEdge.dot(toBorder) / (toEdge.norm() * toBorder.norm());
+        if (cosine < std::cos(kWedge)) continue;
+        // Distances from the border within the surface.
+        const HalfSpace& half = editor.halfSpaces()[std::countr_zero(differing)];
+        const Eigen::Vector3d normal = toEdge.cross(toBorder).normalized();
+        const double slope = (half.normal - half.normal.dot(normal) * normal).norm();
+        if (slope < kLeastSlope * half.normal.norm()) continue;
+        const double start = std::abs(half.value(editor.position(tip))) / slope;
+        const double end = std::abs(half.value(editor.position(onEdge))) / slope;
+        const double part = end <= borderError ? 1.0 : (borderError - start) / (end - start);
+        if (part < (atCorner ? 1.0 : kLeastPart)) continue;
+        int wedge = t;
+        if (part < 1.0) {
+          const int last = editor.split(tip, onEdge, std::min(part, 1.0 - kLeastPart));
+          wedge = editor.leftOf(tip, last) >= 0 &&
+                          editor.mesh().triangles[editor.leftOf(tip, last)].patch == triangle.patch
+                      ? editor.leftOf(tip, last)
+                      : editor.leftOf(last, tip);
+        }
+        editor.setSides(wedge, triangle.sides ^ differing);
+        changed = true;
+        break;
+      }
+    }
+    if (!changed) return;
     improveShapes(editor);
   }
 }

@@ -13,4 +13,9 @@ void improveShapes(MeshEditor& editor);
 /// wide. Costs nodes along the gap only.
 void relieveSlivers(MeshEditor& editor);
 
+/// Where a border leaves a patch edge at a small angle no mesh can fill the wedge between them with
+/// good triangles: there the border runs along the patch edge until it is `borderError` (mm) away.
+/// Improves the triangles around.
+void closeWedges(MeshEditor& editor, double borderError);
+
 }  // namespace palpa::modeling

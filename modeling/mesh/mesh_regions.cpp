@@ -47,8 +47,9 @@ std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
       triangles.push_back(static_cast<int>(t));
   if (triangles.empty())
     throw ModelingError(region.name +
-                        ": no part of the surface lies in this region; check the half space "
-                        "(normal · x < below_mm) against the size and place of the solid");
+                        ": no part of the surface lies in this region, or one too narrow for the "
+                        "edge length; check the half space (normal · x < below_mm) against the "
+                        "size and place of the solid");
   return triangles;
 }
 
