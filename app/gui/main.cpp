@@ -1,0 +1,26 @@
+#include <QApplication>
+#include <QCommandLineParser>
+
+#include "app/gui/appearance.h"
+#include "app/gui/main_window.h"
+#include "app/gui/viewport_widget.h"
+
+int main(int argc, char** argv) {
+  palpa::gui::setDefaultSurfaceFormat();
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("Palpa");
+  QApplication::setApplicationVersion(PALPA_VERSION);
+  QApplication::setWindowIcon(QIcon(":/icons/palpa.svg"));
+  QCommandLineParser parser;
+  parser.setApplicationDescription("Model a solid and touch it.");
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument("file", "Project, CAD file or mesh to open.");
+  parser.process(application);
+  palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);
+  palpa::gui::MainWindow window;
+  window.show();
+  if (!parser.positionalArguments().isEmpty())
+    window.openFile(parser.positionalArguments().front());
+  return QApplication::exec();
+}

@@ -1,0 +1,160 @@
+#include "app/gui/scene_controller.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+
+namespace palpa::gui {
+namespace {
+
+using view::HandleState;
+using view::Mark;
+
+view::ControlNet controlNet(const modeling::Solid& solid) {
+  std::set<std::array<int, 2>> lines;
+  const auto add = [&](int a, int b) {
+    if (a != b) lines.insert({std::min(a, b), std::max(a, b)});
+  };
+  for (const modeling::Patch& patch : solid.patches())
+    for (std::size_t i = 0; i < patch.net.size(); ++i)
+      for (std::size_t j = 0; j < patch.net[i].size(); ++j) {
+        if (i > 0) add(patch.net[i - 1][j], patch.net[i][j]);
+        if (j > 0) add(patch.net[i][j - 1], patch.net[i][j]);
+      }
+  return {solid.controlPoints(), {lines.begin(), lines.end()}};
+}
+
+bool contains(const modeling::Region& region, const modeling::Body& body, int patch,
+              const Eigen::Vector3d& middle) {
+  return std::any_of(region.parts.begin(), region.parts.end(), [&](const auto& part) {
+    if (const auto* half = std::get_if<modeling::HalfSpace>(&part))
+      return half->value(middle) < 0.0;
+    const auto& names = std::get<modeling::PatchSet>(part).patches;
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+      return modeling::findPatch(body, name) == patch;
+    });
+  });
+}
+
+}  // namespace
+
+SceneController::SceneController(Editor& editor, ViewportWidget& widget)
+    : QObject(&widget), editor_(editor), widget_(widget) {
+  connect(&editor, &Editor::projectReplaced, this, [this] {
+    showProject();
+    widget_.viewport().fit();
+  });
+  connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
+  showProject();
+  widget_.viewport().fit();
+}
+
+void SceneController::showProject() {
+  hovered_.reset();
+  const modeling::Solid* solid = editor_.solid();
+  if (!solid) {
+    showMeshBody();
+    return;
+  }
+  tessellation_ = std::make_unique<modeling::Tessellation>(*solid);
+  const auto shape = tessellation_->evaluate(solid->controlPoints());
+  widget_.viewport().setBody({shape.positions, shape.normals, tessellation_->triangles(),
+                              tessellation_->patchOfTriangle(), tessellation_->borders(),
+                              tessellation_->knotLines()});
+  widget_.viewport().setControlNet(controlNet(*solid));
+  showMarks();
+  showSelection();
+}
+
+void SceneController::showMeshBody() {
+  tessellation_.reset();
+  const auto& body = std::get<modeling::MeshBody>(editor_.project().body);
+  view::ViewportBody shown;
+  for (std::size_t t = 0; t < body.triangles().size(); ++t) {
+    const auto& [a, b, c] = body.triangles()[t];
+    const auto& p = body.positions();
+    const Eigen::Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]).normalized();
+    const int first = static_cast<int>(shown.positions.size());
+    shown.positions.insert(shown.positions.end(), {p[a], p[b], p[c]});
+    shown.normals.insert(shown.normals.end(), 3, normal);
+    shown.triangles.push_back({first, first + 1, first + 2});
+    shown.patchOfTriangle.push_back(body.faceOfTriangle()[t]);
+  }
+  widget_.viewport().setBody(shown);
+  widget_.viewport().setControlNet({});
+  widget_.viewport().setGizmo(std::nullopt);
+  widget_.update();
+}
+
+void SceneController::showChange(const modeling::Change& change) {
+  if (change.topology) {
+    showProject();
+    return;
+  }
+  if (!change.movedPoints.empty() && tessellation_) {
+    const auto& points = editor_.solid()->controlPoints();
+    const auto shape = tessellation_->evaluate(points);
+    widget_.viewport().moveBody(shape.positions, shape.normals);
+    widget_.viewport().moveControlPoints(points);
+    showSelection();
+    widget_.updateQuickly();
+  }
+  if (change.supports || change.loads || !change.movedPoints.empty()) showMarks();
+  widget_.update();
+}
+
+void SceneController::showMarks() {
+  if (!tessellation_) return;
+  const modeling::Project& project = editor_.project();
+  const auto shape = tessellation_->evaluate(editor_.solid()->controlPoints());
+  std::vector<Mark> marks(tessellation_->triangles().size(), Mark::kNone);
+  for (std::size_t t = 0; t < marks.size(); ++t) {
+    const auto& [a, b, c] = tessellation_->triangles()[t];
+    const Eigen::Vector3d middle =
+        (shape.positions[a] + shape.positions[b] + shape.positions[c]) / 3.0;
+    const int patch = tessellation_->patchOfTriangle()[t];
+    for (const modeling::Load& load : project.loads) {
+      const modeling::Region* region = modeling::regionOf(load);
+      if (region && contains(*region, project.body, patch, middle)) marks[t] = Mark::kLoad;
+    }
+    for (const modeling::Support& support : project.supports)
+      if (contains(support.where, project.body, patch, middle)) marks[t] = Mark::kSupport;
+  }
+  widget_.viewport().setMarks(marks);
+}
+
+std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
+  const modeling::Solid* solid = editor_.solid();
+  if (!solid || editor_.selection().empty()) return std::nullopt;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int point : editor_.selection()) sum += solid->controlPoints()[point];
+  return sum / static_cast<double>(editor_.selection().size());
+}
+
+void SceneController::showSelection() {
+  const modeling::Solid* solid = editor_.solid();
+  if (!solid) return;
+  std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
+  if (hovered_) states[*hovered_] = HandleState::kHovered;
+  for (int point : editor_.selection()) states[point] = HandleState::kSelected;
+  widget_.viewport().setHandleStates(states);
+  const auto centre = selectionCentre();
+  widget_.viewport().setGizmo(centre ? std::optional(view::Gizmo{*centre, std::nullopt, axis_})
+                                     : std::nullopt);
+  widget_.update();
+}
+
+void SceneController::setHovered(std::optional<int> point) {
+  if (point == hovered_) return;
+  hovered_ = point;
+  showSelection();
+}
+
+void SceneController::setGizmoAxis(view::GizmoAxis axis) {
+  if (axis == axis_) return;
+  axis_ = axis;
+  showSelection();
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QCursor>
+#include <QKeyEvent>
+#include <QString>
+
+#include "app/gui/pointer_event.h"
+
+namespace palpa::gui {
+
+/// One way of using the pointer in the view: a state of the window. The view hands its events to
+/// the active tool first; what the tool does not take (returns false) navigates.
+class Tool {
+ public:
+  virtual ~Tool() = default;
+
+  virtual void activate() {}
+  /// Ends everything begun; also called before the tool changes.
+  virtual void deactivate() { cancel(); }
+
+  virtual bool press(const PointerEvent&) { return false; }
+  virtual bool move(const PointerEvent&) { return false; }
+  virtual bool release(const PointerEvent&) { return false; }
+  virtual bool doubleClick(const PointerEvent&) { return false; }
+  virtual void leave() {}
+  virtual bool key(QKeyEvent*) { return false; }
+
+  /// Undoes what was begun (Escape). False when there was nothing to cancel.
+  virtual bool cancel() { return false; }
+
+  virtual QCursor cursor() const { return Qt::ArrowCursor; }
+  /// What the status bar says while the tool is active.
+  virtual QString hint() const = 0;
+};
+
+}  // namespace palpa::gui

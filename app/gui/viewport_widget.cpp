@@ -1,0 +1,178 @@
+#include "app/gui/viewport_widget.h"
+
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QSurfaceFormat>
+#include <cmath>
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kRest = 150;  // ms without movement until a fine picture is drawn
+
+}  // namespace
+
+void setDefaultSurfaceFormat() {
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setRedBufferSize(8);
+  format.setGreenBufferSize(8);
+  format.setBlueBufferSize(8);
+  format.setAlphaBufferSize(0);  // with alpha the desktop would shine through the background
+  format.setOption(QSurfaceFormat::DeprecatedFunctions);  // wide lines in Mesa
+  format.setSwapInterval(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
+  viewport_ = std::make_unique<view::Viewport>(window_, devicePixelRatioF());
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(320, 240);
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(kRest);
+  connect(&restTimer_, &QTimer::timeout, this, [this] {
+    isMoving_ = false;
+    update();
+  });
+}
+
+ViewportWidget::~ViewportWidget() {
+  makeCurrent();
+  viewport_.reset();
+  window_->Finalize();
+  doneCurrent();
+}
+
+void ViewportWidget::setTool(Tool* tool) {
+  tool_ = tool;
+  setCursor(tool ? tool->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void ViewportWidget::initializeGL() {
+  window_->SetIsCurrent(true);
+  window_->SetOwnContext(0);
+  window_->OpenGLInitContext();
+  window_->SetReadyForRendering(true);
+  window_->SetFrameBlitModeToBlitToCurrent();
+}
+
+void ViewportWidget::resizeGL(int width, int height) {
+  viewport_->setPixelRatio(devicePixelRatioF());
+  const double ratio = devicePixelRatioF();
+  window_->SetSize(static_cast<int>(std::lround(width * ratio)),
+                   static_cast<int>(std::lround(height * ratio)));
+}
+
+void ViewportWidget::updateQuickly() {
+  isMoving_ = true;
+  restTimer_.start();
+  update();
+}
+
+void ViewportWidget::paintGL() {
+  QElapsedTimer timer;
+  timer.start();
+  window_->GetState()->Reset();
+  window_->GetState()->Push();
+  window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  viewport_->render(isMoving_ ? view::Quality::kQuick : view::Quality::kFine);
+  window_->GetState()->Pop();
+  lastFrame_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  Q_EMIT framePainted();
+}
+
+Eigen::Vector2d ViewportWidget::toDevice(const QPointF& point) const {
+  return Eigen::Vector2d(point.x(), point.y()) * devicePixelRatioF();
+}
+
+PointerEvent ViewportWidget::pointerEvent(const QMouseEvent& event) const {
+  return {toDevice(event.position()), event.button(), event.buttons(), event.modifiers()};
+}
+
+void ViewportWidget::mousePressEvent(QMouseEvent* event) {
+  setFocus(Qt::MouseFocusReason);
+  last_ = toDevice(event->position());
+  const bool middle = event->button() == Qt::MiddleButton;
+  const bool altLeft =
+      event->button() == Qt::LeftButton && (event->modifiers() & Qt::AltModifier) != 0;
+  if (middle || altLeft || event->button() == Qt::RightButton) {
+    const bool pan =
+        (event->modifiers() & Qt::ShiftModifier) != 0 || event->button() == Qt::RightButton;
+    navigation_ = pan ? Navigation::kPan : Navigation::kOrbit;
+    return;
+  }
+  if (tool_) tool_->press(pointerEvent(*event));
+}
+
+void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
+  if (navigation_ != Navigation::kNone) {
+    navigate(toDevice(event->position()));
+    return;
+  }
+  if (tool_) {
+    tool_->move(pointerEvent(*event));
+    setCursor(tool_->cursor());
+  }
+}
+
+void ViewportWidget::navigate(const Eigen::Vector2d& pixel) {
+  const Eigen::Vector2d step = pixel - last_;
+  if (navigation_ == Navigation::kOrbit)
+    viewport_->orbit(step);
+  else
+    viewport_->pan(step, last_);
+  last_ = pixel;
+  updateQuickly();
+}
+
+void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (navigation_ != Navigation::kNone) {
+    navigation_ = Navigation::kNone;
+    return;
+  }
+  if (tool_) tool_->release(pointerEvent(*event));
+}
+
+void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (tool_) tool_->doubleClick(pointerEvent(*event));
+}
+
+void ViewportWidget::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (notches == 0.0) return;
+  viewport_->zoom(std::pow(1.15, notches), toDevice(event->position()));
+  updateQuickly();
+  event->accept();
+}
+
+void ViewportWidget::leaveEvent(QEvent*) {
+  if (tool_) tool_->leave();
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && tool_ && tool_->cancel()) return;
+  if (tool_ && tool_->key(event)) return;
+  QOpenGLWidget::keyPressEvent(event);
+}
+
+bool ViewportWidget::event(QEvent* event) {
+  // Keys that a tool takes must not reach the shortcuts of the menus first (x, y, z, digits while
+  // a selection is dragged).
+  if (event->type() == QEvent::ShortcutOverride && tool_) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape) {
+      event->accept();
+      return true;
+    }
+  }
+  return QOpenGLWidget::event(event);
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <memory>
+
+#include "app/gui/pointer_event.h"
+#include "app/gui/tool.h"
+#include "app/view/viewport.h"
+
+namespace palpa::gui {
+
+/// The surface format a QOpenGLWidget with VTK needs; to be set before the application is made.
+void setDefaultSurfaceFormat();
+
+/// The view in the window: a Viewport on a Qt widget. Navigation as in common CAD programs: middle
+/// button or Alt + left orbits, Shift with it pans, the wheel zooms at the pointer; everything else
+/// goes to the tool.
+class ViewportWidget : public QOpenGLWidget {
+  Q_OBJECT
+
+ public:
+  explicit ViewportWidget(QWidget* parent = nullptr);
+  ~ViewportWidget() override;
+
+  view::Viewport& viewport() { return *viewport_; }
+
+  /// The tool that gets the events; not owned, null for none.
+  void setTool(Tool* tool);
+
+  /// Milliseconds the last frame took to draw.
+  double lastFrameMilliseconds() const { return lastFrame_; }
+
+  /// Draws soon and quickly: something moves. A fine picture follows when nothing moves any more.
+  void updateQuickly();
+
+ Q_SIGNALS:
+  void framePainted();
+
+ protected:
+  void initializeGL() override;
+  void resizeGL(int width, int height) override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  enum class Navigation { kNone, kOrbit, kPan };
+  PointerEvent pointerEvent(const QMouseEvent& event) const;
+  Eigen::Vector2d toDevice(const QPointF& point) const;
+  void navigate(const Eigen::Vector2d& pixel);
+
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  std::unique_ptr<view::Viewport> viewport_;
+  Tool* tool_ = nullptr;
+  Navigation navigation_ = Navigation::kNone;
+  Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
+  double lastFrame_ = 0;
+  bool isMoving_ = false;
+  QTimer restTimer_;
+};
+
+}  // namespace palpa::gui
