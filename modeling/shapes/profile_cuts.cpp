@@ -84,6 +84,8 @@ class Correspondence {
     double rounds = 1.0;
     while (mark < anchors_.front()) mark += referenceWhole_, rounds -= 1.0;
     while (mark >= anchors_.back()) mark -= referenceWhole_, rounds += 1.0;
+    // A round forth and back may end below the first anchor by rounding.
+    mark = std::max(mark, anchors_.front());
     const auto above = std::upper_bound(anchors_.begin(), anchors_.end(), mark);
     const std::size_t i = std::min<std::size_t>(above - anchors_.begin(), anchors_.size() - 1);
     const double part = (mark - anchors_[i - 1]) / (anchors_[i] - anchors_[i - 1]);
