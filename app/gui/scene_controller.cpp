@@ -2,27 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <set>
 
 namespace palpa::gui {
 namespace {
 
 using view::HandleState;
 using view::Mark;
-
-view::ControlNet controlNet(const modeling::Solid& solid) {
-  std::set<std::array<int, 2>> lines;
-  const auto add = [&](int a, int b) {
-    if (a != b) lines.insert({std::min(a, b), std::max(a, b)});
-  };
-  for (const modeling::Patch& patch : solid.patches())
-    for (std::size_t i = 0; i < patch.net.size(); ++i)
-      for (std::size_t j = 0; j < patch.net[i].size(); ++j) {
-        if (i > 0) add(patch.net[i - 1][j], patch.net[i][j]);
-        if (j > 0) add(patch.net[i][j - 1], patch.net[i][j]);
-      }
-  return {solid.controlPoints(), {lines.begin(), lines.end()}};
-}
 
 bool contains(const modeling::Region& region, const modeling::Body& body, int patch,
               const Eigen::Vector3d& middle) {
@@ -62,7 +47,7 @@ void SceneController::showProject() {
   widget_.viewport().setBody({shape.positions, shape.normals, tessellation_->triangles(),
                               tessellation_->patchOfTriangle(), tessellation_->borders(),
                               tessellation_->knotLines()});
-  widget_.viewport().setControlNet(controlNet(*solid));
+  widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
   showMarks();
   showSelection();
 }

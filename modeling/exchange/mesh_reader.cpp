@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <optional>
 
@@ -11,6 +10,7 @@
 #include "modeling/error.h"
 #include "modeling/exchange/closed_surface.h"
 #include "modeling/exchange/text_cursor.h"
+#include "modeling/project/text_file.h"
 #include "modeling/text.h"
 
 namespace palpa::modeling {
@@ -141,22 +141,7 @@ MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string&
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                       const Job& job) {
   const MeshFormat format = meshFormatOf(path);
-  const std::string name = path.string();
-  std::error_code code;
-  if (!std::filesystem::exists(path, code))
-    throw ModelingError(name + ": there is no such file", ModelingError::Kind::notFound);
-  if (!std::filesystem::is_regular_file(path, code))
-    throw ModelingError(name + ": this is not a file", ModelingError::Kind::io);
-  const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (!code && size > kLargestMeshFile)
-    throw ModelingError(name + ": the file has " + std::to_string(size) + " bytes; at most " +
-                            std::to_string(kLargestMeshFile) + " are read",
-                        ModelingError::Kind::tooLarge);
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(code ? 0 : size, '\0');
-  if (!file || code || !file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    throw ModelingError(name + ": the file cannot be read", ModelingError::Kind::io);
-  return parseMesh(bytes, format, name, options, job);
+  return parseMesh(readTextFile(path, kLargestMeshFile), format, path.string(), options, job);
 }
 
 }  // namespace palpa::modeling

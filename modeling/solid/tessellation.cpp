@@ -1,6 +1,8 @@
 #include "modeling/solid/tessellation.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "modeling/solid/basis.h"
@@ -131,6 +133,20 @@ Tessellation::Shape Tessellation::evaluate(
     shape.normals[i] = length > 0.0 ? Eigen::Vector3d(cross / length) : Eigen::Vector3d::Zero();
   }
   return shape;
+}
+
+std::vector<std::array<int, 2>> controlNetLines(const Solid& solid) {
+  std::set<std::array<int, 2>> lines;
+  const auto add = [&](int a, int b) {
+    if (a != b) lines.insert({std::min(a, b), std::max(a, b)});
+  };
+  for (const Patch& patch : solid.patches())
+    for (std::size_t i = 0; i < patch.net.size(); ++i)
+      for (std::size_t j = 0; j < patch.net[i].size(); ++j) {
+        if (i > 0) add(patch.net[i - 1][j], patch.net[i][j]);
+        if (j > 0) add(patch.net[i][j - 1], patch.net[i][j]);
+      }
+  return {lines.begin(), lines.end()};
 }
 
 }  // namespace palpa::modeling

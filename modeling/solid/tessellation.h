@@ -44,4 +44,7 @@ class Tessellation {
   std::vector<std::vector<int>> knotLines_;
 };
 
+/// The lines of the control nets: pairs of neighbouring control points, each once, in order.
+std::vector<std::array<int, 2>> controlNetLines(const Solid& solid);
+
 }  // namespace palpa::modeling

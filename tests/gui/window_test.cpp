@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <set>
 
 #include "app/gui/appearance.h"
 #include "app/gui/main_window.h"
@@ -157,21 +158,31 @@ TEST_F(Window, CanBeClosedWhileTheModelIsBuilt) {
   window_.reset();
 }
 
-TEST_F(Window, LooksAsInThePictures) {
-  const QString pictures = qEnvironmentVariable("PALPA_PICTURES");
-  if (pictures.isEmpty()) GTEST_SKIP() << "set PALPA_PICTURES to a folder for pictures";
-  for (const char* name : {"gripper-finger", "sphere"}) {
-    ASSERT_TRUE(window_->openFile(QString(PALPA_PROJECTS "/%1.json").arg(name)));
-    waitForModel();
-    QTest::mouseClick(&view(), Qt::LeftButton, {}, pixelOf(visiblePoint()));
+/// How many different colours a picture has.
+std::size_t colours(const QImage& image) {
+  std::set<QRgb> found;
+  for (int y = 0; y < image.height(); y += 3)
+    for (int x = 0; x < image.width(); x += 3) found.insert(image.pixel(x, y));
+  return found.size();
+}
+
+/// With PALPA_PICTURES set to a folder, the pictures are kept there to be looked at.
+TEST_F(Window, ShowsTheBodyInBothThemes) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  waitForModel();
+  QTest::mouseClick(&view(), Qt::LeftButton, {}, pixelOf(visiblePoint()));
+  for (const Theme theme : {Theme::kDark, Theme::kLight}) {
+    applyTheme(*qApp, theme);
+    view().viewport().setTheme(viewportTheme(theme));
+    view().update();
     QTest::qWait(400);
-    window_->grab().save(pictures + "/" + name + ".png");
+    const QImage picture = window_->grab().toImage();
+    EXPECT_GT(colours(picture), 500u);
+    const QColor corner = picture.pixelColor(2, picture.height() / 2);
+    EXPECT_EQ(corner.lightness() < 128, theme == Theme::kDark);
+    if (const QString folder = qEnvironmentVariable("PALPA_PICTURES"); !folder.isEmpty())
+      picture.save(folder + (theme == Theme::kDark ? "/dark.png" : "/light.png"));
   }
-  applyTheme(*qApp, Theme::kDark);
-  view().viewport().setTheme(viewportTheme(Theme::kDark));
-  QTest::qWait(400);
-  window_->grab().save(pictures + "/dark.png");
-  applyTheme(*qApp, Theme::kLight);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
-#include <set>
-
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/tessellation.h"
 
@@ -192,19 +190,7 @@ ViewportBody viewportBody(const Solid& solid, int piecesPerSpan) {
 }
 
 ControlNet controlNet(const Solid& solid) {
-  std::set<std::array<int, 2>> lines;
-  const auto add = [&](int a, int b) {
-    if (a != b) lines.insert({std::min(a, b), std::max(a, b)});
-  };
-  for (const modeling::Patch& patch : solid.patches()) {
-    for (std::size_t i = 0; i < patch.net.size(); ++i) {
-      for (std::size_t j = 0; j < patch.net[i].size(); ++j) {
-        if (i > 0) add(patch.net[i - 1][j], patch.net[i][j]);
-        if (j > 0) add(patch.net[i][j - 1], patch.net[i][j]);
-      }
-    }
-  }
-  return {solid.controlPoints(), {lines.begin(), lines.end()}};
+  return {solid.controlPoints(), modeling::controlNetLines(solid)};
 }
 
 std::map<std::string, ViewportCase> viewportCases() {
