@@ -1,14 +1,15 @@
 #include "app/cli/body_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
+#include "app/core/new_project.h"
 #include "app/view/mesh_file.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/mesh_reader.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::cli {
@@ -21,19 +22,15 @@ std::string endingOf(const std::string& path) {
   return ending;
 }
 
-bool isMeshFile(const std::string& path) {
-  const std::string ending = endingOf(path);
-  return ending == ".stl" || ending == ".obj" || ending == ".ply";
-}
-
-void writeMeshOf(const modeling::Project& project, const std::string& path, bool remesh) {
+void writeMeshOf(const modeling::Project& project, const std::string& path, bool remesh,
+                 const modeling::Job& job) {
   const auto* body = std::get_if<modeling::MeshBody>(&project.body);
   if (body && !remesh) {
     view::writeMesh({body->positions(), body->triangles(), {}, {}}, path);
     return;
   }
   const auto regions = modeling::meshRegions(project);
-  const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions);
+  const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
   view::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
 }
 
@@ -45,37 +42,18 @@ modeling::Job modelingJob(const Context& context) {
           [&line](std::string_view phase, double fraction) { line.show(phase, fraction); }};
 }
 
-double suitableEdgeLength(const modeling::Body& body) {
-  const double length = std::sqrt(1.05 * modeling::area(body) / 600);
-  return std::stod(format("%.2g", length));
-}
-
-modeling::Project makeProject(modeling::Body body, const std::string& name) {
-  modeling::Project project;
-  project.name = name;
-  project.material = {"soft silicone", 0.2, 0.48};
-  project.body = std::move(body);
-  const auto box = modeling::boundingBox(project.body);
-  modeling::Support base;
-  base.name = "base";
-  base.where = modeling::Region::below(Eigen::Vector3d::UnitZ(),
-                                       box[0].z() + 0.1 * (box[1].z() - box[0].z()));
-  project.supports = {base};
-  project.mesh.edgeLength = suitableEdgeLength(project.body);
-  return project;
-}
-
 ReadBody readBody(const std::string& path, const modeling::ImportOptions& options,
                   const modeling::Job& job) {
   if (endingOf(path) == ".json") return {modeling::readProject(path), 0.0, {}};
   modeling::ImportedBody imported = modeling::importBody(path, options, job);
   const std::string name = std::filesystem::path(path).stem().string();
-  return {makeProject(std::move(imported.body), name), imported.deviation,
+  return {app::makeProject(std::move(imported.body), name), imported.deviation,
           std::move(imported.notes)};
 }
 
 void requireWritable(const std::string& path) {
-  if (endingOf(path) == ".json" || isMeshFile(path) || modeling::cadFormatOf(path)) return;
+  if (endingOf(path) == ".json" || modeling::isMeshFile(path) || modeling::cadFormatOf(path))
+    return;
   throw OutputError("cannot write " + path + ": the name must end in " + kWritableEndings);
 }
 
@@ -83,8 +61,8 @@ void writeBody(const modeling::Project& project, const std::string& path, bool r
                const modeling::Job& job) {
   if (endingOf(path) == ".json")
     modeling::writeProject(project, path);
-  else if (isMeshFile(path))
-    writeMeshOf(project, path, remesh);
+  else if (modeling::isMeshFile(path))
+    writeMeshOf(project, path, remesh, job);
   else
     modeling::exportCad(project.body, path, project.name, job);
 }

@@ -14,13 +14,6 @@ namespace palpa::cli {
 /// Stop token and progress line of a command, for long operations of modeling/.
 modeling::Job modelingJob(const Context& context);
 
-/// An edge length (two digits, mm) that gives about 600 nodes: solved in a fraction of a second,
-/// and within a few per cent of the converged answer for simple bodies.
-double suitableEdgeLength(const modeling::Body& body);
-
-/// A project around a body: held on its lowest tenth, of soft silicone, with a suitable mesh.
-modeling::Project makeProject(modeling::Body body, const std::string& name);
-
 /// A project, and what is to be said about where it came from.
 struct ReadBody {
   modeling::Project project;

@@ -1,3 +1,4 @@
+#include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/geometry_report.h"
@@ -25,9 +26,7 @@ class CheckCommand : public Command {
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::Job job{context.stop, [&](std::string_view phase, double fraction) {
-                              context.progress.show(phase, fraction);
-                            }};
+    const modeling::Job job = modelingJob(context);
     const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     const auto findings = modeling::checkGeometry(mesh, project.body, job);

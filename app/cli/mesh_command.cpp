@@ -1,3 +1,4 @@
+#include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/mesh_report.h"
 #include "app/cli/project_input.h"
@@ -30,10 +31,8 @@ class MeshCommand : public Command {
     if (!output_.empty()) view::requireMeshFileName(output_);
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::SurfaceMesh mesh = modeling::mesh(
-        project.body, project.mesh, regions,
-        {context.stop,
-         [&](std::string_view phase, double done) { context.progress.show(phase, done); }});
+    const modeling::SurfaceMesh mesh =
+        modeling::mesh(project.body, project.mesh, regions, modelingJob(context));
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     Json report = toJson(mesh, quality);
     std::string text = toText(mesh, quality);

@@ -1,11 +1,11 @@
 #include <iostream>
 
-#include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/shape_options.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
+#include "app/core/new_project.h"
 #include "modeling/project/material_library.h"
 #include "modeling/project/project_file.h"
 
@@ -58,7 +58,7 @@ class NewCommand : public Command {
     base.where = baseOf(primitive, made.solid);
     project.supports = {base};
     setMaterial(project.material);
-    project.mesh.edgeLength = edgeLength_.empty() ? suitableEdgeLength(project.body)
+    project.mesh.edgeLength = edgeLength_.empty() ? app::suitableEdgeLength(project.body)
                                                   : parsePositive("--edge-length", edgeLength_);
     modeling::checkProject(project);
     if (output_.empty()) {

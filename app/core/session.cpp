@@ -94,10 +94,10 @@ bool Session::autosaveIfDue(std::chrono::steady_clock::time_point now) {
   }
   if (!autosaveDue_) autosaveDue_ = now + options_.autosaveEvery;
   if (now < *autosaveDue_) return false;
-  autosaveDue_ = now + options_.autosaveEvery;
+  autosaveDue_ = now + options_.autosaveEvery;  // should writing fail: not again at once
   autosave_->write(project(), file_.value_or(std::filesystem::path()), edits_);
   autosavedEdits_ = edits_;
-  autosaveDue_.reset();
+  autosaveDue_.reset();  // the next edit begins a new interval
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QMetaObject>
 
+#include "app/core/new_project.h"
 #include "modeling/error.h"
 #include "modeling/exchange/import.h"
 #include "modeling/shapes/make_primitive.h"
@@ -15,16 +16,9 @@ constexpr int kAutosaveInterval = 10000;  // ms between two looks whether a snap
 
 /// What the program starts with: a ball on a fixed base.
 modeling::Project firstProject() {
-  modeling::Project project;
-  project.name = "Untitled";
-  project.primitive = modeling::Primitive{modeling::SphereShape{}};
-  project.body = modeling::makePrimitive(*project.primitive);
-  project.material = {"soft silicone", 0.2, 0.48};
-  modeling::Support base;
-  base.name = "base";
-  base.where = modeling::Region::below(Eigen::Vector3d::UnitZ(), -20.0);
-  project.supports = {base};
-  project.mesh.edgeLength = 4.0;
+  const modeling::Primitive sphere{modeling::SphereShape{}};
+  modeling::Project project = app::makeProject(modeling::makePrimitive(sphere), "Untitled");
+  project.primitive = sphere;
   return project;
 }
 
@@ -69,7 +63,7 @@ bool Editor::attempt(const Work& work) {
   try {
     work();
     return true;
-  } catch (const modeling::ModelingError& error) {
+  } catch (const std::exception& error) {  // none may reach Qt's event loop
     Q_EMIT refused(QString::fromStdString(error.what()));
     return false;
   }
@@ -98,16 +92,9 @@ bool Editor::open(const QString& file) {
 
 bool Editor::importFile(const QString& file) {
   return attempt([&] {
-    modeling::Project project = firstProject();
     modeling::ImportedBody imported = modeling::importBody(file.toStdString());
-    project.name = QFileInfo(file).completeBaseName().toStdString();
-    project.body = std::move(imported.body);
-    project.primitive.reset();
-    const auto [low, high] = modeling::boundingBox(project.body);
-    project.supports[0].where =
-        modeling::Region::below(Eigen::Vector3d::UnitZ(), low.z() + 0.1 * (high.z() - low.z()));
-    project.mesh.edgeLength = std::sqrt(1.05 * modeling::area(project.body) / 600.0);
-    start(std::move(project));
+    start(app::makeProject(std::move(imported.body),
+                           QFileInfo(file).completeBaseName().toStdString()));
     for (const std::string& note : imported.notes) Q_EMIT refused(QString::fromStdString(note));
   });
 }

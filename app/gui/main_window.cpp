@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "app/core/new_project.h"
 #include "app/gui/appearance.h"
 #include "app/gui/rebuild_dock.h"
 #include "modeling/shapes/make_primitive.h"
@@ -76,18 +77,10 @@ void MainWindow::makeFileMenu() {
   for (const auto& [name, primitive] : shapes)
     fresh->addAction(name, this, [this, name = name, primitive = primitive] {
       if (!mayDiscard()) return;
-      modeling::Project project = editor_.project();
-      project.name = name.toStdString();
+      modeling::Project project =
+          app::makeProject(modeling::makePrimitive(primitive), name.toStdString());
       project.primitive = primitive;
-      project.body = modeling::makePrimitive(primitive);
-      const auto [low, high] = modeling::boundingBox(project.body);
-      modeling::Support base;
-      base.name = "base";
-      base.where =
-          modeling::Region::below(Eigen::Vector3d::UnitZ(), low.z() + 0.1 * (high.z() - low.z()));
-      project.supports = {base};
-      project.loads.clear();
-      project.touches.clear();
+      project.material = editor_.project().material;
       editor_.start(std::move(project));
     });
   auto* bar = findChild<QToolBar*>("main");

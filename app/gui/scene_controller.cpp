@@ -9,17 +9,31 @@ namespace {
 using view::HandleState;
 using view::Mark;
 
-bool contains(const modeling::Region& region, const modeling::Body& body, int patch,
-              const Eigen::Vector3d& middle) {
-  return std::any_of(region.parts.begin(), region.parts.end(), [&](const auto& part) {
-    if (const auto* half = std::get_if<modeling::HalfSpace>(&part))
-      return half->value(middle) < 0.0;
-    const auto& names = std::get<modeling::PatchSet>(part).patches;
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-      return modeling::findPatch(body, name) == patch;
-    });
-  });
-}
+/// A region with its patches looked up once, for many triangles.
+class RegionTest {
+ public:
+  RegionTest(const modeling::Region& region, const modeling::Body& body)
+      : isNamed_(modeling::patchNames(body).size(), false) {
+    for (const modeling::RegionPart& part : region.parts) {
+      if (const auto* half = std::get_if<modeling::HalfSpace>(&part)) {
+        halfSpaces_.push_back(*half);
+        continue;
+      }
+      for (const std::string& name : std::get<modeling::PatchSet>(part).patches)
+        if (const auto patch = modeling::findPatch(body, name)) isNamed_[*patch] = true;
+    }
+  }
+
+  bool contains(int patch, const Eigen::Vector3d& point) const {
+    return isNamed_[patch] ||
+           std::any_of(halfSpaces_.begin(), halfSpaces_.end(),
+                       [&](const modeling::HalfSpace& half) { return half.value(point) < 0.0; });
+  }
+
+ private:
+  std::vector<bool> isNamed_;
+  std::vector<modeling::HalfSpace> halfSpaces_;
+};
 
 }  // namespace
 
@@ -43,8 +57,8 @@ void SceneController::showProject() {
     return;
   }
   tessellation_ = std::make_unique<modeling::Tessellation>(*solid);
-  const auto shape = tessellation_->evaluate(solid->controlPoints());
-  widget_.viewport().setBody({shape.positions, shape.normals, tessellation_->triangles(),
+  shape_ = tessellation_->evaluate(solid->controlPoints());
+  widget_.viewport().setBody({shape_.positions, shape_.normals, tessellation_->triangles(),
                               tessellation_->patchOfTriangle(), tessellation_->borders(),
                               tessellation_->knotLines()});
   widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
@@ -79,8 +93,8 @@ void SceneController::showChange(const modeling::Change& change) {
   }
   if (!change.movedPoints.empty() && tessellation_) {
     const auto& points = editor_.solid()->controlPoints();
-    const auto shape = tessellation_->evaluate(points);
-    widget_.viewport().moveBody(shape.positions, shape.normals);
+    shape_ = tessellation_->evaluate(points);
+    widget_.viewport().moveBody(shape_.positions, shape_.normals);
     widget_.viewport().moveControlPoints(points);
     showSelection();
     widget_.updateQuickly();
@@ -92,19 +106,19 @@ void SceneController::showChange(const modeling::Change& change) {
 void SceneController::showMarks() {
   if (!tessellation_) return;
   const modeling::Project& project = editor_.project();
-  const auto shape = tessellation_->evaluate(editor_.solid()->controlPoints());
+  std::vector<std::pair<RegionTest, Mark>> regions;  // what wins comes last
+  for (const modeling::Load& load : project.loads)
+    if (const modeling::Region* region = modeling::regionOf(load))
+      regions.emplace_back(RegionTest(*region, project.body), Mark::kLoad);
+  for (const modeling::Support& support : project.supports)
+    regions.emplace_back(RegionTest(support.where, project.body), Mark::kSupport);
   std::vector<Mark> marks(tessellation_->triangles().size(), Mark::kNone);
   for (std::size_t t = 0; t < marks.size(); ++t) {
     const auto& [a, b, c] = tessellation_->triangles()[t];
     const Eigen::Vector3d middle =
-        (shape.positions[a] + shape.positions[b] + shape.positions[c]) / 3.0;
-    const int patch = tessellation_->patchOfTriangle()[t];
-    for (const modeling::Load& load : project.loads) {
-      const modeling::Region* region = modeling::regionOf(load);
-      if (region && contains(*region, project.body, patch, middle)) marks[t] = Mark::kLoad;
-    }
-    for (const modeling::Support& support : project.supports)
-      if (contains(support.where, project.body, patch, middle)) marks[t] = Mark::kSupport;
+        (shape_.positions[a] + shape_.positions[b] + shape_.positions[c]) / 3.0;
+    for (const auto& [region, mark] : regions)
+      if (region.contains(tessellation_->patchOfTriangle()[t], middle)) marks[t] = mark;
   }
   widget_.viewport().setMarks(marks);
 }

@@ -35,6 +35,7 @@ class SceneController : public QObject {
   Editor& editor_;
   ViewportWidget& widget_;
   std::unique_ptr<modeling::Tessellation> tessellation_;
+  modeling::Tessellation::Shape shape_;  // of the present control points
   std::optional<int> hovered_;
   view::GizmoAxis axis_ = view::GizmoAxis::kNone;
 };
