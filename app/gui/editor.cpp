@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QMetaObject>
+#include <algorithm>
 
 #include "app/core/new_project.h"
 #include "modeling/error.h"
@@ -24,7 +25,7 @@ modeling::Project firstProject() {
 
 }  // namespace
 
-Editor::Editor(QObject* parent) : QObject(parent) {
+Editor::Editor(Settings& settings, QObject* parent) : QObject(parent), settings_(settings) {
   rebuildTimer_.setSingleShot(true);
   rebuildTimer_.setInterval(kRebuildInterval);
   connect(&rebuildTimer_, &QTimer::timeout, this, &Editor::rebuildChanged);
@@ -41,6 +42,9 @@ Editor::~Editor() {
 
 app::Session::Options Editor::sessionOptions() {
   app::Session::Options options;
+  options.threads = settings_.threads();
+  options.build.memoryLimit = settings_.memoryLimitGiB() * 1024.0 * 1024.0 * 1024.0;
+  options.autosaveEvery = std::chrono::seconds(settings_.autosaveSeconds());
   // From the worker's thread: only starts the timer, in this object's thread.
   options.rebuildChanged = [this] {
     QMetaObject::invokeMethod(
@@ -72,7 +76,7 @@ bool Editor::attempt(const Work& work) {
 void Editor::adopt(std::unique_ptr<app::Session> session) {
   if (session_) session_->close();
   session_ = std::move(session);
-  selection_.clear();
+  selection_ = {};
   Q_EMIT projectReplaced();
   Q_EMIT selectionChanged();
   Q_EMIT fileChanged();
@@ -95,7 +99,7 @@ bool Editor::importFile(const QString& file) {
     modeling::ImportedBody imported = modeling::importBody(file.toStdString());
     start(app::makeProject(std::move(imported.body),
                            QFileInfo(file).completeBaseName().toStdString()));
-    for (const std::string& note : imported.notes) Q_EMIT refused(QString::fromStdString(note));
+    for (const std::string& note : imported.notes) Q_EMIT said(QString::fromStdString(note));
   });
 }
 
@@ -129,14 +133,44 @@ void Editor::redo() {
 
 void Editor::changed(const modeling::Change& change) {
   if (!change.any()) return;
-  if (change.topology && !selection_.empty()) select({});
+  forgetWhatIsGone(change);
   Q_EMIT projectChanged(change);
   Q_EMIT fileChanged();
 }
 
-void Editor::select(std::set<int> points) {
-  if (points == selection_) return;
-  selection_ = std::move(points);
+void Editor::beginGroup(const QString& label) {
+  session_->beginGroup(label.toStdString());
+}
+
+void Editor::endGroup() {
+  session_->endGroup();
+  Q_EMIT fileChanged();
+}
+
+void Editor::cancelGroup() {
+  changed(session_->cancelGroup());
+}
+
+void Editor::forgetWhatIsGone(const modeling::Change& change) {
+  Selection kept = selection_;
+  if (change.topology) kept = {{}, {}, {}, kept.named};
+  if (kept.named) {
+    const auto isThere = [&](const auto& list) {
+      return std::any_of(list.begin(), list.end(),
+                         [&](const auto& each) { return each.name == kept.named->name; });
+    };
+    const modeling::Project& now = project();
+    const bool found = kept.named->kind == Selection::Kind::kSupport ? isThere(now.supports)
+                       : kept.named->kind == Selection::Kind::kLoad  ? isThere(now.loads)
+                                                                     : isThere(now.touches);
+    if (!found) kept.named.reset();
+  }
+  select(std::move(kept));
+}
+
+void Editor::select(Selection selection) {
+  if (selection == selection_) return;
+  selection_ = std::move(selection);
   Q_EMIT selectionChanged();
 }
 

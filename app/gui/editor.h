@@ -4,9 +4,10 @@
 #include <QString>
 #include <QTimer>
 #include <memory>
-#include <set>
 
 #include "app/core/session.h"
+#include "app/gui/selection.h"
+#include "app/gui/settings.h"
 
 namespace palpa::gui {
 
@@ -16,7 +17,7 @@ class Editor : public QObject {
   Q_OBJECT
 
  public:
-  explicit Editor(QObject* parent = nullptr);
+  explicit Editor(Settings& settings, QObject* parent = nullptr);
   ~Editor() override;
 
   const modeling::Project& project() const { return session_->project(); }
@@ -40,9 +41,13 @@ class Editor : public QObject {
   void redo();
   void cancelRebuild() { session_->pipeline().cancel(); }
 
-  // Selected control points.
-  const std::set<int>& selection() const { return selection_; }
-  void select(std::set<int> points);
+  /// Makes the edits until endGroup() one step of undo; Session::beginGroup().
+  void beginGroup(const QString& label);
+  void endGroup();
+  void cancelGroup();
+
+  const Selection& selection() const { return selection_; }
+  void select(Selection selection);
 
  Q_SIGNALS:
   void projectReplaced();
@@ -54,6 +59,8 @@ class Editor : public QObject {
   void fileChanged();
   /// Something could not be done; a sentence for people.
   void refused(const QString& message);
+  /// Something worth knowing happened; a sentence for people.
+  void said(const QString& message);
 
  private:
   app::Session::Options sessionOptions();
@@ -62,8 +69,11 @@ class Editor : public QObject {
   template <class Work>
   bool attempt(const Work& work);
 
+  void forgetWhatIsGone(const modeling::Change& change);
+
+  Settings& settings_;
   std::unique_ptr<app::Session> session_;
-  std::set<int> selection_;
+  Selection selection_;
   QTimer rebuildTimer_;
   QTimer autosaveTimer_;
 };

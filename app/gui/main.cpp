@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   parser.addVersionOption();
   parser.addPositionalArgument("file", "Project, CAD file or mesh to open.");
   parser.process(application);
-  palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);
+  palpa::gui::applyTheme(application, palpa::gui::Settings().theme());
   palpa::gui::MainWindow window;
   window.show();
   if (!parser.positionalArguments().isEmpty())

@@ -2,16 +2,19 @@
 
 #include <QLabel>
 #include <QMainWindow>
-#include <memory>
 
+#include "app/gui/actions/file_actions.h"
 #include "app/gui/editor.h"
+#include "app/gui/menus.h"
 #include "app/gui/scene_controller.h"
-#include "app/gui/select_tool.h"
+#include "app/gui/settings.h"
+#include "app/gui/tools/tool_box.h"
 #include "app/gui/viewport_widget.h"
+#include "app/gui/workspace.h"
 
 namespace palpa::gui {
 
-/// The window: menus, tool bar, the view, docks and the status bar around one editor.
+/// The window: menus, tools, the view, docks and the status bar around one editor.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -19,11 +22,13 @@ class MainWindow : public QMainWindow {
   MainWindow();
 
   Editor& editor() { return editor_; }
+  Settings& settings() { return settings_; }
   ViewportWidget& viewport() { return *viewport_; }
+  ToolBox& tools() { return tools_; }
+  FileActions& files() { return *files_; }
 
- public Q_SLOTS:
   /// Opens a project or imports a body, by the ending of the file's name.
-  bool openFile(const QString& file);
+  bool openFile(const QString& file) { return files_->openFile(file); }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -31,25 +36,21 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void makeFileMenu();
-  void makeEditMenu();
-  void makeViewMenu();
-  void makeHelpMenu();
+  void addTools();
+  void addDocks();
+  void addStatusBar();
   void updateTitle();
-  void updateActions();
   void updateStatus();
-  /// Asks what to do with unsaved edits; false when the person wants to stay.
-  bool mayDiscard();
-  bool save();
-  bool saveAs();
-  void setDark(bool dark);
+  void applySettings();
 
+  Settings settings_;
   Editor editor_;
   ViewportWidget* viewport_;
   SceneController scene_;
-  SelectTool selectTool_;
-  QAction* undo_ = nullptr;
-  QAction* redo_ = nullptr;
+  Menus menus_;
+  ToolBox tools_;
+  Workspace workspace_;
+  FileActions* files_ = nullptr;
   QLabel* hint_;
   QLabel* rebuild_;
   QLabel* frame_;

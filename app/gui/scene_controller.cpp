@@ -125,10 +125,11 @@ void SceneController::showMarks() {
 
 std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
   const modeling::Solid* solid = editor_.solid();
-  if (!solid || editor_.selection().empty()) return std::nullopt;
+  const std::set<int>& points = editor_.selection().points;
+  if (!solid || points.empty()) return std::nullopt;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int point : editor_.selection()) sum += solid->controlPoints()[point];
-  return sum / static_cast<double>(editor_.selection().size());
+  for (int point : points) sum += solid->controlPoints()[point];
+  return sum / static_cast<double>(points.size());
 }
 
 void SceneController::showSelection() {
@@ -136,7 +137,7 @@ void SceneController::showSelection() {
   if (!solid) return;
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
   if (hovered_) states[*hovered_] = HandleState::kHovered;
-  for (int point : editor_.selection()) states[point] = HandleState::kSelected;
+  for (int point : editor_.selection().points) states[point] = HandleState::kSelected;
   widget_.viewport().setHandleStates(states);
   const auto centre = selectionCentre();
   widget_.viewport().setGizmo(centre ? std::optional(view::Gizmo{*centre, std::nullopt, axis_})

@@ -157,7 +157,10 @@ void ViewportWidget::leaveEvent(QEvent*) {
 }
 
 void ViewportWidget::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && tool_ && tool_->cancel()) return;
+  if (event->key() == Qt::Key_Escape) {
+    if (!tool_ || !tool_->cancel()) Q_EMIT escaped();
+    return;
+  }
   if (tool_ && tool_->key(event)) return;
   QOpenGLWidget::keyPressEvent(event);
 }
@@ -167,7 +170,7 @@ bool ViewportWidget::event(QEvent* event) {
   // a selection is dragged).
   if (event->type() == QEvent::ShortcutOverride && tool_) {
     auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() == Qt::Key_Escape) {
+    if (key->key() == Qt::Key_Escape || tool_->wantsKey(*key)) {
       event->accept();
       return true;
     }

@@ -7,8 +7,8 @@
 #include <QTimer>
 #include <memory>
 
-#include "app/gui/pointer_event.h"
-#include "app/gui/tool.h"
+#include "app/gui/tools/pointer_event.h"
+#include "app/gui/tools/tool.h"
 #include "app/view/viewport.h"
 
 namespace palpa::gui {
@@ -39,6 +39,8 @@ class ViewportWidget : public QOpenGLWidget {
 
  Q_SIGNALS:
   void framePainted();
+  /// Escape was pressed and the tool had nothing to cancel.
+  void escaped();
 
  protected:
   void initializeGL() override;

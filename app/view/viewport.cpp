@@ -174,6 +174,23 @@ void Viewport::setGizmo(const std::optional<Gizmo>& gizmo) {
   parts_->gizmo = gizmo;
 }
 
+void Viewport::setTouchMarkers(const std::vector<TouchMarker>& markers) {
+  parts_->touches = markers;
+}
+
+void Viewport::setToolDrawing(const ToolDrawing& drawing) {
+  parts_->toolDrawing = drawing;
+}
+
+void Viewport::setRegions(const std::vector<double>& supports, const std::vector<double>& loads) {
+  const auto fits = [&](const std::vector<double>& field) {
+    return field.empty() || field.size() == parts_->body.positions.size();
+  };
+  require(fits(supports) && fits(loads), "regions need one number per point");
+  parts_->supportField = supports;
+  parts_->loadField = loads;
+}
+
 void Viewport::setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners) {
   parts_->rubberBand = corners;
 }

@@ -63,6 +63,12 @@ class Viewport {
   void setLoadArrows(const std::vector<ForceArrow>& arrows);
   void setWarnings(const std::vector<WarningMarker>& warnings);
   void setGizmo(const std::optional<Gizmo>& gizmo);
+  void setTouchMarkers(const std::vector<TouchMarker>& markers);
+  void setToolDrawing(const ToolDrawing& drawing);
+  /// Where supports and loads act: a number per position of the body, below zero inside, so that
+  /// their borders are drawn where it is zero, through the triangles. Empty: nowhere. Supports win.
+  /// Cheap enough to be set with every moveBody().
+  void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
   /// A rectangle between two pixels while selecting; none to remove it.
   void setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners);
 
@@ -95,7 +101,10 @@ class Viewport {
   std::optional<int> controlPointAt(const Eigen::Vector2d& pixel, double reach = 9) const;
   /// All within the rectangle, hidden ones too, in ascending order.
   std::vector<int> controlPointsIn(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
-  /// The arrow of the gizmo within 8 logical pixels of the pixel.
+  /// The polyline of ViewportBody::borders nearest to the pixel, within `reach` logical pixels and
+  /// not hidden by the body.
+  std::optional<int> borderAt(const Eigen::Vector2d& pixel, double reach = 6) const;
+  /// The handle of the gizmo within 8 logical pixels of the pixel.
   GizmoAxis gizmoAt(const Eigen::Vector2d& pixel) const;
 
   // From pixels to lengths.

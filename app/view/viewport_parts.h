@@ -60,6 +60,9 @@ struct Viewport::Parts {
   std::vector<ForceArrow> forces;
   std::vector<WarningMarker> warnings;
   std::optional<Gizmo> gizmo;
+  std::vector<TouchMarker> touches;
+  ToolDrawing toolDrawing;
+  std::vector<double> supportField, loadField;
   std::optional<std::array<Eigen::Vector2d, 2>> rubberBand;
   Bounds bodyBounds, netBounds;
 

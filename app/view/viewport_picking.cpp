@@ -67,6 +67,29 @@ std::vector<int> Viewport::controlPointsIn(const Eigen::Vector2d& a,
   return inside;
 }
 
+std::optional<int> Viewport::borderAt(const Eigen::Vector2d& pixel, double reach) const {
+  parts_->syncSize();
+  const ViewportBody& body = parts_->body;
+  double best = reach * parts_->pixelRatio;
+  std::optional<int> nearest;
+  for (std::size_t line = 0; line < body.borders.size(); ++line) {
+    for (std::size_t k = 1; k < body.borders[line].size(); ++k) {
+      const Eigen::Vector3d& a = body.positions[body.borders[line][k - 1]];
+      const Eigen::Vector3d& b = body.positions[body.borders[line][k]];
+      const Eigen::Vector2d p = parts_->camera.toPixel(a);
+      const Eigen::Vector2d along = parts_->camera.toPixel(b) - p;
+      const double length = along.squaredNorm();
+      const double s =
+          length > 0 ? std::clamp((pixel - p).dot(along) / length, 0.0, 1.0) : 0.0;
+      const double distance = (p + s * along - pixel).norm();
+      if (!(distance < best) || parts_->hidden(a + s * (b - a))) continue;  // NaN: behind the eye
+      best = distance;
+      nearest = static_cast<int>(line);
+    }
+  }
+  return nearest;
+}
+
 GizmoAxis Viewport::gizmoAt(const Eigen::Vector2d& pixel) const {
   parts_->syncSize();
   if (!parts_->gizmo) return GizmoAxis::kNone;

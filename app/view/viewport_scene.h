@@ -56,14 +56,54 @@ struct SurfaceHit {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// The axes of the gizmo; kNone: the pointer is on none of them.
-enum class GizmoAxis : std::uint8_t { kNone, kX, kY, kZ, kNormal };
+/// The handles of the gizmo; kNone: the pointer is on none of them. kAll, in the middle: freely
+/// parallel to the screen, about the direction of view, or alike in all directions.
+enum class GizmoAxis : std::uint8_t { kNone, kX, kY, kZ, kNormal, kAll };
 
-/// Handles for moving a selection along fixed directions, always about 90 pixels large.
+enum class GizmoKind : std::uint8_t { kMove, kRotate, kScale };
+
+/// Handles for moving a selection along fixed directions, turning it about them or scaling it along
+/// them, always about 90 pixels large.
 struct Gizmo {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d> normal;  ///< unit; a fourth handle along it
   GizmoAxis highlighted = GizmoAxis::kNone;
+  GizmoKind kind = GizmoKind::kMove;
+};
+
+/// A recorded touch: a dot on the surface and an arrow along its displacement or force.
+struct TouchMarker {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< any length; zero: no arrow
+  std::string label;                                    ///< may be empty
+  bool isSelected = false;
+};
+
+/// What a tool draws over the scene while it is used.
+struct ToolDrawing {
+  enum class Style : std::uint8_t {
+    kPreview,   ///< what would be made: strong
+    kGuide,     ///< what holds a motion: an axis, a plane; faint
+    kHovered,   ///< as hovered handles
+    kSelected,  ///< as selected handles
+  };
+  struct Line {
+    std::vector<Eigen::Vector3d> points;
+    Style style = Style::kPreview;
+    bool isHiddenByBody = true;  ///< otherwise it is drawn over everything
+  };
+  struct Dot {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    Style style = Style::kPreview;
+  };
+  /// Words on a plate beside a point, over everything.
+  struct Label {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    std::string text;
+  };
+  std::vector<Line> lines;
+  std::vector<Dot> dots;
+  std::vector<Label> labels;
 };
 
 /// Colours of the window's light and dark appearance.

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QStandardPaths>
 
 #include "app/gui/appearance.h"
 #include "app/gui/viewport_widget.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
+  if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();  // needs no display
   palpa::gui::setDefaultSurfaceFormat();
   QApplication application(argc, argv);
   palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);

@@ -1,4 +1,4 @@
-#include "app/gui/rebuild_dock.h"
+#include "app/gui/docks/rebuild_dock.h"
 
 #include <QVBoxLayout>
 

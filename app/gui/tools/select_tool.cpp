@@ -1,4 +1,4 @@
-#include "app/gui/select_tool.h"
+#include "app/gui/tools/select_tool.h"
 
 #include <QCoreApplication>
 
@@ -33,14 +33,14 @@ bool SelectTool::press(const PointerEvent& event) {
     start_ = *scene_.selectionCentre();
     mode_ = Mode::kDrag;
   } else if (const auto point = widget_.viewport().controlPointAt(event.pixel)) {
-    std::set<int> selection = editor_.selection();
+    std::set<int> selection = editor_.selection().points;
     if ((event.modifiers & Qt::ShiftModifier) != 0) {
       if (!selection.erase(*point)) selection.insert(*point);
     } else if (!selection.contains(*point)) {
       selection = {*point};
     }
     const bool isSelected = selection.contains(*point);
-    editor_.select(std::move(selection));
+    editor_.select(Selection::ofPoints(std::move(selection)));
     start_ = editor_.solid()->controlPoints()[*point];
     mode_ = isSelected ? Mode::kDrag : Mode::kNone;
   } else {
@@ -61,7 +61,8 @@ void SelectTool::drag(const Eigen::Vector2d& pixel) {
   // The first motion begins a step of undo; the others are united with it.
   const Eigen::Vector3d by = *target - grip_ - moved_;
   const modeling::MovePoints command{
-      modeling::PointSelection::of({editor_.selection().begin(), editor_.selection().end()}),
+      modeling::PointSelection::of(
+          {editor_.selection().points.begin(), editor_.selection().points.end()}),
       modeling::MoveBy{by},
       {}};
   if (editor_.perform(command, hasMoved_ ? modeling::Merge::withLast : modeling::Merge::no)) {
@@ -95,11 +96,11 @@ bool SelectTool::release(const PointerEvent& event) {
   if (mode_ == Mode::kBox) {
     widget_.viewport().setRubberBand(std::nullopt);
     const bool add = (event.modifiers & Qt::ShiftModifier) != 0;
-    std::set<int> selection = add ? editor_.selection() : std::set<int>();
+    std::set<int> selection = add ? editor_.selection().points : std::set<int>();
     if ((event.pixel - pressed_).norm() >= kDragThreshold)
       for (int point : widget_.viewport().controlPointsIn(pressed_, event.pixel))
         selection.insert(point);
-    editor_.select(std::move(selection));
+    editor_.select(Selection::ofPoints(std::move(selection)));
     widget_.update();
   }
   mode_ = Mode::kNone;

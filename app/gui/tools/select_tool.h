@@ -6,7 +6,7 @@
 
 #include "app/gui/editor.h"
 #include "app/gui/scene_controller.h"
-#include "app/gui/tool.h"
+#include "app/gui/tools/tool.h"
 #include "app/gui/viewport_widget.h"
 
 namespace palpa::gui {

@@ -1,0 +1,39 @@
+#include "app/gui/actions/edit_actions.h"
+
+#include "app/gui/editor.h"
+#include "app/gui/main_window.h"
+#include "app/gui/menus.h"
+
+namespace palpa::gui {
+
+EditActions::EditActions(const Workspace& workspace)
+    : QObject(&workspace.window), workspace_(workspace) {
+  Menus& menus = workspace_.menus;
+  Editor& editor = workspace_.editor;
+  undo_ = menus.add(menus.edit, {"undo", tr("&Undo"), QKeySequence::Undo}, &editor, &Editor::undo);
+  redo_ = menus.add(menus.edit, {"redo", tr("&Redo"), QKeySequence::Redo}, &editor, &Editor::redo);
+  menus.add(menus.select, {nullptr, tr("&All points"), QKeySequence::SelectAll}, this, [this] {
+    const modeling::Solid* solid = workspace_.editor.solid();
+    if (!solid) return;
+    std::set<int> all;
+    for (std::size_t i = 0; i < solid->controlPoints().size(); ++i) all.insert(static_cast<int>(i));
+    workspace_.editor.select(Selection::ofPoints(std::move(all)));
+  });
+  menus.bar->addAction(undo_);
+  menus.bar->addAction(redo_);
+  menus.bar->addSeparator();
+  connect(&editor, &Editor::fileChanged, this, &EditActions::update);
+  update();
+}
+
+void EditActions::update() {
+  const modeling::Document& document = workspace_.editor.session().document();
+  const auto show = [](QAction* action, const QString& verb, bool can, const std::string& label) {
+    action->setEnabled(can);
+    action->setText(can ? verb + " " + QString::fromStdString(label) : verb);
+  };
+  show(undo_, tr("&Undo"), document.canUndo(), document.undoLabel());
+  show(redo_, tr("&Redo"), document.canRedo(), document.redoLabel());
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// Fills the Help menu.
+void addHelpActions(const Workspace& workspace);
+
+}  // namespace palpa::gui

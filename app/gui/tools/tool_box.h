@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QActionGroup>
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "app/gui/menus.h"
+#include "app/gui/tools/tool.h"
+#include "app/gui/viewport_widget.h"
+
+namespace palpa::gui {
+
+/// All tools; one of them is active and gets the events of the view. Escape with nothing to cancel
+/// goes back to the first.
+class ToolBox : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolBox(Menus& menus, ViewportWidget& widget);
+  ~ToolBox() override;
+
+  /// Adds a tool with its button and its place in a menu. The first one is active from the start.
+  Tool* add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& item);
+
+  Tool& active() { return *active_; }
+  void activate(Tool* tool);
+
+ Q_SIGNALS:
+  /// Another tool is active now, or its hint() or options() changed.
+  void changed();
+
+ private:
+  Menus& menus_;
+  ViewportWidget& widget_;
+  QActionGroup group_;
+  struct Entry {
+    std::unique_ptr<Tool> tool;
+    QAction* action;
+  };
+  std::vector<Entry> entries_;
+  Tool* active_ = nullptr;
+};
+
+}  // namespace palpa::gui

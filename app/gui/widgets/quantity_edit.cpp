@@ -1,0 +1,111 @@
+#include "app/gui/widgets/quantity_edit.h"
+
+#include <QKeyEvent>
+#include <QStyle>
+#include <QWheelEvent>
+#include <cmath>
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kDigits = 10;  // shown: enough not to lose what was typed
+
+}  // namespace
+
+QuantityEdit::QuantityEdit(Quantity quantity, const Settings& settings, QWidget* parent)
+    : QLineEdit(parent), quantity_(quantity), settings_(settings) {
+  setAlignment(Qt::AlignRight);
+  setMinimumWidth(72);
+  connect(this, &QLineEdit::editingFinished, this, &QuantityEdit::commit);
+  connect(&settings, &Settings::changed, this, &QuantityEdit::showValue);
+  showValue();
+}
+
+void QuantityEdit::setValue(double value) {
+  value_ = value;
+  // What a person is typing is not overwritten by a refresh.
+  if (!hasFocus() || !isModified()) showValue();
+}
+
+void QuantityEdit::setRange(double least, double most) {
+  least_ = least;
+  most_ = most;
+}
+
+void QuantityEdit::showValue() {
+  setText(shown(value_, quantity_, settings_.units(), kDigits));
+  setCursorPosition(0);
+  setModified(false);
+  setProperty("refused", false);
+  setToolTip({});
+  style()->polish(this);
+}
+
+void QuantityEdit::commit() {
+  if (!isModified()) return;
+  const auto value = parsed(text(), quantity_, settings_.units());
+  if (!value) {
+    refuse(tr("This is not a number"));
+  } else if (!(*value >= least_)) {
+    refuse(tr("At least %1").arg(shown(least_, quantity_, settings_.units())));
+  } else if (!(*value <= most_)) {
+    refuse(tr("At most %1").arg(shown(most_, quantity_, settings_.units())));
+  } else {
+    accept(*value);
+  }
+}
+
+void QuantityEdit::accept(double value) {
+  const bool differs = value != value_;
+  value_ = value;
+  showValue();
+  if (differs) Q_EMIT edited(value);
+}
+
+void QuantityEdit::refuse(const QString& why) {
+  setProperty("refused", true);
+  style()->polish(this);
+  setToolTip(why);
+}
+
+void QuantityEdit::stepBy(double steps) {
+  const double factor = settings_.units().of(quantity_).factor;
+  const double number = value_ / factor;
+  const double step =
+      step_ > 0
+          ? step_ / factor
+          : std::pow(10.0, number == 0.0 ? -1.0 : std::floor(std::log10(std::abs(number))) - 1);
+  // Onto multiples of the step, so that the digits stay few.
+  const double next = std::round((number + steps * step) / step) * step * factor;
+  accept(std::clamp(next, least_, most_));
+}
+
+void QuantityEdit::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down) {
+    commit();
+    const double steps = event->key() == Qt::Key_Up ? 1 : -1;
+    stepBy((event->modifiers() & Qt::ShiftModifier) != 0 ? 10 * steps : steps);
+  } else if (event->key() == Qt::Key_Escape && isModified()) {
+    showValue();
+    selectAll();
+  } else {
+    QLineEdit::keyPressEvent(event);
+  }
+}
+
+void QuantityEdit::wheelEvent(QWheelEvent* event) {
+  // Without focus the wheel scrolls the panel; it must not change numbers in passing.
+  if (!hasFocus()) {
+    event->ignore();
+    return;
+  }
+  stepBy(event->angleDelta().y() > 0 ? 1 : -1);
+  event->accept();
+}
+
+void QuantityEdit::focusInEvent(QFocusEvent* event) {
+  QLineEdit::focusInEvent(event);
+  selectAll();
+}
+
+}  // namespace palpa::gui

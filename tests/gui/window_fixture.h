@@ -1,0 +1,90 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "app/gui/main_window.h"
+
+namespace palpa::gui {
+
+/// The window on a display, with settings, snapshots and caches in a folder of its own.
+class WindowTest : public testing::Test {
+ protected:
+  static inline const QString kSphere = PALPA_PROJECTS "/sphere.json";
+
+  WindowTest();
+  ~WindowTest() override;
+
+  /// A new window, as after a restart of the program.
+  void restart();
+
+  /// Waits until the model belongs to the newest edit.
+  void waitForModel();
+
+  ViewportWidget& view() { return window_->viewport(); }
+  Editor& editor() { return window_->editor(); }
+  /// The project as it would be saved.
+  std::string text();
+  /// The action of a menu by its text without "&" and "…"; fails when there is none.
+  QAction* action(const QString& name);
+  /// The visible widget of type T with an object name; null when there is none.
+  template <class T>
+  T* find(const QString& name) {
+    return window_->findChild<T*>(name);
+  }
+
+  /// In logical pixels of the view.
+  QPoint pixelOf(const Eigen::Vector3d& place);
+  QPoint pixelOfPoint(int point) { return pixelOf(editor().solid()->controlPoints()[point]); }
+  /// A control point that can be seen and picked where it is drawn.
+  int visiblePoint();
+
+  void moveTo(QPoint at, Qt::MouseButtons buttons = Qt::NoButton,
+              Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+  void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+
+  /// Shows the picture of the window, or of a dialog, to people: written to the folder
+  /// PALPA_PICTURES names; nothing without it.
+  void keepPicture(const QString& name, QWidget* of = nullptr);
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+/// Runs `act` on the modal dialog of type T that `open` brings up; fails when none comes up within
+/// five seconds or `act` leaves it open.
+template <class T>
+void withDialog(const std::function<void()>& open, const std::function<void(T&)>& act) {
+  bool isDone = false;
+  QTimer poll;
+  QElapsedTimer waited;
+  waited.start();
+  QObject::connect(&poll, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<T*>(QApplication::activeModalWidget());
+    if (dialog && dialog->isVisible() && !isDone) {
+      isDone = true;
+      act(*dialog);
+      if (dialog->isVisible()) {
+        ADD_FAILURE() << "the dialog is still open";
+        dialog->close();
+      }
+    } else if (!isDone && waited.elapsed() > 5000) {
+      isDone = true;
+      ADD_FAILURE() << "no dialog came up";
+      if (QWidget* other = QApplication::activeModalWidget()) other->close();
+    }
+  });
+  poll.start(20);
+  open();
+  EXPECT_TRUE(isDone) << "no dialog came up";
+}
+
+}  // namespace palpa::gui
