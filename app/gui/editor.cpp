@@ -33,6 +33,10 @@ Editor::Editor(Settings& settings, QObject* parent) : QObject(parent), settings_
     attempt([this] { session_->autosaveIfDue(std::chrono::steady_clock::now()); });
   });
   autosaveTimer_.start(kAutosaveInterval);
+  runner_ = [](const QString&, const std::function<void(const modeling::Job&)>& work) {
+    work({});
+    return true;
+  };
   session_ = std::make_unique<app::Session>(firstProject(), sessionOptions());
 }
 
@@ -87,19 +91,74 @@ void Editor::start(modeling::Project project) {
   adopt(std::make_unique<app::Session>(std::move(project), sessionOptions()));
 }
 
-bool Editor::open(const QString& file) {
-  return attempt([&] {
-    adopt(std::make_unique<app::Session>(std::filesystem::path(file.toStdString()),
-                                         sessionOptions()));
+bool Editor::openInBackground(const QString& title,
+                              const std::function<std::unique_ptr<app::Session>(
+                                  const modeling::Job&, const app::Session::Options&)>& make) {
+  bool isOpen = false;
+  attempt([&] {
+    const app::Session::Options options = sessionOptions();
+    std::unique_ptr<app::Session> session;
+    if (!runner_(title, [&](const modeling::Job& job) { session = make(job, options); })) return;
+    adopt(std::move(session));
+    isOpen = true;
   });
+  return isOpen;
+}
+
+bool Editor::open(const QString& file) {
+  const std::filesystem::path path = file.toStdString();
+  return openInBackground(tr("Opening %1").arg(QFileInfo(file).fileName()),
+                          [&](const modeling::Job&, const app::Session::Options& options) {
+                            return std::make_unique<app::Session>(path, options);
+                          });
 }
 
 bool Editor::importFile(const QString& file) {
+  const QFileInfo info(file);
+  std::vector<std::string> notes;
+  const bool isOpen = openInBackground(
+      tr("Importing %1").arg(info.fileName()),
+      [&](const modeling::Job& job, const app::Session::Options& options) {
+        modeling::ImportedBody imported = modeling::importBody(file.toStdString(), {}, job);
+        notes = std::move(imported.notes);
+        return std::make_unique<app::Session>(
+            app::makeProject(std::move(imported.body), info.completeBaseName().toStdString()),
+            options);
+      });
+  if (!isOpen) return false;
+  for (const std::string& note : notes) Q_EMIT said(QString::fromStdString(note));
+  if (!solid())
+    Q_EMIT said(tr("%1 became a mesh body: it can be held, loaded, touched and simulated, but it "
+                   "has no control points to move, and it cannot be exported as CAD.")
+                    .arg(info.fileName()));
+  return true;
+}
+
+bool Editor::exportFile(const QString& file, ExportedSurface surface) {
+  bool isWritten = false;
+  attempt([&] {
+    const modeling::Project copy = project();
+    isWritten = runner_(
+        tr("Exporting %1").arg(QFileInfo(file).fileName()),
+        [&](const modeling::Job& job) { exportBody(copy, file.toStdString(), surface, job); });
+  });
+  if (isWritten) Q_EMIT said(tr("Exported to %1").arg(file));
+  return isWritten;
+}
+
+bool Editor::recover(const modeling::Snapshot& snapshot) {
+  const bool isOpen =
+      openInBackground(tr("Recovering %1").arg(QString::fromStdString(snapshot.projectName)),
+                       [&](const modeling::Job&, const app::Session::Options& options) {
+                         return std::make_unique<app::Session>(snapshot, options);
+                       });
+  if (!isOpen) return false;
   return attempt([&] {
-    modeling::ImportedBody imported = modeling::importBody(file.toStdString());
-    start(app::makeProject(std::move(imported.body),
-                           QFileInfo(file).completeBaseName().toStdString()));
-    for (const std::string& note : imported.notes) Q_EMIT said(QString::fromStdString(note));
+    // The edits must at no time be without a snapshot: write the new one first, at once.
+    const auto now = std::chrono::steady_clock::now();
+    bool isKept = session_->autosaveIfDue(now);
+    if (!isKept) isKept = session_->autosaveIfDue(now + sessionOptions().autosaveEvery);
+    if (isKept) modeling::discard(snapshot);
   });
 }
 

@@ -3,9 +3,11 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <functional>
 #include <memory>
 
 #include "app/core/session.h"
+#include "app/gui/export_body.h"
 #include "app/gui/selection.h"
 #include "app/gui/settings.h"
 
@@ -17,6 +19,11 @@ class Editor : public QObject {
   Q_OBJECT
 
  public:
+  /// Does long work, elsewhere than in the window's thread, and returns when it has ended; false
+  /// when the person cancelled. What the work throws comes out of it.
+  using Runner = std::function<bool(const QString& title,
+                                    const std::function<void(const modeling::Job&)>& work)>;
+
   explicit Editor(Settings& settings, QObject* parent = nullptr);
   ~Editor() override;
 
@@ -27,10 +34,18 @@ class Editor : public QObject {
   app::RebuildStatus rebuildStatus() const { return session_->pipeline().status(); }
   std::shared_ptr<const app::TouchModel> model() const { return session_->pipeline().model(); }
 
-  // Projects. False when it failed (refused was emitted); the present one is still open then.
+  /// How files are read and written from now on; until then in the caller's thread.
+  void setRunner(Runner runner) { runner_ = std::move(runner); }
+
+  // Projects. False when it failed (refused was emitted) or was cancelled; the present one is still
+  // open then.
   void start(modeling::Project project);
   bool open(const QString& file);
   bool importFile(const QString& file);
+  /// Writes the body: a CAD file (solids only) or a triangle mesh, by the ending of the name.
+  bool exportFile(const QString& file, ExportedSurface surface);
+  /// Opens what a crash left; its snapshot goes when the new session has written its own.
+  bool recover(const modeling::Snapshot& snapshot);
   bool save();
   bool saveAs(const QString& file);
   QString fileName() const;
@@ -66,12 +81,16 @@ class Editor : public QObject {
   app::Session::Options sessionOptions();
   void adopt(std::unique_ptr<app::Session> session);
   void changed(const modeling::Change& change);
+  bool openInBackground(const QString& title,
+                        const std::function<std::unique_ptr<app::Session>(
+                            const modeling::Job&, const app::Session::Options&)>& make);
   template <class Work>
   bool attempt(const Work& work);
 
   void forgetWhatIsGone(const modeling::Change& change);
 
   Settings& settings_;
+  Runner runner_;
   std::unique_ptr<app::Session> session_;
   Selection selection_;
   QTimer rebuildTimer_;

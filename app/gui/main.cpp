@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QTimer>
 
 #include "app/gui/appearance.h"
 #include "app/gui/main_window.h"
@@ -20,7 +21,6 @@ int main(int argc, char** argv) {
   palpa::gui::applyTheme(application, palpa::gui::Settings().theme());
   palpa::gui::MainWindow window;
   window.show();
-  if (!parser.positionalArguments().isEmpty())
-    window.openFile(parser.positionalArguments().front());
+  QTimer::singleShot(0, &window, [&] { window.begin(parser.positionalArguments()); });
   return QApplication::exec();
 }

@@ -5,15 +5,27 @@
 #include <QFileInfo>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QTimer>
+#include <QUrl>
 
 #include "app/gui/actions/edit_actions.h"
 #include "app/gui/actions/help_actions.h"
 #include "app/gui/actions/view_actions.h"
 #include "app/gui/appearance.h"
+#include "app/gui/background_job.h"
+#include "app/gui/dialogs/material_dialog.h"
+#include "app/gui/dialogs/preferences_dialog.h"
+#include "app/gui/dialogs/recovery_dialog.h"
+#include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/docks/rebuild_dock.h"
 #include "app/gui/tools/select_tool.h"
 
 namespace palpa::gui {
+namespace {
+
+constexpr int kUntilCloseAgain = 50;  // ms until a window that was busy tries again to close
+
+}  // namespace
 
 MainWindow::MainWindow()
     : editor_(settings_),
@@ -22,16 +34,21 @@ MainWindow::MainWindow()
       menus_(*this),
       tools_(menus_, *viewport_),
       workspace_{*this, settings_, editor_, *viewport_, scene_, menus_, tools_},
+      messages_(new MessageBar(viewport_)),
       hint_(new QLabel(this)),
       rebuild_(new QLabel(this)),
       frame_(new QLabel(this)) {
   setCentralWidget(viewport_);
   setAcceptDrops(true);
+  editor_.setRunner([this](const QString& title, const BackgroundWork& work) {
+    return runWorkInBackground(*this, title, work);
+  });
   files_ = new FileActions(workspace_);
   new EditActions(workspace_);
   new ViewActions(workspace_);
   addTools();
   addDocks();
+  addDialogs();
   addHelpActions(workspace_);
   addStatusBar();
   connect(&editor_, &Editor::fileChanged, this, &MainWindow::updateTitle);
@@ -52,6 +69,20 @@ void MainWindow::addDocks() {
   addDockWidget(Qt::RightDockWidgetArea, new RebuildDock(editor_, this));
 }
 
+void MainWindow::addDialogs() {
+  menus_.add(menus_.conditions,
+             {"material", tr("&Material …"), {}, tr("What the solid is made of")}, this, [this] {
+               MaterialDialog dialog(settings_, editor_.project().material, this);
+               if (dialog.exec() == QDialog::Accepted)
+                 editor_.perform(modeling::SetMaterial{dialog.material()});
+             });
+  menus_.edit->addSeparator();
+  menus_.add(menus_.edit,
+             {"preferences", tr("Pre&ferences …"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
+              tr("Theme, units and limits")},
+             this, [this] { PreferencesDialog(settings_, this).exec(); });
+}
+
 void MainWindow::addStatusBar() {
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(rebuild_);
@@ -60,9 +91,8 @@ void MainWindow::addStatusBar() {
   connect(&tools_, &ToolBox::changed, this, showHint);
   showHint();
   connect(&editor_, &Editor::rebuildChanged, this, &MainWindow::updateStatus);
-  const auto say = [this](const QString& message) { statusBar()->showMessage(message, 15000); };
-  connect(&editor_, &Editor::refused, this, say);
-  connect(&editor_, &Editor::said, this, say);
+  connect(&editor_, &Editor::refused, messages_, &MessageBar::showError);
+  connect(&editor_, &Editor::said, messages_, &MessageBar::showNote);
   connect(viewport_, &ViewportWidget::framePainted, this, [this] {
     frame_->setText(tr("%1 ms/frame").arg(viewport_->lastFrameMilliseconds(), 0, 'f', 0));
   });
@@ -87,6 +117,13 @@ void MainWindow::updateStatus() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (isBackgroundJobRunning()) {
+    // It stops soon; until then its thread uses what closing would take away.
+    cancelBackgroundJob();
+    event->ignore();
+    QTimer::singleShot(kUntilCloseAgain, this, &QWidget::close);
+    return;
+  }
   event->setAccepted(files_->mayDiscard());
 }
 
@@ -95,8 +132,35 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty() && files_->mayDiscard()) openFile(urls.front().toLocalFile());
+  if (isBackgroundJobRunning()) {
+    messages_->showNote(tr("Wait until the present file is done, then drop this one again"));
+    return;
+  }
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  // Later, so that the other program need not wait for questions and reading.
+  QTimer::singleShot(0, this, [this, files] { files_->openDropped(files); });
+}
+
+void MainWindow::begin(const QStringList& files) {
+  if (!files.isEmpty()) openFile(files.front());
+  if (files.size() > 1)
+    messages_->showNote(tr("Of the %1 files given, the first was opened").arg(files.size()));
+  const bool isWelcome = files.isEmpty() && settings_.isFirstRun();
+  offerRecovery(editor_, *this, [this, isWelcome](bool any) {
+    if (isWelcome && !any) showWelcome();
+  });
+}
+
+void MainWindow::showWelcome() {
+  WelcomeDialog dialog(this);
+  dialog.exec();
+  using Choice = WelcomeDialog::Choice;
+  if (dialog.choice() == Choice::kNewSolid) files_->newSolid();
+  if (dialog.choice() == Choice::kOpen) files_->open();
+  if (dialog.choice() == Choice::kExample && files_->mayDiscard())
+    files_->openExample(dialog.example());
 }
 
 }  // namespace palpa::gui

@@ -10,6 +10,7 @@
 #include "app/gui/settings.h"
 #include "app/gui/tools/tool_box.h"
 #include "app/gui/viewport_widget.h"
+#include "app/gui/widgets/message_bar.h"
 #include "app/gui/workspace.h"
 
 namespace palpa::gui {
@@ -30,6 +31,12 @@ class MainWindow : public QMainWindow {
   /// Opens a project or imports a body, by the ending of the file's name.
   bool openFile(const QString& file) { return files_->openFile(file); }
 
+  /// After the first picture: opens the files of the command line, offers what a crash left, and
+  /// welcomes a person who is here for the first time.
+  void begin(const QStringList& files);
+  void showWelcome();
+  MessageBar& messages() { return *messages_; }
+
  protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -38,6 +45,7 @@ class MainWindow : public QMainWindow {
  private:
   void addTools();
   void addDocks();
+  void addDialogs();
   void addStatusBar();
   void updateTitle();
   void updateStatus();
@@ -51,6 +59,7 @@ class MainWindow : public QMainWindow {
   ToolBox tools_;
   Workspace workspace_;
   FileActions* files_ = nullptr;
+  MessageBar* messages_;
   QLabel* hint_;
   QLabel* rebuild_;
   QLabel* frame_;

@@ -88,6 +88,31 @@ void ViewportWidget::paintGL() {
   Q_EMIT framePainted();
 }
 
+void ViewportWidget::writePicture(const std::filesystem::path& file, const QSize& size) {
+  makeCurrent();
+  // Lines, handles and letters grow with the picture.
+  viewport_->setPixelRatio(static_cast<double>(size.height()) / std::max(1, height()));
+  window_->SetFrameBlitModeToNoBlit();
+  window_->SetSize(size.width(), size.height());
+  const auto restore = [this] {
+    window_->SetFrameBlitModeToBlitToCurrent();
+    resizeGL(width(), height());
+    doneCurrent();
+    update();
+  };
+  try {
+    window_->GetState()->Reset();
+    window_->GetState()->Push();
+    viewport_->writePng(file);
+    window_->GetState()->Pop();
+  } catch (...) {
+    window_->GetState()->Pop();
+    restore();
+    throw;
+  }
+  restore();
+}
+
 Eigen::Vector2d ViewportWidget::toDevice(const QPointF& point) const {
   return Eigen::Vector2d(point.x(), point.y()) * devicePixelRatioF();
 }

@@ -5,6 +5,7 @@
 
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <filesystem>
 #include <memory>
 
 #include "app/gui/tools/pointer_event.h"
@@ -33,6 +34,9 @@ class ViewportWidget : public QOpenGLWidget {
 
   /// Milliseconds the last frame took to draw.
   double lastFrameMilliseconds() const { return lastFrame_; }
+
+  /// Writes what is shown as PNG, drawn anew with this size in pixels. Throws ViewError.
+  void writePicture(const std::filesystem::path& file, const QSize& size);
 
   /// Draws soon and quickly: something moves. A fine picture follows when nothing moves any more.
   void updateQuickly();

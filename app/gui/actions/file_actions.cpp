@@ -1,64 +1,214 @@
 #include "app/gui/actions/file_actions.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
 
 #include "app/core/new_project.h"
 #include "app/gui/appearance.h"
+#include "app/gui/dialogs/export_dialog.h"
+#include "app/gui/dialogs/new_solid_dialog.h"
+#include "app/gui/dialogs/picture_dialog.h"
 #include "app/gui/editor.h"
+#include "app/gui/examples.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
+#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/import.h"
+#include "modeling/exchange/mesh_reader.h"
 #include "modeling/shapes/make_primitive.h"
 
 namespace palpa::gui {
+namespace {
+
+const char* kBodies = "*.step *.stp *.iges *.igs *.brep *.stl *.obj *.ply";
+
+bool isProject(const QString& file) {
+  return file.endsWith(".json", Qt::CaseInsensitive);
+}
+
+bool isBody(const QString& file) {
+  return modeling::cadFormatOf(file.toStdString()) || modeling::isMeshFile(file.toStdString());
+}
+
+}  // namespace
 
 FileActions::FileActions(const Workspace& workspace)
     : QObject(&workspace.window), workspace_(workspace) {
-  makeNewMenu();
   Menus& menus = workspace_.menus;
   QMenu* menu = menus.file;
   menus.bar->addAction(
-      menus.add(menu, {"open", tr("&Open …"), QKeySequence::Open}, this, [this] {
-        if (!mayDiscard()) return;
-        const QString file = QFileDialog::getOpenFileName(
-            &workspace_.window, tr("Open"), workspace_.settings.lastFolder(),
-            tr("Projects (*.json);;CAD and meshes (*.step *.stp *.iges *.igs *.brep *.stl *.obj "
-               "*.ply);;All files (*)"));
-        if (!file.isEmpty()) openFile(file);
-      }));
+      menus.add(menu, {"new", tr("&New …"), QKeySequence::New, tr("Make a solid from a shape")},
+                this, [this] { newSolid(); }));
+  menus.bar->addAction(menus.add(
+      menu, {"open", tr("&Open …"), QKeySequence::Open, tr("Open a project, CAD file or mesh")},
+      this, [this] { open(); }));
+  QMenu* recent = menu->addMenu(tr("Open &recent"));
+  recent->setObjectName("recent");
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { fillRecentFiles(recent); });
+  QMenu* examples = menu->addMenu(tr("E&xamples"));
+  examples->setObjectName("examples");
+  fillExamples(examples);
+  menu->addSeparator();
   menus.bar->addAction(
       menus.add(menu, {"save", tr("&Save"), QKeySequence::Save}, this, [this] { save(); }));
   menus.add(menu, {"save-as", tr("Save &as …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
             this, [this] { saveAs(); });
   menu->addSeparator();
+  addImportAndExport();
+  menu->addSeparator();
   menus.add(menu, {nullptr, tr("&Quit"), QKeySequence::Quit}, &workspace_.window, &QWidget::close);
   menus.bar->addSeparator();
+  addPrimitiveEditing();
 }
 
-void FileActions::makeNewMenu() {
-  QMenu* fresh = workspace_.menus.file->addMenu(icon("new"), tr("&New"));
-  const std::vector<std::pair<QString, modeling::Primitive>> shapes{
-      {tr("Box"), {modeling::BoxShape{}}},
-      {tr("Sphere"), {modeling::SphereShape{}}},
-      {tr("Ellipsoid"), {modeling::EllipsoidShape{}}},
-      {tr("Cylinder"), {modeling::CylinderShape{}}},
-      {tr("Cone"), {modeling::ConeShape{}}},
-      {tr("Capsule"), {modeling::CapsuleShape{}}},
-      {tr("Torus"), {modeling::TorusShape{}}}};
-  for (const auto& [name, primitive] : shapes)
-    fresh->addAction(name, this, [this, name = name, primitive = primitive] {
-      if (!mayDiscard()) return;
-      modeling::Project project =
-          app::makeProject(modeling::makePrimitive(primitive), name.toStdString());
-      project.primitive = primitive;
-      project.material = workspace_.editor.project().material;
-      workspace_.editor.start(std::move(project));
+void FileActions::addImportAndExport() {
+  Menus& menus = workspace_.menus;
+  menus.add(menus.file,
+            {"import", tr("&Import …"), QKeySequence(Qt::CTRL | Qt::Key_I),
+             tr("Make a new project from a CAD file or a mesh")},
+            this, [this] { importBody(); });
+  menus.add(menus.file,
+            {"export", tr("&Export …"), QKeySequence(Qt::CTRL | Qt::Key_E),
+             tr("Write the body to a CAD file or a mesh")},
+            this, [this] { exportBody(); });
+  menus.add(menus.file, {nullptr, tr("Save &picture …"), {}, tr("Write the view to a PNG file")},
+            this, [this] { savePicture(); });
+}
+
+void FileActions::addPrimitiveEditing() {
+  Menus& menus = workspace_.menus;
+  QAction* edit = menus.add(menus.solid,
+                            {nullptr,
+                             tr("Edit &primitive …"),
+                             {},
+                             tr("Change the sizes of the shape the solid was made from; possible "
+                                "until its control points are edited")},
+                            this, [this] { editPrimitive(); });
+  const auto update = [this, edit] {
+    edit->setEnabled(workspace_.editor.project().primitive.has_value());
+  };
+  connect(&workspace_.editor, &Editor::projectReplaced, this, update);
+  connect(&workspace_.editor, &Editor::projectChanged, this, update);
+  update();
+}
+
+void FileActions::fillRecentFiles(QMenu* menu) {
+  menu->clear();
+  const QStringList files = workspace_.settings.recentFiles();
+  for (const QString& file : files) {
+    QAction* action = menu->addAction(QFileInfo(file).fileName().replace("&", "&&") + "\t" +
+                                          QFileInfo(file).absolutePath().replace("&", "&&"),
+                                      this, [this, file] {
+                                        if (mayDiscard()) openFile(file);
+                                      });
+    action->setObjectName(file);
+    action->setToolTip(file);
+    if (!QFileInfo::exists(file)) {
+      action->setEnabled(false);
+      action->setToolTip(tr("%1 is not there any more").arg(file));
+    }
+  }
+  if (files.isEmpty()) menu->addAction(tr("No files yet"))->setEnabled(false);
+  menu->addSeparator();
+  QAction* clear =
+      menu->addAction(tr("&Clear list"), &workspace_.settings, &Settings::clearRecentFiles);
+  clear->setObjectName("Clear list");
+  clear->setEnabled(!files.isEmpty());
+  menu->setToolTipsVisible(true);
+}
+
+void FileActions::fillExamples(QMenu* menu) {
+  for (const Example& example : examples()) {
+    QAction* action = menu->addAction(example.title, this, [this, name = example.name] {
+      if (mayDiscard()) openExample(name);
     });
+    action->setObjectName(example.title);
+    action->setStatusTip(example.what);
+    action->setToolTip(example.what);
+  }
+  menu->setToolTipsVisible(true);
 }
 
 bool FileActions::openFile(const QString& file) {
-  return file.endsWith(".json", Qt::CaseInsensitive) ? workspace_.editor.open(file)
-                                                     : workspace_.editor.importFile(file);
+  Editor& editor = workspace_.editor;
+  if (!isProject(file) && !isBody(file)) {
+    Q_EMIT editor.refused(tr("%1 cannot be opened: its name must end in .json (a project), %2")
+                              .arg(QFileInfo(file).fileName(), modeling::kImportFileEndings));
+    return false;
+  }
+  const bool isOpen = isProject(file) ? editor.open(file) : editor.importFile(file);
+  if (isOpen) workspace_.settings.addRecentFile(file);
+  return isOpen;
+}
+
+void FileActions::openDropped(const QStringList& files) {
+  if (files.isEmpty()) {
+    Q_EMIT workspace_.editor.refused(tr("Only files of this computer can be opened"));
+    return;
+  }
+  if (!mayDiscard() || !openFile(files.front()) || files.size() == 1) return;
+  Q_EMIT workspace_.editor.said(
+      tr("Of the %1 files that were dropped, the first was opened: %2")
+          .arg(QString::number(files.size()), QFileInfo(files.front()).fileName()));
+}
+
+bool FileActions::openExample(const QString& name) {
+  try {
+    workspace_.editor.start(readExample(name));
+    return true;
+  } catch (const std::exception& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+    return false;
+  }
+}
+
+void FileActions::open() {
+  if (!mayDiscard()) return;
+  const QString file =
+      askFileToOpen(tr("Open"), tr("All that can be opened (*.json %1);;Projects (*.json);;CAD and "
+                                   "meshes (%1);;All files (*)")
+                                    .arg(kBodies));
+  if (!file.isEmpty()) openFile(file);
+}
+
+void FileActions::importBody() {
+  if (!mayDiscard()) return;
+  const QString file = askFileToOpen(tr("Import"), tr("CAD and meshes (%1)").arg(kBodies));
+  if (!file.isEmpty()) openFile(file);
+}
+
+QString FileActions::askFileToOpen(const QString& title, const QString& filter) {
+  const QString file = QFileDialog::getOpenFileName(&workspace_.window, title,
+                                                    workspace_.settings.lastFolder(), filter);
+  if (!file.isEmpty()) workspace_.settings.setLastFolder(QFileInfo(file).absolutePath());
+  return file;
+}
+
+QString FileActions::askFileToWrite(const QString& title, const QString& filter,
+                                    const QString& ending) {
+  QFileDialog dialog(&workspace_.window, title, workspace_.settings.lastFolder(), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(ending);  // before it asks whether to overwrite
+  const QString present = workspace_.editor.fileName();
+  QString name = present.isEmpty() ? QString::fromStdString(workspace_.editor.project().name)
+                                   : QFileInfo(present).completeBaseName();
+  if (!present.isEmpty()) dialog.setDirectory(QFileInfo(present).absolutePath());
+  dialog.selectFile(name.replace('/', '-') + ending);
+  if (dialog.exec() != QDialog::Accepted) return {};
+  QString file = dialog.selectedFiles().value(0);
+  // Another ending than that of the format would give another format, or none.
+  if (!file.endsWith(ending, Qt::CaseInsensitive)) {
+    file += ending;
+    if (QFileInfo::exists(file) &&
+        QMessageBox::question(
+            &workspace_.window, title,
+            tr("%1 exists already. Replace it?").arg(QFileInfo(file).fileName())) !=
+            QMessageBox::Yes)
+      return {};
+  }
+  workspace_.settings.setLastFolder(QFileInfo(file).absolutePath());
+  return file;
 }
 
 bool FileActions::save() {
@@ -66,21 +216,67 @@ bool FileActions::save() {
 }
 
 bool FileActions::saveAs() {
-  QString file =
-      QFileDialog::getSaveFileName(&workspace_.window, tr("Save as"),
-                                   workspace_.editor.fileName(), tr("Projects (*.json)"));
-  if (file.isEmpty()) return false;
-  if (!file.endsWith(".json", Qt::CaseInsensitive)) file += ".json";
-  return workspace_.editor.saveAs(file);
+  const QString file = askFileToWrite(tr("Save as"), tr("Projects (*.json)"), ".json");
+  if (file.isEmpty() || !workspace_.editor.saveAs(file)) return false;
+  workspace_.settings.addRecentFile(file);
+  return true;
+}
+
+void FileActions::exportBody() {
+  ExportDialog dialog(workspace_.editor.project(), &workspace_.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString file = askFileToWrite(tr("Export"), dialog.filter(), dialog.ending());
+  if (!file.isEmpty()) workspace_.editor.exportFile(file, dialog.surface());
+}
+
+void FileActions::savePicture() {
+  PictureDialog dialog(workspace_.view.size(), &workspace_.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString file = askFileToWrite(tr("Save picture"), tr("Pictures (*.png)"), ".png");
+  if (file.isEmpty()) return;
+  try {
+    workspace_.view.writePicture(file.toStdString(), dialog.pictureSize());
+    Q_EMIT workspace_.editor.said(tr("Picture saved to %1").arg(file));
+  } catch (const std::exception& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+  }
+}
+
+void FileActions::newSolid() {
+  if (!mayDiscard()) return;
+  NewSolidDialog dialog(workspace_.settings, std::nullopt, &workspace_.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  try {
+    const modeling::Primitive primitive = dialog.primitive();
+    modeling::Project project =
+        app::makeProject(modeling::makePrimitive(primitive), dialog.shapeTitle().toStdString());
+    project.primitive = primitive;
+    project.material = workspace_.editor.project().material;
+    workspace_.editor.start(std::move(project));
+  } catch (const std::exception& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+  }
+}
+
+void FileActions::editPrimitive() {
+  NewSolidDialog dialog(workspace_.settings, workspace_.editor.project().primitive,
+                        &workspace_.window);
+  if (dialog.exec() == QDialog::Accepted)
+    workspace_.editor.perform(modeling::MakePrimitive{dialog.primitive()});
 }
 
 bool FileActions::mayDiscard() {
   if (!workspace_.editor.session().isModified()) return true;
-  const auto answer = QMessageBox::question(
-      &workspace_.window, tr("Unsaved changes"),
+  const QString file = workspace_.editor.fileName();
+  QMessageBox question(
+      QMessageBox::Question, tr("Unsaved changes"),
       tr("Save the changes to \"%1\"?")
-          .arg(QString::fromStdString(workspace_.editor.project().name)),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+          .arg(file.isEmpty() ? QString::fromStdString(workspace_.editor.project().name)
+                              : QFileInfo(file).fileName()),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &workspace_.window);
+  question.setInformativeText(tr("Without saving, the edits since the last save are lost."));
+  question.setDefaultButton(QMessageBox::Save);
+  const int answer = question.exec();
   if (answer == QMessageBox::Save) return save();
   return answer == QMessageBox::Discard;
 }

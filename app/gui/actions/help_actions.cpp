@@ -1,23 +1,63 @@
 #include "app/gui/actions/help_actions.h"
 
+#include <vtkVersion.h>
+#include <Eigen/Core>
 #include <QApplication>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
 #include <QMessageBox>
+#include <QUrl>
 
+#include "app/gui/dialogs/keys_dialog.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
 
 namespace palpa::gui {
+namespace {
+
+/// The guide of the installation, or of the source folder the program was built in; empty when
+/// there is none.
+QString findGuide() {
+  const QString installed =
+      QCoreApplication::applicationDirPath() + "/../share/doc/palpa/window.md";
+  if (QFileInfo::exists(installed)) return QFileInfo(installed).canonicalFilePath();
+  QDir folder(QCoreApplication::applicationDirPath());
+  do {
+    if (folder.exists("docs/window.md")) return folder.filePath("docs/window.md");
+  } while (folder.cdUp());
+  return {};
+}
+
+QString aboutText() {
+  return QObject::tr(
+             "<h3>Palpa %1</h3><p>Model a solid and touch it: boundary elements give the "
+             "exact displacement and force.</p><p>Licence: GPL-3.0-or-later</p>"
+             "<p>Qt %2, VTK %3, OpenCASCADE %4, Eigen %5</p>")
+      .arg(QApplication::applicationVersion(), qVersion(), vtkVersion::GetVTKVersion(),
+           PALPA_OPENCASCADE_VERSION,
+           QString("%1.%2.%3")
+               .arg(EIGEN_WORLD_VERSION)
+               .arg(EIGEN_MAJOR_VERSION)
+               .arg(EIGEN_MINOR_VERSION));
+}
+
+}  // namespace
 
 void addHelpActions(const Workspace& workspace) {
   MainWindow* window = &workspace.window;
-  workspace.menus.add(
-      workspace.menus.help, {nullptr, QObject::tr("&About Palpa")}, window, [window] {
-        QMessageBox::about(
-            window, QObject::tr("About Palpa"),
-            QObject::tr("<b>Palpa</b> %1<p>Model a solid and touch it: boundary elements give "
-                        "the exact displacement and force.<p>GPL-3.0-or-later")
-                .arg(QApplication::applicationVersion()));
-      });
+  Menus& menus = workspace.menus;
+  menus.add(menus.help, {nullptr, QObject::tr("&Welcome …")}, window,
+            [window] { window->showWelcome(); });
+  menus.add(menus.help, {nullptr, QObject::tr("&Keyboard and mouse …"), QKeySequence(Qt::Key_F1)},
+            window, [window] { KeysDialog(window).exec(); });
+  const QString guide = findGuide();
+  if (!guide.isEmpty())
+    menus.add(menus.help, {"help", QObject::tr("&User guide")}, window,
+              [guide] { QDesktopServices::openUrl(QUrl::fromLocalFile(guide)); });
+  menus.help->addSeparator();
+  menus.add(menus.help, {nullptr, QObject::tr("&About Palpa")}, window,
+            [window] { QMessageBox::about(window, QObject::tr("About Palpa"), aboutText()); });
 }
 
 }  // namespace palpa::gui

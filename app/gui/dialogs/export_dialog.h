@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+
+#include "app/gui/export_body.h"
+
+namespace palpa::gui {
+
+/// What to export: the format, and for triangle meshes which triangles. A mesh body's CAD formats
+/// are there but cannot be chosen, with the reason.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ExportDialog(const modeling::Project& project, QWidget* parent);
+
+  /// ".step", …
+  QString ending() const;
+  /// For file dialogs: "STEP (*.step)".
+  QString filter() const;
+  ExportedSurface surface() const;
+
+ private:
+  void update();
+
+  QComboBox* format_;
+  QComboBox* surface_;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,57 @@
+#include "app/gui/dialogs/fit_measurement.h"
+
+#include <QThreadPool>
+#include <atomic>
+
+#include "modeling/error.h"
+#include "modeling/shapes/make_primitive.h"
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kInterval = 100;  // ms between two looks whether the answer has come
+
+}  // namespace
+
+struct FitMeasurement::Answer {
+  double deviation = -1;  // stays below zero where the shape cannot be made
+  std::atomic<bool> isThere = false;
+};
+
+FitMeasurement::FitMeasurement(QObject* parent) : QObject(parent) {
+  timer_.setInterval(kInterval);
+  connect(&timer_, &QTimer::timeout, this, &FitMeasurement::look);
+}
+
+void FitMeasurement::ask(const modeling::Primitive& primitive) {
+  waiting_ = primitive;
+  timer_.start();
+}
+
+void FitMeasurement::forget() {
+  waiting_.reset();
+}
+
+void FitMeasurement::look() {
+  if (answer_) {
+    if (!answer_->isThere) return;
+    if (!waiting_ && answer_->deviation >= 0) Q_EMIT measured(answer_->deviation);
+    answer_.reset();
+  }
+  if (!waiting_) {
+    timer_.stop();
+    return;
+  }
+  answer_ = std::make_shared<Answer>();
+  QThreadPool::globalInstance()->start([answer = answer_, primitive = *waiting_] {
+    try {
+      answer->deviation = modeling::makeMeasuredPrimitive(primitive).deviation;
+    } catch (const modeling::ModelingError&) {
+      // The dialog has said so already.
+    }
+    answer->isThere = true;
+  });
+  waiting_.reset();
+}
+
+}  // namespace palpa::gui

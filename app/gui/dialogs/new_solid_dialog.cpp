@@ -1,0 +1,247 @@
+#include "app/gui/dialogs/new_solid_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/core/new_project.h"
+#include "app/gui/dialogs/primitive_kinds.h"
+#include "modeling/body/body.h"
+#include "modeling/error.h"
+#include "modeling/shapes/make_primitive.h"
+#include "modeling/shapes/shape_parameters.h"
+#include "modeling/solid/tessellation.h"
+
+namespace palpa::gui {
+namespace {
+
+const PrimitiveKind& kindOf(int index) {
+  return primitiveKinds()[static_cast<std::size_t>(index)];
+}
+
+}  // namespace
+
+NewSolidDialog::NewSolidDialog(Settings& settings,
+                               const std::optional<modeling::Primitive>& present, QWidget* parent)
+    : QDialog(parent),
+      settings_(settings),
+      kinds_(new QListWidget(this)),
+      degree_(new QSpinBox(this)),
+      controlPoints_(new QSpinBox(this)),
+      preview_(new ViewportWidget(this)),
+      facts_(new QLabel(this)),
+      problem_(new QLabel(this)),
+      fit_(this) {
+  setObjectName("new solid");
+  setWindowTitle(present ? tr("Edit primitive") : tr("New solid"));
+  addWidgets(present.has_value());
+  connect(&fit_, &FitMeasurement::measured, this, [this](double deviation) {
+    const auto [low, high] = modeling::boundingBox(modeling::makePrimitive(primitive_));
+    facts_->setText(expected_ +
+                    (deviation <= 1e-12 * (high - low).norm()
+                         ? tr("The patches are exactly the shape.")
+                         : tr("The patches are within %1 of the exact shape.")
+                               .arg(shown(deviation, Quantity::kLength, settings_.units(), 2))));
+  });
+  // The list has all shapes in the order of the variant, so that one can be found by its index.
+  std::size_t first = 1;
+  if (present) {
+    for (first = 0; first < primitiveKinds().size(); ++first)
+      if (primitiveKinds()[first].primitive.shape.index() == present->shape.index()) break;
+    primitive_ = *present;
+  }
+  kinds_->setCurrentRow(static_cast<int>(first));
+  if (present) {
+    primitive_ = *present;
+    showKind(static_cast<int>(first));
+  }
+  connect(kinds_, &QListWidget::currentRowChanged, this, [this](int row) {
+    primitive_ = kindOf(row).primitive;
+    primitive_.degree = degree_->value();
+    isFresh_ = true;
+    showKind(row);
+  });
+  if (!present) {
+    primitive_ = kindOf(kinds_->currentRow()).primitive;
+    showKind(kinds_->currentRow());
+  }
+}
+
+void NewSolidDialog::addWidgets(bool isPresent) {
+  kinds_->setObjectName("shapes");
+  kinds_->setAccessibleName(tr("Shapes"));
+  for (const PrimitiveKind& kind : primitiveKinds()) kinds_->addItem(kind.title);
+  kinds_->setFixedWidth(150);
+  kinds_->setVisible(!isPresent);
+  degree_->setObjectName("degree");
+  degree_->setRange(1, 5);
+  degree_->setValue(3);
+  controlPoints_->setObjectName("control points");
+  controlPoints_->setRange(0, modeling::kMostControlPoints);
+  controlPoints_->setSpecialValueText(tr("automatic"));
+  controlPoints_->setToolTip(tr("Per direction and patch; more can be added later with knots"));
+  preview_->setObjectName("preview");
+  preview_->viewport().setTheme(viewportTheme(currentTheme()));
+  preview_->setMinimumSize(380, 320);
+  problem_->setObjectName("problem");
+  problem_->setWordWrap(true);
+  problem_->setStyleSheet("color: #d0462b;");
+  facts_->setObjectName("facts");
+  facts_->setWordWrap(true);
+
+  auto* middle = new QVBoxLayout;
+  form_ = new QFormLayout;
+  middle->addLayout(form_);
+  auto* net = new QFormLayout;
+  net->addRow(tr("&Degree:"), degree_);
+  net->addRow(tr("&Control points:"), controlPoints_);
+  middle->addLayout(net);
+  middle->addWidget(problem_);
+  middle->addStretch(1);
+  auto* right = new QVBoxLayout;
+  right->addWidget(preview_, 1);
+  right->addWidget(facts_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(kinds_);
+  row->addLayout(middle, 2);
+  row->addLayout(right, 3);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  ok_ = buttons->button(QDialogButtonBox::Ok);
+  ok_->setText(isPresent ? tr("&Change") : tr("&Make"));
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(row, 1);
+  column->addWidget(buttons);
+  for (QSpinBox* field : {degree_, controlPoints_})
+    connect(field, &QSpinBox::valueChanged, this, &NewSolidDialog::update);
+  resize(900, 520);
+}
+
+QString NewSolidDialog::shapeTitle() const {
+  return kindOf(shownKind_).title;
+}
+
+void NewSolidDialog::showKind(int kind) {
+  shownKind_ = kind;
+  while (form_->rowCount() > 0) form_->removeRow(0);
+  lengths_.clear();
+  profile_ = nullptr;
+  if (!kindOf(kind).profiles.empty()) addProfileRow();
+  for (const PrimitiveLength& length : kindOf(kind).lengths) {
+    auto* row = new NumberRow(Quantity::kLength, settings_, this);
+    row->field().setObjectName(QString::fromStdString(length.inWords));
+    row->setRange(length.mayBeZero ? 0.0 : modeling::kSmallestLength, modeling::kLargestLength);
+    row->setValue(length.in(primitive_));
+    connect(row, &NumberRow::changed, this, &NewSolidDialog::update);
+    form_->addRow(length.label, row);
+    lengths_.push_back(row);
+  }
+  const QSignalBlocker blockDegree(degree_), blockCount(controlPoints_);
+  degree_->setValue(primitive_.degree);
+  controlPoints_->setValue(primitive_.controlPoints);
+  update();
+}
+
+void NewSolidDialog::addProfileRow() {
+  profile_ = new QComboBox(this);
+  profile_->setObjectName("profile");
+  for (const auto& profile : kindOf(shownKind_).profiles) profile_->addItem(profile.title);
+  profile_->addItem(tr("From a file …"));
+  // A shape that is there already may have any profile.
+  if (!kinds_->isVisibleTo(this)) {
+    profile_->insertItem(0, tr("As it is"));
+    profile_->setCurrentIndex(0);
+  }
+  form_->addRow(tr("&Profile:"), profile_);
+  connect(profile_, &QComboBox::activated, this, &NewSolidDialog::chooseProfile);
+}
+
+void NewSolidDialog::chooseProfile(int index) {
+  const auto& profiles = kindOf(shownKind_).profiles;
+  const int first = profile_->count() - 1 - static_cast<int>(profiles.size());
+  isFresh_ = true;
+  if (index == profile_->count() - 1) {
+    const QString file = QFileDialog::getOpenFileName(this, tr("Profile"), settings_.lastFolder(),
+                                                      tr("Profiles (*.json)"));
+    if (file.isEmpty()) return;
+    try {
+      readProfileInto(primitive_, file);
+    } catch (const std::exception& error) {
+      showProblem(QString::fromStdString(error.what()));
+      return;
+    }
+  } else if (index >= first) {
+    primitive_.shape = profiles[static_cast<std::size_t>(index - first)].shape;
+  }
+  update();
+}
+
+void NewSolidDialog::readFields() {
+  for (std::size_t i = 0; i < lengths_.size(); ++i)
+    if (const auto value = lengths_[i]->value())
+      kindOf(shownKind_).lengths[i].in(primitive_) = *value;
+  primitive_.degree = degree_->value();
+  primitive_.controlPoints = controlPoints_->value();
+}
+
+void NewSolidDialog::update() {
+  fit_.forget();
+  for (const NumberRow* row : lengths_)
+    if (!row->value()) {
+      problem_->clear();
+      ok_->setEnabled(false);
+      return;
+    }
+  readFields();
+  try {
+    const modeling::Solid solid = modeling::makePrimitive(primitive_);
+    showProblem({});
+    showSolid(solid);
+    expected_ =
+        tr("%1 patches, %2 control points. About %3 nodes with edges of %4.\n")
+            .arg(solid.patches().size())
+            .arg(solid.controlPoints().size())
+            .arg(600)
+            .arg(shown(app::suitableEdgeLength(solid), Quantity::kLength, settings_.units()));
+    facts_->setText(expected_);
+    fit_.ask(primitive_);
+  } catch (const std::exception& error) {
+    showProblem(QString::fromStdString(error.what()));
+  }
+}
+
+void NewSolidDialog::showProblem(const QString& problem) {
+  ok_->setEnabled(problem.isEmpty());
+  // At the field that the message names first, or beneath all of them.
+  NumberRow* guilty = nullptr;
+  qsizetype earliest = problem.size();
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    lengths_[i]->setProblem({});
+    const auto at = problem.indexOf(QString::fromStdString(kindOf(shownKind_).lengths[i].inWords));
+    if (at < 0 || at >= earliest) continue;
+    earliest = at;
+    guilty = lengths_[i];
+  }
+  const QString sentence = problem.section(": ", 1).isEmpty() ? problem : problem.section(": ", 1);
+  if (guilty) guilty->setProblem(sentence);
+  problem_->setText(guilty ? QString() : problem);
+}
+
+void NewSolidDialog::showSolid(const modeling::Solid& solid) {
+  const modeling::Tessellation tessellation(solid);
+  const auto shape = tessellation.evaluate(solid.controlPoints());
+  view::Viewport& viewport = preview_->viewport();
+  viewport.setBody({shape.positions, shape.normals, tessellation.triangles(),
+                    tessellation.patchOfTriangle(), tessellation.borders(),
+                    tessellation.knotLines()});
+  viewport.setControlNet({solid.controlPoints(), modeling::controlNetLines(solid)});
+  if (isFresh_) viewport.lookFrom(view::StandardView::kIsometric);
+  isFresh_ = false;
+  viewport.fit();
+  preview_->update();
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,111 @@
+#include "app/gui/dialogs/preferences_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGroupBox>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace palpa::gui {
+
+PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
+    : QDialog(parent),
+      settings_(settings),
+      themeBefore_(settings.theme()),
+      theme_(new QComboBox(this)) {
+  setObjectName("preferences");
+  setWindowTitle(tr("Preferences"));
+  theme_->setObjectName("theme");
+  theme_->addItem(tr("Light"), static_cast<int>(Theme::kLight));
+  theme_->addItem(tr("Dark"), static_cast<int>(Theme::kDark));
+  theme_->setCurrentIndex(theme_->findData(static_cast<int>(themeBefore_)));
+  connect(theme_, &QComboBox::currentIndexChanged, this,
+          [this] { settings_.setTheme(static_cast<Theme>(theme_->currentData().toInt())); });
+  auto* look = new QGroupBox(tr("Appearance"), this);
+  auto* form = new QFormLayout(look);
+  form->addRow(tr("&Theme:"), theme_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  connect(buttons, &QDialogButtonBox::accepted, this, &PreferencesDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &PreferencesDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(look);
+  column->addWidget(makeUnits());
+  column->addWidget(makeLimits());
+  column->addStretch(1);
+  column->addWidget(buttons);
+  setMinimumWidth(440);
+}
+
+QWidget* PreferencesDialog::makeUnits() {
+  auto* group = new QGroupBox(tr("Units"), this);
+  auto* form = new QFormLayout(group);
+  const std::array<std::pair<const char*, QString>, 4> rows{{{"length", tr("&Length:")},
+                                                             {"force", tr("&Force:")},
+                                                             {"stress", tr("&Stress:")},
+                                                             {"angle", tr("&Angle:")}}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    units_[i] = new QComboBox(group);
+    units_[i]->setObjectName(rows[i].first);
+    for (const Unit& unit : unitsOf(static_cast<Quantity>(i))) units_[i]->addItem(unit.symbol);
+    units_[i]->setCurrentIndex(settings_.units().chosen[i]);
+    form->addRow(rows[i].second, units_[i]);
+  }
+  auto* note = new QLabel(tr("Project files are always in mm, N and MPa."), group);
+  note->setEnabled(false);
+  form->addRow(note);
+  return group;
+}
+
+QDoubleSpinBox* PreferencesDialog::makeSizeField(const QString& name, double value,
+                                                 const QString& special) {
+  auto* field = new QDoubleSpinBox(this);
+  field->setObjectName(name);
+  field->setRange(0, 100000);
+  field->setDecimals(1);
+  field->setSuffix(tr(" GiB"));
+  field->setSpecialValueText(special);
+  field->setValue(value);
+  return field;
+}
+
+QWidget* PreferencesDialog::makeLimits() {
+  auto* group = new QGroupBox(tr("Model and files"), this);
+  auto* form = new QFormLayout(group);
+  threads_ = new QSpinBox(group);
+  threads_->setObjectName("threads");
+  threads_->setRange(0, 1024);
+  threads_->setSpecialValueText(tr("all cores"));
+  threads_->setValue(settings_.threads());
+  memory_ = makeSizeField("memory", settings_.memoryLimitGiB(), tr("most of what is free"));
+  cache_ = makeSizeField("cache", settings_.cacheLimitGiB(), tr("no cache"));
+  autosave_ = new QSpinBox(group);
+  autosave_->setObjectName("autosave");
+  autosave_->setRange(5, 86400);
+  autosave_->setSuffix(tr(" s after an edit"));
+  autosave_->setValue(settings_.autosaveSeconds());
+  form->addRow(tr("Th&reads:"), threads_);
+  form->addRow(tr("&Memory of a model:"), memory_);
+  form->addRow(tr("&Cache on disk:"), cache_);
+  form->addRow(tr("Sna&pshot for recovery:"), autosave_);
+  auto* note = new QLabel(tr("These hold for projects opened from now on."), group);
+  note->setEnabled(false);
+  form->addRow(note);
+  return group;
+}
+
+void PreferencesDialog::accept() {
+  ShownUnits units = settings_.units();
+  for (std::size_t i = 0; i < units_.size(); ++i) units.chosen[i] = units_[i]->currentIndex();
+  settings_.setUnits(units);
+  settings_.setThreads(threads_->value());
+  settings_.setMemoryLimitGiB(memory_->value());
+  settings_.setCacheLimitGiB(cache_->value());
+  settings_.setAutosaveSeconds(autosave_->value());
+  QDialog::accept();
+}
+
+void PreferencesDialog::reject() {
+  settings_.setTheme(themeBefore_);
+  QDialog::reject();
+}
+
+}  // namespace palpa::gui

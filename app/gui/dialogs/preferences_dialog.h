@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSpinBox>
+#include <array>
+
+#include "app/gui/settings.h"
+
+namespace palpa::gui {
+
+/// Theme, units and limits. The theme changes at once, so that it can be judged; everything else
+/// with OK. Cancel leaves all as it was.
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PreferencesDialog(Settings& settings, QWidget* parent);
+
+ public Q_SLOTS:
+  void accept() override;
+  void reject() override;
+
+ private:
+  QWidget* makeUnits();
+  QWidget* makeLimits();
+  QDoubleSpinBox* makeSizeField(const QString& name, double value, const QString& special);
+
+  Settings& settings_;
+  Theme themeBefore_;
+  QComboBox* theme_;
+  std::array<QComboBox*, 4> units_{};
+  QSpinBox* threads_ = nullptr;
+  QDoubleSpinBox* memory_ = nullptr;
+  QDoubleSpinBox* cache_ = nullptr;
+  QSpinBox* autosave_ = nullptr;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,155 @@
+#include "app/gui/widgets/message_bar.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QTimer>
+#include <QToolButton>
+
+#include "app/gui/appearance.h"
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kNoteTime = 12000;    // ms a note stays
+constexpr int kLongestShown = 240;  // characters of a message shown without asking for details
+constexpr int kMargin = 10;         // px to the widget below
+constexpr int kWidest = 720;        // px
+
+/// The first line, shortened at a word: what is shown of a long message.
+QString beginning(const QString& text) {
+  QString first = text.section('\n', 0, 0);
+  if (first.size() > kLongestShown)
+    first = first.left(kLongestShown).section(' ', 0, -2) + QStringLiteral(" …");
+  return first;
+}
+
+QToolButton* makeButton(QWidget* row, const QString& name, const QString& text) {
+  auto* button = new QToolButton(row);
+  button->setObjectName(name);
+  button->setText(text);
+  button->setToolTip(text);
+  button->setAccessibleName(text);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* under) : QWidget(under), rows_(new QVBoxLayout(this)) {
+  setObjectName("messages");
+  setStyleSheet(
+      "QFrame#message { background: palette(base); border: 1px solid palette(mid);"
+      " border-left: 4px solid palette(highlight); border-radius: 5px; }"
+      "QFrame#message[error=\"true\"] { border-left-color: #d0462b; }");
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(6);
+  under->installEventFilter(this);
+  hide();
+}
+
+QStringList MessageBar::messages() const {
+  QStringList texts;
+  for (int i = 0; i < rows_->count(); ++i)
+    texts << rows_->itemAt(i)->widget()->property("text").toString();
+  for (const Message& message : waiting_) texts << message.text;
+  return texts;
+}
+
+void MessageBar::clear() {
+  waiting_.clear();
+  while (rows_->count() > 0) remove(rows_->itemAt(0)->widget());
+}
+
+void MessageBar::add(Message message) {
+  if (messages().contains(message.text)) return;
+  waiting_.push_back(std::move(message));
+  showNext();
+}
+
+void MessageBar::showNext() {
+  while (!waiting_.empty() && rows_->count() < kMost) {
+    QWidget* row = makeRow(waiting_.front());
+    if (!waiting_.front().isError) leaveLater(row);
+    waiting_.pop_front();
+    rows_->addWidget(row);
+    row->show();
+  }
+  setVisible(rows_->count() > 0);
+  raise();
+  place();
+}
+
+void MessageBar::leaveLater(QWidget* row) {
+  auto* timer = new QTimer(row);
+  connect(timer, &QTimer::timeout, this, [this, row] {
+    if (!row->underMouse()) remove(row);  // it is being read
+  });
+  timer->start(kNoteTime);
+}
+
+QWidget* MessageBar::makeRow(const Message& message) {
+  auto* row = new QFrame(this);
+  row->setObjectName("message");
+  row->setProperty("error", message.isError);
+  row->setProperty("text", message.text);
+  auto* picture = new QLabel(row);
+  picture->setPixmap(icon(message.isError ? "warning" : "help").pixmap(20, 20));
+  const QString shortText = beginning(message.text);
+  auto* text = new QLabel(shortText, row);
+  text->setObjectName("text");
+  text->setTextFormat(Qt::PlainText);
+  text->setWordWrap(true);
+  text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  text->setAccessibleName(message.isError ? tr("Error") : tr("Note"));
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(8, 6, 6, 6);
+  line->addWidget(picture, 0, Qt::AlignTop);
+  line->addWidget(text, 1);
+  if (shortText != message.text) {
+    QToolButton* details = makeButton(row, "details", tr("Details"));
+    details->setCheckable(true);
+    line->addWidget(details, 0, Qt::AlignTop);
+    connect(details, &QToolButton::toggled, text,
+            [this, text, shortText, whole = message.text](bool on) {
+              text->setText(on ? whole : shortText);
+              place();
+            });
+  }
+  QToolButton* close = makeButton(row, "close", tr("Close"));
+  close->setIcon(icon("cancel"));
+  close->setIconSize({14, 14});
+  line->addWidget(close, 0, Qt::AlignTop);
+  connect(close, &QToolButton::clicked, this, [this, row] { remove(row); });
+  return row;
+}
+
+void MessageBar::remove(QWidget* row) {
+  if (row->isAncestorOf(focusWidget())) parentWidget()->setFocus();
+  rows_->removeWidget(row);
+  row->hide();
+  row->deleteLater();
+  showNext();
+}
+
+void MessageBar::place() {
+  const int width = std::min(kWidest, parentWidget()->width() - 2 * kMargin);
+  rows_->invalidate();
+  const int height =
+      rows_->hasHeightForWidth() ? rows_->heightForWidth(width) : rows_->sizeHint().height();
+  setGeometry((parentWidget()->width() - width) / 2, kMargin, width,
+              std::min(height, parentWidget()->height() - 2 * kMargin));
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parentWidget() && event->type() == QEvent::Resize) place();
+  return QWidget::eventFilter(watched, event);
+}
+
+bool MessageBar::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) place();
+  return QWidget::event(event);
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,72 @@
+#include "app/gui/widgets/number_row.h"
+
+#include <QVBoxLayout>
+
+namespace palpa::gui {
+
+NumberRow::NumberRow(Quantity quantity, const Settings& settings, QWidget* parent)
+    : QWidget(parent),
+      quantity_(quantity),
+      settings_(settings),
+      field_(new QuantityEdit(quantity, settings, this)),
+      problem_(new QLabel(this)) {
+  problem_->setWordWrap(true);
+  problem_->setStyleSheet("color: #d0462b;");
+  problem_->hide();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(field_);
+  column->addWidget(problem_);
+  setFocusProxy(field_);
+  connect(field_, &QLineEdit::textChanged, this, [this] {
+    problemOfOwner_.clear();
+    showProblem();
+    Q_EMIT changed();
+  });
+}
+
+void NumberRow::setRange(double least, double most) {
+  least_ = least;
+  most_ = most;
+  field_->setRange(least, most);
+  showProblem();
+}
+
+void NumberRow::setValue(double value) {
+  field_->setModified(false);
+  field_->setValue(value);
+}
+
+std::optional<double> NumberRow::value() const {
+  if (!ownProblem().isEmpty()) return std::nullopt;
+  // Untouched fields keep all digits of their value.
+  if (!field_->isModified()) return field_->value();
+  return parsed(field_->text(), quantity_, settings_.units());
+}
+
+QString NumberRow::ownProblem() const {
+  const auto value = field_->isModified() ? parsed(field_->text(), quantity_, settings_.units())
+                                          : std::optional(field_->value());
+  if (!value) return tr("This is not a number");
+  if (*value < least_ || *value > most_)
+    return tr("Expected %1 … %2")
+        .arg(shown(least_, quantity_, settings_.units()),
+             shown(most_, quantity_, settings_.units()));
+  return {};
+}
+
+void NumberRow::setProblem(const QString& problem) {
+  problemOfOwner_ = problem;
+  showProblem();
+}
+
+void NumberRow::showProblem() {
+  const QString own = ownProblem();
+  const QString& problem = own.isEmpty() ? problemOfOwner_ : own;
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+  field_->setAccessibleDescription(problem);
+}
+
+}  // namespace palpa::gui
