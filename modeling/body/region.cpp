@@ -1,8 +1,10 @@
 #include "modeling/body/region.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "modeling/error.h"
+#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -24,7 +26,45 @@ void checkPart(const HalfSpace& part, const Body&, const std::set<std::string>&,
     throw ModelingError(path + ".half_space.below_mm: must be finite");
 }
 
+void checkPart(const Stroke& part, const Body&, const std::set<std::string>&,
+               const std::string& path) {
+  const std::string points = path + ".stroke.points_mm";
+  if (part.points.empty()) throw ModelingError(points + ": is empty");
+  if (part.points.size() > Stroke::kMostPoints)
+    throw ModelingError(points + ": has " + std::to_string(part.points.size()) +
+                            " points; at most " + std::to_string(Stroke::kMostPoints) +
+                            " are possible",
+                        ModelingError::Kind::tooLarge);
+  for (std::size_t i = 0; i < part.points.size(); ++i)
+    if (!part.points[i].allFinite())
+      throw ModelingError(points + "[" + std::to_string(i) + "]: must be finite");
+  if (!std::isfinite(part.radius) || part.radius <= 0.0)
+    throw ModelingError(path + ".stroke.radius_mm: " + numberText(part.radius) +
+                        " must be finite and greater than 0");
+}
+
 }  // namespace
+
+Eigen::Vector3d Stroke::nearest(const Eigen::Vector3d& x) const {
+  Eigen::Vector3d best = points.front();
+  double least = (x - best).squaredNorm();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Eigen::Vector3d along = points[i] - points[i - 1];
+    const double length = along.squaredNorm();
+    const double part =
+        length > 0.0 ? std::clamp(along.dot(x - points[i - 1]) / length, 0.0, 1.0) : 0.0;
+    const Eigen::Vector3d candidate = points[i - 1] + part * along;
+    if (const double distance = (x - candidate).squaredNorm(); distance < least) {
+      least = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+double Stroke::value(const Eigen::Vector3d& x) const {
+  return (x - nearest(x)).norm() - radius;
+}
 
 void checkRegion(const Region& region, const Body& body, const std::string& path) {
   const std::vector<std::string> names = patchNames(body);

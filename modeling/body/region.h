@@ -28,7 +28,28 @@ struct HalfSpace {
   double value(const Eigen::Vector3d& x) const { return normal.dot(x) - below; }
 };
 
-using RegionPart = std::variant<PatchSet, HalfSpace>;
+/// What one stroke of a brush paints: all surface points nearer than `radius` (mm) to the polyline
+/// through `points` (mm, in space); one point paints with a ball. Distances are straight, so a thin
+/// wall is painted on both sides when the radius reaches through it.
+struct Stroke {
+  static constexpr std::size_t kMostPoints = 10'000;
+
+  std::vector<Eigen::Vector3d> points;
+  double radius = 1.0;
+
+  bool operator==(const Stroke& other) const {
+    return points == other.points && radius == other.radius;
+  }
+
+  /// Point of the polyline nearest to x. Linear in the number of points, of which there must be
+  /// one.
+  Eigen::Vector3d nearest(const Eigen::Vector3d& x) const;
+
+  /// Distance from the polyline less the radius in mm: negative inside.
+  double value(const Eigen::Vector3d& x) const;
+};
+
+using RegionPart = std::variant<PatchSet, HalfSpace, Stroke>;
 
 /// Part of a solid's surface: the union of its parts.
 struct Region {
@@ -41,7 +62,8 @@ struct Region {
 };
 
 /// Checks a region against a body: at least one part, patch names that exist (the message lists
-/// those that do), normals finite and not zero. `path` begins the message ("supports[0].where").
+/// those that do), normals finite and not zero, strokes of 1 … kMostPoints finite points and a
+/// radius above zero. `path` begins the message ("supports[0].where").
 /// @throws ModelingError
 void checkRegion(const Region& region, const Body& body, const std::string& path);
 
