@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "modeling/error.h"
 #include "modeling/text.h"
@@ -79,6 +80,33 @@ void checkRegion(const Region& region, const Body& body, const std::set<std::str
         region.parts.size() == 1 ? path : path + "[" + std::to_string(i) + "]";
     std::visit([&](const auto& part) { checkPart(part, body, names, partPath); }, region.parts[i]);
   }
+}
+
+std::vector<double> regionField(const Region& region, const Body& body,
+                                std::span<const Eigen::Vector3d> positions,
+                                std::span<const int> patchOfPosition) {
+  if (positions.size() != patchOfPosition.size())
+    throw std::invalid_argument("regionField: positions and patches differ in number");
+  const auto [low, high] = boundingBox(body);
+  const double cap = kRegionFieldCap * (high - low).norm();
+  std::vector<double> field(positions.size(), cap);
+  const auto add = [&](const auto& value) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      field[i] = std::max(-cap, std::min(field[i], value(i)));
+  };
+  for (const RegionPart& part : region.parts) {
+    if (const auto* half = std::get_if<HalfSpace>(&part))
+      add([&](std::size_t i) { return half->value(positions[i]) / half->normal.norm(); });
+    if (const auto* stroke = std::get_if<Stroke>(&part))
+      add([&](std::size_t i) { return stroke->value(positions[i]); });
+    if (const auto* set = std::get_if<PatchSet>(&part)) {
+      std::vector<bool> isNamed(patchNames(body).size(), false);
+      for (const std::string& name : set->patches)
+        if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
+      add([&](std::size_t i) { return isNamed[patchOfPosition[i]] ? -cap : cap; });
+    }
+  }
+  return field;
 }
 
 }  // namespace palpa::modeling

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <set>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -71,5 +72,17 @@ void checkRegion(const Region& region, const Body& body, const std::string& path
 /// file then cost no more than reading them.
 void checkRegion(const Region& region, const Body& body, const std::set<std::string>& names,
                  const std::string& path);
+
+/// How far each position (mm) lies inside (negative) or outside the region, for drawing borders as
+/// the zero line of linear interpolation: distances in mm from half spaces and strokes, the least
+/// over the parts, between -kRegionFieldCap and kRegionFieldCap times the diagonal of the body's
+/// box. Named patches have no distance: their points get the lower cap, so that the line of zeros
+/// runs along the patch edge when every patch has vertices of its own. `patchOfPosition` has an
+/// index into patchNames(body) for each position. Unknown names are ignored.
+std::vector<double> regionField(const Region& region, const Body& body,
+                                std::span<const Eigen::Vector3d> positions,
+                                std::span<const int> patchOfPosition);
+
+inline constexpr double kRegionFieldCap = 2.0;
 
 }  // namespace palpa::modeling
