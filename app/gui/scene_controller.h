@@ -30,12 +30,16 @@ class SceneController : public QObject {
   void showChange(const modeling::Change& change);
   void showMeshBody();
   void showSelection();
+  void showRegions();
   void showMarks();
+  void setPatches(const std::vector<view::Triangle>& triangles,
+                  const std::vector<int>& patchOfTriangle);
 
   Editor& editor_;
   ViewportWidget& widget_;
   std::unique_ptr<modeling::Tessellation> tessellation_;
-  modeling::Tessellation::Shape shape_;  // of the present control points
+  modeling::Tessellation::Shape shape_;  // as shown
+  std::vector<int> patchOfTriangle_, patchOfPosition_;
   std::optional<int> hovered_;
   view::GizmoAxis axis_ = view::GizmoAxis::kNone;
 };
