@@ -128,6 +128,20 @@ void SceneController::showMarks() {
   widget_.viewport().setMarks(marks);
 }
 
+std::vector<Eigen::Vector3d> SceneController::selectedPlaces() const {
+  std::vector<Eigen::Vector3d> places;
+  const Selection& selection = editor_.selection();
+  if (const modeling::Solid* solid = editor_.solid()) {
+    for (const int point : selection.points) places.push_back(solid->controlPoints()[point]);
+    for (const int edge : selection.edges)
+      for (const int end : solid->edges()[edge].vertices)
+        places.push_back(solid->controlPoints()[end]);
+  }
+  for (std::size_t i = 0; i < patchOfPosition_.size(); ++i)
+    if (selection.patches.contains(patchOfPosition_[i])) places.push_back(shape_.positions[i]);
+  return places;
+}
+
 std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
   const modeling::Solid* solid = editor_.solid();
   const std::set<int>& points = editor_.selection().points;

@@ -22,6 +22,8 @@ class SceneController : public QObject {
   void setHovered(std::optional<int> point);
   void setGizmoAxis(view::GizmoAxis axis);
 
+  /// Points that show all that is selected in the view.
+  std::vector<Eigen::Vector3d> selectedPlaces() const;
   /// Middle of the selected points; nothing when none is.
   std::optional<Eigen::Vector3d> selectionCentre() const;
 
