@@ -163,12 +163,14 @@ bool Editor::recover(const modeling::Snapshot& snapshot) {
 }
 
 bool Editor::save() {
+  Q_EMIT aboutToSave();
   const bool saved = attempt([this] { session_->save(); });
   Q_EMIT fileChanged();
   return saved;
 }
 
 bool Editor::saveAs(const QString& file) {
+  Q_EMIT aboutToSave();
   const bool saved = attempt([&] { session_->saveAs(file.toStdString()); });
   Q_EMIT fileChanged();
   return saved;

@@ -49,6 +49,8 @@ class Editor : public QObject {
   bool save();
   bool saveAs(const QString& file);
   QString fileName() const;
+  /// How the window shows the project, saved with it; not an edit.
+  void setView(const std::string& view) { session_->setView(view); }
 
   // Edits.
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::no);
@@ -70,6 +72,8 @@ class Editor : public QObject {
   void selectionChanged();
   /// The rebuild's state, phase or model changed; at most 30 times a second.
   void rebuildChanged();
+  /// The time for setView().
+  void aboutToSave();
   /// The file or whether there is something to save changed.
   void fileChanged();
   /// Something could not be done; a sentence for people.

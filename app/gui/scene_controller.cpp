@@ -9,31 +9,14 @@ namespace {
 using view::HandleState;
 using view::Mark;
 
-/// A region with its patches looked up once, for many triangles.
-class RegionTest {
- public:
-  RegionTest(const modeling::Region& region, const modeling::Body& body)
-      : isNamed_(modeling::patchNames(body).size(), false) {
-    for (const modeling::RegionPart& part : region.parts) {
-      if (const auto* half = std::get_if<modeling::HalfSpace>(&part)) {
-        halfSpaces_.push_back(*half);
-        continue;
-      }
-      for (const std::string& name : std::get<modeling::PatchSet>(part).patches)
-        if (const auto patch = modeling::findPatch(body, name)) isNamed_[*patch] = true;
-    }
+/// The least of two fields, either of which may be empty: their union.
+void unite(std::vector<double>& field, const std::vector<double>& other) {
+  if (field.empty()) {
+    field = other;
+    return;
   }
-
-  bool contains(int patch, const Eigen::Vector3d& point) const {
-    return isNamed_[patch] ||
-           std::any_of(halfSpaces_.begin(), halfSpaces_.end(),
-                       [&](const modeling::HalfSpace& half) { return half.value(point) < 0.0; });
-  }
-
- private:
-  std::vector<bool> isNamed_;
-  std::vector<modeling::HalfSpace> halfSpaces_;
-};
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] = std::min(field[i], other[i]);
+}
 
 }  // namespace
 
@@ -44,7 +27,10 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
     widget_.viewport().fit();
   });
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
-  connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
+  connect(&editor, &Editor::selectionChanged, this, [this] {
+    showSelection();
+    showMarks();
+  });
   showProject();
   widget_.viewport().fit();
 }
@@ -61,7 +47,9 @@ void SceneController::showProject() {
   widget_.viewport().setBody({shape_.positions, shape_.normals, tessellation_->triangles(),
                               tessellation_->patchOfTriangle(), tessellation_->borders(),
                               tessellation_->knotLines()});
+  setPatches(tessellation_->triangles(), tessellation_->patchOfTriangle());
   widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
+  showRegions();
   showMarks();
   showSelection();
 }
@@ -81,9 +69,26 @@ void SceneController::showMeshBody() {
     shown.patchOfTriangle.push_back(body.faceOfTriangle()[t]);
   }
   widget_.viewport().setBody(shown);
+  setPatches(shown.triangles, shown.patchOfTriangle);
+  shape_ = {shown.positions, shown.normals};
   widget_.viewport().setControlNet({});
   widget_.viewport().setGizmo(std::nullopt);
+  showRegions();
+  showMarks();
   widget_.update();
+}
+
+void SceneController::setPatches(const std::vector<view::Triangle>& triangles,
+                                 const std::vector<int>& patchOfTriangle) {
+  patchOfTriangle_ = patchOfTriangle;
+  patchOfPosition_.clear();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const int corner : triangles[t]) {
+      if (static_cast<std::size_t>(corner) >= patchOfPosition_.size())
+        patchOfPosition_.resize(static_cast<std::size_t>(corner) + 1, 0);
+      patchOfPosition_[static_cast<std::size_t>(corner)] = patchOfTriangle[t];
+    }
+  }
 }
 
 void SceneController::showChange(const modeling::Change& change) {
@@ -99,28 +104,42 @@ void SceneController::showChange(const modeling::Change& change) {
     showSelection();
     widget_.updateQuickly();
   }
-  if (change.supports || change.loads || !change.movedPoints.empty()) showMarks();
+  if (change.supports || change.loads || !change.movedPoints.empty()) showRegions();
   widget_.update();
 }
 
-void SceneController::showMarks() {
-  if (!tessellation_) return;
+void SceneController::showRegions() {
   const modeling::Project& project = editor_.project();
-  std::vector<std::pair<RegionTest, Mark>> regions;  // what wins comes last
+  const auto fieldOf = [&](const modeling::Region& region) {
+    return modeling::regionField(region, project.body, shape_.positions, patchOfPosition_);
+  };
+  std::vector<double> supports, loads;
+  for (const modeling::Support& support : project.supports) unite(supports, fieldOf(support.where));
   for (const modeling::Load& load : project.loads)
-    if (const modeling::Region* region = modeling::regionOf(load))
-      regions.emplace_back(RegionTest(*region, project.body), Mark::kLoad);
-  for (const modeling::Support& support : project.supports)
-    regions.emplace_back(RegionTest(support.where, project.body), Mark::kSupport);
-  std::vector<Mark> marks(tessellation_->triangles().size(), Mark::kNone);
-  for (std::size_t t = 0; t < marks.size(); ++t) {
-    const auto& [a, b, c] = tessellation_->triangles()[t];
-    const Eigen::Vector3d middle =
-        (shape_.positions[a] + shape_.positions[b] + shape_.positions[c]) / 3.0;
-    for (const auto& [region, mark] : regions)
-      if (region.contains(tessellation_->patchOfTriangle()[t], middle)) marks[t] = mark;
-  }
+    if (const modeling::Region* region = modeling::regionOf(load)) unite(loads, fieldOf(*region));
+  widget_.viewport().setRegions(supports, loads);
+}
+
+void SceneController::showMarks() {
+  const std::set<int>& selected = editor_.selection().patches;
+  std::vector<Mark> marks(patchOfTriangle_.size(), Mark::kNone);
+  for (std::size_t t = 0; t < marks.size(); ++t)
+    if (selected.contains(patchOfTriangle_[t])) marks[t] = Mark::kSelected;
   widget_.viewport().setMarks(marks);
+}
+
+std::vector<Eigen::Vector3d> SceneController::selectedPlaces() const {
+  std::vector<Eigen::Vector3d> places;
+  const Selection& selection = editor_.selection();
+  if (const modeling::Solid* solid = editor_.solid()) {
+    for (const int point : selection.points) places.push_back(solid->controlPoints()[point]);
+    for (const int edge : selection.edges)
+      for (const int end : solid->edges()[edge].vertices)
+        places.push_back(solid->controlPoints()[end]);
+  }
+  for (std::size_t i = 0; i < patchOfPosition_.size(); ++i)
+    if (selection.patches.contains(patchOfPosition_[i])) places.push_back(shape_.positions[i]);
+  return places;
 }
 
 std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {

@@ -22,6 +22,8 @@ class SceneController : public QObject {
   void setHovered(std::optional<int> point);
   void setGizmoAxis(view::GizmoAxis axis);
 
+  /// Points that show all that is selected in the view.
+  std::vector<Eigen::Vector3d> selectedPlaces() const;
   /// Middle of the selected points; nothing when none is.
   std::optional<Eigen::Vector3d> selectionCentre() const;
 
@@ -30,12 +32,16 @@ class SceneController : public QObject {
   void showChange(const modeling::Change& change);
   void showMeshBody();
   void showSelection();
+  void showRegions();
   void showMarks();
+  void setPatches(const std::vector<view::Triangle>& triangles,
+                  const std::vector<int>& patchOfTriangle);
 
   Editor& editor_;
   ViewportWidget& widget_;
   std::unique_ptr<modeling::Tessellation> tessellation_;
-  modeling::Tessellation::Shape shape_;  // of the present control points
+  modeling::Tessellation::Shape shape_;  // as shown
+  std::vector<int> patchOfTriangle_, patchOfPosition_;
   std::optional<int> hovered_;
   view::GizmoAxis axis_ = view::GizmoAxis::kNone;
 };

@@ -1,7 +1,9 @@
 #include "app/view/gizmo_actor.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
 #include <vtkConeSource.h>
+#include <vtkCubeSource.h>
 #include <vtkCylinderSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
@@ -12,48 +14,28 @@
 #include <vtkTransformPolyDataFilter.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 #include "app/view/axis_colours.h"
-#include "app/view/segment.h"
 
 namespace palpa::view {
 namespace {
 
+using gizmo_size::kEnd;
+using gizmo_size::kStart;
+
 // In logical pixels.
-constexpr double kStart = 14;
-constexpr double kEnd = 90;
 constexpr double kHeadLength = 19;
 constexpr double kHeadRadius = 6;
+constexpr double kBox = 12;
 constexpr double kShaftRadius = 1.6;
-constexpr double kMiddleRadius = 4;
-constexpr double kReach = 8;
-constexpr double kShortestSeen = 26;
+constexpr double kRingWidth = 2.6;
 
-/// An arrow along x from kStart to kEnd.
-vtkSmartPointer<vtkActor> makeArrow(vtkRenderer* renderer) {
-  vtkNew<vtkCylinderSource> shaft;  // along y
-  shaft->SetHeight(kEnd - kHeadLength - kStart);
-  shaft->SetCenter(0, 0.5 * (kStart + kEnd - kHeadLength), 0);
-  shaft->SetRadius(kShaftRadius);
-  shaft->SetResolution(16);
-  vtkNew<vtkTransform> turn;
-  turn->RotateZ(-90);
-  vtkNew<vtkTransformPolyDataFilter> turned;
-  turned->SetTransform(turn);
-  turned->SetInputConnection(shaft->GetOutputPort());
-  vtkNew<vtkConeSource> head;
-  head->SetCenter(kEnd - 0.5 * kHeadLength, 0, 0);
-  head->SetHeight(kHeadLength);
-  head->SetRadius(kHeadRadius);
-  head->SetResolution(32);
-  vtkNew<vtkAppendPolyData> both;
-  both->AddInputConnection(turned->GetOutputPort());
-  both->AddInputConnection(head->GetOutputPort());
+const Colour kMiddleColour{0.97, 0.97, 0.98};
+const Colour kOuterRingColour{0.62, 0.65, 0.70};
 
+vtkSmartPointer<vtkActor> makeActor(vtkAlgorithm* shape, vtkRenderer* renderer) {
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(both->GetOutputPort());
+  mapper->SetInputConnection(shape->GetOutputPort());
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
@@ -63,22 +45,60 @@ vtkSmartPointer<vtkActor> makeArrow(vtkRenderer* renderer) {
   return actor;
 }
 
+/// A shaft along x from kStart to the head, which ends at kEnd.
+vtkSmartPointer<vtkActor> makeHandle(vtkAlgorithm* head, double headLength, vtkRenderer* renderer) {
+  vtkNew<vtkCylinderSource> shaft;  // along y
+  shaft->SetHeight(kEnd - headLength - kStart);
+  shaft->SetCenter(0, 0.5 * (kStart + kEnd - headLength), 0);
+  shaft->SetRadius(kShaftRadius);
+  shaft->SetResolution(16);
+  vtkNew<vtkTransform> turn;
+  turn->RotateZ(-90);
+  vtkNew<vtkTransformPolyDataFilter> turned;
+  turned->SetTransform(turn);
+  turned->SetInputConnection(shaft->GetOutputPort());
+  vtkNew<vtkAppendPolyData> both;
+  both->AddInputConnection(turned->GetOutputPort());
+  both->AddInputConnection(head->GetOutputPort());
+  return makeActor(both, renderer);
+}
+
+vtkSmartPointer<vtkActor> makeArrow(vtkRenderer* renderer) {
+  vtkNew<vtkConeSource> head;
+  head->SetCenter(kEnd - 0.5 * kHeadLength, 0, 0);
+  head->SetHeight(kHeadLength);
+  head->SetRadius(kHeadRadius);
+  head->SetResolution(32);
+  return makeHandle(head, kHeadLength, renderer);
+}
+
+vtkSmartPointer<vtkActor> makeBox(vtkRenderer* renderer) {
+  vtkNew<vtkCubeSource> box;
+  box->SetCenter(kEnd - 0.5 * kBox, 0, 0);
+  box->SetXLength(kBox);
+  box->SetYLength(kBox);
+  box->SetZLength(kBox);
+  return makeHandle(box, kBox, renderer);
+}
+
 vtkSmartPointer<vtkActor> makeMiddle(vtkRenderer* renderer) {
   vtkNew<vtkSphereSource> ball;
-  ball->SetRadius(kMiddleRadius);
+  ball->SetRadius(gizmo_size::kMiddleRadius);
   ball->SetThetaResolution(24);
   ball->SetPhiResolution(16);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(ball->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.7);
-  actor->GetProperty()->SetDiffuse(0.35);
-  renderer->AddActor(actor);
-  return actor;
+  return makeActor(ball, renderer);
+}
+
+vtkSmartPointer<vtkActor> makeMiddleBox(vtkRenderer* renderer) {
+  vtkNew<vtkCubeSource> box;
+  box->SetXLength(gizmo_size::kMiddleBox);
+  box->SetYLength(gizmo_size::kMiddleBox);
+  box->SetZLength(gizmo_size::kMiddleBox);
+  return makeActor(box, renderer);
 }
 
 const Colour& colourOf(GizmoAxis axis) {
+  if (axis == GizmoAxis::kAll) return kOuterRingColour;
   return axis == GizmoAxis::kNormal ? kNormalColour
                                     : kAxisColours[static_cast<std::size_t>(axis) - 1];
 }
@@ -101,61 +121,48 @@ vtkSmartPointer<vtkMatrix4x4> placed(const Eigen::Vector3d& at, const Eigen::Vec
 
 }  // namespace
 
-std::vector<GizmoArrow> gizmoArrows(const Gizmo& gizmo, const Turntable& camera,
-                                    double pixelRatio) {
-  const double depth = camera.depth(gizmo.at);
-  std::vector<GizmoArrow> arrows;
-  if (!camera.toPixel(gizmo.at).allFinite()) return arrows;
-  const double scale = pixelRatio / camera.pixelsPerLength(depth);  // mm per logical pixel
-  const auto add = [&](GizmoAxis axis, const Eigen::Vector3d& direction) {
-    const GizmoArrow arrow{axis, direction, gizmo.at + scale * kStart * direction,
-                           gizmo.at + scale * kEnd * direction};
-    const double seen = (camera.toPixel(arrow.end) - camera.toPixel(gizmo.at)).norm();
-    // Also false for an arrow that ends behind the eye.
-    if (seen >= kShortestSeen * pixelRatio) arrows.push_back(arrow);
-  };
-  add(GizmoAxis::kX, Eigen::Vector3d::UnitX());
-  add(GizmoAxis::kY, Eigen::Vector3d::UnitY());
-  add(GizmoAxis::kZ, Eigen::Vector3d::UnitZ());
-  if (gizmo.normal && gizmo.normal->norm() > 0) add(GizmoAxis::kNormal, gizmo.normal->normalized());
-  return arrows;
-}
-
-GizmoAxis gizmoAxisAt(const Eigen::Vector2d& pixel, const Gizmo& gizmo, const Turntable& camera,
-                      double pixelRatio) {
-  GizmoAxis nearest = GizmoAxis::kNone;
-  double smallest = kReach * pixelRatio;
-  for (const GizmoArrow& arrow : gizmoArrows(gizmo, camera, pixelRatio)) {
-    const double distance =
-        distanceToSegment(pixel, camera.toPixel(arrow.start), camera.toPixel(arrow.end));
-    if (distance <= smallest) {
-      smallest = distance;
-      nearest = arrow.axis;
-    }
-  }
-  return nearest;
-}
-
-GizmoActor::GizmoActor(vtkRenderer* renderer) : middle_(makeMiddle(renderer)) {
+GizmoActor::GizmoActor(vtkRenderer* renderer)
+    : middle_(makeMiddle(renderer)), middleBox_(makeMiddleBox(renderer)) {
   for (vtkSmartPointer<vtkActor>& arrow : arrows_) arrow = makeArrow(renderer);
+  for (vtkSmartPointer<vtkActor>& box : boxes_) box = makeBox(renderer);
 }
 
 void GizmoActor::update(const std::optional<Gizmo>& gizmo, const Turntable& camera,
-                        double pixelRatio) {
-  for (vtkActor* arrow : arrows_) arrow->VisibilityOff();
-  middle_->VisibilityOff();
-  if (!gizmo) return;
-  const double depth = camera.depth(gizmo->at);
-  for (const GizmoArrow& arrow : gizmoArrows(*gizmo, camera, pixelRatio)) {
-    const double scale = pixelRatio / camera.pixelsPerLength(depth);
-    const bool highlighted = arrow.axis == gizmo->highlighted;
-    vtkActor* actor = arrows_[static_cast<std::size_t>(arrow.axis) - 1];
-    actor->SetUserMatrix(placed(gizmo->at, arrow.direction, scale));
-    setColour(actor, highlighted ? kHighlightColour : colourOf(arrow.axis));
-    actor->VisibilityOn();
-    middle_->SetUserMatrix(placed(gizmo->at, Eigen::Vector3d::UnitX(), scale));
-    middle_->VisibilityOn();
+                        double pixelRatio, FlatShapes& shapes) {
+  for (const Handles* handles : {&arrows_, &boxes_}) {
+    for (vtkActor* handle : *handles) handle->VisibilityOff();
   }
+  middle_->VisibilityOff();
+  middleBox_->VisibilityOff();
+  const auto scale = gizmo ? gizmoScale(*gizmo, camera, pixelRatio) : std::nullopt;
+  if (!scale) return;
+
+  const auto shownColour = [&](GizmoAxis axis, const Colour& usual) {
+    return axis == gizmo->highlighted ? kHighlightColour : usual;
+  };
+  if (gizmo->kind == GizmoKind::kRotate) {
+    for (const GizmoRing& ring : gizmoRings(*gizmo, camera, pixelRatio)) {
+      const bool highlighted = ring.axis == gizmo->highlighted;
+      const double width = (highlighted ? 1.5 : 1) * kRingWidth * pixelRatio;
+      for (const auto& [a, b] : ring.segments) {
+        shapes.addLine(camera.toPixel(a), camera.toPixel(b), width,
+                       shownColour(ring.axis, colourOf(ring.axis)));
+      }
+    }
+    return;
+  }
+  const bool scales = gizmo->kind == GizmoKind::kScale;
+  for (const GizmoArrow& arrow : gizmoArrows(*gizmo, camera, pixelRatio)) {
+    const auto index = static_cast<std::size_t>(arrow.axis) - 1;
+    vtkActor* actor = scales ? boxes_[index] : arrows_[index];
+    actor->SetUserMatrix(placed(gizmo->at, arrow.direction, *scale));
+    setColour(actor, shownColour(arrow.axis, colourOf(arrow.axis)));
+    actor->VisibilityOn();
+  }
+  vtkActor* middle = scales ? middleBox_ : middle_;
+  middle->SetUserMatrix(placed(gizmo->at, Eigen::Vector3d::UnitX(), *scale));
+  setColour(middle, shownColour(GizmoAxis::kAll, kMiddleColour));
+  middle->VisibilityOn();
 }
 
 }  // namespace palpa::view

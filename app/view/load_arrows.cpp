@@ -59,13 +59,20 @@ void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
     overlay_->AddActor2D(label.text);
     labels_.push_back(label);
   }
+  setVisible(visible_);
+}
+
+void LoadArrows::setVisible(bool visible) {
+  visible_ = visible;
+  for (const auto& actor : solid_) actor->SetVisibility(visible);
+  for (const auto& actor : faint_) actor->SetVisibility(visible);
 }
 
 void LoadArrows::update(const Turntable& camera, FlatShapes& shapes) {
   for (const Label& label : labels_) {
     const Eigen::Vector2d end = camera.toPixel(label.free);
     const Eigen::Vector2d other = camera.toPixel(label.held);
-    const bool visible = end.allFinite() && other.allFinite();
+    const bool visible = visible_ && end.allFinite() && other.allFinite();
     label.text->SetVisibility(visible);
     if (!visible) continue;
     const Eigen::Vector2d along = end - other;

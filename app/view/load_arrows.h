@@ -23,6 +23,7 @@ class LoadArrows {
   /// `bodyDiagonal` (mm) sets their size.
   void set(const std::vector<ForceArrow>& arrows, double bodyDiagonal, const ViewportTheme& theme,
            double pixelRatio);
+  void setVisible(bool visible);
   /// Places the labels; to be called before drawing, between clear() and finish() of `shapes`.
   void update(const Turntable& camera, FlatShapes& shapes);
 
@@ -45,6 +46,7 @@ class LoadArrows {
   std::vector<Label> labels_;
   std::vector<Eigen::Vector3d> ends_;
   Colour plate_{};
+  bool visible_ = true;
   double pixelRatio_ = 1;
 };
 

@@ -5,7 +5,10 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpa::view {
@@ -15,6 +18,39 @@ namespace {
 constexpr double kMarkStrength = 0.82;
 /// In the wire picture only marked triangles are drawn, as a tint of this opacity.
 constexpr double kTintOpacity = 0.35;
+
+constexpr double kAmbient = 0.50;
+constexpr double kDiffuse = 0.56;
+/// Distance between the strokes of the hatching, logical pixels, up to a factor of 1.4 either way.
+constexpr double kHatch = 11;
+/// The hatching lies in planes across this direction, along which no face of a simple solid lies.
+const Eigen::Vector3d kAcrossHatching = Eigen::Vector3d(0.61, 0.55, 0.57).normalized();
+
+/// Colours supports and loads exactly up to the line where their numbers are zero, whatever the
+/// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
+/// to the border for a line of constant width. Supports are hatched, so that they can be told from
+/// loads without colour. The colour of a marked triangle stays visible where it is in a region.
+constexpr const char* kColourRegions = R"(//VTK::Color::Impl
+vec2 slope = max(fwidth(regionsVSOutput.xy), vec2(1e-20));
+vec2 pixelsOutside = regionsVSOutput.xy / slope;
+vec2 inside = clamp(0.5 - pixelsOutside, 0.0, 1.0) * regionsShown;
+float across = regionsVSOutput.z / hatchStep;
+float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
+float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
+vec2 border = clamp(1.1 * lineScale + 0.5 - abs(pixelsOutside), 0.0, 1.0) * regionsShown;
+vec3 plain = ambientColor / ambientPart;
+bool isMarked = isWire > 0.5 ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
+vec3 region = mix(plain, loadColour, inside.y);
+region = mix(region, mix(supportColour, edgeColour, 0.30 * stroke), inside.x);
+if (isMarked) region = mix(region, plain, 0.6);
+float strongest = max(inside.x, inside.y);
+if (isWire > 0.5) opacity = max(opacity, wireOpacity * strongest);
+float edge = 0.75 * max(border.x, border.y * (1.0 - inside.x));
+region = mix(region, edgeColour, edge);
+opacity = max(opacity, edge);
+ambientColor = ambientPart * region;
+diffuseColor = diffusePart * region;
+)";
 
 Colour colourOf(Mark mark, const ViewportTheme& theme) {
   switch (mark) {
@@ -47,6 +83,7 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
     : points_(makeFloatPoints()),
       normals_(vtkSmartPointer<vtkFloatArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
+      regions_(vtkSmartPointer<vtkFloatArray>::New()),
       surface_(vtkSmartPointer<vtkPolyData>::New()),
       body_(vtkSmartPointer<vtkActor>::New()) {
   normals_->SetNumberOfComponents(3);
@@ -54,6 +91,9 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   surface_->SetPoints(points_);
   surface_->GetPointData()->SetNormals(normals_);
   surface_->GetCellData()->SetScalars(colours_);
+  regions_->SetName("regions");
+  regions_->SetNumberOfComponents(3);
+  surface_->GetPointData()->AddArray(regions_);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface_);
@@ -62,11 +102,28 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   // Pushed back behind the lines and handles on it, also where it is seen at a grazing angle.
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
+  mapper->MapDataArrayToVertexAttribute("regionsMC", "regions",
+                                        vtkDataObject::FIELD_ASSOCIATION_POINTS);
   body_->SetMapper(mapper);
+  vtkShaderProperty* shader = body_->GetShaderProperty();
+  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
+                                     "//VTK::Normal::Dec\n"
+                                     "in vec3 regionsMC;\n"
+                                     "out vec3 regionsVSOutput;\n",
+                                     false);
+  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
+                                     "//VTK::Normal::Impl\n"
+                                     "regionsVSOutput = regionsMC;\n",
+                                     false);
+  shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
+                                       "//VTK::Normal::Dec\n"
+                                       "in vec3 regionsVSOutput;\n",
+                                       false);
+  shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, kColourRegions, false);
   vtkProperty* property = body_->GetProperty();
   property->SetInterpolationToPhong();
-  property->SetAmbient(0.50);
-  property->SetDiffuse(0.56);
+  property->SetAmbient(kAmbient);
+  property->SetDiffuse(kDiffuse);
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
   renderer->AddActor(body_);
@@ -89,6 +146,8 @@ void SurfaceActor::setBody(const ViewportBody& body) {
   setLines(borders_, distinctLines(body.borders, body.positions));
   setLines(knotLines_, body.knotLines);
   marks_.assign(body.triangles.size(), Mark::kNone);
+  supportField_.clear();
+  loadField_.clear();
   move(body.positions, body.normals);
   colourTriangles();
 }
@@ -97,6 +156,75 @@ void SurfaceActor::move(const std::vector<Eigen::Vector3d>& positions,
                         const std::vector<Eigen::Vector3d>& normals) {
   assign(positions, points_);
   assign(normals, normals_);
+  setRegions(supportField_, loadField_);
+}
+
+void SurfaceActor::setRegions(const std::vector<double>& supports,
+                              const std::vector<double>& loads) {
+  supportField_ = supports;
+  loadField_ = loads;
+  const vtkIdType count = points_->GetNumberOfPoints();
+  regions_->SetNumberOfTuples(count);
+  // Finite: the differences between neighbouring pixels are taken.
+  const auto number = [](const std::vector<double>& field, vtkIdType i) {
+    constexpr double kFar = 1e15;
+    return field.empty()
+               ? 1.0F
+               : static_cast<float>(std::clamp(field[static_cast<std::size_t>(i)], -kFar, kFar));
+  };
+  const float* place = vtkFloatArray::FastDownCast(points_->GetData())->GetPointer(0);
+  float* target = count > 0 ? regions_->GetPointer(0) : nullptr;
+  for (vtkIdType i = 0; i < count; ++i, place += 3, target += 3) {
+    const Eigen::Vector3d point(place[0], place[1], place[2]);
+    target[0] = number(supports, i);
+    target[1] = number(loads, i);
+    target[2] = static_cast<float>(kAcrossHatching.dot(point));
+  }
+  regions_->Modified();
+  surface_->Modified();
+  updateRegionLooks();
+  updateVisibility();
+}
+
+void SurfaceActor::setScale(double millimetresPerPixel) {
+  // In steps: the strokes stay on the body while one comes nearer.
+  const double step = std::exp2(std::round(std::log2(kHatch * millimetresPerPixel)));
+  if (step == scale_) return;
+  scale_ = step;
+  updateRegionLooks();
+}
+
+void SurfaceActor::setRegionsVisible(bool visible) {
+  regionsVisible_ = visible;
+  updateRegionLooks();
+  updateVisibility();
+}
+
+void SurfaceActor::updateRegionLooks() {
+  vtkUniforms* uniforms = body_->GetShaderProperty()->GetFragmentCustomUniforms();
+  const auto set = [&](const char* name, double value) {
+    uniforms->SetUniformf(name, static_cast<float>(value));
+  };
+  std::array<float, 2> shown{regionsVisible_ && !supportField_.empty() ? 1.0F : 0.0F,
+                             regionsVisible_ && !loadField_.empty() ? 1.0F : 0.0F};
+  uniforms->SetUniform2f("regionsShown", shown.data());
+  set("hatchStep", scale_);
+  set("lineScale", pixelRatio_);
+  set("ambientPart", kAmbient);
+  set("diffusePart", kDiffuse);
+  set("isWire", shading_ == Shading::kWire);
+  set("wireOpacity", kTintOpacity);
+  const Colour support = colourOf(Mark::kSupport, theme_);
+  const Colour load = colourOf(Mark::kLoad, theme_);
+  uniforms->SetUniform3f("supportColour", support.data());
+  uniforms->SetUniform3f("loadColour", load.data());
+  uniforms->SetUniform3f("bodyColour", theme_.body.data());
+  uniforms->SetUniform3f("edgeColour", theme_.line.data());
+}
+
+void SurfaceActor::updateVisibility() {
+  const bool anyRegion = regionsVisible_ && !(supportField_.empty() && loadField_.empty());
+  body_->SetVisibility(shading_ != Shading::kWire || anyMark_ || anyRegion);
 }
 
 void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
@@ -119,6 +247,7 @@ void SurfaceActor::setTheme(const ViewportTheme& theme) {
 void SurfaceActor::setPixelRatio(double ratio) {
   pixelRatio_ = ratio;
   updateLines();
+  updateRegionLooks();
 }
 
 void SurfaceActor::colourTriangles() {
@@ -130,15 +259,16 @@ void SurfaceActor::colourTriangles() {
     palette[i] = bytes(colourOf(mark, theme_), wire ? tint : 1);
   }
   colours_->SetNumberOfTuples(static_cast<vtkIdType>(marks_.size()));
-  bool anyMark = false;
+  anyMark_ = false;
   for (std::size_t i = 0; i < marks_.size(); ++i) {
-    anyMark = anyMark || marks_[i] != Mark::kNone;
+    anyMark_ = anyMark_ || marks_[i] != Mark::kNone;
     colours_->SetTypedTuple(static_cast<vtkIdType>(i),
                             palette[static_cast<std::size_t>(marks_[i])].data());
   }
   colours_->Modified();
   surface_->Modified();
-  body_->SetVisibility(!wire || anyMark);
+  updateVisibility();
+  updateRegionLooks();
 }
 
 void SurfaceActor::updateLines() {

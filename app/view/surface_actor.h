@@ -21,6 +21,11 @@ class SurfaceActor {
             const std::vector<Eigen::Vector3d>& normals);
   /// One per triangle of the body.
   void setMarks(const std::vector<Mark>& marks);
+  /// Viewport::setRegions().
+  void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
+  /// Millimetres per logical pixel in the middle of the picture: how wide the hatching is.
+  void setScale(double millimetresPerPixel);
+  void setRegionsVisible(bool visible);
   void setShading(Shading shading);
   void setTheme(const ViewportTheme& theme);
   void setPixelRatio(double ratio);
@@ -28,13 +33,20 @@ class SurfaceActor {
  private:
   void colourTriangles();
   void updateLines();
+  void updateRegionLooks();
+  void updateVisibility();
 
   vtkSmartPointer<vtkPoints> points_;
   vtkSmartPointer<vtkFloatArray> normals_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;  ///< RGBA of each triangle
+  vtkSmartPointer<vtkFloatArray> regions_;         ///< support, load, place across the hatching
   vtkSmartPointer<vtkPolyData> surface_;
   vtkSmartPointer<vtkActor> body_, borders_, knotLines_;
+  std::vector<double> supportField_, loadField_;
   std::vector<Mark> marks_;
+  bool anyMark_ = false;
+  bool regionsVisible_ = true;
+  double scale_ = 1;
   Shading shading_ = Shading::kShadedWithEdges;
   ViewportTheme theme_ = ViewportTheme::light();
   double pixelRatio_ = 1;

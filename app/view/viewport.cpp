@@ -93,6 +93,8 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->axes.setPixelRatio(ratio);
   parts_->remakeArrows();
   parts_->remakeWarnings();
+  parts_->remakeTouches();
+  parts_->remakeTool();
 }
 
 void Viewport::setShading(Shading shading) {
@@ -101,6 +103,19 @@ void Viewport::setShading(Shading shading) {
 
 void Viewport::setGridVisible(bool visible) {
   parts_->grid.setVisible(visible);
+}
+
+void Viewport::setRegionsVisible(bool visible) {
+  parts_->surface.setRegionsVisible(visible);
+  parts_->arrows.setVisible(visible);
+}
+
+void Viewport::setTouchesVisible(bool visible) {
+  parts_->touchLayer.setVisible(visible);
+}
+
+void Viewport::setWarningsVisible(bool visible) {
+  parts_->signs.setVisible(visible);
 }
 
 void Viewport::setAxesVisible(bool visible) {
@@ -176,10 +191,12 @@ void Viewport::setGizmo(const std::optional<Gizmo>& gizmo) {
 
 void Viewport::setTouchMarkers(const std::vector<TouchMarker>& markers) {
   parts_->touches = markers;
+  parts_->remakeTouches();
 }
 
 void Viewport::setToolDrawing(const ToolDrawing& drawing) {
   parts_->toolDrawing = drawing;
+  parts_->remakeTool();
 }
 
 void Viewport::setRegions(const std::vector<double>& supports, const std::vector<double>& loads) {
@@ -187,8 +204,7 @@ void Viewport::setRegions(const std::vector<double>& supports, const std::vector
     return field.empty() || field.size() == parts_->body.positions.size();
   };
   require(fits(supports) && fits(loads), "regions need one number per point");
-  parts_->supportField = supports;
-  parts_->loadField = loads;
+  parts_->surface.setRegions(supports, loads);
 }
 
 void Viewport::setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners) {
@@ -256,7 +272,7 @@ void Viewport::render(Quality quality) {
   parts.syncSize();
   parts.applyCamera();
   parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
-  parts.gizmoActor.update(parts.gizmo, parts.camera, parts.pixelRatio);
+  parts.surface.setScale(parts.pixelRatio * parts.camera.visibleHeight() / parts.camera.height());
   parts.updateOverlay();
   parts.overlay->SetUseFXAA(quality == Quality::kFine);
   parts.window->Render();

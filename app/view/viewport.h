@@ -46,6 +46,10 @@ class Viewport {
   void setGridVisible(bool visible);
   void setAxesVisible(bool visible);
   void setControlNetVisible(bool visible);
+  /// Supports and loads: their regions and the arrows.
+  void setRegionsVisible(bool visible);
+  void setTouchesVisible(bool visible);
+  void setWarningsVisible(bool visible);
 
   /// A body with new triangles; marks are reset.
   void setBody(const ViewportBody& body);

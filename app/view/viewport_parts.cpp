@@ -21,6 +21,8 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       grid(scene),
       netActor(scene, shineThrough),
       arrows(scene, shineThrough, overlay),
+      tool(scene, overlay),
+      touchLayer(overlay),
       signs(overlay),
       axes(overlay),
       gizmoActor(overlay) {
@@ -68,6 +70,14 @@ void Viewport::Parts::remakeWarnings() {
   signs.set(warnings, theme, pixelRatio);
 }
 
+void Viewport::Parts::remakeTouches() {
+  touchLayer.set(touches, theme, pixelRatio);
+}
+
+void Viewport::Parts::remakeTool() {
+  tool.set(toolDrawing, theme, pixelRatio);
+}
+
 void Viewport::Parts::applyTheme() {
   scene->SetBackground(theme.backgroundBottom.data());
   scene->SetBackground2(theme.backgroundTop.data());
@@ -76,12 +86,15 @@ void Viewport::Parts::applyTheme() {
   netActor.setTheme(theme);
   remakeArrows();
   remakeWarnings();
+  remakeTouches();
+  remakeTool();
 }
 
 void Viewport::Parts::applyCamera() {
   Bounds all = bodyBounds;
   all.add(netBounds);
   for (const Eigen::Vector3d& point : arrows.ends()) all.add(point);
+  for (const Eigen::Vector3d& point : tool.ends()) all.add(point);
   // The ground fades out at one visible height from the focus.
   const Eigen::Vector3d reach = Eigen::Vector3d(1, 1, 0) * camera.visibleHeight();
   Eigen::Vector3d middle = camera.focus();
@@ -107,6 +120,10 @@ void Viewport::Parts::updateOverlay() {
   shapes.clear(camera.height());
   axes.update(camera, shapes);
   arrows.update(camera, shapes);
+  gizmoActor.update(gizmo, camera, pixelRatio, shapes);
+  touchLayer.update(
+      camera, [this](const Eigen::Vector3d& point) { return hidden(point); }, shapes);
+  tool.update(camera, shapes);
   signs.update(camera, shapes);
   if (rubberBand) {
     const auto& [a, b] = *rubberBand;

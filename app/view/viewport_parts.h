@@ -13,6 +13,7 @@
 #include "app/view/load_arrows.h"
 #include "app/view/orientation_axes.h"
 #include "app/view/surface_actor.h"
+#include "app/view/tool_layer.h"
 #include "app/view/turntable.h"
 #include "app/view/viewport.h"
 #include "app/view/warning_signs.h"
@@ -31,6 +32,8 @@ struct Viewport::Parts {
   void syncBounds();
   void remakeArrows();
   void remakeWarnings();
+  void remakeTouches();
+  void remakeTool();
   void applyTheme();
   void applyCamera();
   void updateOverlay();
@@ -62,7 +65,6 @@ struct Viewport::Parts {
   std::optional<Gizmo> gizmo;
   std::vector<TouchMarker> touches;
   ToolDrawing toolDrawing;
-  std::vector<double> supportField, loadField;
   std::optional<std::array<Eigen::Vector2d, 2>> rubberBand;
   Bounds bodyBounds, netBounds;
 
@@ -73,6 +75,8 @@ struct Viewport::Parts {
   GridActor grid;
   ControlNetActor netActor;
   LoadArrows arrows;
+  ToolLayer tool;
+  TouchLayer touchLayer;
   WarningSigns signs;
   OrientationAxes axes;
   GizmoActor gizmoActor;

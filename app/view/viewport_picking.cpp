@@ -79,8 +79,7 @@ std::optional<int> Viewport::borderAt(const Eigen::Vector2d& pixel, double reach
       const Eigen::Vector2d p = parts_->camera.toPixel(a);
       const Eigen::Vector2d along = parts_->camera.toPixel(b) - p;
       const double length = along.squaredNorm();
-      const double s =
-          length > 0 ? std::clamp((pixel - p).dot(along) / length, 0.0, 1.0) : 0.0;
+      const double s = length > 0 ? std::clamp((pixel - p).dot(along) / length, 0.0, 1.0) : 0.0;
       const double distance = (p + s * along - pixel).norm();
       if (!(distance < best) || parts_->hidden(a + s * (b - a))) continue;  // NaN: behind the eye
       best = distance;

@@ -112,6 +112,7 @@ struct ViewportTheme {
   Colour body, support, load, hovered, selected, warning;
   Colour line, net, handle, handleHovered, handleSelected, handleFollowing;
   Colour grid, text;
+  Colour preview, touch;
 
   static ViewportTheme light();
   static ViewportTheme dark();

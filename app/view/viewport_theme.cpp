@@ -20,6 +20,8 @@ ViewportTheme ViewportTheme::light() {
   theme.handleFollowing = {0.56, 0.76, 1.00};
   theme.grid = {0.42, 0.47, 0.54};
   theme.text = {0.12, 0.14, 0.18};
+  theme.preview = {0.86, 0.18, 0.52};
+  theme.touch = {0.58, 0.25, 0.78};
   return theme;
 }
 
@@ -41,6 +43,8 @@ ViewportTheme ViewportTheme::dark() {
   theme.handleFollowing = {0.55, 0.76, 1.00};
   theme.grid = {0.62, 0.66, 0.72};
   theme.text = {0.90, 0.92, 0.95};
+  theme.preview = {1.00, 0.42, 0.70};
+  theme.touch = {0.78, 0.52, 0.98};
   return theme;
 }
 

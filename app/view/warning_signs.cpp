@@ -65,8 +65,9 @@ void WarningSigns::update(const Turntable& camera, FlatShapes& shapes) {
   std::vector<Box> taken;
   for (const Sign& sign : signs_) {
     const Eigen::Vector2d place = camera.toPixel(sign.at);
-    if (sign.text) sign.text->SetVisibility(place.allFinite());
-    if (!place.allFinite()) continue;
+    const bool visible = visible_ && place.allFinite();
+    if (sign.text) sign.text->SetVisibility(visible);
+    if (!visible) continue;
     // The sign stands above its place; the text on the side where there is room.
     const double half = 0.5 * kPlate * pixelRatio_;
     const double textWidth = sign.text ? sign.size.x() + kPad * pixelRatio_ : 0;

@@ -21,6 +21,7 @@ class WarningSigns {
 
   void set(const std::vector<WarningMarker>& warnings, const ViewportTheme& theme,
            double pixelRatio);
+  void setVisible(bool visible) { visible_ = visible; }
   /// To be called before drawing, between clear() and finish() of `shapes`.
   void update(const Turntable& camera, FlatShapes& shapes);
 
@@ -39,6 +40,7 @@ class WarningSigns {
   std::vector<Sign> signs_;
   ViewportTheme theme_ = ViewportTheme::light();
   double pixelRatio_ = 1;
+  bool visible_ = true;
 };
 
 }  // namespace palpa::view

@@ -3,6 +3,8 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
+#include <Eigen/Geometry>
+
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/tessellation.h"
 
@@ -179,6 +181,177 @@ void fromBelow(Viewport& viewport) {
   viewport.fit();
 }
 
+/// The sphere with one point selected and a gizmo of the kind on it.
+void gizmo(Viewport& viewport, view::GizmoKind kind, view::GizmoAxis highlighted) {
+  const Solid sphere = modeling::makeSphere(25);
+  show(sphere, viewport);
+  viewport.setControlNetVisible(false);
+  viewport.orbit({40, 40});
+  viewport.setGizmo(
+      view::Gizmo{{6, -10, 8}, Vector3d(0.5, -0.6, 0.62).normalized(), highlighted, kind});
+}
+
+/// Lines around and through a box in all styles, half of them over everything.
+void toolDrawing(Viewport& viewport) {
+  using Style = view::ToolDrawing::Style;
+  show(modeling::makeBox({40, 30, 20}), viewport);
+  viewport.setControlNetVisible(false);
+  view::ToolDrawing drawing;
+  const auto frame = [](double z, double size) {
+    std::vector<Vector3d> points;
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}}) {
+      points.push_back({x * size * 24.0, y * size * 18.0, z});
+    }
+    return points;
+  };
+  drawing.lines = {{frame(4, 1), Style::kPreview, true},
+                   {frame(9, 1), Style::kHovered, true},
+                   {frame(14, 1), Style::kSelected, true},
+                   {frame(18, 1), Style::kGuide, true},
+                   {frame(24, 0.8), Style::kPreview, false},
+                   {frame(28, 0.8), Style::kSelected, false},
+                   // Through the eye: cut off in front of it.
+                   {{{0, -2000, 10}, {0, 2000, 10}}, Style::kGuide, false},
+                   {{{-12, 0, 5}, {12, 0, 15}}, Style::kHovered, false}};
+  drawing.dots = {{{-12, 0, 5}, Style::kHovered},
+                  {{12, 0, 15}, Style::kPreview},
+                  {{20, -15, 20}, Style::kSelected},
+                  {{-20, -15, 20}, Style::kGuide}};
+  drawing.labels = {{{12, 0, 15}, "24.5 mm"}, {{-12, 0, 5}, "x −12.00  y 0.00  z 5.00 mm"}};
+  viewport.setToolDrawing(drawing);
+}
+
+/// In front, selected, behind the body, without label, and pointing at the viewer.
+void touches(Viewport& viewport) {
+  show(modeling::makeSphere(25), viewport);
+  viewport.setControlNetVisible(false);
+  const auto on = [](double x, double y, double z) {
+    return Vector3d(25 * Vector3d(x, y, z).normalized());
+  };
+  viewport.setTouchMarkers({{on(0.2, -1, 0.6), {0, 1, 0}, "Press", false},
+                            {on(-0.7, -0.9, 0.1), {-3, -2, 0}, "Pull", true},
+                            {on(1, -0.5, -0.3), {0, 0, -0.01}, "", false},
+                            {on(-0.6, 1, 0.4), {0, 0, 2}, "Behind", false},
+                            {on(0.5, -1, -0.5), {0, 0, 0}, "Held", false}});
+}
+
+/// Numbers below zero in a half space and within a ball, which cut through the triangles.
+std::vector<double> field(const ViewportBody& body, const std::function<double(Vector3d)>& value) {
+  std::vector<double> numbers;
+  for (const Vector3d& position : body.positions) numbers.push_back(value(position));
+  return numbers;
+}
+
+void regions(Viewport& viewport) {
+  const Solid sphere = modeling::makeSphere(25);
+  show(sphere, viewport);
+  viewport.setControlNetVisible(false);
+  const ViewportBody body = viewportBody(sphere);
+  viewport.setRegions(
+      field(body, [](const Vector3d& x) { return x.z() + 0.4 * x.x() + 9; }),
+      field(body, [](const Vector3d& x) { return (x - Vector3d(8, -20, 12)).norm() - 9; }));
+}
+
+/// Where a load lies on a support, the support wins; a hovered patch shows both.
+void overlappingRegions(Viewport& viewport) {
+  const Solid box = modeling::makeBox({40, 30, 20});
+  show(box, viewport);
+  viewport.setControlNetVisible(false);
+  const ViewportBody body = viewportBody(box);
+  viewport.setMarks(marks(box, {{"side_ymin", Mark::kHovered}}));
+  viewport.setRegions(
+      field(body, [](const Vector3d& x) { return x.x() + 3; }),
+      field(body, [](const Vector3d& x) { return (x - Vector3d(0, -10, 20)).norm() - 12; }));
+}
+
+/// Whole patches: the numbers jump at their borders.
+void patchRegions(Viewport& viewport) {
+  const Solid cylinder = modeling::makeCylinder(15, 40);
+  show(cylinder, viewport);
+  viewport.setControlNetVisible(false);
+  const ViewportBody body = viewportBody(cylinder);
+  std::vector<double> supports(body.positions.size(), 1e30);
+  std::vector<double> loads = supports;
+  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+    const auto patch = static_cast<std::size_t>(body.patchOfTriangle[t]);
+    const std::string& name = cylinder.patches()[patch].name;
+    for (const int corner : body.triangles[t]) {
+      if (name == "top") loads[static_cast<std::size_t>(corner)] = -1e30;
+      if (patch == 0) supports[static_cast<std::size_t>(corner)] = -1e30;
+    }
+  }
+  viewport.setRegions(supports, loads);
+  viewport.fit();
+}
+
+/// Flat triangles with faces as patches, as of an imported mesh.
+void meshBody(Viewport& viewport) {
+  ViewportBody flat;
+  const ViewportBody round = viewportBody(modeling::makeSphere(25), 2);
+  for (const view::Triangle& triangle : round.triangles) {
+    std::array<Vector3d, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = round.positions[static_cast<std::size_t>(triangle[k])];
+    }
+    const Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+    const int first = static_cast<int>(flat.positions.size());
+    flat.positions.insert(flat.positions.end(), corners.begin(), corners.end());
+    flat.normals.insert(flat.normals.end(), 3, normal);
+    flat.triangles.push_back({first, first + 1, first + 2});
+    flat.patchOfTriangle.push_back(0);
+  }
+  viewport.setBody(flat);
+  viewport.setControlNet({});
+  viewport.fit();
+  viewport.setRegions(field(flat, [](const Vector3d& x) { return x.z() + 12; }), {});
+}
+
+void fittedSelection(Viewport& viewport) {
+  const Solid sphere = modeling::makeSphere(25);
+  show(sphere, viewport);
+  std::vector<HandleState> states(sphere.controlPoints().size(), HandleState::kPlain);
+  std::vector<Vector3d> chosen;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Vector3d& point = sphere.controlPoints()[i];
+    if ((point - Vector3d(10, -22, 12)).norm() > 12) continue;
+    states[i] = HandleState::kSelected;
+    chosen.push_back(point);
+  }
+  viewport.setHandleStates(states);
+  viewport.fitTo(chosen);
+}
+
+void nothingShown(Viewport& viewport) {
+  boundaryConditions(viewport);
+  viewport.setMarks(std::vector<Mark>(
+      viewportBody(modeling::makeBox({60, 30, 20})).triangles.size(), Mark::kNone));
+  viewport.setWarnings({{{0, 0, 20}, "Not seen"}});
+  viewport.setTouchMarkers({{{0, 0, 20}, {0, 0, 1}, "Not seen", true}});
+  viewport.setRegionsVisible(false);
+  viewport.setTouchesVisible(false);
+  viewport.setWarningsVisible(false);
+}
+
+std::function<void(Viewport&)> dark(std::function<void(Viewport&)> light) {
+  return [light = std::move(light)](Viewport& viewport) {
+    light(viewport);
+    viewport.setTheme(view::ViewportTheme::dark());
+  };
+}
+
+void rotateGizmo(Viewport& viewport) {
+  gizmo(viewport, view::GizmoKind::kRotate, view::GizmoAxis::kZ);
+}
+
+void scaleGizmo(Viewport& viewport) {
+  gizmo(viewport, view::GizmoKind::kScale, view::GizmoAxis::kAll);
+}
+
+void wireRegions(Viewport& viewport) {
+  regions(viewport);
+  viewport.setShading(view::Shading::kWire);
+}
+
 }  // namespace
 
 ViewportBody viewportBody(const Solid& solid, int piecesPerSpan) {
@@ -215,6 +388,23 @@ std::map<std::string, ViewportCase> viewportCases() {
       {"viewport_from_below", {fromBelow}},
       {"viewport_knot_lines", {knotLines}},
       {"viewport_high_dpi", {selection, 1200, 900, 2}},
+      {"viewport_gizmo_rotate", {rotateGizmo}},
+      {"viewport_gizmo_scale", {scaleGizmo}},
+      {"viewport_tool_drawing", {toolDrawing}},
+      {"viewport_touches", {touches}},
+      {"viewport_regions", {regions}},
+      {"viewport_regions_overlapping", {overlappingRegions}},
+      {"viewport_regions_of_patches", {patchRegions}},
+      {"viewport_regions_wire", {wireRegions}},
+      {"viewport_mesh_body", {meshBody}},
+      {"viewport_fit_selection", {fittedSelection}},
+      {"viewport_nothing_shown", {nothingShown}},
+      {"viewport_dark_gizmo_rotate", {dark(rotateGizmo)}},
+      {"viewport_dark_tool_drawing", {dark(toolDrawing)}},
+      {"viewport_dark_touches", {dark(touches)}},
+      {"viewport_dark_regions", {dark(regions)}},
+      {"viewport_high_dpi_tool_drawing", {toolDrawing, 1200, 900, 2}},
+      {"viewport_high_dpi_regions", {regions, 1200, 900, 2}},
       {"viewport_empty", {[](Viewport& v) { v.fit(); }, 320, 240}},
   };
 }

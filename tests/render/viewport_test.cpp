@@ -129,7 +129,7 @@ TEST_P(ViewportTest, GizmoArrowsUnderThePixel) {
   EXPECT_EQ(viewport.gizmoAt({460, 302}), GizmoAxis::kX);
   EXPECT_EQ(viewport.gizmoAt({398, 230}), GizmoAxis::kZ);
   EXPECT_EQ(viewport.gizmoAt({355, 255}), GizmoAxis::kNormal);
-  EXPECT_EQ(viewport.gizmoAt({400, 300}), GizmoAxis::kNone);  // free for the handle itself
+  EXPECT_EQ(viewport.gizmoAt({400, 300}), GizmoAxis::kAll);
   EXPECT_EQ(viewport.gizmoAt({460, 315}), GizmoAxis::kNone);
   EXPECT_EQ(viewport.gizmoAt({510, 300}), GizmoAxis::kNone);
   // The y axis points away from the eye: it is neither drawn nor picked.
@@ -147,6 +147,34 @@ TEST_P(ViewportTest, GizmoKeepsItsSizeInPixels) {
     EXPECT_EQ(viewport.gizmoAt(middle + Vector2d(85, 0)), GizmoAxis::kX);
     EXPECT_EQ(viewport.gizmoAt(middle + Vector2d(105, 0)), GizmoAxis::kNone);
   }
+}
+
+TEST_P(ViewportTest, ScaleHandlesUnderThePixel) {
+  const Vector3d at = viewport.inViewPlane({400, 300}, {0, 0, 10});
+  viewport.setGizmo(Gizmo{at, std::nullopt, GizmoAxis::kNone, GizmoKind::kScale});
+  EXPECT_EQ(viewport.gizmoAt({403, 298}), GizmoAxis::kAll);
+  EXPECT_EQ(viewport.gizmoAt({484, 302}), GizmoAxis::kX);
+  EXPECT_EQ(viewport.gizmoAt({400, 216}), GizmoAxis::kZ);
+  EXPECT_EQ(viewport.gizmoAt({440, 260}), GizmoAxis::kNone);
+}
+
+TEST_P(ViewportTest, RingsArePickedOnTheirFrontHalf) {
+  // From the front and above, the ring about z bulges downwards where it is in front.
+  viewport.orbit({0, 70});
+  const Vector3d at = viewport.inViewPlane({400, 300}, {0, 0, 10});
+  viewport.setGizmo(Gizmo{at, std::nullopt, GizmoAxis::kNone, GizmoKind::kRotate});
+  const auto onRing = [&](const Vector3d& towards) {
+    const double length =
+        74 / (viewport.toPixel(at + 1e-3 * viewport.camera().up) - viewport.toPixel(at)).norm() *
+        1e-3;
+    return viewport.gizmoAt(viewport.toPixel(at + length * towards.normalized()));
+  };
+  EXPECT_EQ(onRing({0.4, -0.9, 0}), GizmoAxis::kZ);
+  EXPECT_EQ(onRing({0.4, 0.9, 0}), GizmoAxis::kNone);  // behind
+  EXPECT_EQ(onRing({0, -0.5, 0.8}), GizmoAxis::kX);
+  EXPECT_EQ(onRing({0.6, 0, 0.8}), GizmoAxis::kY);
+  EXPECT_EQ(viewport.gizmoAt({400 + 90 * 0.707, 300 + 90 * 0.707}), GizmoAxis::kAll);
+  EXPECT_EQ(viewport.gizmoAt({430, 310}), GizmoAxis::kNone);
 }
 
 TEST_P(ViewportTest, DraggingAlongALine) {

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <QAction>
 #include <QObject>
+#include <vector>
 
+#include "app/gui/menus.h"
+#include "app/gui/saved_view.h"
 #include "app/gui/workspace.h"
 
 namespace palpa::gui {
 
-/// The View menu: where one looks from and what is shown.
+/// The View menu: where one looks from and what is shown. Kept with the project.
 class ViewActions : public QObject {
   Q_OBJECT
 
@@ -14,7 +18,30 @@ class ViewActions : public QObject {
   explicit ViewActions(const Workspace& workspace);
 
  private:
+  void addFits();
+  void addDirections();
+  void addNavigation();
+  void addShadings();
+  void addToggles();
+
+  void look(view::StandardView from);
+  void lookFromOpposite();
+  void orbit(const Eigen::Vector2d& pixels);
+  void zoom(double factor);
+  void fitSelection();
+  void save();
+  void restore();
+
+  /// A part of the picture that can be hidden.
+  struct Part {
+    QAction* action;
+    bool SavedView::*shown;
+  };
+
   Workspace workspace_;
+  std::vector<QAction*> shadings_;  ///< by view::Shading
+  std::vector<Part> parts_;
+  QAction* parallel_ = nullptr;
 };
 
 }  // namespace palpa::gui

@@ -29,6 +29,9 @@ bool SelectTool::press(const PointerEvent& event) {
   moved_.setZero();
   hasMoved_ = false;
   axis_ = widget_.viewport().gizmoAt(event.pixel);
+  // A control point under the middle of the gizmo moves as freely, and can be taken out with Shift.
+  if (axis_ == view::GizmoAxis::kAll && widget_.viewport().controlPointAt(event.pixel))
+    axis_ = view::GizmoAxis::kNone;
   if (axis_ != view::GizmoAxis::kNone) {
     start_ = *scene_.selectionCentre();
     mode_ = Mode::kDrag;
@@ -51,7 +54,8 @@ bool SelectTool::press(const PointerEvent& event) {
 }
 
 std::optional<Eigen::Vector3d> SelectTool::dragTarget(const Eigen::Vector2d& pixel) const {
-  if (axis_ == view::GizmoAxis::kNone) return widget_.viewport().inViewPlane(pixel, start_);
+  const bool isFree = axis_ == view::GizmoAxis::kNone || axis_ == view::GizmoAxis::kAll;
+  if (isFree) return widget_.viewport().inViewPlane(pixel, start_);
   return widget_.viewport().onLine(pixel, start_, directionOf(axis_));
 }
 

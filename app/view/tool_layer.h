@@ -1,0 +1,89 @@
+#pragma once
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "app/view/flat_shapes.h"
+#include "app/view/turntable.h"
+#include "app/view/viewport_geometry.h"
+#include "app/view/viewport_scene.h"
+
+/// What tools draw, and touches, in the interactive view. Internal to app/view.
+namespace palpa::view {
+
+/// Words on plates; the texts are made anew only when they change.
+class PlateLabels {
+ public:
+  explicit PlateLabels(vtkRenderer* overlay) : overlay_(overlay) {}
+
+  void set(const std::vector<std::string>& texts, const ViewportTheme& theme, double pixelRatio);
+  /// Places the text of that index beside `pixel`; NaN hides it.
+  void place(std::size_t index, const Eigen::Vector2d& pixel, const Colour& frame,
+             const Turntable& camera, FlatShapes& shapes);
+
+ private:
+  struct Plate {
+    std::string words;
+    vtkSmartPointer<vtkTextActor> text;
+    Eigen::Vector2d size;  ///< pixels
+  };
+
+  vtkRenderer* overlay_;
+  std::vector<Plate> plates_;
+  ViewportTheme theme_ = ViewportTheme::light();
+  double pixelRatio_ = 0;
+};
+
+/// Lines, dots and labels of the active tool.
+class ToolLayer {
+ public:
+  ToolLayer(vtkRenderer* scene, vtkRenderer* overlay);
+
+  void set(const ToolDrawing& drawing, const ViewportTheme& theme, double pixelRatio);
+  /// To be called before drawing, between clear() and finish() of `shapes`.
+  void update(const Turntable& camera, FlatShapes& shapes);
+
+  /// Ends of what must be drawn: the depth range follows them.
+  const std::vector<Eigen::Vector3d>& ends() const { return ends_; }
+
+ private:
+  /// The lines of one style that the body may hide.
+  struct Lines {
+    vtkSmartPointer<vtkPoints> points;
+    vtkSmartPointer<vtkActor> actor;
+  };
+
+  ToolDrawing drawing_;
+  std::array<Lines, 4> lines_;  ///< by style
+  std::vector<Eigen::Vector3d> ends_;
+  PlateLabels labels_;
+  ViewportTheme theme_ = ViewportTheme::light();
+  double pixelRatio_ = 1;
+};
+
+/// Dots with arrows at the places of touches. Those that the body hides are faint.
+class TouchLayer {
+ public:
+  explicit TouchLayer(vtkRenderer* overlay) : labels_(overlay) {}
+
+  void set(const std::vector<TouchMarker>& markers, const ViewportTheme& theme, double pixelRatio);
+  void setVisible(bool visible) { visible_ = visible; }
+  /// To be called before drawing, between clear() and finish() of `shapes`; `hidden` tells whether
+  /// the body lies before a point.
+  void update(const Turntable& camera, const std::function<bool(const Eigen::Vector3d&)>& hidden,
+              FlatShapes& shapes);
+
+ private:
+  std::vector<TouchMarker> markers_;
+  PlateLabels labels_;
+  ViewportTheme theme_ = ViewportTheme::light();
+  double pixelRatio_ = 1;
+  bool visible_ = true;
+};
+
+}  // namespace palpa::view
