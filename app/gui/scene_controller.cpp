@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "app/gui/point_groups.h"
+
 namespace palpa::gui {
 namespace {
 
@@ -51,6 +53,8 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
 
 void SceneController::showProject() {
   hovered_.reset();
+  hoveredPatch_.reset();
+  following_.clear();
   const modeling::Solid* solid = editor_.solid();
   if (!solid) {
     showMeshBody();
@@ -62,6 +66,7 @@ void SceneController::showProject() {
                               tessellation_->patchOfTriangle(), tessellation_->borders(),
                               tessellation_->knotLines()});
   widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
+  netSize_ = solid->controlPoints().size();
   showMarks();
   showSelection();
 }
@@ -82,6 +87,7 @@ void SceneController::showMeshBody() {
   }
   widget_.viewport().setBody(shown);
   widget_.viewport().setControlNet({});
+  netSize_ = 0;
   widget_.viewport().setGizmo(std::nullopt);
   widget_.update();
 }
@@ -120,28 +126,91 @@ void SceneController::showMarks() {
     for (const auto& [region, mark] : regions)
       if (region.contains(tessellation_->patchOfTriangle()[t], middle)) marks[t] = mark;
   }
+  markPatches(marks);
   widget_.viewport().setMarks(marks);
 }
 
-std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
+void SceneController::markPatches(std::vector<Mark>& marks) const {
+  for (std::size_t t = 0; t < marks.size(); ++t) {
+    const int patch = tessellation_->patchOfTriangle()[t];
+    if (editor_.selection().patches.contains(patch)) marks[t] = Mark::kSelected;
+    if (patch == hoveredPatch_) marks[t] = Mark::kHovered;
+  }
+}
+
+std::optional<int> SceneController::patchAt(const Eigen::Vector2d& pixel) const {
+  const auto hit = widget_.viewport().surfaceAt(pixel);
+  if (!hit) return std::nullopt;
+  if (tessellation_) return tessellation_->patchOfTriangle()[hit->triangle];
+  return std::get<modeling::MeshBody>(editor_.project().body).faceOfTriangle()[hit->triangle];
+}
+
+std::optional<int> SceneController::edgeAt(const Eigen::Vector2d& pixel) const {
+  const auto border = widget_.viewport().borderAt(pixel);
+  if (!border || !editor_.solid()) return std::nullopt;
+  // Tessellation::borders() has the four sides of each patch, in the order of kSides.
+  return editor_.solid()->edgeOf(*border / 4, modeling::kSides[*border % 4]);
+}
+
+std::vector<Eigen::Vector3d> SceneController::edgeLine(int edge) const {
+  std::vector<Eigen::Vector3d> line;
   const modeling::Solid* solid = editor_.solid();
-  const std::set<int>& points = editor_.selection().points;
-  if (!solid || points.empty()) return std::nullopt;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int point : points) sum += solid->controlPoints()[point];
-  return sum / static_cast<double>(points.size());
+  if (!solid || solid->controlPoints().size() != netSize_ ||
+      edge >= static_cast<int>(solid->edges().size()))
+    return line;
+  const modeling::PatchEdge& use = solid->edges()[edge].uses[0];
+  const int border = 4 * use.patch + static_cast<int>(use.side);
+  for (int vertex : tessellation_->borders()[border]) line.push_back(shape_.positions[vertex]);
+  return line;
+}
+
+std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
+  if (!editor_.solid()) return std::nullopt;
+  const std::set<int> points = pointsOf(editor_.selection(), *editor_.solid());
+  if (points.empty()) return std::nullopt;
+  return meanOf(points, *editor_.solid());
 }
 
 void SceneController::showSelection() {
   const modeling::Solid* solid = editor_.solid();
-  if (!solid) return;
+  // With another topology the selection changes first; the view follows with the body.
+  if (!solid || solid->controlPoints().size() != netSize_) return;
+  const std::set<int> moved = pointsOf(editor_.selection(), *solid);
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
+  for (int point : moved) states[point] = HandleState::kFollowing;
+  for (int point : following_) states[point] = HandleState::kFollowing;
   if (hovered_) states[*hovered_] = HandleState::kHovered;
   for (int point : editor_.selection().points) states[point] = HandleState::kSelected;
   widget_.viewport().setHandleStates(states);
-  const auto centre = selectionCentre();
-  widget_.viewport().setGizmo(centre ? std::optional(view::Gizmo{*centre, std::nullopt, axis_})
-                                     : std::nullopt);
+  std::optional<view::Gizmo> gizmo;
+  if (gizmoKind_ && !moved.empty()) {
+    gizmo = view::Gizmo{meanOf(moved, *solid), std::nullopt, axis_, *gizmoKind_};
+    const Eigen::Vector3d normal = meanNormal(moved, *solid);
+    if (*gizmoKind_ != view::GizmoKind::kScale && !normal.isZero()) gizmo->normal = normal;
+  }
+  widget_.viewport().setGizmo(gizmo);
+  if (markedPatches_ != editor_.selection().patches) {
+    markedPatches_ = editor_.selection().patches;
+    showMarks();
+  }
+  widget_.update();
+}
+
+void SceneController::setGizmoKind(std::optional<view::GizmoKind> kind) {
+  gizmoKind_ = kind;
+  showSelection();
+}
+
+void SceneController::setFollowing(std::set<int> points) {
+  if (points == following_) return;
+  following_ = std::move(points);
+  showSelection();
+}
+
+void SceneController::setHoveredPatch(std::optional<int> patch) {
+  if (patch == hoveredPatch_) return;
+  hoveredPatch_ = patch;
+  showMarks();
   widget_.update();
 }
 

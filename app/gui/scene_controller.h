@@ -3,6 +3,7 @@
 #include <QObject>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/gui/editor.h"
 #include "app/gui/viewport_widget.h"
@@ -21,9 +22,22 @@ class SceneController : public QObject {
   /// The control point under the pointer, highlighted.
   void setHovered(std::optional<int> point);
   void setGizmoAxis(view::GizmoAxis axis);
+  /// Which handles stand in the middle of what is selected; none: no handles.
+  void setGizmoKind(std::optional<view::GizmoKind> kind);
+  /// Points drawn as going along with the selection.
+  void setFollowing(std::set<int> points);
+  /// The patch under the pointer, highlighted.
+  void setHoveredPatch(std::optional<int> patch);
 
-  /// Middle of the selected points; nothing when none is.
+  /// Middle of the points that a motion of the selection moves; nothing when there is none.
   std::optional<Eigen::Vector3d> selectionCentre() const;
+
+  /// The patch (or the face of a mesh body) under a pixel.
+  std::optional<int> patchAt(const Eigen::Vector2d& pixel) const;
+  /// The edge of the solid near a pixel: an index of Solid::edges().
+  std::optional<int> edgeAt(const Eigen::Vector2d& pixel) const;
+  /// Points along an edge as it is drawn.
+  std::vector<Eigen::Vector3d> edgeLine(int edge) const;
 
  private:
   void showProject();
@@ -31,13 +45,19 @@ class SceneController : public QObject {
   void showMeshBody();
   void showSelection();
   void showMarks();
+  void markPatches(std::vector<view::Mark>& marks) const;
 
   Editor& editor_;
   ViewportWidget& widget_;
   std::unique_ptr<modeling::Tessellation> tessellation_;
   modeling::Tessellation::Shape shape_;  // of the present control points
   std::optional<int> hovered_;
+  std::optional<int> hoveredPatch_;
+  std::set<int> following_;
+  std::set<int> markedPatches_;  // as selected
+  std::size_t netSize_ = 0;      // control points the view has
   view::GizmoAxis axis_ = view::GizmoAxis::kNone;
+  std::optional<view::GizmoKind> gizmoKind_;
 };
 
 }  // namespace palpa::gui
