@@ -58,7 +58,7 @@ void PointActions::update() {
 void PointActions::moveBy() {
   const std::set<int> moved = points();
   if (moved.empty()) return;
-  NumberDialog dialog(tr("Move by"), tr("Moves %n control point(s).", nullptr, int(moved.size())),
+  NumberDialog dialog(tr("Move by"), tr("Control points that are moved: %1.").arg(moved.size()),
                       workspace_.settings, &workspace_.window);
   VectorEdit& vector = dialog.addVector(tr("&Vector"), Eigen::Vector3d::Zero());
   if (dialog.exec() == QDialog::Accepted)
@@ -74,9 +74,8 @@ void PointActions::moveTo() {
   const Eigen::Vector3d from = meanOf(moved, solid);
   NumberDialog dialog(
       tr("Move to"),
-      moved.size() == 1
-          ? tr("Moves control point %1 to this place.").arg(*moved.begin())
-          : tr("Moves %n control points; their middle comes here.", nullptr, int(moved.size())),
+      moved.size() == 1 ? tr("Moves control point %1 to this place.").arg(*moved.begin())
+                        : tr("Moves %1 control points; their middle comes here.").arg(moved.size()),
       workspace_.settings, &workspace_.window);
   VectorEdit& place = dialog.addVector(tr("&Place"), from);
   if (dialog.exec() != QDialog::Accepted) return;
@@ -91,9 +90,9 @@ void PointActions::moveAlongNormal() {
   const std::set<int> moved = points();
   if (moved.empty()) return;
   NumberDialog dialog(tr("Move along normal"),
-                      tr("Moves %n control point(s), each along its own outward normal; below zero "
-                         "inwards.",
-                         nullptr, int(moved.size())),
+                      tr("Each selected control point goes along its own outward normal; below "
+                         "zero inwards. Points: %1.")
+                          .arg(moved.size()),
                       workspace_.settings, &workspace_.window);
   QuantityEdit& distance = dialog.addLength(tr("&Distance"), 0);
   if (dialog.exec() == QDialog::Accepted)
