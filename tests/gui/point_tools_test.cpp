@@ -21,6 +21,7 @@ class PointTools : public WindowTest {
   PointTools() {
     EXPECT_TRUE(window_->openFile(kSphere));
     options_ = window_->findChild<PointOptions*>();
+    QApplication::setActiveWindow(window_.get());  // or no shortcut would hear of a key
     view().setFocus();
   }
 
@@ -285,9 +286,8 @@ TEST_F(PointTools, OptionsCanBeSetByHand) {
 
 TEST_F(PointTools, PatchesAndEdgesArePicked) {
   const QPoint middle = view().rect().center();
-  key(Qt::Key_2, Qt::AltModifier);
+  action("Pick patches")->trigger();
   EXPECT_EQ(options_->pick(), PointOptions::Pick::kPatches);
-  options_->setPick(PointOptions::Pick::kPatches);
   moveTo(middle);
   QTest::mouseClick(&view(), Qt::LeftButton, {}, middle);
   ASSERT_EQ(editor().selection().patches.size(), 1u);

@@ -42,14 +42,14 @@ QuantityEdit& NumberDialog::addLength(const QString& label, double value) {
 }
 
 void NumberDialog::accept() {
-  // What is typed counts when the field is left; Enter and OK leave it.
-  if (QWidget* focused = focusWidget()) focused->clearFocus();
-  for (QuantityEdit* field : findChildren<QuantityEdit*>())
+  for (QuantityEdit* field : findChildren<QuantityEdit*>()) {
+    Q_EMIT field->editingFinished();  // what is typed counts now, wherever the focus is
     if (field->property("refused").toBool()) {
       problem_->setText(tr("“%1”: %2").arg(field->text(), field->toolTip()));
       field->setFocus();
       return;
     }
+  }
   QDialog::accept();
 }
 
