@@ -18,7 +18,7 @@
 #include "app/gui/dialogs/recovery_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/docks/rebuild_dock.h"
-#include "app/gui/tools/select_tool.h"
+#include "app/gui/tools/point_tools.h"
 
 namespace palpa::gui {
 namespace {
@@ -60,9 +60,7 @@ MainWindow::MainWindow()
 }
 
 void MainWindow::addTools() {
-  tools_.add(std::make_unique<SelectTool>(editor_, scene_, *viewport_), menus_.select,
-             {"select", tr("&Select and move"), QKeySequence(Qt::Key_S),
-              tr("Select control points and drag them")});
+  addPointTools(workspace_);
 }
 
 void MainWindow::addDocks() {

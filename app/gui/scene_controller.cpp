@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "app/gui/condition_marks.h"
+#include "app/gui/point_groups.h"
+
 namespace palpa::gui {
 namespace {
 
@@ -27,16 +30,16 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
     widget_.viewport().fit();
   });
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
-  connect(&editor, &Editor::selectionChanged, this, [this] {
-    showSelection();
-    showMarks();
-  });
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showConditions);
   showProject();
   widget_.viewport().fit();
 }
 
 void SceneController::showProject() {
   hovered_.reset();
+  hoveredPatch_.reset();
+  following_.clear();
   const modeling::Solid* solid = editor_.solid();
   if (!solid) {
     showMeshBody();
@@ -49,9 +52,11 @@ void SceneController::showProject() {
                               tessellation_->knotLines()});
   setPatches(tessellation_->triangles(), tessellation_->patchOfTriangle());
   widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
+  netSize_ = solid->controlPoints().size();
   showRegions();
   showMarks();
   showSelection();
+  showConditions();
 }
 
 void SceneController::showMeshBody() {
@@ -72,10 +77,11 @@ void SceneController::showMeshBody() {
   setPatches(shown.triangles, shown.patchOfTriangle);
   shape_ = {shown.positions, shown.normals};
   widget_.viewport().setControlNet({});
+  netSize_ = 0;
   widget_.viewport().setGizmo(std::nullopt);
   showRegions();
   showMarks();
-  widget_.update();
+  showConditions();
 }
 
 void SceneController::setPatches(const std::vector<view::Triangle>& triangles,
@@ -105,7 +111,7 @@ void SceneController::showChange(const modeling::Change& change) {
     widget_.updateQuickly();
   }
   if (change.supports || change.loads || !change.movedPoints.empty()) showRegions();
-  widget_.update();
+  showConditions();
 }
 
 void SceneController::showRegions() {
@@ -123,44 +129,59 @@ void SceneController::showRegions() {
 void SceneController::showMarks() {
   const std::set<int>& selected = editor_.selection().patches;
   std::vector<Mark> marks(patchOfTriangle_.size(), Mark::kNone);
-  for (std::size_t t = 0; t < marks.size(); ++t)
+  for (std::size_t t = 0; t < marks.size(); ++t) {
     if (selected.contains(patchOfTriangle_[t])) marks[t] = Mark::kSelected;
+    if (patchOfTriangle_[t] == hoveredPatch_) marks[t] = Mark::kHovered;
+  }
   widget_.viewport().setMarks(marks);
 }
 
-std::vector<Eigen::Vector3d> SceneController::selectedPlaces() const {
-  std::vector<Eigen::Vector3d> places;
-  const Selection& selection = editor_.selection();
-  if (const modeling::Solid* solid = editor_.solid()) {
-    for (const int point : selection.points) places.push_back(solid->controlPoints()[point]);
-    for (const int edge : selection.edges)
-      for (const int end : solid->edges()[edge].vertices)
-        places.push_back(solid->controlPoints()[end]);
-  }
-  for (std::size_t i = 0; i < patchOfPosition_.size(); ++i)
-    if (selection.patches.contains(patchOfPosition_[i])) places.push_back(shape_.positions[i]);
-  return places;
-}
-
-std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
-  const modeling::Solid* solid = editor_.solid();
-  const std::set<int>& points = editor_.selection().points;
-  if (!solid || points.empty()) return std::nullopt;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int point : points) sum += solid->controlPoints()[point];
-  return sum / static_cast<double>(points.size());
+void SceneController::showConditions() {
+  widget_.viewport().setLoadArrows(loadArrows(editor_.project(), surface()));
+  widget_.viewport().setTouchMarkers(touchMarkers(editor_.project(), editor_.selection()));
+  widget_.update();
 }
 
 void SceneController::showSelection() {
   const modeling::Solid* solid = editor_.solid();
-  if (!solid) return;
+  // With another topology the selection changes first; the view follows with the body.
+  if (!solid || solid->controlPoints().size() != netSize_) return;
+  const std::set<int> moved = pointsOf(editor_.selection(), *solid);
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
+  for (int point : moved) states[point] = HandleState::kFollowing;
+  for (int point : following_) states[point] = HandleState::kFollowing;
   if (hovered_) states[*hovered_] = HandleState::kHovered;
   for (int point : editor_.selection().points) states[point] = HandleState::kSelected;
   widget_.viewport().setHandleStates(states);
-  const auto centre = selectionCentre();
-  widget_.viewport().setGizmo(centre ? std::optional(view::Gizmo{*centre, std::nullopt, axis_})
-                                     : std::nullopt);
+  std::optional<view::Gizmo> gizmo;
+  if (gizmoKind_ && !moved.empty()) {
+    gizmo = view::Gizmo{meanOf(moved, *solid), std::nullopt, axis_, *gizmoKind_};
+    const Eigen::Vector3d normal = meanNormal(moved, *solid);
+    if (*gizmoKind_ != view::GizmoKind::kScale && !normal.isZero()) gizmo->normal = normal;
+  }
+  widget_.viewport().setGizmo(gizmo);
+  if (markedPatches_ != editor_.selection().patches) {
+    markedPatches_ = editor_.selection().patches;
+    showMarks();
+  }
+  widget_.update();
+}
+
+void SceneController::setGizmoKind(std::optional<view::GizmoKind> kind) {
+  gizmoKind_ = kind;
+  showSelection();
+}
+
+void SceneController::setFollowing(std::set<int> points) {
+  if (points == following_) return;
+  following_ = std::move(points);
+  showSelection();
+}
+
+void SceneController::setHoveredPatch(std::optional<int> patch) {
+  if (patch == hoveredPatch_) return;
+  hoveredPatch_ = patch;
+  showMarks();
   widget_.update();
 }
 

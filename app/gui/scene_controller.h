@@ -3,8 +3,10 @@
 #include <QObject>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "app/gui/editor.h"
+#include "app/gui/surface_place.h"
 #include "app/gui/viewport_widget.h"
 #include "modeling/solid/tessellation.h"
 
@@ -21,11 +23,28 @@ class SceneController : public QObject {
   /// The control point under the pointer, highlighted.
   void setHovered(std::optional<int> point);
   void setGizmoAxis(view::GizmoAxis axis);
+  /// Which handles stand in the middle of what is selected; none: no handles.
+  void setGizmoKind(std::optional<view::GizmoKind> kind);
+  /// Points drawn as going along with the selection.
+  void setFollowing(std::set<int> points);
+  /// The patch under the pointer, highlighted.
+  void setHoveredPatch(std::optional<int> patch);
 
   /// Points that show all that is selected in the view.
   std::vector<Eigen::Vector3d> selectedPlaces() const;
-  /// Middle of the selected points; nothing when none is.
+  /// Middle of the points that a motion of the selection moves; nothing when there is none.
   std::optional<Eigen::Vector3d> selectionCentre() const;
+
+  /// What lies under a device pixel of the view.
+  std::optional<SurfacePlace> placeAt(const Eigen::Vector2d& pixel) const;
+  /// The triangles the view shows.
+  ShownSurface surface() const;
+  /// The patch (or the face of a mesh body) under a pixel.
+  std::optional<int> patchAt(const Eigen::Vector2d& pixel) const;
+  /// The edge of the solid near a pixel: an index of Solid::edges().
+  std::optional<int> edgeAt(const Eigen::Vector2d& pixel) const;
+  /// Points along an edge as it is drawn.
+  std::vector<Eigen::Vector3d> edgeLine(int edge) const;
 
  private:
   void showProject();
@@ -34,6 +53,7 @@ class SceneController : public QObject {
   void showSelection();
   void showRegions();
   void showMarks();
+  void showConditions();
   void setPatches(const std::vector<view::Triangle>& triangles,
                   const std::vector<int>& patchOfTriangle);
 
@@ -43,7 +63,12 @@ class SceneController : public QObject {
   modeling::Tessellation::Shape shape_;  // as shown
   std::vector<int> patchOfTriangle_, patchOfPosition_;
   std::optional<int> hovered_;
+  std::optional<int> hoveredPatch_;
+  std::set<int> following_;
+  std::set<int> markedPatches_;  // as selected
+  std::size_t netSize_ = 0;      // control points the view has
   view::GizmoAxis axis_ = view::GizmoAxis::kNone;
+  std::optional<view::GizmoKind> gizmoKind_;
 };
 
 }  // namespace palpa::gui

@@ -124,6 +124,7 @@ PointerEvent ViewportWidget::pointerEvent(const QMouseEvent& event) const {
 void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
   last_ = toDevice(event->position());
+  if (event->button() == Qt::RightButton && tool_ && tool_->press(pointerEvent(*event))) return;
   const bool middle = event->button() == Qt::MiddleButton;
   const bool altLeft =
       event->button() == Qt::LeftButton && (event->modifiers() & Qt::AltModifier) != 0;
@@ -172,6 +173,9 @@ void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 void ViewportWidget::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
+  const PointerEvent at{toDevice(event->position()), Qt::NoButton, event->buttons(),
+                        event->modifiers()};
+  if (tool_ && tool_->wheel(at, notches)) return;
   viewport_->zoom(std::pow(1.15, notches), toDevice(event->position()));
   updateQuickly();
   event->accept();

@@ -12,16 +12,10 @@ EditActions::EditActions(const Workspace& workspace)
   Editor& editor = workspace_.editor;
   undo_ = menus.add(menus.edit, {"undo", tr("&Undo"), QKeySequence::Undo}, &editor, &Editor::undo);
   redo_ = menus.add(menus.edit, {"redo", tr("&Redo"), QKeySequence::Redo}, &editor, &Editor::redo);
-  menus.add(menus.select, {nullptr, tr("&All points"), QKeySequence::SelectAll}, this, [this] {
-    const modeling::Solid* solid = workspace_.editor.solid();
-    if (!solid) return;
-    std::set<int> all;
-    for (std::size_t i = 0; i < solid->controlPoints().size(); ++i) all.insert(static_cast<int>(i));
-    workspace_.editor.select(Selection::ofPoints(std::move(all)));
-  });
   menus.bar->addAction(undo_);
   menus.bar->addAction(redo_);
   menus.bar->addSeparator();
+  menus.edit->addSeparator();
   connect(&editor, &Editor::fileChanged, this, &EditActions::update);
   update();
 }

@@ -7,7 +7,7 @@
 
 namespace palpa::gui {
 
-/// The Edit and Select menus: history, and what is selected.
+/// The head of the Edit menu: undo and redo, with the names of the steps.
 class EditActions : public QObject {
   Q_OBJECT
 

@@ -1,45 +1,32 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <set>
-
-#include "app/gui/editor.h"
-#include "app/gui/scene_controller.h"
-#include "app/gui/tools/tool.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/tools/point_tool.h"
 
 namespace palpa::gui {
 
-/// Selects control points (click, Shift to add or remove, box) and drags them: freely parallel to
-/// the screen, or along an axis by the gizmo. One drag is one step of undo; Escape takes it back.
-class SelectTool : public Tool {
- public:
-  SelectTool(Editor& editor, SceneController& scene, ViewportWidget& widget);
+/// Selects, and moves: freely parallel to the screen, along an axis, or each point along its own
+/// outward normal.
+class SelectTool : public PointTool {
+  Q_OBJECT
 
-  bool press(const PointerEvent& event) override;
-  bool move(const PointerEvent& event) override;
-  bool release(const PointerEvent& event) override;
-  void leave() override { scene_.setHovered(std::nullopt); }
-  bool cancel() override;
-  QCursor cursor() const override;
+ public:
+  using PointTool::PointTool;
   QString hint() const override;
 
- private:
-  enum class Mode { kNone, kDrag, kBox };
-  std::optional<Eigen::Vector3d> dragTarget(const Eigen::Vector2d& pixel) const;
-  void drag(const Eigen::Vector2d& pixel);
+ protected:
+  view::GizmoKind kind() const override { return view::GizmoKind::kMove; }
+  bool allows(view::GizmoAxis) const override { return true; }
+  Amount neutral() const override { return Amount::Zero(); }
+  std::optional<Amount> pointed(const Motion& motion, bool snap) const override;
+  std::optional<Amount> entered(const Motion& motion, const QString& text) const override;
+  std::optional<Amount> between(const Amount& from, const Amount& to) const override {
+    return Amount(to - from);
+  }
+  modeling::Command command(const Motion& motion, const Amount& amount) const override;
+  QString describe(const Motion& motion) const override;
 
-  Editor& editor_;
-  SceneController& scene_;
-  ViewportWidget& widget_;
-  Mode mode_ = Mode::kNone;
-  view::GizmoAxis axis_ = view::GizmoAxis::kNone;
-  Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();
-  Eigen::Vector3d start_ = Eigen::Vector3d::Zero();  // of the dragged point or the gizmo
-  Eigen::Vector3d grip_ = Eigen::Vector3d::Zero();   // what lay under the pointer at the start
-  Eigen::Vector3d moved_ = Eigen::Vector3d::Zero();  // by the drag so far
-  bool hasMoved_ = false;
+ private:
+  static Amount along(const Motion& motion, const Eigen::Vector3d& direction, double distance);
 };
 
 }  // namespace palpa::gui

@@ -19,10 +19,13 @@ class Tool : public QObject {
   /// Ends everything begun; also called before the tool changes.
   virtual void deactivate() { cancel(); }
 
+  /// Also of the right button, which pans when the tool does not take it.
   virtual bool press(const PointerEvent&) { return false; }
   virtual bool move(const PointerEvent&) { return false; }
   virtual bool release(const PointerEvent&) { return false; }
   virtual bool doubleClick(const PointerEvent&) { return false; }
+  /// The wheel was turned by so many notches, away from the person when positive.
+  virtual bool wheel(const PointerEvent&, double /*notches*/) { return false; }
   virtual void leave() {}
   virtual bool key(QKeyEvent*) { return false; }
   /// Would key() take this one now? Such keys do not reach the shortcuts of the menus.

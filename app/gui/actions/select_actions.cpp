@@ -1,0 +1,134 @@
+#include "app/gui/actions/select_actions.h"
+
+#include <QActionGroup>
+
+#include "app/gui/editor.h"
+#include "app/gui/main_window.h"
+#include "app/gui/menus.h"
+#include "app/gui/point_groups.h"
+
+namespace palpa::gui {
+namespace {
+
+using Pick = PointOptions::Pick;
+
+std::set<int> upTo(std::size_t count) {
+  std::set<int> all;
+  for (std::size_t i = 0; i < count; ++i) all.insert(all.end(), static_cast<int>(i));
+  return all;
+}
+
+std::set<int> without(std::set<int> all, const std::set<int>& some) {
+  for (int each : some) all.erase(each);
+  return all;
+}
+
+}  // namespace
+
+SelectActions::SelectActions(const Workspace& workspace, PointOptions& options)
+    : QObject(&workspace.window), workspace_(workspace), options_(options) {
+  workspace_.menus.select->addSeparator();
+  addPicks();
+  workspace_.menus.select->addSeparator();
+  addSelections();
+  connect(&workspace_.editor, &Editor::selectionChanged, this, &SelectActions::update);
+  connect(&workspace_.editor, &Editor::projectReplaced, this, &SelectActions::update);
+  connect(&workspace_.editor, &Editor::projectChanged, this, &SelectActions::update);
+  update();
+}
+
+void SelectActions::addPicks() {
+  auto* group = new QActionGroup(this);
+  const auto add = [&](Pick pick, const Menus::Item& item) {
+    QAction* action = workspace_.menus.add(workspace_.menus.select, item, this,
+                                           [this, pick] { options_.setPick(pick); });
+    action->setCheckable(true);
+    group->addAction(action);
+    const auto show = [this, action, pick] { action->setChecked(options_.pick() == pick); };
+    connect(&options_, &PointOptions::changed, action, show);
+    show();
+  };
+  add(Pick::kPoints, {"point", tr("Pick &points"), QKeySequence(Qt::ALT | Qt::Key_1),
+                      tr("Clicks and boxes select control points")});
+  add(Pick::kPatches, {"patch", tr("Pick pa&tches"), QKeySequence(Qt::ALT | Qt::Key_2),
+                       tr("Clicks and boxes select patches")});
+  add(Pick::kEdges, {"edge", tr("Pick &edges"), QKeySequence(Qt::ALT | Qt::Key_3),
+                     tr("Clicks and boxes select edges")});
+}
+
+void SelectActions::addSelections() {
+  Menus& menus = workspace_.menus;
+  const auto selectPoints =
+      [this](std::set<int> (*change)(const std::set<int>&, const modeling::Solid&)) {
+        return [this, change] {
+          Editor& editor = workspace_.editor;
+          if (!editor.solid()) return;
+          const std::set<int> points = pointsOf(editor.selection(), *editor.solid());
+          editor.select(Selection::ofPoints(change(points, *editor.solid())));
+        };
+      };
+  needSolid_.push_back(menus.add(menus.select,
+                                 {nullptr, tr("&All"), QKeySequence::SelectAll,
+                                  tr("Select all points, patches or edges, as picked")},
+                                 this, &SelectActions::selectAll));
+  menus.add(
+      menus.select,
+      {nullptr, tr("&None"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A), tr("Select nothing")},
+      this, [this] { workspace_.editor.select({}); });
+  needSolid_.push_back(menus.add(menus.select,
+                                 {nullptr, tr("&Invert"), QKeySequence(Qt::CTRL | Qt::Key_I),
+                                  tr("Select what is not selected instead")},
+                                 this, &SelectActions::invert));
+  needPoints_.push_back(menus.add(menus.select,
+                                  {nullptr, tr("&Grow"), QKeySequence(Qt::CTRL | Qt::Key_G),
+                                   tr("Add the neighbours in the control nets")},
+                                  this, selectPoints(&grown)));
+  needPoints_.push_back(
+      menus.add(menus.select,
+                {nullptr, tr("S&hrink"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G),
+                 tr("Remove the points at the rim of the selection")},
+                this, selectPoints(&shrunk)));
+  needPoints_.push_back(menus.add(
+      menus.select,
+      {nullptr,
+       tr("Points &of patches and edges"),
+       {},
+       tr("Select the points of what is selected")},
+      this,
+      selectPoints([](const std::set<int>& points, const modeling::Solid&) { return points; })));
+}
+
+void SelectActions::selectAll() {
+  const modeling::Solid* solid = workspace_.editor.solid();
+  if (!solid) return;
+  workspace_.editor.select(
+      options_.pick() == Pick::kPatches ? Selection::ofPatches(upTo(solid->patches().size()))
+      : options_.pick() == Pick::kEdges ? Selection::ofEdges(upTo(solid->edges().size()))
+                                        : Selection::ofPoints(allPoints(*solid)));
+}
+
+void SelectActions::invert() {
+  const modeling::Solid* solid = workspace_.editor.solid();
+  if (!solid) return;
+  const Selection& now = workspace_.editor.selection();
+  if (!now.patches.empty())
+    workspace_.editor.select(
+        Selection::ofPatches(without(upTo(solid->patches().size()), now.patches)));
+  else if (!now.edges.empty())
+    workspace_.editor.select(Selection::ofEdges(without(upTo(solid->edges().size()), now.edges)));
+  else if (!now.points.empty())
+    workspace_.editor.select(Selection::ofPoints(inverted(now.points, *solid)));
+  else
+    selectAll();
+}
+
+void SelectActions::update() {
+  const Editor& editor = workspace_.editor;
+  const Selection& now = editor.selection();
+  const bool hasPoints =
+      editor.solid() && (!now.points.empty() || !now.patches.empty() || !now.edges.empty());
+  for (QAction* action : needSolid_) action->setEnabled(editor.solid() != nullptr);
+  for (QAction* action : needPoints_) action->setEnabled(hasPoints);
+}
+
+}  // namespace palpa::gui

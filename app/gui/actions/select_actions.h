@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QAction>
+#include <QObject>
+#include <vector>
+
+#include "app/gui/tools/point_options.h"
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// The Select menu: what clicks select, and selections made from the whole body or from others.
+class SelectActions : public QObject {
+  Q_OBJECT
+
+ public:
+  SelectActions(const Workspace& workspace, PointOptions& options);
+
+ private:
+  void addPicks();
+  void addSelections();
+  void selectAll();
+  void invert();
+  void update();
+
+  const Workspace workspace_;
+  PointOptions& options_;
+  std::vector<QAction*> needSolid_;
+  std::vector<QAction*> needPoints_;  // selected, or of selected patches and edges
+};
+
+}  // namespace palpa::gui

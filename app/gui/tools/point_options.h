@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <QWidget>
+
+#include "app/gui/editor.h"
+
+namespace palpa::gui {
+
+/// What the tools for control points share: what a click selects, and which points follow a motion.
+class PointOptions : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Pick { kPoints, kPatches, kEdges };
+  /// A plane across x, y or z: through the origin, or through the middle of the body's box.
+  enum class Mirror { kOff, kX, kY, kZ, kMiddleX, kMiddleY, kMiddleZ };
+
+  explicit PointOptions(QObject* parent) : QObject(parent) {}
+
+  Pick pick() const { return pick_; }
+  void setPick(Pick pick);
+
+  bool hasFalloff() const { return hasFalloff_; }
+  void setHasFalloff(bool has);
+  double falloff() const { return falloff_; }  ///< mm, above 0
+  void setFalloff(double radius);
+
+  Mirror mirror() const { return mirror_; }
+  void setMirror(Mirror mirror);
+
+  modeling::Reach reach(const modeling::Solid& solid) const;
+
+  /// Fields for all of this, kept in step with it; owned by `parent`.
+  QWidget* makeWidget(const Settings& settings, QWidget* parent);
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  template <class Value>
+  void set(Value& member, Value value);
+
+  Pick pick_ = Pick::kPoints;
+  bool hasFalloff_ = false;
+  double falloff_ = 20;
+  Mirror mirror_ = Mirror::kOff;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,364 @@
+#include "app/gui/tools/point_tool.h"
+
+#include <Eigen/Geometry>
+
+#include "app/gui/point_groups.h"
+#include "app/gui/tools/motion_geometry.h"
+
+namespace palpa::gui {
+namespace {
+
+using view::GizmoAxis;
+
+constexpr double kWheelFactor = 1.15;  // of the falloff, per notch
+
+std::optional<GizmoAxis> axisOfKey(int key) {
+  switch (key) {
+    case Qt::Key_X:
+      return GizmoAxis::kX;
+    case Qt::Key_Y:
+      return GizmoAxis::kY;
+    case Qt::Key_Z:
+      return GizmoAxis::kZ;
+    case Qt::Key_N:
+      return GizmoAxis::kNormal;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Shift or the key pad do not make it another key; Ctrl and Alt do.
+bool isPlain(const QKeyEvent& event) {
+  return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
+}
+
+bool isArrow(int key) {
+  return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+}
+
+bool isDelete(int key) {
+  return key == Qt::Key_Delete || key == Qt::Key_Backspace;
+}
+
+}  // namespace
+
+PointTool::PointTool(const Workspace& workspace, PointOptions& options)
+    : workspace_(workspace),
+      options_(options),
+      picker_(workspace.editor, workspace.scene, workspace.view, options) {
+  // What others do to the project or the selection ends a motion as it is.
+  const auto outside = [this] {
+    if (!isActive_ || isApplying_) return;
+    abandon();
+    refresh();
+  };
+  connect(&workspace.editor, &Editor::projectReplaced, this, outside);
+  connect(&workspace.editor, &Editor::projectChanged, this, outside);
+  connect(&workspace.editor, &Editor::selectionChanged, this, outside);
+  connect(&options, &PointOptions::changed, this, [this] {
+    if (!isActive_ || isApplying_) return;
+    if (motion_) {
+      motion_->reach = options_.reach(*workspace_.editor.solid());
+      apply(motion_->amount, true);
+    } else {
+      picker_.unhover();
+    }
+    refresh();
+  });
+}
+
+void PointTool::activate() {
+  isActive_ = true;
+  workspace_.scene.setGizmoKind(kind());
+  refresh();
+}
+
+void PointTool::deactivate() {
+  if (motion_ || picker_.isInBox()) cancel();
+  pressed_.reset();
+  isActive_ = false;
+  picker_.unhover();
+  workspace_.scene.setGizmoKind(std::nullopt);
+  workspace_.scene.setFollowing({});
+  workspace_.view.viewport().setToolDrawing({});
+}
+
+std::set<int> PointTool::movedPoints() const {
+  const modeling::Solid* solid = workspace_.editor.solid();
+  return solid ? pointsOf(workspace_.editor.selection(), *solid) : std::set<int>();
+}
+
+bool PointTool::press(const PointerEvent& event) {
+  pointer_ = event.pixel;
+  if (event.button == Qt::RightButton) return motion_ && cancel();
+  if (event.button != Qt::LeftButton) return false;
+  if (motion_) {
+    finish();
+    return true;
+  }
+  pressed_.reset();
+  held_.reset();
+  pressedAxis_ = workspace_.view.viewport().gizmoAt(event.pixel);
+  // A control point under the middle of the gizmo moves as freely, and can be taken out with Shift.
+  if (pressedAxis_ == GizmoAxis::kAll && picker_.pointPlaceAt(event.pixel))
+    pressedAxis_ = GizmoAxis::kNone;
+  if (pressedAxis_ != GizmoAxis::kNone) {
+    pressed_ = event.pixel;
+    return true;
+  }
+  const bool toggle = (event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) != 0;
+  held_ = picker_.pointPlaceAt(event.pixel);
+  if (!toggle && picker_.isSelectedAt(event.pixel)) {
+    pressed_ = event.pixel;
+  } else if (held_) {
+    workspace_.editor.select(*picker_.clicked(event.pixel, toggle));
+    if (picker_.isSelectedAt(event.pixel) && !toggle) pressed_ = event.pixel;
+  } else {
+    picker_.beginBox(event.pixel);
+  }
+  return true;
+}
+
+bool PointTool::move(const PointerEvent& event) {
+  pointer_ = event.pixel;
+  if (pressed_ && (event.pixel - *pressed_).norm() >= kDragThreshold) {
+    const GizmoAxis axis = pressedAxis_ == GizmoAxis::kNone ? GizmoAxis::kAll : pressedAxis_;
+    const Eigen::Vector2d from = *pressed_;
+    pressed_.reset();
+    begin(axis, from, false);
+  }
+  if (motion_) {
+    follow((event.modifiers & Qt::ControlModifier) != 0);
+    return true;
+  }
+  if (picker_.isInBox()) {
+    picker_.stretchBox(event.pixel);
+    return true;
+  }
+  if (!pressed_ && (event.buttons & Qt::LeftButton) == 0) {
+    const GizmoAxis axis = workspace_.view.viewport().gizmoAt(event.pixel);
+    workspace_.scene.setGizmoAxis(axis);
+    const auto edge = picker_.hoveredEdge();
+    if (axis == GizmoAxis::kNone)
+      picker_.hover(event.pixel);
+    else
+      picker_.unhover();
+    if (edge != picker_.hoveredEdge()) draw();
+  }
+  return false;
+}
+
+bool PointTool::release(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  if (motion_ && !motion_->isByKeys) {
+    finish();
+  } else if (picker_.isInBox()) {
+    picker_.endBox(event);
+  } else if (pressed_ && pressedAxis_ == GizmoAxis::kNone) {
+    // One of several that were selected was clicked, not dragged: it alone stays.
+    if (const auto selection = picker_.clicked(*pressed_, false))
+      workspace_.editor.select(*selection);
+  }
+  pressed_.reset();
+  return true;
+}
+
+bool PointTool::doubleClick(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton || motion_ || picker_.pointPlaceAt(event.pixel) ||
+      workspace_.view.viewport().gizmoAt(event.pixel) != GizmoAxis::kNone)
+    return press(event);
+  return picker_.selectPointsOfPatchAt(event.pixel, (event.modifiers & Qt::ShiftModifier) != 0);
+}
+
+bool PointTool::wheel(const PointerEvent&, double notches) {
+  if (!motion_ || !options_.hasFalloff()) return false;
+  options_.setFalloff(options_.falloff() * std::pow(kWheelFactor, notches));
+  return true;
+}
+
+void PointTool::leave() {
+  if (motion_) return;
+  picker_.unhover();
+  workspace_.scene.setGizmoAxis(GizmoAxis::kNone);
+  draw();
+}
+
+void PointTool::begin(GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKeys) {
+  const std::set<int> points = movedPoints();
+  if (points.empty()) return;
+  const modeling::Solid& solid = *workspace_.editor.solid();
+  Motion motion;
+  motion.centre = meanOf(points, solid);
+  motion.place = held_ && axis == GizmoAxis::kAll && !isByKeys ? *held_ : motion.centre;
+  motion.normal = meanNormal(points, solid);
+  motion.from = motion.pixel = pixel;
+  motion.points = modeling::PointSelection::of({points.begin(), points.end()});
+  motion.reach = options_.reach(solid);
+  motion.before = solid.controlPoints();
+  motion.amount = neutral();
+  motion.isByKeys = isByKeys;
+  motion_ = std::move(motion);
+  picker_.unhover();
+  if (axis != GizmoAxis::kAll) constrain(axis);
+  draw();
+  Q_EMIT changed();
+}
+
+void PointTool::constrain(GizmoAxis axis) {
+  if (!allows(axis)) return;
+  if (axis == GizmoAxis::kNormal && motion_->normal.isZero()) {
+    Q_EMIT workspace_.editor.said(tr("The normals of the selected points cancel each other"));
+    return;
+  }
+  motion_->axis = motion_->axis == axis ? GizmoAxis::kAll : axis;
+  workspace_.scene.setGizmoAxis(motion_->axis);
+  const auto amount =
+      motion_->typed.isEmpty() ? pointed(*motion_, false) : entered(*motion_, motion_->typed);
+  apply(amount.value_or(neutral()), true);
+}
+
+void PointTool::follow(bool snap) {
+  const Eigen::Vector2d centre = workspace_.view.viewport().toPixel(motion_->centre);
+  if (centre.allFinite()) motion_->turned += degreesAround(centre, motion_->pixel, pointer_);
+  motion_->pixel = pointer_;
+  if (!motion_->typed.isEmpty()) return;
+  const auto amount = pointed(*motion_, snap);
+  if (amount && amount->allFinite()) apply(*amount, false);
+}
+
+void PointTool::type(const QString& text) {
+  motion_->typed = text;
+  const auto amount = text.isEmpty() ? pointed(*motion_, false) : entered(*motion_, text);
+  if (amount)
+    apply(*amount, true);
+  else
+    draw();
+}
+
+void PointTool::apply(const Amount& amount, bool anew) {
+  Editor& editor = workspace_.editor;
+  isApplying_ = true;
+  // A motion back to its start leaves no step; what moved tells whether there is one.
+  const bool isStep = editor.solid()->controlPoints() != motion_->before;
+  const auto step = between(motion_->amount, amount);
+  if (isStep && !anew && step) {
+    if (editor.perform(command(*motion_, *step), modeling::Merge::withLast))
+      motion_->amount = amount;
+  } else {
+    if (isStep) editor.undo();
+    const bool isDone =
+        amount == neutral() || editor.perform(command(*motion_, amount), modeling::Merge::no);
+    motion_->amount = isDone ? amount : neutral();
+  }
+  isApplying_ = false;
+  draw();
+}
+
+void PointTool::finish() {
+  motion_.reset();
+  workspace_.scene.setGizmoAxis(GizmoAxis::kNone);
+  workspace_.view.setCursor(cursor());
+  refresh();
+  Q_EMIT changed();
+}
+
+void PointTool::abandon() {
+  pressed_.reset();
+  if (!motion_) return;
+  motion_.reset();
+  workspace_.scene.setGizmoAxis(GizmoAxis::kNone);
+  Q_EMIT changed();
+}
+
+bool PointTool::cancel() {
+  pressed_.reset();
+  if (motion_) {
+    isApplying_ = true;
+    if (workspace_.editor.solid()->controlPoints() != motion_->before) workspace_.editor.undo();
+    isApplying_ = false;
+    finish();
+    return true;
+  }
+  if (picker_.isInBox()) {
+    picker_.cancelBox();
+    return true;
+  }
+  if (workspace_.editor.selection().empty()) return false;
+  workspace_.editor.select({});
+  return true;
+}
+
+bool PointTool::wantsKey(const QKeyEvent& event) const {
+  if (motion_) return true;  // no shortcut may change the project meanwhile
+  if (!isPlain(event) || workspace_.editor.selection().named) return false;
+  const int key = event.key();
+  if (isDelete(key)) return !workspace_.editor.selection().empty();
+  const bool begins = key == Qt::Key_G || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z;
+  return (isArrow(key) || (begins && (event.modifiers() & Qt::ShiftModifier) == 0)) &&
+         !movedPoints().empty();
+}
+
+bool PointTool::key(QKeyEvent* event) {
+  if (motion_) return motionKey(*event);
+  if (!wantsKey(*event)) return false;
+  if (isDelete(event->key())) {
+    Q_EMIT workspace_.editor.said(
+        workspace_.editor.selection().points.empty()
+            ? tr("Patches and edges cannot be deleted: a solid is closed")
+            : tr("Control points cannot be deleted: each belongs to a whole net. Remove a knot of "
+                 "the patch instead"));
+    return true;
+  }
+  if (isArrow(event->key())) return nudge(*event);
+  if (event->isAutoRepeat()) return true;
+  begin(axisOfKey(event->key()).value_or(GizmoAxis::kAll), pointer_, true);
+  workspace_.view.setCursor(cursor());
+  return true;
+}
+
+bool PointTool::motionKey(const QKeyEvent& event) {
+  const int key = event.key();
+  QString typed = motion_->typed;
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    finish();
+  } else if (const auto axis = axisOfKey(key); axis && isPlain(event)) {
+    if (!event.isAutoRepeat()) constrain(*axis);
+  } else if (key == Qt::Key_Backspace) {
+    typed.chop(1);
+    type(typed);
+  } else if (key == Qt::Key_Minus) {
+    type(typed.startsWith('-') ? typed.mid(1) : "-" + typed);
+  } else if (const QString text = event.text();
+             text.size() == 1 && (text[0].isDigit() || text == "." || text == ",")) {
+    type(typed + text);
+  }
+  return true;
+}
+
+bool PointTool::nudge(const QKeyEvent& event) {
+  const auto [right, up] = screenAxes();
+  const Eigen::Vector3d x = nearestAxis(right);
+  Eigen::Index taken = 0;
+  x.cwiseAbs().maxCoeff(&taken);
+  const Eigen::Vector3d y = nearestAxis(up, static_cast<int>(taken));
+  Eigen::Vector3d by = event.key() == Qt::Key_Left || event.key() == Qt::Key_Right ? x : y;
+  if (event.key() == Qt::Key_Left || event.key() == Qt::Key_Down) by = -by;
+  by *= lengthStep() * ((event.modifiers() & Qt::ShiftModifier) != 0 ? 10 : 1);
+  const std::set<int> points = movedPoints();
+  // A key held down is one step.
+  workspace_.editor.perform(
+      modeling::MovePoints{modeling::PointSelection::of({points.begin(), points.end()}),
+                           modeling::MoveBy{by}, options_.reach(*workspace_.editor.solid())},
+      event.isAutoRepeat() ? modeling::Merge::withLast : modeling::Merge::no);
+  return true;
+}
+
+QCursor PointTool::cursor() const {
+  return motion_ ? Qt::ClosedHandCursor : Qt::ArrowCursor;
+}
+
+QWidget* PointTool::makeOptions(QWidget* parent) {
+  return options_.makeWidget(workspace_.settings, parent);
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/gui/tools/point_tool.h"
+
+namespace palpa::gui {
+
+/// Turns points about an axis through their middle, their mean normal or the direction of view.
+class RotateTool : public PointTool {
+  Q_OBJECT
+
+ public:
+  using PointTool::PointTool;
+  QString hint() const override;
+
+ protected:
+  view::GizmoKind kind() const override { return view::GizmoKind::kRotate; }
+  bool allows(view::GizmoAxis) const override { return true; }
+  Amount neutral() const override { return Amount::Zero(); }
+  std::optional<Amount> pointed(const Motion& motion, bool snap) const override;
+  std::optional<Amount> entered(const Motion& motion, const QString& text) const override;
+  std::optional<Amount> between(const Amount& from, const Amount& to) const override;
+  modeling::Command command(const Motion& motion, const Amount& amount) const override;
+  QString describe(const Motion& motion) const override;
+};
+
+}  // namespace palpa::gui
