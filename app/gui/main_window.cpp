@@ -8,10 +8,16 @@
 
 #include "app/gui/actions/edit_actions.h"
 #include "app/gui/actions/help_actions.h"
+#include "app/gui/actions/solid_actions.h"
 #include "app/gui/actions/view_actions.h"
 #include "app/gui/appearance.h"
 #include "app/gui/docks/rebuild_dock.h"
+#include "app/gui/tools/knot_tool.h"
+#include "app/gui/tools/load_tool.h"
+#include "app/gui/tools/remove_knot_tool.h"
 #include "app/gui/tools/select_tool.h"
+#include "app/gui/tools/support_tool.h"
+#include "app/gui/tools/touch_tool.h"
 
 namespace palpa::gui {
 
@@ -31,6 +37,7 @@ MainWindow::MainWindow()
   new EditActions(workspace_);
   new ViewActions(workspace_);
   addTools();
+  new SolidActions(workspace_);
   addDocks();
   addHelpActions(workspace_);
   addStatusBar();
@@ -46,6 +53,28 @@ void MainWindow::addTools() {
   tools_.add(std::make_unique<SelectTool>(editor_, scene_, *viewport_), menus_.select,
              {"select", tr("&Select and move"), QKeySequence(Qt::Key_S),
               tr("Select control points and drag them")});
+  addSurfaceTools();
+}
+
+void MainWindow::addSurfaceTools() {
+  const auto add = [this](auto tool, QMenu* menu, const Menus::Item& item) {
+    tools_.add(std::move(tool), menu, item);
+  };
+  add(std::make_unique<SupportTool>(settings_, editor_, scene_, *viewport_), menus_.conditions,
+      {"paint-support", tr("&Paint support"), QKeySequence(Qt::Key_P),
+       tr("Choose where the body is held: patch by patch, or with a brush")});
+  add(std::make_unique<LoadTool>(settings_, editor_, scene_, *viewport_), menus_.conditions,
+      {"place-load", tr("Place &load"), QKeySequence(Qt::Key_L),
+       tr("Press or pull at patches, or around a point")});
+  add(std::make_unique<TouchTool>(settings_, editor_, scene_, *viewport_), menus_.conditions,
+      {"place-touch", tr("Place &touch"), QKeySequence(Qt::Key_T),
+       tr("Record a touch: press on the surface and pull")});
+  add(std::make_unique<KnotTool>(settings_, editor_, scene_, *viewport_), menus_.solid,
+      {"insert-knot", tr("Insert &knot"), QKeySequence(Qt::Key_K),
+       tr("Insert a line of control points; the shape stays")});
+  add(std::make_unique<RemoveKnotTool>(settings_, editor_, scene_, *viewport_), menus_.solid,
+      {"remove-knot", tr("&Remove knot"), QKeySequence(Qt::SHIFT | Qt::Key_K),
+       tr("Remove a line of control points where the shape allows it")});
 }
 
 void MainWindow::addDocks() {

@@ -37,6 +37,7 @@ class MainWindow : public QMainWindow {
 
  private:
   void addTools();
+  void addSurfaceTools();
   void addDocks();
   void addStatusBar();
   void updateTitle();

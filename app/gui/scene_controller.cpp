@@ -3,6 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "app/gui/condition_marks.h"
+#include "modeling/solid/isoparametric_line.h"
+
 namespace palpa::gui {
 namespace {
 
@@ -45,12 +48,14 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
   });
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showConditions);
   showProject();
   widget_.viewport().fit();
 }
 
 void SceneController::showProject() {
   hovered_.reset();
+  hoveredPatch_.reset();
   const modeling::Solid* solid = editor_.solid();
   if (!solid) {
     showMeshBody();
@@ -64,6 +69,7 @@ void SceneController::showProject() {
   widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
   showMarks();
   showSelection();
+  showConditions();
 }
 
 void SceneController::showMeshBody() {
@@ -83,7 +89,8 @@ void SceneController::showMeshBody() {
   widget_.viewport().setBody(shown);
   widget_.viewport().setControlNet({});
   widget_.viewport().setGizmo(std::nullopt);
-  widget_.update();
+  showMarks();
+  showConditions();
 }
 
 void SceneController::showChange(const modeling::Change& change) {
@@ -100,27 +107,73 @@ void SceneController::showChange(const modeling::Change& change) {
     widget_.updateQuickly();
   }
   if (change.supports || change.loads || !change.movedPoints.empty()) showMarks();
-  widget_.update();
+  showConditions();
 }
 
 void SceneController::showMarks() {
-  if (!tessellation_) return;
   const modeling::Project& project = editor_.project();
+  const ShownSurface shown = surface();
   std::vector<std::pair<RegionTest, Mark>> regions;  // what wins comes last
   for (const modeling::Load& load : project.loads)
     if (const modeling::Region* region = modeling::regionOf(load))
       regions.emplace_back(RegionTest(*region, project.body), Mark::kLoad);
   for (const modeling::Support& support : project.supports)
     regions.emplace_back(RegionTest(support.where, project.body), Mark::kSupport);
-  std::vector<Mark> marks(tessellation_->triangles().size(), Mark::kNone);
+  std::vector<Mark> marks(shown.triangles.size(), Mark::kNone);
   for (std::size_t t = 0; t < marks.size(); ++t) {
-    const auto& [a, b, c] = tessellation_->triangles()[t];
-    const Eigen::Vector3d middle =
-        (shape_.positions[a] + shape_.positions[b] + shape_.positions[c]) / 3.0;
+    const int patch = shown.patchOfTriangle[t];
+    const Eigen::Vector3d middle = shown.middle(t);
     for (const auto& [region, mark] : regions)
-      if (region.contains(tessellation_->patchOfTriangle()[t], middle)) marks[t] = mark;
+      if (region.contains(patch, middle)) marks[t] = mark;
+    if (patch == hoveredPatch_) marks[t] = Mark::kHovered;
   }
   widget_.viewport().setMarks(marks);
+}
+
+void SceneController::showConditions() {
+  widget_.viewport().setLoadArrows(loadArrows(editor_.project(), surface()));
+  widget_.viewport().setTouchMarkers(touchMarkers(editor_.project(), editor_.selection()));
+  widget_.update();
+}
+
+ShownSurface SceneController::surface() const {
+  if (tessellation_)
+    return {shape_.positions, tessellation_->triangles(), tessellation_->patchOfTriangle()};
+  const auto& body = std::get<modeling::MeshBody>(editor_.project().body);
+  return {body.positions(), body.triangles(), body.faceOfTriangle()};
+}
+
+std::optional<SurfacePlace> SceneController::placeAt(const Eigen::Vector2d& pixel) const {
+  const auto hit = widget_.viewport().surfaceAt(pixel);
+  if (!hit) return std::nullopt;
+  const ShownSurface shown = surface();
+  const auto& [a, b, c] = shown.triangles[hit->triangle];
+  const Eigen::Vector3d& from = shown.positions[a];
+  const Eigen::Vector3d p = shown.positions[b] - from;
+  const Eigen::Vector3d q = shown.positions[c] - from;
+  const Eigen::Vector3d area = p.cross(q);
+  SurfacePlace place{shown.patchOfTriangle[hit->triangle], std::nullopt, hit->position,
+                     area.normalized()};
+  if (!tessellation_) return place;
+  const Eigen::Vector3d r = hit->position - from;
+  const double s = r.cross(q).dot(area) / area.squaredNorm();
+  const double t = p.cross(r).dot(area) / area.squaredNorm();
+  const auto& parameters = tessellation_->parameters();
+  const Eigen::Vector2d uv = (1.0 - s - t) * parameters[a] + s * parameters[b] + t * parameters[c];
+  const Eigen::Vector3d normal =
+      (1.0 - s - t) * shape_.normals[a] + s * shape_.normals[b] + t * shape_.normals[c];
+  if (normal.norm() > 0.0) place.normal = normal.normalized();
+  place.parameters = uv;
+  // On the exact surface, which the triangles only come near to.
+  place.position = modeling::surfacePoint(*editor_.solid(), place.patch, uv.x(), uv.y());
+  return place;
+}
+
+void SceneController::setHoveredPatch(std::optional<int> patch) {
+  if (patch == hoveredPatch_) return;
+  hoveredPatch_ = patch;
+  showMarks();
+  widget_.update();
 }
 
 std::optional<Eigen::Vector3d> SceneController::selectionCentre() const {
