@@ -15,9 +15,13 @@ std::string regionText(const modeling::Region& region) {
       for (std::size_t i = 0; i < patches->patches.size(); ++i) {
         text += (i ? ", " : "") + patches->patches[i];
       }
+    } else if (const auto* half = std::get_if<modeling::HalfSpace>(&part)) {
+      text += "where " + toText(half->normal) + format(" · x < %.6g mm", half->below);
     } else {
-      const auto& half = std::get<modeling::HalfSpace>(part);
-      text += "where " + toText(half.normal) + format(" · x < %.6g mm", half.below);
+      const auto& stroke = std::get<modeling::Stroke>(part);
+      text += format("within %.6g mm of ", stroke.radius) + toText(stroke.points.front());
+      if (stroke.points.size() > 1)
+        text += format(" and the stroke through %zu more points", stroke.points.size() - 1);
     }
   }
   return text;

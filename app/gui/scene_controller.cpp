@@ -18,24 +18,24 @@ class RegionTest {
   RegionTest(const modeling::Region& region, const modeling::Body& body)
       : isNamed_(modeling::patchNames(body).size(), false) {
     for (const modeling::RegionPart& part : region.parts) {
-      if (const auto* half = std::get_if<modeling::HalfSpace>(&part)) {
-        halfSpaces_.push_back(*half);
-        continue;
-      }
-      for (const std::string& name : std::get<modeling::PatchSet>(part).patches)
-        if (const auto patch = modeling::findPatch(body, name)) isNamed_[*patch] = true;
+      if (const auto* half = std::get_if<modeling::HalfSpace>(&part)) halfSpaces_.push_back(*half);
+      if (const auto* stroke = std::get_if<modeling::Stroke>(&part)) strokes_.push_back(*stroke);
+      if (const auto* set = std::get_if<modeling::PatchSet>(&part))
+        for (const std::string& name : set->patches)
+          if (const auto patch = modeling::findPatch(body, name)) isNamed_[*patch] = true;
     }
   }
 
   bool contains(int patch, const Eigen::Vector3d& point) const {
-    return isNamed_[patch] ||
-           std::any_of(halfSpaces_.begin(), halfSpaces_.end(),
-                       [&](const modeling::HalfSpace& half) { return half.value(point) < 0.0; });
+    const auto isInside = [&](const auto& part) { return part.value(point) < 0.0; };
+    return isNamed_[patch] || std::any_of(halfSpaces_.begin(), halfSpaces_.end(), isInside) ||
+           std::any_of(strokes_.begin(), strokes_.end(), isInside);
   }
 
  private:
   std::vector<bool> isNamed_;
   std::vector<modeling::HalfSpace> halfSpaces_;
+  std::vector<modeling::Stroke> strokes_;
 };
 
 }  // namespace

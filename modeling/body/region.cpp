@@ -1,8 +1,11 @@
 #include "modeling/body/region.h"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "modeling/error.h"
+#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -24,7 +27,45 @@ void checkPart(const HalfSpace& part, const Body&, const std::set<std::string>&,
     throw ModelingError(path + ".half_space.below_mm: must be finite");
 }
 
+void checkPart(const Stroke& part, const Body&, const std::set<std::string>&,
+               const std::string& path) {
+  const std::string points = path + ".stroke.points_mm";
+  if (part.points.empty()) throw ModelingError(points + ": is empty");
+  if (part.points.size() > Stroke::kMostPoints)
+    throw ModelingError(points + ": has " + std::to_string(part.points.size()) +
+                            " points; at most " + std::to_string(Stroke::kMostPoints) +
+                            " are possible",
+                        ModelingError::Kind::tooLarge);
+  for (std::size_t i = 0; i < part.points.size(); ++i)
+    if (!part.points[i].allFinite())
+      throw ModelingError(points + "[" + std::to_string(i) + "]: must be finite");
+  if (!std::isfinite(part.radius) || part.radius <= 0.0)
+    throw ModelingError(path + ".stroke.radius_mm: " + numberText(part.radius) +
+                        " must be finite and greater than 0");
+}
+
 }  // namespace
+
+Eigen::Vector3d Stroke::nearest(const Eigen::Vector3d& x) const {
+  Eigen::Vector3d best = points.front();
+  double least = (x - best).squaredNorm();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Eigen::Vector3d along = points[i] - points[i - 1];
+    const double length = along.squaredNorm();
+    const double part =
+        length > 0.0 ? std::clamp(along.dot(x - points[i - 1]) / length, 0.0, 1.0) : 0.0;
+    const Eigen::Vector3d candidate = points[i - 1] + part * along;
+    if (const double distance = (x - candidate).squaredNorm(); distance < least) {
+      least = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+double Stroke::value(const Eigen::Vector3d& x) const {
+  return (x - nearest(x)).norm() - radius;
+}
 
 void checkRegion(const Region& region, const Body& body, const std::string& path) {
   const std::vector<std::string> names = patchNames(body);
@@ -39,6 +80,33 @@ void checkRegion(const Region& region, const Body& body, const std::set<std::str
         region.parts.size() == 1 ? path : path + "[" + std::to_string(i) + "]";
     std::visit([&](const auto& part) { checkPart(part, body, names, partPath); }, region.parts[i]);
   }
+}
+
+std::vector<double> regionField(const Region& region, const Body& body,
+                                std::span<const Eigen::Vector3d> positions,
+                                std::span<const int> patchOfPosition) {
+  if (positions.size() != patchOfPosition.size())
+    throw std::invalid_argument("regionField: positions and patches differ in number");
+  const auto [low, high] = boundingBox(body);
+  const double cap = kRegionFieldCap * (high - low).norm();
+  std::vector<double> field(positions.size(), cap);
+  const auto add = [&](const auto& value) {
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      field[i] = std::max(-cap, std::min(field[i], value(i)));
+  };
+  for (const RegionPart& part : region.parts) {
+    if (const auto* half = std::get_if<HalfSpace>(&part))
+      add([&](std::size_t i) { return half->value(positions[i]) / half->normal.norm(); });
+    if (const auto* stroke = std::get_if<Stroke>(&part))
+      add([&](std::size_t i) { return stroke->value(positions[i]); });
+    if (const auto* set = std::get_if<PatchSet>(&part)) {
+      std::vector<bool> isNamed(patchNames(body).size(), false);
+      for (const std::string& name : set->patches)
+        if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
+      add([&](std::size_t i) { return isNamed[patchOfPosition[i]] ? -cap : cap; });
+    }
+  }
+  return field;
 }
 
 }  // namespace palpa::modeling

@@ -38,8 +38,8 @@ std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
   for (const RegionPart& part : region.where.parts)
     if (const auto* half = std::get_if<HalfSpace>(&part))
       chosen |= std::uint64_t{1} << indexOf(*half, halfSpaces);
-    else
-      for (const std::string& name : std::get<PatchSet>(part).patches)
+    else if (const auto* set = std::get_if<PatchSet>(&part))
+      for (const std::string& name : set->patches)
         if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
   std::vector<int> triangles;
   for (std::size_t t = 0; t < patchOfTriangle.size(); ++t)

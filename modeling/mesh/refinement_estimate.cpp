@@ -58,9 +58,8 @@ double refinementNodes(const Solid& solid, const SurfaceEvaluator& surface,
         if (!region.refineBorder) continue;
         if (const auto* half = std::get_if<HalfSpace>(&part))
           length += borderLength(surface, *half);
-        else
-          for (const std::string& name : std::get<PatchSet>(part).patches)
-            patches.insert(*solid.findPatch(name));
+        else if (const auto* set = std::get_if<PatchSet>(&part))
+          for (const std::string& name : set->patches) patches.insert(*solid.findPatch(name));
       }
   const std::vector<bool> sharp = sharpEdges(solid, surface);
   for (std::size_t e = 0; e < solid.edges().size(); ++e) {

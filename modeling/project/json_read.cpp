@@ -12,6 +12,12 @@ namespace {
 
 RegionPart partFrom(const json& value) {
   if (value.contains("patches")) return PatchSet{value["patches"]};
+  if (value.contains("stroke")) {
+    const json& stroke = value["stroke"];
+    Stroke result{{}, stroke["radius_mm"].get<double>()};
+    for (const json& point : stroke["points_mm"]) result.points.push_back(vectorFrom(point));
+    return result;
+  }
   const json& half = value["half_space"];
   return HalfSpace{vectorFrom(half["normal"]), half["below_mm"].get<double>()};
 }

@@ -25,6 +25,9 @@ std::string partText(const RegionPart& part) {
   if (const auto* half = std::get_if<HalfSpace>(&part))
     return "{\"half_space\": {\"normal\": " + vectorText(half->normal) +
            ", \"below_mm\": " + numberText(half->below) + "}}";
+  if (const auto* stroke = std::get_if<Stroke>(&part))
+    return "{\"stroke\": {\"points_mm\": " + listText(stroke->points, vectorText) +
+           ", \"radius_mm\": " + numberText(stroke->radius) + "}}";
   return "{\"patches\": " + listText(std::get<PatchSet>(part).patches, quoted) + "}";
 }
 
