@@ -18,9 +18,11 @@ std::vector<bool> namedPatches(const modeling::Region& region, const modeling::B
 
 /// Is the point in one of the region's parts that are not patches?
 bool reaches(const modeling::Region& region, const Eigen::Vector3d& point) {
-  for (const modeling::RegionPart& part : region.parts)
-    if (const auto* half = std::get_if<modeling::HalfSpace>(&part))
-      if (half->value(point) < 0.0) return true;
+  for (const modeling::RegionPart& part : region.parts) {
+    const auto* half = std::get_if<modeling::HalfSpace>(&part);
+    const auto* stroke = std::get_if<modeling::Stroke>(&part);
+    if ((half && half->value(point) < 0.0) || (stroke && stroke->value(point) < 0.0)) return true;
+  }
   return false;
 }
 
