@@ -13,9 +13,9 @@ class SolidMenu : public WindowTest {
 };
 
 TEST_F(SolidMenu, SaysWhyItCannot) {
-  for (const QString name : {"Elevate degree in u", "Smooth edges", "Sharp edges"}) {
+  for (const char* name : {"Elevate degree in u", "Smooth edges", "Sharp edges"}) {
     EXPECT_FALSE(action(name)->isEnabled());
-    EXPECT_TRUE(action(name)->toolTip().contains("elect")) << name.toStdString();
+    EXPECT_TRUE(action(name)->toolTip().contains("elect")) << name;
   }
   editor().select(Selection::ofPatches({0}));
   EXPECT_TRUE(action("Elevate degree in u")->isEnabled());

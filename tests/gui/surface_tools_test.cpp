@@ -272,7 +272,7 @@ TEST_F(SurfaceTools, MeshBodiesAreHeldAndLoadedToo) {
 }
 
 TEST_F(SurfaceTools, NothingHappensBesideTheBody) {
-  for (const QString tool :
+  for (const char* tool :
        {"Paint support", "Place load", "Place touch", "Insert knot", "Remove knot"}) {
     use(tool);
     click({5, 5});
@@ -288,7 +288,7 @@ TEST(SurfaceBrush, TheRingIsWhereTheSphereCutsTheTriangles) {
   const std::vector<Eigen::Vector3d> points{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
   const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
   const std::vector<int> patches{0, 0};
-  for (const Eigen::Vector3d centre : {Eigen::Vector3d(5, 5, 0), Eigen::Vector3d(7, 2, 0.5)}) {
+  for (const Eigen::Vector3d& centre : {Eigen::Vector3d(5, 5, 0), Eigen::Vector3d(7, 2, 0.5)}) {
     double length = 0;
     const double radius = 1.5;
     for (const auto& line : ringOnSurface({points, triangles, patches}, centre, radius))
