@@ -25,6 +25,8 @@ TEST_F(SolidMenu, RaisesTheDegreeOfSelectedPatchesInOneStep) {
   const std::string text0 = text();
   const int before = editor().solid()->patches()[0].degree[0];
   editor().select(Selection::ofPatches({0, 1}));
+  QObject::connect(&editor(), &Editor::refused, &editor(),
+                   [](const QString& message) { ADD_FAILURE() << message.toStdString(); });
   action("Elevate degree in u")->trigger();
   EXPECT_EQ(editor().solid()->patches()[0].degree[0], before + 1);
   EXPECT_EQ(editor().solid()->patches()[1].degree[0], before + 1);
