@@ -194,8 +194,12 @@ void Editor::redo() {
 
 void Editor::changed(const modeling::Change& change) {
   if (!change.any()) return;
+  // Those who hear of the change must not see a selection of what is gone, and those who hear of
+  // the selection must have seen the change.
+  const Selection before = selection_;
   forgetWhatIsGone(change);
   Q_EMIT projectChanged(change);
+  if (selection_ != before) Q_EMIT selectionChanged();
   Q_EMIT fileChanged();
 }
 
@@ -226,7 +230,7 @@ void Editor::forgetWhatIsGone(const modeling::Change& change) {
                                                                      : isThere(now.touches);
     if (!found) kept.named.reset();
   }
-  select(std::move(kept));
+  selection_ = std::move(kept);
 }
 
 void Editor::select(Selection selection) {

@@ -10,6 +10,7 @@
 
 #include "app/gui/actions/edit_actions.h"
 #include "app/gui/actions/help_actions.h"
+#include "app/gui/actions/solid_actions.h"
 #include "app/gui/actions/view_actions.h"
 #include "app/gui/appearance.h"
 #include "app/gui/background_job.h"
@@ -19,6 +20,7 @@
 #include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/docks/rebuild_dock.h"
 #include "app/gui/tools/point_tools.h"
+#include "app/gui/tools/surface_tools.h"
 
 namespace palpa::gui {
 namespace {
@@ -47,6 +49,7 @@ MainWindow::MainWindow()
   new EditActions(workspace_);
   new ViewActions(workspace_);
   addTools();
+  new SolidActions(workspace_);
   addDocks();
   addDialogs();
   addHelpActions(workspace_);
@@ -61,6 +64,7 @@ MainWindow::MainWindow()
 
 void MainWindow::addTools() {
   addPointTools(workspace_);
+  addSurfaceTools(workspace_);
 }
 
 void MainWindow::addDocks() {

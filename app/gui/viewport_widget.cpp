@@ -204,6 +204,14 @@ bool ViewportWidget::event(QEvent* event) {
       return true;
     }
   }
+  // Tab would otherwise move the focus before the tool sees it.
+  if (event->type() == QEvent::KeyPress && tool_) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Tab && tool_->wantsKey(*key)) {
+      keyPressEvent(key);
+      return true;
+    }
+  }
   return QOpenGLWidget::event(event);
 }
 

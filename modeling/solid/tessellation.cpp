@@ -14,6 +14,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 /// Parameters of the vertices along one direction with the basis there.
 struct Direction {
+  std::vector<double> parameters;
   std::vector<BasisFunctions> position;  // at the parameter itself
   std::vector<BasisFunctions> slope;     // where the derivative is taken
   std::vector<int> knotVertices;
@@ -28,6 +29,7 @@ Direction sample(const Patch& patch, int direction, int piecesPerSpan) {
   const auto inside = [&](double t) { return t + 0.01 * (0.5 * (low + high) - t); };
   Direction result;
   const auto add = [&](double t) {
+    result.parameters.push_back(t);
     result.position.push_back(basisAt(knots, patch.degree[direction], t));
     result.slope.push_back(basisAt(knots, patch.degree[direction], inside(t)));
   };
@@ -78,6 +80,7 @@ Tessellation::Tessellation(const Solid& solid, int piecesPerSpan) {
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < columns; ++j) {
         const int row = vertex(i, j);
+        parameters_.emplace_back(u.parameters[i], v.parameters[j]);
         const BasisFunctions& a = u.position[i];
         const BasisFunctions& b = v.position[j];
         addRow(row, patch, a.first, a.value, b.first, b.value, position);

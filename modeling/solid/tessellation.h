@@ -31,6 +31,9 @@ class Tessellation {
   const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
   const std::vector<int>& patchOfTriangle() const { return patchOfTriangle_; }
 
+  /// The parameters (u, v) of each vertex in its patch.
+  const std::vector<Eigen::Vector2d>& parameters() const { return parameters_; }
+
   /// Vertices along the four sides of each patch, in order of growing parameter: the solid's edges.
   const std::vector<std::vector<int>>& borders() const { return borders_; }
   /// Vertices along the lines of constant parameter at interior knots.
@@ -40,6 +43,7 @@ class Tessellation {
   Eigen::SparseMatrix<double, Eigen::RowMajor> position_, du_, dv_;
   std::vector<std::array<int, 3>> triangles_;
   std::vector<int> patchOfTriangle_;
+  std::vector<Eigen::Vector2d> parameters_;
   std::vector<std::vector<int>> borders_;
   std::vector<std::vector<int>> knotLines_;
 };

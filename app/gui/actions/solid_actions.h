@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// The part of the Solid menu that changes the whole solid, selected patches or selected edges.
+/// What cannot be done now is disabled; its tool tip says why.
+class SolidActions : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SolidActions(const Workspace& workspace);
+
+ private:
+  void update();
+  void elevate(int direction);
+  void setEdges(bool smooth);
+  void transform();
+
+  Workspace workspace_;
+  QAction* elevateU_;
+  QAction* elevateV_;
+  QAction* smooth_;
+  QAction* sharp_;
+};
+
+}  // namespace palpa::gui

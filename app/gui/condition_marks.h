@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "app/gui/editor.h"
+#include "app/gui/surface_place.h"
+#include "app/view/viewport_scene.h"
+
+// What the view shows of loads and recorded touches.
+namespace palpa::gui {
+
+/// A place well inside a region: the middle of the triangle of the region nearest to the region's
+/// centre of area, with the normal there. Nothing when the region has no triangle.
+std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
+                                         const ShownSurface& surface);
+
+/// One arrow for each load, with its name: pressures and bumps press on the surface, tractions pull
+/// at it. Only directions are meaningful; all have the same length.
+std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
+                                         const ShownSurface& surface);
+
+std::vector<view::TouchMarker> touchMarkers(const modeling::Project& project,
+                                            const Selection& selection);
+
+}  // namespace palpa::gui

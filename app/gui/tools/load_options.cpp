@@ -1,0 +1,71 @@
+#include "app/gui/tools/load_options.h"
+
+namespace palpa::gui {
+namespace {
+
+using What = LoadTool::What;
+
+/// Shows or hides a field together with its label.
+void setRowVisible(QFormLayout* form, QWidget* field, bool isVisible) {
+  field->setVisible(isVisible);
+  if (QWidget* label = form->labelForField(field)) label->setVisible(isVisible);
+}
+
+}  // namespace
+
+LoadOptions::LoadOptions(LoadTool& tool, Editor& editor, const Settings& settings, QWidget* parent)
+    : QWidget(parent),
+      tool_(tool),
+      editor_(editor),
+      settings_(settings),
+      form_(new QFormLayout(this)),
+      what_(new QComboBox(this)),
+      load_(new ConditionChoice(editor, Selection::Kind::kLoad, tr("New load"), this)),
+      strength_(new QuantityEdit(Quantity::kStress, settings, this)),
+      traction_(new VectorEdit(Quantity::kStress, settings, this)),
+      radius_(new QuantityEdit(Quantity::kLength, settings, this)),
+      share_(new QLabel(this)) {
+  form_->setContentsMargins(0, 0, 0, 0);
+  what_->addItems({tr("Pressure"), tr("Uniform traction"), tr("Bump")});
+  share_->setWordWrap(true);
+  addRow(form_, tr("&Kind"), what_, "loadKind",
+         tr("Pressure acts along the normal, a traction in one direction, a bump around a point"));
+  addRow(form_, tr("&Load"), load_, "placedLoad", tr("Which load gets the patches"));
+  addRow(form_, tr("&Strength"), strength_, "loadStrength",
+         tr("Positive presses into the body; the peak of a bump"));
+  addRow(form_, tr("&Traction"), traction_, "loadTraction", tr("Force per area"));
+  addRow(form_, tr("&Radius"), radius_, "bumpRadius",
+         tr("Distance from its middle at which the bump ends"));
+  form_->addRow(share_);
+  connect(what_, &QComboBox::activated, this,
+          [this](int index) { tool_.setWhat(static_cast<What>(index)); });
+  connect(strength_, &QuantityEdit::edited, this, [this](double v) { tool_.setStrength(v); });
+  connect(traction_, &VectorEdit::edited, this,
+          [this](const Eigen::Vector3d& v) { tool_.setTraction(v); });
+  connect(radius_, &QuantityEdit::edited, this, [this](double v) { tool_.setRadius(v); });
+  radius_->setRange(1e-9, 1e9);
+  connect(&tool, &Tool::changed, this, &LoadOptions::refresh);
+  connect(&editor, &Editor::projectReplaced, this, &LoadOptions::refresh);
+  connect(&editor, &Editor::projectChanged, this, &LoadOptions::refresh);
+  connect(&editor, &Editor::selectionChanged, this, &LoadOptions::refresh);
+  refresh();
+}
+
+void LoadOptions::refresh() {
+  const What what = tool_.what();
+  what_->setCurrentIndex(static_cast<int>(what));
+  load_->refresh(static_cast<std::size_t>(what));
+  strength_->setValue(tool_.strength());
+  traction_->setValue(tool_.traction());
+  radius_->setValue(tool_.radius());
+  setRowVisible(form_, strength_, what != What::kTraction);
+  setRowVisible(form_, traction_, what == What::kTraction);
+  setRowVisible(form_, radius_, what == What::kBump);
+  const double modulus = editor_.project().material.youngsModulus;
+  const double most = what == What::kTraction ? tool_.traction().norm() : tool_.strength();
+  share_->setText(tr("%1 % of Young's modulus (%2)")
+                      .arg(100.0 * most / modulus, 0, 'g', 3)
+                      .arg(shown(modulus, Quantity::kStress, settings_.units(), 3)));
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+
+#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/load_tool.h"
+#include "app/gui/widgets/quantity_edit.h"
+#include "app/gui/widgets/vector_edit.h"
+
+namespace palpa::gui {
+
+/// What can be set for placing loads.
+class LoadOptions : public QWidget {
+  Q_OBJECT
+
+ public:
+  LoadOptions(LoadTool& tool, Editor& editor, const Settings& settings, QWidget* parent);
+
+ private:
+  void refresh();
+
+  LoadTool& tool_;
+  Editor& editor_;
+  const Settings& settings_;
+  QFormLayout* form_;
+  QComboBox* what_;
+  ConditionChoice* load_;
+  QuantityEdit* strength_;
+  VectorEdit* traction_;
+  QuantityEdit* radius_;
+  QLabel* share_;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QComboBox>
+
+#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/support_tool.h"
+#include "app/gui/widgets/quantity_edit.h"
+
+namespace palpa::gui {
+
+/// What can be set for painting supports.
+class SupportOptions : public QWidget {
+  Q_OBJECT
+
+ public:
+  SupportOptions(SupportTool& tool, Editor& editor, const Settings& settings, QWidget* parent);
+
+ private:
+  void refresh();
+
+  SupportTool& tool_;
+  QComboBox* way_;
+  ConditionChoice* support_;
+  QComboBox* kind_;
+  QuantityEdit* radius_;
+};
+
+}  // namespace palpa::gui

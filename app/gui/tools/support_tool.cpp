@@ -1,0 +1,216 @@
+#include "app/gui/tools/support_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/tools/brush.h"
+#include "app/gui/tools/support_options.h"
+
+namespace palpa::gui {
+namespace {
+
+using Kind = Selection::Kind;
+
+constexpr double kRadiusShare = 0.06;   // of the body's size: the first brush
+constexpr double kRadiusStep = 1.15;    // by [ and ]
+constexpr double kPixelStep = 6.0;      // between two looks at the surface while painting
+constexpr double kPointSpacing = 0.25;  // of the radius, between two points of a stroke
+
+}  // namespace
+
+double SupportTool::radius() const {
+  return radius_.value_or(kRadiusShare * bodySize());
+}
+
+void SupportTool::setRadius(double radius) {
+  radius_ = std::clamp(radius, 1e-4 * bodySize(), 10.0 * bodySize());
+  Q_EMIT changed();
+}
+
+void SupportTool::setWay(Way way) {
+  if (way == way_) return;
+  cancel();
+  hideHover();
+  way_ = way;
+  Q_EMIT changed();
+}
+
+modeling::Support::Kind SupportTool::kind() const {
+  return selected(Kind::kSupport) ? painted().kind : newKind_;
+}
+
+void SupportTool::setKind(modeling::Support::Kind kind) {
+  newKind_ = kind;
+  if (const auto name = selected(Kind::kSupport)) {
+    modeling::Support support = painted();
+    if (support.kind != kind) {
+      support.kind = kind;
+      editor_.perform(modeling::SetSupport{*name, support});
+    }
+  }
+  Q_EMIT changed();
+}
+
+modeling::Support SupportTool::painted() const {
+  const auto& supports = editor_.project().supports;
+  if (const auto name = selected(Kind::kSupport))
+    if (const auto* support = findNamed(supports, *name)) return *support;
+  modeling::Support fresh;
+  fresh.name = freeName(tr("support").toStdString(), supports);
+  fresh.kind = newKind_;
+  return fresh;
+}
+
+bool SupportTool::put(modeling::Support support) {
+  const std::string name = support.name;
+  const bool isThere = findNamed(editor_.project().supports, name) != nullptr;
+  if (support.where.parts.empty())
+    return !isThere || editor_.perform(modeling::RemoveSupport{name});
+  if (isThere) return editor_.perform(modeling::SetSupport{name, std::move(support)});
+  if (!editor_.perform(modeling::AddSupport{std::move(support)})) return false;
+  editor_.select(Selection::of(Kind::kSupport, name));
+  return true;
+}
+
+bool SupportTool::press(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  const auto place = scene_.placeAt(event.pixel);
+  if (!place) return true;
+  editor_.beginGroup(tr("Paint support"));
+  isPainting_ = true;
+  hasBegunStroke_ = false;
+  last_ = event.pixel;
+  erases_ = way_ == Way::kPatches ? namesPatch(painted().where, patchName(place->patch))
+                                  : (event.modifiers & Qt::ControlModifier) != 0;
+  paintAlong(event.pixel);
+  return true;
+}
+
+bool SupportTool::move(const PointerEvent& event) {
+  if (isPainting_) paintAlong(event.pixel);
+  last_ = event.pixel;
+  hover(event.pixel);
+  return isPainting_;
+}
+
+bool SupportTool::release(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton || !isPainting_) return false;
+  isPainting_ = false;
+  editor_.endGroup();
+  Q_EMIT changed();
+  return true;
+}
+
+bool SupportTool::cancel() {
+  if (!isPainting_) return false;
+  isPainting_ = false;
+  editor_.cancelGroup();
+  hideHover();
+  Q_EMIT changed();
+  return true;
+}
+
+void SupportTool::paintAlong(const Eigen::Vector2d& pixel) {
+  // A quick motion leaves out pixels: the surface between them is painted, too.
+  const int steps =
+      std::clamp(static_cast<int>(std::ceil((pixel - last_).norm() / kPixelStep)), 1, 40);
+  for (int i = 1; i <= steps; ++i) {
+    const auto place = scene_.placeAt(last_ + (pixel - last_) * i / steps);
+    if (!place) {
+      hasBegunStroke_ = false;  // past the edge of the body: what follows is another stroke
+      continue;
+    }
+    if (way_ == Way::kPatches)
+      paintPatch(place->patch);
+    else if (erases_)
+      eraseAt(place->position);
+    else
+      paintAt(place->position);
+  }
+  last_ = pixel;
+}
+
+void SupportTool::paintPatch(int patch) {
+  modeling::Support support = painted();
+  if (namesPatch(support.where, patchName(patch)) != erases_) return;
+  setPatch(support.where, patchName(patch), !erases_);
+  put(std::move(support));
+}
+
+void SupportTool::paintAt(const Eigen::Vector3d& position) {
+  modeling::Support support = painted();
+  auto& parts = support.where.parts;
+  auto* stroke =
+      hasBegunStroke_ && !parts.empty() ? std::get_if<modeling::Stroke>(&parts.back()) : nullptr;
+  // A jump from one side of a silhouette to the other is no way along the surface.
+  if (stroke && (stroke->points.back() - position).norm() > 4.0 * radius()) stroke = nullptr;
+  if (stroke && stroke->points.size() >= modeling::Stroke::kMostPoints) stroke = nullptr;
+  if (stroke) {
+    if ((stroke->points.back() - position).norm() < kPointSpacing * radius()) return;
+    stroke->points.push_back(position);
+  } else {
+    parts.emplace_back(modeling::Stroke{{position}, radius()});
+  }
+  hasBegunStroke_ = put(std::move(support));
+}
+
+void SupportTool::eraseAt(const Eigen::Vector3d& position) {
+  modeling::Support support = painted();
+  std::vector<modeling::RegionPart> left;
+  bool differs = false;
+  for (const modeling::RegionPart& part : support.where.parts) {
+    const auto* stroke = std::get_if<modeling::Stroke>(&part);
+    if (!stroke || stroke->value(position) > radius()) {
+      left.push_back(part);
+      continue;
+    }
+    const auto pieces = withoutNear(*stroke, position, radius());
+    differs = differs || pieces.size() != 1 || !(pieces.front() == *stroke);
+    left.insert(left.end(), pieces.begin(), pieces.end());
+  }
+  if (!differs) return;
+  support.where.parts = std::move(left);
+  put(std::move(support));
+}
+
+void SupportTool::hover(const Eigen::Vector2d& pixel) {
+  const auto place = scene_.placeAt(pixel);
+  if (way_ == Way::kPatches) {
+    scene_.setHoveredPatch(place ? std::optional(place->patch) : std::nullopt);
+    view::ToolDrawing drawing;
+    if (place) drawing.labels.push_back({place->position, patchName(place->patch)});
+    draw(drawing);
+    return;
+  }
+  view::ToolDrawing drawing;
+  if (place)
+    for (auto& line : ringOnSurface(scene_.surface(), place->position, radius()))
+      drawing.lines.push_back({std::move(line), view::ToolDrawing::Style::kPreview, true});
+  draw(drawing);
+}
+
+bool SupportTool::wantsKey(const QKeyEvent& event) const {
+  return way_ == Way::kBrush &&
+         (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
+}
+
+bool SupportTool::key(QKeyEvent* event) {
+  if (!wantsKey(*event)) return false;
+  setRadius(event->key() == Qt::Key_BracketLeft ? radius() / kRadiusStep : radius() * kRadiusStep);
+  hasBegunStroke_ = false;  // a stroke has one radius
+  hover(last_);
+  return true;
+}
+
+QString SupportTool::hint() const {
+  if (way_ == Way::kPatches)
+    return tr("Click a patch or drag over patches to hold them; click a held patch to let it go");
+  return tr("Drag over the surface to hold it, Ctrl erases strokes; [ and ] change the radius (%1)")
+      .arg(shownLength(radius()));
+}
+
+QWidget* SupportTool::makeOptions(QWidget* parent) {
+  return new SupportOptions(*this, editor_, settings_, parent);
+}
+
+}  // namespace palpa::gui

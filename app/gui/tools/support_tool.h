@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/gui/tools/surface_tool.h"
+
+namespace palpa::gui {
+
+/// Paints where the body is held: patch by patch, or with a round brush. The selected support is
+/// painted; with none, a new one. One stroke of the mouse is one step of undo.
+class SupportTool : public SurfaceTool {
+  Q_OBJECT
+
+ public:
+  enum class Way { kPatches, kBrush };
+
+  using SurfaceTool::SurfaceTool;
+
+  bool press(const PointerEvent& event) override;
+  bool move(const PointerEvent& event) override;
+  bool release(const PointerEvent& event) override;
+  bool key(QKeyEvent* event) override;
+  bool wantsKey(const QKeyEvent& event) const override;
+  bool cancel() override;
+  QCursor cursor() const override { return Qt::CrossCursor; }
+  QString hint() const override;
+  QWidget* makeOptions(QWidget* parent) override;
+
+  Way way() const { return way_; }
+  void setWay(Way way);
+  /// Of the brush, mm.
+  double radius() const;
+  void setRadius(double radius);
+  /// Of the support that is painted, or of new ones.
+  modeling::Support::Kind kind() const;
+  void setKind(modeling::Support::Kind kind);
+
+ private:
+  /// The support being painted, as it is now; without parts when it is yet to be made.
+  modeling::Support painted() const;
+  bool put(modeling::Support support);
+  void paintPatch(int patch);
+  void paintAt(const Eigen::Vector3d& position);
+  void eraseAt(const Eigen::Vector3d& position);
+  void paintAlong(const Eigen::Vector2d& pixel);
+  void hover(const Eigen::Vector2d& pixel);
+
+  Way way_ = Way::kPatches;
+  modeling::Support::Kind newKind_ = modeling::Support::Kind::fixed;
+  std::optional<double> radius_;  // mm; a share of the body's size until it is set
+  bool isPainting_ = false;
+  bool erases_ = false;
+  bool hasBegunStroke_ = false;  // the last part of the support is the stroke being painted
+  Eigen::Vector2d last_ = Eigen::Vector2d::Zero();  // pixel
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// Adds the tools that put things onto the surface: supports, loads, touches and knots.
+void addSurfaceTools(const Workspace& workspace);
+
+}  // namespace palpa::gui
