@@ -43,9 +43,8 @@ QAction* Menus::make(QMenu* menu, const Item& item) {
   action->setObjectName(name);
   action->setShortcut(item.keys);
   const QString tip = item.tip.isEmpty() ? name : item.tip;
-  action->setToolTip(item.keys.isEmpty()
-                         ? tip
-                         : tip + " (" + item.keys.toString(QKeySequence::NativeText) + ")");
+  action->setToolTip(
+      item.keys.isEmpty() ? tip : tip + " (" + item.keys.toString(QKeySequence::NativeText) + ")");
   action->setStatusTip(tip);
   menu->addAction(action);
   return action;
