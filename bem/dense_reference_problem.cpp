@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <span>
 
 #include "bem/assembly_kernel.h"
 #include "bem/lu_factorisation.h"
@@ -25,7 +26,7 @@ std::vector<int> nonzeroRows(const MatrixXd& x) {
 /// y += matrix * x in double precision, on all cores, touching only columns whose factors are not
 /// zero.
 template <class Scalar>
-void addProduct(const LargeMatrix<Scalar>& matrix, const MatrixXd& x, MatrixXd& y) {
+void addProduct(const LargeMatrix<Scalar>& matrix, const MatrixXd& x, MatrixXd& y, const Job& job) {
   constexpr std::ptrdiff_t kRowsPerTask = 1024;
   const std::vector<int> columns = nonzeroRows(x);
   ProductTask<Scalar> task{matrix.data(),
@@ -39,7 +40,7 @@ void addProduct(const LargeMatrix<Scalar>& matrix, const MatrixXd& x, MatrixXd& 
                            static_cast<int>(x.cols()),
                            y.data()};
   const AddProduct<Scalar> product = addProductForThisProcessor<Scalar>();
-  parallelFor((matrix.rows() + kRowsPerTask - 1) / kRowsPerTask, Job{}, "", [&](std::ptrdiff_t k) {
+  parallelFor((matrix.rows() + kRowsPerTask - 1) / kRowsPerTask, job, "", [&](std::ptrdiff_t k) {
     ProductTask<Scalar> part = task;
     part.rowBegin = k * kRowsPerTask;
     part.rowEnd = std::min(part.rows, part.rowBegin + kRowsPerTask);
@@ -88,7 +89,22 @@ class DenseReferenceProblem final : public ReferenceProblem {
         operators_(std::move(operators)),
         factors_(systemMatrix<Stored, Factor>(operators_, dofs(), job), job) {}
 
-  MatrixXd solve(const BoundaryField& known, Effort effort) const override {
+  /// What write() wrote.
+  DenseReferenceProblem(DegreesOfFreedom dofMap, const ByteSource& source)
+      : ReferenceProblem(std::move(dofMap)),
+        operators_(readOperators(dofs(), source)),
+        factors_(dofs().count(), source) {}
+
+  void write(const ByteSink& sink) const override {
+    const auto writeMatrix = [&](const LargeMatrix<Stored>& matrix) {
+      sink(std::as_bytes(std::span(matrix.data(), matrix.bytes() / sizeof(Stored))));
+    };
+    writeMatrix(operators_.H);
+    writeMatrix(operators_.G);
+    factors_.write(sink);
+  }
+
+  MatrixXd solve(const BoundaryField& known, Effort effort, const Job& job) const override {
     constexpr bool kExactFactors = std::is_same_v<Factor, double>;
     constexpr double kConverged = std::is_same_v<Stored, double> ? 1e-13 : 1e-9;
     const int rounds = effort == Effort::kFast ? 1 : kExactFactors ? 2 : 8;
@@ -98,7 +114,7 @@ class DenseReferenceProblem final : public ReferenceProblem {
     for (int round = 0; round < rounds; ++round) {
       // Each column is scaled to 1 so that single precision neither overflows nor loses small
       // states.
-      MatrixXd r = residual(field);
+      MatrixXd r = residual(field, job);
       const Eigen::RowVectorXd scale =
           r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
       Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
@@ -119,23 +135,34 @@ class DenseReferenceProblem final : public ReferenceProblem {
 
   double relativeResidual(const BoundaryField& field) const override {
     MatrixXd fromTraction = MatrixXd::Zero(operators_.G.rows(), field.p.cols());
-    addProduct(operators_.G, field.p, fromTraction);
+    addProduct(operators_.G, field.p, fromTraction, Job{});
     const double size = fromTraction.template lpNorm<Eigen::Infinity>();
-    const double defect = residual(field).template lpNorm<Eigen::Infinity>();
+    const double defect = residual(field, Job{}).template lpNorm<Eigen::Infinity>();
     return defect / std::max(size, 1e-300);
   }
 
-  double conditionEstimate() const override { return factors_.conditionEstimate(); }
+  double conditionEstimate(const Job& job) const override {
+    return factors_.conditionEstimate(job);
+  }
 
   std::size_t bytes() const override {
     return operators_.H.bytes() + operators_.G.bytes() + factors_.bytes();
   }
 
  private:
-  MatrixXd residual(const BoundaryField& field) const {
+  static BoundaryOperators<Stored> readOperators(const DegreesOfFreedom& dofs,
+                                                 const ByteSource& source) {
+    BoundaryOperators<Stored> operators{{dofs.count(), dofs.nodalCount()},
+                                        {dofs.count(), 3 * dofs.slotCount()}};
+    for (auto* matrix : {&operators.H, &operators.G})
+      source(std::as_writable_bytes(std::span(matrix->data(), matrix->bytes() / sizeof(Stored))));
+    return operators;
+  }
+
+  MatrixXd residual(const BoundaryField& field, const Job& job) const {
     MatrixXd r = MatrixXd::Zero(operators_.H.rows(), field.u.cols());
-    addProduct<Stored>(operators_.H, -field.u, r);
-    addProduct<Stored>(operators_.G, field.p, r);
+    addProduct<Stored>(operators_.H, -field.u, r, job);
+    addProduct<Stored>(operators_.G, field.p, r, job);
     return r;
   }
 
@@ -177,6 +204,24 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
       return make<float, float>(mesh, slots, std::move(dofs), material, options, job, times);
     default:
       return make<double, double>(mesh, slots, std::move(dofs), material, options, job, times);
+  }
+}
+
+std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
+    const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
+    const Job& job, const ByteSource& source) {
+  material.validate();
+  DegreesOfFreedom dofs(mesh, slots, conditions, material);
+  checkSolvable(mesh, slots, conditions, dofs, material);
+  setBlasThreads(workerCount(job));
+  switch (choosePrecision(precision, mesh.nodeCount())) {
+    case Precision::kMixed:
+      return std::make_unique<DenseReferenceProblem<double, float>>(std::move(dofs), source);
+    case Precision::kSingle:
+      return std::make_unique<DenseReferenceProblem<float, float>>(std::move(dofs), source);
+    default:
+      return std::make_unique<DenseReferenceProblem<double, double>>(std::move(dofs), source);
   }
 }
 

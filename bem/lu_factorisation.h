@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "bem/byte_stream.h"
 #include "bem/job.h"
 #include "bem/large_matrix.h"
 
@@ -14,6 +15,9 @@ class LuFactorisation {
   /// Takes the square matrix over. Throws SolverError (kSingular) when a pivot vanishes, Cancelled
   /// on stop.
   LuFactorisation(LargeMatrix<Scalar> matrix, const Job& job);
+  /// What write() wrote, of a matrix with `size` rows.
+  LuFactorisation(Eigen::Index size, const ByteSource& source);
+  void write(const ByteSink& sink) const;
 
   Eigen::Index size() const { return matrix_.rows(); }
   std::size_t bytes() const { return matrix_.bytes(); }
@@ -22,8 +26,9 @@ class LuFactorisation {
   /// several threads.
   void solveInPlace(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides) const;
 
-  /// LAPACK's estimate of the condition number in the 1-norm.
-  double conditionEstimate() const;
+  /// LAPACK's estimate of the condition number in the 1-norm: about five solutions. Throws
+  /// Cancelled between two of them.
+  double conditionEstimate(const Job& job = {}) const;
 
  private:
   LargeMatrix<Scalar> matrix_;

@@ -2,8 +2,9 @@
 
 namespace palpa::bem {
 
-BoundaryField ReferenceProblem::solveField(const BoundaryField& known, Effort effort) const {
-  BoundaryField field = dofs().expand(solve(known, effort), Eigen::MatrixXd());
+BoundaryField ReferenceProblem::solveField(const BoundaryField& known, Effort effort,
+                                           const Job& job) const {
+  BoundaryField field = dofs().expand(solve(known, effort, job), Eigen::MatrixXd());
   field.u += known.u;
   field.p += known.p;
   return field;

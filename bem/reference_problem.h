@@ -4,6 +4,7 @@
 
 #include "bem/assembly.h"
 #include "bem/boundary_conditions.h"
+#include "bem/byte_stream.h"
 
 namespace palpa::bem {
 
@@ -21,11 +22,13 @@ class ReferenceProblem {
   /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u. kRefined
   /// iterates on the residual in double precision until it stops falling; kFast takes the
   /// factorisation's answer as it is.
-  virtual Eigen::MatrixXd solve(const BoundaryField& known,
-                                Effort effort = Effort::kRefined) const = 0;
+  /// Throws Cancelled on stop.
+  virtual Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
+                                const Job& job = {}) const = 0;
 
   /// The whole field: known plus unknown part.
-  BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined) const;
+  BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,
+                           const Job& job = {}) const;
 
   /// Columns of Xi = -A0^-1 Ā0 for the given nodal degrees of freedom: the unknowns for a unit
   /// known value.
@@ -35,8 +38,13 @@ class ReferenceProblem {
   /// max norm of G p - H u relative to that of its largest term: how well a field fulfils the
   /// equations.
   virtual double relativeResidual(const BoundaryField& field) const = 0;
-  virtual double conditionEstimate() const = 0;
+  /// Of A0 in the 1-norm; costs about as much as five columns. Throws Cancelled on stop.
+  virtual double conditionEstimate(const Job& job = {}) const = 0;
   virtual std::size_t bytes() const = 0;
+
+  /// The operators and factors bit by bit, in the byte order of this machine, for
+  /// readDenseReferenceProblem().
+  virtual void write(const ByteSink& sink) const = 0;
 
  protected:
   explicit ReferenceProblem(DegreesOfFreedom dofs) : dofs_(std::move(dofs)) {}
@@ -71,5 +79,12 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const std::vector<SlotCondition>& conditions, const Material& material,
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times = nullptr);
+
+/// What write() wrote of a problem made from the same mesh, slots, conditions, material and
+/// precision: the caller vouches for that. Throws what the source throws, std::bad_alloc.
+std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
+    const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
+    const Job& job, const ByteSource& source);
 
 }  // namespace palpa::bem

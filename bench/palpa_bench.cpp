@@ -5,12 +5,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "app/core/boundary_setup.h"
 #include "app/core/memory.h"
+#include "app/core/model_cache.h"
 #include "bem/assembly_kernel.h"
 #include "bem/contact_solver.h"
 #include "bem/greens_function.h"
@@ -105,6 +107,7 @@ class Bench {
     touches(setup, problem, build, cold, n);
     const double singleMatrix = 4 * std::pow(3.0 * n, 2);
     modeller(cells, n);
+    cache(setup, *problem);
     add("memory of the model", "%.0f MiB", static_cast<double>(problem->bytes()) / (1 << 20), "");
     add("  in single (3n)^2 matrices", "%.2f", static_cast<double>(problem->bytes()) / singleMatrix,
         n > 9000 ? "<= 3" : "");
@@ -170,6 +173,23 @@ class Bench {
       const double field = medianSecondsFor([&] { solver.field(forces); });
       add("full field, " + contacts, "%.2f kHz", 1e-3 / field, n > 9000 ? ">= 1" : "");
     }
+  }
+
+  /// What opening a project again costs instead of assembling and factorising.
+  void cache(const app::BoundarySetup& setup, const bem::ReferenceProblem& problem) {
+    const auto folder = std::filesystem::temp_directory_path() / "palpa-bench-cache";
+    app::ModelCache stored(folder, 64e9);
+    stored.clear();
+    const auto key = app::ModelCache::keyOf(setup, {}, bem::Precision::kAutomatic);
+    add("writing the stored model", "%.2f s", secondsFor([&] { stored.write(key, problem, job_); }),
+        "");
+    std::string notice;
+    add("reading the stored model", "%.3f s", medianSecondsFor([&] {
+          stored.read(key, setup, bem::Precision::kAutomatic, job_, notice);
+        }),
+        "");
+    add("  size of its file", "%.0f MiB", stored.size() / (1 << 20), "");
+    stored.clear();
   }
 
   /// What happens between a drag of a control point and the assembly.

@@ -1,11 +1,35 @@
 #include "app/core/rebuild_pipeline.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "app/core/priority.h"
 #include "bem/error.h"
 #include "modeling/job.h"
 
 namespace palpa::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Progress over all phases: each has a share that fits bodies of some thousand nodes.
+double totalProgress(std::string_view phase, double fraction) {
+  struct Share {
+    std::string_view phase;
+    double begin, end;
+  };
+  for (const auto& [name, begin, end] :
+       {Share{"mesh", 0, 0.04}, Share{"check", 0.04, 0.08}, Share{"read", 0.08, 0.9},
+        Share{"assemble", 0.08, 0.45}, Share{"factorise", 0.45, 0.9}, Share{"solve", 0.9, 1}})
+    if (name == phase) return begin + fraction * (end - begin);
+  return 0;
+}
+
+}  // namespace
 
 RebuildPipeline::RebuildPipeline(BuildOptions options, int threads, std::function<void()> changed)
     : options_(std::move(options)),
@@ -27,7 +51,10 @@ std::uint64_t RebuildPipeline::submit(modeling::Project snapshot) {
     status_.state = RebuildStatus::State::kBuilding;
     status_.phase.clear();
     status_.fraction = 0;
+    status_.progress = 0;
+    status_.stages.clear();
     status_.error.clear();
+    keepDue_ = false;
     waiting_ = std::move(snapshot);
     current_.request_stop();
   }
@@ -42,10 +69,20 @@ void RebuildPipeline::cancel() {
     if (status_.state != RebuildStatus::State::kBuilding) return;
     status_.state = RebuildStatus::State::kCancelled;
     waiting_.reset();
+    closeStage();
     current_.request_stop();
   }
   settled_.notify_all();
   notify();
+}
+
+void RebuildPipeline::keepModel() {
+  if (!options_.cache) return;
+  {
+    const std::lock_guard lock(mutex_);
+    keepDue_ = true;
+  }
+  wake_.notify_one();
 }
 
 std::shared_ptr<const TouchModel> RebuildPipeline::model() const {
@@ -55,25 +92,82 @@ std::shared_ptr<const TouchModel> RebuildPipeline::model() const {
 
 RebuildStatus RebuildPipeline::status() const {
   const std::lock_guard lock(mutex_);
-  return status_;
+  RebuildStatus status = status_;
+  if (!status.phase.empty() && !status.stages.empty())
+    status.stages.back().seconds = secondsSince(stageBegan_);
+  return status;
 }
 
 bool RebuildPipeline::waitUntilSettled(std::chrono::milliseconds most) const {
   std::unique_lock lock(mutex_);
-  return settled_.wait_for(lock, most,
-                           [&] { return status_.state != RebuildStatus::State::kBuilding; });
+  return settled_.wait_for(lock, most, [&] {
+    return status_.state != RebuildStatus::State::kBuilding && nextTask() != Task::kKeep &&
+           !isKeeping_;
+  });
+}
+
+std::optional<RebuildPipeline::Task> RebuildPipeline::nextTask() const {
+  if (waiting_) return Task::kBuild;
+  if (status_.state != RebuildStatus::State::kUpToDate) return std::nullopt;
+  if (keepDue_) return Task::kKeep;
+  if (estimateDue_) return Task::kEstimate;
+  return std::nullopt;
+}
+
+void RebuildPipeline::closeStage() {
+  if (status_.phase.empty() || status_.stages.empty()) return;
+  status_.stages.back().seconds = secondsSince(stageBegan_);
+  status_.phase.clear();
+}
+
+void RebuildPipeline::advance(std::uint64_t revision, std::string_view phase, double fraction) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (status_.revision != revision || status_.state != RebuildStatus::State::kBuilding) return;
+    if (status_.phase != phase) {
+      closeStage();
+      if (!status_.stages.empty()) status_.stages.back().fraction = 1;
+      status_.stages.push_back({std::string(phase), 0, 0});
+      status_.phase = phase;
+      stageBegan_ = Clock::now();
+    }
+    status_.fraction = fraction;
+    status_.stages.back().fraction = fraction;
+    status_.progress = std::max(status_.progress, totalProgress(phase, fraction));
+  }
+  notify();
+}
+
+void RebuildPipeline::estimate(const TouchModel& model, const bem::Job& job) {
+  const double condition = model.problem()->conditionEstimate(job);
+  {
+    const std::lock_guard lock(mutex_);
+    if (model_.get() != &model) return;
+    status_.condition = condition;
+  }
+  notify();
 }
 
 void RebuildPipeline::work(const std::stop_token& stop) {
+  lowerThreadPriority();
   for (;;) {
     modeling::Project project;
+    std::shared_ptr<const TouchModel> model;
     std::uint64_t revision = 0;
+    Task task{};
     bem::Job job;
     {
       std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [&] { return waiting_.has_value(); })) return;
-      project = std::move(*waiting_);
-      waiting_.reset();
+      if (!wake_.wait(lock, stop, [&] { return nextTask().has_value(); })) return;
+      task = *nextTask();
+      if (task == Task::kBuild) {
+        project = std::move(*waiting_);
+        waiting_.reset();
+      } else {
+        model = model_;
+        (task == Task::kKeep ? keepDue_ : estimateDue_) = false;
+        isKeeping_ = task == Task::kKeep;
+      }
       revision = status_.revision;
       current_ = std::stop_source();
       // The destructor may have asked the worker to stop just before this source existed.
@@ -81,17 +175,28 @@ void RebuildPipeline::work(const std::stop_token& stop) {
       job.stop = current_.get_token();
     }
     job.threads = threads_;
-    job.progress = [this, revision](std::string_view phase, double fraction) {
-      {
-        const std::lock_guard lock(mutex_);
-        if (status_.revision != revision || status_.state != RebuildStatus::State::kBuilding)
-          return;
-        status_.phase = phase;
-        status_.fraction = fraction;
-      }
-      notify();
-    };
-    build(revision, project, job);
+    if (task == Task::kBuild) {
+      job.progress = [this, revision](std::string_view phase, double fraction) {
+        advance(revision, phase, fraction);
+      };
+      build(revision, project, job);
+      continue;
+    }
+    try {
+      if (task == Task::kKeep)
+        options_.cache->write(model->key(), *model->problem(), job);
+      else
+        estimate(*model, job);
+    } catch (const bem::Cancelled&) {
+      // A newer revision was submitted: this one needs neither any more.
+    } catch (const std::bad_alloc&) {
+      // Both can be done without.
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      isKeeping_ = false;
+    }
+    settled_.notify_all();
   }
 }
 
@@ -99,7 +204,9 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
                             const bem::Job& job) {
   using State = RebuildStatus::State;
   try {
-    finish(revision, State::kUpToDate, {}, buildTouchModel(project, options_, job));
+    auto model = buildTouchModel(project, options_, job);
+    auto warnings = model->report().warnings;
+    finish(revision, State::kUpToDate, {}, std::move(model), std::move(warnings));
   } catch (const bem::Cancelled&) {
     finish(revision, State::kCancelled, {}, nullptr);
   } catch (const modeling::Cancelled&) {
@@ -108,24 +215,32 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
     finish(revision, State::kFailed,
            "there is not enough memory; take a larger edge length or close other programs",
            nullptr);
+  } catch (const GeometryError& error) {
+    finish(revision, State::kFailed, error.what(), nullptr, error.findings());
   } catch (const std::exception& error) {
     finish(revision, State::kFailed, error.what(), nullptr);
   }
 }
 
 void RebuildPipeline::finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
-                             std::shared_ptr<const TouchModel> model) {
+                             std::shared_ptr<const TouchModel> model,
+                             GeometryError::Findings findings) {
   // Replaced models are released after the lock: freeing gigabytes takes a while.
   {
     const std::lock_guard lock(mutex_);
     if (revision != status_.revision || status_.state != RebuildStatus::State::kBuilding) return;
     status_.state = state;
-    status_.phase.clear();
+    closeStage();
     status_.fraction = 0;
     status_.error = std::move(error);
+    if (findings) status_.findings = std::move(findings);
     if (model) {
       model_.swap(model);
       status_.modelRevision = revision;
+      status_.stages.back().fraction = 1;
+      status_.progress = 1;
+      status_.condition = 0;
+      estimateDue_ = true;
     }
   }
   settled_.notify_all();

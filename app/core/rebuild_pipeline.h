@@ -9,10 +9,18 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/core/touch_model.h"
 
 namespace palpa::app {
+
+/// One phase of the present or the last build; the phases are those of buildTouchModel().
+struct BuildStage {
+  std::string phase;
+  double seconds = 0;   ///< so far
+  double fraction = 0;  ///< 0 … 1
+};
 
 /// Where the rebuild stands; a copy, consistent in itself.
 struct RebuildStatus {
@@ -26,9 +34,16 @@ struct RebuildStatus {
   State state = State::kEmpty;
   std::uint64_t revision = 0;       ///< newest revision submitted; 0: none
   std::uint64_t modelRevision = 0;  ///< revision of model(); 0: none
-  std::string phase;                ///< "mesh", "assemble", "factorise", "solve" while building
+  std::string phase;                ///< that runs, as in buildTouchModel(); empty unless kBuilding
   double fraction = 0;              ///< of the phase, 0 … 1
+  double progress = 0;              ///< over all phases, 0 … 1, never falling during a build
+  std::vector<BuildStage> stages;   ///< that were begun, in their order
   std::string error;                ///< for people; empty unless kFailed
+  /// Of the last geometry check that was finished: why it failed, or warnings. Never null.
+  GeometryError::Findings findings = std::make_shared<std::vector<modeling::GeometryFinding>>();
+  /// Condition number of the equations of model(), estimated when nothing else is to be done; 0
+  /// before.
+  double condition = 0;
 };
 
 /// Turns edits into models on a thread of its own: a snapshot of the project goes in, an immutable
@@ -42,7 +57,7 @@ class RebuildPipeline {
  public:
   explicit RebuildPipeline(BuildOptions options = {}, int threads = 0,
                            std::function<void()> changed = {});
-  /// Cancels what is being built and waits for the worker (at most about 20 ms of work).
+  /// Cancels what is being built and waits for the worker (some 20 ms of work).
   ~RebuildPipeline();
   RebuildPipeline(const RebuildPipeline&) = delete;
   RebuildPipeline& operator=(const RebuildPipeline&) = delete;
@@ -53,18 +68,29 @@ class RebuildPipeline {
   /// Stops the present build. Nothing happens when none runs.
   void cancel();
 
+  /// Stores the model of the newest revision in BuildOptions::cache, as soon as it is there and
+  /// nothing else is to be done. A newer revision takes this back.
+  void keepModel();
+
   /// The newest finished model; null before the first.
   std::shared_ptr<const TouchModel> model() const;
   RebuildStatus status() const;
 
-  /// Waits until nothing is being built; false when the time is over before.
+  /// Waits until nothing is being built (nor stored); false when the time is over before.
   bool waitUntilSettled(std::chrono::milliseconds most) const;
 
  private:
+  enum class Task { kBuild, kEstimate, kKeep };
+
   void work(const std::stop_token& stop);
+  /// What is to be done next; called with the lock held.
+  std::optional<Task> nextTask() const;
+  void advance(std::uint64_t revision, std::string_view phase, double fraction);
+  void closeStage();
+  void estimate(const TouchModel& model, const bem::Job& job);
   void build(std::uint64_t revision, const modeling::Project& project, const bem::Job& job);
   void finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
-              std::shared_ptr<const TouchModel> model);
+              std::shared_ptr<const TouchModel> model, GeometryError::Findings findings = nullptr);
   void notify() const;
 
   const BuildOptions options_;
@@ -78,6 +104,10 @@ class RebuildPipeline {
   std::optional<modeling::Project> waiting_;  // the newest snapshot, until the worker takes it
   std::stop_source current_;                  // stops the build of the snapshot taken last
   std::shared_ptr<const TouchModel> model_;
+  std::chrono::steady_clock::time_point stageBegan_;
+  bool estimateDue_ = false;
+  bool keepDue_ = false;
+  bool isKeeping_ = false;
 
   std::jthread worker_;  // last: it uses all of the above
 };

@@ -13,11 +13,17 @@ bool concernsModel(const modeling::Change& change) {
   return change.body() || change.material || change.supports || change.loads || change.mesh;
 }
 
+Session::Options withCache(Session::Options options) {
+  if (!options.cacheFolder.empty() && options.cacheLimit > 0)
+    options.build.cache = std::make_shared<ModelCache>(options.cacheFolder, options.cacheLimit);
+  return options;
+}
+
 }  // namespace
 
 Session::Session(modeling::Project project, Options options)
     : document_(std::move(project)),
-      options_(std::move(options)),
+      options_(withCache(std::move(options))),
       pipeline_(std::make_unique<RebuildPipeline>(options_.build, options_.threads,
                                                   options_.rebuildChanged)) {
   if (!options_.autosaveFolder.empty())
@@ -28,6 +34,7 @@ Session::Session(modeling::Project project, Options options)
 Session::Session(const std::filesystem::path& file, Options options)
     : Session(modeling::readProject(file), std::move(options)) {
   file_ = file;
+  pipeline_->keepModel();
 }
 
 Session::Session(const modeling::Snapshot& snapshot, Options options)
@@ -82,6 +89,7 @@ void Session::saveAs(const std::filesystem::path& file) {
   document_.markSaved();
   recovered_ = false;
   autosavedEdits_ = edits_;
+  pipeline_->keepModel();
   close();
 }
 

@@ -22,6 +22,8 @@ class Session {
   struct Options {
     BuildOptions build;
     int threads = 0;                         ///< of the rebuild; 0: all cores
+    std::filesystem::path cacheFolder;       ///< empty: solved models are not stored
+    double cacheLimit = 0;                   ///< bytes; 0: solved models are not stored
     std::filesystem::path autosaveFolder;    ///< empty: no snapshots
     std::chrono::seconds autosaveEvery{60};  ///< after the first edit that is not saved
     std::function<void()> rebuildChanged;    ///< RebuildPipeline's `changed`
@@ -37,6 +39,10 @@ class Session {
   const modeling::Document& document() const { return document_; }
   const modeling::Project& project() const { return document_.project(); }
   RebuildPipeline& pipeline() { return *pipeline_; }
+  /// Null without a folder or a limit.
+  ModelCache* cache() const { return options_.build.cache.get(); }
+  /// Builds the model again, as after a failure or a stop.
+  void rebuild() { submit(); }
 
   /// Applies a command; a change that matters to the model starts a rebuild.
   modeling::Performed perform(const modeling::Command& command,

@@ -47,16 +47,26 @@ void checkMemory(double nodes, double slots, double edgeLength, const BuildOptio
   throw bem::SolverError(bem::SolverError::Kind::kTooLarge, text);
 }
 
-/// modeling::mesh() under a job of bem: the same stop token and progress, the same Cancelled.
-modeling::SurfaceMesh meshUnderJob(const modeling::Project& project,
-                                   const modeling::MeshSettings& settings,
-                                   std::span<const modeling::MeshRegion> regions,
-                                   const bem::Job& job) {
+/// Work of modeling under a job of bem: the same stop token and progress, the same Cancelled.
+template <class Work>
+auto underJob(const bem::Job& job, const Work& work) {
   try {
-    return modeling::mesh(project.body, settings, regions, {job.stop, job.progress});
+    return work(modeling::Job{job.stop, job.progress});
   } catch (const modeling::Cancelled&) {
     throw bem::Cancelled{};
   }
+}
+
+/// The warnings; throws GeometryError when there are errors.
+GeometryError::Findings checkSurface(const modeling::SurfaceMesh& surface,
+                                     const modeling::Body& body, const bem::Job& job) {
+  job.report("check", 0);
+  auto findings = std::make_shared<const std::vector<modeling::GeometryFinding>>(underJob(
+      job,
+      [&](const modeling::Job& inner) { return modeling::checkGeometry(surface, body, inner); }));
+  job.report("check", 1);
+  if (!findings->empty() && findings->front().isError) throw GeometryError(std::move(findings));
+  return findings;
 }
 
 }  // namespace
@@ -95,31 +105,46 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   const double expected = modeling::estimateNodeCount(project.body, settings);
   checkMemory(expected, expected, settings.edgeLength, options);
   const auto regions = modeling::meshRegions(project);
-  modeling::SurfaceMesh surface = meshUnderJob(project, settings, regions, job);
+  modeling::SurfaceMesh surface = underJob(job, [&](const modeling::Job& inner) {
+    return modeling::mesh(project.body, settings, regions, inner);
+  });
   job.throwIfCancelled();
   BuildReport report;
+  report.meshSeconds = watch.lap();
+  report.warnings = checkSurface(surface, project.body, job);
+  report.checkSeconds = watch.lap();
   report.nodes = static_cast<int>(surface.positions.size());
   report.triangles = static_cast<int>(surface.triangles.size());
   report.quality = modeling::measureQuality(surface);
   BoundarySetup setup = makeBoundarySetup(project, surface);
   checkMemory(report.nodes, setup.slots.count(), settings.edgeLength, options);
   std::shared_ptr<TouchModel> model(new TouchModel(std::move(surface), std::move(setup)));
-  report.meshSeconds = watch.lap();
+  report.meshSeconds += watch.lap();
 
-  bem::ReferenceProblemTimes times;
   const BoundarySetup& parts = model->setup_;
-  model->problem_ = bem::makeDenseReferenceProblem(parts.mesh, parts.slots, parts.conditions.ofSlot,
-                                                   parts.material, options.assembly,
-                                                   options.precision, job, &times);
-  report.assembleSeconds = times.assemble;
-  report.factoriseSeconds = times.factorise;
+  model->key_ = ModelCache::keyOf(parts, options.assembly, options.precision);
+  if (options.cache)
+    model->problem_ =
+        options.cache->read(model->key_, parts, options.precision, job, report.notice);
+  if (model->problem_) {
+    report.readSeconds = watch.lap();
+  } else {
+    bem::ReferenceProblemTimes times;
+    model->problem_ = bem::makeDenseReferenceProblem(
+        parts.mesh, parts.slots, parts.conditions.ofSlot, parts.material, options.assembly,
+        options.precision, job, &times);
+    report.assembleSeconds = times.assemble;
+    report.factoriseSeconds = times.factorise;
+  }
   report.memory = static_cast<double>(model->problem_->bytes());
   watch.lap();
   job.throwIfCancelled();
   job.report("solve", 0);
   const bem::DegreesOfFreedom& dofs = model->problem_->dofs();
   model->rest_ =
-      model->describe(model->problem_->solveField(dofs.knownField(parts.conditions)), {});
+      model->describe(model->problem_->solveField(dofs.knownField(parts.conditions),
+                                                  bem::ReferenceProblem::Effort::kRefined, job),
+                      {});
   report.solveSeconds = watch.lap();
   job.report("solve", 1);
   model->report_ = report;

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "app/core/boundary_setup.h"
+#include "app/core/geometry_error.h"
+#include "app/core/model_cache.h"
 #include "bem/reference_problem.h"
 #include "modeling/project/project.h"
 
@@ -14,13 +16,19 @@ struct BuildOptions {
   bem::AssemblyOptions assembly;
   /// Bytes the model may take; 0: 85 % of what is available now.
   double memoryLimit = 0;
+  /// Where solved models are looked for; null: nowhere. Nothing is written there.
+  std::shared_ptr<ModelCache> cache;
 };
 
 struct BuildReport {
   int nodes = 0, triangles = 0;
   modeling::MeshQuality quality;
-  double meshSeconds = 0, assembleSeconds = 0, factoriseSeconds = 0, solveSeconds = 0;
-  double memory = 0;  ///< bytes of the operators and factors
+  double meshSeconds = 0, checkSeconds = 0, solveSeconds = 0;
+  double assembleSeconds = 0, factoriseSeconds = 0;  ///< 0 when it was read from the cache
+  double readSeconds = 0;                            ///< 0 when it was not
+  double memory = 0;                                 ///< bytes of the operators and factors
+  GeometryError::Findings warnings;  ///< of the geometry check; never null in a model
+  std::string notice;                ///< what else a person should know, a sentence; mostly empty
 };
 
 /// Displacements and tractions on the whole boundary with everything a person wants to read off:
@@ -58,6 +66,8 @@ class TouchModel {
   /// The state without touches.
   const TouchState& rest() const { return rest_; }
   const BuildReport& report() const { return report_; }
+  /// What problem() is found by in a cache.
+  const ModelCache::Key& key() const { return key_; }
 
   /// Forces, energy and balance that belong to a field and its contacts.
   TouchState describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts) const;
@@ -73,11 +83,13 @@ class TouchModel {
   std::shared_ptr<const bem::ReferenceProblem> problem_;
   TouchState rest_;
   BuildReport report_;
+  ModelCache::Key key_;
 };
 
-/// Runs the whole way from project to model. Phases of progress: "mesh", "assemble", "factorise",
-/// "solve". Throws ModelingError (bad project), SolverError (cannot be solved; kTooLarge with the
-/// estimate before memory is taken), Cancelled.
+/// Runs the whole way from project to model. Phases of progress: "mesh", "check", then "assemble"
+/// and "factorise", or "read" when the cache has the solved problem, and "solve". Throws
+/// ModelingError (bad project; GeometryError when the surface does not bound a body), SolverError
+/// (cannot be solved; kTooLarge with the estimate before memory is taken), Cancelled.
 std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
                                                   const BuildOptions& options, const bem::Job& job);
 

@@ -48,6 +48,8 @@ app::Session::Options Editor::sessionOptions() {
   app::Session::Options options;
   options.threads = settings_.threads();
   options.build.memoryLimit = settings_.memoryLimitGiB() * 1024.0 * 1024.0 * 1024.0;
+  options.cacheFolder = app::defaultCacheFolder();
+  options.cacheLimit = settings_.cacheLimitGiB() * 1024.0 * 1024.0 * 1024.0;
   options.autosaveEvery = std::chrono::seconds(settings_.autosaveSeconds());
   // From the worker's thread: only starts the timer, in this object's thread.
   options.rebuildChanged = [this] {

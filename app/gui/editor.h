@@ -57,6 +57,8 @@ class Editor : public QObject {
   void undo();
   void redo();
   void cancelRebuild() { session_->pipeline().cancel(); }
+  /// After a stop or a failure.
+  void rebuildAgain() { session_->rebuild(); }
 
   /// Makes the edits until endGroup() one step of undo; Session::beginGroup().
   void beginGroup(const QString& label);

@@ -33,6 +33,7 @@ MainWindow::MainWindow()
     : editor_(settings_),
       viewport_(new ViewportWidget(this)),
       scene_(editor_, *viewport_),
+      warnings_(editor_, *viewport_),
       menus_(*this),
       tools_(menus_, *viewport_),
       workspace_{*this, settings_, editor_, *viewport_, scene_, menus_, tools_},

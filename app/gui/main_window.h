@@ -5,6 +5,7 @@
 
 #include "app/gui/actions/file_actions.h"
 #include "app/gui/editor.h"
+#include "app/gui/geometry_warnings.h"
 #include "app/gui/menus.h"
 #include "app/gui/scene_controller.h"
 #include "app/gui/settings.h"
@@ -55,6 +56,7 @@ class MainWindow : public QMainWindow {
   Editor editor_;
   ViewportWidget* viewport_;
   SceneController scene_;
+  GeometryWarnings warnings_;
   Menus menus_;
   ToolBox tools_;
   Workspace workspace_;

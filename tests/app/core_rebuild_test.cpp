@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <vector>
 
@@ -120,8 +121,80 @@ TEST(RebuildPipeline, ReportsPhasesAndTellsOfEveryChange) {
   pipeline.submit(scaledSphere(1.0));
   ASSERT_TRUE(pipeline.waitUntilSettled(60s));
   const std::lock_guard lock(mutex);
-  EXPECT_EQ(phases, (std::vector<std::string>{"mesh", "assemble", "factorise", "solve"}));
+  const std::vector<std::string> expected{"mesh", "check", "assemble", "factorise", "solve"};
+  EXPECT_EQ(phases, expected);
+  const RebuildStatus status = pipeline.status();
+  std::vector<std::string> stages;
+  for (const BuildStage& stage : status.stages) {
+    stages.push_back(stage.phase);
+    EXPECT_EQ(stage.fraction, 1.0) << stage.phase;
+    EXPECT_GE(stage.seconds, 0.0) << stage.phase;
+  }
+  EXPECT_EQ(stages, expected);
+  EXPECT_EQ(status.progress, 1.0);
   EXPECT_GE(changes, 6);
+}
+
+TEST(RebuildPipeline, ProgressNeverFalls) {
+  std::mutex mutex;
+  std::vector<double> seen;
+  RebuildPipeline* pipelineSeen = nullptr;
+  RebuildPipeline pipeline({}, 0, [&] {
+    const std::lock_guard lock(mutex);
+    if (pipelineSeen) seen.push_back(pipelineSeen->status().progress);
+  });
+  {
+    const std::lock_guard lock(mutex);
+    pipelineSeen = &pipeline;
+  }
+  pipeline.submit(scaledSphere(1.0, 6));
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  const std::lock_guard lock(mutex);
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_GT(seen.size(), 10u);
+}
+
+TEST(RebuildPipeline, TheConditionNumberFollowsTheModel) {
+  RebuildPipeline pipeline;
+  pipeline.submit(scaledSphere(1.0));
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  for (int i = 0; i < 5000 && pipeline.status().condition == 0; ++i)
+    std::this_thread::sleep_for(1ms);
+  EXPECT_GT(pipeline.status().condition, 1.0);
+  EXPECT_EQ(pipeline.status().condition, pipeline.model()->problem()->conditionEstimate());
+}
+
+/// The point of the net that is highest is pulled down through the body.
+modeling::Project pierced() {
+  modeling::Project project = scaledSphere(1.0, 5);
+  auto& solid = std::get<modeling::Solid>(project.body);
+  std::vector<Eigen::Vector3d> points = solid.controlPoints();
+  const auto highest = std::max_element(points.begin(), points.end(),
+                                        [](const auto& a, const auto& b) { return a.z() < b.z(); });
+  highest->z() -= 400;
+  project.body = solid.withControlPoints(std::move(points));
+  return project;
+}
+
+TEST(RebuildPipeline, ASurfaceThatCutsItselfIsNotBuiltAndTheFindingsSayWhere) {
+  RebuildPipeline pipeline;
+  pipeline.submit(scaledSphere(1.0));
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  const auto good = pipeline.model();
+  EXPECT_TRUE(pipeline.status().findings->empty());
+  pipeline.submit(pierced());
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  RebuildStatus status = pipeline.status();
+  EXPECT_EQ(status.state, State::kFailed);
+  ASSERT_FALSE(status.findings->empty());
+  EXPECT_TRUE(status.findings->front().isError);
+  EXPECT_EQ(status.error, status.findings->front().message);
+  EXPECT_EQ(status.stages.back().phase, "check");
+  EXPECT_EQ(pipeline.model(), good);
+  pipeline.submit(scaledSphere(1.1));
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  EXPECT_TRUE(pipeline.status().findings->empty());
+  EXPECT_THROW(buildTouchModel(pierced(), {}, {}), GeometryError);
 }
 
 TEST(RebuildPipeline, CanBeDestroyedWhileItBuilds) {

@@ -1,6 +1,8 @@
 #include "app/gui/docks/rebuild_dock.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "app/core/memory.h"
 #include "app/gui/appearance.h"
@@ -10,17 +12,40 @@ namespace {
 
 using State = app::RebuildStatus::State;
 
-/// Progress over all phases, in per cent: each phase has a share that fits bodies of some thousand
-/// nodes.
-int totalPercent(const app::RebuildStatus& status) {
-  struct Share {
-    const char* phase;
-    double begin, end;
-  };
-  for (const auto& [phase, begin, end] : {Share{"mesh", 0, 5}, Share{"assemble", 5, 55},
-                                          Share{"factorise", 55, 95}, Share{"solve", 95, 100}})
-    if (status.phase == phase) return static_cast<int>(begin + status.fraction * (end - begin));
-  return 0;
+int percent(double fraction) {
+  return static_cast<int>(std::floor(100 * fraction));
+}
+
+QString seconds(double value) {
+  return RebuildDock::tr("%L1 s").arg(value, 0, 'f', value < 0.1 ? 3 : 2);
+}
+
+/// Why the newest shape has no model, and what can be done.
+QString failureText(const app::RebuildStatus& status) {
+  QString text = QString::fromStdString(status.error);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  if (!text.endsWith('.')) text += '.';
+  const auto errors = std::count_if(status.findings->begin(), status.findings->end(),
+                                    [](const auto& finding) { return finding.isError; });
+  if (status.stages.empty() || status.stages.back().phase != "check" || errors == 0) return text;
+  text += ' ' + (errors > 1 ? RebuildDock::tr("%Ln places are marked in the view.", nullptr,
+                                              static_cast<int>(errors))
+                            : RebuildDock::tr("The place is marked in the view."));
+  return text + ' ' + RebuildDock::tr("Move the control points there, or undo the last step.");
+}
+
+/// Warnings of a model that was built.
+QString warningText(const app::BuildReport& report) {
+  QStringList lines;
+  if (!report.notice.empty()) lines << QString::fromStdString(report.notice);
+  if (!report.warnings->empty()) {
+    lines << QString::fromStdString(report.warnings->front().message);
+    if (report.warnings->size() > 1)
+      lines << RebuildDock::tr("%Ln more warning(s) are marked in the view", nullptr,
+                               static_cast<int>(report.warnings->size()) - 1);
+  }
+  for (QString& line : lines) line[0] = line[0].toUpper();
+  return lines.join(". ") + (lines.isEmpty() ? "" : ".");
 }
 
 }  // namespace
@@ -30,9 +55,7 @@ QString rebuildText(const app::RebuildStatus& status) {
     case State::kEmpty:
       return RebuildDock::tr("No model");
     case State::kBuilding:
-      return status.phase.empty() ? RebuildDock::tr("Waiting …")
-                                  : RebuildDock::tr("Building the model: %1")
-                                        .arg(QString::fromStdString(status.phase));
+      return RebuildDock::tr("Building the model %1 %").arg(percent(status.progress));
     case State::kUpToDate:
       return RebuildDock::tr("Up to date");
     case State::kFailed:
@@ -49,49 +72,168 @@ RebuildDock::RebuildDock(Editor& editor, QWidget* parent)
   auto* content = new QWidget(this);
   auto* layout = new QVBoxLayout(content);
   state_ = new QLabel(content);
-  state_->setWordWrap(true);
+  state_->setObjectName("rebuildState");
+  QFont bold = state_->font();
+  bold.setBold(true);
+  state_->setFont(bold);
+  details_ = new QLabel(content);
+  details_->setObjectName("rebuildDetails");
+  details_->setWordWrap(true);
+  details_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  details_->setTextFormat(Qt::PlainText);
   progress_ = new QProgressBar(content);
+  progress_->setObjectName("rebuildProgress");
+  progress_->setAccessibleName(tr("Progress of the rebuild"));
   progress_->setRange(0, 100);
-  cancel_ = new QPushButton(icon("cancel"), tr("Stop"), content);
-  cancel_->setToolTip(tr("Stop the present build; the last good model stays"));
-  facts_ = new QLabel(content);
-  facts_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  stop_ = new QPushButton(icon("cancel"), tr("S&top"), content);
+  stop_->setObjectName("stopRebuild");
+  stop_->setToolTip(tr("Stop the present build; the last good model stays"));
+  again_ = new QPushButton(icon("redo"), tr("&Build again"), content);
+  again_->setObjectName("buildAgain");
+  again_->setToolTip(tr("Build the model of the present shape"));
+  auto* stages = new QGridLayout;
+  auto* facts = new QGridLayout;
+  makeStages(*stages);
+  modelTitle_ = new QLabel(content);
+  modelTitle_->setObjectName("modelTitle");
+  modelTitle_->setFont(bold);
+  makeFacts(*facts);
   layout->addWidget(state_);
+  layout->addWidget(details_);
   layout->addWidget(progress_);
-  layout->addWidget(cancel_, 0, Qt::AlignLeft);
-  layout->addWidget(facts_);
+  layout->addWidget(stop_, 0, Qt::AlignLeft);
+  layout->addWidget(again_, 0, Qt::AlignLeft);
+  layout->addLayout(stages);
+  layout->addSpacing(8);
+  layout->addWidget(modelTitle_);
+  layout->addLayout(facts);
   layout->addStretch();
   setWidget(content);
-  connect(cancel_, &QPushButton::clicked, &editor, &Editor::cancelRebuild);
+  connect(stop_, &QPushButton::clicked, &editor, &Editor::cancelRebuild);
+  connect(again_, &QPushButton::clicked, &editor, &Editor::rebuildAgain);
   connect(&editor, &Editor::rebuildChanged, this, &RebuildDock::showStatus);
   showStatus();
 }
 
+RebuildDock::Row RebuildDock::addRow(QGridLayout& grid, const QString& name,
+                                     const QString& objectName) {
+  const int row = grid.rowCount();
+  grid.setVerticalSpacing(2);
+  grid.setColumnStretch(0, 1);
+  Row result{{}, new QLabel(name, this), new QLabel(this)};
+  result.value->setObjectName(objectName);
+  result.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  grid.addWidget(result.name, row, 0);
+  grid.addWidget(result.value, row, 1);
+  return result;
+}
+
+void RebuildDock::makeStages(QGridLayout& grid) {
+  for (const auto& [phase, name] : {std::pair{"mesh", tr("Mesh")},
+                                    {"check", tr("Check the surface")},
+                                    {"read", tr("Read the stored model")},
+                                    {"assemble", tr("Assemble")},
+                                    {"factorise", tr("Factorise")},
+                                    {"solve", tr("Solve")}}) {
+    stages_.push_back(addRow(grid, name, QString("stage-") + phase));
+    stages_.back().phase = phase;
+  }
+  total_ = addRow(grid, tr("Total"), "stage-total");
+}
+
+void RebuildDock::makeFacts(QGridLayout& grid) {
+  nodes_ = addRow(grid, tr("Nodes"), "modelNodes");
+  triangles_ = addRow(grid, tr("Triangles"), "modelTriangles");
+  angle_ = addRow(grid, tr("Smallest angle"), "modelAngle");
+  memory_ = addRow(grid, tr("Memory"), "modelMemory");
+  condition_ = addRow(grid, tr("Condition number"), "modelCondition");
+  balance_ = addRow(grid, tr("Balance of forces"), "modelBalance");
+  const QString condition =
+      tr("How much rounding errors can grow in the solution, at most; estimated");
+  const QString balance =
+      tr("Sum of all forces at rest, over the largest of them: an indicator of the error");
+  for (QLabel* label : {condition_.name, condition_.value}) label->setToolTip(condition);
+  for (QLabel* label : {balance_.name, balance_.value}) label->setToolTip(balance);
+}
+
 void RebuildDock::showStatus() {
   const app::RebuildStatus status = editor_.rebuildStatus();
+  showState(status);
+  showStages(status);
+  showFacts(status);
+}
+
+void RebuildDock::showState(const app::RebuildStatus& status) {
   const bool isBuilding = status.state == State::kBuilding;
-  state_->setText(status.state == State::kFailed
-                      ? tr("Cannot be built: %1").arg(QString::fromStdString(status.error))
-                      : rebuildText(status));
+  state_->setText(isBuilding ? tr("Building the model") : rebuildText(status));
+  QString details;
+  if (status.state == State::kFailed) details = failureText(status);
+  if (status.state == State::kCancelled)
+    details = tr("The present shape has no model. The next edit builds one, too.");
+  if (status.state == State::kUpToDate) details = warningText(editor_.model()->report());
+  details_->setText(details);
+  details_->setVisible(!details.isEmpty());
   progress_->setVisible(isBuilding);
-  progress_->setValue(totalPercent(status));
-  cancel_->setVisible(isBuilding);
-  const auto model = editor_.model();
-  if (!model) {
-    facts_->clear();
-    return;
+  progress_->setValue(percent(status.progress));
+  // A button that vanishes under the keyboard's focus hands it to the one that takes its place.
+  const bool hadFocus = stop_->hasFocus() || again_->hasFocus();
+  const bool canRepeat = status.state == State::kFailed || status.state == State::kCancelled;
+  stop_->setVisible(isBuilding);
+  again_->setVisible(canRepeat);
+  if (hadFocus && isBuilding) stop_->setFocus();
+  if (hadFocus && canRepeat) again_->setFocus();
+}
+
+void RebuildDock::showStages(const app::RebuildStatus& status) {
+  const auto find = [&](const std::string& phase) {
+    return std::find_if(status.stages.begin(), status.stages.end(),
+                        [&](const app::BuildStage& stage) { return stage.phase == phase; });
+  };
+  const bool isRead =
+      find("read") != status.stages.end() && find("assemble") == status.stages.end();
+  double total = 0;
+  for (const Row& row : stages_) {
+    const auto stage = find(row.phase);
+    const bool wasBegun = stage != status.stages.end();
+    const bool isShown = row.phase == "read"                                   ? wasBegun
+                         : row.phase == "assemble" || row.phase == "factorise" ? !isRead
+                                                                               : true;
+    row.name->setVisible(isShown);
+    row.value->setVisible(isShown);
+    row.name->setEnabled(wasBegun);
+    if (wasBegun) total += stage->seconds;
+    const bool runs = wasBegun && status.state == State::kBuilding && status.phase == row.phase;
+    row.value->setText(!wasBegun ? QString("–")
+                       : runs    ? tr("%1 %").arg(percent(stage->fraction))
+                       : stage->fraction < 1 ||
+                               (status.state == State::kFailed && &*stage == &status.stages.back())
+                           ? seconds(stage->seconds) + " ✗"
+                           : seconds(stage->seconds) + " ✓");
   }
+  total_.value->setText(status.stages.empty() ? QString("–") : seconds(total) + "   ");
+}
+
+void RebuildDock::showFacts(const app::RebuildStatus& status) {
+  const auto model = editor_.model();
+  modelTitle_->setText(!model                                    ? tr("No model yet")
+                       : status.modelRevision != status.revision ? tr("Model of the previous shape")
+                                                                 : tr("Model"));
+  for (const Row& row : {nodes_, triangles_, angle_, memory_, condition_, balance_}) {
+    row.name->setVisible(model != nullptr);
+    row.value->setVisible(model != nullptr);
+  }
+  if (!model) return;
   const app::BuildReport& report = model->report();
-  const double seconds =
-      report.meshSeconds + report.assembleSeconds + report.factoriseSeconds + report.solveSeconds;
-  QString text = tr("%L1 nodes, %L2 triangles\nsmallest angle %3°\n%4\nbuilt in %5 s")
-                     .arg(report.nodes)
-                     .arg(report.triangles)
-                     .arg(report.quality.smallestAngle, 0, 'f', 1)
-                     .arg(QString::fromStdString(app::formatBytes(report.memory)))
-                     .arg(seconds, 0, 'f', 2);
-  if (status.modelRevision != status.revision) text += tr("\n(of the previous shape)");
-  facts_->setText(text);
+  nodes_.value->setText(tr("%L1").arg(report.nodes));
+  triangles_.value->setText(tr("%L1").arg(report.triangles));
+  angle_.value->setText(tr("%L1°").arg(report.quality.smallestAngle, 0, 'f', 1));
+  memory_.value->setText(QString::fromStdString(app::formatBytes(report.memory)));
+  condition_.value->setText(status.condition > 0 ? tr("%L1").arg(status.condition, 0, 'e', 1)
+                                                 : QString("…"));
+  const app::TouchState& rest = model->rest();
+  balance_.value->setText(rest.relativeBalance > 0
+                              ? tr("%L1 %").arg(100 * rest.relativeBalance, 0, 'g', 2)
+                              : tr("no forces"));
 }
 
 }  // namespace palpa::gui

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <QDockWidget>
+#include <QGridLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <vector>
 
 #include "app/gui/editor.h"
 
 namespace palpa::gui {
 
-/// What the background does: stages with progress, a button to stop, and the facts of the model.
+/// What the background does: the state in words, progress with a button to stop, the stages with
+/// their times, and the facts of the model.
 class RebuildDock : public QDockWidget {
   Q_OBJECT
 
@@ -17,16 +20,32 @@ class RebuildDock : public QDockWidget {
   RebuildDock(Editor& editor, QWidget* parent);
 
  private:
+  struct Row {
+    std::string phase;  // of a stage
+    QLabel* name;
+    QLabel* value;
+  };
+  Row addRow(QGridLayout& grid, const QString& name, const QString& objectName);
+  void makeStages(QGridLayout& grid);
+  void makeFacts(QGridLayout& grid);
   void showStatus();
+  void showState(const app::RebuildStatus& status);
+  void showStages(const app::RebuildStatus& status);
+  void showFacts(const app::RebuildStatus& status);
 
   Editor& editor_;
   QLabel* state_;
+  QLabel* details_;
   QProgressBar* progress_;
-  QPushButton* cancel_;
-  QLabel* facts_;
+  QPushButton* stop_;
+  QPushButton* again_;
+  std::vector<Row> stages_;
+  Row total_{};
+  QLabel* modelTitle_;
+  Row nodes_{}, triangles_{}, angle_{}, memory_{}, condition_{}, balance_{};
 };
 
-/// "Up to date", "Building the model: factorise 40 %", …: for the dock and the status bar.
+/// "Up to date", "Building the model 40 %", …: for the dock and the status bar.
 QString rebuildText(const app::RebuildStatus& status);
 
 }  // namespace palpa::gui

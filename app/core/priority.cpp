@@ -1,0 +1,33 @@
+#include "app/core/priority.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <string>
+
+namespace palpa::app {
+namespace {
+
+constexpr int kBackground = 10;  // a ninth of the time beside a busy thread of the window
+
+}  // namespace
+
+void lowerThreadPriority() {
+  // Linux gives every thread a priority of its own; should it refuse, things are only slower.
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackground);
+}
+
+void lowerPriorityOfLoadedThreads() {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task", error)) {
+    const std::string name = entry.path().filename().string();
+    int thread = 0;
+    std::from_chars(name.data(), name.data() + name.size(), thread);
+    if (thread > 0 && thread != ::getpid())
+      ::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), kBackground);
+  }
+}
+
+}  // namespace palpa::app
