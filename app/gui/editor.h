@@ -39,6 +39,8 @@ class Editor : public QObject {
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::no);
   void undo();
   void redo();
+  /// Undoes or redoes up to a state of Document::history().
+  void goToState(std::size_t position);
   void cancelRebuild() { session_->pipeline().cancel(); }
 
   /// Makes the edits until endGroup() one step of undo; Session::beginGroup().

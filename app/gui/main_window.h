@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <array>
 
 #include "app/gui/actions/file_actions.h"
 #include "app/gui/editor.h"
@@ -38,6 +40,8 @@ class MainWindow : public QMainWindow {
  private:
   void addTools();
   void addDocks();
+  /// The panels and tool bars at their usual places.
+  void layOutDocks();
   void addStatusBar();
   void updateTitle();
   void updateStatus();
@@ -51,6 +55,7 @@ class MainWindow : public QMainWindow {
   ToolBox tools_;
   Workspace workspace_;
   FileActions* files_ = nullptr;
+  std::array<QDockWidget*, 4> docks_{};  // model, history, properties, rebuild
   QLabel* hint_;
   QLabel* rebuild_;
   QLabel* frame_;
