@@ -62,6 +62,12 @@ modeling::Change Session::redo() {
   return change;
 }
 
+modeling::Change Session::goToState(std::size_t position) {
+  modeling::Change change = document_.goToState(position);
+  follow(change);
+  return change;
+}
+
 modeling::Change Session::cancelGroup() {
   modeling::Change change = document_.cancelGroup();
   follow(change);

@@ -49,6 +49,8 @@ class Session {
                               modeling::Merge merge = modeling::Merge::no);
   modeling::Change undo();
   modeling::Change redo();
+  /// Document::goToState().
+  modeling::Change goToState(std::size_t position);
   void beginGroup(std::string label) { document_.beginGroup(std::move(label)); }
   void endGroup() { document_.endGroup(); }
   modeling::Change cancelGroup();

@@ -70,6 +70,7 @@ QTreeView::item { padding: 3px 0; }
 QMenu { padding: 4px; } QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: %4; color: %5; }
 QLineEdit[refused="true"] { border: 1px solid #d0462b; background: #33d0462b; }
+QLabel#refusal { color: #d0462b; }
 QToolTip { border: 1px solid %2; padding: 4px; }
 )")
       .arg(c.window.name(), c.border.name(), c.button.name(), c.accent.name(), c.onAccent.name());

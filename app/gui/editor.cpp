@@ -194,6 +194,12 @@ void Editor::redo() {
   if (session_->document().canRedo()) changed(session_->redo());
 }
 
+void Editor::goToState(std::size_t position) {
+  const modeling::Document& document = session_->document();
+  if (document.isInGroup() || position >= document.history().labels.size()) return;
+  changed(session_->goToState(position));
+}
+
 void Editor::changed(const modeling::Change& change) {
   if (!change.any()) return;
   // Those who hear of the change must not see a selection of what is gone, and those who hear of

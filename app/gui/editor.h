@@ -56,6 +56,8 @@ class Editor : public QObject {
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::no);
   void undo();
   void redo();
+  /// Undoes or redoes up to a state of Document::history().
+  void goToState(std::size_t position);
   void cancelRebuild() { session_->pipeline().cancel(); }
   /// After a stop or a failure.
   void rebuildAgain() { session_->rebuild(); }

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QUrl>
 
+#include "app/gui/actions/delete_action.h"
 #include "app/gui/actions/edit_actions.h"
 #include "app/gui/actions/help_actions.h"
 #include "app/gui/actions/solid_actions.h"
@@ -18,6 +19,9 @@
 #include "app/gui/dialogs/preferences_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/docks/history_dock.h"
+#include "app/gui/docks/model_dock.h"
+#include "app/gui/docks/properties_dock.h"
 #include "app/gui/docks/rebuild_dock.h"
 #include "app/gui/tools/point_tools.h"
 #include "app/gui/tools/surface_tools.h"
@@ -26,6 +30,8 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kUntilCloseAgain = 50;  // ms until a window that was busy tries again to close
+constexpr int kDockWidth = 320;    // leaves the view three quarters of a window of 1280
+constexpr int kLayoutVersion = 1;  // of what saveState() writes; another one is not restored
 
 }  // namespace
 
@@ -48,6 +54,7 @@ MainWindow::MainWindow()
   });
   files_ = new FileActions(workspace_);
   new EditActions(workspace_);
+  addDeleteAction(workspace_);
   new ViewActions(workspace_);
   addTools();
   new SolidActions(workspace_);
@@ -58,6 +65,9 @@ MainWindow::MainWindow()
   connect(&editor_, &Editor::fileChanged, this, &MainWindow::updateTitle);
   connect(&settings_, &Settings::changed, this, &MainWindow::applySettings);
   resize(1280, 800);
+  layOutDocks();
+  restoreGeometry(settings_.windowGeometry());
+  restoreState(settings_.windowState(), kLayoutVersion);
   applySettings();
   updateTitle();
   updateStatus();
@@ -69,7 +79,35 @@ void MainWindow::addTools() {
 }
 
 void MainWindow::addDocks() {
-  addDockWidget(Qt::RightDockWidgetArea, new RebuildDock(editor_, this));
+  docks_ = {new ModelDock(workspace_), new HistoryDock(editor_, this),
+            new PropertiesDock(workspace_), new RebuildDock(editor_, this)};
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  for (QDockWidget* dock : docks_) menus_.view->addAction(dock->toggleViewAction());
+  menus_.add(menus_.view,
+             {nullptr, tr("Reset &layout"), {}, tr("Put all panels and tool bars back in place")},
+             this, &MainWindow::layOutDocks);
+}
+
+void MainWindow::layOutDocks() {
+  const auto [model, history, properties, rebuild] = docks_;
+  for (QDockWidget* dock : docks_) {
+    removeDockWidget(dock);
+    dock->setFloating(false);
+  }
+  addToolBar(Qt::TopToolBarArea, menus_.bar);
+  addToolBar(Qt::LeftToolBarArea, menus_.tools);
+  menus_.bar->show();
+  menus_.tools->show();
+  for (QDockWidget* dock : {model, properties, rebuild})
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+  tabifyDockWidget(model, history);
+  for (QDockWidget* dock : docks_) dock->show();
+  model->raise();
+  const int rebuildHeight = rebuild->sizeHint().height();
+  const int rest = height() - menus_.bar->height() - rebuildHeight;
+  resizeDocks({model, properties, rebuild}, {rest * 2 / 5, rest * 3 / 5, rebuildHeight},
+              Qt::Vertical);
+  resizeDocks({model}, {kDockWidth}, Qt::Horizontal);
 }
 
 void MainWindow::addDialogs() {
@@ -128,6 +166,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   event->setAccepted(files_->mayDiscard());
+  if (event->isAccepted()) settings_.setWindow(saveGeometry(), saveState(kLayoutVersion));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <array>
 
 #include "app/gui/actions/file_actions.h"
 #include "app/gui/editor.h"
@@ -47,6 +49,8 @@ class MainWindow : public QMainWindow {
   void addTools();
   void addDocks();
   void addDialogs();
+  /// The panels and tool bars at their usual places.
+  void layOutDocks();
   void addStatusBar();
   void updateTitle();
   void updateStatus();
@@ -62,6 +66,7 @@ class MainWindow : public QMainWindow {
   Workspace workspace_;
   FileActions* files_ = nullptr;
   MessageBar* messages_;
+  std::array<QDockWidget*, 4> docks_{};  // model, history, properties, rebuild
   QLabel* hint_;
   QLabel* rebuild_;
   QLabel* frame_;

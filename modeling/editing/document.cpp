@@ -126,6 +126,22 @@ Change Document::redo() {
   return goTo(position_ + 1);
 }
 
+Document::History Document::history() const {
+  History history{{}, position_, std::nullopt};
+  history.labels.reserve(states_.size());
+  for (const State& state : states_) {
+    if (state.project == saved_) history.saved = history.labels.size();
+    history.labels.push_back(state.label);
+  }
+  return history;
+}
+
+Change Document::goToState(std::size_t position) {
+  if (isInGroup() || position >= states_.size())
+    throw std::logic_error("Document::goToState: there is no such state to go to");
+  return goTo(position);
+}
+
 bool Document::isClean() const {
   if (current().project == saved_) return true;
   Change change = compare(*saved_, project());

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "modeling/editing/change.h"
 #include "modeling/editing/command.h"
@@ -59,6 +60,18 @@ class Document {
   /// @throws std::logic_error when canUndo() or canRedo() is false
   Change undo();
   Change redo();
+
+  /// All states that undo and redo lead to, oldest first.
+  struct History {
+    std::vector<std::string>
+        labels;                ///< of the step that led to each state; the first may be empty
+    std::size_t position = 0;  ///< the present state
+    std::optional<std::size_t> saved;  ///< the state last saved or loaded, when it is among them
+  };
+  History history() const;
+  /// Undoes or redoes up to a state of history(). @throws std::logic_error in a group, or when
+  /// there is no such state
+  Change goToState(std::size_t position);
 
   /// Does the project equal what was last saved (or loaded)? The view does not count.
   bool isClean() const;

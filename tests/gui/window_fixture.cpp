@@ -22,6 +22,8 @@ void WindowTest::restart() {
   window_ = std::make_unique<MainWindow>();
   window_->show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  // Without a window manager no window becomes active by itself, and shortcuts need an active one.
+  QApplication::setActiveWindow(window_.get());
 }
 
 void WindowTest::waitForModel() {

@@ -38,6 +38,32 @@ TEST(Document, UndoAndRedoWalkThroughTheStates) {
   EXPECT_THROW(document.redo(), std::logic_error);
 }
 
+TEST(Document, TheHistoryListsAllStatesAndGoesToAny) {
+  Document document = boxDocument();
+  document.perform(move(0, {1, 0, 0}));
+  document.perform(RenameProject{"other"});
+  document.markSaved();
+  document.perform(RenameProject{"third"});
+  document.undo();
+  document.undo();
+  const Document::History history = document.history();
+  EXPECT_EQ(history.labels, (std::vector<std::string>{"", "Move 1 control point", "Rename project",
+                                                      "Rename project"}));
+  EXPECT_EQ(history.position, 1U);
+  EXPECT_EQ(history.saved, 2U);
+  EXPECT_TRUE(document.goToState(3).name);
+  EXPECT_EQ(document.project().name, "third");
+  EXPECT_EQ(document.goToState(0).movedPoints, std::vector{0});
+  EXPECT_FALSE(document.canUndo());
+  EXPECT_THROW(document.goToState(4), std::logic_error);
+  document.beginGroup("group");
+  EXPECT_THROW(document.goToState(1), std::logic_error);
+  document.cancelGroup();
+  // A saved state that can no longer be reached is not among them.
+  document.perform(RenameProject{"elsewhere"});
+  EXPECT_FALSE(document.history().saved);
+}
+
 TEST(Document, ANewEditEndsRedoAndRefusedOrEmptyOnesDoNot) {
   Document document = boxDocument();
   document.perform(move(0, {1, 0, 0}));

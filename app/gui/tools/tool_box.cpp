@@ -27,6 +27,12 @@ Tool* ToolBox::add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& i
   return added;
 }
 
+QString ToolBox::activeTitle() const {
+  for (const Entry& entry : entries_)
+    if (entry.tool.get() == active_) return entry.action->objectName();
+  return {};
+}
+
 void ToolBox::activate(Tool* tool) {
   for (const Entry& entry : entries_)
     if (entry.tool.get() == tool) entry.action->setChecked(true);

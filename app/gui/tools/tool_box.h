@@ -25,6 +25,8 @@ class ToolBox : public QObject {
 
   Tool& active() { return *active_; }
   void activate(Tool* tool);
+  /// The name of the active tool, as in its menu without "&".
+  QString activeTitle() const;
 
  Q_SIGNALS:
   /// Another tool is active now, or its hint() or options() changed.

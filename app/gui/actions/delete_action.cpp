@@ -1,0 +1,22 @@
+#include "app/gui/actions/delete_action.h"
+
+#include "app/gui/docks/naming.h"
+#include "app/gui/editor.h"
+#include "app/gui/main_window.h"
+#include "app/gui/menus.h"
+
+namespace palpa::gui {
+
+void addDeleteAction(const Workspace& workspace) {
+  Editor& editor = workspace.editor;
+  QAction* action =
+      workspace.menus.add(workspace.menus.edit,
+                          {"delete", MainWindow::tr("&Delete"), QKeySequence::Delete,
+                           MainWindow::tr("Delete the selected support, load or touch")},
+                          &editor, [&editor] { deleteSelected(editor); });
+  const auto update = [action, &editor] { action->setEnabled(!editor.selection().empty()); };
+  QObject::connect(&editor, &Editor::selectionChanged, action, update);
+  update();
+}
+
+}  // namespace palpa::gui

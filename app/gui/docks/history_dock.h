@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QListWidget>
+#include <QTimer>
+
+#include "app/gui/editor.h"
+
+namespace palpa::gui {
+
+/// The steps of the history: done, present, undone. A click or Enter goes to a step.
+class HistoryDock : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  HistoryDock(Editor& editor, QWidget* parent);
+
+ private:
+  void showHistory();
+
+  Editor& editor_;
+  QListWidget* list_;
+  QTimer soon_;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,138 @@
+#include "app/gui/docks/model_dock.h"
+
+#include <QHeaderView>
+#include <QMenu>
+
+#include "app/gui/appearance.h"
+#include "app/gui/docks/body_places.h"
+#include "app/gui/docks/naming.h"
+#include "app/gui/main_window.h"
+
+namespace palpa::gui {
+
+using Node = ModelTree::Node;
+
+ModelDock::ModelDock(const Workspace& workspace)
+    : QDockWidget(tr("Model"), &workspace.window),
+      workspace_(workspace),
+      tree_(new ModelTree(workspace.editor, this)),
+      view_(new QTreeView(this)) {
+  setObjectName("model");
+  view_->setObjectName("tree");
+  view_->setAccessibleName(tr("Parts of the project"));
+  view_->setModel(tree_);
+  view_->setHeaderHidden(true);
+  view_->setUniformRowHeights(true);
+  view_->setIndentation(16);
+  view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  view_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  view_->setExpandsOnDoubleClick(false);
+  view_->setContextMenuPolicy(Qt::CustomContextMenu);
+  view_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  view_->setMinimumHeight(80);
+  view_->header()->setStretchLastSection(false);
+  view_->header()->setMinimumSectionSize(40);
+  view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  setWidget(view_);
+  openUsual();
+  connect(tree_, &QAbstractItemModel::modelReset, this, [this] {
+    openUsual();
+    showSelection();
+  });
+  // Rows that come and go take choices with them: the selection decides, when all is in place.
+  connect(&workspace.editor, &Editor::projectChanged, this, [this](const modeling::Change& change) {
+    if (change.topology || change.supports || change.loads || change.touches) showSelection();
+  });
+  connect(&workspace.editor, &Editor::selectionChanged, this, &ModelDock::showSelection);
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &ModelDock::chooseRows);
+  connect(view_, &QWidget::customContextMenuRequested, this, &ModelDock::showMenu);
+  // Names are edited by a double click; rows without one open and close by it.
+  connect(view_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
+    const QModelIndex row = index.siblingAtColumn(0);
+    if ((tree_->flags(row) & Qt::ItemIsEditable) == 0)
+      view_->setExpanded(row, !view_->isExpanded(row));
+  });
+}
+
+void ModelDock::openUsual() {
+  for (const Node node :
+       {Node::kProject, Node::kBody, Node::kPatches, Node::kSupports, Node::kLoads, Node::kTouches})
+    view_->expand(tree_->indexOf(node));
+}
+
+void ModelDock::showSelection() {
+  if (isFollowing_) return;
+  const Selection& selection = workspace_.editor.selection();
+  const QItemSelectionModel* chosen = view_->selectionModel();
+  // A row without a meaning for the selection, such as the material, stays chosen.
+  if (tree_->selectionOf(chosen->selectedIndexes(), chosen->currentIndex()) == selection) {
+    const bool isMixed = !selection.empty() && chosen->selectedRows().size() !=
+                                                   tree_->rowsOf(selection).indexes().size() / 2;
+    if (!isMixed) return;
+  }
+  isFollowing_ = true;
+  const QItemSelection rows = tree_->rowsOf(selection);
+  view_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect);
+  if (!rows.isEmpty()) {
+    const QModelIndex first = rows.indexes().front();
+    if (!rows.contains(view_->currentIndex()))
+      view_->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+    view_->scrollTo(first);
+  }
+  isFollowing_ = false;
+}
+
+void ModelDock::chooseRows() {
+  if (isFollowing_) return;
+  const QItemSelectionModel* chosen = view_->selectionModel();
+  Selection selection = tree_->selectionOf(chosen->selectedIndexes(), chosen->currentIndex());
+  workspace_.editor.select(std::move(selection));
+  // Rows of other kinds are let go once the view is done with the click.
+  QMetaObject::invokeMethod(this, &ModelDock::showSelection, Qt::QueuedConnection);
+}
+
+void ModelDock::showMenu(const QPoint& at) {
+  const QModelIndex row = view_->indexAt(at).siblingAtColumn(0);
+  if (!row.isValid()) return;
+  Editor& editor = workspace_.editor;
+  const Node node = ModelTree::nodeOf(row);
+  const bool isNamed = node == Node::kSupport || node == Node::kLoad || node == Node::kTouch;
+  auto* menu = new QMenu(this);
+  menu->setObjectName("modelMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& text, const QString& picture, auto work) {
+    QAction* action = menu->addAction(text);
+    action->setObjectName(QString(text).remove('&'));
+    if (!picture.isEmpty()) action->setIcon(icon(picture));
+    connect(action, &QAction::triggered, this, work);
+    return action;
+  };
+  if ((tree_->flags(row) & Qt::ItemIsEditable) != 0)
+    add(tr("&Rename"), {}, [this, index = QPersistentModelIndex(row)] {
+      view_->edit(index);
+    })->setShortcut(Qt::Key_F2);
+  if (isNamed) {
+    add(tr("D&uplicate"), "add", [&editor] {
+      if (editor.selection().named) duplicate(editor, *editor.selection().named);
+    });
+    add(tr("&Delete"), "delete", [&editor] {
+      deleteSelected(editor);
+    })->setShortcut(QKeySequence::Delete);
+  }
+  if (node == Node::kPatch && editor.solid())
+    add(tr("Select &points"), "net", [&editor] {
+      editor.select(
+          Selection::ofPoints(pointsOfPatches(editor.project().body, editor.selection().patches)));
+    });
+  if (!menu->isEmpty()) menu->addSeparator();
+  add(tr("&Zoom to"), "fit", [this] {
+    workspace_.view.viewport().fitTo(
+        placesOf(workspace_.editor.project(), workspace_.editor.selection()));
+    workspace_.view.update();
+  });
+  menu->popup(view_->viewport()->mapToGlobal(at));
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,391 @@
+#include "app/gui/docks/model_tree.h"
+
+#include <QColor>
+#include <QGuiApplication>
+#include <QHash>
+#include <QIcon>
+#include <QPalette>
+#include <algorithm>
+
+#include "app/gui/appearance.h"
+#include "app/gui/docks/naming.h"
+#include "app/gui/overloaded.h"
+
+namespace palpa::gui {
+namespace {
+
+using Node = ModelTree::Node;
+using Kind = Selection::Kind;
+
+/// The row above; the project for the project itself, which has none.
+Node parentOf(Node node) {
+  switch (node) {
+    case Node::kPatches:
+    case Node::kEdges:
+      return Node::kBody;
+    case Node::kPatch:
+      return Node::kPatches;
+    case Node::kEdge:
+      return Node::kEdges;
+    case Node::kSupport:
+      return Node::kSupports;
+    case Node::kLoad:
+      return Node::kLoads;
+    case Node::kTouch:
+      return Node::kTouches;
+    default:
+      return Node::kProject;
+  }
+}
+
+/// What the rows below are, for nodes that hold a list; the node itself for all others.
+Node childOf(Node node) {
+  switch (node) {
+    case Node::kPatches:
+      return Node::kPatch;
+    case Node::kEdges:
+      return Node::kEdge;
+    case Node::kSupports:
+      return Node::kSupport;
+    case Node::kLoads:
+      return Node::kLoad;
+    case Node::kTouches:
+      return Node::kTouch;
+    default:
+      return node;
+  }
+}
+
+/// The place in ModelTree::lists_ of what a node holds.
+std::optional<std::size_t> listOf(Node parent) {
+  switch (parent) {
+    case Node::kPatches:
+      return 0;
+    case Node::kEdges:
+      return 1;
+    case Node::kSupports:
+      return 2;
+    case Node::kLoads:
+      return 3;
+    case Node::kTouches:
+      return 4;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool isListed(Node node) {
+  return node >= Node::kPatch;
+}
+
+std::optional<Kind> kindOf(Node node) {
+  if (node == Node::kSupport) return Kind::kSupport;
+  if (node == Node::kLoad) return Kind::kLoad;
+  if (node == Node::kTouch) return Kind::kTouch;
+  return std::nullopt;
+}
+
+QIcon cachedIcon(const QString& name) {
+  static QHash<QString, QIcon> icons;
+  auto found = icons.find(name);
+  if (found == icons.end()) found = icons.insert(name, icon(name));
+  return *found;
+}
+
+QString fromUtf8(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+}  // namespace
+
+ModelTree::ModelTree(Editor& editor, QObject* parent)
+    : QAbstractItemModel(parent), editor_(editor) {
+  connect(&editor, &Editor::projectReplaced, this, [this] {
+    beginResetModel();
+    showAll();
+    endResetModel();
+  });
+  connect(&editor, &Editor::projectChanged, this, &ModelTree::showChange);
+  showAll();
+}
+
+void ModelTree::showAll() {
+  hasEdges_ = editor_.solid() != nullptr;
+  lists_ = {patchLines(), edgeLines(), supportLines(), loadLines(), touchLines()};
+}
+
+void ModelTree::showChange(const modeling::Change& change) {
+  if (hasEdges_ != (editor_.solid() != nullptr)) {
+    beginResetModel();
+    showAll();
+    endResetModel();
+    return;
+  }
+  if (change.topology || change.patchNames) replace(Node::kPatches, patchLines());
+  if (change.topology || change.patchNames || change.edges) replace(Node::kEdges, edgeLines());
+  if (change.supports) replace(Node::kSupports, supportLines());
+  if (change.loads) replace(Node::kLoads, loadLines());
+  if (change.touches) replace(Node::kTouches, touchLines());
+  const auto touch = [this](Node node) {
+    const QModelIndex row = indexOf(node);
+    Q_EMIT dataChanged(row, row.siblingAtColumn(1));
+  };
+  if (change.name) touch(Node::kProject);
+  if (change.primitive || change.topology) touch(Node::kBody);
+  if (change.material) touch(Node::kMaterial);
+  if (change.mesh) touch(Node::kMesh);
+}
+
+void ModelTree::replace(Node parent, Lines lines) {
+  Lines& old = lists_[*listOf(parent)];
+  const QModelIndex row = indexOf(parent);
+  const auto first = static_cast<int>(
+      std::mismatch(old.begin(), old.end(), lines.begin(), lines.end()).first - old.begin());
+  if (old.size() != lines.size()) {
+    // Rows that stay keep their place, so that the view keeps what is chosen and open.
+    const int longest = static_cast<int>(std::min(old.size(), lines.size())) - first;
+    int same = 0;
+    while (same < longest && old[old.size() - 1 - same] == lines[lines.size() - 1 - same]) ++same;
+    const int removed = static_cast<int>(old.size()) - first - same;
+    const int added = static_cast<int>(lines.size()) - first - same;
+    if (removed > 0) {
+      beginRemoveRows(row, first, first + removed - 1);
+      old.erase(old.begin() + first, old.begin() + first + removed);
+      endRemoveRows();
+    }
+    if (added > 0) {
+      beginInsertRows(row, first, first + added - 1);
+      old = std::move(lines);
+      endInsertRows();
+    }
+  } else if (first < static_cast<int>(old.size())) {
+    old = std::move(lines);
+    Q_EMIT dataChanged(index(first, 0, row), index(static_cast<int>(old.size()) - 1, 1, row));
+  }
+  Q_EMIT dataChanged(row, row.siblingAtColumn(1));
+}
+
+const ModelTree::Lines* ModelTree::linesOf(Node parent) const {
+  const auto list = listOf(parent);
+  return list ? &lists_[*list] : nullptr;
+}
+
+const std::vector<Node>& ModelTree::fixedChildren(Node parent) const {
+  static const std::vector<Node> ofProject{Node::kBody,    Node::kSupports, Node::kLoads,
+                                           Node::kTouches, Node::kMaterial, Node::kMesh};
+  static const std::vector<Node> ofSolid{Node::kPatches, Node::kEdges};
+  static const std::vector<Node> ofMesh{Node::kPatches};
+  static const std::vector<Node> none;
+  if (parent == Node::kProject) return ofProject;
+  if (parent == Node::kBody) return hasEdges_ ? ofSolid : ofMesh;
+  return none;
+}
+
+QModelIndex ModelTree::indexOf(Node node) const {
+  const Node group = isListed(node) ? parentOf(node) : node;
+  if (group == Node::kProject) return createIndex(0, 0, static_cast<quintptr>(group));
+  const auto& siblings = fixedChildren(parentOf(group));
+  const auto found = std::find(siblings.begin(), siblings.end(), group);
+  if (found == siblings.end()) return {};
+  return createIndex(static_cast<int>(found - siblings.begin()), 0, static_cast<quintptr>(group));
+}
+
+QModelIndex ModelTree::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  if (!parent.isValid()) return createIndex(row, column, static_cast<quintptr>(Node::kProject));
+  const Node above = nodeOf(parent);
+  const Node node = linesOf(above) ? childOf(above) : fixedChildren(above)[row];
+  return createIndex(row, column, static_cast<quintptr>(node));
+}
+
+QModelIndex ModelTree::parent(const QModelIndex& index) const {
+  if (!index.isValid() || nodeOf(index) == Node::kProject) return {};
+  return indexOf(parentOf(nodeOf(index)));
+}
+
+int ModelTree::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return 1;
+  if (parent.column() > 0) return 0;
+  const Node node = nodeOf(parent);
+  if (const Lines* lines = linesOf(node)) return static_cast<int>(lines->size());
+  return static_cast<int>(fixedChildren(node).size());
+}
+
+ModelTree::Line ModelTree::lineOf(Node node) const {
+  const modeling::Project& project = editor_.project();
+  switch (node) {
+    case Node::kProject:
+      return {QString::fromStdString(project.name), {}, "model", tr("The project")};
+    case Node::kBody:
+      return {bodyTitle(project), {}, "solid", tr("The body that is modelled and touched")};
+    case Node::kPatches:
+      return {hasEdges_ ? tr("Patches") : tr("Faces"), {}, "patch", {}};
+    case Node::kEdges:
+      return {tr("Edges"), {}, "edge", {}};
+    case Node::kSupports:
+      return {tr("Supports"), {}, "paint-support", tr("Where the body is held")};
+    case Node::kLoads:
+      return {tr("Loads"), {}, "place-load", tr("What presses or pulls on the body")};
+    case Node::kTouches:
+      return {tr("Touches"), {}, "place-touch", tr("Recorded touches")};
+    case Node::kMaterial:
+      return {tr("Material"), QString::fromStdString(project.material.name), "material",
+              QString::fromStdString(project.material.name)};
+    case Node::kMesh:
+      return {tr("Mesh"), tr("%1 mm").arg(project.mesh.edgeLength, 0, 'g', 4), "wire",
+              tr("Length of the mesh's edges")};
+    default:
+      return {};
+  }
+}
+
+ModelTree::Lines ModelTree::patchLines() const {
+  Lines lines;
+  if (const modeling::Solid* solid = editor_.solid()) {
+    for (const modeling::Patch& patch : solid->patches())
+      lines.push_back(
+          {QString::fromStdString(patch.name),
+           QStringLiteral("%1 × %2").arg(patch.net.size()).arg(patch.net.front().size()), "patch",
+           tr("Patch of degree %1 × %2").arg(patch.degree[0]).arg(patch.degree[1])});
+  } else {
+    for (const std::string& name : modeling::patchNames(editor_.project().body))
+      lines.push_back({QString::fromStdString(name), {}, "patch", tr("Face of the mesh body")});
+  }
+  return lines;
+}
+
+ModelTree::Lines ModelTree::edgeLines() const {
+  Lines lines;
+  const modeling::Solid* solid = editor_.solid();
+  if (!solid) return lines;
+  for (const modeling::SolidEdge& edge : solid->edges()) {
+    std::array<QString, 2> names, sides;
+    for (int use = 0; use < 2; ++use) {
+      names[use] = QString::fromStdString(solid->patches()[edge.uses[use].patch].name);
+      sides[use] = fromUtf8(modeling::sideName(edge.uses[use].side));
+    }
+    lines.push_back(
+        {names[0] + " – " + names[1], edge.smooth ? tr("smooth") : tr("sharp"),
+         edge.smooth ? "smooth-edge" : "edge",
+         tr("Side %1 of %2, side %3 of %4").arg(sides[0], names[0], sides[1], names[1])});
+  }
+  return lines;
+}
+
+ModelTree::Lines ModelTree::supportLines() const {
+  Lines lines;
+  for (const modeling::Support& each : editor_.project().supports) {
+    const bool isFixed = each.kind == modeling::Support::Kind::fixed;
+    lines.push_back({QString::fromStdString(each.name), isFixed ? tr("fixed") : tr("roller"),
+                     "paint-support",
+                     isFixed ? tr("Held in all directions") : tr("Slides along the surface")});
+  }
+  return lines;
+}
+
+ModelTree::Lines ModelTree::loadLines() const {
+  Lines lines;
+  for (const modeling::Load& each : editor_.project().loads) {
+    const QString what =
+        std::visit(Overloaded{[](const modeling::Pressure&) { return tr("pressure"); },
+                              [](const modeling::UniformTraction&) { return tr("traction"); },
+                              [](const modeling::Bump&) { return tr("bump"); }},
+                   each.what);
+    lines.push_back({QString::fromStdString(each.name), what, "place-load", {}});
+  }
+  return lines;
+}
+
+ModelTree::Lines ModelTree::touchLines() const {
+  Lines lines;
+  for (const modeling::Touch& each : editor_.project().touches)
+    lines.push_back(
+        {QString::fromStdString(each.name),
+         std::holds_alternative<modeling::TouchForce>(each.action) ? tr("force") : tr("moved"),
+         "place-touch",
+         {}});
+  return lines;
+}
+
+QVariant ModelTree::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Node node = nodeOf(index);
+  const Lines* siblings = isListed(node) ? linesOf(parentOf(node)) : nullptr;
+  if (siblings && index.row() >= static_cast<int>(siblings->size())) return {};
+  const Line line = siblings ? (*siblings)[index.row()] : lineOf(node);
+  const bool isName = index.column() == 0;
+  const Lines* below = linesOf(node);
+  switch (role) {
+    case Qt::DisplayRole:
+      if (isName) return line.name;
+      return below ? QString::number(below->size()) : line.detail;
+    case Qt::EditRole:
+      return isName ? line.name : QVariant();
+    case Qt::DecorationRole:
+      return isName ? QVariant(cachedIcon(line.icon)) : QVariant();
+    case Qt::ToolTipRole:
+      return line.tip.isEmpty() ? line.name : line.name + "\n" + line.tip;
+    case Qt::ForegroundRole:
+      return isName ? QVariant() : QVariant(QGuiApplication::palette().placeholderText());
+    case Qt::TextAlignmentRole:
+      return isName ? QVariant() : QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags ModelTree::flags(const QModelIndex& index) const {
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  const Node node = nodeOf(index);
+  const bool hasName = node == Node::kProject || (isListed(node) && node != Node::kEdge);
+  if (index.column() == 0 && hasName) flags |= Qt::ItemIsEditable;
+  return flags;
+}
+
+bool ModelTree::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0) return false;
+  const Node node = nodeOf(index);
+  const QString name = value.toString();
+  if (node == Node::kProject) return renameProject(editor_, name);
+  if (node == Node::kPatch) return renamePatch(editor_, index.row(), name);
+  return renameNamed(editor_, *selectionOf({index}, index).named, name);
+}
+
+Selection ModelTree::selectionOf(const QModelIndexList& rows, const QModelIndex& current) const {
+  Selection selection;
+  QModelIndexList listed;
+  for (const QModelIndex& row : rows)
+    if (row.column() == 0 && isListed(nodeOf(row))) listed.push_back(row);
+  if (listed.empty()) return selection;
+  const bool currentCounts = listed.contains(current.siblingAtColumn(0));
+  const QModelIndex leading = currentCounts ? current : listed.back();
+  const Node node = nodeOf(leading);
+  if (const auto kind = kindOf(node))
+    return Selection::of(*kind, data(leading.siblingAtColumn(0)).toString().toStdString());
+  for (const QModelIndex& row : listed)
+    if (nodeOf(row) == node)
+      (node == Node::kPatch ? selection.patches : selection.edges).insert(row.row());
+  return selection;
+}
+
+QItemSelection ModelTree::rowsOf(const Selection& selection) const {
+  QItemSelection rows;
+  const auto add = [&](Node parent, int row) {
+    const QModelIndex above = indexOf(parent);
+    if (row < rowCount(above)) rows.select(index(row, 0, above), index(row, 1, above));
+  };
+  for (int patch : selection.patches) add(Node::kPatches, patch);
+  for (int edge : selection.edges) add(Node::kEdges, edge);
+  if (selection.named) {
+    const Node parent = selection.named->kind == Kind::kSupport ? Node::kSupports
+                        : selection.named->kind == Kind::kLoad  ? Node::kLoads
+                                                                : Node::kTouches;
+    const QString name = QString::fromStdString(selection.named->name);
+    const Lines& lines = *linesOf(parent);
+    for (int row = 0; row < static_cast<int>(lines.size()); ++row)
+      if (lines[row].name == name) add(parent, row);
+  }
+  return rows;
+}
+
+}  // namespace palpa::gui

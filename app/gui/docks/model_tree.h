@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QAbstractItemModel>
+#include <QItemSelection>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/gui/editor.h"
+
+namespace palpa::gui {
+
+/// The open project as a tree: its body with patches and edges, supports, loads, touches, material
+/// and mesh. Column 0 has names, column 1 a word about each. Follows the editor; names can be
+/// edited.
+class ModelTree : public QAbstractItemModel {
+  Q_OBJECT
+
+ public:
+  enum class Node : quintptr {
+    kProject,
+    kBody,
+    kPatches,
+    kEdges,
+    kSupports,
+    kLoads,
+    kTouches,
+    kMaterial,
+    kMesh,
+    kPatch,
+    kEdge,
+    kSupport,
+    kLoad,
+    kTouch,
+  };
+
+  ModelTree(Editor& editor, QObject* parent);
+
+  static Node nodeOf(const QModelIndex& index) { return static_cast<Node>(index.internalId()); }
+  /// The row with everything of one kind: the node itself, or the parent of listed ones.
+  QModelIndex indexOf(Node node) const;
+
+  /// What the chosen rows mean to the editor. Where they are of several kinds, the kind of
+  /// `current` counts.
+  Selection selectionOf(const QModelIndexList& rows, const QModelIndex& current) const;
+  QItemSelection rowsOf(const Selection& selection) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& index) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& = {}) const override { return 2; }
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Renames; a name that cannot be given is said through Editor::refused.
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+ private:
+  struct Line {
+    QString name, detail, icon, tip;
+    bool operator==(const Line&) const = default;
+  };
+  using Lines = std::vector<Line>;
+
+  void showAll();
+  void showChange(const modeling::Change& change);
+  Line lineOf(Node node) const;  // of the rows that are always there
+  Lines patchLines() const;
+  Lines edgeLines() const;
+  Lines supportLines() const;
+  Lines loadLines() const;
+  Lines touchLines() const;
+  const Lines* linesOf(Node parent) const;
+  void replace(Node parent, Lines lines);
+  const std::vector<Node>& fixedChildren(Node parent) const;
+
+  Editor& editor_;
+  bool hasEdges_ = true;
+  std::array<Lines, 5> lists_;  // patches, edges, supports, loads, touches
+};
+
+}  // namespace palpa::gui

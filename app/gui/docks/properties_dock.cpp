@@ -1,0 +1,161 @@
+#include "app/gui/docks/properties_dock.h"
+
+#include <QApplication>
+#include <QFrame>
+
+#include "app/gui/docks/properties/pages.h"
+#include "app/gui/editor.h"
+#include "app/gui/main_window.h"
+#include "app/gui/tools/tool_box.h"
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kSoon = 30;    // ms between two refreshes while something is dragged
+constexpr int kLater = 250;  // ms of rest before what takes time is computed
+
+/// Names from the page down to a field, to find it again in another page.
+QStringList pathOf(const QWidget* field, const QWidget* page) {
+  QStringList path;
+  for (const QWidget* each = field; each && each != page; each = each->parentWidget())
+    if (!each->objectName().isEmpty()) path.prepend(each->objectName());
+  return path;
+}
+
+QWidget* findPath(QWidget* page, const QStringList& path) {
+  QWidget* found = page;
+  for (const QString& name : path)
+    if (found) found = found->findChild<QWidget*>(name);
+  return found;
+}
+
+}  // namespace
+
+PropertiesDock::PropertiesDock(const Workspace& workspace)
+    : QDockWidget(tr("Properties"), &workspace.window),
+      workspace_(workspace),
+      scroll_(new QScrollArea(this)) {
+  setObjectName("properties");
+  auto* content = new QWidget(scroll_);
+  content->setObjectName("propertiesContent");
+  column_ = new QVBoxLayout(content);
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(0);
+  column_->addStretch();
+  scroll_->setWidget(content);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setMinimumSize(250, 120);
+  setWidget(scroll_);
+  soon_.setSingleShot(true);
+  soon_.setInterval(kSoon);
+  later_.setSingleShot(true);
+  later_.setInterval(kLater);
+  connect(&soon_, &QTimer::timeout, this, [this] { page_->refresh(); });
+  connect(&later_, &QTimer::timeout, this, [this] { page_->refreshSlowValues(); });
+  Editor& editor = workspace.editor;
+  connect(&editor, &Editor::projectReplaced, this, [this] {
+    removePage();
+    showPage();
+  });
+  connect(&editor, &Editor::selectionChanged, this, [this] {
+    if (updatePage()) return;
+    page_->forgetTyping();
+    page_->refresh();
+    later_.start();
+  });
+  connect(&editor, &Editor::projectChanged, this, &PropertiesDock::showChange);
+  connect(&workspace.settings, &Settings::changed, this, [this] {
+    page_->refresh();
+    page_->refreshSlowValues();
+  });
+  connect(&workspace.tools, &ToolBox::changed, this, &PropertiesDock::showTool);
+  // At the end the window's parts go before its panels: nothing may be entered any more.
+  connect(&editor, &QObject::destroyed, this, [this] {
+    soon_.stop();
+    later_.stop();
+    page_->retire();
+  });
+  showTool();
+  showPage();
+}
+
+void PropertiesDock::showTool() {
+  Tool* active = &workspace_.tools.active();
+  if (active == tool_) return;  // only its hint changed
+  tool_ = active;
+  if (options_) {
+    column_->removeWidget(options_);
+    options_->hide();
+    options_->deleteLater();
+    options_ = nullptr;
+  }
+  auto* section = new QWidget(scroll_->widget());
+  QWidget* options = active->makeOptions(section);
+  if (!options) {
+    delete section;
+    return;
+  }
+  section->setObjectName("toolOptions");
+  auto* layout = new QVBoxLayout(section);
+  layout->setContentsMargins(12, 8, 12, 8);
+  auto* heading = new QLabel(workspace_.tools.activeTitle(), section);
+  heading->setObjectName("heading");
+  QFont bold = font();
+  bold.setWeight(QFont::DemiBold);
+  heading->setFont(bold);
+  auto* line = new QFrame(section);
+  line->setFrameShape(QFrame::HLine);
+  layout->addWidget(heading);
+  layout->addWidget(options);
+  layout->addWidget(line);
+  column_->insertWidget(0, section);
+  options_ = section;
+}
+
+void PropertiesDock::showPage() {
+  page_ = makePage(workspace_);
+  page_->setObjectName("page");
+  page_->refresh();
+  column_->insertWidget(options_ ? 1 : 0, page_);
+  key_ = pageKey(workspace_.editor);
+  later_.start();
+}
+
+void PropertiesDock::removePage() {
+  page_->retire();
+  column_->removeWidget(page_);
+  page_->setObjectName({});
+  page_->hide();
+  page_->deleteLater();  // the change may come from one of its fields
+}
+
+bool PropertiesDock::updatePage() {
+  if (pageKey(workspace_.editor) == key_) return false;
+  QWidget* focus = QApplication::focusWidget();
+  const bool hadFocus = focus && page_->isAncestorOf(focus);
+  const QStringList path = hadFocus ? pathOf(focus, page_) : QStringList();
+  scroll_->widget()->setUpdatesEnabled(false);
+  removePage();
+  showPage();
+  scroll_->widget()->setUpdatesEnabled(true);
+  if (hadFocus) {
+    page_->show();
+    QWidget* again = path.isEmpty() ? nullptr : findPath(page_, path);
+    if (again) again->setFocus();
+  }
+  return true;
+}
+
+void PropertiesDock::showChange(const modeling::Change& change) {
+  if (updatePage()) return;
+  later_.start();
+  const bool isMotion = !change.movedPoints.empty() && !change.topology;
+  if (!isMotion)
+    page_->refresh();
+  else if (!soon_.isActive())
+    soon_.start();
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/gui/docks/properties/property_page.h"
+#include "app/gui/editor.h"
+#include "app/gui/tools/tool.h"
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// What is selected as numbers to read and change; above them, what can be set for the active tool.
+class PropertiesDock : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  explicit PropertiesDock(const Workspace& workspace);
+
+ private:
+  void showTool();
+  void showPage();
+  void showChange(const modeling::Change& change);
+  void removePage();
+  /// Makes the page anew when other rows are needed. True when it did.
+  bool updatePage();
+
+  Workspace workspace_;
+  QScrollArea* scroll_;
+  QVBoxLayout* column_;
+  const Tool* tool_ = nullptr;
+  QWidget* options_ = nullptr;  // of the tool, with its heading
+  PropertyPage* page_ = nullptr;
+  QString key_;
+  QTimer soon_, later_;
+};
+
+}  // namespace palpa::gui

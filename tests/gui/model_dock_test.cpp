@@ -1,0 +1,144 @@
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTreeView>
+
+#include "app/gui/docks/model_tree.h"
+#include "tests/gui/window_fixture.h"
+
+namespace palpa::gui {
+namespace {
+
+using Node = ModelTree::Node;
+
+class ModelDock : public WindowTest {
+ protected:
+  ModelDock() { EXPECT_TRUE(window_->openFile(kSphere)); }
+
+  QTreeView& tree() { return *window_->findChild<QDockWidget*>("model")->findChild<QTreeView*>(); }
+  const ModelTree& rows() { return *static_cast<const ModelTree*>(tree().model()); }
+  QModelIndex row(Node group, int i) { return rows().index(i, 0, rows().indexOf(group)); }
+  void click(const QModelIndex& index, Qt::KeyboardModifiers modifiers = {}) {
+    tree().scrollTo(index);
+    QTest::mouseClick(tree().viewport(), Qt::LeftButton, modifiers,
+                      tree().visualRect(index).center());
+    QApplication::processEvents();
+  }
+  void rename(const QModelIndex& index, const QString& name) {
+    click(index);
+    tree().setFocus();
+    QTest::keyClick(&tree(), Qt::Key_F2);
+    auto* edit = tree().findChild<QLineEdit*>();
+    ASSERT_TRUE(edit);
+    edit->selectAll();
+    QTest::keyClicks(edit, name);
+    QTest::keyClick(edit, Qt::Key_Return);
+  }
+  std::string nameOf(int support) { return editor().project().supports[support].name; }
+};
+
+TEST_F(ModelDock, ListsWhatTheProjectHolds) {
+  const modeling::Solid& solid = *editor().solid();
+  EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kPatches)),
+            static_cast<int>(solid.patches().size()));
+  EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kEdges)), static_cast<int>(solid.edges().size()));
+  EXPECT_EQ(row(Node::kSupports, 0).data().toString().toStdString(), nameOf(0));
+  EXPECT_FALSE(tree().isExpanded(rows().indexOf(Node::kEdges)));
+  keepPicture("model-dock");
+}
+
+TEST_F(ModelDock, ChosenRowsAreSelectedAndBack) {
+  click(row(Node::kPatches, 1));
+  EXPECT_EQ(editor().selection(), Selection::ofPatches({1}));
+  click(row(Node::kPatches, 3), Qt::ControlModifier);
+  EXPECT_EQ(editor().selection(), Selection::ofPatches({1, 3}));
+  click(row(Node::kSupports, 0), Qt::ControlModifier);  // another kind: alone
+  EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, nameOf(0)));
+  EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(Node::kSupports, 0)});
+  editor().select(Selection::ofEdges({2}));
+  EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(Node::kEdges, 2)});
+  EXPECT_TRUE(tree().isExpanded(rows().indexOf(Node::kEdges)));
+  editor().select(Selection::ofPoints({0}));
+  EXPECT_TRUE(tree().selectionModel()->selectedRows().empty());
+  click(rows().indexOf(Node::kMaterial));
+  EXPECT_TRUE(editor().selection().empty());
+  EXPECT_TRUE(tree().selectionModel()->isSelected(rows().indexOf(Node::kMaterial)));
+}
+
+TEST_F(ModelDock, NamesAreEditedInTheTree) {
+  rename(row(Node::kPatches, 0), "lid");
+  EXPECT_EQ(editor().solid()->patches()[0].name, "lid");
+  EXPECT_EQ(editor().selection(), Selection::ofPatches({0}));
+  rename(row(Node::kSupports, 0), "foot");
+  EXPECT_EQ(nameOf(0), "foot");
+  EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, "foot"));
+  rename(rows().indexOf(Node::kProject), "My ball");
+  EXPECT_EQ(editor().project().name, "My ball");
+}
+
+TEST_F(ModelDock, TakenAndEmptyNamesAreRefusedInWords) {
+  const std::string before = text();
+  QSignalSpy refused(&editor(), &Editor::refused);
+  rename(row(Node::kPatches, 0), QString::fromStdString(editor().solid()->patches()[1].name));
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused[0][0].toString().contains("already a patch named"));
+  rename(row(Node::kSupports, 0), " ");
+  EXPECT_EQ(refused.count(), 2);
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(ModelDock, DeletesWhatCanBeDeletedAndSaysWhyOthersStay) {
+  const std::size_t supports = editor().project().supports.size();
+  QSignalSpy refused(&editor(), &Editor::refused);
+  editor().select(Selection::ofPoints({0}));
+  view().setFocus();
+  QTest::keyClick(&view(), Qt::Key_Delete);
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused[0][0].toString().contains("Control points cannot be deleted"));
+  click(row(Node::kSupports, 0));
+  QTest::keyClick(&tree(), Qt::Key_Delete);
+  EXPECT_EQ(editor().project().supports.size(), supports - 1);
+  EXPECT_TRUE(editor().selection().empty());
+  EXPECT_FALSE(action("Delete")->isEnabled());
+  editor().undo();
+  EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kSupports)), static_cast<int>(supports));
+}
+
+TEST_F(ModelDock, TheMenuOfARowDuplicatesAndSelectsPoints) {
+  const auto choose = [&](const QModelIndex& index, const QString& what) {
+    click(index);
+    Q_EMIT tree().customContextMenuRequested(tree().visualRect(index).center());
+    auto* menu = window_->findChild<QMenu*>("modelMenu");
+    ASSERT_TRUE(menu);
+    auto* found = menu->findChild<QAction*>(what);
+    ASSERT_TRUE(found);
+    found->trigger();
+    menu->close();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  const std::size_t supports = editor().project().supports.size();
+  const std::string name = nameOf(0);
+  choose(row(Node::kSupports, 0), "Duplicate");
+  ASSERT_EQ(editor().project().supports.size(), supports + 1);
+  EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, name + " 2"));
+  choose(row(Node::kPatches, 0), "Zoom to");
+  choose(row(Node::kPatches, 0), "Select points");
+  const auto& net = editor().solid()->patches()[0].net;
+  EXPECT_EQ(editor().selection().points.size(), net.size() * net[0].size());
+}
+
+TEST_F(ModelDock, TheLayoutIsRememberedAndReset) {
+  auto* dock = find<QDockWidget>("properties");
+  EXPECT_GE(view().width(), window_->width() * 6 / 10);
+  dock->hide();
+  window_->close();
+  restart();
+  EXPECT_FALSE(find<QDockWidget>("properties")->isVisible());
+  action("Reset layout")->trigger();
+  EXPECT_TRUE(find<QDockWidget>("properties")->isVisible());
+  EXPECT_GE(view().width(), window_->width() * 6 / 10);
+}
+
+}  // namespace
+}  // namespace palpa::gui

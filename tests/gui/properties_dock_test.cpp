@@ -1,0 +1,252 @@
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "app/gui/tools/tool_box.h"
+#include "app/gui/widgets/vector_edit.h"
+#include "tests/gui/window_fixture.h"
+
+namespace palpa::gui {
+namespace {
+
+class PropertiesDock : public WindowTest {
+ protected:
+  PropertiesDock() { EXPECT_TRUE(window_->openFile(kSphere)); }
+
+  QWidget& page() {
+    return *window_->findChild<QDockWidget*>("properties")->findChild<QWidget*>("page");
+  }
+  template <class T = QuantityEdit>
+  T& field(const QString& name) {
+    auto* found = page().findChild<T*>(name);
+    if (!found) throw std::runtime_error("no field " + name.toStdString());
+    return *found;
+  }
+  QString fact(const QString& name) { return field<QLabel>(name).text(); }
+  void enter(QLineEdit& edit, const QString& text) {
+    edit.setFocus();
+    edit.selectAll();
+    QTest::keyClicks(&edit, text);
+    QTest::keyClick(&edit, Qt::Key_Return);
+  }
+  QLabel& refusalOf(QWidget& edit) { return *edit.parentWidget()->findChild<QLabel*>("refusal"); }
+  const modeling::Project& project() { return editor().project(); }
+};
+
+TEST_F(PropertiesDock, TheProjectsMaterialAndMeshAreEdited) {
+  enter(field("youngsModulus"), "0.25");
+  EXPECT_DOUBLE_EQ(project().material.youngsModulus, 0.25);
+  enter(field("edgeLength"), "0.6 cm");
+  EXPECT_DOUBLE_EQ(project().mesh.edgeLength, 6.0);
+  QTest::mouseClick(&field<QCheckBox>("refineAtBorders"), Qt::LeftButton, {}, QPoint(8, 8));
+  EXPECT_TRUE(project().mesh.refineAtBorders);
+  enter(field<QLineEdit>("name"), "Soft ball");
+  EXPECT_EQ(project().name, "Soft ball");
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fact("nodes").startsWith("about "); }));
+  for (int i = 0; i < 4; ++i) editor().undo();
+  EXPECT_FALSE(editor().session().document().canUndo());  // four edits were four steps
+  keepPicture("properties-project");
+}
+
+TEST_F(PropertiesDock, WhatIsRefusedIsSaidAtTheFieldAndTheOldValueReturns) {
+  QuantityEdit& ratio = field("poissonRatio");
+  const std::string before = text();
+  const QString shown = ratio.text();
+  enter(ratio, "0.7");
+  EXPECT_EQ(text(), before);
+  EXPECT_TRUE(refusalOf(ratio).isVisible());
+  EXPECT_FALSE(refusalOf(ratio).text().isEmpty());
+  EXPECT_EQ(ratio.text(), shown);
+  keepPicture("properties-refused");
+  enter(ratio, "0.4");
+  EXPECT_FALSE(refusalOf(ratio).isVisible());
+}
+
+TEST_F(PropertiesDock, AShapeIsMadeAnewFromItsNumbers) {
+  editor().perform(modeling::MakePrimitive{{modeling::SphereShape{20}}});
+  enter(field("length0"), "30");
+  ASSERT_TRUE(project().primitive);
+  EXPECT_DOUBLE_EQ(std::get<modeling::SphereShape>(project().primitive->shape).radius, 30.0);
+  EXPECT_TRUE(fact("size").startsWith("60"));
+  // A moved point ends it.
+  editor().perform(
+      modeling::MovePoints{modeling::PointSelection::of({0}), modeling::MoveBy{{0.5, 0, 0}}, {}});
+  EXPECT_EQ(page().findChild<QWidget*>("length0"), nullptr);
+}
+
+TEST_F(PropertiesDock, PointsAreMovedByNumbers) {
+  editor().select(Selection::ofPoints({3}));
+  auto& position = field<VectorEdit>("position");
+  enter(position.component(0), "1.25");
+  EXPECT_DOUBLE_EQ(editor().solid()->controlPoints()[3].x(), 1.25);
+  EXPECT_FALSE(fact("nets").isEmpty());
+  keepPicture("properties-point");
+  editor().select(Selection::ofPoints({3, 4, 5}));
+  const auto before = editor().solid()->controlPoints();
+  auto& centre = field<VectorEdit>("centre");
+  const double z = centre.value().z();
+  enter(centre.component(2), QString::number(z + 1.0, 'g', 15));
+  for (int point : {3, 4, 5})
+    EXPECT_NEAR(editor().solid()->controlPoints()[point].z(), before[point].z() + 1.0, 1e-9);
+}
+
+TEST_F(PropertiesDock, TypingIsNotOverwrittenAndNotEnteredElsewhere) {
+  editor().select(Selection::ofPoints({3}));
+  QuantityEdit& x = field<VectorEdit>("position").component(0);
+  x.setFocus();
+  x.selectAll();
+  QTest::keyClicks(&x, "77");
+  editor().perform(modeling::RenameProject{"other"});
+  editor().perform(
+      modeling::MovePoints{modeling::PointSelection::of({3}), modeling::MoveBy{{0, 0.1, 0}}, {}});
+  QTest::qWait(80);
+  EXPECT_EQ(x.text(), "77");
+  EXPECT_TRUE(x.hasFocus());
+  const auto before = editor().solid()->controlPoints();
+  editor().select(Selection::ofPoints({4}));
+  QTest::keyClick(&x, Qt::Key_Return);
+  editor().select(Selection::ofPatches({0}));
+  EXPECT_EQ(editor().solid()->controlPoints(), before);
+}
+
+TEST_F(PropertiesDock, APatchAndItsMesh) {
+  editor().select(Selection::ofPatches({0}));
+  EXPECT_FALSE(fact("degrees").isEmpty());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fact("area").endsWith("mm²"); }));
+  enter(field("factor"), "0.5");
+  const std::string name = editor().solid()->patches()[0].name;
+  EXPECT_DOUBLE_EQ(project().mesh.patchFactors.at(name), 0.5);
+  keepPicture("properties-patch");
+  enter(field("factor"), "1");
+  EXPECT_TRUE(project().mesh.patchFactors.empty());
+  enter(field<QLineEdit>("name"), QString::fromStdString(editor().solid()->patches()[1].name));
+  EXPECT_TRUE(refusalOf(field<QLineEdit>("name")).isVisible());
+  EXPECT_EQ(field<QLineEdit>("name").text().toStdString(), name);
+}
+
+TEST_F(PropertiesDock, EdgesAreMadeSmoothTogether) {
+  editor().perform(modeling::MakePrimitive{{modeling::BoxShape{}}});
+  editor().select(Selection::ofEdges({0, 1}));
+  auto& kind = field<QComboBox>("kind");
+  EXPECT_EQ(kind.currentIndex(), 0);
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Down);
+  const bool done = editor().solid()->edges()[0].smooth && editor().solid()->edges()[1].smooth;
+  EXPECT_TRUE(done || refusalOf(kind).isVisible());
+  EXPECT_EQ(kind.currentIndex(), done ? 1 : 0);
+  keepPicture("properties-edges");
+}
+
+TEST_F(PropertiesDock, ASupportAndItsRegion) {
+  editor().select(Selection::of(Selection::Kind::kSupport, project().supports[0].name));
+  enter(field<VectorEdit>("displacement").component(2), "-1.5");
+  EXPECT_DOUBLE_EQ(project().supports[0].displacement.z(), -1.5);
+  const std::size_t parts = project().supports[0].where.parts.size();
+  QTest::mouseClick(&field<QToolButton>("addHalfSpace"), Qt::LeftButton);
+  ASSERT_EQ(project().supports[0].where.parts.size(), parts + 1);
+  enter(field(QString("below%1").arg(parts)), "-20");
+  EXPECT_DOUBLE_EQ(std::get<modeling::HalfSpace>(project().supports[0].where.parts.back()).below,
+                   -20.0);
+  keepPicture("properties-support");
+  QTest::mouseClick(&field<QToolButton>(QString("part%1Remove").arg(parts)), Qt::LeftButton);
+  EXPECT_EQ(project().supports[0].where.parts.size(), parts);
+  enter(field<QLineEdit>("name"), "foot");
+  EXPECT_EQ(project().supports[0].name, "foot");
+  EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, "foot"));
+}
+
+TEST_F(PropertiesDock, LoadsOfAllKinds) {
+  using namespace modeling;
+  const std::string patch = editor().solid()->patches()[0].name;
+  editor().perform(AddLoad{{"p", Pressure{Region::ofPatches({patch}), 0.01}}});
+  editor().perform(AddLoad{{"t", UniformTraction{Region::ofPatches({patch}), {0, 0, 1}}}});
+  editor().perform(AddLoad{{"b", Bump{{0, 0, 25}, 5, 0.1, {0, 0, -1}}}});
+  editor().select(Selection::of(Selection::Kind::kLoad, "p"));
+  enter(field("pressure"), "0.02");
+  EXPECT_DOUBLE_EQ(std::get<Pressure>(project().loads.end()[-3].what).pressure, 0.02);
+  QTest::mouseClick(&field<QToolButton>("patch " + QString::fromStdString(patch) + "Remove"),
+                    Qt::LeftButton);
+  EXPECT_EQ(regionOf(project().loads.end()[-3])->parts.size(), 1U);  // the last part stays
+  editor().select(Selection::of(Selection::Kind::kLoad, "t"));
+  enter(field<VectorEdit>("traction").component(1), "0.5");
+  EXPECT_DOUBLE_EQ(std::get<UniformTraction>(project().loads.end()[-2].what).traction.y(), 0.5);
+  editor().select(Selection::of(Selection::Kind::kLoad, "b"));
+  enter(field("radius"), "0");
+  EXPECT_TRUE(refusalOf(field("radius")).isVisible());
+  enter(field("radius"), "7");
+  EXPECT_DOUBLE_EQ(std::get<Bump>(project().loads.back().what).radius, 7.0);
+  keepPicture("properties-bump");
+}
+
+TEST_F(PropertiesDock, ATouchBecomesAForceWithARadius) {
+  using namespace modeling;
+  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, {}}});
+  editor().select(Selection::of(Selection::Kind::kTouch, "poke"));
+  auto& kind = field<QComboBox>("kind");
+  kind.setFocus();
+  QTest::keyClick(&kind, Qt::Key_Down);
+  EXPECT_EQ(std::get<TouchForce>(project().touches.back().action).vector.z(), -1.0);
+  EXPECT_TRUE(field<QComboBox>("kind").hasFocus());  // of the page made anew
+  QTest::mouseClick(&field<QCheckBox>("usualRadius"), Qt::LeftButton, {}, QPoint(8, 8));
+  enter(field("radius"), "3");
+  EXPECT_EQ(project().touches.back().radius, 3.0);
+  keepPicture("properties-touch");
+}
+
+TEST_F(PropertiesDock, ADragRefreshesTheNumbersLater) {
+  const int point = visiblePoint();
+  const QPoint pixel = pixelOfPoint(point);
+  drag(pixel, pixel + QPoint(40, -20));
+  const double x = editor().solid()->controlPoints()[point].x();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return field<VectorEdit>("position").value().x() == x; }));
+}
+
+TEST_F(PropertiesDock, WhatWasTypedDoesNotOutliveTheWindow) {
+  enter(field("edgeLength"), "4");
+  QuantityEdit& edit = field("edgeLength");
+  edit.setFocus();
+  QTest::keyClicks(&edit, "9");
+  window_.reset();
+}
+
+/// A tool with something to set.
+class SomeTool : public Tool {
+ public:
+  QString hint() const override { return {}; }
+  QWidget* makeOptions(QWidget* parent) override {
+    auto* box = new QCheckBox("Mirror", parent);
+    box->setObjectName("mirror");
+    return box;
+  }
+};
+
+TEST_F(PropertiesDock, TheActiveToolsOptionsComeFirst) {
+  QMenu menu;
+  Tool& first = window_->tools().active();
+  Tool* tool = window_->tools().add(std::make_unique<SomeTool>(), &menu, {"move", "So&me tool"});
+  EXPECT_EQ(find<QWidget>("toolOptions"), nullptr);
+  window_->tools().activate(tool);
+  ASSERT_TRUE(find<QWidget>("toolOptions"));
+  EXPECT_EQ(find<QWidget>("toolOptions")->findChild<QLabel*>("heading")->text(), "Some tool");
+  QTest::qWait(20);
+  EXPECT_TRUE(find<QCheckBox>("mirror")->isVisible());
+  keepPicture("properties-tool");
+  window_->tools().activate(&first);
+  QTest::qWait(20);
+  EXPECT_EQ(find<QWidget>("toolOptions"), nullptr);
+}
+
+TEST_F(PropertiesDock, LooksCalmInBothThemes) {
+  for (const Theme theme : {Theme::kDark, Theme::kLight}) {
+    window_->settings().setTheme(theme);
+    QTest::qWait(300);
+    keepPicture(theme == Theme::kDark ? "docks-dark" : "docks-light");
+  }
+  EXPECT_GE(view().width(), window_->width() * 6 / 10);
+}
+
+}  // namespace
+}  // namespace palpa::gui
