@@ -30,8 +30,8 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kUntilCloseAgain = 50;  // ms until a window that was busy tries again to close
-constexpr int kDockWidth = 320;    // leaves the view three quarters of a window of 1280
-constexpr int kLayoutVersion = 1;  // of what saveState() writes; another one is not restored
+constexpr int kDockWidth = 320;       // leaves the view three quarters of a window of 1280
+constexpr int kLayoutVersion = 1;     // of what saveState() writes; another one is not restored
 
 }  // namespace
 
