@@ -43,10 +43,10 @@ TaggedSurface taggedSurface(const MeshBody& body, double edgeLength) {
 class RefinedFeatures {
  public:
   RefinedFeatures(const MeshBody& body, const MeshSettings& settings,
-                  std::span<const MeshRegion> regions, const std::vector<HalfSpace>& halfSpaces)
+                  std::span<const MeshRegion> regions, const std::vector<RegionBorder>& borders)
       : sharp_(settings.refineAtSharpEdges),
         borders_(settings.refineAtBorders),
-        sides_(refinedBorders(regions, halfSpaces)),
+        sides_(refinedBorders(regions, borders)),
         faces_(refinedPatches(regions, body)) {}
 
   bool contains(const SurfaceTag& one, const SurfaceTag& other) const {
@@ -99,10 +99,11 @@ SizeField sizeField(const TaggedSurface& surface, const MeshSettings& settings,
 }
 
 TaggedSurface cutSurface(const MeshBody& body, const MeshSettings& settings,
-                         const std::vector<HalfSpace>& halfSpaces) {
+                         const std::vector<RegionBorder>& borders) {
   TaggedSurface surface = taggedSurface(body, settings.edgeLength);
-  for (std::size_t k = 0; k < halfSpaces.size(); ++k)
-    cutAtBorder(surface, halfSpaces[k], static_cast<int>(k), kSnap * settings.edgeLength);
+  for (std::size_t k = 0; k < borders.size(); ++k)
+    cutAtBorder(surface, borders[k], static_cast<int>(k), kSnap * settings.edgeLength,
+                settings.edgeLength);
   return surface;
 }
 
@@ -174,10 +175,10 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
   const double h = settings.edgeLength;
   const double plain = area(body) / (kAreaPerNode * h * h) + 2.0;
   if (settings.refinementLevels == 0) return plain;
-  const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
-  const RefinedFeatures refined(body, settings, regions, halfSpaces);
+  const std::vector<RegionBorder> borders = distinctBorders(regions);
+  const RefinedFeatures refined(body, settings, regions, borders);
   double length = 0.0;
-  forRefinedEdges(cutSurface(body, settings, halfSpaces), refined,
+  forRefinedEdges(cutSurface(body, settings, borders), refined,
                   [&](const Vector3d& a, const Vector3d& b) { length += (b - a).norm(); });
   // As for solids (refinement_estimate.h): the size grows from a with the distance s as a + g s.
   const double a = finestLength(settings);
@@ -194,11 +195,11 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                             " mm would need about " + numberText(std::round(expected)) +
                             " nodes; at most " + numberText(kMostNodes) + " are possible",
                         ModelingError::Kind::tooLarge);
-  const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
+  const std::vector<RegionBorder> borders = distinctBorders(regions);
   const MeshSettings used = bounded(settings, body);
-  const TaggedSurface original = cutSurface(body, used, halfSpaces);
+  const TaggedSurface original = cutSurface(body, used, borders);
   job.throwIfCancelled();
-  const RefinedFeatures refined(body, used, regions, halfSpaces);
+  const RefinedFeatures refined(body, used, regions, borders);
   TaggedSurface surface = remesh(original, sizeField(original, used, refined), job);
   checkVolume(surface, body, settings.edgeLength);
   renumber(surface);
@@ -208,12 +209,12 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
   for (const SurfaceTag& tag : surface.tags) {
     mesh.patchOfTriangle.push_back(tag.face);
     mesh.smoothingGroupOfTriangle.push_back(tag.region);
-    mesh.halfSpacesOfTriangle.push_back(tag.sides);
+    mesh.bordersOfTriangle.push_back(tag.sides);
   }
-  mesh.halfSpaces = halfSpaces;
+  mesh.borders = borders;
   for (const MeshRegion& region : regions)
     mesh.trianglesOfRegion.push_back(
-        trianglesOf(region, body, mesh.patchOfTriangle, mesh.halfSpacesOfTriangle, halfSpaces));
+        trianglesOf(region, body, mesh.patchOfTriangle, mesh.bordersOfTriangle, borders));
   return mesh;
 }
 

@@ -25,6 +25,7 @@ Project example() {
   project.primitive = Primitive{SphereShape{25.0}, 3, 7};
   Region base = Region::below({0, 0, 1}, -20.0);
   base.parts.push_back(PatchSet{{"bottom"}});
+  base.parts.push_back(Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5});
   project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
                       {"guide", Support::Kind::roller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
@@ -102,6 +103,7 @@ Project tetrahedron() {
   Project project;
   project.material = {"rubber", 1.5, 0.45};
   project.body = MeshBody(data);
+  base.parts.push_back(Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5});
   project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"front"}), {0, 0, 0}}};
   project.mesh.patchFactors = {{"others", 2.0}};
   return project;

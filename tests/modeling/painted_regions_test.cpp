@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "editing_fixture.h"
+#include "mesh_checks.h"
+#include "modeling/mesh/mesh_follow.h"
+#include "modeling/mesh/region_border.h"
+#include "modeling/solid/surface_evaluator.h"
+#include "test_bodies.h"
+
+namespace palpa::modeling {
+namespace {
+
+using Eigen::Vector3d;
+
+SurfaceMesh painted(const Body& body, double h, std::vector<RegionPart> parts) {
+  MeshSettings settings;
+  settings.edgeLength = h;
+  const std::vector<MeshRegion> regions{{"paint", Region{std::move(parts)}, true}};
+  return mesh(body, settings, regions);
+}
+
+/// Largest |value| in mm of nodes between the region and the rest.
+double borderFault(const SurfaceMesh& mesh) {
+  const std::set<int> chosen(mesh.trianglesOfRegion[0].begin(), mesh.trianglesOfRegion[0].end());
+  std::vector<int> seen(mesh.positions.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int node : mesh.triangles[t]) seen[node] |= chosen.contains(static_cast<int>(t)) ? 1 : 2;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i] == 3) worst = std::max(worst, std::abs(mesh.borders[0].value(mesh.positions[i])));
+  return worst;
+}
+
+TEST(Painted, DiscOnAPlaneHasItsArea) {
+  const Solid box = makeBox({40, 30, 20});
+  double before = 1.0;
+  for (const double h : {4.0, 2.0, 1.0}) {
+    const SurfaceMesh result = painted(box, h, {Stroke{{{3, -2, 20}}, 7.0}});
+    EXPECT_LT(borderFault(result), 1e-9);
+    const double exact = std::numbers::pi * 49.0;
+    const double error = std::abs(checks::regionArea(result, 0) / exact - 1.0);
+    EXPECT_LT(error, 0.45 * before) << h;
+    before = error;
+  }
+  EXPECT_LT(before, 0.005);
+}
+
+TEST(Painted, UnionOfStrokesHasNoBordersInside) {
+  const SurfaceMesh result =
+      painted(makeBox({40, 30, 20}), 1.0,
+              {Stroke{{{-10, 0, 20}, {0, 0, 20}}, 5.0}, Stroke{{{0, 0, 20}, {10, 0, 20}}, 5.0}});
+  EXPECT_NEAR(checks::regionArea(result, 0), 20 * 10 + std::numbers::pi * 25.0, 2.0);
+  EXPECT_EQ(result.borders.size(), 1U);
+}
+
+TEST(Painted, SmallDotIsFound) {
+  const SurfaceMesh result = painted(makeBox({40, 30, 20}), 6.0, {Stroke{{{3, -2, 20}}, 1.5}});
+  EXPECT_NEAR(checks::regionArea(result, 0), std::numbers::pi * 2.25, 0.9);
+}
+
+TEST(Painted, StrokeAwayFromTheSurfaceIsRefused) {
+  EXPECT_EQ(faultOf([] {
+              painted(makeBox({40, 30, 20}), 3.0, {Stroke{{{0, 0, 30}}, 5.0}});
+            }).rfind("paint: no part of the surface", 0),
+            0U);
+}
+
+TEST(Painted, MeshBodyIsCutAlongStrokes) {
+  const MeshBody box = test::plainBox({40, 30, 20});
+  const SurfaceMesh result = painted(box, 1.5, {Stroke{{{20, 15, 20}}, 7.0}});
+  EXPECT_EQ(checks::manifoldFault(result), "");
+  EXPECT_LT(borderFault(result), 0.05);
+  EXPECT_NEAR(checks::regionArea(result, 0), std::numbers::pi * 49.0, 3.0);
+}
+
+TEST(Painted, RandomStrokesGiveGoodMeshes) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<double> angles;
+  for (const Solid& solid : {makeSphere(25.0), makeCylinder(20.0, 60.0), makeBox({40, 30, 20})}) {
+    const SurfaceEvaluator surface(solid);
+    for (int trial = 0; trial < 20; ++trial) {
+      const double h = trial % 2 == 0 ? 4.0 : 2.5;
+      const int patch =
+          std::min(static_cast<int>(unit(random) * surface.patchCount()), surface.patchCount() - 1);
+      const auto [uLow, uHigh] = surface.range(patch, 0);
+      const auto [vLow, vHigh] = surface.range(patch, 1);
+      Stroke stroke{{}, (0.5 + 2.0 * unit(random)) * h};
+      const double u = unit(random);
+      const double v = unit(random);
+      const int count = 1 + static_cast<int>(unit(random) * 12);
+      const double turn = 6.0 * unit(random);
+      for (int i = 0; i < count; ++i) {
+        const double a = std::clamp(u + 0.05 * i * std::cos(turn + 0.2 * i), 0.0, 1.0);
+        const double b = std::clamp(v + 0.05 * i * std::sin(turn + 0.2 * i), 0.0, 1.0);
+        stroke.points.push_back(
+            surface.position(patch, uLow + a * (uHigh - uLow), vLow + b * (vHigh - vLow)));
+      }
+      const SurfaceMesh result = painted(solid, h, {stroke});
+      EXPECT_EQ(checks::manifoldFault(result), "");
+      EXPECT_LT(checks::distanceFromSurface(result, solid), 1e-9);
+      EXPECT_LT(borderFault(result), 0.25 * h) << trial;
+      angles.push_back(measureQuality(result).smallestAngle);
+    }
+  }
+  std::sort(angles.begin(), angles.end());
+  RecordProperty("smallestAngle", std::to_string(angles.front()));
+  RecordProperty("medianAngle", std::to_string(angles[angles.size() / 2]));
+  std::printf("smallest angles: least %.1f, tenth %.1f, median %.1f degrees\n", angles.front(),
+              angles[angles.size() / 10], angles[angles.size() / 2]);
+  EXPECT_GT(angles.front(), 5.0);
+  EXPECT_GT(angles[angles.size() / 2], 15.0);
+}
+
+TEST(Painted, StrokesStickToTheSurface) {
+  Project project = editingProject(makeSphere(25.0));
+  const Stroke before{{{25, 0, 0}, {0, 0, 25.5}}, 2.0};
+  project.supports[0].where.parts = {before};
+  const auto strokeAfter = [&](const Command& command) {
+    return std::get<Stroke>(
+        palpa::modeling::apply(command, project).project.supports[0].where.parts[0]);
+  };
+  // All points: the surface is shifted, and so is the paint, off the surface or on it.
+  MovePoints all{
+      {{BoxPoints{Vector3d::Constant(-100), Vector3d::Constant(100)}}}, MoveBy{{1, 2, 3}}, {}};
+  const Stroke shifted = strokeAfter(all);
+  for (int i : {0, 1})
+    EXPECT_LT((shifted.points[i] - before.points[i] - Vector3d(1, 2, 3)).norm(), 1e-12);
+  EXPECT_EQ(shifted.radius, before.radius);
+  // The upper points only: what they do not influence keeps its bits, the other stays on top.
+  MovePoints top{{{BoxPoints{{-100, -100, 20}, Vector3d::Constant(100)}}}, MoveBy{{0, 0, 4}}, {}};
+  const Stroke raised = strokeAfter(top);
+  EXPECT_EQ(raised.points[0], before.points[0]);
+  EXPECT_GT(raised.points[1].z(), before.points[1].z() + 1.0);
+  const Stroke again = strokeAfter(top);
+  EXPECT_EQ(raised, again);
+}
+
+TEST(Painted, StrokesAreTransformedWithTheBody) {
+  Project project = editingProject(makeSphere(25.0));
+  project.supports[0].where.parts = {Stroke{{{25, 0, 0}}, 2.0}};
+  const auto strokeAfter = [&](const TransformSolid& command) {
+    return std::get<Stroke>(
+        palpa::modeling::apply(command, project).project.supports[0].where.parts[0]);
+  };
+  EXPECT_EQ(strokeAfter({Translation{{1, 2, 3}}}), (Stroke{{{26, 2, 3}}, 2.0}));
+  EXPECT_EQ(strokeAfter({Scaling{{3, 3, 3}, {0, 0, 0}}}), (Stroke{{{75, 0, 0}}, 6.0}));
+  EXPECT_NEAR(strokeAfter({Scaling{{8, 1, 1}, {0, 0, 0}}}).radius, 4.0, 1e-12);
+}
+
+TEST(Painted, MeshFollowsWithItsPaint) {
+  Project project = editingProject(makeSphere(25.0));
+  project.supports = {{"paint", Support::Kind::fixed, {{Stroke{{{0, 0, 25}}, 10.0}}}, {0, 0, 0}}};
+  const Solid& before = solidOf(project);
+  const SurfaceMesh meshed = mesh(before, project.mesh, meshRegions(project));
+  const Project after =
+      palpa::modeling::apply(
+          MovePoints{
+              {{BoxPoints{{-100, -100, 15}, Vector3d::Constant(100)}}}, MoveBy{{0.3, 0, 0.5}}, {}},
+          project)
+          .project;
+  const FollowResult followed = followSolid(meshed, before, solidOf(after), meshRegions(after));
+  ASSERT_TRUE(followed.update) << followed.whyAnew;
+  EXPECT_LT(borderFault(followed.update->mesh), 1e-8);
+  // Paint that is moved over a body at rest takes the mesh along or asks for another.
+  Project other = project;
+  std::get<Stroke>(other.supports[0].where.parts[0]).points[0] = {0.2, 0, 25};
+  const FollowResult slid = followSolid(meshed, before, before, meshRegions(other));
+  if (slid.update) {
+    EXPECT_LT(borderFault(slid.update->mesh), 1e-8);
+  }
+  std::get<Stroke>(other.supports[0].where.parts[0]).points[0] = {0, 0, -25};
+  EXPECT_FALSE(followSolid(meshed, before, before, meshRegions(other)).update);
+}
+
+TEST(Painted, BadStrokesAreNamed) {
+  const Body body = makeSphere(25.0);
+  const auto fault = [&](const Stroke& stroke) {
+    return faultOf([&] { checkRegion({{stroke}}, body, "where"); });
+  };
+  expectBegins(fault({{}, 1.0}), "where.stroke.points_mm: is empty");
+  expectBegins(fault({{{0, 0, 0}, {0, NAN, 0}}, 1.0}), "where.stroke.points_mm[1]: must be finite");
+  expectBegins(fault({{{0, 0, 0}}, 0.0}), "where.stroke.radius_mm: 0 must be");
+  expectBegins(fault({std::vector<Vector3d>(10'001, Vector3d::Zero()), 1.0}),
+               "where.stroke.points_mm: has 10001 points");
+}
+
+TEST(Painted, FieldIsADistanceNearBorders) {
+  const Body body = makeBox({40, 30, 20});
+  const Region region{{Stroke{{{0, 0, 10}}, 5.0}, HalfSpace{{0, 0, 2}, -10.0}}};
+  const std::vector<Vector3d> positions{{7, 0, 10}, {0, 0, 10}, {20, 0, -6}, {20, 15, 3}};
+  const std::vector<int> patches{5, 5, 1, 1};
+  const std::vector<double> field = regionField(region, body, positions, patches);
+  EXPECT_DOUBLE_EQ(field[0], 2.0);
+  EXPECT_DOUBLE_EQ(field[1], -5.0);
+  EXPECT_DOUBLE_EQ(field[2], -1.0);
+  EXPECT_DOUBLE_EQ(field[3], 8.0);
+  const auto named = regionField(Region::ofPatches({"top"}), body, positions, patches);
+  EXPECT_LT(named[0], -50.0);
+  EXPECT_GT(named[2], 50.0);
+}
+
+TEST(Painted, ValueOfManySegmentsIsTheLeast) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-10.0, 10.0);
+  const auto point = [&] { return Vector3d(unit(random), unit(random), unit(random)); };
+  std::vector<Stroke> strokes;
+  for (int s = 0; s < 7; ++s) {
+    strokes.push_back({{}, 1.0 + s});
+    for (int i = 0; i < 5 * s + 1; ++i) strokes.back().points.push_back(point());
+  }
+  const RegionBorder border(strokes);
+  for (int trial = 0; trial < 200; ++trial) {
+    const Vector3d x = 3.0 * point();
+    double least = 1e300;
+    for (const Stroke& stroke : strokes) least = std::min(least, stroke.value(x));
+    EXPECT_DOUBLE_EQ(border.value(x), least);
+  }
+}
+
+}  // namespace
+}  // namespace palpa::modeling
