@@ -9,8 +9,8 @@ namespace palpa::modeling {
 /// was nearest to it. What did not move keeps its bits.
 ///
 /// The nearest points are remembered (per thread, for the last solid and strokes): while a drag
-/// applies one command after the other to the same project, a point costs a few hundredths of a
-/// microsecond; the first time about 20 µs.
+/// applies one command after the other to the same project, 200 points on the example projects (96
+/// to 168 spans) cost 5 µs; the first time 0.5 to 0.7 ms.
 void carryStrokes(const Solid& before, Project& project);
 
 }  // namespace palpa::modeling
