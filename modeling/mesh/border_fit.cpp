@@ -267,10 +267,8 @@ class BorderFit {
   }
 
   /// Strokes narrower than the triangles would be lost or become rough polygons: where their border
-  /// may cross a triangle it is bisected until its edges are shorter than the radius.
+  /// may cross a triangle it is bisected until its edges are as short as strokeEdge().
   void resolveStrokes() {
-    constexpr double kOfRadius = 0.75;
-    constexpr double kOfTriangle = 0.25;  // no finer than this part of the edges found here
     constexpr int kRounds = 40;
     double longestEdge = 0.0;
     for (std::size_t t = 0; t < editor_.mesh().triangles.size(); ++t)
@@ -285,8 +283,7 @@ class BorderFit {
         const Eigen::Vector3d middle =
             (editor_.position(a) + editor_.position(b) + editor_.position(c)) / 3.0;
         if (std::abs(border_.value(middle)) > length) continue;
-        if (length > std::max(kOfRadius * border_.radiusAt(middle), kOfTriangle * longestEdge))
-          coarse.push_back(t);
+        if (length > strokeEdge(border_.radiusAt(middle), longestEdge)) coarse.push_back(t);
       }
       if (coarse.empty()) return;
       for (int t : coarse) bisect(editor_, t);

@@ -156,7 +156,8 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
   settings.validate();
   const SurfaceEvaluator surface(solid);
   const Counts counts = subdivisionCounts(solid, surface, patchEdgeLengths(solid, settings));
-  const double plain = structuredNodeCount(solid, counts) + narrowPatchNodes(surface, counts);
+  const double plain = structuredNodeCount(solid, counts) + narrowPatchNodes(surface, counts) +
+                       strokeNodes(surface, settings, regions);
   if (settings.refinementLevels == 0) return plain;
   return plain + refinementNodes(solid, surface, settings, regions);
 }

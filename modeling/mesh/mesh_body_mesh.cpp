@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -83,17 +84,47 @@ MeshSettings bounded(MeshSettings settings, const MeshBody& body) {
   return settings;
 }
 
+/// Calls `what(a, b, length)` with the ends of every edge on the border of a stroke so thin that
+/// its edges shall be shorter than the others.
+template <class What>
+void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder>& borders,
+                    double edgeLength, What what) {
+  const auto neighbours = triangleNeighbours(surface.triangles);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const std::uint64_t sides = surface.tags[t].sides;
+      const std::uint64_t between = sides & ~surface.tags[neighbours[t][k]].sides;
+      if (between == 0) continue;
+      const Vector3d& a = surface.positions[surface.triangles[t][k]];
+      const Vector3d& b = surface.positions[surface.triangles[t][(k + 1) % 3]];
+      for (std::uint64_t bits = between; bits != 0; bits &= bits - 1) {
+        const double radius = borders[std::countr_zero(bits)].radiusAt(0.5 * (a + b));
+        if (const double length = strokeEdge(radius, edgeLength); length < edgeLength)
+          what(a, b, length);
+      }
+    }
+}
+
+bool anyPainted(const std::vector<RegionBorder>& borders) {
+  return std::any_of(borders.begin(), borders.end(),
+                     [](const RegionBorder& border) { return border.isPainted(); });
+}
+
 double finestLength(const MeshSettings& settings) {
   return std::ldexp(settings.edgeLength, -settings.refinementLevels);
 }
 
 SizeField sizeField(const TaggedSurface& surface, const MeshSettings& settings,
-                    const RefinedFeatures& refined) {
+                    const RefinedFeatures& refined, const std::vector<RegionBorder>& borders) {
   SizeField sizes(settings.edgeLength / kMeanEdge);
-  if (settings.refinementLevels == 0) return sizes;
-  forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
-    sizes.addSource(a, b, finestLength(settings) / kMeanEdge);
-  });
+  forThinStrokes(surface, borders, settings.edgeLength,
+                 [&](const Vector3d& a, const Vector3d& b, double length) {
+                   sizes.addSource(a, b, length / kMeanEdge);
+                 });
+  if (settings.refinementLevels > 0)
+    forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
+      sizes.addSource(a, b, finestLength(settings) / kMeanEdge);
+    });
   sizes.update();
   return sizes;
 }
@@ -174,17 +205,28 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
   for (const MeshRegion& region : regions) checkRegion(region.where, body, region.name);
   const double h = settings.edgeLength;
   const double plain = area(body) / (kAreaPerNode * h * h) + 2.0;
-  if (settings.refinementLevels == 0) return plain;
   const std::vector<RegionBorder> borders = distinctBorders(regions);
+  if (settings.refinementLevels == 0 && !anyPainted(borders)) return plain;
   const RefinedFeatures refined(body, settings, regions, borders);
-  double length = 0.0;
-  forRefinedEdges(cutSurface(body, settings, borders), refined,
-                  [&](const Vector3d& a, const Vector3d& b) { length += (b - a).norm(); });
   // As for solids (refinement_estimate.h): the size grows from a with the distance s as a + g s.
-  const double a = finestLength(settings);
-  const double g = kSizeGrowth;
-  const double perLength = 2.0 * ((1.0 / a - 1.0 / h) / g - (h - a) / (g * h * h)) / kAreaPerNode;
-  return std::min(plain + length * perLength, area(body) / (kAreaPerNode * a * a) + 2.0);
+  const auto perLength = [h](double a) {
+    constexpr double g = kSizeGrowth;
+    return 2.0 * ((1.0 / a - 1.0 / h) / g - (h - a) / (g * h * h)) / kAreaPerNode;
+  };
+  const TaggedSurface surface = cutSurface(body, settings, borders);
+  double more = 0.0;
+  double finest = h;
+  forThinStrokes(surface, borders, h, [&](const Vector3d& a, const Vector3d& b, double length) {
+    more += (b - a).norm() * perLength(length);
+    finest = std::min(finest, length);
+  });
+  if (settings.refinementLevels > 0) {
+    finest = std::min(finest, finestLength(settings));
+    forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
+      more += (b - a).norm() * perLength(finestLength(settings));
+    });
+  }
+  return std::min(plain + more, area(body) / (kAreaPerNode * finest * finest) + 2.0);
 }
 
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
@@ -200,7 +242,7 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
   const TaggedSurface original = cutSurface(body, used, borders);
   job.throwIfCancelled();
   const RefinedFeatures refined(body, used, regions, borders);
-  TaggedSurface surface = remesh(original, sizeField(original, used, refined), job);
+  TaggedSurface surface = remesh(original, sizeField(original, used, refined, borders), job);
   checkVolume(surface, body, settings.edgeLength);
   renumber(surface);
   SurfaceMesh mesh;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "modeling/mesh/mesh_refine.h"
@@ -48,6 +49,33 @@ double borderLength(const SurfaceEvaluator& surface, const RegionBorder& border)
 }
 
 }  // namespace
+
+double strokeNodes(const SurfaceEvaluator& surface, const MeshSettings& settings,
+                   std::span<const MeshRegion> regions) {
+  // Triangles are bisected until their longest edge is between the wanted length c and 0.6 c, in a
+  // band as wide as c on both sides of the border; what is graded around it is measured.
+  constexpr double kAreaPerNode = 0.36;  // over c²
+  constexpr double kGraded = 2.0;
+  const double longest = std::numbers::sqrt2 * settings.edgeLength;
+  double sum = 0.0;
+  double most = 0.0;  // per area
+  for (const RegionBorder& border : distinctBorders(regions))
+    for (const Stroke& stroke : border.strokes()) {
+      const double c = strokeEdge(stroke.radius, longest);
+      if (c >= longest) continue;
+      double length = 0.0;
+      for (std::size_t i = 1; i < stroke.points.size(); ++i)
+        length += (stroke.points[i] - stroke.points[i - 1]).norm();
+      const double outer = stroke.radius + c;
+      const double inner = std::max(0.0, stroke.radius - c);
+      const double band =
+          2.0 * length * (outer - inner) + std::numbers::pi * (outer * outer - inner * inner);
+      const double perArea = 1.0 / (kAreaPerNode * c * c);
+      sum += kGraded * band * perArea;
+      most = std::max(most, perArea);
+    }
+  return std::min(sum, most * area(surface));
+}
 
 double refinementNodes(const Solid& solid, const SurfaceEvaluator& surface,
                        const MeshSettings& settings, std::span<const MeshRegion> regions) {

@@ -7,6 +7,8 @@ namespace palpa::modeling {
 namespace {
 
 constexpr std::size_t kGroup = 8;  // segments
+constexpr double kOfRadius = 0.65;
+constexpr double kOfLongest = 1.0 / 12.0;
 
 }  // namespace
 
@@ -73,6 +75,10 @@ bool RegionBorder::isLike(const RegionBorder& other) const {
          std::equal(
              strokes_.begin(), strokes_.end(), other.strokes_.begin(), other.strokes_.end(),
              [](const Stroke& a, const Stroke& b) { return a.points.size() == b.points.size(); });
+}
+
+double strokeEdge(double radius, double longest) {
+  return std::max(kOfRadius * radius, kOfLongest * longest);
 }
 
 }  // namespace palpa::modeling

@@ -59,4 +59,9 @@ class RegionBorder {
   std::vector<Group> groups_;
 };
 
+/// Longest edges (mm) that meshes shall have along the border of a stroke with this radius (mm),
+/// where the longest elsewhere is `longest`: short enough for a disc of at least nine corners, but
+/// not below a twelfth of `longest`.
+double strokeEdge(double radius, double longest);
+
 }  // namespace palpa::modeling

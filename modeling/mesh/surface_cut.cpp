@@ -138,9 +138,8 @@ class Cutter {
 
 /// Divides triangles near the border of strokes at the middles of their long edges.
 void divideNear(TaggedSurface& surface, const RegionBorder& border, double edgeLength) {
-  constexpr double kOfRadius = 0.4;
+  constexpr double kOfStroke = 0.6;  // of the edges of the mesh to come
   constexpr double kOfLength = 0.5;
-  constexpr double kFinest = 0.1;  // of the edge length
   constexpr int kRounds = 40;
   for (int round = 0; round < kRounds; ++round) {
     std::map<std::pair<int, int>, int> middles;  // -1: the edge stays whole
@@ -150,9 +149,8 @@ void divideNear(TaggedSurface& surface, const RegionBorder& border, double edgeL
       if (!isNew) return place->second;
       const Eigen::Vector3d middle = 0.5 * (surface.positions[low] + surface.positions[high]);
       const double length = (surface.positions[low] - surface.positions[high]).norm();
-      const double wanted =
-          std::max(kFinest * edgeLength,
-                   std::min(kOfRadius * border.radiusAt(middle), kOfLength * edgeLength));
+      const double wanted = std::min(kOfStroke * strokeEdge(border.radiusAt(middle), edgeLength),
+                                     kOfLength * edgeLength);
       if (length > wanted && std::abs(border.value(middle)) <= length) {
         place->second = static_cast<int>(surface.positions.size());
         surface.positions.push_back(middle);

@@ -103,7 +103,6 @@ Project tetrahedron() {
   Project project;
   project.material = {"rubber", 1.5, 0.45};
   project.body = MeshBody(data);
-  base.parts.push_back(Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5});
   project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"front"}), {0, 0, 0}}};
   project.mesh.patchFactors = {{"others", 2.0}};
   return project;
