@@ -67,10 +67,8 @@ struct SurfaceMesh {
 /// The number of pieces along each chain of glued edges follows from arc length / edgeLength, with
 /// at least three for a quarter of a circle, closer where it bends; triangles of thin patches are
 /// bisected until they are at most about five times as long as high; the border of a half space
-/// or painting becomes a chain of mesh edges, so that each triangle lies on one side of it; around
-/// strokes thinner than about two edge lengths triangles are smaller, so that a dot with a radius of
-/// a quarter of the edge length keeps its area within 10 % (angles beside gaps of a tenth of the
-/// edge length and less between strokes can fall to about 4°); with refinement the size falls linearly towards sharp edges or borders.
+/// or painting becomes a chain of mesh edges, so that each triangle lies on one side of it; with
+/// refinement the size falls linearly towards sharp edges or borders.
 ///
 /// @throws ModelingError: settings out of range; an unknown patch in patchFactors; a region that
 /// selects nothing, or nothing wider than a quarter of the edge length (named); more than
@@ -96,9 +94,9 @@ inline constexpr double kMostVolumeChange = 0.5;
 
 inline constexpr double kMostNodes = 5e6;
 
-/// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it or
-/// with strokes (whose overlaps are counted twice), within a factor of about four where patches are so narrow that their cells have to be cut.
-/// Without memory for any edge length (infinite for the absurd) and in milliseconds.
+/// About how many nodes mesh() makes: within 5 % without refinement, about 40 % with it or with
+/// strokes (overlaps count twice), a factor of about four where patches are so narrow that cells
+/// have to be cut. Without memory for any edge length (infinite for the absurd), in milliseconds.
 /// @throws ModelingError as validate() and checkRegion()
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});

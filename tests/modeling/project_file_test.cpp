@@ -23,9 +23,8 @@ Project example() {
   const Solid ball = makeSphere(25.0);
   project.body = ball.withSmoothEdges({1, 4, static_cast<int>(ball.edges().size()) - 1}, true);
   project.primitive = Primitive{SphereShape{25.0}, 3, 7};
-  Region base = Region::below({0, 0, 1}, -20.0);
-  base.parts.push_back(PatchSet{{"bottom"}});
-  base.parts.push_back(Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5});
+  const Region base{{HalfSpace{{0, 0, 1}, -20.0}, PatchSet{{"bottom"}},
+                     Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5}}};
   project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
                       {"guide", Support::Kind::roller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
