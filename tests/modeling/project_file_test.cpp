@@ -72,7 +72,9 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   ASSERT_EQ(after.supports.size(), 2U);
   EXPECT_EQ(after.supports[1].kind, Support::Kind::roller);
   EXPECT_EQ(after.supports[1].displacement, Eigen::Vector3d(0, 0, -1e-3));
-  EXPECT_EQ(after.supports[0].where.parts.size(), 2U);
+  ASSERT_EQ(after.supports[0].where.parts.size(), 3U);
+  EXPECT_EQ(std::get<Stroke>(after.supports[0].where.parts[2]),
+            std::get<Stroke>(before.supports[0].where.parts[2]));
   EXPECT_EQ(std::get<UniformTraction>(after.loads[1].what).traction.z(), 1.0 / 3.0);
   EXPECT_EQ(std::get<Bump>(after.loads[2].what).radius, 4.0);
   EXPECT_EQ(*after.touches[0].radius, 3.0);
