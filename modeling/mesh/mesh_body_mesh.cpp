@@ -25,6 +25,8 @@ constexpr double kSmallestDetail = 1.0 / 8.0;
 constexpr double kSnap = 0.05;  // of the edge length, to sharp edges beside a border
 /// Remeshing to a length gives edges of 0.93 times that length on average.
 constexpr double kMeanEdge = 0.93;
+/// Remeshed edges differ less in length than bisected ones, for which strokeEdge() is the longest.
+constexpr double kMeanOfLongest = 0.85;
 /// Area per node over the squared mean edge length, measured; 0.87 for equilateral triangles.
 constexpr double kAreaPerNode = 0.84;
 
@@ -99,7 +101,8 @@ void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder
       const Vector3d& b = surface.positions[surface.triangles[t][(k + 1) % 3]];
       for (std::uint64_t bits = between; bits != 0; bits &= bits - 1) {
         const double radius = borders[std::countr_zero(bits)].radiusAt(0.5 * (a + b));
-        if (const double length = strokeEdge(radius, edgeLength); length < edgeLength)
+        if (const double length = kMeanOfLongest * strokeEdge(radius, edgeLength);
+            length < edgeLength)
           what(a, b, length);
       }
     }

@@ -7,7 +7,7 @@ namespace palpa::modeling {
 namespace {
 
 constexpr std::size_t kGroup = 8;  // segments
-constexpr double kOfRadius = 0.65;
+constexpr double kOfRadius = 0.75;
 constexpr double kOfLongest = 1.0 / 12.0;
 
 }  // namespace

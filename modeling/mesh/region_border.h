@@ -60,7 +60,7 @@ class RegionBorder {
 };
 
 /// Longest edges (mm) that meshes shall have along the border of a stroke with this radius (mm),
-/// where the longest elsewhere is `longest`: short enough for a disc of at least nine corners, but
+/// where the longest elsewhere is `longest`: short enough for a disc of eight corners or more, but
 /// not below a twelfth of `longest`.
 double strokeEdge(double radius, double longest);
 

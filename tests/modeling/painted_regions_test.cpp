@@ -76,7 +76,7 @@ TEST(Painted, SmallDotsKeepTheirArea) {
       const double radius = part * h;
       const Vector3d at((18.0 - radius) * unit(random), (13.0 - radius) * unit(random), 20.0);
       const double error = std::abs(areaOfDot(box, h, at, radius) - 1.0);
-      EXPECT_LT(error, 0.1) << part << " h at " << at.transpose();
+      EXPECT_LT(error, 0.08) << part << " h at " << at.transpose();
       worst = std::max(worst, error);
     }
   std::printf("largest error of a dot's area: %.1f %%\n", 100.0 * worst);
@@ -93,7 +93,7 @@ TEST(Painted, SmallDotsOnMeshBodiesKeepTheirArea) {
       const Vector3d at(20.0 + (18.0 - part * h) * unit(random),
                         15.0 + (13.0 - part * h) * unit(random), 20.0);
       const double error = std::abs(areaOfDot(box, h, at, part * h) - 1.0);
-      EXPECT_LT(error, 0.12) << part << " h at " << at.transpose();
+      EXPECT_LT(error, 0.1) << part << " h at " << at.transpose();
       worst = std::max(worst, error);
     }
   std::printf("largest error of a dot's area: %.1f %%\n", 100.0 * worst);
@@ -204,8 +204,8 @@ TEST(Painted, NarrowGapsBetweenStrokes) {
   std::sort(angles.begin(), angles.end());
   std::printf("smallest angles: least %.1f, tenth %.1f, median %.1f degrees\n", angles.front(),
               angles[angles.size() / 10], angles[angles.size() / 2]);
-  // Of 1000 such pairs 4 had angles below 10 degrees, the smallest 4.2: gaps of 0.03 h to 0.1 h.
-  EXPECT_GT(angles.front(), 3.0);
+  // Of 1000 such pairs 3 had angles below 10 degrees, the smallest 7.5.
+  EXPECT_GT(angles.front(), 7.0);
   EXPECT_LE(std::lower_bound(angles.begin(), angles.end(), 10.0) - angles.begin(), 2);
 }
 
