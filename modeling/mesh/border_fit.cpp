@@ -267,7 +267,7 @@ class BorderFit {
   }
 
   /// Strokes narrower than the triangles would be lost or become rough polygons: where their border
-  /// may cross a triangle it is bisected until its edges are as short as strokeEdge().
+  /// may cross a triangle it is bisected until its edges are as short as edgeAt() wants.
   void resolveStrokes() {
     constexpr int kRounds = 40;
     double longestEdge = 0.0;
@@ -283,7 +283,7 @@ class BorderFit {
         const Eigen::Vector3d middle =
             (editor_.position(a) + editor_.position(b) + editor_.position(c)) / 3.0;
         if (std::abs(border_.value(middle)) > length) continue;
-        if (length > strokeEdge(border_.radiusAt(middle), longestEdge)) coarse.push_back(t);
+        if (length > border_.edgeAt(middle, longestEdge)) coarse.push_back(t);
       }
       if (coarse.empty()) return;
       for (int t : coarse) bisect(editor_, t);

@@ -100,8 +100,8 @@ void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder
       const Vector3d& a = surface.positions[surface.triangles[t][k]];
       const Vector3d& b = surface.positions[surface.triangles[t][(k + 1) % 3]];
       for (std::uint64_t bits = between; bits != 0; bits &= bits - 1) {
-        const double radius = borders[std::countr_zero(bits)].radiusAt(0.5 * (a + b));
-        if (const double length = kMeanOfLongest * strokeEdge(radius, edgeLength);
+        const RegionBorder& border = borders[std::countr_zero(bits)];
+        if (const double length = kMeanOfLongest * border.edgeAt(0.5 * (a + b), edgeLength);
             length < edgeLength)
           what(a, b, length);
       }

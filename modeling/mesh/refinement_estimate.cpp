@@ -61,18 +61,20 @@ double strokeNodes(const SurfaceEvaluator& surface, const MeshSettings& settings
   double most = 0.0;  // per area
   for (const RegionBorder& border : distinctBorders(regions))
     for (const Stroke& stroke : border.strokes()) {
-      const double c = strokeEdge(stroke.radius, longest);
-      if (c >= longest) continue;
       double length = 0.0;
       for (std::size_t i = 1; i < stroke.points.size(); ++i)
         length += (stroke.points[i] - stroke.points[i - 1]).norm();
-      const double outer = stroke.radius + c;
-      const double inner = std::max(0.0, stroke.radius - c);
-      const double band =
-          2.0 * length * (outer - inner) + std::numbers::pi * (outer * outer - inner * inner);
-      const double perArea = 1.0 / (kAreaPerNode * c * c);
-      sum += kGraded * band * perArea;
-      most = std::max(most, perArea);
+      for (const bool nearEnd : {true, false}) {
+        const double c = strokeEdge(stroke.radius, longest, nearEnd);
+        if (c >= longest) continue;
+        const double outer = stroke.radius + c;
+        const double inner = std::max(0.0, stroke.radius - c);
+        const double band = nearEnd ? std::numbers::pi * (outer * outer - inner * inner)
+                                    : 2.0 * length * (outer - inner);
+        const double perArea = 1.0 / (kAreaPerNode * c * c);
+        sum += kGraded * band * perArea;
+        most = std::max(most, perArea);
+      }
     }
   return std::min(sum, most * area(surface));
 }

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t kGroup = 8;  // segments
 constexpr double kOfRadius = 0.75;
-constexpr double kOfLongest = 1.0 / 12.0;
+constexpr double kOfLongestAtEnds = 1.0 / 12.0;
+constexpr double kOfLongestAlong = 1.0 / 4.0;
 
 }  // namespace
 
@@ -18,9 +19,10 @@ RegionBorder::RegionBorder(std::vector<Stroke> strokes) : strokes_(std::move(str
   for (const Stroke& stroke : strokes_) {
     const auto& points = stroke.points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      segments_.push_back({points[i], points[i + 1] - points[i], stroke.radius});
+      segments_.push_back(
+          {points[i], points[i + 1] - points[i], stroke.radius, i == 0, i + 2 == points.size()});
     if (points.size() == 1)
-      segments_.push_back({points.front(), Eigen::Vector3d::Zero(), stroke.radius});
+      segments_.push_back({points.front(), Eigen::Vector3d::Zero(), stroke.radius, true, true});
   }
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const Segment& segment = segments_[i];
@@ -66,8 +68,13 @@ Eigen::Vector3d RegionBorder::gradient(const Eigen::Vector3d& x) const {
   return half_ ? half_->normal : (x - nearest(x).segment->nearest(x)).stableNormalized().eval();
 }
 
-double RegionBorder::radiusAt(const Eigen::Vector3d& x) const {
-  return half_ ? std::numeric_limits<double>::infinity() : nearest(x).segment->radius;
+double RegionBorder::edgeAt(const Eigen::Vector3d& x, double longest) const {
+  if (half_) return std::numeric_limits<double>::infinity();
+  const Segment& segment = *nearest(x).segment;
+  const Eigen::Vector3d from = segment.nearest(x) - segment.start;
+  const bool nearEnd = (segment.isFirst && from.norm() <= segment.radius) ||
+                       (segment.isLast && (segment.along - from).norm() <= segment.radius);
+  return strokeEdge(segment.radius, longest, nearEnd);
 }
 
 bool RegionBorder::isLike(const RegionBorder& other) const {
@@ -77,8 +84,8 @@ bool RegionBorder::isLike(const RegionBorder& other) const {
              [](const Stroke& a, const Stroke& b) { return a.points.size() == b.points.size(); });
 }
 
-double strokeEdge(double radius, double longest) {
-  return std::max(kOfRadius * radius, kOfLongest * longest);
+double strokeEdge(double radius, double longest, bool nearEnd) {
+  return std::max(kOfRadius * radius, (nearEnd ? kOfLongestAtEnds : kOfLongestAlong) * longest);
 }
 
 }  // namespace palpa::modeling

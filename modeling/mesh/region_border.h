@@ -26,8 +26,8 @@ class RegionBorder {
 
   bool isPainted() const { return !half_; }
   const std::vector<Stroke>& strokes() const { return strokes_; }
-  /// Radius of the stroke that decides at x; infinite for a half space.
-  double radiusAt(const Eigen::Vector3d& x) const;
+  /// strokeEdge() for the stroke that decides at x; infinite for a half space.
+  double edgeAt(const Eigen::Vector3d& x, double longest) const;
 
   /// Could a mesh made for one follow to the other? The same half space, or as many strokes with
   /// as many points.
@@ -38,6 +38,8 @@ class RegionBorder {
     Eigen::Vector3d start;
     Eigen::Vector3d along;
     double radius;
+    bool isFirst;  ///< of its stroke
+    bool isLast;
     Eigen::Vector3d nearest(const Eigen::Vector3d& x) const;
   };
   /// Segments from the end of the group before to `end`, in a box; most questions skip most groups.
@@ -61,7 +63,7 @@ class RegionBorder {
 
 /// Longest edges (mm) that meshes shall have along the border of a stroke with this radius (mm),
 /// where the longest elsewhere is `longest`: short enough for a disc of eight corners or more, but
-/// not below a twelfth of `longest`.
-double strokeEdge(double radius, double longest);
+/// not below a twelfth of `longest` near the ends of the stroke, a quarter along its sides.
+double strokeEdge(double radius, double longest, bool nearEnd);
 
 }  // namespace palpa::modeling

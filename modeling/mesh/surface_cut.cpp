@@ -149,8 +149,8 @@ void divideNear(TaggedSurface& surface, const RegionBorder& border, double edgeL
       if (!isNew) return place->second;
       const Eigen::Vector3d middle = 0.5 * (surface.positions[low] + surface.positions[high]);
       const double length = (surface.positions[low] - surface.positions[high]).norm();
-      const double wanted = std::min(kOfStroke * strokeEdge(border.radiusAt(middle), edgeLength),
-                                     kOfLength * edgeLength);
+      const double wanted =
+          std::min(kOfStroke * border.edgeAt(middle, edgeLength), kOfLength * edgeLength);
       if (length > wanted && std::abs(border.value(middle)) <= length) {
         place->second = static_cast<int>(surface.positions.size());
         surface.positions.push_back(middle);
