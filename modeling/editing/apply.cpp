@@ -1,6 +1,19 @@
 #include "modeling/editing/apply_command.h"
+#include "modeling/editing/carry_strokes.h"
 
 namespace palpa::modeling {
+
+namespace {
+
+/// Commands after which the surface has other places while its patches and points are the same.
+bool movesSurface(const Command& command) {
+  return std::holds_alternative<MovePoints>(command) ||
+         std::holds_alternative<ScalePoints>(command) ||
+         std::holds_alternative<RotatePoints>(command) ||
+         std::holds_alternative<AlignPoints>(command) || std::holds_alternative<SetEdge>(command);
+}
+
+}  // namespace
 
 Edited withBody(const Project& project, Body body, double deviation) {
   Edited result{project, deviation};
@@ -11,6 +24,7 @@ Edited withBody(const Project& project, Body body, double deviation) {
 
 Edited apply(const Command& command, const Project& project) {
   Edited result = std::visit([&](const auto& one) { return applyTo(one, project); }, command);
+  if (movesSurface(command)) carryStrokes(std::get<Solid>(project.body), result.project);
   checkProject(result.project);
   return result;
 }

@@ -110,8 +110,9 @@ struct Scaling {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   ///< mm
 };
 
-/// Moves the whole body, solid or mesh. What is attached to places goes along: half spaces of
-/// regions, bumps and touches. Vectors (displacements, tractions, forces) turn with the body.
+/// Moves the whole body, solid or mesh. What is attached to places goes along: half spaces and
+/// strokes of regions, bumps and touches. Vectors (displacements, tractions, forces) turn with the
+/// body.
 struct TransformSolid {
   std::variant<Translation, Rotation, Scaling, MirrorPlane> how;
 };
@@ -189,8 +190,10 @@ struct Edited {
                            ///< exact shape; otherwise 0
 };
 
-/// The project after a command. A pure function: on failure nothing has happened. Commands that
-/// change the solid forget the primitive it was made from.
+/// The project after a command. Where control points move (or an edge is made smooth) strokes of
+/// regions go along: each point by the displacement of the surface point nearest to it. A pure
+/// function: on failure nothing has happened. Commands that change the solid forget the primitive
+/// it was made from.
 /// @throws ModelingError that begins with the field that is wrong (`by_mm[0]: …`), or with the path
 ///         of what would become wrong in the project (`supports[0].where.patches[0]: …`)
 Edited apply(const Command& command, const Project& project);

@@ -19,17 +19,18 @@ struct AffineMap {
   Matrix3d linear = Matrix3d::Identity();
   Vector3d shift = Vector3d::Zero();
   Matrix3d turn = Matrix3d::Identity();
+  double scale = 1.0;  ///< of lengths; the geometric mean when it depends on the direction
 
   Vector3d operator()(const Vector3d& x) const { return linear * x + shift; }
 };
 
 AffineMap around(const Matrix3d& linear, const Vector3d& center, const Matrix3d& turn) {
-  return {linear, center - linear * center, turn};
+  return {linear, center - linear * center, turn, 1.0};
 }
 
 AffineMap mapOf(const Translation& how) {
   requireFinite(how.vector, "translate_mm");
-  return {Matrix3d::Identity(), how.vector, Matrix3d::Identity()};
+  return {Matrix3d::Identity(), how.vector, Matrix3d::Identity(), 1.0};
 }
 
 AffineMap mapOf(const Rotation& how) {
@@ -46,7 +47,10 @@ AffineMap mapOf(const Scaling& how) {
   for (int axis = 0; axis < 3; ++axis)
     requirePositive(how.factors[axis], "scale.factors[" + std::to_string(axis) + "]");
   requireFinite(how.center, "scale.center_mm");
-  return around(how.factors.asDiagonal(), how.center, Matrix3d::Identity());
+  AffineMap map = around(how.factors.asDiagonal(), how.center, Matrix3d::Identity());
+  const bool uniform = (how.factors.array() == how.factors[0]).all();
+  map.scale = uniform ? how.factors[0] : std::cbrt(how.factors.prod());
+  return map;
 }
 
 AffineMap mapOf(const MirrorPlane& how) {
@@ -109,8 +113,13 @@ HalfSpace transformed(const HalfSpace& half, const AffineMap& map, const Matrix3
 }
 
 void transform(Region& region, const AffineMap& map, const Matrix3d& inverse) {
-  for (RegionPart& part : region.parts)
+  for (RegionPart& part : region.parts) {
     if (auto* half = std::get_if<HalfSpace>(&part)) *half = transformed(*half, map, inverse);
+    if (auto* stroke = std::get_if<Stroke>(&part)) {
+      for (Vector3d& point : stroke->points) point = map(point);
+      stroke->radius *= map.scale;
+    }
+  }
 }
 
 void transformConditions(Project& project, const AffineMap& map) {

@@ -15,28 +15,34 @@ namespace {
 constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the node
 constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
 constexpr double kCornerCountsAsOn = 0.1;
-constexpr double kArch = 0.25;      // of its longest edge, most that a triangle's surface rises
+constexpr double kArch = 0.25;  // of its longest edge, most that a triangle's surface rises
+// Along an edge a distance from strokes falls at most so far, as part of the edge's length, below
+// its values at the ends.
+constexpr double kSteepest = 0.5;
 constexpr double kRounding = 1e-9;  // of the longest extent; below, a node lies on the border
 
 constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
 
 class BorderFit {
  public:
-  BorderFit(MeshEditor& editor, int k) : editor_(editor), k_(k), half_(editor.halfSpaces()[k]) {
+  BorderFit(MeshEditor& editor, int k) : editor_(editor), k_(k), border_(editor.borders()[k]) {
     Eigen::Vector3d low = editor.position(0);
     Eigen::Vector3d high = low;
     for (const WorkNode& node : editor.mesh().nodes) {
       low = low.cwiseMin(node.position);
       high = high.cwiseMax(node.position);
     }
-    tolerance_ = kRounding * (high - low).norm() * half_.normal.norm();
+    tolerance_ = kRounding * (high - low).norm() * border_.slope();
   }
 
   void run() {
-    resolveSmallRegion();
+    if (border_.isPainted())
+      resolveStrokes();
+    else
+      resolveSmallRegion();
     values_.clear();
     for (std::size_t node = 0; node < editor_.mesh().nodes.size(); ++node)
-      values_.push_back(clean(half_.value(editor_.position(static_cast<int>(node)))));
+      values_.push_back(clean(border_.value(editor_.position(static_cast<int>(node)))));
     resolveStrips();
     moveNodes();
     resolveStrips();
@@ -65,7 +71,7 @@ class BorderFit {
     for (int i = 0; i < 60 && high - low > 1e-14; ++i) {
       const double s = i % 3 == 2 ? 0.5 * (low + high)
                                   : (low * highValue - high * lowValue) / (highValue - lowValue);
-      const double value = half_.value(editor_.between(a, b, s).position);
+      const double value = border_.value(editor_.between(a, b, s).position);
       if (value == 0.0) return s;
       if (value * lowValue > 0.0) {
         low = s;
@@ -83,7 +89,7 @@ class BorderFit {
   std::pair<double, double> extreme(int a, int b, double sign) const {
     constexpr int kSamples = 8;
     const auto value = [&](double s) {
-      return sign * half_.value(editor_.between(a, b, s).position);
+      return sign * border_.value(editor_.between(a, b, s).position);
     };
     double best = 0.5;
     double least = std::numeric_limits<double>::infinity();
@@ -114,7 +120,7 @@ class BorderFit {
         if (node > b || isCrossed(node, b) || (values_[a] == 0.0 && values_[b] == 0.0)) continue;
         const double length = (editor_.position(node) - editor_.position(b)).norm();
         if (std::min(std::abs(values_[a]), std::abs(values_[b])) >
-            kArch * length * half_.normal.norm())
+            (border_.isPainted() ? kSteepest : kArch) * length * border_.slope())
           continue;
         const double sign = values_[a] + values_[b] > 0.0 ? 1.0 : -1.0;
         const auto [s, value] = extreme(node, b, sign);
@@ -122,7 +128,8 @@ class BorderFit {
         const WorkNode middle = editor_.between(node, b, s);
         const Eigen::Vector3d normal =
             editor_.mesh().surface->normal(middle.at[0].patch, middle.at[0].u, middle.at[0].v);
-        const double slope = (half_.normal - half_.normal.dot(normal) * normal).norm();
+        const Eigen::Vector3d gradient = border_.gradient(middle.position);
+        const double slope = (gradient - gradient.dot(normal) * normal).norm();
         // Of a parabola through the three values.
         const double width = (editor_.position(node) - editor_.position(b)).norm() *
                              (s * std::sqrt(value / (value - values_[a])) +
@@ -222,7 +229,7 @@ class BorderFit {
     const SurfaceParameter& a = editor_.mesh().in(triangle.nodes[0], triangle.patch);
     const SurfaceParameter& b = editor_.mesh().in(triangle.nodes[1], triangle.patch);
     const SurfaceParameter& c = editor_.mesh().in(triangle.nodes[2], triangle.patch);
-    return clean(half_.value(editor_.mesh().surface->position(
+    return clean(border_.value(editor_.mesh().surface->position(
         triangle.patch, wa * a.u + wb * b.u + wc * c.u, wa * a.v + wb * b.v + wc * c.v)));
   }
 
@@ -248,7 +255,7 @@ class BorderFit {
       for (int round = 0; round < kRounds; ++round) {
         const auto& nodes = editor_.mesh().nodes;
         const auto inside = std::count_if(nodes.begin(), nodes.end(), [&](const WorkNode& node) {
-          return sign * clean(half_.value(node.position)) > 0.0;
+          return sign * clean(border_.value(node.position)) > 0.0;
         });
         if (inside >= kEnoughNodes) break;
         std::vector<int> hiding;
@@ -259,6 +266,38 @@ class BorderFit {
       }
   }
 
+  /// Strokes narrower than the triangles would be lost or become rough polygons: where their border
+  /// may cross a triangle it is bisected until its edges are as short as edgeAt() wants.
+  void resolveStrokes() {
+    constexpr int kRounds = 40;
+    double longestEdge = 0.0;
+    for (std::size_t t = 0; t < editor_.mesh().triangles.size(); ++t)
+      longestEdge = std::max(longestEdge, longest(static_cast<int>(t)));
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<int> coarse;
+      for (std::size_t i = 0; i < editor_.mesh().triangles.size(); ++i) {
+        if (i % kCheckpoint == 0) editor_.checkpoint();
+        const int t = static_cast<int>(i);
+        const double length = longest(t);
+        const auto& [a, b, c] = editor_.mesh().triangles[i].nodes;
+        const Eigen::Vector3d middle =
+            (editor_.position(a) + editor_.position(b) + editor_.position(c)) / 3.0;
+        if (std::abs(border_.value(middle)) > length) continue;
+        if (length > border_.edgeAt(middle, longestEdge)) coarse.push_back(t);
+      }
+      if (coarse.empty()) return;
+      for (int t : coarse) bisect(editor_, t);
+    }
+  }
+
+  double longest(int t) const {
+    const std::array<int, 3>& n = editor_.mesh().triangles[t].nodes;
+    double length = 0.0;
+    for (int k = 0; k < 3; ++k)
+      length = std::max(length, (editor_.position(n[(k + 1) % 3]) - editor_.position(n[k])).norm());
+    return length;
+  }
+
   bool hides(int t, double sign) const {
     if (t % 100 == 0) editor_.checkpoint();
     const std::array<int, 3>& n = editor_.mesh().triangles[t].nodes;
@@ -266,10 +305,10 @@ class BorderFit {
     double longest = 0.0;
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d& x = editor_.position(n[k]);
-      nearest = std::min(nearest, -sign * half_.value(x));
+      nearest = std::min(nearest, -sign * border_.value(x));
       longest = std::max(longest, (editor_.position(n[(k + 1) % 3]) - x).norm());
     }
-    if (nearest > kArch * longest * half_.normal.norm()) return false;
+    if (nearest > kArch * longest * border_.slope()) return false;
     constexpr int kSteps = 10;
     for (int i = 0; i <= kSteps; ++i)
       for (int j = 0; i + j <= kSteps; ++j)
@@ -282,9 +321,9 @@ class BorderFit {
 
   MeshEditor& editor_;
   int k_;
-  HalfSpace half_;
+  RegionBorder border_;
   double tolerance_;
-  std::vector<double> values_;  // normal · x - below at the nodes; exactly 0 on the border
+  std::vector<double> values_;  // of the border at the nodes; exactly 0 on the border
 };
 
 }  // namespace

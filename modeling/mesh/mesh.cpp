@@ -91,7 +91,7 @@ void renumber(WorkMesh& work, const Counts& counts) {
 }
 
 SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshRegion> regions,
-                   const std::vector<HalfSpace>& halfSpaces) {
+                   const std::vector<RegionBorder>& borders) {
   renumber(work, counts);
   SurfaceMesh mesh;
   for (const WorkNode& node : work.nodes) {
@@ -104,12 +104,12 @@ SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshReg
     mesh.triangles.push_back(triangle.nodes);
     mesh.patchOfTriangle.push_back(triangle.patch);
     mesh.smoothingGroupOfTriangle.push_back(groups[triangle.patch]);
-    mesh.halfSpacesOfTriangle.push_back(triangle.sides);
+    mesh.bordersOfTriangle.push_back(triangle.sides);
   }
-  mesh.halfSpaces = halfSpaces;
+  mesh.borders = borders;
   for (const MeshRegion& region : regions)
-    mesh.trianglesOfRegion.push_back(trianglesOf(region, *work.solid, mesh.patchOfTriangle,
-                                                 mesh.halfSpacesOfTriangle, halfSpaces));
+    mesh.trianglesOfRegion.push_back(
+        trianglesOf(region, *work.solid, mesh.patchOfTriangle, mesh.bordersOfTriangle, borders));
   return mesh;
 }
 
@@ -156,7 +156,8 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
   settings.validate();
   const SurfaceEvaluator surface(solid);
   const Counts counts = subdivisionCounts(solid, surface, patchEdgeLengths(solid, settings));
-  const double plain = structuredNodeCount(solid, counts) + narrowPatchNodes(surface, counts);
+  const double plain = structuredNodeCount(solid, counts) + narrowPatchNodes(surface, counts) +
+                       strokeNodes(surface, settings, regions);
   if (settings.refinementLevels == 0) return plain;
   return plain + refinementNodes(solid, surface, settings, regions);
 }
@@ -182,12 +183,12 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   const SurfaceEvaluator surface(solid);
   const std::vector<double> lengths = patchEdgeLengths(solid, settings);
   const Counts counts = subdivisionCounts(solid, surface, lengths, job);
-  const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
+  const std::vector<RegionBorder> borders = distinctBorders(regions);
   report(0.05);
-  MeshEditor editor(structuredMesh(solid, surface, counts, lengths, job), halfSpaces, job);
+  MeshEditor editor(structuredMesh(solid, surface, counts, lengths, job), borders, job);
   boundAspect(editor, narrowPatches(surface, counts));
   report(0.3);
-  for (std::size_t k = 0; k < halfSpaces.size(); ++k) fitToBorder(editor, static_cast<int>(k));
+  for (std::size_t k = 0; k < borders.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   report(0.5);
   improveShapes(editor);
   // Where borders are refined they shall be as exact as the finest triangles.
@@ -196,10 +197,10 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   closeWedges(editor, std::ldexp(kBorderError * shortest, -levels));
   relieveSlivers(editor);
   report(0.6);
-  refine(editor, settings, refinedBorders(regions, halfSpaces), refinedPatches(regions, solid));
+  refine(editor, settings, refinedBorders(regions, borders), refinedPatches(regions, solid));
   report(0.9);
   WorkMesh work = editor.take();
-  SurfaceMesh result = finish(work, counts, regions, halfSpaces);
+  SurfaceMesh result = finish(work, counts, regions, borders);
   report(1.0);
   return result;
 }

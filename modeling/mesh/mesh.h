@@ -11,6 +11,7 @@
 #include "modeling/body/body.h"
 #include "modeling/body/region.h"
 #include "modeling/job.h"
+#include "modeling/mesh/region_border.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::modeling {
@@ -56,8 +57,8 @@ struct SurfaceMesh {
   std::vector<int> patchOfTriangle;
   std::vector<int> smoothingGroupOfTriangle;        ///< normals are continuous inside a group
   std::vector<std::vector<int>> trianglesOfRegion;  ///< per region passed to mesh(), ascending
-  std::vector<HalfSpace> halfSpaces;                ///< the distinct ones of the regions
-  std::vector<std::uint64_t> halfSpacesOfTriangle;  ///< bit k: inside halfSpaces[k]
+  std::vector<RegionBorder> borders;  ///< the distinct half spaces and paintings of the regions
+  std::vector<std::uint64_t> bordersOfTriangle;  ///< bit k: inside borders[k]
 };
 
 /// Meshes the solid and fits the mesh to the borders of the regions. Deterministic: the same input
@@ -66,8 +67,8 @@ struct SurfaceMesh {
 /// The number of pieces along each chain of glued edges follows from arc length / edgeLength, with
 /// at least three for a quarter of a circle, closer where it bends; triangles of thin patches are
 /// bisected until they are at most about five times as long as high; the border of a half space
-/// becomes a chain of mesh edges, so that each triangle lies on one side of it; with refinement the
-/// size falls linearly towards sharp edges or borders.
+/// or painting becomes a chain of mesh edges, so that each triangle lies on one side of it; with
+/// refinement the size falls linearly towards sharp edges or borders.
 ///
 /// @throws ModelingError: settings out of range; an unknown patch in patchFactors; a region that
 /// selects nothing, or nothing wider than a quarter of the edge length (named); more than
@@ -93,9 +94,9 @@ inline constexpr double kMostVolumeChange = 0.5;
 
 inline constexpr double kMostNodes = 5e6;
 
-/// About how many nodes mesh() makes: within 5 % without refinement, within about 40 % with it,
-/// within a factor of about four where patches are so narrow that their cells have to be cut.
-/// Without memory for any edge length (infinite for the absurd) and in milliseconds.
+/// About how many nodes mesh() makes: within 5 % without refinement, about 40 % with it or with
+/// strokes (overlaps count twice), a factor of about four where patches are so narrow that cells
+/// have to be cut. Without memory for any edge length (infinite for the absurd), in milliseconds.
 /// @throws ModelingError as validate() and checkRegion()
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});

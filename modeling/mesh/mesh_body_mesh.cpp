@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -24,6 +25,8 @@ constexpr double kSmallestDetail = 1.0 / 8.0;
 constexpr double kSnap = 0.05;  // of the edge length, to sharp edges beside a border
 /// Remeshing to a length gives edges of 0.93 times that length on average.
 constexpr double kMeanEdge = 0.93;
+/// Remeshed edges differ less in length than bisected ones, for which strokeEdge() is the longest.
+constexpr double kMeanOfLongest = 0.85;
 /// Area per node over the squared mean edge length, measured; 0.87 for equilateral triangles.
 constexpr double kAreaPerNode = 0.84;
 
@@ -43,10 +46,10 @@ TaggedSurface taggedSurface(const MeshBody& body, double edgeLength) {
 class RefinedFeatures {
  public:
   RefinedFeatures(const MeshBody& body, const MeshSettings& settings,
-                  std::span<const MeshRegion> regions, const std::vector<HalfSpace>& halfSpaces)
+                  std::span<const MeshRegion> regions, const std::vector<RegionBorder>& borders)
       : sharp_(settings.refineAtSharpEdges),
         borders_(settings.refineAtBorders),
-        sides_(refinedBorders(regions, halfSpaces)),
+        sides_(refinedBorders(regions, borders)),
         faces_(refinedPatches(regions, body)) {}
 
   bool contains(const SurfaceTag& one, const SurfaceTag& other) const {
@@ -83,26 +86,58 @@ MeshSettings bounded(MeshSettings settings, const MeshBody& body) {
   return settings;
 }
 
+/// Calls `what(a, b, length)` with the ends of every edge on the border of a stroke so thin that
+/// its edges shall be shorter than the others.
+template <class What>
+void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder>& borders,
+                    double edgeLength, What what) {
+  const auto neighbours = triangleNeighbours(surface.triangles);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const std::uint64_t sides = surface.tags[t].sides;
+      const std::uint64_t between = sides & ~surface.tags[neighbours[t][k]].sides;
+      if (between == 0) continue;
+      const Vector3d& a = surface.positions[surface.triangles[t][k]];
+      const Vector3d& b = surface.positions[surface.triangles[t][(k + 1) % 3]];
+      for (std::uint64_t bits = between; bits != 0; bits &= bits - 1) {
+        const RegionBorder& border = borders[std::countr_zero(bits)];
+        if (const double length = kMeanOfLongest * border.edgeAt(0.5 * (a + b), edgeLength);
+            length < edgeLength)
+          what(a, b, length);
+      }
+    }
+}
+
+bool anyPainted(const std::vector<RegionBorder>& borders) {
+  return std::any_of(borders.begin(), borders.end(),
+                     [](const RegionBorder& border) { return border.isPainted(); });
+}
+
 double finestLength(const MeshSettings& settings) {
   return std::ldexp(settings.edgeLength, -settings.refinementLevels);
 }
 
 SizeField sizeField(const TaggedSurface& surface, const MeshSettings& settings,
-                    const RefinedFeatures& refined) {
+                    const RefinedFeatures& refined, const std::vector<RegionBorder>& borders) {
   SizeField sizes(settings.edgeLength / kMeanEdge);
-  if (settings.refinementLevels == 0) return sizes;
-  forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
-    sizes.addSource(a, b, finestLength(settings) / kMeanEdge);
-  });
+  forThinStrokes(surface, borders, settings.edgeLength,
+                 [&](const Vector3d& a, const Vector3d& b, double length) {
+                   sizes.addSource(a, b, length / kMeanEdge);
+                 });
+  if (settings.refinementLevels > 0)
+    forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
+      sizes.addSource(a, b, finestLength(settings) / kMeanEdge);
+    });
   sizes.update();
   return sizes;
 }
 
 TaggedSurface cutSurface(const MeshBody& body, const MeshSettings& settings,
-                         const std::vector<HalfSpace>& halfSpaces) {
+                         const std::vector<RegionBorder>& borders) {
   TaggedSurface surface = taggedSurface(body, settings.edgeLength);
-  for (std::size_t k = 0; k < halfSpaces.size(); ++k)
-    cutAtBorder(surface, halfSpaces[k], static_cast<int>(k), kSnap * settings.edgeLength);
+  for (std::size_t k = 0; k < borders.size(); ++k)
+    cutAtBorder(surface, borders[k], static_cast<int>(k), kSnap * settings.edgeLength,
+                settings.edgeLength);
   return surface;
 }
 
@@ -173,17 +208,28 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
   for (const MeshRegion& region : regions) checkRegion(region.where, body, region.name);
   const double h = settings.edgeLength;
   const double plain = area(body) / (kAreaPerNode * h * h) + 2.0;
-  if (settings.refinementLevels == 0) return plain;
-  const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
-  const RefinedFeatures refined(body, settings, regions, halfSpaces);
-  double length = 0.0;
-  forRefinedEdges(cutSurface(body, settings, halfSpaces), refined,
-                  [&](const Vector3d& a, const Vector3d& b) { length += (b - a).norm(); });
+  const std::vector<RegionBorder> borders = distinctBorders(regions);
+  if (settings.refinementLevels == 0 && !anyPainted(borders)) return plain;
+  const RefinedFeatures refined(body, settings, regions, borders);
   // As for solids (refinement_estimate.h): the size grows from a with the distance s as a + g s.
-  const double a = finestLength(settings);
-  const double g = kSizeGrowth;
-  const double perLength = 2.0 * ((1.0 / a - 1.0 / h) / g - (h - a) / (g * h * h)) / kAreaPerNode;
-  return std::min(plain + length * perLength, area(body) / (kAreaPerNode * a * a) + 2.0);
+  const auto perLength = [h](double a) {
+    constexpr double g = kSizeGrowth;
+    return 2.0 * ((1.0 / a - 1.0 / h) / g - (h - a) / (g * h * h)) / kAreaPerNode;
+  };
+  const TaggedSurface surface = cutSurface(body, settings, borders);
+  double more = 0.0;
+  double finest = h;
+  forThinStrokes(surface, borders, h, [&](const Vector3d& a, const Vector3d& b, double length) {
+    more += (b - a).norm() * perLength(length);
+    finest = std::min(finest, length);
+  });
+  if (settings.refinementLevels > 0) {
+    finest = std::min(finest, finestLength(settings));
+    forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
+      more += (b - a).norm() * perLength(finestLength(settings));
+    });
+  }
+  return std::min(plain + more, area(body) / (kAreaPerNode * finest * finest) + 2.0);
 }
 
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
@@ -194,12 +240,12 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                             " mm would need about " + numberText(std::round(expected)) +
                             " nodes; at most " + numberText(kMostNodes) + " are possible",
                         ModelingError::Kind::tooLarge);
-  const std::vector<HalfSpace> halfSpaces = distinctHalfSpaces(regions);
+  const std::vector<RegionBorder> borders = distinctBorders(regions);
   const MeshSettings used = bounded(settings, body);
-  const TaggedSurface original = cutSurface(body, used, halfSpaces);
+  const TaggedSurface original = cutSurface(body, used, borders);
   job.throwIfCancelled();
-  const RefinedFeatures refined(body, used, regions, halfSpaces);
-  TaggedSurface surface = remesh(original, sizeField(original, used, refined), job);
+  const RefinedFeatures refined(body, used, regions, borders);
+  TaggedSurface surface = remesh(original, sizeField(original, used, refined, borders), job);
   checkVolume(surface, body, settings.edgeLength);
   renumber(surface);
   SurfaceMesh mesh;
@@ -208,12 +254,12 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
   for (const SurfaceTag& tag : surface.tags) {
     mesh.patchOfTriangle.push_back(tag.face);
     mesh.smoothingGroupOfTriangle.push_back(tag.region);
-    mesh.halfSpacesOfTriangle.push_back(tag.sides);
+    mesh.bordersOfTriangle.push_back(tag.sides);
   }
-  mesh.halfSpaces = halfSpaces;
+  mesh.borders = borders;
   for (const MeshRegion& region : regions)
     mesh.trianglesOfRegion.push_back(
-        trianglesOf(region, body, mesh.patchOfTriangle, mesh.halfSpacesOfTriangle, halfSpaces));
+        trianglesOf(region, body, mesh.patchOfTriangle, mesh.bordersOfTriangle, borders));
   return mesh;
 }
 

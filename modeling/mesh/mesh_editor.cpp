@@ -18,9 +18,9 @@ constexpr double kAlongNormal = 0.3;  // least cosine between a triangle's norma
 
 }  // namespace
 
-MeshEditor::MeshEditor(WorkMesh mesh, std::vector<HalfSpace> halfSpaces, Job job)
+MeshEditor::MeshEditor(WorkMesh mesh, std::vector<RegionBorder> borders, Job job)
     : mesh_(std::move(mesh)),
-      halfSpaces_(std::move(halfSpaces)),
+      borders_(std::move(borders)),
       around_(mesh_.nodes.size()),
       job_(std::move(job)) {
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -99,7 +99,7 @@ int MeshEditor::split(int a, int b, double s) {
   if (plain.edge >= 0 || differing == 0) return middle;
   // A node that only counts as on the border can make the border itself run outside the triangles
   // here; then the middle of the edge has to do.
-  WorkNode fitted = onBorder(plain, halfSpaces_[std::countr_zero(differing)]);
+  WorkNode fitted = onBorder(plain, borders_[std::countr_zero(differing)]);
   if ((fitted.position - plain.position).norm() < 0.25 * length) move(middle, std::move(fitted));
   return middle;
 }
@@ -264,14 +264,15 @@ WorkNode MeshEditor::shifted(const WorkNode& node, const Eigen::Vector3d& step) 
                             std::clamp(at.v + delta[1], vLow, vHigh)});
 }
 
-WorkNode MeshEditor::onBorder(WorkNode node, const HalfSpace& half) const {
-  // Newton's method along the steepest tangential direction of normal · x.
+WorkNode MeshEditor::onBorder(WorkNode node, const RegionBorder& border) const {
+  // Newton's method along the steepest tangential direction of the border's value.
   for (int iteration = 0; iteration < 8; ++iteration) {
-    const double value = half.value(node.position);
+    const double value = border.value(node.position);
     const SurfaceParameter& at = node.at.front();
     const Eigen::Vector3d surface = mesh_.surface->normal(at.patch, at.u, at.v);
-    const Eigen::Vector3d slope = half.normal - half.normal.dot(surface) * surface;
-    if (value == 0.0 || slope.squaredNorm() < 1e-8 * half.normal.squaredNorm()) break;
+    const Eigen::Vector3d gradient = border.gradient(node.position);
+    const Eigen::Vector3d slope = gradient - gradient.dot(surface) * surface;
+    if (value == 0.0 || slope.squaredNorm() < 1e-8 * border.slope() * border.slope()) break;
     node = shifted(node, -value / slope.squaredNorm() * slope);
   }
   return node;
@@ -324,8 +325,7 @@ bool MeshEditor::smooth(int node) {
       } else {
         const std::uint64_t differing = mesh_.triangles[leftOf(node, rails[0])].sides ^
                                         mesh_.triangles[leftOf(rails[0], node)].sides;
-        moved =
-            onBorder(shifted(mesh_.nodes[node], step), halfSpaces_[std::countr_zero(differing)]);
+        moved = onBorder(shifted(mesh_.nodes[node], step), borders_[std::countr_zero(differing)]);
       }
       if (tryPosition(node, moved, before)) return true;
     }

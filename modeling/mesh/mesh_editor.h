@@ -5,18 +5,19 @@
 
 #include "modeling/body/region.h"
 #include "modeling/job.h"
+#include "modeling/mesh/region_border.h"
 #include "modeling/mesh/work_mesh.h"
 
 namespace palpa::modeling {
 
 /// Local changes of a closed triangle mesh over the patches of a solid: split, flip, collapse,
-/// move. An edge between triangles of different patches or on different sides of a half space is an
+/// move. An edge between triangles of different patches or on different sides of a border is an
 /// *interface*; no operation destroys one, and nodes on it stay on it.
 class MeshEditor {
  public:
-  /// `halfSpaces[k]` belongs to bit k of WorkTriangle::sides. Every change looks at the job's stop
+  /// `borders[k]` belongs to bit k of WorkTriangle::sides. Every change looks at the job's stop
   /// token first; algorithms that compute long between changes ask checkpoint() themselves.
-  MeshEditor(WorkMesh mesh, std::vector<HalfSpace> halfSpaces, Job job = {});
+  MeshEditor(WorkMesh mesh, std::vector<RegionBorder> borders, Job job = {});
 
   /// @throws Cancelled
   void checkpoint() const { job_.throwIfCancelled(); }
@@ -25,7 +26,7 @@ class MeshEditor {
   WorkMesh take();
 
   const WorkMesh& mesh() const { return mesh_; }
-  const std::vector<HalfSpace>& halfSpaces() const { return halfSpaces_; }
+  const std::vector<RegionBorder>& borders() const { return borders_; }
   const Eigen::Vector3d& position(int node) const { return mesh_.nodes[node].position; }
   const std::vector<int>& around(int node) const { return around_[node]; }
   bool isAlive(int triangle) const { return mesh_.triangles[triangle].patch >= 0; }
@@ -64,12 +65,12 @@ class MeshEditor {
   bool turnsAt(int node, int before, int after) const;
   double starPenalty(int node) const;
   bool tryPosition(int node, const WorkNode& where, double before);
-  WorkNode onBorder(WorkNode node, const HalfSpace& half) const;
+  WorkNode onBorder(WorkNode node, const RegionBorder& border) const;
   WorkNode shifted(const WorkNode& node, const Eigen::Vector3d& step) const;
   void replace(int triangle, const std::array<int, 3>& nodes);
 
   WorkMesh mesh_;
-  std::vector<HalfSpace> halfSpaces_;
+  std::vector<RegionBorder> borders_;
   std::vector<std::vector<int>> around_;  // live triangles around each node
   Job job_;
 };

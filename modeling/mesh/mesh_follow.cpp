@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "modeling/error.h"
@@ -68,62 +69,73 @@ class Follower {
       moveNode(static_cast<int>(i));
     }
     std::vector<int> moved = differingNodes(previous_, result_);
-    checkSides(moved);
-    checkTriangles(moved);
+    std::vector<int> concerned = moved;
+    if (paintMoved_) {
+      concerned.resize(result_.positions.size());
+      std::iota(concerned.begin(), concerned.end(), 0);
+    }
+    checkSides(concerned);
+    checkTriangles(concerned);
     if (!moved.empty()) checkGroups();
     return {std::move(result_), std::move(moved)};
   }
 
  private:
-  void checkRegions(std::span<const MeshRegion> regions) const {
+  void checkRegions(std::span<const MeshRegion> regions) {
     const Anew changed{"the supports, loads or borders the mesh was fitted to have changed"};
-    if (distinctHalfSpaces(regions) != previous_.halfSpaces ||
+    const std::vector<RegionBorder> borders = distinctBorders(regions);
+    if (!std::equal(borders.begin(), borders.end(), previous_.borders.begin(),
+                    previous_.borders.end(),
+                    [](const RegionBorder& a, const RegionBorder& b) { return a.isLike(b); }) ||
         regions.size() != previous_.trianglesOfRegion.size())
       throw changed;
     for (std::size_t r = 0; r < regions.size(); ++r)
-      if (trianglesOf(regions[r], solid_, previous_.patchOfTriangle, previous_.halfSpacesOfTriangle,
-                      previous_.halfSpaces) != previous_.trianglesOfRegion[r])
+      if (trianglesOf(regions[r], solid_, previous_.patchOfTriangle, previous_.bordersOfTriangle,
+                      borders) != previous_.trianglesOfRegion[r])
         throw changed;
+    paintMoved_ = borders != previous_.borders;
+    result_.borders = borders;
   }
 
-  /// Which half spaces all and which some triangles around each node lie in.
+  /// Which borders all and which some triangles around each node lie in.
   void gatherBorders() {
     all_.assign(result_.positions.size(), ~std::uint64_t{0});
     some_.assign(result_.positions.size(), 0);
-    if (previous_.halfSpaces.empty()) return;
+    if (previous_.borders.empty()) return;
     for (std::size_t t = 0; t < previous_.triangles.size(); ++t)
       for (int node : previous_.triangles[t]) {
-        all_[node] &= previous_.halfSpacesOfTriangle[t];
-        some_[node] |= previous_.halfSpacesOfTriangle[t];
+        all_[node] &= previous_.bordersOfTriangle[t];
+        some_[node] |= previous_.bordersOfTriangle[t];
       }
   }
 
-  double tolerance(const HalfSpace& half, double part) const {
-    return part * diagonal_ * half.normal.norm();
+  double tolerance(const RegionBorder& border, double part) const {
+    return part * diagonal_ * border.slope();
   }
 
-  /// Half spaces on whose border the node lies: between triangles inside and outside, and exactly.
-  std::vector<HalfSpace> slidingBorders(int node) const {
-    std::vector<HalfSpace> borders;
+  /// Borders that the node lies on, as they are now: between triangles inside and outside, and
+  /// exactly.
+  std::vector<const RegionBorder*> slidingBorders(int node) const {
+    std::vector<const RegionBorder*> borders;
     for (std::uint64_t bits = some_[node] & ~all_[node]; bits != 0; bits &= bits - 1) {
-      const HalfSpace& half = previous_.halfSpaces[std::countr_zero(bits)];
-      if (std::abs(half.value(previous_.positions[node])) <= tolerance(half, kOnBorder))
-        borders.push_back(half);
+      const RegionBorder& border = previous_.borders[std::countr_zero(bits)];
+      if (std::abs(border.value(previous_.positions[node])) <= tolerance(border, kOnBorder))
+        borders.push_back(&result_.borders[std::countr_zero(bits)]);
     }
     return borders;
   }
 
   void moveNode(int node) {
     const SurfaceParameter& at = result_.parameters[node];
-    if (!patchMoved(at.patch)) return;
+    if (!patchMoved(at.patch) && !paintMoved_) return;
     const NodePlace place = placeOf(solid_, surface_, at);
     if (place.vertex >= 0) {
       result_.positions[node] = solid_.controlPoints()[place.vertex];
       return;
     }
     result_.positions[node] = surface_.position(at.patch, at.u, at.v);
-    if (sameBits(result_.positions[node], previous_.positions[node])) return;
-    const std::vector<HalfSpace> borders = slidingBorders(node);
+    if (sameBits(result_.positions[node], previous_.positions[node]) && !paintMoved_) return;
+    const std::vector<const RegionBorder*> borders = slidingBorders(node);
     if (!borders.empty()) slide(node, place, borders);
   }
 
@@ -141,11 +153,11 @@ class Follower {
     return patchMoved_[patch];
   }
 
-  /// Newton's method for normal · x(u, v) = below. Inside a patch the shortest step on the surface
-  /// that reaches the planes in first order, δ = G⁻¹ Jᵀ Nᵀ λ with (N J G⁻¹ Jᵀ Nᵀ) λ = -value, where
-  /// J = (du dv), G = Jᵀ J and the rows of N are the normals; on an edge the same with its single
-  /// parameter.
-  void slide(int node, const NodePlace& place, const std::vector<HalfSpace>& borders) {
+  /// Newton's method for value(x(u, v)) = 0. Inside a patch the shortest step on the surface
+  /// that reaches the borders in first order, δ = G⁻¹ Jᵀ Nᵀ λ with (N J G⁻¹ Jᵀ Nᵀ) λ = -value,
+  /// where J = (du dv), G = Jᵀ J and the rows of N are the gradients; on an edge the same with its
+  /// single parameter.
+  void slide(int node, const NodePlace& place, const std::vector<const RegionBorder*>& borders) {
     constexpr int kIterations = 25;
     const Eigen::Index count = static_cast<Eigen::Index>(borders.size());
     SurfaceParameter& at = result_.parameters[node];
@@ -159,9 +171,9 @@ class Follower {
       Eigen::VectorXd values(count);
       bool converged = true;
       for (Eigen::Index k = 0; k < count; ++k) {
-        normals.row(k) = borders[k].normal.transpose();
-        values[k] = borders[k].value(p.position);
-        converged = converged && std::abs(values[k]) <= tolerance(borders[k], kConverged);
+        normals.row(k) = borders[k]->gradient(p.position).transpose();
+        values[k] = borders[k]->value(p.position);
+        converged = converged && std::abs(values[k]) <= tolerance(*borders[k], kConverged);
       }
       if (converged) {
         result_.positions[node] = surface_.position(at.patch, at.u, at.v);
@@ -183,13 +195,13 @@ class Follower {
           (!alongU || (at.u > uLow && at.u < uHigh)) && (!alongV || (at.v > vLow && at.v < vHigh));
       if (!inside) break;
     }
-    throw Anew{"the border of a half space near " + placeText(previous_.positions[node]) +
+    throw Anew{"the border of a region near " + placeText(previous_.positions[node]) +
                " has moved to another patch or edge, or away from the surface"};
   }
 
-  /// Each moved node must be on the side of every plane on which its triangles are.
+  /// Each moved node must be on the side of every border on which its triangles are.
   void checkSides(const std::vector<int>& moved) const {
-    if (previous_.halfSpaces.empty()) return;
+    if (previous_.borders.empty()) return;
     std::vector<double> shortest(result_.positions.size(), HUGE_VAL);
     for (const auto& n : previous_.triangles)
       for (int k = 0; k < 3; ++k) {
@@ -199,19 +211,19 @@ class Follower {
         shortest[n[(k + 1) % 3]] = std::min(shortest[n[(k + 1) % 3]], length);
       }
     for (int node : moved)
-      for (std::size_t k = 0; k < previous_.halfSpaces.size(); ++k) {
-        const HalfSpace& half = previous_.halfSpaces[k];
+      for (std::size_t k = 0; k < previous_.borders.size(); ++k) {
+        const RegionBorder& border = previous_.borders[k];
         const bool inside = (all_[node] >> k) & 1;
         const bool outside = !((some_[node] >> k) & 1);
-        const double value = half.value(result_.positions[node]);
-        const double before = std::abs(half.value(previous_.positions[node]));
+        const double value = result_.borders[k].value(result_.positions[node]);
+        const double before = std::abs(border.value(previous_.positions[node]));
         const double allowed = inside || outside
-                                   ? tolerance(half, kOnBorder)
-                                   : std::max({tolerance(half, kOnBorder), 1.5 * before,
-                                               kCountsAsOn * shortest[node] * half.normal.norm()});
+                                   ? tolerance(border, kOnBorder)
+                                   : std::max({tolerance(border, kOnBorder), 1.5 * before,
+                                               kCountsAsOn * shortest[node] * border.slope()});
         if ((!outside && value > allowed) || (!inside && value < -allowed))
           throw Anew{"the surface near " + placeText(result_.positions[node]) +
-                     " has crossed the border of a half space"};
+                     " has crossed the border of a region"};
       }
   }
 
@@ -254,12 +266,12 @@ class Follower {
     const Eigen::Vector3d normal = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
     if (!(normal.dot(surface_.normal(patch, u, v)) > limits_.leastAlongNormal * normal.norm()))
       throw Anew{"a triangle" + near + " has turned away from the surface"};
-    for (std::size_t k = 0; k < previous_.halfSpaces.size(); ++k) {
-      const HalfSpace& half = previous_.halfSpaces[k];
-      const bool inside = (previous_.halfSpacesOfTriangle[t] >> k) & 1;
-      const double value = half.value(surface_.position(patch, u, v)) * (inside ? 1.0 : -1.0);
-      if (value > kNearBorder * longest * half.normal.norm())
-        throw Anew{"the surface" + near + " has crossed the border of a half space"};
+    for (std::size_t k = 0; k < previous_.borders.size(); ++k) {
+      const RegionBorder& border = result_.borders[k];
+      const bool inside = (previous_.bordersOfTriangle[t] >> k) & 1;
+      const double value = border.value(surface_.position(patch, u, v)) * (inside ? 1.0 : -1.0);
+      if (value > kNearBorder * longest * border.slope())
+        throw Anew{"the surface" + near + " has crossed the border of a region"};
     }
   }
 
@@ -279,7 +291,8 @@ class Follower {
   SurfaceMesh result_;
   double diagonal_ = 0.0;
   std::vector<bool> patchMoved_;
-  std::vector<std::uint64_t> all_;   // per node: half spaces that all its triangles lie in
+  bool paintMoved_ = false;          // strokes go along with the surface
+  std::vector<std::uint64_t> all_;   // per node: borders that all its triangles lie in
   std::vector<std::uint64_t> some_;  // … and those that some lie in
 };
 

@@ -97,7 +97,7 @@ void relieveSlivers(MeshEditor& editor) {
 
 void closeWedges(MeshEditor& editor, double borderError) {
   constexpr double kWedge = 18.0 * std::numbers::pi / 180.0;
-  constexpr double kLeastSlope = 0.1;  // of the half space's value over the surface
+  constexpr double kLeastSlope = 0.1;  // of the border's value over the surface
   constexpr double kLeastPart = 0.2;   // of an edge; shorter pieces would be slivers themselves
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -130,12 +130,13 @@ void closeWedges(MeshEditor& editor, double borderError) {
         const double cosine = toEdge.dot(toBorder) / (toEdge.norm() * toBorder.norm());
         if (cosine < std::cos(kWedge)) continue;
         // Distances from the border within the surface.
-        const HalfSpace& half = editor.halfSpaces()[std::countr_zero(differing)];
+        const RegionBorder& border = editor.borders()[std::countr_zero(differing)];
         const Eigen::Vector3d normal = toEdge.cross(toBorder).normalized();
-        const double slope = (half.normal - half.normal.dot(normal) * normal).norm();
-        if (slope < kLeastSlope * half.normal.norm()) continue;
-        const double start = std::abs(half.value(editor.position(tip))) / slope;
-        const double end = std::abs(half.value(editor.position(onEdge))) / slope;
+        const Eigen::Vector3d gradient = border.gradient(editor.position(onEdge));
+        const double slope = (gradient - gradient.dot(normal) * normal).norm();
+        if (slope < kLeastSlope * border.slope()) continue;
+        const double start = std::abs(border.value(editor.position(tip))) / slope;
+        const double end = std::abs(border.value(editor.position(onEdge))) / slope;
         const double part = end <= borderError ? 1.0 : (borderError - start) / (end - start);
         if (part < (atCorner ? 1.0 : kLeastPart)) continue;
         int wedge = t;

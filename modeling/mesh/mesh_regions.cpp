@@ -7,24 +7,39 @@
 namespace palpa::modeling {
 namespace {
 
-std::size_t indexOf(const HalfSpace& half, const std::vector<HalfSpace>& halfSpaces) {
-  return std::find(halfSpaces.begin(), halfSpaces.end(), half) - halfSpaces.begin();
+/// Half spaces one by one, all strokes together.
+std::vector<RegionBorder> bordersOf(const Region& region) {
+  std::vector<RegionBorder> result;
+  std::vector<Stroke> strokes;
+  for (const RegionPart& part : region.parts) {
+    if (const auto* half = std::get_if<HalfSpace>(&part)) result.emplace_back(*half);
+    if (const auto* stroke = std::get_if<Stroke>(&part)) strokes.push_back(*stroke);
+  }
+  if (!strokes.empty()) result.emplace_back(std::move(strokes));
+  return result;
+}
+
+/// The bits of a region's borders.
+std::uint64_t bitsOf(const Region& region, const std::vector<RegionBorder>& borders) {
+  std::uint64_t bits = 0;
+  for (const RegionBorder& border : bordersOf(region))
+    bits |=
+        std::uint64_t{1} << (std::find(borders.begin(), borders.end(), border) - borders.begin());
+  return bits;
 }
 
 }  // namespace
 
-std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions) {
+std::vector<RegionBorder> distinctBorders(std::span<const MeshRegion> regions) {
   constexpr std::size_t kMost = 64;
-  std::vector<HalfSpace> result;
+  std::vector<RegionBorder> result;
   for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts) {
-      const auto* half = std::get_if<HalfSpace>(&part);
-      if (half && std::find(result.begin(), result.end(), *half) == result.end())
-        result.push_back(*half);
-    }
+    for (RegionBorder& border : bordersOf(region.where))
+      if (std::find(result.begin(), result.end(), border) == result.end())
+        result.push_back(std::move(border));
   if (result.size() > kMost)
     throw ModelingError("the regions have " + std::to_string(result.size()) +
-                            " different half spaces; at most 64 are possible",
+                            " different half spaces and paintings; at most 64 are possible",
                         ModelingError::Kind::tooLarge);
   return result;
 }
@@ -32,13 +47,11 @@ std::vector<HalfSpace> distinctHalfSpaces(std::span<const MeshRegion> regions) {
 std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
                              const std::vector<int>& patchOfTriangle,
                              const std::vector<std::uint64_t>& insideOfTriangle,
-                             const std::vector<HalfSpace>& halfSpaces) {
-  std::uint64_t chosen = 0;
+                             const std::vector<RegionBorder>& borders) {
+  const std::uint64_t chosen = bitsOf(region.where, borders);
   std::vector<bool> isNamed(patchNames(body).size(), false);
   for (const RegionPart& part : region.where.parts)
-    if (const auto* half = std::get_if<HalfSpace>(&part))
-      chosen |= std::uint64_t{1} << indexOf(*half, halfSpaces);
-    else if (const auto* set = std::get_if<PatchSet>(&part))
+    if (const auto* set = std::get_if<PatchSet>(&part))
       for (const std::string& name : set->patches)
         if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
   std::vector<int> triangles;
@@ -48,18 +61,16 @@ std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
   if (triangles.empty())
     throw ModelingError(region.name +
                         ": no part of the surface lies in this region, or one too narrow for the "
-                        "edge length; check the half space (normal · x < below_mm) against the "
-                        "size and place of the solid");
+                        "edge length; check the half space (normal · x < below_mm) or the "
+                        "stroke (points_mm, radius_mm) against the size and place of the solid");
   return triangles;
 }
 
 std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
-                             const std::vector<HalfSpace>& halfSpaces) {
+                             const std::vector<RegionBorder>& borders) {
   std::uint64_t bits = 0;
   for (const MeshRegion& region : regions)
-    for (const RegionPart& part : region.where.parts)
-      if (const auto* half = std::get_if<HalfSpace>(&part); half && region.refineBorder)
-        bits |= std::uint64_t{1} << indexOf(*half, halfSpaces);
+    if (region.refineBorder) bits |= bitsOf(region.where, borders);
   return bits;
 }
 

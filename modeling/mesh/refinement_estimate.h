@@ -16,4 +16,9 @@ namespace palpa::modeling {
 double refinementNodes(const Solid& solid, const SurfaceEvaluator& surface,
                        const MeshSettings& settings, std::span<const MeshRegion> regions);
 
+/// Nodes that thin strokes add to the plain mesh, roughly, as if they lay on the surface at their
+/// full length and apart from each other; at most those of a mesh that is as fine everywhere.
+double strokeNodes(const SurfaceEvaluator& surface, const MeshSettings& settings,
+                   std::span<const MeshRegion> regions);
+
 }  // namespace palpa::modeling

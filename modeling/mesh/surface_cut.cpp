@@ -18,7 +18,7 @@ struct Distances {
   std::vector<double> snapped;  ///< with the features that run along the border put onto it
 };
 
-Distances distances(const TaggedSurface& surface, const HalfSpace& half, double snap) {
+Distances distances(const TaggedSurface& surface, const RegionBorder& border, double snap) {
   Eigen::Vector3d low = surface.positions.front();
   Eigen::Vector3d high = low;
   for (const Eigen::Vector3d& p : surface.positions) {
@@ -28,7 +28,7 @@ Distances distances(const TaggedSurface& surface, const HalfSpace& half, double 
   const double tolerance = kRounding * (high - low).norm();
   std::vector<double> exact;
   for (const Eigen::Vector3d& p : surface.positions) {
-    const double d = half.value(p) / half.normal.norm();
+    const double d = border.value(p) / border.slope();
     exact.push_back(std::abs(d) <= tolerance ? 0.0 : d);
   }
   std::vector<double> snapped = exact;
@@ -48,8 +48,9 @@ Distances distances(const TaggedSurface& surface, const HalfSpace& half, double 
 
 class Cutter {
  public:
-  Cutter(TaggedSurface& surface, Distances distances)
+  Cutter(TaggedSurface& surface, const RegionBorder& border, Distances distances)
       : surface_(surface),
+        border_(border),
         exact_(std::move(distances.exact)),
         distance_(std::move(distances.snapped)) {}
 
@@ -67,12 +68,27 @@ class Cutter {
  private:
   bool isCrossed(int a, int b) const { return distance_[a] * distance_[b] < 0.0; }
 
+  /// Linear for half spaces; for strokes by bisection, which needs the exact distances.
+  double crossingPart(int a, int b) const {
+    if (!border_.isPainted() || exact_[a] * exact_[b] >= 0.0)
+      return distance_[a] / (distance_[a] - distance_[b]);
+    double low = 0.0;
+    double high = 1.0;
+    for (int i = 0; i < 50; ++i) {
+      const double s = 0.5 * (low + high);
+      const double value =
+          border_.value((1.0 - s) * surface_.positions[a] + s * surface_.positions[b]);
+      (value * exact_[a] > 0.0 ? low : high) = s;
+    }
+    return 0.5 * (low + high);
+  }
+
   int crossing(int a, int b) {
     const auto [low, high] = std::minmax(a, b);
     const auto [place, isNew] =
         onEdge_.try_emplace({low, high}, static_cast<int>(surface_.positions.size()));
     if (isNew) {
-      const double s = distance_[low] / (distance_[low] - distance_[high]);
+      const double s = crossingPart(low, high);
       surface_.positions.push_back((1.0 - s) * surface_.positions[low] +
                                    s * surface_.positions[high]);
       distance_.push_back(0.0);
@@ -114,15 +130,76 @@ class Cutter {
   }
 
   TaggedSurface& surface_;
+  const RegionBorder& border_;
   std::vector<double> exact_;
   std::vector<double> distance_;
   std::map<std::pair<int, int>, int> onEdge_;
 };
 
+/// Divides triangles near the border of strokes at the middles of their long edges.
+void divideNear(TaggedSurface& surface, const RegionBorder& border, double edgeLength) {
+  constexpr double kOfStroke = 0.6;  // of the edges of the mesh to come
+  constexpr double kOfLength = 0.5;
+  constexpr int kRounds = 40;
+  for (int round = 0; round < kRounds; ++round) {
+    std::map<std::pair<int, int>, int> middles;  // -1: the edge stays whole
+    const auto middleOf = [&](int a, int b) {
+      const auto [low, high] = std::minmax(a, b);
+      const auto [place, isNew] = middles.try_emplace({low, high}, -1);
+      if (!isNew) return place->second;
+      const Eigen::Vector3d middle = 0.5 * (surface.positions[low] + surface.positions[high]);
+      const double length = (surface.positions[low] - surface.positions[high]).norm();
+      const double wanted =
+          std::min(kOfStroke * border.edgeAt(middle, edgeLength), kOfLength * edgeLength);
+      if (length > wanted && std::abs(border.value(middle)) <= length) {
+        place->second = static_cast<int>(surface.positions.size());
+        surface.positions.push_back(middle);
+      }
+      return place->second;
+    };
+    const std::size_t before = surface.triangles.size();
+    bool changed = false;
+    for (std::size_t t = 0; t < before; ++t) {
+      std::array<int, 3> n = surface.triangles[t];
+      std::array<int, 3> m{middleOf(n[0], n[1]), middleOf(n[1], n[2]), middleOf(n[2], n[0])};
+      const auto count = std::count_if(m.begin(), m.end(), [](int node) { return node >= 0; });
+      if (count == 0) continue;
+      changed = true;
+      const SurfaceTag tag = surface.tags[t];
+      const auto add = [&](int a, int b, int c) {
+        surface.triangles.push_back({a, b, c});
+        surface.tags.push_back(tag);
+      };
+      const auto turn = [&] {
+        std::rotate(n.begin(), n.begin() + 1, n.end());
+        std::rotate(m.begin(), m.begin() + 1, m.end());
+      };
+      if (count == 1) {  // edge 0–1
+        while (m[0] < 0) turn();
+        surface.triangles[t] = {n[0], m[0], n[2]};
+        add(m[0], n[1], n[2]);
+      } else if (count == 2) {  // edges 0–1 and 1–2
+        while (m[2] >= 0) turn();
+        surface.triangles[t] = {m[0], n[1], m[1]};
+        add(n[0], m[0], n[2]);
+        add(m[0], m[1], n[2]);
+      } else {
+        surface.triangles[t] = {m[0], m[1], m[2]};
+        add(n[0], m[0], m[2]);
+        add(m[0], n[1], m[1]);
+        add(m[2], m[1], n[2]);
+      }
+    }
+    if (!changed) return;
+  }
+}
+
 }  // namespace
 
-void cutAtBorder(TaggedSurface& surface, const HalfSpace& half, int k, double snap) {
-  Cutter cutter(surface, distances(surface, half, snap));
+void cutAtBorder(TaggedSurface& surface, const RegionBorder& border, int k, double snap,
+                 double edgeLength) {
+  if (border.isPainted()) divideNear(surface, border, edgeLength);
+  Cutter cutter(surface, border, distances(surface, border, snap));
   cutter.cut();
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (cutter.isInside(surface.triangles[t])) surface.tags[t].sides |= std::uint64_t{1} << k;

@@ -50,6 +50,42 @@ TEST_F(CliProject, CheckNamesAllProblemsAtOnce) {
   EXPECT_NE(cli_.run("check p.json").out.find("error      the touch \"a\""), std::string::npos);
 }
 
+TEST_F(CliProject, PaintedSupportsGoAllTheWay) {
+  cli_.run("new sphere --radius 25 --edge-length 6 -o p.json");
+  Json project = cli_.readJson("p.json");
+  project["supports"] = Json::parse(R"([{"name": "paint", "kind": "fixed", "where": [
+    {"stroke": {"points_mm": [[-8, 0, -23], [0, 0, -25], [8, 0, -23]], "radius_mm": 7}},
+    {"stroke": {"points_mm": [[0, -10, -22]], "radius_mm": 4}}]}])");
+  project["loads"] = Json::parse(R"([{"name": "press", "kind": "pressure", "MPa": 0.001,
+    "where": {"stroke": {"points_mm": [[25, 0, 0]], "radius_mm": 6}}}])");
+  project["touches"] = Json::parse(
+      R"([{"name": "poke", "kind": "grab", "at_mm": [0, 0, 25], "displace_mm": [0, 0, -2]}])");
+  cli_.writeJson("p.json", project);
+  EXPECT_EQ(cli_.runJson("check p.json").at("valid"), true);
+  const std::string info = cli_.run("info p.json").out;
+  EXPECT_NE(info.find("within 7 mm of (-8, 0, -23) and the stroke through 2 more points and within "
+                      "4 mm of (0, -10, -22)"),
+            std::string::npos)
+      << info;
+  EXPECT_GE(cli_.runJson("mesh p.json").at("quality").at("smallest_angle_degrees").get<double>(),
+            10.0);
+  const Json solved = cli_.runJson("solve p.json");
+  const double pressed = 0.001 * std::numbers::pi * 36;  // a cap's projection is a bit less
+  EXPECT_NEAR(solved.at("loads")[0].at("force_N")[0].get<double>(), -pressed, 0.1 * pressed);
+  EXPECT_NEAR(solved.at("supports")[0].at("force_N")[0].get<double>(), pressed, 0.1 * pressed);
+  const Json touched = cli_.runJson("touch p.json");
+  EXPECT_LT(touched.at("contacts")[0].at("force_N")[2].get<double>(), 0.0);
+  EXPECT_LE(touched.at("relative_balance").get<double>(), 0.02);
+
+  // Painted beside the body: named, and nothing else is done.
+  project["supports"][0]["where"] =
+      Json::parse(R"({"stroke": {"points_mm": [[0, 0, -60]], "radius_mm": 5}})");
+  cli_.writeJson("p.json", project);
+  const Outcome refused = cli_.run("mesh p.json");
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_NE(refused.err.find("paint"), std::string::npos) << refused.err;
+}
+
 TEST_F(CliProject, CheckFindsAControlPointPulledThroughTheOtherSide) {
   cli_.run("new sphere --radius 25 --edge-length 5 -o p.json");
   EXPECT_EQ(cli_.runJson("check p.json").at("geometry"), Json::array());

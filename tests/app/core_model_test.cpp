@@ -51,6 +51,18 @@ TEST(TouchModel, PressureOnAllOfAFreePartGivesItsResultant) {
   EXPECT_LE(model->rest().relativeBalance, 0.01);
 }
 
+TEST(TouchModel, PressureOnAPaintedDiscGivesItsResultant) {
+  modeling::Project project = test::clampedCylinder(6);
+  project.loads.push_back(
+      {"press", modeling::Pressure{{{modeling::Stroke{{{3, -2, 60}}, 8.0}}}, 0.001}});
+  const auto model = build(project);
+  const double expected = 0.001 * 3.14159265 * 64;
+  EXPECT_NEAR(model->setup().loads[0].resultant.force[2], -expected, 0.1 * expected);
+  EXPECT_NEAR(model->setup().loads[0].resultant.force.head<2>().norm(), 0.0, 1e-9 * expected);
+  EXPECT_NEAR(model->rest().supports[0].resultant.force[2],
+              -model->setup().loads[0].resultant.force[2], 0.01 * expected);
+}
+
 TEST(TouchModel, LoadOnASupportGoesStraightIntoIt) {
   modeling::Project project = test::clampedCylinder(8);
   project.loads.push_back(
@@ -94,6 +106,19 @@ TEST(Touch, RecordedTouchEqualsTheSameTouchAtOnce) {
               0.01 * -alone.contacts[0].force[2]);
   EXPECT_LE(alone.relativeBalance, 0.01);
   EXPECT_NEAR(alone.energy, 0.5 * 2 * -alone.contacts[0].force[2], 0.01 * alone.energy);
+}
+
+TEST(Touch, PaintedSupportHoldsLikeTheSameCapOfAHalfSpace) {
+  const auto cut = build(test::clampedSphere(4));
+  const auto painted = build(test::paintedSphere(4));
+  const std::vector touch{grab({0, 0, 25}, {1, 0, -2}, 9)};
+  const TouchState one = playTouches(*cut, touch);
+  const TouchState other = playTouches(*painted, touch);
+  const Vector3d expected = one.contacts[0].force;
+  EXPECT_LE((other.contacts[0].force - expected).norm(), 0.005 * expected.norm());
+  EXPECT_LE((other.supports[0].resultant.force - one.supports[0].resultant.force).norm(),
+            0.005 * expected.norm());
+  EXPECT_LE(other.relativeBalance, 0.01);
 }
 
 TEST(Touch, ANodeMovesExactlyAsTold) {

@@ -1,5 +1,7 @@
 #include "core_projects.h"
 
+#include <cmath>
+
 #include "modeling/shapes/primitives.h"
 
 namespace palpa::app::test {
@@ -25,6 +27,13 @@ Project clampedSphere(double edgeLength, double poissonRatio) {
   result.supports.push_back({"base", Support::Kind::fixed,
                              Region::below(Eigen::Vector3d::UnitZ(), -20),
                              Eigen::Vector3d::Zero()});
+  return result;
+}
+
+Project paintedSphere(double edgeLength, double poissonRatio) {
+  Project result = clampedSphere(edgeLength, poissonRatio);
+  // Points at the height h above the lowest one are at a distance of √(2 R h) from it.
+  result.supports[0].where = {{modeling::Stroke{{{0, 0, -25}}, std::sqrt(2.0 * 25.0 * 5.0)}}};
   return result;
 }
 

@@ -14,8 +14,8 @@ inline Project editingProject(const Solid& solid) {
   project.name = "test";
   project.material = {"silicone", 0.1, 0.48};
   project.body = solid;
-  Region low = Region::below({0, 0, 1}, -5.0);
-  low.parts.push_back(PatchSet{{"bottom"}});
+  const Region low{
+      {HalfSpace{{0, 0, 1}, -5.0}, PatchSet{{"bottom"}}, Stroke{{{20, 0, 0}, {20, 5, 3}}, 2.0}}};
   project.supports = {{"base", Support::Kind::fixed, low, {0, 0, -0.25}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"top"}), 0.01}},
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};

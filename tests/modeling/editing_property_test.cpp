@@ -1,5 +1,6 @@
 // Thousands of random commands, valid and not: invariants after each, and the way back.
 #include <array>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -108,7 +109,21 @@ class RandomCommands {
   }
   std::string name() { return std::string(1, static_cast<char>('a' + upTo(5))); }
   Region region() {
-    return oneIn(2) ? Region::ofPatches({patch()}) : Region::below(vector(1.0), number(9.0));
+    switch (upTo(3)) {
+      case 0:
+        return Region::below(vector(1.0), number(9.0));
+      case 1:
+        return {{stroke(), stroke()}};
+      case 2:
+        return {{PatchSet{{patch()}}, stroke()}};
+      default:
+        return Region::ofPatches({patch()});
+    }
+  }
+  Stroke stroke() {
+    Stroke result{{}, 0.5 + std::abs(number(5.0))};
+    for (int left = upTo(5); left >= 0; --left) result.points.push_back(vector(25.0));
+    return result;
   }
   double parameter() { return oneIn(20) ? 1.5 : 0.125 * (1 + upTo(6)); }
   double knot() {
@@ -209,6 +224,7 @@ struct Tally {
   int done = 0;
   int refused = 0;
   int merged = 0;
+  int carried = 0;  ///< moves of the surface that took strokes of supports along
 };
 
 Tally randomSession(const Solid& start, unsigned seed, int count) {
@@ -232,6 +248,9 @@ Tally randomSession(const Solid& start, unsigned seed, int count) {
       expectSound(document.project());
       ++tally.done;
       tally.merged += again;
+      tally.carried += performed.change.supports && performed.change.body() &&
+                       !performed.change.topology &&
+                       !std::holds_alternative<TransformSolid>(command);
       last = command;
     } catch (const ModelingError& error) {
       EXPECT_EQ(fingerprint(document.project()), fingerprint(before)) << error.what();
@@ -274,12 +293,14 @@ TEST(EditingProperties, RandomSessionsKeepTheInvariantsAndCanBeUndone) {
     total.done += one.done;
     total.refused += one.refused;
     total.merged += one.merged;
+    total.carried += one.carried;
     if (HasFailure()) return;
   }
   // The mixture is what it is meant to be.
   EXPECT_GT(total.done, 1500);
   EXPECT_GT(total.refused, 300);
   EXPECT_GT(total.merged, 100);
+  EXPECT_GT(total.carried, 100);
 }
 
 }  // namespace

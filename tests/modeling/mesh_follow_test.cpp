@@ -80,16 +80,16 @@ bool influenced(const Solid& solid, const SurfaceParameter& at, const std::set<i
 
 double largestBorderFault(const SurfaceMesh& mesh, const SurfaceMesh& reference) {
   double worst = 0.0;
-  for (std::size_t k = 0; k < mesh.halfSpaces.size(); ++k) {
+  for (std::size_t k = 0; k < mesh.borders.size(); ++k) {
     std::vector<int> seen(mesh.positions.size(), 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int node : mesh.triangles[t])
-        seen[node] |= ((mesh.halfSpacesOfTriangle[t] >> k) & 1) ? 1 : 2;
-    const HalfSpace& half = mesh.halfSpaces[k];
+        seen[node] |= ((mesh.bordersOfTriangle[t] >> k) & 1) ? 1 : 2;
+    const RegionBorder& border = mesh.borders[k];
     for (std::size_t i = 0; i < seen.size(); ++i)
       // Corners and nodes between two borders only count as being on the border.
-      if (seen[i] == 3 && std::abs(half.value(reference.positions[i])) < 1e-9)
-        worst = std::max(worst, std::abs(half.value(mesh.positions[i])));
+      if (seen[i] == 3 && std::abs(border.value(reference.positions[i])) < 1e-9)
+        worst = std::max(worst, std::abs(border.value(mesh.positions[i])));
   }
   return worst;
 }

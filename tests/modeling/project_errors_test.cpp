@@ -68,7 +68,11 @@ TEST(ProjectErrors, RefuseUnknownMissingAndRepeatedKeys) {
             "box.json: touches[0]: expected either displace_mm or force_N, found neither");
   EXPECT_EQ(errorWith("{\"patches\": [\"bottom\"]}", "{}"),
             "box.json: supports[0].where: found no key, expected exactly one of \"half_space\", "
-            "\"patches\"");
+            "\"patches\", \"stroke\"");
+  EXPECT_EQ(errorWith("{\"patches\": [\"bottom\"]}",
+                      "{\"stroke\": {\"points_mm\": [[0, 0]], \"radius_mm\": 2}}"),
+            "box.json: supports[0].where.stroke.points_mm[0]: found a list of 2, expected 3 "
+            "entries");
 }
 
 TEST(ProjectErrors, CheckWhatTheSchemaCannot) {

@@ -23,8 +23,8 @@ Project example() {
   const Solid ball = makeSphere(25.0);
   project.body = ball.withSmoothEdges({1, 4, static_cast<int>(ball.edges().size()) - 1}, true);
   project.primitive = Primitive{SphereShape{25.0}, 3, 7};
-  Region base = Region::below({0, 0, 1}, -20.0);
-  base.parts.push_back(PatchSet{{"bottom"}});
+  const Region base{{HalfSpace{{0, 0, 1}, -20.0}, PatchSet{{"bottom"}},
+                     Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5}}};
   project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
                       {"guide", Support::Kind::roller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
@@ -72,7 +72,9 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   ASSERT_EQ(after.supports.size(), 2U);
   EXPECT_EQ(after.supports[1].kind, Support::Kind::roller);
   EXPECT_EQ(after.supports[1].displacement, Eigen::Vector3d(0, 0, -1e-3));
-  EXPECT_EQ(after.supports[0].where.parts.size(), 2U);
+  ASSERT_EQ(after.supports[0].where.parts.size(), 3U);
+  EXPECT_EQ(std::get<Stroke>(after.supports[0].where.parts[2]),
+            std::get<Stroke>(before.supports[0].where.parts[2]));
   EXPECT_EQ(std::get<UniformTraction>(after.loads[1].what).traction.z(), 1.0 / 3.0);
   EXPECT_EQ(std::get<Bump>(after.loads[2].what).radius, 4.0);
   EXPECT_EQ(*after.touches[0].radius, 3.0);
