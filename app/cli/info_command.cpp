@@ -125,7 +125,8 @@ class InfoCommand : public Command {
     const auto box = surfaceBox(project.body);
     const double volume = modeling::volume(project.body);
     const double area = modeling::area(project.body);
-    const double nodes = modeling::estimateNodeCount(project.body, project.mesh);
+    const double nodes =
+        modeling::estimateNodeCount(project.body, project.mesh, modeling::meshRegions(project));
 
     Json report{{"name", project.name},
                 {"material",

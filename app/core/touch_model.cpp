@@ -102,9 +102,9 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   modeling::MeshSettings settings = project.mesh;
   if (options.edgeLength) settings.edgeLength = *options.edgeLength;
   Stopwatch watch;
-  const double expected = modeling::estimateNodeCount(project.body, settings);
-  checkMemory(expected, expected, settings.edgeLength, options);
   const auto regions = modeling::meshRegions(project);
+  const double expected = modeling::estimateNodeCount(project.body, settings, regions);
+  checkMemory(expected, expected, settings.edgeLength, options);
   modeling::SurfaceMesh surface = underJob(job, [&](const modeling::Job& inner) {
     return modeling::mesh(project.body, settings, regions, inner);
   });
