@@ -109,7 +109,8 @@ void MainWindow::layOutDocks() {
   for (QDockWidget* dock : docks_) dock->show();
   model->raise();
   properties->raise();
-  resizeDocks({model, properties}, {height() * 2 / 5, height() * 3 / 5}, Qt::Vertical);
+  // Supports, loads and touches show without scrolling in a window of 1280 x 800.
+  resizeDocks({model, properties}, {height() * 44 / 100, height() * 56 / 100}, Qt::Vertical);
   resizeDocks({model}, {kDockWidth}, Qt::Horizontal);
 }
 
