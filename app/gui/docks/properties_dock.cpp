@@ -123,6 +123,7 @@ void PropertiesDock::showPage() {
   page_->setObjectName("page");
   page_->refresh();
   column_->insertWidget(options_ ? 1 : 0, page_);
+  page_->show();  // at once, not with the next event: its fields may be used right away
   key_ = pageKey(workspace_.editor);
   later_.start();
 }

@@ -55,7 +55,6 @@ PropertyPage::PropertyPage(const Workspace& workspace)
   form_->setHorizontalSpacing(10);
   form_->setVerticalSpacing(6);
   form_->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
