@@ -15,15 +15,15 @@ namespace {
 Theme theme_ = Theme::kLight;
 
 struct Colours {
-  QColor window, base, alternate, text, faint, button, border, accent, onAccent;
+  QColor window, base, alternate, text, faint, button, border, accent, onAccent, chosen;
 };
 
 Colours coloursOf(Theme theme) {
   if (theme == Theme::kDark)
     return {"#2b2f36", "#22252b", "#272b31", "#e3e6ea", "#8b929c",
-            "#353a42", "#454b55", "#3d8fb5", "#ffffff"};
+            "#353a42", "#454b55", "#3d8fb5", "#ffffff", "#2c5468"};
   return {"#f3f4f6", "#ffffff", "#f7f8fa", "#22262c", "#868d97",
-          "#fafbfc", "#cfd4da", "#1f7a9e", "#ffffff"};
+          "#fafbfc", "#cfd4da", "#1f7a9e", "#ffffff", "#c9e1eb"};
 }
 
 QPalette paletteOf(const Colours& c) {
@@ -58,7 +58,7 @@ QToolBar { background: %1; border: 0; border-bottom: 1px solid %2; spacing: 2px;
 QToolBar::separator { width: 1px; background: %2; margin: 4px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 5px; padding: 4px; }
 QToolButton:hover { background: %3; border-color: %2; }
-QToolButton:checked, QToolButton:pressed { background: %4; border-color: %4; color: %5; }
+QToolButton:checked, QToolButton:pressed { background: %6; border-color: %4; }
 QDockWidget { font-weight: 600; }
 QDockWidget::title { background: %1; padding: 6px 8px; border-bottom: 1px solid %2; }
 QStatusBar { border-top: 1px solid %2; }
@@ -66,14 +66,15 @@ QStatusBar::item { border: 0; }
 QMainWindow::separator { background: %2; width: 1px; height: 1px; }
 QMainWindow::separator:hover { background: %4; }
 QTreeView, QListView, QTableView { border: 0; }
-QTreeView::item { padding: 3px 0; }
+QTreeView::item { padding: 2px 0; }
 QMenu { padding: 4px; } QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: %4; color: %5; }
 QLineEdit[refused="true"] { border: 1px solid #d0462b; background: #33d0462b; }
 QLabel#refusal { color: #d0462b; }
 QToolTip { border: 1px solid %2; padding: 4px; }
 )")
-      .arg(c.window.name(), c.border.name(), c.button.name(), c.accent.name(), c.onAccent.name());
+      .arg(c.window.name(), c.border.name(), c.button.name(), c.accent.name(), c.onAccent.name(),
+           c.chosen.name());
 }
 
 /// Draws an SVG whose black is replaced by the palette's text colour at the moment of drawing.
@@ -81,12 +82,14 @@ class TintedIconEngine : public QIconEngine {
  public:
   explicit TintedIconEngine(QByteArray svg) : svg_(std::move(svg)) {}
 
+  // The state does not count: it is On for checked buttons, checked lines of menus and rows of
+  // trees that are open, which have backgrounds of their own.
   void paint(QPainter* painter, const QRect& rectangle, QIcon::Mode mode,
-             QIcon::State state) override {
+             QIcon::State /*state*/) override {
     const Colours colours = coloursOf(theme_);
     QColor colour = colours.text;
     if (mode == QIcon::Disabled) colour = colours.faint;
-    if (mode == QIcon::Selected || state == QIcon::On) colour = colours.onAccent;
+    if (mode == QIcon::Selected) colour = colours.onAccent;
     QByteArray tinted = svg_;
     tinted.replace("#000", colour.name().toLatin1());
     QSvgRenderer(tinted).render(painter, rectangle);

@@ -30,8 +30,8 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kUntilCloseAgain = 50;  // ms until a window that was busy tries again to close
-constexpr int kDockWidth = 320;       // leaves the view three quarters of a window of 1280
-constexpr int kLayoutVersion = 1;     // of what saveState() writes; another one is not restored
+constexpr int kDockWidth = 340;       // leaves the view nearly three quarters of a window of 1280
+constexpr int kLayoutVersion = 2;     // of what saveState() writes; another one is not restored
 
 }  // namespace
 
@@ -45,7 +45,7 @@ MainWindow::MainWindow()
       workspace_{*this, settings_, editor_, *viewport_, scene_, menus_, tools_},
       messages_(new MessageBar(viewport_)),
       hint_(new QLabel(this)),
-      rebuild_(new QLabel(this)),
+      rebuild_(new QPushButton(this)),
       frame_(new QLabel(this)) {
   setCentralWidget(viewport_);
   setAcceptDrops(true);
@@ -73,6 +73,11 @@ MainWindow::MainWindow()
   updateStatus();
 }
 
+MainWindow::~MainWindow() {
+  // Qt would delete the panels last of all, after the editor that their fields write to.
+  for (QDockWidget* dock : docks_) delete dock;
+}
+
 void MainWindow::addTools() {
   addPointTools(workspace_);
   addSurfaceTools(workspace_);
@@ -98,15 +103,14 @@ void MainWindow::layOutDocks() {
   addToolBar(Qt::LeftToolBarArea, menus_.tools);
   menus_.bar->show();
   menus_.tools->show();
-  for (QDockWidget* dock : {model, properties, rebuild})
-    addDockWidget(Qt::RightDockWidgetArea, dock);
+  for (QDockWidget* dock : {model, properties}) addDockWidget(Qt::RightDockWidgetArea, dock);
   tabifyDockWidget(model, history);
+  tabifyDockWidget(properties, rebuild);
   for (QDockWidget* dock : docks_) dock->show();
   model->raise();
-  const int rebuildHeight = rebuild->sizeHint().height();
-  const int rest = height() - menus_.bar->height() - rebuildHeight;
-  resizeDocks({model, properties, rebuild}, {rest * 2 / 5, rest * 3 / 5, rebuildHeight},
-              Qt::Vertical);
+  properties->raise();
+  // Supports, loads and touches show without scrolling in a window of 1280 x 800.
+  resizeDocks({model, properties}, {height() * 44 / 100, height() * 56 / 100}, Qt::Vertical);
   resizeDocks({model}, {kDockWidth}, Qt::Horizontal);
 }
 
@@ -126,6 +130,14 @@ void MainWindow::addDialogs() {
 
 void MainWindow::addStatusBar() {
   statusBar()->addWidget(hint_, 1);
+  rebuild_->setObjectName("rebuildStatus");
+  rebuild_->setFlat(true);
+  rebuild_->setToolTip(tr("Show the stages of the rebuild and the facts of the model"));
+  connect(rebuild_, &QPushButton::clicked, this, [this] {
+    QDockWidget* dock = docks_.back();
+    dock->show();
+    dock->raise();
+  });
   statusBar()->addPermanentWidget(rebuild_);
   statusBar()->addPermanentWidget(frame_);
   const auto showHint = [this] { hint_->setText(tools_.active().hint()); };
@@ -154,7 +166,9 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::updateStatus() {
-  rebuild_->setText(rebuildText(editor_.rebuildStatus()));
+  const app::RebuildStatus status = editor_.rebuildStatus();
+  rebuild_->setText(rebuildText(status));
+  rebuild_->setIcon(status.state == app::RebuildStatus::State::kFailed ? icon("warning") : QIcon());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -165,6 +179,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QTimer::singleShot(kUntilCloseAgain, this, &QWidget::close);
     return;
   }
+  // What is being typed counts, and belongs to the question whether to save.
+  if (QWidget* field = focusWidget()) field->clearFocus();
   event->setAccepted(files_->mayDiscard());
   if (event->isAccepted()) settings_.setWindow(saveGeometry(), saveState(kLayoutVersion));
 }

@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPushButton>
 #include <array>
 
 #include "app/gui/actions/file_actions.h"
@@ -24,6 +25,7 @@ class MainWindow : public QMainWindow {
 
  public:
   MainWindow();
+  ~MainWindow() override;
 
   Editor& editor() { return editor_; }
   Settings& settings() { return settings_; }
@@ -68,7 +70,7 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_;
   std::array<QDockWidget*, 4> docks_{};  // model, history, properties, rebuild
   QLabel* hint_;
-  QLabel* rebuild_;
+  QPushButton* rebuild_;
   QLabel* frame_;
 };
 

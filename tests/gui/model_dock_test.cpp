@@ -1,8 +1,11 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeView>
+#include <algorithm>
 
 #include "app/gui/docks/model_tree.h"
 #include "tests/gui/window_fixture.h"
@@ -25,15 +28,20 @@ class ModelDock : public WindowTest {
                       tree().visualRect(index).center());
     QApplication::processEvents();
   }
-  void rename(const QModelIndex& index, const QString& name) {
+  /// Opens the field for a name and types into it.
+  QLineEdit* typeName(const QModelIndex& index, const QString& name) {
     click(index);
     tree().setFocus();
     QTest::keyClick(&tree(), Qt::Key_F2);
-    auto* edit = tree().findChild<QLineEdit*>();
-    ASSERT_TRUE(edit);
+    auto* edit = qobject_cast<QLineEdit*>(QApplication::focusWidget());
+    if (!edit || !tree().isAncestorOf(edit)) throw std::runtime_error("no field for the name");
     edit->selectAll();
     QTest::keyClicks(edit, name);
-    QTest::keyClick(edit, Qt::Key_Return);
+    return edit;
+  }
+  void rename(const QModelIndex& index, const QString& name) {
+    QTest::keyClick(typeName(index, name), Qt::Key_Return);
+    QApplication::processEvents();  // the tree takes the name once the key is done
   }
   std::string nameOf(int support) { return editor().project().supports[support].name; }
 };
@@ -44,8 +52,30 @@ TEST_F(ModelDock, ListsWhatTheProjectHolds) {
             static_cast<int>(solid.patches().size()));
   EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kEdges)), static_cast<int>(solid.edges().size()));
   EXPECT_EQ(row(Node::kSupports, 0).data().toString().toStdString(), nameOf(0));
+  EXPECT_FALSE(tree().isExpanded(rows().indexOf(Node::kPatches)));
   EXPECT_FALSE(tree().isExpanded(rows().indexOf(Node::kEdges)));
+  // All else is there without scrolling.
+  EXPECT_LE(tree().visualRect(rows().indexOf(Node::kMesh)).bottom(), tree().viewport()->height());
   keepPicture("model-dock");
+}
+
+TEST_F(ModelDock, ARowUnderThePointerShowsItsPatch) {
+  editor().select(Selection::ofPatches({4}));  // opens the list
+  editor().select({});
+  QApplication::processEvents();
+  const auto picture = [this] { return view().grabFramebuffer(); };
+  const QImage before = picture();
+  for (const int patch : {1, 4, 5}) {
+    const QModelIndex index = row(Node::kPatches, patch);
+    tree().scrollTo(index);
+    QTest::mouseMove(tree().viewport(), tree().visualRect(index).center());
+    QApplication::processEvents();
+    if (picture() != before) break;  // some lie on the far side
+  }
+  EXPECT_NE(picture(), before);
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(tree().viewport(), &leave);
+  EXPECT_EQ(picture(), before);
 }
 
 TEST_F(ModelDock, ChosenRowsAreSelectedAndBack) {
@@ -77,6 +107,15 @@ TEST_F(ModelDock, NamesAreEditedInTheTree) {
   EXPECT_EQ(editor().project().name, "My ball");
 }
 
+TEST_F(ModelDock, ANameBeingTypedCountsWhenTheWindowIsClosedAndNeverAfterwards) {
+  typeName(row(Node::kSupports, 0), "foot");
+  withDialog<QMessageBox>([this] { window_->close(); },
+                          [](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
+  EXPECT_EQ(nameOf(0), "foot");
+  typeName(row(Node::kSupports, 0), "base");
+  window_.reset();  // not entered into a project that is gone
+}
+
 TEST_F(ModelDock, TakenAndEmptyNamesAreRefusedInWords) {
   const std::string before = text();
   QSignalSpy refused(&editor(), &Editor::refused);
@@ -96,6 +135,17 @@ TEST_F(ModelDock, DeletesWhatCanBeDeletedAndSaysWhyOthersStay) {
   QTest::keyClick(&view(), Qt::Key_Delete);
   ASSERT_EQ(refused.count(), 1);
   EXPECT_TRUE(refused[0][0].toString().contains("Control points cannot be deleted"));
+  // Two actions with the key would do nothing.
+  const auto actions = window_->findChildren<QAction*>();
+  EXPECT_EQ(std::count_if(actions.begin(), actions.end(),
+                          [](const QAction* each) {
+                            return each->shortcuts().contains(QKeySequence(Qt::Key_Delete));
+                          }),
+            1);
+  editor().select(Selection::of(Selection::Kind::kSupport, nameOf(0)));
+  QTest::keyClick(&view(), Qt::Key_Delete);
+  EXPECT_EQ(editor().project().supports.size(), supports - 1);
+  editor().undo();
   click(row(Node::kSupports, 0));
   QTest::keyClick(&tree(), Qt::Key_Delete);
   EXPECT_EQ(editor().project().supports.size(), supports - 1);

@@ -370,10 +370,10 @@ TEST_F(PointTools, ADoubleClickSelectsThePointsOfAPatch) {
 TEST_F(PointTools, DeleteSaysWhyNot) {
   selectOne();
   const std::string text0 = text();
-  QSignalSpy said(&editor(), &Editor::said);
+  QSignalSpy refused(&editor(), &Editor::refused);
   key(Qt::Key_Delete);
-  ASSERT_EQ(said.count(), 1);
-  EXPECT_TRUE(said[0][0].toString().contains("knot"));
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused[0][0].toString().contains("knot"));
   EXPECT_EQ(text(), text0);
 }
 

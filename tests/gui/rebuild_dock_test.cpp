@@ -9,7 +9,12 @@
 namespace palpa::gui {
 namespace {
 
-using RebuildDock = WindowTest;
+class RebuildDock : public WindowTest {
+ protected:
+  RebuildDock() { showDock(); }
+  /// It is a tab behind Properties.
+  void showDock() { QTest::mouseClick(find<QPushButton>("rebuildStatus"), Qt::LeftButton); }
+};
 using State = app::RebuildStatus::State;
 
 bool waitForState(const Editor& editor, State state) {
@@ -29,6 +34,7 @@ modeling::Project slowSphere(const Editor& editor) {
 }
 
 TEST_F(RebuildDock, ShowsStagesAndFactsOfTheModel) {
+  EXPECT_TRUE(find<QLabel>("rebuildState")->isVisible());
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return editor().rebuildStatus().condition > 0; }, 20000));
@@ -120,6 +126,7 @@ TEST_F(RebuildDock, AProjectThatIsOpenedAgainIsRead) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !stored.entryList({"*.model"}, QDir::Files).isEmpty(); },
                               20000));
   restart();
+  showDock();
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
   waitForDock();

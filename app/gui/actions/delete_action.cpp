@@ -14,6 +14,8 @@ void addDeleteAction(const Workspace& workspace) {
                           {"delete", MainWindow::tr("&Delete"), QKeySequence::Delete,
                            MainWindow::tr("Delete the selected support, load or touch")},
                           &editor, [&editor] { deleteSelected(editor); });
+  // Small keyboards have no Delete.
+  action->setShortcuts({QKeySequence::Delete, Qt::Key_Backspace});
   const auto update = [action, &editor] { action->setEnabled(!editor.selection().empty()); };
   QObject::connect(&editor, &Editor::selectionChanged, action, update);
   update();

@@ -48,6 +48,15 @@ ModelDock::ModelDock(const Workspace& workspace)
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ModelDock::chooseRows);
   connect(view_, &QWidget::customContextMenuRequested, this, &ModelDock::showMenu);
+  // The row under the pointer shows its patch in the view.
+  view_->setMouseTracking(true);
+  view_->viewport()->installEventFilter(this);
+  connect(view_, &QAbstractItemView::entered, this, [this](const QModelIndex& index) {
+    workspace_.scene.setHoveredPatch(
+        ModelTree::nodeOf(index) == Node::kPatch ? std::optional(index.row()) : std::nullopt);
+  });
+  connect(view_, &QAbstractItemView::viewportEntered, this,
+          [this] { workspace_.scene.setHoveredPatch(std::nullopt); });
   // Names are edited by a double click; rows without one open and close by it.
   connect(view_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
     const QModelIndex row = index.siblingAtColumn(0);
@@ -56,9 +65,21 @@ ModelDock::ModelDock(const Workspace& workspace)
   });
 }
 
+ModelDock::~ModelDock() {
+  // A name that is being edited goes with the view; it must not be entered into what is left.
+  isFollowing_ = true;
+  view_->setModel(nullptr);
+}
+
+bool ModelDock::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) workspace_.scene.setHoveredPatch(std::nullopt);
+  return QDockWidget::eventFilter(watched, event);
+}
+
 void ModelDock::openUsual() {
+  // The lists of patches and edges are long and stay closed.
   for (const Node node :
-       {Node::kProject, Node::kBody, Node::kPatches, Node::kSupports, Node::kLoads, Node::kTouches})
+       {Node::kProject, Node::kBody, Node::kSupports, Node::kLoads, Node::kTouches})
     view_->expand(tree_->indexOf(node));
 }
 

@@ -14,6 +14,10 @@ class ModelDock : public QDockWidget {
 
  public:
   explicit ModelDock(const Workspace& workspace);
+  ~ModelDock() override;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void openUsual();

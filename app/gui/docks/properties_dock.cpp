@@ -1,6 +1,8 @@
 #include "app/gui/docks/properties_dock.h"
 
 #include <QApplication>
+#include <QComboBox>
+#include <QFormLayout>
 #include <QFrame>
 
 #include "app/gui/docks/properties/pages.h"
@@ -71,14 +73,12 @@ PropertiesDock::PropertiesDock(const Workspace& workspace)
     page_->refreshSlowValues();
   });
   connect(&workspace.tools, &ToolBox::changed, this, &PropertiesDock::showTool);
-  // At the end the window's parts go before its panels: nothing may be entered any more.
-  connect(&editor, &QObject::destroyed, this, [this] {
-    soon_.stop();
-    later_.stop();
-    page_->retire();
-  });
   showTool();
   showPage();
+}
+
+PropertiesDock::~PropertiesDock() {
+  page_->retire();
 }
 
 void PropertiesDock::showTool() {
@@ -98,6 +98,10 @@ void PropertiesDock::showTool() {
     return;
   }
   section->setObjectName("toolOptions");
+  // Tools need not know how narrow the panel is.
+  if (auto* form = qobject_cast<QFormLayout*>(options->layout()))
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  for (QComboBox* box : options->findChildren<QComboBox*>()) shrinkable(*box);
   auto* layout = new QVBoxLayout(section);
   layout->setContentsMargins(12, 8, 12, 8);
   auto* heading = new QLabel(workspace_.tools.activeTitle(), section);
@@ -119,6 +123,7 @@ void PropertiesDock::showPage() {
   page_->setObjectName("page");
   page_->refresh();
   column_->insertWidget(options_ ? 1 : 0, page_);
+  page_->show();  // at once, not with the next event: its fields may be used right away
   key_ = pageKey(workspace_.editor);
   later_.start();
 }

@@ -18,6 +18,7 @@ class PropertiesDock : public QDockWidget {
 
  public:
   explicit PropertiesDock(const Workspace& workspace);
+  ~PropertiesDock() override;
 
  private:
   void showTool();

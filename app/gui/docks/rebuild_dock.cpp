@@ -1,5 +1,6 @@
 #include "app/gui/docks/rebuild_dock.h"
 
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -108,7 +109,12 @@ RebuildDock::RebuildDock(Editor& editor, QWidget* parent)
   layout->addWidget(modelTitle_);
   layout->addLayout(facts);
   layout->addStretch();
-  setWidget(content);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWidget(scroll);
   connect(stop_, &QPushButton::clicked, &editor, &Editor::cancelRebuild);
   connect(again_, &QPushButton::clicked, &editor, &Editor::rebuildAgain);
   connect(&editor, &Editor::rebuildChanged, this, &RebuildDock::showStatus);

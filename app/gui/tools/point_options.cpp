@@ -73,7 +73,6 @@ QWidget* PointOptions::makeWidget(const Settings& settings, QWidget* parent) {
     button->setObjectName(name);
     button->setIcon(icon(name));
     button->setText(text);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     button->setToolTip(tip);
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);

@@ -36,10 +36,6 @@ bool isArrow(int key) {
   return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
 }
 
-bool isDelete(int key) {
-  return key == Qt::Key_Delete || key == Qt::Key_Backspace;
-}
-
 }  // namespace
 
 PointTool::PointTool(const Workspace& workspace, PointOptions& options)
@@ -292,7 +288,6 @@ bool PointTool::wantsKey(const QKeyEvent& event) const {
   if (motion_) return true;  // no shortcut may change the project meanwhile
   if (!isPlain(event) || workspace_.editor.selection().named) return false;
   const int key = event.key();
-  if (isDelete(key)) return !workspace_.editor.selection().empty();
   const bool begins = key == Qt::Key_G || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z;
   return (isArrow(key) || (begins && (event.modifiers() & Qt::ShiftModifier) == 0)) &&
          !movedPoints().empty();
@@ -301,14 +296,6 @@ bool PointTool::wantsKey(const QKeyEvent& event) const {
 bool PointTool::key(QKeyEvent* event) {
   if (motion_) return motionKey(*event);
   if (!wantsKey(*event)) return false;
-  if (isDelete(event->key())) {
-    Q_EMIT workspace_.editor.said(
-        workspace_.editor.selection().points.empty()
-            ? tr("Patches and edges cannot be deleted: a solid is closed")
-            : tr("Control points cannot be deleted: each belongs to a whole net. Remove a knot of "
-                 "the patch instead"));
-    return true;
-  }
   if (isArrow(event->key())) return nudge(*event);
   if (event->isAutoRepeat()) return true;
   begin(axisOfKey(event->key()).value_or(GizmoAxis::kAll), pointer_, true);

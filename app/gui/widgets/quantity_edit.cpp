@@ -33,12 +33,14 @@ void QuantityEdit::setRange(double least, double most) {
 }
 
 void QuantityEdit::showValue() {
-  setText(shown(value_, quantity_, settings_.units(), kDigits));
-  setCursorPosition(0);
+  const QString text = shown(value_, quantity_, settings_.units(), kDigits);
+  if (text != this->text()) {
+    setText(text);
+    setCursorPosition(0);
+  }
   setModified(false);
-  setProperty("refused", false);
   setToolTip({});
-  style()->polish(this);
+  setRefused(false);
 }
 
 void QuantityEdit::commit() {
@@ -63,9 +65,14 @@ void QuantityEdit::accept(double value) {
 }
 
 void QuantityEdit::refuse(const QString& why) {
-  setProperty("refused", true);
-  style()->polish(this);
   setToolTip(why);
+  setRefused(true);
+}
+
+void QuantityEdit::setRefused(bool isRefused) {
+  if (property("refused").toBool() == isRefused) return;
+  setProperty("refused", isRefused);
+  style()->polish(this);  // takes a good part of a millisecond, in every frame of a drag
 }
 
 void QuantityEdit::stepBy(double steps) {

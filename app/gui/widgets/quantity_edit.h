@@ -40,6 +40,7 @@ class QuantityEdit : public QLineEdit {
   void stepBy(double steps);
   void showValue();
   void refuse(const QString& why);
+  void setRefused(bool isRefused);
   void accept(double value);
 
   Quantity quantity_;

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <QAction>
 #include <QCoreApplication>
 #include <algorithm>
@@ -119,8 +120,11 @@ void addBody(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Body"));
   page.addFact(tr("Size"), "size", [&page] {
-    const auto box = modeling::boundingBox(page.editor().project().body);
-    const Eigen::Vector3d size = box[1] - box[0];
+    // Of the surface as shown; the control points stand farther out.
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : page.workspace().scene.surface().positions)
+      box.extend(place);
+    const Eigen::Vector3d size = box.sizes();
     return QStringList{page.shownLength(size.x()), page.shownLength(size.y()),
                        page.shownLength(size.z())}
         .join(QStringLiteral(" × "));

@@ -43,6 +43,12 @@ class CalmBox : public Box {
 
 }  // namespace
 
+void shrinkable(QComboBox& box) {
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(8);
+  box.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
 PropertyPage::PropertyPage(const Workspace& workspace)
     : workspace_(workspace), form_(new QFormLayout(this)) {
   form_->setContentsMargins(12, 4, 12, 12);
@@ -195,6 +201,7 @@ void PropertyPage::addChoice(const QString& label, const QString& name, const QS
                              Get<int> get, Set<int> put) {
   auto* box = new CalmBox<QComboBox>(this);
   box->addItems(choices);
+  shrinkable(*box);
   box->setFocusPolicy(Qt::StrongFocus);
   addField(label, name, box);
   shows_.push_back([box, get] { box->setCurrentIndex(get()); });

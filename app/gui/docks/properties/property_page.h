@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <QAction>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QWidget>
@@ -12,6 +13,9 @@
 #include "app/gui/workspace.h"
 
 namespace palpa::gui {
+
+/// Lets a box be narrower than its longest choice.
+void shrinkable(QComboBox& box);
 
 /// A form with the properties of what is selected. Pages add their rows when they are made, each
 /// with how to read and how to write its value; the page keeps the fields in step with the project.
