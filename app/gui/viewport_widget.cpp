@@ -1,10 +1,12 @@
 #include "app/gui/viewport_widget.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QOpenGLContext>
 #include <QSurfaceFormat>
 #include <cmath>
 
@@ -35,6 +37,14 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
+  // What is removed from the scene outside of paintGL frees its buffers in the right context.
+  vtkNew<vtkCallbackCommand> makeCurrent;
+  makeCurrent->SetClientData(this);
+  makeCurrent->SetCallback([](vtkObject*, unsigned long, void* widget, void*) {
+    auto* self = static_cast<ViewportWidget*>(widget);
+    if (self->context() && QOpenGLContext::currentContext() != self->context()) self->makeCurrent();
+  });
+  window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, makeCurrent);
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(kRest);
   connect(&restTimer_, &QTimer::timeout, this, [this] {
@@ -44,9 +54,11 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
 }
 
 ViewportWidget::~ViewportWidget() {
+  if (context()) disconnect(context(), nullptr, this, nullptr);
   makeCurrent();
   viewport_.reset();
   window_->Finalize();
+  window_->RemoveAllObservers();
   doneCurrent();
 }
 
@@ -56,6 +68,12 @@ void ViewportWidget::setTool(Tool* tool) {
 }
 
 void ViewportWidget::initializeGL() {
+  // In another window the widget gets another context, and what lies in this one must go with it.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+    makeCurrent();
+    window_->Finalize();
+    window_->SetReadyForRendering(false);
+  });
   window_->SetIsCurrent(true);
   window_->SetOwnContext(0);
   window_->OpenGLInitContext();
@@ -171,6 +189,7 @@ void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ViewportWidget::wheelEvent(QWheelEvent* event) {
+  // Touchpads send parts of a notch.
   const double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
   const PointerEvent at{toDevice(event->position()), Qt::NoButton, event->buttons(),

@@ -1,5 +1,6 @@
 #include "app/view/load_arrows.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/view/arrows.h"
@@ -30,7 +31,7 @@ void LoadArrows::clear() {
 void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
                      const ViewportTheme& theme, double pixelRatio) {
   clear();
-  plate_ = mixed(theme.backgroundTop, theme.backgroundBottom, 0.5);
+  plate_ = mixed(theme.backgroundTop, theme.body, 0.05);
   pixelRatio_ = pixelRatio;
   for (const PlacedArrow& placed : placeArrows(arrows, kLongest * bodyDiagonal)) {
     ends_.push_back(placed.tail);
@@ -50,9 +51,8 @@ void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
     }
     if (placed.arrow->label.empty()) continue;
     Label label;
-    // Between the arrow's colour and that of text, which is readable in every theme.
-    const Colour written = mixed(colour, theme.text, 0.3);
-    label.text = makeText(placed.arrow->label, {kFontSize * pixelRatio, true, written});
+    label.text = makeText(placed.arrow->label, {kFontSize * pixelRatio, false, theme.text});
+    label.frame = colour;
     label.free = placed.freeEnd();
     label.held = placed.heldEnd();
     label.size = textSize(label.text, overlay_);
@@ -80,11 +80,15 @@ void LoadArrows::update(const Turntable& camera, FlatShapes& shapes) {
         along.norm() > 0 ? Eigen::Vector2d(along.normalized()) : Eigen::Vector2d(0, -1);
     // The label's box touches, in the direction of the arrow, a circle around its end.
     const Eigen::Vector2d half = 0.5 * label.size;
-    const double gap = 12 * pixelRatio_;
+    const double gap = 14 * pixelRatio_;
     const Eigen::Vector2d center =
         end + gap * away + Eigen::Vector2d(half.x() * away.x(), half.y() * away.y());
-    const Eigen::Vector2d pad = Eigen::Vector2d(5, 3) * pixelRatio_;
-    shapes.addRectangle(center - half - pad, center + half + pad, plate_, 0.72);
+    // As the plates of tools.
+    const Eigen::Vector2d pad = Eigen::Vector2d(6, 4) * pixelRatio_;
+    const Eigen::Vector2d low = (center - half - pad).array().round();
+    const Eigen::Vector2d high = (center + half + pad).array().round();
+    shapes.addRectangle(low, high, plate_, 0.90);
+    shapes.addFrame(low, high, std::max(1.0, std::round(pixelRatio_)), label.frame, 0.7);
     label.text->SetPosition(std::round(center.x() - half.x()),
                             std::round(camera.height() - center.y() - half.y()));
   }

@@ -35,6 +35,7 @@ class LoadArrows {
     vtkSmartPointer<vtkTextActor> text;
     Eigen::Vector3d free, held;  ///< ends of the arrow
     Eigen::Vector2d size;        ///< pixels
+    Colour frame;
   };
 
   void clear();

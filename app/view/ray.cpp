@@ -4,32 +4,27 @@
 
 namespace palpa::view {
 
-std::optional<RayHit> firstHit(const Ray& ray, const std::vector<Eigen::Vector3d>& positions,
-                               const std::vector<Triangle>& triangles) {
-  std::optional<RayHit> first;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    // T. Möller, B. Trumbore, Fast, minimum storage ray/triangle intersection (1997): the point is
-    // a + u (b - a) + v (c - a) = origin + s direction, solved by Cramer's rule. A tiny slack on
-    // the barycentric coordinates lets no ray slip between two triangles.
-    constexpr double kSlack = 1e-12;
-    const Eigen::Vector3d& a = positions[static_cast<std::size_t>(triangles[i][0])];
-    const Eigen::Vector3d ab = positions[static_cast<std::size_t>(triangles[i][1])] - a;
-    const Eigen::Vector3d ac = positions[static_cast<std::size_t>(triangles[i][2])] - a;
-    const Eigen::Vector3d p = ray.direction.cross(ac);
-    const double determinant = ab.dot(p);
-    if (determinant == 0) continue;
-    const Eigen::Vector3d toOrigin = ray.origin - a;
-    const double u = toOrigin.dot(p) / determinant;
-    if (!(u >= -kSlack && u <= 1 + kSlack)) continue;
-    const Eigen::Vector3d q = toOrigin.cross(ab);
-    const double v = ray.direction.dot(q) / determinant;
-    if (!(v >= -kSlack && u + v <= 1 + kSlack)) continue;
-    const double distance = ac.dot(q) / determinant;
-    if (distance > 0 && (!first || distance < first->distance)) {
-      first = RayHit{static_cast<int>(i), distance};
-    }
-  }
-  return first;
+std::optional<double> distanceTo(const Ray& ray, const std::vector<Eigen::Vector3d>& positions,
+                                 const Triangle& triangle) {
+  // T. Möller, B. Trumbore, Fast, minimum storage ray/triangle intersection (1997): the point is
+  // a + u (b - a) + v (c - a) = origin + s direction, solved by Cramer's rule. A tiny slack on
+  // the barycentric coordinates lets no ray slip between two triangles.
+  constexpr double kSlack = 1e-12;
+  const Eigen::Vector3d& a = positions[static_cast<std::size_t>(triangle[0])];
+  const Eigen::Vector3d ab = positions[static_cast<std::size_t>(triangle[1])] - a;
+  const Eigen::Vector3d ac = positions[static_cast<std::size_t>(triangle[2])] - a;
+  const Eigen::Vector3d p = ray.direction.cross(ac);
+  const double determinant = ab.dot(p);
+  if (determinant == 0) return std::nullopt;
+  const Eigen::Vector3d toOrigin = ray.origin - a;
+  const double u = toOrigin.dot(p) / determinant;
+  if (!(u >= -kSlack && u <= 1 + kSlack)) return std::nullopt;
+  const Eigen::Vector3d q = toOrigin.cross(ab);
+  const double v = ray.direction.dot(q) / determinant;
+  if (!(v >= -kSlack && u + v <= 1 + kSlack)) return std::nullopt;
+  const double distance = ac.dot(q) / determinant;
+  if (!(distance > 0)) return std::nullopt;
+  return distance;
 }
 
 std::optional<double> nearestOnLine(const Ray& ray, const Eigen::Vector3d& through,

@@ -23,9 +23,9 @@ struct RayHit {
   double distance = 0;  ///< from the ray's origin
 };
 
-/// The first of `triangles` that the ray meets from either side. Time: linear, 20 ns a triangle.
-std::optional<RayHit> firstHit(const Ray& ray, const std::vector<Eigen::Vector3d>& positions,
-                               const std::vector<Triangle>& triangles);
+/// Where the ray meets the triangle, from either side. Time: 20 ns.
+std::optional<double> distanceTo(const Ray& ray, const std::vector<Eigen::Vector3d>& positions,
+                                 const Triangle& triangle);
 
 /// The s of the point `through` + s `direction` (any length but zero) nearest to the ray's line;
 /// nothing when the two are parallel to within 1 degree.

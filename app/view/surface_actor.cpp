@@ -48,8 +48,16 @@ if (isWire > 0.5) opacity = max(opacity, wireOpacity * strongest);
 float edge = 0.75 * max(border.x, border.y * (1.0 - inside.x));
 region = mix(region, edgeColour, edge);
 opacity = max(opacity, edge);
+if (isWire > 0.5 && opacity < 0.004) discard;
 ambientColor = ambientPart * region;
 diffuseColor = diffusePart * region;
+)";
+
+/// The tints of the wire picture let all that lies behind them shine through, and be drawn after
+/// them: they count as infinitely far. VTK's own translucent pass divides by the sum of opacities
+/// and shows wild colours where that is nearly zero, at the rims.
+constexpr const char* kDepthOfTints = R"(//VTK::Depth::Impl
+gl_FragDepth = 1.0;
 )";
 
 Colour colourOf(Mark mark, const ViewportTheme& theme) {
@@ -105,6 +113,7 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   mapper->MapDataArrayToVertexAttribute("regionsMC", "regions",
                                         vtkDataObject::FIELD_ASSOCIATION_POINTS);
   body_->SetMapper(mapper);
+  blendInOrder(body_);
   vtkShaderProperty* shader = body_->GetShaderProperty();
   shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
                                      "//VTK::Normal::Dec\n"
@@ -234,6 +243,12 @@ void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
 
 void SurfaceActor::setShading(Shading shading) {
   shading_ = shading;
+  // Only there: a shader that sets the depth itself is slower.
+  vtkShaderProperty* shader = body_->GetShaderProperty();
+  if (shading == Shading::kWire)
+    shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);
+  else
+    shader->ClearFragmentShaderReplacement("//VTK::Depth::Impl", true);
   colourTriangles();
   updateLines();
 }

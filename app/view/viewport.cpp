@@ -130,6 +130,7 @@ void Viewport::setControlNetVisible(bool visible) {
 void Viewport::setBody(const ViewportBody& body) {
   requireValid(body);
   parts_->body = body;
+  parts_->bodyBoxes.set(body.positions, body.triangles);
   parts_->surface.setBody(body);
   parts_->syncBounds();
   parts_->remakeArrows();
@@ -141,6 +142,7 @@ void Viewport::moveBody(const std::vector<Eigen::Vector3d>& positions,
           "a moved body has as many points and normals as before");
   parts_->body.positions = positions;
   parts_->body.normals = normals;
+  parts_->bodyBoxes.move();
   parts_->surface.move(positions, normals);
   parts_->syncBounds();
 }

@@ -151,8 +151,12 @@ double Viewport::Parts::bodyDiagonal() const {
 
 Eigen::Vector3d Viewport::Parts::pointUnder(const Eigen::Vector2d& pixel) const {
   const Ray ray = camera.ray(pixel);
-  if (const auto hit = firstHit(ray, body.positions, body.triangles)) return ray.at(hit->distance);
+  if (const auto hit = firstHit(ray)) return ray.at(hit->distance);
   return camera.inViewPlane(pixel, camera.focus());
+}
+
+std::optional<RayHit> Viewport::Parts::firstHit(const Ray& ray) const {
+  return bodyBoxes.firstHit(ray, body.positions, body.triangles);
 }
 
 bool Viewport::Parts::hidden(const Eigen::Vector3d& point) const {
@@ -160,7 +164,7 @@ bool Viewport::Parts::hidden(const Eigen::Vector3d& point) const {
   constexpr double kOnSurface = 1e-3;  // of the distance
   const Ray ray = camera.ray(camera.toPixel(point));
   const double distance = (point - ray.origin).dot(ray.direction);
-  const auto hit = firstHit(ray, body.positions, body.triangles);
+  const auto hit = firstHit(ray);
   return hit && hit->distance < distance - kOnSurface * camera.distance();
 }
 

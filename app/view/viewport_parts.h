@@ -14,6 +14,7 @@
 #include "app/view/orientation_axes.h"
 #include "app/view/surface_actor.h"
 #include "app/view/tool_layer.h"
+#include "app/view/triangle_boxes.h"
 #include "app/view/turntable.h"
 #include "app/view/viewport.h"
 #include "app/view/warning_signs.h"
@@ -44,6 +45,7 @@ struct Viewport::Parts {
   double bodyDiagonal() const;
   /// What lies under a pixel: the surface, or the plane through the focus.
   Eigen::Vector3d pointUnder(const Eigen::Vector2d& pixel) const;
+  std::optional<RayHit> firstHit(const Ray& ray) const;
   /// True when the body lies between the eye and the point.
   bool hidden(const Eigen::Vector3d& point) const;
 
@@ -58,6 +60,7 @@ struct Viewport::Parts {
   double pixelRatio;
 
   ViewportBody body;
+  TriangleBoxes bodyBoxes;
   ControlNet net;
   bool netVisible = true;
   std::vector<ForceArrow> forces;

@@ -18,7 +18,7 @@ constexpr double kSamePlace = 1.5;
 std::optional<SurfaceHit> Viewport::surfaceAt(const Eigen::Vector2d& pixel) const {
   parts_->syncSize();
   const Ray ray = parts_->camera.ray(pixel);
-  const auto hit = firstHit(ray, parts_->body.positions, parts_->body.triangles);
+  const auto hit = parts_->firstHit(ray);
   if (!hit) return std::nullopt;
   return SurfaceHit{hit->triangle, ray.at(hit->distance)};
 }

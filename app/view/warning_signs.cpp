@@ -68,20 +68,29 @@ void WarningSigns::update(const Turntable& camera, FlatShapes& shapes) {
     const bool visible = visible_ && place.allFinite();
     if (sign.text) sign.text->SetVisibility(visible);
     if (!visible) continue;
-    // The sign stands above its place; the text on the side where there is room.
+    // The sign stands above its place, all of it in the picture; the text on the side where there
+    // is room.
     const double half = 0.5 * kPlate * pixelRatio_;
     const double textWidth = sign.text ? sign.size.x() + kPad * pixelRatio_ : 0;
     const bool left = place.x() + half + textWidth > camera.width() && place.x() > half + textWidth;
     Box box{{place.x() - half - (left ? textWidth : 0), 0},
             {place.x() + half + (left ? 0 : textWidth), 0}};
-    box.high.y() = place.y() - kStem * pixelRatio_;
-    box.low.y() = box.high.y() - kPlate * pixelRatio_;
+    const double shift = std::max(0.0, -box.low.x()) - std::max(0.0, box.high.x() - camera.width());
+    box.low.x() += shift;
+    box.high.x() += shift;
+    const double height = kPlate * pixelRatio_;
+    const double stem = kStem * pixelRatio_;
+    // Below its place where the picture ends above.
+    const bool below = place.y() < stem + height;
+    box.low.y() = below ? place.y() + stem : place.y() - stem - height;
+    box.high.y() = box.low.y() + height;
     for (std::size_t round = 0; round < taken.size(); ++round) {
       const auto covered = std::find_if(taken.begin(), taken.end(),
                                         [&](const Box& other) { return box.overlaps(other); });
       if (covered == taken.end()) break;
-      box.high.y() = covered->low.y() - 3 * pixelRatio_;
-      box.low.y() = box.high.y() - kPlate * pixelRatio_;
+      const double gap = 3 * pixelRatio_;
+      box.low.y() = below ? covered->high.y() + gap : covered->low.y() - gap - height;
+      box.high.y() = box.low.y() + height;
     }
     taken.push_back(box);
     draw(sign, place, box.low, box.high, left, camera, shapes);
@@ -93,13 +102,15 @@ void WarningSigns::draw(const Sign& sign, const Eigen::Vector2d& place, const Ei
                         FlatShapes& shapes) {
   const double half = 0.5 * kPlate * pixelRatio_;
   const Colour plate = mixed(theme_.backgroundTop, theme_.body, 0.05);
-  shapes.addLine(place, {place.x(), high.y()}, 1.5 * pixelRatio_, theme_.warning);
+  const double end = high.y() < place.y() ? high.y() : low.y();
+  shapes.addLine(place, {place.x(), end}, 1.5 * pixelRatio_, theme_.warning);
   shapes.addDisc(place, 3.5 * pixelRatio_, plate);
   shapes.addDisc(place, 2.5 * pixelRatio_, theme_.warning);
   shapes.addRectangle(low, high, plate, 0.93);
   shapes.addFrame(low, high, std::max(1.0, std::round(pixelRatio_)), theme_.warning, 0.8);
   const double middle = 0.5 * (low.y() + high.y());
-  addSign({place.x(), middle}, pixelRatio_, theme_.warning, shapes);
+  const double center = textOnTheLeft ? high.x() - half : low.x() + half;
+  addSign({center, middle}, pixelRatio_, theme_.warning, shapes);
   if (!sign.text) return;
   const double textLeft = textOnTheLeft ? low.x() + kPad * pixelRatio_ : low.x() + 2 * half;
   sign.text->SetPosition(std::round(textLeft),

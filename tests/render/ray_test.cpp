@@ -4,13 +4,22 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <optional>
 
+#include "app/view/triangle_boxes.h"
 #include "tests/render/shapes.h"
 
 namespace palpa::view {
 namespace {
 
 using Eigen::Vector3d;
+
+std::optional<RayHit> firstHit(const Ray& ray, const std::vector<Vector3d>& positions,
+                               const std::vector<Triangle>& triangles) {
+  TriangleBoxes boxes;
+  boxes.set(positions, triangles);
+  return boxes.firstHit(ray, positions, triangles);
+}
 
 TEST(Ray, HitsTheNearerSideOfABox) {
   const render_tests::Shape box = render_tests::box({40, 30, 20}, 5);
@@ -59,6 +68,34 @@ TEST(Ray, DegenerateTrianglesAreNeverHit) {
   const std::vector<Vector3d> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 0}};
   const std::vector<Triangle> triangles{{0, 1, 2}, {0, 0, 0}, {0, 3, 1}};
   EXPECT_FALSE(firstHit({{0.5, 0, 5}, -Vector3d::UnitZ()}, points, triangles));
+}
+
+TEST(Ray, BoxesFindWhatTryingAllTrianglesFinds) {
+  render_tests::Shape sphere = render_tests::sphere(25, 12);
+  TriangleBoxes boxes;
+  boxes.set(sphere.positions, sphere.triangles);
+  for (const double stretch : {1.0, 0.2, 3.0}) {
+    for (Vector3d& position : sphere.positions) position.x() *= stretch;
+    boxes.move();
+    int hits = 0;
+    for (int i = 0; i < 400; ++i) {
+      const Vector3d eye(90 * std::cos(i), 90 * std::sin(1.7 * i), 60 * std::sin(0.6 * i));
+      const Vector3d target(20 * std::sin(2.3 * i), 30 * std::cos(0.9 * i), 10 * std::sin(i));
+      const Ray ray{eye, i % 10 == 0 ? Vector3d(-Vector3d::Unit(i % 3))
+                                     : Vector3d((target - eye).normalized())};
+      std::optional<double> nearest;
+      for (const Triangle& triangle : sphere.triangles) {
+        const auto distance = distanceTo(ray, sphere.positions, triangle);
+        if (distance && (!nearest || *distance < *nearest)) nearest = distance;
+      }
+      const auto hit = boxes.firstHit(ray, sphere.positions, sphere.triangles);
+      ASSERT_EQ(hit.has_value(), nearest.has_value());
+      if (!hit) continue;
+      ++hits;
+      EXPECT_EQ(hit->distance, *nearest);
+    }
+    EXPECT_GT(hits, 50);
+  }
 }
 
 TEST(Ray, NearestOnLine) {

@@ -200,12 +200,11 @@ void ViewActions::save() {
 }
 
 void ViewActions::restore() {
-  const auto saved = viewFromText(workspace_.editor.project().view);
-  if (!saved) return;  // what was shown before stays
-  shadings_[static_cast<std::size_t>(saved->shading)]->setChecked(true);
-  for (const Part& part : parts_) part.action->setChecked((*saved).*part.shown);
-  parallel_->setChecked(saved->camera.parallel);
-  workspace_.view.viewport().setCamera(saved->camera);
+  const SavedView saved = viewFromText(workspace_.editor.project().view).value_or(SavedView());
+  shadings_[static_cast<std::size_t>(saved.shading)]->setChecked(true);
+  for (const Part& part : parts_) part.action->setChecked(saved.*part.shown);
+  parallel_->setChecked(saved.camera.parallel);
+  workspace_.view.viewport().setCamera(saved.camera);
   workspace_.view.update();
 }
 
