@@ -7,6 +7,7 @@
 #include "app/core/new_project.h"
 #include "modeling/error.h"
 #include "modeling/exchange/import.h"
+#include "modeling/project/project_file.h"
 #include "modeling/shapes/make_primitive.h"
 
 namespace palpa::gui {

@@ -240,7 +240,8 @@ void NewSolidDialog::showProblem(const QString& problem) {
     earliest = at;
     guilty = lengths_[i];
   }
-  const QString sentence = problem.section(": ", 1).isEmpty() ? problem : problem.section(": ", 1);
+  QString sentence = problem.section(": ", 1).isEmpty() ? problem : problem.section(": ", 1);
+  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
   if (guilty) guilty->setProblem(sentence);
   problem_->setText(guilty ? QString() : problem);
 }
