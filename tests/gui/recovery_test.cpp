@@ -46,7 +46,7 @@ class Recovery : public WindowTest {
     withDialog<RecoveryDialog>(
         [&] {
           window_->begin({});
-          QTest::qWaitFor([&] { return isAnswered; }, 10000);
+          EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
         },
         [&](RecoveryDialog& dialog) {
           act(dialog);
@@ -129,7 +129,7 @@ TEST_F(Recovery, TheOthersAreOfferedByTheMenu) {
   withDialog<RecoveryDialog>(
       [&] {
         action("Recover")->trigger();
-        QTest::qWaitFor([&] { return isAnswered; }, 10000);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
       },
       [&](RecoveryDialog& dialog) {
         // What was recovered is not saved yet: it must not be lost for the other.
@@ -178,7 +178,7 @@ TEST_F(Recovery, OnlyTheFirstRunIsWelcomedAndTheWindowKeepsItsPlace) {
   withDialog<WelcomeDialog>(
       [&] {
         window_->begin({});
-        QTest::qWaitFor([&] { return isAnswered; }, 10000);
+        EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
       },
       [&](WelcomeDialog& dialog) {
         QTest::keyClick(&dialog, Qt::Key_Escape);
