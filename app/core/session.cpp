@@ -91,6 +91,10 @@ void Session::save() {
 
 void Session::saveAs(const std::filesystem::path& file) {
   modeling::writeProject(project(), file);
+  noteSaved(file);
+}
+
+void Session::noteSaved(const std::filesystem::path& file) {
   file_ = file;
   document_.markSaved();
   recovered_ = false;

@@ -63,6 +63,9 @@ class Session {
   /// std::logic_error without a file.
   void save();
   void saveAs(const std::filesystem::path& file);
+  /// The project as it is now was written to `file` by another thread: what saveAs() does after
+  /// writing.
+  void noteSaved(const std::filesystem::path& file);
 
   /// Writes the snapshot when it is due; to be called now and then with the present time. True when
   /// one was written. Errors reach the caller once per interval.

@@ -66,7 +66,7 @@ QStatusBar::item { border: 0; }
 QMainWindow::separator { background: %2; width: 1px; height: 1px; }
 QMainWindow::separator:hover { background: %4; }
 QTreeView, QListView, QTableView { border: 0; }
-QTreeView::item { padding: 2px 0; }
+QTreeView::item { padding: 2px 0; } QListWidget::item { padding: 5px 6px; }
 QMenu { padding: 4px; } QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
 QMenu::item:selected { background: %4; color: %5; }
 QLineEdit[refused="true"] { border: 1px solid #d0462b; background: #33d0462b; }

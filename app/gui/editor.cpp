@@ -7,6 +7,7 @@
 #include "app/core/new_project.h"
 #include "modeling/error.h"
 #include "modeling/exchange/import.h"
+#include "modeling/project/project_file.h"
 #include "modeling/shapes/make_primitive.h"
 
 namespace palpa::gui {
@@ -165,17 +166,24 @@ bool Editor::recover(const modeling::Snapshot& snapshot) {
 }
 
 bool Editor::save() {
-  Q_EMIT aboutToSave();
-  const bool saved = attempt([this] { session_->save(); });
-  Q_EMIT fileChanged();
-  return saved;
+  return !fileName().isEmpty() && saveAs(fileName());
 }
 
 bool Editor::saveAs(const QString& file) {
   Q_EMIT aboutToSave();
-  const bool saved = attempt([&] { session_->saveAs(file.toStdString()); });
+  bool isSaved = false;
+  attempt([&] {
+    const std::filesystem::path path = file.toStdString();
+    const modeling::Project copy = project();
+    // Writing cannot be stopped halfway: what was written counts, even after a Cancel.
+    runner_(tr("Saving %1").arg(QFileInfo(file).fileName()), [&](const modeling::Job&) {
+      modeling::writeProject(copy, path);
+      isSaved = true;
+    });
+    if (isSaved) session_->noteSaved(path);
+  });
   Q_EMIT fileChanged();
-  return saved;
+  return isSaved;
 }
 
 QString Editor::fileName() const {

@@ -46,6 +46,7 @@ class Editor : public QObject {
   bool exportFile(const QString& file, ExportedSurface surface);
   /// Opens what a crash left; its snapshot goes when the new session has written its own.
   bool recover(const modeling::Snapshot& snapshot);
+  /// To fileName(); false without one.
   bool save();
   bool saveAs(const QString& file);
   QString fileName() const;

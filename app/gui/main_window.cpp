@@ -206,7 +206,8 @@ void MainWindow::begin(const QStringList& files) {
   if (files.size() > 1)
     messages_->showNote(tr("Of the %1 files given, the first was opened").arg(files.size()));
   const bool isWelcome = files.isEmpty() && settings_.isFirstRun();
-  offerRecovery(editor_, *this, [this, isWelcome](bool any) {
+  const auto mayReplace = [this] { return files_->mayDiscard(); };
+  offerRecovery(editor_, *this, mayReplace, [this, isWelcome](bool any) {
     if (isWelcome && !any) showWelcome();
   });
 }

@@ -52,6 +52,25 @@ TEST_F(Files, ErrorsStayAndAnUnknownEndingIsSaid) {
   EXPECT_EQ(window_->messages().messages().size(), 1);
 }
 
+/// Counts how often a widget is asked to lay itself out.
+class LayoutCounter : public QObject {
+ public:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) ++count;
+    return false;
+  }
+  int count = 0;
+};
+
+TEST_F(Files, ShownMessagesTakeNoTime) {
+  EXPECT_FALSE(window_->openFile("/no/such/file.json"));
+  QTest::qWait(200);
+  LayoutCounter counter;
+  window_->messages().installEventFilter(&counter);
+  QTest::qWait(300);
+  EXPECT_LT(counter.count, 5);
+}
+
 TEST_F(Files, AnExportedSolidIsImportedAgain) {
   ASSERT_TRUE(window_->openFile(kSphere));
   const auto points = editor().solid()->controlPoints();

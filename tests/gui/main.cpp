@@ -1,17 +1,75 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <iostream>
+#include <mutex>
+#include <thread>
 
 #include "app/gui/appearance.h"
 #include "app/gui/viewport_widget.h"
+
+namespace {
+
+/// Ends the program when one test takes too long, with the name of the test and of the dialog that
+/// nobody closed: a modal dialog would wait for ever.
+class Watchdog : public testing::EmptyTestEventListener {
+ public:
+  Watchdog() : thread_([this](const std::stop_token& stop) { watch(stop); }) {}
+
+  void OnTestStart(const testing::TestInfo& test) override {
+    note(std::string(test.test_suite_name()) + "." + test.name());
+  }
+  void OnTestEnd(const testing::TestInfo&) override { note({}); }
+
+ private:
+  static constexpr std::chrono::seconds kLongestTest{100};
+
+  void note(const std::string& test) {
+    const std::lock_guard lock(mutex_);
+    test_ = test;
+    ++count_;
+    changed_.notify_all();
+  }
+
+  void watch(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!stop.stop_requested()) {
+      const int count = count_;
+      if (changed_.wait_for(lock, stop, kLongestTest, [&] { return count_ != count; }) ||
+          stop.stop_requested() || test_.empty())
+        continue;
+      std::cerr << test_ << " does not end.";
+      // Not of this thread, but the program ends with this line anyhow.
+      if (const QWidget* modal = QApplication::activeModalWidget())
+        std::cerr << " Open: " << modal->metaObject()->className() << " \""
+                  << modal->windowTitle().toStdString() << '"';
+      std::cerr << std::endl;
+      std::abort();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::string test_;
+  int count_ = 0;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();  // needs no display
   // Mesa would keep shaders in the cache folder, which is another one for each test.
   qputenv("MESA_SHADER_CACHE_DISABLE", "true");
+  // Dialogs of the desktop's own could not be found by the tests.
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   palpa::gui::setDefaultSurfaceFormat();
   QApplication application(argc, argv);
   palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);
+  testing::UnitTest::GetInstance()->listeners().Append(new Watchdog);
   return RUN_ALL_TESTS();
 }

@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QPointer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -60,26 +61,32 @@ class WindowTest : public testing::Test {
 };
 
 /// Runs `act` on the modal dialog of type T that `open` brings up; fails when none comes up within
-/// five seconds or `act` leaves it open.
+/// five seconds, when `act` leaves it open, or when another dialog stays open afterwards, and
+/// closes what is there, so that `open` returns.
 template <class T>
 void withDialog(const std::function<void()>& open, const std::function<void(T&)>& act) {
+  constexpr int kPatience = 5000;  // ms
   bool isDone = false;
   QTimer poll;
   QElapsedTimer waited;
   waited.start();
   QObject::connect(&poll, &QTimer::timeout, [&] {
-    auto* dialog = qobject_cast<T*>(QApplication::activeModalWidget());
+    QWidget* modal = QApplication::activeModalWidget();
+    auto* dialog = qobject_cast<T*>(modal);
     if (dialog && dialog->isVisible() && !isDone) {
       isDone = true;
+      const QPointer<T> guard(dialog);
       act(*dialog);
-      if (dialog->isVisible()) {
-        ADD_FAILURE() << "the dialog is still open";
-        dialog->close();
+      if (guard && guard->isVisible()) {
+        ADD_FAILURE() << "the dialog is still open: " << guard->windowTitle().toStdString();
+        guard->close();
       }
-    } else if (!isDone && waited.elapsed() > 5000) {
-      isDone = true;
-      ADD_FAILURE() << "no dialog came up";
-      if (QWidget* other = QApplication::activeModalWidget()) other->close();
+      waited.restart();
+    } else if (waited.elapsed() > kPatience && modal) {
+      ADD_FAILURE() << "nobody closed the " << modal->metaObject()->className() << " \""
+                    << modal->windowTitle().toStdString() << '"';
+      modal->close();
+      waited.restart();
     }
   });
   poll.start(20);

@@ -9,6 +9,7 @@
 #include "app/gui/dialogs/export_dialog.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
+#include "app/gui/dialogs/recovery_dialog.h"
 #include "app/gui/editor.h"
 #include "app/gui/examples.h"
 #include "app/gui/main_window.h"
@@ -54,6 +55,9 @@ FileActions::FileActions(const Workspace& workspace)
       menus.add(menu, {"save", tr("&Save"), QKeySequence::Save}, this, [this] { save(); }));
   menus.add(menu, {"save-as", tr("Save &as …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
             this, [this] { saveAs(); });
+  menus.add(menu,
+            {nullptr, tr("Reco&ver …"), {}, tr("Projects that were not saved before a crash")},
+            this, [this] { recover(); });
   menu->addSeparator();
   addImportAndExport();
   menu->addSeparator();
@@ -220,6 +224,15 @@ bool FileActions::saveAs() {
   if (file.isEmpty() || !workspace_.editor.saveAs(file)) return false;
   workspace_.settings.addRecentFile(file);
   return true;
+}
+
+void FileActions::recover() {
+  Editor& editor = workspace_.editor;
+  offerRecovery(
+      editor, workspace_.window, [this] { return mayDiscard(); },
+      [&editor](bool any) {
+        if (!any) Q_EMIT editor.said(tr("There is nothing to recover"));
+      });
 }
 
 void FileActions::exportBody() {

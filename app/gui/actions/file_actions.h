@@ -35,6 +35,7 @@ class FileActions : public QObject {
   void addPrimitiveEditing();
   void fillRecentFiles(QMenu* menu);
   void fillExamples(QMenu* menu);
+  void recover();
   void importBody();
   void exportBody();
   void savePicture();

@@ -2,8 +2,8 @@
 
 #include <QThreadPool>
 #include <atomic>
+#include <exception>
 
-#include "modeling/error.h"
 #include "modeling/shapes/make_primitive.h"
 
 namespace palpa::gui {
@@ -25,17 +25,19 @@ FitMeasurement::FitMeasurement(QObject* parent) : QObject(parent) {
 
 void FitMeasurement::ask(const modeling::Primitive& primitive) {
   waiting_ = primitive;
+  isWanted_ = false;  // what is being measured
   timer_.start();
 }
 
 void FitMeasurement::forget() {
   waiting_.reset();
+  isWanted_ = false;
 }
 
 void FitMeasurement::look() {
   if (answer_) {
     if (!answer_->isThere) return;
-    if (!waiting_ && answer_->deviation >= 0) Q_EMIT measured(answer_->deviation);
+    if (isWanted_ && answer_->deviation >= 0) Q_EMIT measured(answer_->deviation);
     answer_.reset();
   }
   if (!waiting_) {
@@ -46,12 +48,13 @@ void FitMeasurement::look() {
   QThreadPool::globalInstance()->start([answer = answer_, primitive = *waiting_] {
     try {
       answer->deviation = modeling::makeMeasuredPrimitive(primitive).deviation;
-    } catch (const modeling::ModelingError&) {
+    } catch (const std::exception&) {
       // The dialog has said so already.
     }
     answer->isThere = true;
   });
   waiting_.reset();
+  isWanted_ = true;
 }
 
 }  // namespace palpa::gui

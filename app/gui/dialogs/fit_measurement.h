@@ -18,6 +18,7 @@ class FitMeasurement : public QObject {
   explicit FitMeasurement(QObject* parent);
 
   void ask(const modeling::Primitive& primitive);
+  /// No answer comes any more.
   void forget();
 
  Q_SIGNALS:
@@ -30,6 +31,7 @@ class FitMeasurement : public QObject {
 
   std::shared_ptr<Answer> answer_;
   std::optional<modeling::Primitive> waiting_;
+  bool isWanted_ = false;  // is what is being measured still asked for?
   QTimer timer_;
 };
 

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "app/core/new_project.h"
+#include "app/gui/appearance.h"
 #include "app/gui/dialogs/primitive_kinds.h"
 #include "modeling/body/body.h"
 #include "modeling/error.h"
@@ -31,6 +32,7 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
       degree_(new QSpinBox(this)),
       controlPoints_(new QSpinBox(this)),
       preview_(new ViewportWidget(this)),
+      stale_(new QLabel(preview_)),
       facts_(new QLabel(this)),
       problem_(new QLabel(this)),
       fit_(this) {
@@ -72,8 +74,10 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
 void NewSolidDialog::addWidgets(bool isPresent) {
   kinds_->setObjectName("shapes");
   kinds_->setAccessibleName(tr("Shapes"));
-  for (const PrimitiveKind& kind : primitiveKinds()) kinds_->addItem(kind.title);
-  kinds_->setFixedWidth(150);
+  for (const PrimitiveKind& kind : primitiveKinds())
+    kinds_->addItem(new QListWidgetItem(icon(kind.icon), kind.title));
+  kinds_->setIconSize({22, 22});
+  kinds_->setFixedWidth(180);
   kinds_->setVisible(!isPresent);
   degree_->setObjectName("degree");
   degree_->setRange(1, 5);
@@ -85,6 +89,17 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   preview_->setObjectName("preview");
   preview_->viewport().setTheme(viewportTheme(currentTheme()));
   preview_->setMinimumSize(380, 320);
+  stale_->setObjectName("stale");
+  stale_->setAlignment(Qt::AlignCenter);
+  stale_->setWordWrap(true);
+  stale_->setText(tr("These sizes give no solid.\nThe picture shows the last that did."));
+  QColor veil = palette().color(QPalette::Window);
+  veil.setAlphaF(0.75F);
+  stale_->setStyleSheet(QString("background: %1;").arg(veil.name(QColor::HexArgb)));
+  stale_->hide();
+  auto* cover = new QVBoxLayout(preview_);
+  cover->setContentsMargins(0, 0, 0, 0);
+  cover->addWidget(stale_);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
   problem_->setStyleSheet("color: #d0462b;");
@@ -192,7 +207,7 @@ void NewSolidDialog::update() {
   for (const NumberRow* row : lengths_)
     if (!row->value()) {
       problem_->clear();
-      ok_->setEnabled(false);
+      setMakable(false);
       return;
     }
   readFields();
@@ -214,7 +229,7 @@ void NewSolidDialog::update() {
 }
 
 void NewSolidDialog::showProblem(const QString& problem) {
-  ok_->setEnabled(problem.isEmpty());
+  setMakable(problem.isEmpty());
   // At the field that the message names first, or beneath all of them.
   NumberRow* guilty = nullptr;
   qsizetype earliest = problem.size();
@@ -225,9 +240,16 @@ void NewSolidDialog::showProblem(const QString& problem) {
     earliest = at;
     guilty = lengths_[i];
   }
-  const QString sentence = problem.section(": ", 1).isEmpty() ? problem : problem.section(": ", 1);
+  QString sentence = problem.section(": ", 1).isEmpty() ? problem : problem.section(": ", 1);
+  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
   if (guilty) guilty->setProblem(sentence);
   problem_->setText(guilty ? QString() : problem);
+}
+
+void NewSolidDialog::setMakable(bool isMakable) {
+  ok_->setEnabled(isMakable);
+  stale_->setVisible(!isMakable);
+  facts_->setVisible(isMakable);
 }
 
 void NewSolidDialog::showSolid(const modeling::Solid& solid) {

@@ -38,6 +38,7 @@ class NewSolidDialog : public QDialog {
   void readFields();
   void update();
   void showSolid(const modeling::Solid& solid);
+  void setMakable(bool isMakable);
   void showProblem(const QString& problem);
 
   Settings& settings_;
@@ -50,6 +51,7 @@ class NewSolidDialog : public QDialog {
   QSpinBox* degree_;
   QSpinBox* controlPoints_;
   ViewportWidget* preview_;
+  QLabel* stale_;  // over the preview while the sizes give no solid
   QLabel* facts_;
   QLabel* problem_;
   QPushButton* ok_;

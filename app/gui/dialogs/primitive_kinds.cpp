@@ -97,34 +97,38 @@ std::vector<PrimitiveKind::Profile> lofted() {
 
 std::vector<PrimitiveKind> makeKinds() {
   std::vector<PrimitiveKind> kinds;
-  const auto add = [&kinds](const QString& title, auto shape, std::vector<PrimitiveLength> lengths,
+  const auto add = [&kinds](const QString& title, const QString& icon, auto shape,
+                            std::vector<PrimitiveLength> lengths,
                             std::vector<PrimitiveKind::Profile> profiles = {}) {
     PrimitiveKind& kind = kinds.emplace_back();
     kind.title = title;
+    kind.icon = "shape-" + icon;
     kind.primitive.shape = std::move(shape);
     kind.lengths = std::move(lengths);
     kind.profiles = std::move(profiles);
   };
-  add(tr("Box"), BoxShape{}, axes(&BoxShape::size, "the size in "));
-  add(tr("Sphere"), SphereShape{}, {length(tr("&Radius:"), "the radius", &SphereShape::radius)});
-  add(tr("Ellipsoid"), EllipsoidShape{}, axes(&EllipsoidShape::radii, "the radius in "));
-  add(tr("Cylinder"), CylinderShape{},
+  add(tr("Box"), "box", BoxShape{}, axes(&BoxShape::size, "the size in "));
+  add(tr("Sphere"), "sphere", SphereShape{},
+      {length(tr("&Radius:"), "the radius", &SphereShape::radius)});
+  add(tr("Ellipsoid"), "ellipsoid", EllipsoidShape{},
+      axes(&EllipsoidShape::radii, "the radius in "));
+  add(tr("Cylinder"), "cylinder", CylinderShape{},
       {length(tr("&Radius:"), "the radius", &CylinderShape::radius),
        length(tr("&Height:"), "the height", &CylinderShape::height)});
-  add(tr("Cone"), ConeShape{},
+  add(tr("Cone"), "cone", ConeShape{},
       {length(tr("&Bottom radius:"), "the bottom radius", &ConeShape::bottomRadius),
        length(tr("&Top radius:"), "the top radius", &ConeShape::topRadius, true),
        length(tr("&Height:"), "the height", &ConeShape::height)});
-  add(tr("Capsule"), CapsuleShape{},
+  add(tr("Capsule"), "capsule", CapsuleShape{},
       {length(tr("&Radius:"), "the radius", &CapsuleShape::radius),
        length(tr("&Length between the half spheres:"), "the length", &CapsuleShape::length)});
-  add(tr("Torus"), TorusShape{},
+  add(tr("Torus"), "torus", TorusShape{},
       {length(tr("&Major radius:"), "the major radius", &TorusShape::majorRadius),
        length(tr("Mi&nor radius:"), "the minor radius", &TorusShape::minorRadius)});
-  add(tr("Revolved profile"), revolved().front().shape, {}, revolved());
-  add(tr("Extruded profile"), extruded().front().shape,
+  add(tr("Revolved profile"), "revolved", revolved().front().shape, {}, revolved());
+  add(tr("Extruded profile"), "extruded", extruded().front().shape,
       {length(tr("&Height:"), "the height", &ExtrudeShape::height)}, extruded());
-  add(tr("Lofted sections"), lofted().front().shape, {}, lofted());
+  add(tr("Lofted sections"), "lofted", lofted().front().shape, {}, lofted());
   return kinds;
 }
 

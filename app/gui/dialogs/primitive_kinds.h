@@ -19,6 +19,7 @@ struct PrimitiveLength {
 
 struct PrimitiveKind {
   QString title;
+  QString icon;                   ///< name in resources/icons
   modeling::Primitive primitive;  ///< with the sizes to begin with
   std::vector<PrimitiveLength> lengths;
   /// Shapes that begin with a profile, for those made from one; empty for the others.

@@ -30,10 +30,10 @@ ProgressDialog::ProgressDialog(const QString& title, QWidget* parent)
 void ProgressDialog::showProgress(const QString& phase, double fraction, bool isStopping) {
   cancel_->setEnabled(!isStopping);
   if (isStopping) {
-    phase_->setText(tr("Stopping …"));
+    phase_->setText(tr("Stopping as soon as this step is done …"));
     bar_->setRange(0, 0);
   } else if (!phase.isEmpty()) {
-    phase_->setText(phase);
+    phase_->setText(phase.left(1).toUpper() + phase.mid(1));
     bar_->setRange(0, 100);
     bar_->setValue(static_cast<int>(std::lround(100 * fraction)));
   }

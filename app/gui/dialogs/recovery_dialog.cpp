@@ -1,22 +1,39 @@
 #include "app/gui/dialogs/recovery_dialog.h"
 
+#include <QApplication>
 #include <QDateTime>
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMessageBox>
 #include <QThread>
+#include <QTimer>
 #include <QVBoxLayout>
 
-#include "modeling/error.h"
+#include "app/gui/background_job.h"
 
 namespace palpa::gui {
+namespace {
+
+constexpr int kUntilNextLook = 100;  // ms
+
+/// Calls `act` as soon as no dialog is open and no file is being read.
+void whenFree(QWidget& window, const std::function<void()>& act) {
+  if (!isBackgroundJobRunning() && !QApplication::activeModalWidget() &&
+      !QApplication::activePopupWidget() && QApplication::mouseButtons() == Qt::NoButton)
+    act();
+  else
+    QTimer::singleShot(kUntilNextLook, &window, [&window, act] { whenFree(window, act); });
+}
+
+}  // namespace
 
 RecoveryDialog::RecoveryDialog(Editor& editor, std::vector<modeling::Snapshot> snapshots,
-                               QWidget* parent)
+                               std::function<bool()> mayReplace, QWidget* parent)
     : QDialog(parent),
       editor_(editor),
       snapshots_(std::move(snapshots)),
+      mayReplace_(std::move(mayReplace)),
       list_(new QTreeWidget(this)) {
   setObjectName("recovery");
   setWindowTitle(tr("Recover projects"));
@@ -67,10 +84,10 @@ const modeling::Snapshot* RecoveryDialog::chosen() const {
 
 void RecoveryDialog::recover() {
   const modeling::Snapshot* snapshot = chosen();
-  if (!snapshot) return;
-  // The others stay for the next start.
+  if (!snapshot || !mayReplace_()) return;
   accept();
-  editor_.recover(*snapshot);
+  if (editor_.recover(*snapshot) && list_->topLevelItemCount() > 1)
+    Q_EMIT editor_.said(tr("The other projects are still kept: File > Recover …"));
 }
 
 void RecoveryDialog::discard() {
@@ -90,7 +107,8 @@ void RecoveryDialog::discard() {
   if (list_->topLevelItemCount() == 0) accept();
 }
 
-void offerRecovery(Editor& editor, QWidget& window, const std::function<void(bool any)>& done) {
+void offerRecovery(Editor& editor, QWidget& window, const std::function<bool()>& mayReplace,
+                   const std::function<void(bool any)>& done) {
   auto found = std::make_shared<modeling::RecoveryList>();
   QThread* search = QThread::create([found] {
     try {
@@ -99,14 +117,18 @@ void offerRecovery(Editor& editor, QWidget& window, const std::function<void(boo
       found->problems.emplace_back(error.what());
     }
   });
+  search->setParent(&window);
+  QObject::connect(&window, &QObject::destroyed, search, [search] { search->wait(); });
   QObject::connect(search, &QThread::finished, search, &QObject::deleteLater);
-  QObject::connect(search, &QThread::finished, &window, [found, done, &editor, &window] {
+  QObject::connect(search, &QThread::finished, &window, [=, &editor, &window] {
     for (const std::string& problem : found->problems)
-      Q_EMIT editor.said(
-          QObject::tr("Snapshot for recovery: %1").arg(QString::fromStdString(problem)));
-    const bool any = !found->snapshots.empty();
-    if (any) RecoveryDialog(editor, std::move(found->snapshots), &window).exec();
-    done(any);
+      Q_EMIT editor.refused(RecoveryDialog::tr("What was kept for recovery cannot be used: %1")
+                                .arg(QString::fromStdString(problem)));
+    whenFree(window, [=, &editor, &window] {
+      const bool any = !found->snapshots.empty();
+      if (any) RecoveryDialog(editor, std::move(found->snapshots), mayReplace, &window).exec();
+      done(any);
+    });
   });
   search->start();
 }

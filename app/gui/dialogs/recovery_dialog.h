@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <functional>
 
 #include "app/gui/editor.h"
 #include "modeling/project/autosave.h"
@@ -14,7 +15,9 @@ class RecoveryDialog : public QDialog {
   Q_OBJECT
 
  public:
-  RecoveryDialog(Editor& editor, std::vector<modeling::Snapshot> snapshots, QWidget* parent);
+  /// `mayReplace` is asked before the open project gives way to a recovered one.
+  RecoveryDialog(Editor& editor, std::vector<modeling::Snapshot> snapshots,
+                 std::function<bool()> mayReplace, QWidget* parent);
 
  private:
   /// Null when nothing is chosen.
@@ -24,11 +27,14 @@ class RecoveryDialog : public QDialog {
 
   Editor& editor_;
   std::vector<modeling::Snapshot> snapshots_;
+  std::function<bool()> mayReplace_;
   QTreeWidget* list_;
 };
 
-/// Looks for snapshots on a thread of its own and shows the dialog when there are some; `done` is
-/// called afterwards, with whether there were any. Nothing happens when `window` is gone by then.
-void offerRecovery(Editor& editor, QWidget& window, const std::function<void(bool any)>& done);
+/// Looks for snapshots on a thread of its own and shows the dialog when there are some and nothing
+/// else is being asked or done; `done` is called afterwards, with whether there were any. `window`
+/// waits for the thread when it goes earlier; nothing else happens then.
+void offerRecovery(Editor& editor, QWidget& window, const std::function<bool()>& mayReplace,
+                   const std::function<void(bool any)>& done);
 
 }  // namespace palpa::gui

@@ -135,7 +135,6 @@ void MessageBar::remove(QWidget* row) {
 
 void MessageBar::place() {
   const int width = std::min(kWidest, parentWidget()->width() - 2 * kMargin);
-  rows_->invalidate();
   const int height =
       rows_->hasHeightForWidth() ? rows_->heightForWidth(width) : rows_->sizeHint().height();
   setGeometry((parentWidget()->width() - width) / 2, kMargin, width,
@@ -148,6 +147,8 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool MessageBar::event(QEvent* event) {
+  // The layout is as it should be by now. Invalidating it here would ask for the next event of this
+  // kind, and so on without end.
   if (event->type() == QEvent::LayoutRequest) place();
   return QWidget::event(event);
 }

@@ -1,0 +1,198 @@
+#include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTreeWidget>
+
+#include "app/gui/dialogs/recovery_dialog.h"
+#include "app/gui/dialogs/welcome_dialog.h"
+#include "modeling/project/project_file.h"
+#include "tests/gui/window_fixture.h"
+
+namespace palpa::gui {
+namespace {
+
+/// With snapshots of a program that crashed.
+class Recovery : public WindowTest {
+ protected:
+  QDir snapshotFolder() const { return folder_.filePath("palpa/autosave"); }
+  QStringList snapshotFiles() const { return snapshotFolder().entryList(QDir::Files); }
+
+  static modeling::Project project(const std::string& name) {
+    modeling::Project made = modeling::readProject(kSphere.toStdString());
+    made.name = name;
+    return made;
+  }
+
+  /// Leaves a snapshot as a program does that is gone: the process that wrote it began at another
+  /// time than any that runs.
+  void crash(const modeling::Project& lost, const QString& original = {}) {
+    modeling::Autosave(modeling::defaultAutosaveFolder()).write(lost, original.toStdString(), 7);
+    for (const QFileInfo& each : snapshotFolder().entryInfoList(QDir::Files)) {
+      QFile file(each.filePath());
+      ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+      QString content = QString::fromUtf8(file.readAll());
+      content.replace(QRegularExpression("\"start\": \\d+"), "\"start\": 1");
+      file.resize(0);
+      file.write(content.toUtf8());
+    }
+  }
+
+  /// Starts the program's work and runs `act` on the dialog that comes.
+  void begin(const std::function<void(RecoveryDialog&)>& act) {
+    bool isAnswered = false;
+    withDialog<RecoveryDialog>(
+        [&] {
+          window_->begin({});
+          EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
+        },
+        [&](RecoveryDialog& dialog) {
+          act(dialog);
+          isAnswered = true;
+        });
+  }
+
+  static void click(QDialog& dialog, const QString& button) {
+    QTest::mouseClick(dialog.findChild<QPushButton*>(button), Qt::LeftButton);
+  }
+};
+
+TEST_F(Recovery, TheEditsComeBackAndAreSavedToTheirFile) {
+  const QString file = folder_.filePath("ball.json");
+  modeling::writeProject(project("as it was saved"), file.toStdString());
+  const modeling::Project lost = project("as it was edited");
+  crash(lost, file);
+  begin([&](RecoveryDialog& dialog) {
+    keepPicture("recovery", &dialog);
+    click(dialog, "recover");
+  });
+  EXPECT_EQ(text(), modeling::toJson(lost));
+  EXPECT_TRUE(window_->isWindowModified());
+  EXPECT_EQ(editor().fileName(), file);
+  EXPECT_EQ(modeling::readProject(file.toStdString()).name, "as it was saved");
+  // The new session has its own snapshot in place of the old one.
+  EXPECT_EQ(snapshotFiles().size(), 1);
+  EXPECT_TRUE(modeling::findRecoverable(modeling::defaultAutosaveFolder()).snapshots.empty());
+  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(window_->isWindowModified());
+  EXPECT_EQ(modeling::readProject(file.toStdString()).name, "as it was edited");
+  EXPECT_TRUE(snapshotFiles().empty());
+}
+
+TEST_F(Recovery, LaterKeepsThemForTheNextStart) {
+  crash(project("one"));
+  const std::string before = text();
+  begin([&](RecoveryDialog& dialog) { click(dialog, "later"); });
+  EXPECT_EQ(text(), before);
+  EXPECT_EQ(snapshotFiles().size(), 1);
+  restart();
+  begin([&](RecoveryDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
+  EXPECT_EQ(snapshotFiles().size(), 1);
+}
+
+TEST_F(Recovery, DiscardingAsksAndThenRemoves) {
+  crash(project("one"));
+  crash(project("two"));
+  begin([&](RecoveryDialog& dialog) {
+    auto* list = dialog.findChild<QTreeWidget*>("snapshots");
+    EXPECT_EQ(list->topLevelItemCount(), 2);
+    EXPECT_EQ(list->topLevelItem(0)->text(0), "two");  // the latest first
+    const auto discard = [&](QMessageBox::StandardButton answer) {
+      withDialog<QMessageBox>([&] { click(dialog, "discard"); },
+                              [&](QMessageBox& question) {
+                                EXPECT_TRUE(question.text().contains("two"));
+                                QTest::mouseClick(question.button(answer), Qt::LeftButton);
+                              });
+    };
+    discard(QMessageBox::No);
+    EXPECT_EQ(snapshotFiles().size(), 2);
+    discard(QMessageBox::Yes);
+    EXPECT_EQ(snapshotFiles().size(), 1);
+    EXPECT_EQ(list->topLevelItemCount(), 1);
+    click(dialog, "later");
+  });
+}
+
+TEST_F(Recovery, TheOthersAreOfferedByTheMenu) {
+  crash(project("one"));
+  crash(project("two"));
+  begin([&](RecoveryDialog& dialog) {
+    auto* list = dialog.findChild<QTreeWidget*>("snapshots");
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Down);
+    click(dialog, "recover");
+  });
+  EXPECT_EQ(editor().project().name, "one");
+  bool isAnswered = false;
+  withDialog<RecoveryDialog>(
+      [&] {
+        action("Recover")->trigger();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
+      },
+      [&](RecoveryDialog& dialog) {
+        // What was recovered is not saved yet: it must not be lost for the other.
+        withDialog<QMessageBox>(
+            [&] { click(dialog, "recover"); },
+            [](QMessageBox& question) { question.button(QMessageBox::Cancel)->click(); });
+        EXPECT_TRUE(dialog.isVisible());
+        EXPECT_EQ(editor().project().name, "one");
+        withDialog<QMessageBox>(
+            [&] { click(dialog, "recover"); },
+            [](QMessageBox& question) { question.button(QMessageBox::Discard)->click(); });
+        isAnswered = true;
+      });
+  EXPECT_EQ(editor().project().name, "two");
+  EXPECT_TRUE(window_->isWindowModified());
+}
+
+TEST_F(Recovery, ADamagedSnapshotIsNamedAndKept) {
+  crash(project("one"));
+  const QString name = snapshotFiles().front();
+  QFile file(snapshotFolder().filePath(name));
+  ASSERT_TRUE(file.resize(file.size() / 2));
+  window_->begin({kSphere});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->messages().messages().isEmpty(); }, 10000));
+  EXPECT_TRUE(window_->messages().messages().front().contains(name));
+  EXPECT_EQ(snapshotFiles(), QStringList{name});
+}
+
+TEST_F(Recovery, ItIsSaidThatThereIsNothing) {
+  action("Recover")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window_->messages().messages().isEmpty(); }, 10000));
+}
+
+TEST_F(Recovery, TheWindowCanCloseWhileSnapshotsAreRead) {
+  crash(project("one"));
+  const QString name = snapshotFolder().filePath(snapshotFiles().front());
+  for (int i = 0; i < 100; ++i)
+    QFile::copy(name, snapshotFolder().filePath(QString("%1.palpa-autosave").arg(i)));
+  window_->begin({});
+  window_.reset();
+  EXPECT_EQ(snapshotFiles().size(), 101);
+}
+
+TEST_F(Recovery, OnlyTheFirstRunIsWelcomedAndTheWindowKeepsItsPlace) {
+  bool isAnswered = false;
+  withDialog<WelcomeDialog>(
+      [&] {
+        window_->begin({});
+        EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
+      },
+      [&](WelcomeDialog& dialog) {
+        QTest::keyClick(&dialog, Qt::Key_Escape);
+        isAnswered = true;
+      });
+  window_->resize(1100, 700);
+  const QSize size = window_->size();
+  window_->close();
+  restart();
+  EXPECT_EQ(window_->size(), size);
+  window_->begin({});
+  QTest::qWait(500);
+  EXPECT_FALSE(QApplication::activeModalWidget());
+}
+
+}  // namespace
+}  // namespace palpa::gui
