@@ -187,7 +187,9 @@ TEST(RebuildPipeline, TheConditionNumberFollowsTheModel) {
   for (int i = 0; i < 5000 && pipeline.status().condition == 0; ++i)
     std::this_thread::sleep_for(1ms);
   EXPECT_GT(pipeline.status().condition, 1.0);
-  EXPECT_EQ(pipeline.status().condition, pipeline.model()->problem()->conditionEstimate());
+  // Threaded sums may be added in another order the second time.
+  const double condition = pipeline.model()->problem()->conditionEstimate();
+  EXPECT_NEAR(pipeline.status().condition, condition, 1e-4 * condition);
 }
 
 /// The point of the net that is highest is pulled down through the body.
