@@ -17,6 +17,7 @@
 #include "bem/contact_solver.h"
 #include "bem/greens_function.h"
 #include "bem/parallel.h"
+#include "bench/cancel_latency.h"
 #include "bench/plain_assembly.h"
 #include "modeling/mesh/display_mesh.h"
 #include "modeling/mesh/geometry_check.h"
@@ -50,7 +51,7 @@ double medianSecondsFor(const Work& work) {
 }
 
 /// The seed's sphere: R = 25 mm, fixed below z = -20 mm.
-app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
+modeling::Project sphereProject(int cellsPerCubeEdge) {
   modeling::Project project;
   project.name = "bench";
   project.material = {"silicone-like", 0.1, 0.45};
@@ -60,6 +61,11 @@ app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
                               {{modeling::HalfSpace{Vector3d::UnitZ(), -20}}},
                               Vector3d::Zero()});
   project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
+  return project;
+}
+
+app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
+  const modeling::Project project = sphereProject(cellsPerCubeEdge);
   return app::makeBoundarySetup(
       project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
 }
@@ -116,6 +122,10 @@ class Bench {
       add("all columns of Xi", "%.2f s", secondsFor([&] { greens.computeAll(job_); }),
           n > 2000 && n < 3000 ? "<= 10" : "");
     }
+    problem.reset();
+    if (n > 2000 && n < 3000)
+      for (const auto& stopped : bench::measureCancel(sphereProject(cells), job_.threads, 5))
+        add("stopped in \"" + stopped.phase + "\"", "%.0f ms", stopped.seconds * 1e3, "<= 100");
     print(n, setup.mesh.triangleCount());
   }
 

@@ -216,8 +216,10 @@ std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key, const Bo
     return problem;
   } catch (const Damaged&) {
     std::error_code error;
-    fs::remove(path, error);
-    notice = "a stored model was damaged; it was deleted and computed anew";
+    notice = fs::remove(path, error)
+                 ? "a stored model was damaged; it was deleted and computed anew"
+                 : "a stored model is damaged and was computed anew; it cannot be deleted in " +
+                       folder_.string();
     return nullptr;
   }
 }

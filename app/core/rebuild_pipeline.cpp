@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/core/priority.h"
+#include "app/core/release.h"
 #include "bem/error.h"
 #include "modeling/job.h"
 
@@ -27,6 +28,15 @@ double totalProgress(std::string_view phase, double fraction) {
         Share{"assemble", 0.08, 0.45}, Share{"factorise", 0.45, 0.9}, Share{"solve", 0.9, 1}})
     if (name == phase) return begin + fraction * (end - begin);
   return 0;
+}
+
+/// The same model; whoever holds it last, the window's thread too, does not wait until its memory
+/// is given back.
+std::shared_ptr<const TouchModel> releasedElsewhere(std::shared_ptr<const TouchModel> model) {
+  const TouchModel* const same = model.get();
+  return {same, [held = std::move(model)](const TouchModel*) mutable {
+            releaseElsewhere(std::move(held));
+          }};
 }
 
 }  // namespace
@@ -206,7 +216,8 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
   try {
     auto model = buildTouchModel(project, options_, job);
     auto warnings = model->report().warnings;
-    finish(revision, State::kUpToDate, {}, std::move(model), std::move(warnings));
+    finish(revision, State::kUpToDate, {}, releasedElsewhere(std::move(model)),
+           std::move(warnings));
   } catch (const bem::Cancelled&) {
     finish(revision, State::kCancelled, {}, nullptr);
   } catch (const modeling::Cancelled&) {
@@ -225,7 +236,6 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
 void RebuildPipeline::finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
                              std::shared_ptr<const TouchModel> model,
                              GeometryError::Findings findings) {
-  // Replaced models are released after the lock: freeing gigabytes takes a while.
   {
     const std::lock_guard lock(mutex_);
     if (revision != status_.revision || status_.state != RebuildStatus::State::kBuilding) return;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/core/new_project.h"
+#include "app/core/release.h"
 #include "modeling/error.h"
 #include "modeling/exchange/import.h"
 #include "modeling/project/project_file.h"
@@ -43,6 +44,7 @@ Editor::Editor(Settings& settings, QObject* parent) : QObject(parent), settings_
 
 Editor::~Editor() {
   session_->close();
+  app::waitUntilReleased();  // sessions that were replaced tell this object of their rebuild
 }
 
 app::Session::Options Editor::sessionOptions() {
@@ -81,7 +83,9 @@ bool Editor::attempt(const Work& work) {
 }
 
 void Editor::adopt(std::unique_ptr<app::Session> session) {
-  if (session_) session_->close();
+  session_->close();
+  // Its worker may need a moment to let go; the window does not wait for it.
+  app::releaseElsewhere(std::shared_ptr<app::Session>(std::move(session_)));
   session_ = std::move(session);
   selection_ = {};
   Q_EMIT projectReplaced();

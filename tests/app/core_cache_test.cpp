@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <thread>
 
@@ -16,6 +19,18 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 constexpr double kMiB = 1024.0 * 1024.0;
+
+/// Gives root's rights up as long as it lives.
+class AsUser {
+ public:
+  explicit AsUser(uid_t user) : before_(::geteuid()) { EXPECT_EQ(::seteuid(user), 0); }
+  ~AsUser() { EXPECT_EQ(::seteuid(before_), 0); }
+  AsUser(const AsUser&) = delete;
+  AsUser& operator=(const AsUser&) = delete;
+
+ private:
+  uid_t before_;
+};
 
 class ModelCacheTest : public testing::Test {
  protected:
@@ -201,6 +216,61 @@ TEST_F(ModelCacheTest, AFolderThatCannotBeUsedOnlyDisablesIt) {
   fs::remove(folder_);
   EXPECT_TRUE(stored->write(built->key(), *built->problem(), {}));
   EXPECT_EQ(stored->trouble(), "");
+}
+
+TEST_F(ModelCacheTest, AFolderThatMayOnlyBeReadIsRead) {
+  const auto stored = cache();
+  const auto built = build(nullptr);
+  ASSERT_TRUE(stored->write(built->key(), *built->problem(), {}));
+  const auto other = build(nullptr, test::clampedSphere(10));
+  const bool isRoot = ::geteuid() == 0;  // who may write anywhere
+  constexpr uid_t kNobody = 65534;
+  if (isRoot) {
+    ASSERT_EQ(::chown(files().front().c_str(), kNobody, kNobody), 0);
+    ASSERT_EQ(::chown(folder_.c_str(), kNobody, kNobody), 0);
+  }
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  const AsUser nobody(isRoot ? kNobody : ::geteuid());
+  EXPECT_TRUE(isRead(*build(stored)));
+  EXPECT_FALSE(stored->write(other->key(), *other->problem(), {}));
+  EXPECT_NE(stored->trouble().find(folder_.string()), std::string::npos) << stored->trouble();
+  EXPECT_FALSE(isRead(*build(stored, test::clampedSphere(10))));
+  stored->clear();  // cannot, and does not throw
+  EXPECT_EQ(files().size(), 1u);
+  flipByte(files().front(), 100);
+  const std::string notice = build(stored)->report().notice;
+  EXPECT_NE(notice.find("cannot be deleted"), std::string::npos) << notice;
+}
+
+TEST_F(ModelCacheTest, WritingThatFailsHalfwayLeavesNothing) {
+  const auto stored = cache();
+  const auto built = build(nullptr);
+  // A limit on the size of files stands for a disk that becomes full meanwhile.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit half{static_cast<rlim_t>(built->problem()->bytes() / 2), before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &half), 0);
+  const bool isWritten = stored->write(built->key(), *built->problem(), {});
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(isWritten);
+  EXPECT_NE(stored->trouble(), "");
+  EXPECT_TRUE(files().empty());
+  EXPECT_TRUE(stored->write(built->key(), *built->problem(), {}));
+  EXPECT_EQ(stored->trouble(), "");
+}
+
+TEST_F(ModelCacheTest, AlmostFullDisksAreLeftAlone) {
+  fs::create_directories(folder_);
+  if (::mount("tmpfs", folder_.c_str(), "tmpfs", 0, "size=64m") != 0)
+    GTEST_SKIP() << "only root may mount a small disk";
+  const auto stored = cache();
+  const auto built = build(stored);
+  EXPECT_TRUE(stored->write(built->key(), *built->problem(), {}));
+  EXPECT_TRUE(files().empty());
+  EXPECT_FALSE(isRead(*build(stored)));
+  EXPECT_EQ(::umount(folder_.c_str()), 0);
 }
 
 TEST_F(ModelCacheTest, StoppedWritingLeavesNothing) {

@@ -1,0 +1,110 @@
+#include "bench/window_driver.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QMouseEvent>
+#include <cmath>
+#include <stdexcept>
+
+namespace palpa::bench {
+namespace {
+
+constexpr int kMotionInterval = 16;    // ms, as most mice and screens
+constexpr double kRadius = 30;         // pixels around the place where a point was
+constexpr double kTurnsPerSecond = 1;  // a hand that hurries
+
+}  // namespace
+
+bool runUntil(const std::function<bool()>& holds, double seconds) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!holds()) {
+    if (static_cast<double>(clock.elapsed()) > seconds * 1e3) return false;
+    QEventLoop loop;
+    QTimer::singleShot(2, &loop, &QEventLoop::quit);
+    loop.exec();
+  }
+  return true;
+}
+
+void runFor(double seconds) {
+  runUntil([] { return false; }, seconds);
+}
+
+WindowDriver::WindowDriver() : window_(std::make_unique<gui::MainWindow>()) {
+  bool isPainted = false;
+  QObject context;
+  QObject::connect(&window_->viewport(), &gui::ViewportWidget::framePainted, &context,
+                   [&] { isPainted = true; });
+  window_->show();
+  if (!runUntil([&] { return isPainted; }, 60)) throw std::runtime_error("nothing was painted");
+}
+
+double WindowDriver::waitForModel() {
+  using State = app::RebuildStatus::State;
+  QElapsedTimer clock;
+  clock.start();
+  const auto isBuilding = [&] { return editor().rebuildStatus().state == State::kBuilding; };
+  if (!runUntil([&] { return !isBuilding(); }, 300))
+    throw std::runtime_error("the model is not there after five minutes");
+  if (editor().rebuildStatus().state != State::kUpToDate)
+    throw std::runtime_error(editor().rebuildStatus().error);
+  return static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+}
+
+QPoint WindowDriver::visiblePoint() {
+  gui::ViewportWidget& view = window_->viewport();
+  const QRect inner = view.rect().adjusted(60, 60, -60, -60);
+  const auto& points = editor().solid()->controlPoints();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d device = view.viewport().toPixel(points[i]);
+    const QPoint at(static_cast<int>(std::lround(device.x() / view.devicePixelRatioF())),
+                    static_cast<int>(std::lround(device.y() / view.devicePixelRatioF())));
+    if (inner.contains(at) && view.viewport().controlPointAt(device) == static_cast<int>(i))
+      return at;
+  }
+  throw std::runtime_error("no control point can be seen");
+}
+
+void WindowDriver::send(QEvent::Type type, QPoint at, Qt::MouseButton button,
+                        Qt::MouseButtons buttons) {
+  gui::ViewportWidget& view = window_->viewport();
+  QMouseEvent event(type, at, view.mapToGlobal(at), button, buttons, Qt::NoModifier);
+  QApplication::sendEvent(&view, &event);
+}
+
+WindowDriver::Drag WindowDriver::drag(double seconds) {
+  const QPoint start = visiblePoint();
+  Drag result;
+  int frames = 0;
+  QElapsedTimer clock;
+  double first = 0, last = 0;  // s, of the motions
+  QObject context;
+  QObject::connect(&window_->viewport(), &gui::ViewportWidget::framePainted, &context,
+                   [&] { ++frames; });
+  QTimer mouse;
+  mouse.setTimerType(Qt::PreciseTimer);
+  QObject::connect(&mouse, &QTimer::timeout, &context, [&] {
+    last = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+    if (result.motions++ == 0) {
+      first = last;
+      frames = 0;
+    }
+    const double angle = 2 * M_PI * kTurnsPerSecond * last;
+    const QPoint offset(static_cast<int>(std::lround(kRadius * std::sin(angle))),
+                        static_cast<int>(std::lround(kRadius * (std::cos(angle) - 1))));
+    send(QEvent::MouseMove, start + offset, Qt::NoButton, Qt::LeftButton);
+  });
+  send(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::LeftButton);
+  clock.start();
+  mouse.start(kMotionInterval);
+  runFor(seconds);
+  mouse.stop();
+  result.framesPerSecond = frames / std::max(last - first, 1e-3);
+  send(QEvent::MouseMove, start + QPoint(7, 4), Qt::NoButton, Qt::LeftButton);
+  send(QEvent::MouseButtonRelease, start + QPoint(7, 4), Qt::LeftButton, Qt::NoButton);
+  return result;
+}
+
+}  // namespace palpa::bench
