@@ -25,12 +25,6 @@ namespace {
 
 class FileDialogs : public WindowTest {
  protected:
-  static void typeName(QFileDialog& dialog, const QString& name) {
-    auto* field = dialog.findChild<QLineEdit*>("fileNameEdit");
-    field->selectAll();
-    QTest::keyClicks(field, name);
-    QTest::keyClick(field, Qt::Key_Return);
-  }
   static void chooseRow(NewSolidDialog& dialog, const QString& title) {
     auto* list = dialog.findChild<QListWidget*>("shapes");
     const auto found = list->findItems(title, Qt::MatchExactly);
@@ -55,7 +49,7 @@ TEST_F(FileDialogs, ExportWritesTheFormatThatWasChosen) {
               QTest::keyClick(&dialog, Qt::Key_Return);
             });
       },
-      [&](QFileDialog& dialog) { typeName(dialog, folder_.filePath("ball.v2")); });
+      [&](QFileDialog& dialog) { chooseFile(dialog, folder_.filePath("ball.v2")); });
   EXPECT_GT(QFileInfo(folder_.filePath("ball.v2.stl")).size(), 1000);
 }
 
@@ -71,7 +65,7 @@ TEST_F(FileDialogs, APictureKeepsTheShapeOfTheView) {
                                     QTest::keyClick(width, Qt::Key_Return);
                                   });
       },
-      [&](QFileDialog& dialog) { typeName(dialog, folder_.filePath("view")); });
+      [&](QFileDialog& dialog) { chooseFile(dialog, folder_.filePath("view")); });
   const QImage picture(folder_.filePath("view.png"));
   EXPECT_EQ(picture.width(), 400);
   EXPECT_NEAR(picture.height(), 400.0 * view().height() / view().width(), 1);
@@ -102,7 +96,7 @@ TEST_F(FileDialogs, ProfilesComeFromFiles) {
           QTest::keyClick(profile, Qt::Key_End);
           Q_EMIT profile->activated(profile->currentIndex());
         },
-        [&](QFileDialog& chooser) { typeName(chooser, file); });
+        [&](QFileDialog& chooser) { chooseFile(chooser, file); });
     auto* make = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
     return make->isEnabled();
   };

@@ -1,8 +1,5 @@
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileDialog>
-#include <QLineEdit>
-#include <QPushButton>
 
 #include "tests/gui/window_fixture.h"
 
@@ -18,22 +15,7 @@ class RecordedSession : public WindowTest {
   /// Answers the file dialog that `keys` bring up.
   void chooseFile(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& file) {
     withDialog<QFileDialog>([&] { press(key, modifiers); },
-                            [&](QFileDialog& dialog) {
-                              auto* name = dialog.findChild<QLineEdit*>();
-                              ASSERT_TRUE(name);
-                              name->setFocus();
-                              name->selectAll();
-                              QTest::keyClicks(name, file);
-                              // The list of completions would take the click.
-                              QTest::qWait(100);
-                              if (QWidget* list = QApplication::activePopupWidget()) list->close();
-                              dialog.grab().save("/tmp/pics/filedialog.png");
-                              auto* buttons = dialog.findChild<QDialogButtonBox*>();
-                              const auto accept = dialog.acceptMode() == QFileDialog::AcceptSave
-                                                      ? QDialogButtonBox::Save
-                                                      : QDialogButtonBox::Open;
-                              QTest::mouseClick(buttons->button(accept), Qt::LeftButton);
-                            });
+                            [&](QFileDialog& dialog) { WindowTest::chooseFile(dialog, file); });
   }
   /// Drags a control point 5 mm away from the middle, parallel to the screen; returns which.
   int dragPointOutwards() {

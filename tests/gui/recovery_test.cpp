@@ -75,6 +75,7 @@ TEST_F(Recovery, TheEditsComeBackAndAreSavedToTheirFile) {
   // The new session has its own snapshot in place of the old one.
   EXPECT_EQ(snapshotFiles().size(), 1);
   EXPECT_TRUE(modeling::findRecoverable(modeling::defaultAutosaveFolder()).snapshots.empty());
+  QApplication::setActiveWindow(window_.get());
   QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_EQ(modeling::readProject(file.toStdString()).name, "as it was edited");

@@ -53,13 +53,6 @@ class Saving : public WindowTest {
   }
 
   /// Types a name into the dialog for files and presses Enter.
-  static void typeName(QFileDialog& dialog, const QString& name) {
-    auto* field = dialog.findChild<QLineEdit*>("fileNameEdit");
-    field->selectAll();
-    QTest::keyClicks(field, name);
-    QTest::keyClick(field, Qt::Key_Return);
-  }
-
   const QString file_ = folder_.filePath("ball.json");
 };
 
@@ -144,7 +137,7 @@ TEST_F(Saving, SavingOverAnotherFileAsks) {
     withDialog<QFileDialog>([&] { action("Save as")->trigger(); },
                             [&](QFileDialog& dialog) {
                               withDialog<QMessageBox>(
-                                  [&] { typeName(dialog, "other"); },
+                                  [&] { chooseFile(dialog, folder_.filePath("other")); },
                                   [&](QMessageBox& question) {
                                     EXPECT_TRUE(question.text().contains("other.json"));
                                     question.button(answer)->click();

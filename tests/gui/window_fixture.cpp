@@ -2,7 +2,10 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QMouseEvent>
+#include <QPushButton>
 
 #include "modeling/project/project_file.h"
 
@@ -28,9 +31,7 @@ void WindowTest::restart() {
 
 void WindowTest::waitForModel() {
   ASSERT_TRUE(QTest::qWaitFor(
-      [this] {
-        return editor().rebuildStatus().state == app::RebuildStatus::State::kUpToDate;
-      },
+      [this] { return editor().rebuildStatus().state == app::RebuildStatus::State::kUpToDate; },
       60000));
   QTest::qWait(50);
 }
@@ -70,6 +71,16 @@ void WindowTest::drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
   QTest::mousePress(&view(), Qt::LeftButton, modifiers, from);
   for (int i = 1; i <= 5; ++i) moveTo(from + (to - from) * i / 5, Qt::LeftButton, modifiers);
   QTest::mouseRelease(&view(), Qt::LeftButton, modifiers, to);
+}
+
+void WindowTest::chooseFile(QFileDialog& dialog, const QString& file) {
+  auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
+  auto* buttons = dialog.findChild<QDialogButtonBox*>("buttonBox");
+  name->setText(file);
+  QTest::mouseClick(
+      buttons->button(dialog.acceptMode() == QFileDialog::AcceptSave ? QDialogButtonBox::Save
+                                                                     : QDialogButtonBox::Open),
+      Qt::LeftButton);
 }
 
 void WindowTest::keepPicture(const QString& name, QWidget* of) {

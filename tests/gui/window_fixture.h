@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFileDialog>
 #include <QPointer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -52,6 +53,10 @@ class WindowTest : public testing::Test {
               Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
+  /// Names a file in a file dialog (as pasted: typing would make it wander through the folders) and
+  /// accepts.
+  static void chooseFile(QFileDialog& dialog, const QString& file);
+
   /// Shows the picture of the window, or of a dialog, to people: written to the folder
   /// PALPA_PICTURES names; nothing without it.
   void keepPicture(const QString& name, QWidget* of = nullptr);
@@ -66,6 +71,7 @@ class WindowTest : public testing::Test {
 template <class T>
 void withDialog(const std::function<void()>& open, const std::function<void(T&)>& act) {
   constexpr int kPatience = 5000;  // ms
+  const QPointer<QWidget> active = QApplication::activeWindow();
   bool isDone = false;
   QTimer poll;
   QElapsedTimer waited;
@@ -92,6 +98,7 @@ void withDialog(const std::function<void()>& open, const std::function<void(T&)>
   poll.start(20);
   open();
   EXPECT_TRUE(isDone) << "no dialog came up";
+  if (active) QApplication::setActiveWindow(active);  // there is no window manager to do it
 }
 
 }  // namespace palpa::gui
