@@ -93,8 +93,8 @@ TEST_F(FileDialogs, ProfilesComeFromFiles) {
     withDialog<QFileDialog>(
         [&] {
           profile->setFocus();
+          QTest::keyClick(profile, Qt::Key_Home);  // from the last entry, End would do nothing
           QTest::keyClick(profile, Qt::Key_End);
-          Q_EMIT profile->activated(profile->currentIndex());
         },
         [&](QFileDialog& chooser) { chooseFile(chooser, file); });
     auto* make = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);

@@ -66,8 +66,11 @@ TEST_F(RecordedSession, EndsWithTheSameDocumentAfterReopening) {
   EXPECT_GT(editor().solid()->controlPoints().size(), points);
 
   press(Qt::Key_P);
-  auto* way = find<QComboBox>("paintWay");
-  ASSERT_TRUE(way && way->isVisible());
+  QComboBox* way = nullptr;
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    way = find<QComboBox>("paintWay");
+    return way && way->isVisible();
+  }));
   QTest::keyClick(way, Qt::Key_Down);
   const std::size_t supports = editor().project().supports.size();
   drag(middle - QPoint(90, 60), middle + QPoint(70, -60));

@@ -76,6 +76,8 @@ void WindowTest::drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
 void WindowTest::chooseFile(QFileDialog& dialog, const QString& file) {
   auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
   auto* buttons = dialog.findChild<QDialogButtonBox*>("buttonBox");
+  // Once the folder is read, the file that was proposed is selected and named.
+  QTest::qWait(300);
   name->setText(file);
   QTest::mouseClick(
       buttons->button(dialog.acceptMode() == QFileDialog::AcceptSave ? QDialogButtonBox::Save
