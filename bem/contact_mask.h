@@ -23,10 +23,16 @@ struct ContactMask {
   Eigen::MatrixXd displacement(const Eigen::MatrixXd& u) const;
 };
 
+class ContactSurface;
+
 /// The mask (1 - (ρ/radius)^2)^2 for ρ = |x - point| < radius, L2-projected onto the free nodes of
 /// the connected piece of surface around the point and normalised. The radius is raised to 1.25
 /// times the longest edges of the mesh there if it is smaller: a narrower bump cannot be
 /// represented. Throws SolverError (kBadCondition) when supports hold all of the touched place.
+ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d& at,
+                            double radius);
+
+/// The same for one mask alone: makes a ContactSurface for it.
 ContactMask makeContactMask(const BoundaryMesh& mesh, const TractionSlots& slots,
                             const DegreesOfFreedom& dofs, const Eigen::Vector3d& at, double radius);
 

@@ -39,16 +39,20 @@ Vector3d nearestWeights(const Vector3d (&c)[3], const Vector3d& x) {
 
 }  // namespace
 
+SurfacePoint nearestOnTriangle(const BoundaryMesh& mesh, int triangle, const Vector3d& point) {
+  const auto& c = mesh.triangles[triangle];
+  const Vector3d corners[3] = {mesh.nodes[c[0]], mesh.nodes[c[1]], mesh.nodes[c[2]]};
+  const Vector3d weights = nearestWeights(corners, point);
+  const Vector3d position = mesh.point(triangle, weights);
+  return {triangle, weights, position, (position - point).norm()};
+}
+
 SurfacePoint nearestSurfacePoint(const BoundaryMesh& mesh, const Vector3d& point) {
   SurfacePoint best{-1, Vector3d::Zero(), Vector3d::Zero(),
                     std::numeric_limits<double>::infinity()};
   for (int t = 0; t < mesh.triangleCount(); ++t) {
-    const auto& c = mesh.triangles[t];
-    const Vector3d corners[3] = {mesh.nodes[c[0]], mesh.nodes[c[1]], mesh.nodes[c[2]]};
-    const Vector3d weights = nearestWeights(corners, point);
-    const Vector3d position = mesh.point(t, weights);
-    const double distance = (position - point).norm();
-    if (distance < best.distance) best = {t, weights, position, distance};
+    const SurfacePoint found = nearestOnTriangle(mesh, t, point);
+    if (found.distance < best.distance) best = found;
   }
   return best;
 }

@@ -11,6 +11,10 @@ struct SurfacePoint {
   double distance;           ///< mm, from the point that was asked about
 };
 
+/// The point of one triangle nearest to `point`.
+SurfacePoint nearestOnTriangle(const BoundaryMesh& mesh, int triangle,
+                               const Eigen::Vector3d& point);
+
 /// The surface point nearest to `point`. Looks at every triangle.
 SurfacePoint nearestSurfacePoint(const BoundaryMesh& mesh, const Eigen::Vector3d& point);
 

@@ -1,0 +1,69 @@
+#pragma once
+#include <vector>
+
+#include "bem/contact_surface.h"
+#include "bem/greens_columns.h"
+
+namespace palpa::bem {
+
+/// Masks on a body and the compliance D = Ψ^T Xi Φ between them, kept up to date while masks come,
+/// go and slide, from whatever columns of Xi are there. Masks keep their place in the list.
+///
+/// Not thread-safe. After the first few calls nothing is allocated as long as masks do not grow.
+class ContactSet {
+ public:
+  /// `base`: the field without contacts. All three must outlive the set.
+  ContactSet(const ContactSurface& surface, const GreensColumns& columns,
+             const BoundaryField& base);
+
+  int size() const { return static_cast<int>(masks_.size()); }
+  void resize(int count);
+  /// Those behind move forward.
+  void remove(int first, int count);
+
+  /// Puts a mask at a surface point. False, and the mask is empty, when a support holds the place.
+  bool place(int index, const SurfacePoint& point, double radius);
+  void clear(int index);
+  bool isPlaced(int index) const { return masks_[index].isPlaced; }
+  /// Are the columns there that the mask needs? Then update() includes it.
+  bool isReady(int index) const;
+  const ContactMask& mask(int index) const { return masks_[index].mask; }
+
+  /// Brings the compliance up to date. Masks that are empty or not ready have zero blocks.
+  void update();
+  /// 3 x 3 per mask, mm/N, symmetrised.
+  const Eigen::MatrixXd& compliance() const { return compliance_; }
+  /// Displacements of the masks without any contact force, mm.
+  const Eigen::VectorXd& freeDisplacements() const { return free_; }
+  /// Largest |D_ab - D_ba^T| over |D_aa| at the last update.
+  double reciprocityDefect() const { return defect_; }
+
+ private:
+  struct Entry {
+    ContactMask mask;
+    bool isPlaced = false;
+    bool isCurrent = false;  // its blocks of raw_ belong to the mask
+  };
+  /// The union of the measure nodes of some masks, as rows.
+  void collectRows(bool onlyChanged);
+  /// Xi Φ of a mask in these rows.
+  void respond(int index);
+  /// Ψ^T of a mask applied to the response.
+  Eigen::Matrix3d measure(int index) const;
+
+  const ContactSurface& surface_;
+  const GreensColumns& columns_;
+  const BoundaryField& base_;
+  ContactSurface::Workspace workspace_;
+  std::vector<Entry> masks_;
+  Eigen::MatrixXd raw_, compliance_;
+  Eigen::VectorXd free_;
+  double defect_ = 0;
+  std::vector<int> rows_;           // nodes
+  std::vector<unsigned> rowStamp_;  // per node
+  std::vector<int> rowOfNode_;
+  unsigned stamp_ = 0;
+  Eigen::Matrix<float, Eigen::Dynamic, 3> response_;
+};
+
+}  // namespace palpa::bem

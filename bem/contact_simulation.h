@@ -1,0 +1,117 @@
+#pragma once
+#include <vector>
+
+#include "bem/contact_set.h"
+#include "bem/contact_system.h"
+
+namespace palpa::bem {
+
+/// What touches the body, and how.
+struct ContactTool {
+  enum class Kind {
+    kGrab,   ///< holds the place: all three components of its displacement follow the hand
+    kPush,   ///< a fingertip's pressure mask that presses but does not pull; it slides, with
+             ///< friction
+    kProbe,  ///< a rigid ball that presses but does not pull; the contact grows with depth
+    kForce,  ///< a given force on the place
+  };
+  Kind kind = Kind::kGrab;
+  double radius = 6;    ///< mm; of the mask, for kProbe of the ball
+  double friction = 0;  ///< Coulomb's coefficient of kPush and kProbe, 0 … 10
+};
+
+/// Any number of contacts on one body over time: grabbed places stay, pushing tools slide along the
+/// surface, let go and come back. Advanced in steps, a thousand a second; each step is a static
+/// equilibrium, and friction remembers the step before. The same steps give the same forces, bit
+/// for bit.
+///
+/// A pushing tool knows the place in which it would touch without tangential displacement, its
+/// reference. While it sticks, the reference stays and the surface is dragged along; when it slips,
+/// the reference follows by as much as it slipped. Its masks sit around the surface point nearest
+/// to the reference: one under kPush, up to 61 on a hexagonal lattice under kProbe, as close as the
+/// mesh can carry them.
+///
+/// Not thread-safe.
+class ContactSimulation {
+ public:
+  using Id = int;
+
+  /// All three must outlive the simulation; `base`: the field without contacts.
+  ContactSimulation(const ContactSurface& surface, const GreensColumns& columns,
+                    const BoundaryField& base);
+
+  /// Begins a contact at the surface point nearest to `at` (unloaded shape, mm). Its value is, for
+  /// kGrab, the displacement of the place (mm); for kPush the position of the tip and for kProbe
+  /// that of the ball's centre (mm, in space); for kForce the force (N).
+  Id begin(const ContactTool& tool, const Eigen::Vector3d& at, const Eigen::Vector3d& value);
+  void set(Id id, const Eigen::Vector3d& value);
+  void end(Id id);
+  void clear();
+
+  /// Finds the equilibrium. `slides`: how often at most sliding tools may take another place within
+  /// the step; one is enough when steps follow each other quickly, several for a step on its own.
+  void step(int slides = 1);
+
+  enum class Status : unsigned char {
+    kWaiting,   ///< the columns of the place are not there yet; no force
+    kHeld,      ///< a support holds the place; no force
+    kOpen,      ///< a pushing tool does not touch
+    kHolding,   ///< a grabbed place or a given force
+    kSticking,  ///< presses and does not slide
+    kSlipping,  ///< presses and slides
+  };
+  struct PatchForce {
+    Eigen::Vector3d at;     ///< mm, unloaded shape
+    double radius;          ///< mm, of the mask
+    Eigen::Vector3d force;  ///< N
+  };
+  struct Contact {
+    Id id = -1;
+    ContactTool tool;
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    Status status = Status::kWaiting;
+    SurfacePoint point{};  ///< middle of the contact on the unloaded shape
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();         ///< N, on the body
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, at the middle
+    /// Secant stiffness along the displacement that all contacts cause there, N/mm; 0 if none.
+    double stiffness = 0;
+    std::vector<PatchForce> patch;  ///< of the masks that carry force
+
+    // Of the simulation alone.
+    Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< mm, see above
+    Eigen::Vector3d across = Eigen::Vector3d::Zero();     ///< direction of the lattice
+    int firstMask = 0, maskCount = 0;
+  };
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  const Contact* find(Id id) const;
+
+  /// Did the last step meet all laws? When not, all forces are those of the step before.
+  bool converged() const { return forces_.converged; }
+  double residual() const { return forces_.residual; }
+  double reciprocityDefect() const { return set_.reciprocityDefect(); }
+
+  /// The traction coefficients of all contacts: 3 numbers (MPa) for each of `nodes`, which appear
+  /// once. With GreensColumns they give the field.
+  void tractions(std::vector<int>& nodes, std::vector<Eigen::Vector3d>& values) const;
+
+ private:
+  void placeMasks(Contact& contact);
+  SurfacePoint footOf(const Contact& contact) const;
+  double meanCurvature(const Contact& contact, double distance) const;
+  void placeProbe(Contact& contact);
+  void demand(const Contact& contact);
+  void read(Contact& contact);
+  double slide(Contact& contact);
+  Eigen::Vector3d displacementOf(int mask) const;
+
+  const ContactSurface& surface_;
+  ContactSet set_;
+  ContactSystem system_;
+  std::vector<Contact> contacts_;
+  std::vector<ContactCondition> conditions_;  // one per mask
+  ContactForces forces_, before_;
+  Eigen::VectorXd displacements_;
+  Id next_ = 0;
+};
+
+}  // namespace palpa::bem

@@ -1,0 +1,270 @@
+#include "bem/contact_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bem/displacement_recovery.h"
+#include "bem/triangle_rule.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Radius over edge length at which half the bump's height is as wide as that of a nodal basis
+/// function.
+constexpr double kNarrowest = 1.25;
+
+/// Integration cells are at most this part of the radius.
+constexpr double kCell = 1.0 / 4;
+
+/// Nodes on which the bump's mean is below this fade out of the projection. Without it a node that
+/// the bump just reaches would change the coefficients of all others at once, and the force of a
+/// sliding contact would step by half a per cent.
+constexpr double kFade = 0.002;
+constexpr double kMostFaded = 1e9;
+
+/// Of the projection's residual, relative: far below what can be felt or drawn.
+constexpr double kProjectionTolerance = 1e-13;
+constexpr int kMostIterations = 200;
+
+}  // namespace
+
+ContactSurface::ContactSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
+                               const DegreesOfFreedom& dofs)
+    : mesh_(mesh), slots_(slots), dofs_(dofs), tree_(mesh) {
+  const int count = mesh.triangleCount();
+  triangles_.reserve(count);
+  longestAt_.assign(mesh.nodeCount(), 0.0);
+  firstOfNode_.assign(mesh.nodeCount() + 1, 0);
+  for (int t = 0; t < count; ++t) {
+    const auto& c = mesh.triangles[t];
+    double longest = 0;
+    for (int k = 0; k < 3; ++k)
+      longest = std::max(longest, (mesh.nodes[c[(k + 1) % 3]] - mesh.nodes[c[k]]).norm());
+    triangles_.push_back({mesh.area(t), longest});
+    for (const int node : c) {
+      ++firstOfNode_[node + 1];
+      longestAt_[node] = std::max(longestAt_[node], longest);
+    }
+  }
+  for (int node = 0; node < mesh.nodeCount(); ++node) firstOfNode_[node + 1] += firstOfNode_[node];
+  ofNode_.resize(3 * static_cast<std::size_t>(count));
+  std::vector<int> next(firstOfNode_.begin(), firstOfNode_.end() - 1);
+  for (int t = 0; t < count; ++t)
+    for (const int node : mesh.triangles[t]) ofNode_[next[node]++] = t;
+
+  const DisplacementRecovery recovery(mesh, slots);
+  firstBulge_.reserve(3 * static_cast<std::size_t>(count) + 1);
+  for (int t = 0; t < count; ++t)
+    for (int a = 0; a < 3; ++a) {
+      firstBulge_.push_back(static_cast<int>(bulges_.size()));
+      for (const auto& [node, weight] : recovery.bulge(t, a)) bulges_.push_back({node, weight});
+    }
+  firstBulge_.push_back(static_cast<int>(bulges_.size()));
+}
+
+ContactSurface::Workspace::Workspace(const ContactSurface& surface)
+    : triangleStamp_(surface.mesh_.triangles.size(), 0),
+      aroundStamp_(surface.mesh_.triangles.size(), 0),
+      nodeStamp_(surface.mesh_.nodes.size(), 0),
+      measureStamp_(surface.mesh_.nodes.size(), 0),
+      nodeIndex_(surface.mesh_.nodes.size(), 0),
+      measureIndex_(surface.mesh_.nodes.size(), 0) {}
+
+Vector3d ContactSurface::normal(const SurfacePoint& point) const {
+  Vector3d normal = Vector3d::Zero();
+  for (int corner = 0; corner < 3; ++corner)
+    normal += point.weights[corner] * slots_.slots[slots_.ofCorner[point.triangle][corner]].normal;
+  const double length = normal.norm();
+  return length > 0 ? Vector3d(normal / length) : mesh_.normal(point.triangle);
+}
+
+double ContactSurface::narrowestMask(const SurfacePoint& point) const {
+  double length = 0;
+  for (int corner = 0; corner < 3; ++corner)
+    length += point.weights[corner] * longestAt_[mesh_.triangles[point.triangle][corner]];
+  return kNarrowest * length;
+}
+
+bool ContactSurface::makeMask(const SurfacePoint& point, double radius, Workspace& work,
+                              ContactMask& mask) const {
+  mask.point = point;
+  mask.radius = std::max(radius, narrowestMask(point));
+  ++work.stamp_;
+  collectTriangles(point, mask.radius, work);
+  collectNodes(work, mask.nodes);
+  mask.measureNodes.clear();
+  if (mask.nodes.empty() || integrateBump(point, mask.radius, work) <= 0) {
+    mask.nodes.clear();
+    mask.traction.resize(0);
+    mask.measure.resize(0);
+    return false;
+  }
+  project(work, mask.traction);
+  measure(work, mask);
+  return true;
+}
+
+/// Triangles that reach into the ball and hang together with the touched one: the far side of a
+/// thin body must not be touched as well.
+void ContactSurface::collectTriangles(const SurfacePoint& point, double radius,
+                                      Workspace& work) const {
+  work.touched_.clear();
+  work.touched_.push_back(point.triangle);
+  work.triangleStamp_[point.triangle] = work.stamp_;
+  for (std::size_t k = 0; k < work.touched_.size(); ++k) {
+    for (const int node : mesh_.triangles[work.touched_[k]]) {
+      if ((mesh_.nodes[node] - point.position).squaredNorm() >= radius * radius) continue;
+      for (int i = firstOfNode_[node]; i < firstOfNode_[node + 1]; ++i) {
+        const int neighbour = ofNode_[i];
+        if (work.triangleStamp_[neighbour] == work.stamp_) continue;
+        work.triangleStamp_[neighbour] = work.stamp_;
+        work.touched_.push_back(neighbour);
+      }
+    }
+  }
+}
+
+/// The free nodes of the touched triangles, and all triangles around these.
+void ContactSurface::collectNodes(Workspace& work, std::vector<int>& nodes) const {
+  nodes.clear();
+  work.around_.clear();
+  for (const int t : work.touched_)
+    for (const int node : mesh_.triangles[t]) {
+      if (work.nodeStamp_[node] == work.stamp_ || !dofs_.isFree(node)) continue;
+      work.nodeStamp_[node] = work.stamp_;
+      work.nodeIndex_[node] = static_cast<int>(nodes.size());
+      nodes.push_back(node);
+      for (int i = firstOfNode_[node]; i < firstOfNode_[node + 1]; ++i) {
+        const int neighbour = ofNode_[i];
+        if (work.aroundStamp_[neighbour] == work.stamp_) continue;
+        work.aroundStamp_[neighbour] = work.stamp_;
+        work.around_.push_back(neighbour);
+      }
+    }
+  work.right_.setZero(static_cast<Eigen::Index>(nodes.size()));
+}
+
+/// ∫ N_k (1 - (ρ/radius)^2)^2 dΓ over the touched triangles, by a rule of degree 5 on congruent
+/// cells; returns the sum.
+double ContactSurface::integrateBump(const SurfacePoint& point, double radius,
+                                     Workspace& work) const {
+  const double inverse = 1.0 / (radius * radius);
+  for (const int t : work.touched_) {
+    const auto& c = mesh_.triangles[t];
+    const Vector3d origin = mesh_.nodes[c[0]] - point.position;
+    const Vector3d ab = mesh_.nodes[c[1]] - mesh_.nodes[c[0]];
+    const Vector3d ac = mesh_.nodes[c[2]] - mesh_.nodes[c[0]];
+    const int cells = static_cast<int>(
+        std::clamp(std::ceil(triangles_[t].longestEdge / (kCell * radius)), 1.0, 32.0));
+    const double weight = triangles_[t].area / (cells * cells);
+    Vector3d sum = Vector3d::Zero();
+    const auto visitCell = [&](double i, double j, double sign) {
+      for (const TrianglePoint& q : triangleRule7()) {
+        const double u = (i + sign * q.barycentric[1]) / cells;
+        const double v = (j + sign * q.barycentric[2]) / cells;
+        const double s = 1.0 - (origin + u * ab + v * ac).squaredNorm() * inverse;
+        if (s > 0) sum += (weight * q.weight * s * s) * Vector3d(1 - u - v, u, v);
+      }
+    };
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; i + j < cells; ++j) {
+        visitCell(i, j, 1);
+        if (i + j + 1 < cells) visitCell(i + 1, j + 1, -1);
+      }
+    for (int a = 0; a < 3; ++a)
+      if (work.nodeStamp_[c[a]] == work.stamp_) work.right_[work.nodeIndex_[c[a]]] += sum[a];
+  }
+  return work.right_.sum();
+}
+
+/// Solves (M + F) φ = ∫ N b dΓ for the coefficients of the bump b: M is the mass matrix of the free
+/// nodes over the whole surface, F = m_k (kFade / mean of b at k)^2 on the diagonal, m_k = ∫ N_k.
+/// Conjugate gradients with the diagonal, which leaves a condition number below 20 whatever the
+/// size of the elements (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
+void ContactSurface::project(Workspace& work, Eigen::VectorXd& traction) const {
+  const Eigen::Index count = work.right_.size();
+  const auto indexOf = [&](int node) {
+    return work.nodeStamp_[node] == work.stamp_ ? work.nodeIndex_[node] : -1;
+  };
+  work.diagonal_.setZero(count);
+  for (const int t : work.around_)
+    for (const int node : mesh_.triangles[t])
+      if (const int k = indexOf(node); k >= 0) work.diagonal_[k] += triangles_[t].area / 6.0;
+  // The diagonal of M is half of m_k.
+  work.fade_.resize(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double weight = kFade * 2 * work.diagonal_[k] / work.right_[k];
+    work.fade_[k] = 2 * work.diagonal_[k] * std::min(weight * weight, kMostFaded);
+  }
+  work.diagonal_ += work.fade_;
+  // ∫ λ_a λ_b = area / 12, twice that where the corners are the same.
+  const auto multiply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& result) {
+    result = work.fade_.cwiseProduct(x);
+    for (const int t : work.around_) {
+      int index[3];
+      double value[3], sum = 0;
+      for (int a = 0; a < 3; ++a) {
+        index[a] = indexOf(mesh_.triangles[t][a]);
+        value[a] = index[a] >= 0 ? x[index[a]] : 0.0;
+        sum += value[a];
+      }
+      for (int a = 0; a < 3; ++a)
+        if (index[a] >= 0) result[index[a]] += triangles_[t].area / 12.0 * (sum + value[a]);
+    }
+  };
+  traction.setZero(count);
+  work.residual_ = work.right_;
+  work.search_ = work.residual_.cwiseQuotient(work.diagonal_);
+  double rho = work.residual_.dot(work.search_);
+  const double enough = rho * kProjectionTolerance * kProjectionTolerance;
+  for (int iteration = 0; iteration < kMostIterations && rho > enough; ++iteration) {
+    multiply(work.search_, work.image_);
+    const double step = rho / work.search_.dot(work.image_);
+    traction += step * work.search_;
+    work.residual_ -= step * work.image_;
+    work.image_ = work.residual_.cwiseQuotient(work.diagonal_);
+    const double next = work.residual_.dot(work.image_);
+    work.search_ = work.image_ + (next / rho) * work.search_;
+    rho = next;
+  }
+}
+
+/// Ψ: ∫ Φ u dΓ as weights of nodal displacements, u between the nodes recovered to third order.
+/// Also normalises the traction to ∫ Φ dΓ = 1.
+void ContactSurface::measure(Workspace& work, ContactMask& mask) const {
+  work.coefficients_.clear();
+  const auto add = [&](int node, double weight) {
+    if (work.measureStamp_[node] != work.stamp_) {
+      work.measureStamp_[node] = work.stamp_;
+      work.measureIndex_[node] = static_cast<int>(mask.measureNodes.size());
+      mask.measureNodes.push_back(node);
+      work.coefficients_.push_back(0.0);
+    }
+    work.coefficients_[work.measureIndex_[node]] += weight;
+  };
+  for (const int t : work.around_) {
+    const auto& c = mesh_.triangles[t];
+    double phi[3];
+    for (int a = 0; a < 3; ++a)
+      phi[a] = work.nodeStamp_[c[a]] == work.stamp_ ? mask.traction[work.nodeIndex_[c[a]]] : 0.0;
+    const double sum = phi[0] + phi[1] + phi[2];
+    for (int a = 0; a < 3; ++a) {
+      // ∫ λ_a λ_b = area / 12 and ∫ λ_a λ_b λ_c = area / 60, twice that where an index repeats.
+      add(c[a], triangles_[t].area / 12.0 * (sum + phi[a]));
+      const double cubic = triangles_[t].area / 60.0 * (sum + phi[a] + phi[(a + 1) % 3]);
+      for (int i = firstBulge_[3 * t + a]; i < firstBulge_[3 * t + a + 1]; ++i)
+        add(bulges_[i].node, cubic * bulges_[i].weight);
+    }
+  }
+  // The bulges of a translation vanish, so the sum is ∫ Φ dΓ.
+  double integral = 0;
+  for (const double weight : work.coefficients_) integral += weight;
+  mask.traction /= integral;
+  mask.measure.resize(static_cast<Eigen::Index>(work.coefficients_.size()));
+  for (Eigen::Index k = 0; k < mask.measure.size(); ++k)
+    mask.measure[k] = work.coefficients_[k] / integral;
+}
+
+}  // namespace palpa::bem

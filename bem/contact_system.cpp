@@ -1,0 +1,192 @@
+#include "bem/contact_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Kind = ContactCondition::Kind;
+
+/// Gauss-Seidel steps are this part of the largest that is safe.
+constexpr double kRelaxation = 1.0;
+/// The residual is looked at after so many sweeps: it costs as much as one.
+constexpr int kSweepsBetweenLooks = 5;
+
+struct Projected {
+  Vector3d force;
+  ContactStatus status;
+};
+
+/// The force that the laws allow nearest to f - penalty (d - value).
+Projected project(const ContactCondition& condition, const Vector3d& f, const Vector3d& d,
+                  double penalty) {
+  const Vector3d trial = f - penalty * (d - condition.value);
+  if (condition.kind == Kind::kHold) return {trial, ContactStatus::kHeld};
+  if (condition.kind == Kind::kForce) return {condition.value, ContactStatus::kForced};
+  const double pressing = trial.dot(condition.normal);
+  if (pressing <= 0) return {Vector3d::Zero(), ContactStatus::kOpen};
+  const Vector3d tangential = trial - pressing * condition.normal;
+  const double bound = condition.friction * pressing, length = tangential.norm();
+  if (length <= bound) return {trial, ContactStatus::kSticking};
+  return {pressing * condition.normal + (bound / length) * tangential, ContactStatus::kSlipping};
+}
+
+}  // namespace
+
+void ContactSystem::solve(const Eigen::Ref<const Eigen::MatrixXd>& compliance,
+                          const Eigen::Ref<const Eigen::VectorXd>& freeDisplacements,
+                          std::span<const ContactCondition> conditions, ContactForces& solution) {
+  const Problem problem{compliance, freeDisplacements, conditions};
+  start(problem, solution);
+  double best = std::numeric_limits<double>::infinity();
+  best_.setZero(solution.forces.size());
+  const auto isGood = [&] {
+    solution.residual = solution.forces.allFinite() ? residual(problem, solution)
+                                                    : std::numeric_limits<double>::infinity();
+    if (solution.residual < best) {
+      best = solution.residual;
+      best_ = solution.forces;
+    }
+    return solution.residual <= kTolerance;
+  };
+  bool good = isGood();
+  while (!good && solution.iterations < kMostNewton) {
+    newtonStep(problem, solution);
+    ++solution.iterations;
+    if (!solution.forces.allFinite()) solution.forces.setZero();
+    displacements_.noalias() = problem.free + problem.compliance * solution.forces;
+    good = isGood();
+  }
+  if (!good) {
+    solution.forces = best_;
+    displacements_.noalias() = problem.free + problem.compliance * solution.forces;
+  }
+  for (int sweeps = 0; !good && sweeps < kMostSweeps; ++sweeps) {
+    sweep(problem, solution);
+    ++solution.iterations;
+    if (sweeps % kSweepsBetweenLooks < kSweepsBetweenLooks - 1) continue;
+    good = isGood();
+    if (!std::isfinite(solution.residual)) break;
+  }
+  if (!good) {
+    solution.forces = best_;
+    displacements_.noalias() = problem.free + problem.compliance * solution.forces;
+    solution.residual = residual(problem, solution);
+  }
+  solution.converged = good;
+}
+
+void ContactSystem::start(const Problem& problem, ContactForces& solution) {
+  const auto count = static_cast<Index>(problem.conditions.size());
+  if (solution.forces.size() != 3 * count) solution.forces.setZero(3 * count);
+  solution.statuses.resize(problem.conditions.size());
+  solution.iterations = 0;
+  penalty_.resize(count);
+  for (Index k = 0; k < count; ++k) {
+    // A mask that is not used has no compliance and must have a given force.
+    const double trace = problem.compliance.block<3, 3>(3 * k, 3 * k).trace();
+    penalty_[k] = trace > 0 ? 3.0 / trace : 0.0;
+    // Given forces hold from the start, so that they do not disturb the statuses of the others.
+    if (problem.conditions[k].kind == Kind::kForce)
+      solution.forces.segment<3>(3 * k) = problem.conditions[k].value;
+  }
+  displacements_.noalias() = problem.free + problem.compliance * solution.forces;
+}
+
+double ContactSystem::residual(const Problem& problem, ContactForces& solution) const {
+  double worst = 0, largest = 0;
+  for (std::size_t k = 0; k < problem.conditions.size(); ++k) {
+    const auto row = 3 * static_cast<Index>(k);
+    const Vector3d f = solution.forces.segment<3>(row);
+    const auto allowed = project(problem.conditions[k], f, displacements_.segment<3>(row),
+                                 penalty_[static_cast<Index>(k)]);
+    solution.statuses[k] = allowed.status;
+    worst = std::max(worst, (f - allowed.force).norm());
+    largest = std::max({largest, f.norm(), allowed.force.norm()});
+  }
+  return largest > 0 ? worst / largest : 0.0;
+}
+
+void ContactSystem::newtonStep(const Problem& problem, ContactForces& solution) {
+  // Contacts whose force is known (open or given) are taken out of the system.
+  const auto count = static_cast<Index>(problem.conditions.size());
+  step_.setZero(3 * count);
+  active_.clear();
+  for (Index k = 0; k < count; ++k) {
+    const ContactStatus status = solution.statuses[k];
+    if (status == ContactStatus::kOpen)
+      step_.segment<3>(3 * k) = -solution.forces.segment<3>(3 * k);
+    else if (status == ContactStatus::kForced)
+      step_.segment<3>(3 * k) = problem.conditions[k].value - solution.forces.segment<3>(3 * k);
+    else
+      active_.push_back(k);
+  }
+  const auto size = 3 * static_cast<Index>(active_.size());
+  jacobian_.resize(size, size);
+  right_.resize(size);
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    const Index k = active_[i];
+    const auto row = 3 * static_cast<Index>(i);
+    const ContactCondition& condition = problem.conditions[k];
+    const Vector3d f = solution.forces.segment<3>(3 * k);
+    const Vector3d off = displacements_.segment<3>(3 * k) - condition.value;
+    const double r = penalty_[k];
+    // The laws are F(f, d) = 0 with the derivatives A by d and B by f.
+    Matrix3d a = r * Matrix3d::Identity(), b = Matrix3d::Zero();
+    Vector3d value = r * off;
+    if (solution.statuses[k] == ContactStatus::kSlipping) {
+      const Vector3d& n = condition.normal;
+      const Matrix3d plane = Matrix3d::Identity() - n * n.transpose();
+      const Vector3d trial = plane * (f - r * off);
+      const double pressing = n.dot(f - r * off), length = trial.norm();
+      const Vector3d e = trial / length;
+      const Matrix3d turn = condition.friction * pressing / length * (plane - e * e.transpose());
+      // F = r g n + f_t - μ (λ - r g) e
+      value = r * n.dot(off) * n + plane * f - condition.friction * pressing * e;
+      a = r * (n * n.transpose() + condition.friction * e * n.transpose() + turn);
+      b = plane - condition.friction * e * n.transpose() - turn;
+    }
+    for (std::size_t j = 0; j < active_.size(); ++j)
+      jacobian_.block<3, 3>(row, 3 * static_cast<Index>(j)).noalias() =
+          a * problem.compliance.block<3, 3>(3 * k, 3 * active_[j]);
+    jacobian_.block<3, 3>(row, row) += b;
+    Vector3d moved = Vector3d::Zero();  // by the contacts taken out
+    for (Index j = 0; j < count; ++j)
+      if (!step_.segment<3>(3 * j).isZero(0))
+        moved += problem.compliance.block<3, 3>(3 * k, 3 * j) * step_.segment<3>(3 * j);
+    right_.segment<3>(row) = -value - a * moved;
+  }
+  if (size > 0) {
+    factors_.compute(jacobian_);
+    right_ = factors_.solve(right_);
+  }
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    step_.segment<3>(3 * active_[i]) = right_.segment<3>(3 * static_cast<Index>(i));
+  solution.forces += step_;
+}
+
+void ContactSystem::sweep(const Problem& problem, ContactForces& solution) {
+  for (std::size_t k = 0; k < problem.conditions.size(); ++k) {
+    const auto row = 3 * static_cast<Index>(k);
+    const ContactCondition& condition = problem.conditions[k];
+    const Matrix3d own = problem.compliance.block<3, 3>(row, row);
+    const Vector3d f = solution.forces.segment<3>(row);
+    const Vector3d d = displacements_.segment<3>(row);
+    // The trace is at least the largest eigenvalue, so this step is safe.
+    if (penalty_[static_cast<Index>(k)] == 0.0) continue;
+    const Vector3d next = condition.kind == Kind::kHold
+                              ? Vector3d(f + own.ldlt().solve(condition.value - d))
+                              : project(condition, f, d, kRelaxation / own.trace()).force;
+    const Vector3d change = next - f;
+    if (change.isZero(0)) continue;
+    solution.forces.segment<3>(row) = next;
+    displacements_.noalias() += problem.compliance.middleCols<3>(row) * change;
+  }
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,216 @@
+#include "bem/contact_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <numeric>
+
+#include "bem/contact_solver.h"
+#include "test_meshes.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Kind = ContactTool::Kind;
+using Status = ContactSimulation::Status;
+
+/// A sphere of radius 25 mm, fixed below z = -20, silicone-like, with all its columns.
+struct Sphere {
+  BoundaryMesh mesh;
+  TractionSlots slots;
+  std::shared_ptr<const ReferenceProblem> problem;
+  BoundaryField base;
+  std::unique_ptr<ContactSurface> surface;
+  std::unique_ptr<GreensColumns> columns;
+
+  explicit Sphere(int n) : mesh(tagged(n)), slots(mesh) {
+    std::vector<SlotCondition> conditions;
+    for (const auto& slot : slots.slots)
+      conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+    problem = makeDenseReferenceProblem(mesh, slots, conditions, {0.1, 0.45}, AssemblyOptions{},
+                                        Precision::kDouble, Job{});
+    base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
+    surface = std::make_unique<ContactSurface>(mesh, slots, problem->dofs());
+    columns = std::make_unique<GreensColumns>(problem);
+    std::vector<int> all(mesh.nodeCount());
+    std::iota(all.begin(), all.end(), 0);
+    columns->compute(all, Job{});
+  }
+  static BoundaryMesh tagged(int n) {
+    BoundaryMesh mesh = test::sphereMesh(25, n);
+    for (int t = 0; t < mesh.triangleCount(); ++t)
+      mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -20 ? 1 : 0;
+    return mesh;
+  }
+  ContactSimulation simulation() const { return {*surface, *columns, base}; }
+};
+
+const Sphere& sphere() {
+  static const Sphere shared(10);  // 602 nodes, edges of 3.9 mm
+  return shared;
+}
+
+const Vector3d kTop(0, 0, 25), kSide(25, 0, 0);
+
+TEST(ContactSimulation, GrabsAsTheExactSolverDoes) {
+  ContactSimulation simulation = sphere().simulation();
+  simulation.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
+  simulation.begin({Kind::kGrab, 8}, kSide, {1, 0, 0});
+  simulation.step();
+  ASSERT_TRUE(simulation.converged());
+  ContactSolver exact(sphere().problem, sphere().slots, sphere().base);
+  exact.addGrab(makeContactMask(*sphere().surface, kTop, 8), Vector3d(0, 0.5, -2));
+  exact.addGrab(makeContactMask(*sphere().surface, kSide, 8), Vector3d(1, 0, 0));
+  const VectorXd forces = exact.forces();
+  // Columns are kept in single precision.
+  EXPECT_LE((simulation.contacts()[0].force - forces.head<3>()).norm(), 1e-5 * forces.norm());
+  EXPECT_LE((simulation.contacts()[1].force - forces.tail<3>()).norm(), 1e-5 * forces.norm());
+}
+
+TEST(ContactSimulation, PushesButDoesNotPull) {
+  ContactSimulation simulation = sphere().simulation();
+  const auto id = simulation.begin({Kind::kPush, 8, 0}, kTop, {0, 0, 24});
+  simulation.step(5);
+  const auto pressed = *simulation.find(id);
+  EXPECT_LT(pressed.force[2], 0);
+  // The mesh's normal at the pole is off the axis by half a degree.
+  EXPECT_NEAR(pressed.displacement[2], -1, 0.02);
+  EXPECT_LE(pressed.force.head<2>().norm(), 0.01 * std::abs(pressed.force[2]));
+  simulation.set(id, {0, 0, 25.1});
+  simulation.step(5);
+  EXPECT_EQ(simulation.find(id)->status, Status::kOpen);
+  EXPECT_EQ(simulation.find(id)->force.norm(), 0);
+}
+
+TEST(ContactSimulation, AFrictionlessToolSlidesWithoutTangentialForce) {
+  ContactSimulation simulation = sphere().simulation();
+  const auto id = simulation.begin({Kind::kPush, 8, 0}, kTop, {0, 0, 24});
+  for (int k = 0; k <= 200; ++k) {
+    const double angle = 0.005 * k;
+    simulation.set(id, 24 * Vector3d(std::sin(angle), 0, std::cos(angle)));
+    simulation.step();
+    const auto& contact = *simulation.find(id);
+    const Vector3d normal = sphere().surface->normal(contact.point);
+    EXPECT_LE((contact.force - normal * normal.dot(contact.force)).norm(),
+              1e-6 * contact.force.norm());
+  }
+  // It has come along: the contact is below the tool.
+  const auto& contact = *simulation.find(id);
+  EXPECT_NEAR(contact.point.position[0], 25 * std::sin(1.0), 0.6);
+}
+
+TEST(ContactSimulation, TheForceHasNoStepsWhenSliding) {
+  for (const Kind kind : {Kind::kPush, Kind::kProbe}) {
+    ContactSimulation simulation = sphere().simulation();
+    const double radius = kind == Kind::kProbe ? 12 : 8;
+    const double distance = kind == Kind::kProbe ? 25 + 12 - 1.5 : 23.5;
+    const auto id = simulation.begin({kind, radius, 0}, kTop, {0, 0, distance});
+    simulation.step(10);
+    double last = simulation.find(id)->force.norm(), largest = 0, jump = 0;
+    for (int k = 0; k <= 1500; ++k) {
+      const double angle = 0.0002 * k;
+      simulation.set(id, distance * Vector3d(std::sin(angle), 0, std::cos(angle)));
+      simulation.step();
+      const double force = simulation.find(id)->force.norm();
+      jump = std::max(jump, std::abs(force - last));
+      largest = std::max(largest, force);
+      last = force;
+    }
+    // Each step moves the tool by 5 to 7 µm: a force that varies by 10 % along an element would
+    // change by 0.02 %.
+    EXPECT_LE(jump, 0.002 * largest);
+  }
+}
+
+TEST(ContactSimulation, FrictionHoldsThenSlidesAndTakesEnergy) {
+  ContactSimulation simulation = sphere().simulation();
+  const auto id = simulation.begin({Kind::kPush, 8, 0.3}, kTop, {0, 0, 23});
+  simulation.step();
+  bool stuck = false, slipped = false;
+  for (int k = 0; k <= 100; ++k) {
+    simulation.set(id, {0.05 * k, 0, 23});
+    simulation.step();
+    const auto& contact = *simulation.find(id);
+    const double pressing = -contact.force[2];
+    stuck = stuck || contact.status == Status::kSticking;
+    if (contact.status == Status::kSlipping) {
+      slipped = true;
+      EXPECT_GT(contact.force[0], 0);  // the tool drags the surface along
+    }
+    EXPECT_LE(contact.force.head<2>().norm(), 0.3 * pressing * 1.2);
+  }
+  EXPECT_TRUE(stuck);
+  EXPECT_TRUE(slipped);
+}
+
+TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
+  ContactSimulation simulation = sphere().simulation();
+  const auto id = simulation.begin({Kind::kProbe, 200, 0}, kTop, {0, 0, 225});
+  std::size_t masks = 0;
+  double force = 0;
+  for (const double depth : {0.1, 0.5, 1.5, 3.0}) {
+    simulation.set(id, {0, 0, 225 - depth});
+    simulation.step(5);
+    const auto& contact = *simulation.find(id);
+    EXPECT_GE(contact.patch.size(), masks);
+    EXPECT_GT(-contact.force[2], force);
+    masks = contact.patch.size();
+    force = -contact.force[2];
+    for (const auto& patch : contact.patch)
+      EXPECT_GE(
+          -patch.force.dot(sphere().surface->normal(sphere().surface->tree().nearest(patch.at))),
+          0);
+  }
+  EXPECT_GE(masks, 7u);
+}
+
+TEST(ContactSimulation, TheSameStepsGiveTheSameForces) {
+  const auto play = [] {
+    ContactSimulation simulation = sphere().simulation();
+    const auto push = simulation.begin({Kind::kProbe, 15, 0.4}, kTop, {0, 0, 39});
+    simulation.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
+    std::vector<Vector3d> forces;
+    for (int k = 0; k < 50; ++k) {
+      simulation.set(push, {0.1 * k, 0.05 * k, 38.5});
+      simulation.step();
+      for (const auto& contact : simulation.contacts()) forces.push_back(contact.force);
+    }
+    return forces;
+  };
+  EXPECT_EQ(play(), play());
+}
+
+TEST(ContactSimulation, OthersStayWhenOneEnds) {
+  ContactSimulation simulation = sphere().simulation();
+  const auto a = simulation.begin({Kind::kProbe, 15, 0}, kTop, {0, 0, 39});
+  const auto b = simulation.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
+  simulation.step(5);
+  simulation.end(a);
+  simulation.step();
+  ContactSimulation alone = sphere().simulation();
+  const auto c = alone.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
+  alone.step();
+  EXPECT_LE((simulation.find(b)->force - alone.find(c)->force).norm(),
+            1e-12 * alone.find(c)->force.norm());
+  EXPECT_EQ(simulation.find(a), nullptr);
+}
+
+TEST(ContactSimulation, WaitsForColumnsAndRefusesHeldPlaces) {
+  GreensColumns none(sphere().problem);
+  ContactSimulation simulation(*sphere().surface, none, sphere().base);
+  const auto id = simulation.begin({Kind::kGrab, 8}, kTop, {0, 0, -1});
+  const auto held = simulation.begin({Kind::kPush, 3}, {0, 0, -25}, {0, 0, -24});
+  simulation.step();
+  EXPECT_EQ(simulation.find(id)->status, Status::kWaiting);
+  EXPECT_EQ(simulation.find(id)->force.norm(), 0);
+  EXPECT_EQ(simulation.find(held)->status, Status::kHeld);
+  none.compute(makeContactMask(*sphere().surface, kTop, 8).nodes, Job{});
+  simulation.step();
+  EXPECT_EQ(simulation.find(id)->status, Status::kHolding);
+  EXPECT_LT(simulation.find(id)->force[2], 0);
+}
+
+}  // namespace
+}  // namespace palpa::bem

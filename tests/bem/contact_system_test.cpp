@@ -1,0 +1,169 @@
+#include "bem/contact_system.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using Kind = ContactCondition::Kind;
+
+/// Contacts at random places of a half space, roughly: compliance falls with distance.
+struct RandomContacts {
+  MatrixXd compliance;
+  VectorXd free;
+  std::vector<ContactCondition> conditions;
+
+  RandomContacts(int count, double friction, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto vector = [&] { return Vector3d(unit(random), unit(random), unit(random)); };
+    std::vector<Vector3d> places;
+    for (int k = 0; k < count; ++k) places.push_back(20 * vector());
+    compliance = MatrixXd::Zero(3 * count, 3 * count);
+    for (int a = 0; a < count; ++a)
+      for (int b = 0; b < count; ++b) {
+        const Vector3d r = places[a] - places[b];
+        const double distance = std::sqrt(r.squaredNorm() + 4);
+        compliance.block<3, 3>(3 * a, 3 * b) =
+            (Eigen::Matrix3d::Identity() + r * r.transpose() / (distance * distance)) / distance;
+      }
+    compliance += 1e-3 * MatrixXd::Identity(3 * count, 3 * count);
+    free = 0.1 * VectorXd::NullaryExpr(3 * count, [&] { return unit(random); });
+    for (int k = 0; k < count; ++k) {
+      ContactCondition condition;
+      const double kind = unit(random);
+      condition.kind = kind < -0.6 ? Kind::kHold : kind < -0.3 ? Kind::kForce : Kind::kUnilateral;
+      condition.value = vector();
+      condition.normal = vector().normalized();
+      condition.friction = friction;
+      conditions.push_back(condition);
+    }
+  }
+  VectorXd displacements(const ContactForces& solution) const {
+    return free + compliance * solution.forces;
+  }
+};
+
+/// The laws, written out.
+void expectLaws(const RandomContacts& contacts, const ContactForces& solution) {
+  const VectorXd d = contacts.displacements(solution);
+  const double size = std::max(solution.forces.norm(), 1e-3);
+  for (std::size_t k = 0; k < contacts.conditions.size(); ++k) {
+    SCOPED_TRACE(k);
+    const auto row = 3 * static_cast<Eigen::Index>(k);
+    const ContactCondition& condition = contacts.conditions[k];
+    const Vector3d f = solution.forces.segment<3>(row);
+    const Vector3d off = d.segment<3>(row) - condition.value;
+    if (condition.kind == Kind::kHold) {
+      EXPECT_LE(off.norm(), 1e-7);
+    } else if (condition.kind == Kind::kForce) {
+      EXPECT_EQ(f, condition.value);
+    } else {
+      const double pressing = f.dot(condition.normal), gap = off.dot(condition.normal);
+      EXPECT_GE(pressing, -1e-8 * size);
+      EXPECT_GE(gap, -1e-7);
+      EXPECT_LE(std::abs(pressing * gap), 1e-7 * size);
+      const Vector3d tangential = f - pressing * condition.normal;
+      EXPECT_LE(tangential.norm(), condition.friction * pressing + 1e-7 * size);
+      const Vector3d slip = off - gap * condition.normal;
+      if (pressing <= 1e-6 * size) continue;  // open: may move as it likes
+      // Friction takes energy, and all that it can: f_t . w = -|f_t| |w|, with the full bound.
+      EXPECT_LE(tangential.dot(slip) + tangential.norm() * slip.norm(), 1e-6 * size);
+      if (slip.norm() > 1e-6) {
+        EXPECT_NEAR(tangential.norm(), condition.friction * pressing, 1e-6 * size);
+      }
+    }
+  }
+}
+
+TEST(ContactSystem, MeetsTheLawsWithoutFriction) {
+  ContactSystem system;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomContacts contacts(1 + seed % 20, 0, seed);
+    ContactForces solution;
+    system.solve(contacts.compliance, contacts.free, contacts.conditions, solution);
+    ASSERT_TRUE(solution.converged) << solution.residual;
+    expectLaws(contacts, solution);
+  }
+}
+
+TEST(ContactSystem, MeetsCoulombsLaw) {
+  ContactSystem system;
+  int failed = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const RandomContacts contacts(1 + seed % 20, 0.1 + 0.004 * seed, seed);
+    ContactForces solution;
+    system.solve(contacts.compliance, contacts.free, contacts.conditions, solution);
+    if (solution.converged)
+      expectLaws(contacts, solution);
+    else
+      ++failed;
+  }
+  // With random normals and friction up to 0.9 there need not be a solution.
+  EXPECT_LE(failed, 4);
+}
+
+TEST(ContactSystem, TheSolutionWithoutFrictionDoesNotDependOnTheStart) {
+  ContactSystem system;
+  const RandomContacts contacts(12, 0, 7);
+  ContactForces cold, warm;
+  system.solve(contacts.compliance, contacts.free, contacts.conditions, cold);
+  warm.forces = VectorXd::Constant(36, 3.0);
+  system.solve(contacts.compliance, contacts.free, contacts.conditions, warm);
+  EXPECT_LE((warm.forces - cold.forces).norm(), 1e-7 * cold.forces.norm());
+  // A warm start has nothing left to do.
+  system.solve(contacts.compliance, contacts.free, contacts.conditions, warm);
+  EXPECT_EQ(warm.iterations, 0);
+}
+
+TEST(ContactSystem, LetsGoWhenTheToolIsWithdrawn) {
+  const MatrixXd compliance = MatrixXd::Identity(3, 3);
+  const VectorXd free = VectorXd::Zero(3);
+  ContactCondition condition{Kind::kUnilateral, {0, 0, -1}, {0, 0, -1}, 0.5};
+  ContactSystem system;
+  ContactForces solution;
+  system.solve(compliance, free, {&condition, 1}, solution);
+  EXPECT_NEAR(solution.forces[2], -1, 1e-9);
+  EXPECT_EQ(solution.statuses[0], ContactStatus::kSticking);
+  condition.value = {0, 0, 0.5};
+  system.solve(compliance, free, {&condition, 1}, solution);
+  EXPECT_EQ(solution.forces.norm(), 0);
+  EXPECT_EQ(solution.statuses[0], ContactStatus::kOpen);
+}
+
+TEST(ContactSystem, SlidesWhenDraggedTooFar) {
+  // D = 1: dragging by 2 while pressing by 1 wants f_t = 2 > 0.5: it slips at f_t = 0.5.
+  const MatrixXd compliance = MatrixXd::Identity(3, 3);
+  const VectorXd free = VectorXd::Zero(3);
+  const ContactCondition condition{Kind::kUnilateral, {2, 0, -1}, {0, 0, -1}, 0.5};
+  ContactSystem system;
+  ContactForces solution;
+  system.solve(compliance, free, {&condition, 1}, solution);
+  EXPECT_LE((solution.forces - Vector3d(0.5, 0, -1)).norm(), 1e-9);
+  EXPECT_EQ(solution.statuses[0], ContactStatus::kSlipping);
+}
+
+TEST(ContactSystem, SaysWhenItCannotMeetTheLaws) {
+  // Not positive definite: no solution at all for a held contact.
+  const MatrixXd compliance = MatrixXd::Zero(3, 3);
+  const VectorXd free = VectorXd::Zero(3);
+  const ContactCondition condition{Kind::kUnilateral, {0, 0, -1}, {0, 0, -1}, 0};
+  ContactSystem system;
+  ContactForces solution;
+  MatrixXd indefinite = compliance;
+  indefinite.diagonal() << 1e-3, 1e-3, -1e-3;
+  system.solve(indefinite, free, {&condition, 1}, solution);
+  EXPECT_FALSE(solution.converged);
+  EXPECT_GT(solution.residual, ContactSystem::kTolerance);
+  EXPECT_TRUE(solution.forces.allFinite());
+}
+
+}  // namespace
+}  // namespace palpa::bem
