@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/gui/tools/brush.h"
+#include "app/gui/tools/motion_geometry.h"
 #include "app/gui/tools/support_options.h"
 
 namespace palpa::gui {
@@ -19,7 +20,7 @@ constexpr double kPointSpacing = 0.25;  // of the radius, between two points of 
 }  // namespace
 
 double SupportTool::radius() const {
-  return radius_.value_or(kRadiusShare * bodySize());
+  return radius_ ? *radius_ : roundLengthBelow(kRadiusShare * bodySize());
 }
 
 void SupportTool::setRadius(double radius) {
