@@ -37,10 +37,10 @@ struct ImportedBody {
 /// the faces meet side to side with the same parameters (docs/exchange.md); what exportCad() wrote
 /// is read back unchanged. Otherwise it becomes a mesh body, and a note says why.
 ///
-/// The file is read twice: first in a child process, so that a damaged file that makes OpenCASCADE
-/// crash or work without end costs nothing but an error (docs/decisions/010). Cancelling stops the
-/// first reading at once, the second one between faces and entities. Exports and imports of several
-/// threads run one after the other.
+/// The file is read twice: first by the program palpa-read-cad, so that a damaged file that makes
+/// OpenCASCADE crash or work without end costs nothing but an error (docs/decisions/010).
+/// Cancelling stops the first reading at once, the second one between faces and entities. Exports
+/// and imports of several threads run one after the other.
 ///
 /// @throws ModelingError that begins with the file's name: not there, not readable, damaged, larger
 ///         than kLargestCadFile, taking longer than 10 s and 20 s per MiB, several solids, a

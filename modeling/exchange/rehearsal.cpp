@@ -2,8 +2,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
+#include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,9 +11,9 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <csignal>
-#include <fstream>
+#include <cstdlib>
+#include <vector>
 
 #include "modeling/error.h"
 #include "modeling/text.h"
@@ -21,42 +21,78 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes the child may use beyond what is used now
-constexpr double kPatience = 20.0;           // waiting for the child, in its own seconds
-constexpr int kFailed = 100;                 // exit code for a ModelingError, plus its kind
+constexpr double kPatience = 20.0;  // waiting for the program, in its own seconds
+constexpr const char* kProgram = "palpa-read-cad";
 
-void setLimits(double seconds) {
-  long pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlim_t bytes = static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-  rlimit limit{};
-  ::getrlimit(RLIMIT_AS, &limit);
-  limit.rlim_cur = std::min(limit.rlim_max, bytes + kMemory);
-  ::setrlimit(RLIMIT_AS, &limit);
-  const auto whole = static_cast<rlim_t>(std::ceil(seconds));
-  const rlimit time{whole, whole + 1};
-  ::setrlimit(RLIMIT_CPU, &time);
-  const rlimit noCore{0, 0};
-  ::setrlimit(RLIMIT_CORE, &noCore);
+std::filesystem::path findProgram(const std::string& source) {
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& folder : {here, here.parent_path() / "libexec" / "palpa"})
+    if (::access((folder / kProgram).c_str(), X_OK) == 0) return folder / kProgram;
+  throw ModelingError(source + ": the program " + kProgram +
+                          ", which reads CAD files first, is not beside this one in " +
+                          here.string() + "; install Palpa again",
+                      ModelingError::Kind::notFound);
 }
 
-[[noreturn]] void runChild(const std::function<void()>& work, double seconds, int pipe) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) std::signal(signal, SIG_DFL);
-  const int nothing = ::open("/dev/null", O_WRONLY);
-  ::dup2(nothing, STDOUT_FILENO);
-  ::dup2(nothing, STDERR_FILENO);
-  setLimits(seconds);
-  try {
-    work();
-  } catch (const ModelingError& error) {
-    const std::string message = error.what();
-    const ssize_t written = ::write(pipe, message.data(), message.size());
-    ::_exit(written < 0 ? 1 : kFailed + static_cast<int>(error.kind()));
-  } catch (...) {
-    ::_exit(1);
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
   }
-  ::_exit(0);
+
+ private:
+  int number_;
+};
+
+/// A file without a name that holds `text`, to be read from its beginning.
+int fileInMemory(const std::string& text) {
+  const int file = ::memfd_create("cad", MFD_CLOEXEC);
+  std::size_t done = 0;
+  while (file >= 0 && done < text.size()) {
+    const ssize_t count = ::write(file, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) break;
+    done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  if (file >= 0 && (done < text.size() || ::lseek(file, 0, SEEK_SET) != 0)) {
+    ::close(file);
+    return -1;
+  }
+  return file;
+}
+
+/// Started with posix_spawn: a plain fork() of a program with threads may inherit a lock that
+/// nobody will ever open.
+pid_t start(std::vector<std::string> words, int input, int output) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  // The parent's signals: what it ignores or blocks would be ignored or blocked there as well.
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  sigset_t all, none;
+  ::sigfillset(&all);
+  ::sigemptyset(&none);
+  ::posix_spawnattr_setsigdefault(&attributes, &all);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  pid_t process = -1;
+  const int error =
+      ::posix_spawn(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return error == 0 ? process : -1;
 }
 
 /// Collects the child's message until it ends; kills it when time is up or the job is stopped.
@@ -107,30 +143,35 @@ class Child {
 
 }  // namespace
 
-void rehearse(const std::function<void()>& work, const std::string& source, double seconds,
-              const Job& job) {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw ModelingError(source + ": no pipe could be opened", ModelingError::Kind::io);
-  const pid_t process = ::fork();
-  if (process == 0) runChild(work, seconds, ends[1]);
-  ::close(ends[1]);
-  if (process < 0) {
-    ::close(ends[0]);
-    throw ModelingError(source + ": no process could be started", ModelingError::Kind::io);
-  }
+void rehearse(const std::filesystem::path& path, const std::string& text,
+              const ImportOptions& options, double seconds, const Job& job) {
+  const std::string source = path.string();
+  const std::filesystem::path program = findProgram(source);
+  std::array<int, 2> ends{-1, -1};
+  const Descriptor input(fileInMemory(text));
+  if (input.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw ModelingError(source + ": no memory or pipe for " + kProgram, ModelingError::Kind::io);
+  Descriptor output(ends[1]);
+  const pid_t process =
+      start({program.string(), std::to_string(::getpid()), numberText(seconds), source,
+             numberText(options.edgeLength), numberText(options.tolerance)},
+            input.number(), output.number());
+  output.close();
   Child child(process, ends[0]);
+  if (process < 0)
+    throw ModelingError(source + ": " + program.string() + " could not be started",
+                        ModelingError::Kind::io);
   const bool ended = child.listen(kPatience * seconds, job);
   const int status = ended ? child.waitForEnd() : 0;
   if (!ended || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
     throw ModelingError(source + ": OpenCASCADE works on it for longer than " +
                             shortNumberText(seconds) + " s; the file is damaged or too complicated",
                         ModelingError::Kind::tooLarge);
-  if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) < kFailed))
-    throw ModelingError(source + ": OpenCASCADE fails on it; the file is damaged");
-  if (WEXITSTATUS(status) >= kFailed)
+  const int failed = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
+  if (failed >= kRehearsalFailed)
     throw ModelingError(child.message(),
-                        static_cast<ModelingError::Kind>(WEXITSTATUS(status) - kFailed));
+                        static_cast<ModelingError::Kind>(failed - kRehearsalFailed));
+  if (failed != 0) throw ModelingError(source + ": OpenCASCADE fails on it; the file is damaged");
 }
 
 }  // namespace palpa::modeling

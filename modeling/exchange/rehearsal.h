@@ -1,24 +1,28 @@
 #pragma once
 
-#include <functional>
+#include <filesystem>
 #include <string>
 
-#include "modeling/job.h"
+#include "modeling/exchange/cad_import.h"
 
+// Internal to modeling/exchange/.
 namespace palpa::modeling {
 
-/// Runs `work` in a child process first, a copy of this one without output, and throws when it does
-/// not end well there: OpenCASCADE's readers crash, hang or take all memory on some damaged files,
-/// and no check of ours can foresee every case. The child's result is dropped; what succeeded there
-/// succeeds here as well, because the work is deterministic.
+/// How the rehearsal's program ends, besides crashing: 0, or this plus the kind of the
+/// ModelingError whose message it wrote to its standard output.
+constexpr int kRehearsalFailed = 100;
+
+/// Lets the program palpa-read-cad read the CAD file `path` with content `text` first, and throws
+/// when it does not end well there: OpenCASCADE's readers crash, hang or take all memory on some
+/// damaged files, and no check of ours can foresee every case. What the program reads is dropped;
+/// what succeeded there succeeds here as well, because the work is deterministic.
 ///
-/// `work` must not need other threads. Stopping the job stops the child within 20 ms, whatever it
-/// does.
-/// @throws ModelingError: the one that `work` throws; or one that begins with `source` when the
-/// child
-///         crashed, used the processor for longer than `seconds`, or could not be started.
-///         Cancelled.
-void rehearse(const std::function<void()>& work, const std::string& source, double seconds,
-              const Job& job);
+/// The program is looked for beside the running one and in ../libexec/palpa. Stopping the job stops
+/// it within 20 ms, whatever it does.
+/// @throws ModelingError: the one that reading throws; or one that begins with the file's name when
+///         the program crashed, used the processor for longer than `seconds`, is not there, or
+///         could not be started. Cancelled.
+void rehearse(const std::filesystem::path& path, const std::string& text,
+              const ImportOptions& options, double seconds, const Job& job);
 
 }  // namespace palpa::modeling

@@ -1,0 +1,64 @@
+// palpa-read-cad PARENT SECONDS NAME EDGE_LENGTH TOLERANCE: reads the CAD file NAME, whose content
+// comes on standard input, in a process of its own. Ends with 0, or with the kind of the error,
+// whose message it writes to standard output, or crashes. Started by modeling/exchange/rehearsal.
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "modeling/error.h"
+#include "modeling/exchange/cad_body.h"
+#include "modeling/exchange/opencascade_session.h"
+#include "modeling/exchange/rehearsal.h"
+
+namespace {
+
+constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes it may use beyond what is used now
+constexpr int kArguments = 5;
+
+void setLimits(double seconds) {
+  long pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t bytes = static_cast<rlim_t>(pages) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  ::getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = std::min(limit.rlim_max, bytes + kMemory);
+  ::setrlimit(RLIMIT_AS, &limit);
+  const auto whole = static_cast<rlim_t>(std::ceil(seconds));
+  const rlimit time{whole, whole + 1};
+  ::setrlimit(RLIMIT_CPU, &time);
+  const rlimit noCore{0, 0};
+  ::setrlimit(RLIMIT_CORE, &noCore);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  using namespace palpa::modeling;
+  if (count != kArguments + 1) return EXIT_FAILURE;
+  // Ends with its parent, also when that has gone already.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
+  setLimits(std::atof(arguments[2]));
+  ImportOptions options;
+  options.edgeLength = std::atof(arguments[4]);
+  options.tolerance = std::atof(arguments[5]);
+  try {
+    const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+    const OpenCascadeSession session;
+    readCadBody(arguments[3], text, options, Job{});
+  } catch (const ModelingError& error) {
+    std::cout << error.what() << std::flush;
+    std::_Exit(kRehearsalFailed + static_cast<int>(error.kind()));
+  } catch (...) {
+    std::_Exit(EXIT_FAILURE);
+  }
+  std::_Exit(EXIT_SUCCESS);  // what was read is not worth taking apart
+}
