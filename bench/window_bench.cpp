@@ -117,7 +117,7 @@ class Bench {
     const Heartbeat beat;
     const auto drag = driver.drag(2 * seconds_);
     addGaps("dragging" + nodes, beat.gaps(), 50);
-    add("  frames", "1/s", drag.framesPerSecond, {}, 30);
+    addDrag(drag);
     add("  last edit to up to date", "s", driver.waitForModel(), {}, {});
   }
 
@@ -133,8 +133,7 @@ class Bench {
     add("  filled cache", "s", open(), {}, {});
     const Heartbeat beat;
     const auto drag = driver.drag(seconds_);
-    add("  frames of a drag", "1/s", drag.framesPerSecond, {}, 30);
-    add("  motions of a drag", "1/s", drag.motions / seconds_, {}, {});
+    addDrag(drag);
     addGaps("  drag", beat.gaps(), 50);
     add("  last edit to up to date", "s", driver.waitForModel(), {}, {});
   }
@@ -156,6 +155,12 @@ class Bench {
   }
 
  private:
+  void addDrag(const WindowDriver::Drag& drag) {
+    add("  frames of a drag", "1/s", drag.framesPerSecond, {}, 30);
+    add("  to handle a motion", "ms", drag.motionMilliseconds, {}, {});
+    add("  to draw a frame in the view", "ms", drag.paintMilliseconds, {}, {});
+  }
+
   void addGaps(const std::string& what, const Heartbeat::Gaps& gaps, std::optional<double> most) {
     add(what + ": largest gap of the event loop", "ms", gaps.largest, most, {});
     add("  99 % of the gaps are below", "ms", gaps.quantile99, {}, {});
@@ -210,7 +215,6 @@ int main(int argc, char** argv) {
 
   // As the window's own program does.
   app::lowerPriorityOfLoadedThreads();
-  gui::setDefaultSurfaceFormat();
   QTemporaryDir own;  // settings, snapshots and cache
   if (!started) {
     qputenv("XDG_STATE_HOME", own.path().toUtf8());

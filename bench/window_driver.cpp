@@ -78,11 +78,15 @@ WindowDriver::Drag WindowDriver::drag(double seconds) {
   const QPoint start = visiblePoint();
   Drag result;
   int frames = 0;
+  double paintTime = 0, motionTime = 0;  // ms
   QElapsedTimer clock;
   double first = 0, last = 0;  // s, of the motions
   QObject context;
   QObject::connect(&window_->viewport(), &gui::ViewportWidget::framePainted, &context,
-                   [&] { ++frames; });
+                   [&] {
+                     ++frames;
+                     paintTime += window_->viewport().lastFrameMilliseconds();
+                   });
   QTimer mouse;
   mouse.setTimerType(Qt::PreciseTimer);
   QObject::connect(&mouse, &QTimer::timeout, &context, [&] {
@@ -90,11 +94,15 @@ WindowDriver::Drag WindowDriver::drag(double seconds) {
     if (result.motions++ == 0) {
       first = last;
       frames = 0;
+      paintTime = motionTime = 0;
     }
     const double angle = 2 * M_PI * kTurnsPerSecond * last;
     const QPoint offset(static_cast<int>(std::lround(kRadius * std::sin(angle))),
                         static_cast<int>(std::lround(kRadius * (std::cos(angle) - 1))));
+    QElapsedTimer handling;
+    handling.start();
     send(QEvent::MouseMove, start + offset, Qt::NoButton, Qt::LeftButton);
+    motionTime += static_cast<double>(handling.nsecsElapsed()) * 1e-6;
   });
   send(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::LeftButton);
   clock.start();
@@ -102,6 +110,8 @@ WindowDriver::Drag WindowDriver::drag(double seconds) {
   runFor(seconds);
   mouse.stop();
   result.framesPerSecond = frames / std::max(last - first, 1e-3);
+  result.motionMilliseconds = motionTime / std::max(result.motions, 1);
+  result.paintMilliseconds = paintTime / std::max(frames, 1);
   send(QEvent::MouseMove, start + QPoint(7, 4), Qt::NoButton, Qt::LeftButton);
   send(QEvent::MouseButtonRelease, start + QPoint(7, 4), Qt::LeftButton, Qt::NoButton);
   return result;

@@ -53,7 +53,8 @@ RebuildPipeline::~RebuildPipeline() {
   current_.request_stop();
 }
 
-std::uint64_t RebuildPipeline::submit(modeling::Project snapshot) {
+std::uint64_t RebuildPipeline::submit(modeling::Project snapshot,
+                                      std::chrono::milliseconds quiet) {
   std::uint64_t revision = 0;
   {
     const std::lock_guard lock(mutex_);
@@ -66,11 +67,20 @@ std::uint64_t RebuildPipeline::submit(modeling::Project snapshot) {
     status_.error.clear();
     keepDue_ = false;
     waiting_ = std::move(snapshot);
+    notBefore_ = Clock::now() + quiet;
     current_.request_stop();
   }
   wake_.notify_one();
   notify();
   return revision;
+}
+
+void RebuildPipeline::hurry() {
+  {
+    const std::lock_guard lock(mutex_);
+    notBefore_ = Clock::now();
+  }
+  wake_.notify_one();
 }
 
 void RebuildPipeline::cancel() {
@@ -117,10 +127,23 @@ bool RebuildPipeline::waitUntilSettled(std::chrono::milliseconds most) const {
 }
 
 std::optional<RebuildPipeline::Task> RebuildPipeline::nextTask() const {
-  if (waiting_) return Task::kBuild;
+  if (waiting_) return Clock::now() >= notBefore_ ? std::optional(Task::kBuild) : std::nullopt;
   if (status_.state != RebuildStatus::State::kUpToDate) return std::nullopt;
   if (keepDue_) return Task::kKeep;
   if (estimateDue_) return Task::kEstimate;
+  return std::nullopt;
+}
+
+std::optional<RebuildPipeline::Task> RebuildPipeline::waitForTask(
+    std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    if (const std::optional<Task> task = nextTask()) return task;
+    const auto isTask = [&] { return nextTask().has_value(); };
+    if (waiting_)
+      wake_.wait_until(lock, stop, Clock::time_point(notBefore_), isTask);
+    else
+      wake_.wait(lock, stop, [&] { return waiting_ || isTask(); });
+  }
   return std::nullopt;
 }
 
@@ -168,8 +191,9 @@ void RebuildPipeline::work(const std::stop_token& stop) {
     bem::Job job;
     {
       std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [&] { return nextTask().has_value(); })) return;
-      task = *nextTask();
+      const std::optional<Task> next = waitForTask(lock, stop);
+      if (!next) return;
+      task = *next;
       if (task == Task::kBuild) {
         project = std::move(*waiting_);
         waiting_.reset();

@@ -62,8 +62,12 @@ class RebuildPipeline {
   RebuildPipeline(const RebuildPipeline&) = delete;
   RebuildPipeline& operator=(const RebuildPipeline&) = delete;
 
-  /// Starts to build the snapshot and returns its revision (1, 2, …).
-  std::uint64_t submit(modeling::Project snapshot);
+  /// Starts to build the snapshot, once no newer one has come for the time `quiet`, and returns its
+  /// revision (1, 2, …). What is being built for an older one stops at once.
+  std::uint64_t submit(modeling::Project snapshot, std::chrono::milliseconds quiet = {});
+
+  /// Starts to build what submit() still holds back.
+  void hurry();
 
   /// Stops the present build. Nothing happens when none runs.
   void cancel();
@@ -85,6 +89,8 @@ class RebuildPipeline {
   void work(const std::stop_token& stop);
   /// What is to be done next; called with the lock held.
   std::optional<Task> nextTask() const;
+  /// Returns when there is a task or `stop` was asked for; nothing then.
+  std::optional<Task> waitForTask(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
   void advance(std::uint64_t revision, std::string_view phase, double fraction);
   void closeStage();
   void estimate(const TouchModel& model, const bem::Job& job);
@@ -102,6 +108,7 @@ class RebuildPipeline {
   mutable std::condition_variable settled_;
   RebuildStatus status_;
   std::optional<modeling::Project> waiting_;  // the newest snapshot, until the worker takes it
+  std::chrono::steady_clock::time_point notBefore_;  // the worker takes it
   std::stop_source current_;                  // stops the build of the snapshot taken last
   std::shared_ptr<const TouchModel> model_;
   std::chrono::steady_clock::time_point stageBegan_;

@@ -8,6 +8,9 @@
 namespace palpa::app {
 namespace {
 
+/// While a motion lasts, its build waits until the hand rests for this long.
+constexpr std::chrono::milliseconds kQuiet{100};
+
 /// Does the model depend on what changed? Touches and names do not need a new one.
 bool concernsModel(const modeling::Change& change) {
   return change.body() || change.material || change.supports || change.loads || change.mesh;
@@ -28,7 +31,7 @@ Session::Session(modeling::Project project, Options options)
                                                   options_.rebuildChanged)) {
   if (!options_.autosaveFolder.empty())
     autosave_ = std::make_unique<modeling::Autosave>(options_.autosaveFolder);
-  submit();
+  rebuild();
 }
 
 Session::Session(const std::filesystem::path& file, Options options)
@@ -46,7 +49,8 @@ Session::Session(const modeling::Snapshot& snapshot, Options options)
 
 modeling::Performed Session::perform(const modeling::Command& command, modeling::Merge merge) {
   modeling::Performed performed = document_.perform(command, merge);
-  follow(performed.change);
+  const bool isMotion = merge == modeling::Merge::withLast || document_.isInGroup();
+  follow(performed.change, isMotion ? kQuiet : std::chrono::milliseconds(0));
   return performed;
 }
 
@@ -74,14 +78,15 @@ modeling::Change Session::cancelGroup() {
   return change;
 }
 
-void Session::follow(const modeling::Change& change) {
-  if (!change.any()) return;
-  ++edits_;
-  if (concernsModel(change)) submit();
+void Session::endGroup() {
+  document_.endGroup();
+  pipeline_->hurry();
 }
 
-void Session::submit() {
-  pipeline_->submit(project());
+void Session::follow(const modeling::Change& change, std::chrono::milliseconds quiet) {
+  if (!change.any()) return;
+  ++edits_;
+  if (concernsModel(change)) pipeline_->submit(project(), quiet);
 }
 
 void Session::save() {

@@ -42,17 +42,22 @@ class Session {
   /// Null without a folder or a limit.
   ModelCache* cache() const { return options_.build.cache.get(); }
   /// Builds the model again, as after a failure or a stop.
-  void rebuild() { submit(); }
+  void rebuild() { pipeline_->submit(project()); }
+  /// The hand has let go: what perform() holds back is built now.
+  void endMotion() { pipeline_->hurry(); }
 
-  /// Applies a command; a change that matters to the model starts a rebuild.
+  /// Applies a command; a change that matters to the model starts a rebuild. A command that is
+  /// merged or in a group is part of a motion: it is built when no other has come for 0.1 s, or at
+  /// endMotion() or endGroup().
   modeling::Performed perform(const modeling::Command& command,
                               modeling::Merge merge = modeling::Merge::no);
   modeling::Change undo();
   modeling::Change redo();
   /// Document::goToState().
   modeling::Change goToState(std::size_t position);
+  /// Edits up to endGroup() are one step of undo.
   void beginGroup(std::string label) { document_.beginGroup(std::move(label)); }
-  void endGroup() { document_.endGroup(); }
+  void endGroup();
   modeling::Change cancelGroup();
   void setView(std::string view) { document_.setView(std::move(view)); }
 
@@ -75,8 +80,7 @@ class Session {
   void close();
 
  private:
-  void follow(const modeling::Change& change);
-  void submit();
+  void follow(const modeling::Change& change, std::chrono::milliseconds quiet = {});
 
   modeling::Document document_;
   Options options_;

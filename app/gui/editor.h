@@ -55,6 +55,8 @@ class Editor : public QObject {
 
   // Edits.
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::no);
+  /// After the last of a motion's merged commands: its rebuild need not wait for more.
+  void endMotion() { session_->endMotion(); }
   void undo();
   void redo();
   /// Undoes or redoes up to a state of Document::history().

@@ -5,11 +5,9 @@
 #include "app/core/priority.h"
 #include "app/gui/appearance.h"
 #include "app/gui/main_window.h"
-#include "app/gui/viewport_widget.h"
 
 int main(int argc, char** argv) {
   palpa::app::lowerPriorityOfLoadedThreads();
-  palpa::gui::setDefaultSurfaceFormat();
   QApplication application(argc, argv);
   QApplication::setApplicationName("Palpa");
   QApplication::setApplicationVersion(PALPA_VERSION);

@@ -31,7 +31,7 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
   });
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
-  connect(&editor, &Editor::selectionChanged, this, &SceneController::showConditions);
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showTouches);
   showProject();
   widget_.viewport().fit();
 }
@@ -56,7 +56,8 @@ void SceneController::showProject() {
   showRegions();
   showMarks();
   showSelection();
-  showConditions();
+  showLoads();
+  showTouches();
 }
 
 void SceneController::showMeshBody() {
@@ -81,7 +82,8 @@ void SceneController::showMeshBody() {
   widget_.viewport().setGizmo(std::nullopt);
   showRegions();
   showMarks();
-  showConditions();
+  showLoads();
+  showTouches();
 }
 
 void SceneController::setPatches(const std::vector<view::Triangle>& triangles,
@@ -110,8 +112,10 @@ void SceneController::showChange(const modeling::Change& change) {
     showSelection();
     widget_.updateQuickly();
   }
-  if (change.supports || change.loads || !change.movedPoints.empty()) showRegions();
-  showConditions();
+  const bool isMoved = !change.movedPoints.empty();
+  if (change.supports || change.loads || isMoved) showRegions();
+  if (change.loads || isMoved) showLoads();
+  if (change.touches) showTouches();
 }
 
 void SceneController::showRegions() {
@@ -136,15 +140,19 @@ void SceneController::showMarks() {
   widget_.viewport().setMarks(marks);
 }
 
-void SceneController::showConditions() {
+void SceneController::showLoads() {
   widget_.viewport().setLoadArrows(loadArrows(editor_.project(), surface()));
+  widget_.update();
+}
+
+void SceneController::showTouches() {
   widget_.viewport().setTouchMarkers(touchMarkers(editor_.project(), editor_.selection()));
   widget_.update();
 }
 
 void SceneController::showSelection() {
   const modeling::Solid* solid = editor_.solid();
-  // With another topology the selection changes first; the view follows with the body.
+  // An edit may announce the selection while the view still has the net before it.
   if (!solid || solid->controlPoints().size() != netSize_) return;
   const std::set<int> moved = pointsOf(editor_.selection(), *solid);
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);

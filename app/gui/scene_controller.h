@@ -53,7 +53,8 @@ class SceneController : public QObject {
   void showSelection();
   void showRegions();
   void showMarks();
-  void showConditions();
+  void showLoads();
+  void showTouches();
   void setPatches(const std::vector<view::Triangle>& triangles,
                   const std::vector<int>& patchOfTriangle);
 

@@ -1,13 +1,8 @@
 #include "app/gui/viewport_widget.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkOpenGLFramebufferObject.h>
-#include <vtkOpenGLState.h>
-
 #include <QElapsedTimer>
 #include <QMouseEvent>
-#include <QOpenGLContext>
-#include <QSurfaceFormat>
+#include <QPainter>
 #include <cmath>
 
 namespace palpa::gui {
@@ -17,34 +12,12 @@ constexpr int kRest = 150;  // ms without movement until a fine picture is drawn
 
 }  // namespace
 
-void setDefaultSurfaceFormat() {
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(24);
-  format.setRedBufferSize(8);
-  format.setGreenBufferSize(8);
-  format.setBlueBufferSize(8);
-  format.setAlphaBufferSize(0);  // with alpha the desktop would shine through the background
-  format.setOption(QSurfaceFormat::DeprecatedFunctions);  // wide lines in Mesa
-  format.setSwapInterval(0);
-  QSurfaceFormat::setDefaultFormat(format);
-}
-
-ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
-  viewport_ = std::make_unique<view::Viewport>(window_, devicePixelRatioF());
+ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent) {
+  viewport_ = std::make_unique<view::Viewport>(canvas_.window(), devicePixelRatioF());
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(320, 240);
-  // What is removed from the scene outside of paintGL frees its buffers in the right context.
-  vtkNew<vtkCallbackCommand> makeCurrent;
-  makeCurrent->SetClientData(this);
-  makeCurrent->SetCallback([](vtkObject*, unsigned long, void* widget, void*) {
-    auto* self = static_cast<ViewportWidget*>(widget);
-    if (self->context() && QOpenGLContext::currentContext() != self->context()) self->makeCurrent();
-  });
-  window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, makeCurrent);
+  setAttribute(Qt::WA_OpaquePaintEvent);
   restTimer_.setSingleShot(true);
   restTimer_.setInterval(kRest);
   connect(&restTimer_, &QTimer::timeout, this, [this] {
@@ -54,38 +27,13 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QOpenGLWidget(parent) {
 }
 
 ViewportWidget::~ViewportWidget() {
-  if (context()) disconnect(context(), nullptr, this, nullptr);
-  makeCurrent();
+  canvas_.makeCurrent();
   viewport_.reset();
-  window_->Finalize();
-  window_->RemoveAllObservers();
-  doneCurrent();
 }
 
 void ViewportWidget::setTool(Tool* tool) {
   tool_ = tool;
   setCursor(tool ? tool->cursor() : QCursor(Qt::ArrowCursor));
-}
-
-void ViewportWidget::initializeGL() {
-  // In another window the widget gets another context, and what lies in this one must go with it.
-  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-    makeCurrent();
-    window_->Finalize();
-    window_->SetReadyForRendering(false);
-  });
-  window_->SetIsCurrent(true);
-  window_->SetOwnContext(0);
-  window_->OpenGLInitContext();
-  window_->SetReadyForRendering(true);
-  window_->SetFrameBlitModeToBlitToCurrent();
-}
-
-void ViewportWidget::resizeGL(int width, int height) {
-  viewport_->setPixelRatio(devicePixelRatioF());
-  const double ratio = devicePixelRatioF();
-  window_->SetSize(static_cast<int>(std::lround(width * ratio)),
-                   static_cast<int>(std::lround(height * ratio)));
 }
 
 void ViewportWidget::updateQuickly() {
@@ -94,37 +42,52 @@ void ViewportWidget::updateQuickly() {
   update();
 }
 
-void ViewportWidget::paintGL() {
+void ViewportWidget::fitCanvas() {
+  const double ratio = devicePixelRatioF();
+  const QSize size(static_cast<int>(std::lround(width() * ratio)),
+                   static_cast<int>(std::lround(height() * ratio)));
+  if (canvas_.size() == size && viewport_->pixelRatio() == ratio) return;
+  canvas_.resize(size);
+  viewport_->setPixelRatio(ratio);
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent*) {
+  fitCanvas();
+}
+
+void ViewportWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (!canvas_.isValid()) {
+    painter.fillRect(rect(), palette().window());
+    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The solid cannot be drawn: this display offers no OpenGL 3.2. Install "
+                        "a graphics driver, or Mesa, which draws without one."));
+    return;
+  }
   QElapsedTimer timer;
   timer.start();
-  window_->GetState()->Reset();
-  window_->GetState()->Push();
-  window_->GetState()->vtkglBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  fitCanvas();  // another screen may have other pixels
+  canvas_.makeCurrent();
   viewport_->render(isMoving_ ? view::Quality::kQuick : view::Quality::kFine);
-  window_->GetState()->Pop();
+  QImage image = canvas_.image();
+  image.setDevicePixelRatio(devicePixelRatioF());
+  painter.drawImage(0, 0, image);
   lastFrame_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   Q_EMIT framePainted();
 }
 
 void ViewportWidget::writePicture(const std::filesystem::path& file, const QSize& size) {
-  makeCurrent();
+  canvas_.makeCurrent();
   // Lines, handles and letters grow with the picture.
   viewport_->setPixelRatio(static_cast<double>(size.height()) / std::max(1, height()));
-  window_->SetFrameBlitModeToNoBlit();
-  window_->SetSize(size.width(), size.height());
+  canvas_.resize(size);
   const auto restore = [this] {
-    window_->SetFrameBlitModeToBlitToCurrent();
-    resizeGL(width(), height());
-    doneCurrent();
+    fitCanvas();
     update();
   };
   try {
-    window_->GetState()->Reset();
-    window_->GetState()->Push();
     viewport_->writePng(file);
-    window_->GetState()->Pop();
   } catch (...) {
-    window_->GetState()->Pop();
     restore();
     throw;
   }
@@ -210,7 +173,7 @@ void ViewportWidget::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (tool_ && tool_->key(event)) return;
-  QOpenGLWidget::keyPressEvent(event);
+  QWidget::keyPressEvent(event);
 }
 
 bool ViewportWidget::event(QEvent* event) {
@@ -231,7 +194,7 @@ bool ViewportWidget::event(QEvent* event) {
       return true;
     }
   }
-  return QOpenGLWidget::event(event);
+  return QWidget::event(event);
 }
 
 }  // namespace palpa::gui

@@ -1,26 +1,21 @@
 #pragma once
 
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <filesystem>
 #include <memory>
 
+#include "app/gui/canvas.h"
 #include "app/gui/tools/pointer_event.h"
 #include "app/gui/tools/tool.h"
 #include "app/view/viewport.h"
 
 namespace palpa::gui {
 
-/// The surface format a QOpenGLWidget with VTK needs; to be set before the application is made.
-void setDefaultSurfaceFormat();
-
 /// The view in the window: a Viewport on a Qt widget. Navigation as in common CAD programs: middle
 /// button or Alt + left orbits, Shift with it pans, the wheel zooms at the pointer; everything else
 /// goes to the tool.
-class ViewportWidget : public QOpenGLWidget {
+class ViewportWidget : public QWidget {
   Q_OBJECT
 
  public:
@@ -47,9 +42,8 @@ class ViewportWidget : public QOpenGLWidget {
   void escaped();
 
  protected:
-  void initializeGL() override;
-  void resizeGL(int width, int height) override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
@@ -65,7 +59,10 @@ class ViewportWidget : public QOpenGLWidget {
   Eigen::Vector2d toDevice(const QPointF& point) const;
   void navigate(const Eigen::Vector2d& pixel);
 
-  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  /// Makes the canvas as large as the widget.
+  void fitCanvas();
+
+  Canvas canvas_;
   std::unique_ptr<view::Viewport> viewport_;
   Tool* tool_ = nullptr;
   Navigation navigation_ = Navigation::kNone;

@@ -30,6 +30,7 @@ const Eigen::Vector3d kAcrossHatching = Eigen::Vector3d(0.61, 0.55, 0.57).normal
 /// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
 /// to the border for a line of constant width. Supports are hatched, so that they can be told from
 /// loads without colour. The colour of a marked triangle stays visible where it is in a region.
+/// WIRE stands for true or false.
 constexpr const char* kColourRegions = R"(//VTK::Color::Impl
 vec2 slope = max(fwidth(regionsVSOutput.xy), vec2(1e-20));
 vec2 pixelsOutside = regionsVSOutput.xy / slope;
@@ -39,19 +40,21 @@ float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
 float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
 vec2 border = clamp(1.1 * lineScale + 0.5 - abs(pixelsOutside), 0.0, 1.0) * regionsShown;
 vec3 plain = ambientColor / ambientPart;
-bool isMarked = isWire > 0.5 ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
+bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
 vec3 region = mix(plain, loadColour, inside.y);
 region = mix(region, mix(supportColour, edgeColour, 0.30 * stroke), inside.x);
 if (isMarked) region = mix(region, plain, 0.6);
 float strongest = max(inside.x, inside.y);
-if (isWire > 0.5) opacity = max(opacity, wireOpacity * strongest);
+if (WIRE) opacity = max(opacity, wireOpacity * strongest);
 float edge = 0.75 * max(border.x, border.y * (1.0 - inside.x));
 region = mix(region, edgeColour, edge);
 opacity = max(opacity, edge);
-if (isWire > 0.5 && opacity < 0.004) discard;
 ambientColor = ambientPart * region;
 diffuseColor = diffusePart * region;
 )";
+
+/// Not in the shaded picture: with it pixels are shaded before they are found to be hidden.
+constexpr const char* kDiscardUntinted = "if (opacity < 0.004) discard;\n";
 
 /// The tints of the wire picture let all that lies behind them shine through, and be drawn after
 /// them: they count as infinitely far. VTK's own translucent pass divides by the sum of opacities
@@ -128,7 +131,6 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
                                        "//VTK::Normal::Dec\n"
                                        "in vec3 regionsVSOutput;\n",
                                        false);
-  shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, kColourRegions, false);
   vtkProperty* property = body_->GetProperty();
   property->SetInterpolationToPhong();
   property->SetAmbient(kAmbient);
@@ -136,6 +138,7 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
   renderer->AddActor(body_);
+  updateShader();
 
   vtkNew<vtkCellArray> none;
   borders_ = makeLineActor(points_, none);
@@ -221,7 +224,6 @@ void SurfaceActor::updateRegionLooks() {
   set("lineScale", pixelRatio_);
   set("ambientPart", kAmbient);
   set("diffusePart", kDiffuse);
-  set("isWire", shading_ == Shading::kWire);
   set("wireOpacity", kTintOpacity);
   const Colour support = colourOf(Mark::kSupport, theme_);
   const Colour load = colourOf(Mark::kLoad, theme_);
@@ -243,14 +245,26 @@ void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
 
 void SurfaceActor::setShading(Shading shading) {
   shading_ = shading;
-  // Only there: a shader that sets the depth itself is slower.
+  updateShader();
+  colourTriangles();
+  updateLines();
+}
+
+void SurfaceActor::updateShader() {
+  const bool isWire = shading_ == Shading::kWire;
   vtkShaderProperty* shader = body_->GetShaderProperty();
-  if (shading == Shading::kWire)
+  std::string colours = kColourRegions;
+  for (std::size_t at; (at = colours.find("WIRE")) != std::string::npos;)
+    colours.replace(at, 4, isWire ? "true" : "false");
+  if (isWire) colours += kDiscardUntinted;
+  shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours, false);
+  // Only there: a shader that sets the depth itself is slower.
+  if (isWire)
     shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);
   else
     shader->ClearFragmentShaderReplacement("//VTK::Depth::Impl", true);
-  colourTriangles();
-  updateLines();
+  // Bodies are closed: the far side is hidden.
+  body_->GetProperty()->SetBackfaceCulling(!isWire);
 }
 
 void SurfaceActor::setTheme(const ViewportTheme& theme) {

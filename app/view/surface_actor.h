@@ -34,6 +34,7 @@ class SurfaceActor {
   void colourTriangles();
   void updateLines();
   void updateRegionLooks();
+  void updateShader();
   void updateVisibility();
 
   vtkSmartPointer<vtkPoints> points_;

@@ -97,6 +97,10 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->remakeTool();
 }
 
+double Viewport::pixelRatio() const {
+  return parts_->pixelRatio;
+}
+
 void Viewport::setShading(Shading shading) {
   parts_->surface.setShading(shading);
 }

@@ -42,6 +42,7 @@ class Viewport {
 
   void setTheme(const ViewportTheme& theme);
   void setPixelRatio(double ratio);
+  double pixelRatio() const;
   void setShading(Shading shading);
   void setGridVisible(bool visible);
   void setAxesVisible(bool visible);

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "app/gui/appearance.h"
-#include "app/gui/viewport_widget.h"
 
 namespace {
 
@@ -67,7 +66,6 @@ int main(int argc, char** argv) {
   qputenv("MESA_SHADER_CACHE_DISABLE", "true");
   // Dialogs of the desktop's own could not be found by the tests.
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  palpa::gui::setDefaultSurfaceFormat();
   QApplication application(argc, argv);
   palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);
   testing::UnitTest::GetInstance()->listeners().Append(new Watchdog);

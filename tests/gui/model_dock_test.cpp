@@ -63,7 +63,7 @@ TEST_F(ModelDock, ARowUnderThePointerShowsItsPatch) {
   editor().select(Selection::ofPatches({4}));  // opens the list
   editor().select({});
   QApplication::processEvents();
-  const auto picture = [this] { return view().grabFramebuffer(); };
+  const auto picture = [this] { return view().grab().toImage(); };
   const QImage before = picture();
   for (const int patch : {1, 4, 5}) {
     const QModelIndex index = row(Node::kPatches, patch);

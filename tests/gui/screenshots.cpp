@@ -151,7 +151,6 @@ void photograph(const QString& folder) {
 }  // namespace palpa::gui
 
 int main(int argc, char** argv) {
-  palpa::gui::setDefaultSurfaceFormat();
   QApplication application(argc, argv);
   if (argc != 2 || !QDir().mkpath(argv[1])) {
     std::fprintf(stderr, "usage: palpa_screenshots FOLDER\n");

@@ -106,9 +106,9 @@ TEST_F(View, KeysOfTheMenuAndOfTheSelectionKeepApart) {
 TEST_F(View, SurvivesANewContext) {
   ASSERT_TRUE(window_->openFile(kSphere));
   const QSize size = view().size();
-  const QImage before = view().grabFramebuffer();
+  const QImage before = view().grab().toImage();
   const auto differing = [&] {
-    const QImage now = view().grabFramebuffer();
+    const QImage now = view().grab().toImage();
     if (now.size() != before.size()) return 1.0;
     int count = 0;
     for (int y = 0; y < now.height(); ++y)

@@ -252,6 +252,7 @@ void PointTool::apply(const Amount& amount, bool anew) {
 
 void PointTool::finish() {
   motion_.reset();
+  workspace_.editor.endMotion();
   workspace_.scene.setGizmoAxis(GizmoAxis::kNone);
   workspace_.view.setCursor(cursor());
   refresh();
