@@ -169,6 +169,7 @@ void MainWindow::updateStatus() {
   const app::RebuildStatus status = editor_.rebuildStatus();
   rebuild_->setText(rebuildText(status));
   rebuild_->setIcon(status.state == app::RebuildStatus::State::kFailed ? icon("warning") : QIcon());
+  viewport_->setComputing(status.state == app::RebuildStatus::State::kBuilding);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -8,7 +8,8 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kRest = 150;  // ms without movement until a fine picture is drawn
+constexpr int kRest = 150;         // ms without movement until a fine picture is drawn
+constexpr double kLongFrame = 20;  // ms that a fine picture takes where OpenGL is software
 
 }  // namespace
 
@@ -42,6 +43,12 @@ void ViewportWidget::updateQuickly() {
   update();
 }
 
+void ViewportWidget::setComputing(bool computing) {
+  if (computing == isComputing_) return;
+  isComputing_ = computing;
+  if (!computing) update();
+}
+
 void ViewportWidget::fitCanvas() {
   const double ratio = devicePixelRatioF();
   const QSize size(static_cast<int>(std::lround(width() * ratio)),
@@ -68,11 +75,13 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   timer.start();
   fitCanvas();  // another screen may have other pixels
   canvas_.makeCurrent();
-  viewport_->render(isMoving_ ? view::Quality::kQuick : view::Quality::kFine);
+  const bool isQuick = isMoving_ || (isComputing_ && lastFineFrame_ > kLongFrame);
+  viewport_->render(isQuick ? view::Quality::kQuick : view::Quality::kFine);
   QImage image = canvas_.image();
   image.setDevicePixelRatio(devicePixelRatioF());
   painter.drawImage(0, 0, image);
   lastFrame_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  if (!isQuick) lastFineFrame_ = lastFrame_;
   Q_EMIT framePainted();
 }
 

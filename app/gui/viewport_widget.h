@@ -36,6 +36,9 @@ class ViewportWidget : public QWidget {
   /// Draws soon and quickly: something moves. A fine picture follows when nothing moves any more.
   void updateQuickly();
 
+  /// While something else needs the processor, pictures stay quick where fine ones take long.
+  void setComputing(bool computing);
+
  Q_SIGNALS:
   void framePainted();
   /// Escape was pressed and the tool had nothing to cancel.
@@ -67,8 +70,9 @@ class ViewportWidget : public QWidget {
   Tool* tool_ = nullptr;
   Navigation navigation_ = Navigation::kNone;
   Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
-  double lastFrame_ = 0;
+  double lastFrame_ = 0, lastFineFrame_ = 0;  // ms
   bool isMoving_ = false;
+  bool isComputing_ = false;
   QTimer restTimer_;
 };
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace palpa::view {
 namespace {
@@ -30,23 +32,32 @@ const Eigen::Vector3d kAcrossHatching = Eigen::Vector3d(0.61, 0.55, 0.57).normal
 /// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
 /// to the border for a line of constant width. Supports are hatched, so that they can be told from
 /// loads without colour. The colour of a marked triangle stays visible where it is in a region.
-/// WIRE stands for true or false.
+/// Words in capitals stand for true or false: what is not shown is not computed.
 constexpr const char* kColourRegions = R"(//VTK::Color::Impl
-vec2 slope = max(fwidth(regionsVSOutput.xy), vec2(1e-20));
-vec2 pixelsOutside = regionsVSOutput.xy / slope;
-vec2 inside = clamp(0.5 - pixelsOutside, 0.0, 1.0) * regionsShown;
-float across = regionsVSOutput.z / hatchStep;
-float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
-float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
-vec2 border = clamp(1.1 * lineScale + 0.5 - abs(pixelsOutside), 0.0, 1.0) * regionsShown;
 vec3 plain = ambientColor / ambientPart;
+vec3 region = plain;
+float strongest = 0.0;
+float edge = 0.0;
+if (ANY_LOAD) {
+  float outside = regionsVSOutput.y / max(fwidth(regionsVSOutput.y), 1e-20);
+  strongest = clamp(0.5 - outside, 0.0, 1.0);
+  edge = clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0);
+  region = mix(plain, loadColour, strongest);
+}
+if (ANY_SUPPORT) {
+  float outside = regionsVSOutput.x / max(fwidth(regionsVSOutput.x), 1e-20);
+  float inside = clamp(0.5 - outside, 0.0, 1.0);
+  float across = regionsVSOutput.z / hatchStep;
+  float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
+  float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
+  region = mix(region, mix(supportColour, edgeColour, 0.30 * stroke), inside);
+  strongest = max(strongest, inside);
+  edge = max(clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
+}
 bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
-vec3 region = mix(plain, loadColour, inside.y);
-region = mix(region, mix(supportColour, edgeColour, 0.30 * stroke), inside.x);
 if (isMarked) region = mix(region, plain, 0.6);
-float strongest = max(inside.x, inside.y);
 if (WIRE) opacity = max(opacity, wireOpacity * strongest);
-float edge = 0.75 * max(border.x, border.y * (1.0 - inside.x));
+edge *= 0.75;
 region = mix(region, edgeColour, edge);
 opacity = max(opacity, edge);
 ambientColor = ambientPart * region;
@@ -138,7 +149,6 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
   renderer->AddActor(body_);
-  updateShader();
 
   vtkNew<vtkCellArray> none;
   borders_ = makeLineActor(points_, none);
@@ -213,13 +223,11 @@ void SurfaceActor::setRegionsVisible(bool visible) {
 }
 
 void SurfaceActor::updateRegionLooks() {
+  updateShader();
   vtkUniforms* uniforms = body_->GetShaderProperty()->GetFragmentCustomUniforms();
   const auto set = [&](const char* name, double value) {
     uniforms->SetUniformf(name, static_cast<float>(value));
   };
-  std::array<float, 2> shown{regionsVisible_ && !supportField_.empty() ? 1.0F : 0.0F,
-                             regionsVisible_ && !loadField_.empty() ? 1.0F : 0.0F};
-  uniforms->SetUniform2f("regionsShown", shown.data());
   set("hatchStep", scale_);
   set("lineScale", pixelRatio_);
   set("ambientPart", kAmbient);
@@ -245,19 +253,27 @@ void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
 
 void SurfaceActor::setShading(Shading shading) {
   shading_ = shading;
-  updateShader();
   colourTriangles();
   updateLines();
 }
 
 void SurfaceActor::updateShader() {
   const bool isWire = shading_ == Shading::kWire;
+  const bool anySupport = regionsVisible_ && !supportField_.empty();
+  const bool anyLoad = regionsVisible_ && !loadField_.empty();
+  const std::string before =
+      std::exchange(shaderKey_, {isWire ? 'w' : '-', anySupport ? 's' : '-', anyLoad ? 'l' : '-'});
+  if (shaderKey_ == before) return;
   vtkShaderProperty* shader = body_->GetShaderProperty();
   std::string colours = kColourRegions;
-  for (std::size_t at; (at = colours.find("WIRE")) != std::string::npos;)
-    colours.replace(at, 4, isWire ? "true" : "false");
+  for (const auto& [word, value] : {std::pair("WIRE", isWire), std::pair("ANY_SUPPORT", anySupport),
+                                    std::pair("ANY_LOAD", anyLoad)})
+    for (std::size_t at; (at = colours.find(word)) != std::string::npos;)
+      colours.replace(at, std::strlen(word), value ? "true" : "false");
   if (isWire) colours += kDiscardUntinted;
-  shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours, false);
+  shader->ClearFragmentShaderReplacement("//VTK::Color::Impl", true);
+  if (isWire || anySupport || anyLoad)
+    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours, false);
   // Only there: a shader that sets the depth itself is slower.
   if (isWire)
     shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);

@@ -4,6 +4,8 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <string>
+
 #include "app/view/viewport_geometry.h"
 #include "app/view/viewport_scene.h"
 
@@ -48,6 +50,7 @@ class SurfaceActor {
   bool anyMark_ = false;
   bool regionsVisible_ = true;
   double scale_ = 1;
+  std::string shaderKey_;  ///< which variant the shader is
   Shading shading_ = Shading::kShadedWithEdges;
   ViewportTheme theme_ = ViewportTheme::light();
   double pixelRatio_ = 1;
