@@ -14,6 +14,7 @@
 namespace palpa::gui {
 namespace {
 
+constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
 constexpr int kRebuildInterval = 33;      // ms between two announcements of the rebuild's progress
 constexpr int kAutosaveInterval = 10000;  // ms between two looks whether a snapshot is due
 
@@ -40,6 +41,11 @@ Editor::Editor(Settings& settings, QObject* parent) : QObject(parent), settings_
     return true;
   };
   session_ = std::make_unique<app::Session>(firstProject(), sessionOptions());
+  connect(&settings, &Settings::changed, this, [this] {
+    const double limit = settings_.cacheLimitGiB() * kGiB;
+    app::ModelCache* cache = session_->cache();
+    if (cache && cache->limit() != limit) cache->setLimit(limit);
+  });
 }
 
 Editor::~Editor() {
@@ -50,9 +56,9 @@ Editor::~Editor() {
 app::Session::Options Editor::sessionOptions() {
   app::Session::Options options;
   options.threads = settings_.threads();
-  options.build.memoryLimit = settings_.memoryLimitGiB() * 1024.0 * 1024.0 * 1024.0;
+  options.build.memoryLimit = settings_.memoryLimitGiB() * kGiB;
   options.cacheFolder = app::defaultCacheFolder();
-  options.cacheLimit = settings_.cacheLimitGiB() * 1024.0 * 1024.0 * 1024.0;
+  options.cacheLimit = settings_.cacheLimitGiB() * kGiB;
   options.autosaveEvery = std::chrono::seconds(settings_.autosaveSeconds());
   // From the worker's thread: only starts the timer, in this object's thread.
   options.rebuildChanged = [this] {

@@ -1,5 +1,6 @@
 #include "app/gui/units.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -32,7 +33,11 @@ QString shown(double value, Quantity quantity, const ShownUnits& units, int digi
   const Unit& unit = units.of(quantity);
   double number = value / unit.factor;
   if (number == 0.0) number = 0.0;  // no "-0"
-  const QString text = QString::number(number, 'g', digits);
+  // Up to ten million all digits before the point, rather than a power of ten.
+  constexpr double kPlain = 1e7;
+  const double size = std::abs(number);
+  const int before = size >= 1.0 && size < kPlain ? static_cast<int>(std::log10(size)) + 1 : 0;
+  const QString text = QString::number(number, 'g', std::max(digits, before));
   if (unit.symbol.isEmpty()) return text;
   return unit.symbol == "°" ? text + unit.symbol : text + " " + unit.symbol;
 }

@@ -9,7 +9,8 @@
 namespace palpa::view {
 namespace {
 
-constexpr double kLongest = 0.24;  // of the body's diagonal
+constexpr double kLongest = 0.17;   // of the body's diagonal
+constexpr double kThickness = 0.6;  // of the arrows in pictures: they stand among handles and lines
 constexpr double kFaint = 0.22;
 constexpr double kFontSize = 13;  // logical pixels
 
@@ -40,11 +41,11 @@ void LoadArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
     const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
                               ? arrowColour(placed.arrow->role)
                               : mixed(theme.text, theme.body, 0.25);
-    for (const auto& part : makeArrow(placed, bodyDiagonal, colour, 1)) {
+    for (const auto& part : makeArrow(placed, kThickness * bodyDiagonal, colour, 1)) {
       scene_->AddActor(part);
       solid_.push_back(part);
     }
-    for (const auto& part : makeArrow(placed, bodyDiagonal, colour, kFaint)) {
+    for (const auto& part : makeArrow(placed, kThickness * bodyDiagonal, colour, kFaint)) {
       blendInOrder(part);
       shineThrough_->AddActor(part);
       faint_.push_back(part);
@@ -81,10 +82,15 @@ void LoadArrows::update(const Turntable& camera, FlatShapes& shapes) {
     // The label's box touches, in the direction of the arrow, a circle around its end.
     const Eigen::Vector2d half = 0.5 * label.size;
     const double gap = 14 * pixelRatio_;
-    const Eigen::Vector2d center =
-        end + gap * away + Eigen::Vector2d(half.x() * away.x(), half.y() * away.y());
     // As the plates of tools.
     const Eigen::Vector2d pad = Eigen::Vector2d(6, 4) * pixelRatio_;
+    // Within the view as long as the arrow's end is there.
+    const Eigen::Vector2d size(camera.width(), camera.height());
+    const Eigen::Vector2d margin = half + pad;
+    Eigen::Vector2d center =
+        end + gap * away + Eigen::Vector2d(half.x() * away.x(), half.y() * away.y());
+    if ((end.array() >= 0).all() && (end.array() <= size.array()).all())
+      center = center.cwiseMin(size - margin).cwiseMax(margin);
     const Eigen::Vector2d low = (center - half - pad).array().round();
     const Eigen::Vector2d high = (center + half + pad).array().round();
     shapes.addRectangle(low, high, plate_, 0.90);

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include "app/core/model_cache.h"
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/preferences_dialog.h"
@@ -80,6 +81,25 @@ TEST_F(Dialogs, CancelledPreferencesGiveTheThemeBack) {
                                   dialog.reject();
                                 });
   EXPECT_EQ(window_->settings().theme(), Theme::kLight);
+}
+
+TEST_F(Dialogs, TheCacheCanBeClearedAndLimited) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  waitForModel();
+  const app::ModelCache stored(app::defaultCacheFolder(), 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return stored.size() > 0; }, 20000));
+  withDialog<PreferencesDialog>([&] { action("Preferences")->trigger(); },
+                                [&](PreferencesDialog& dialog) {
+                                  auto* clear = dialog.findChild<QPushButton*>("clearCache");
+                                  ASSERT_TRUE(clear->isEnabled());
+                                  keepPicture("preferences-cache", &dialog);
+                                  clear->click();
+                                  EXPECT_FALSE(clear->isEnabled());
+                                  dialog.findChild<QDoubleSpinBox*>("cache")->setValue(2.5);
+                                  dialog.accept();
+                                });
+  EXPECT_EQ(stored.size(), 0);
+  EXPECT_EQ(editor().session().cache()->limit(), 2.5 * 1024 * 1024 * 1024);
 }
 
 TEST_F(Dialogs, TheWelcomeOpensAnExample) {

@@ -17,6 +17,8 @@ TEST(Units, ShowValuesInTheChosenUnit) {
   EXPECT_EQ(shown(12.5, Quantity::kLength, inCentimetresAndKilopascals()), "1.25 cm");
   EXPECT_EQ(shown(0.06, Quantity::kStress, inCentimetresAndKilopascals()), "60 kPa");
   EXPECT_EQ(shown(3.14159265358979, Quantity::kAngle, {}), "180°");
+  EXPECT_EQ(shown(210000, Quantity::kStress, {}, 4), "210000 MPa");
+  EXPECT_EQ(shown(123456.78, Quantity::kNumber, {}), "123457");
   EXPECT_EQ(shown(-0.0, Quantity::kNumber, {}), "0");
 }
 

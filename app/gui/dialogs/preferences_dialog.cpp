@@ -2,10 +2,16 @@
 
 #include <QDialogButtonBox>
 #include <QGroupBox>
-#include <QLabel>
 #include <QVBoxLayout>
 
+#include "app/core/model_cache.h"
+
 namespace palpa::gui {
+namespace {
+
+constexpr double kMiB = 1024.0 * 1024.0, kGiB = 1024.0 * kMiB;
+
+}  // namespace
 
 PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
     : QDialog(parent),
@@ -76,7 +82,6 @@ QWidget* PreferencesDialog::makeLimits() {
   threads_->setSpecialValueText(tr("all cores"));
   threads_->setValue(settings_.threads());
   memory_ = makeSizeField("memory", settings_.memoryLimitGiB(), tr("most of what is free"));
-  cache_ = makeSizeField("cache", settings_.cacheLimitGiB(), tr("no cache"));
   autosave_ = new QSpinBox(group);
   autosave_->setObjectName("autosave");
   autosave_->setRange(5, 86400);
@@ -84,12 +89,45 @@ QWidget* PreferencesDialog::makeLimits() {
   autosave_->setValue(settings_.autosaveSeconds());
   form->addRow(tr("Th&reads:"), threads_);
   form->addRow(tr("&Memory of a model:"), memory_);
-  form->addRow(tr("&Cache on disk:"), cache_);
+  QWidget* cacheRow = makeCacheRow();
+  form->addRow(tr("&Cache on disk:"), cacheRow);
+  static_cast<QLabel*>(form->labelForField(cacheRow))->setBuddy(cache_);
   form->addRow(tr("Sna&pshot for recovery:"), autosave_);
-  auto* note = new QLabel(tr("These hold for projects opened from now on."), group);
+  auto* note = new QLabel(tr("Threads and memory hold for projects opened from now on."), group);
   note->setEnabled(false);
   form->addRow(note);
   return group;
+}
+
+QWidget* PreferencesDialog::makeCacheRow() {
+  auto* row = new QWidget(this);
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  cache_ = makeSizeField("cache", settings_.cacheLimitGiB(), tr("no cache"));
+  cache_->setToolTip(
+      tr("Solved models are kept up to this size, so that a project that is opened "
+         "again can be touched at once"));
+  cacheSize_ = new QLabel(row);
+  cacheSize_->setObjectName("cacheSize");
+  clearCache_ = new QPushButton(tr("C&lear"), row);
+  clearCache_->setObjectName("clearCache");
+  clearCache_->setToolTip(tr("Delete all stored models; projects are not touched"));
+  connect(clearCache_, &QPushButton::clicked, this, [this] {
+    app::ModelCache(app::defaultCacheFolder(), settings_.cacheLimitGiB() * kGiB).clear();
+    showCacheSize();
+  });
+  line->addWidget(cache_, 1);
+  line->addWidget(cacheSize_);
+  line->addWidget(clearCache_);
+  showCacheSize();
+  return row;
+}
+
+void PreferencesDialog::showCacheSize() {
+  const std::filesystem::path folder = app::defaultCacheFolder();
+  const double bytes = folder.empty() ? 0 : app::ModelCache(folder, 0).size();
+  cacheSize_->setText(tr("%L1 MiB used").arg(bytes / kMiB, 0, 'f', 0));
+  clearCache_->setEnabled(bytes > 0);
 }
 
 void PreferencesDialog::accept() {

@@ -4,6 +4,8 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
 #include <QSpinBox>
 #include <array>
 
@@ -26,6 +28,8 @@ class PreferencesDialog : public QDialog {
  private:
   QWidget* makeUnits();
   QWidget* makeLimits();
+  QWidget* makeCacheRow();
+  void showCacheSize();
   QDoubleSpinBox* makeSizeField(const QString& name, double value, const QString& special);
 
   Settings& settings_;
@@ -35,6 +39,8 @@ class PreferencesDialog : public QDialog {
   QSpinBox* threads_ = nullptr;
   QDoubleSpinBox* memory_ = nullptr;
   QDoubleSpinBox* cache_ = nullptr;
+  QLabel* cacheSize_ = nullptr;
+  QPushButton* clearCache_ = nullptr;
   QSpinBox* autosave_ = nullptr;
 };
 
