@@ -57,6 +57,30 @@ TEST(RebuildPipeline, AStormOfEditsEndsWithTheModelOfTheLastOne) {
   EXPECT_NEAR(radiusOf(*pipeline.model()), 25.0 * 1.1, 0.01);
 }
 
+TEST(RebuildPipeline, HoldsAMotionBackUntilTheHandLetsGo) {
+  RebuildPipeline pipeline;
+  pipeline.submit(scaledSphere(1.0), 1h);
+  pipeline.submit(scaledSphere(1.1), 1h);
+  EXPECT_FALSE(pipeline.waitUntilSettled(300ms));
+  EXPECT_EQ(pipeline.status().state, State::kBuilding);
+  EXPECT_TRUE(pipeline.status().stages.empty());
+  pipeline.hurry();
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  EXPECT_NEAR(radiusOf(*pipeline.model()), 27.5, 0.01);
+}
+
+TEST(RebuildPipeline, BuildsAMotionWhenTheHandRests) {
+  RebuildPipeline pipeline;
+  pipeline.submit(scaledSphere(1.0), 50ms);
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  EXPECT_EQ(pipeline.status().modelRevision, 1u);
+  // What comes without a rest replaces what is held back.
+  pipeline.submit(scaledSphere(1.0), 1h);
+  pipeline.submit(scaledSphere(1.2));
+  ASSERT_TRUE(pipeline.waitUntilSettled(60s));
+  EXPECT_NEAR(radiusOf(*pipeline.model()), 30.0, 0.01);
+}
+
 TEST(RebuildPipeline, ModelsThatNobodyHoldsAnyMoreAreReleased) {
   std::weak_ptr<const TouchModel> first;
   RebuildPipeline pipeline;
