@@ -10,7 +10,7 @@ namespace palpa::bem {
 Eigen::MatrixXd ContactMask::displacement(const Eigen::MatrixXd& u) const {
   Eigen::MatrixXd d = Eigen::MatrixXd::Zero(3, u.cols());
   for (std::size_t k = 0; k < measureNodes.size(); ++k)
-    d += measure[static_cast<Eigen::Index>(k)] * u.middleRows<3>(3 * measureNodes[k]);
+    d += measure[k] * u.middleRows<3>(3 * measureNodes[k]);
   return d;
 }
 

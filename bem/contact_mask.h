@@ -12,12 +12,12 @@ namespace palpa::bem {
 /// is the mean d = ∫ Φ u dΓ. Independent of the mesh in the limit, and continuous when the point
 /// slides.
 struct ContactMask {
-  SurfacePoint point;
-  double radius;                  ///< mm; at least what was asked for
+  SurfacePoint point{};
+  double radius = 0;              ///< mm; at least what was asked for
   std::vector<int> nodes;         ///< nodes that carry traction
-  Eigen::VectorXd traction;       ///< their coefficients of Φ, 1/mm^2; ∫ Φ dΓ = 1
+  std::vector<double> traction;   ///< their coefficients of Φ, 1/mm^2; ∫ Φ dΓ = 1
   std::vector<int> measureNodes;  ///< nodes whose displacement enters d
-  Eigen::VectorXd measure;        ///< their weights; they sum to 1
+  std::vector<double> measure;    ///< their weights; they sum to 1
 
   /// d = ∫ Φ u dΓ for every column of u (3 rows per node): 3 x columns.
   Eigen::MatrixXd displacement(const Eigen::MatrixXd& u) const;

@@ -1,6 +1,7 @@
 #include "bem/contact_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palpa::bem {
 namespace {
@@ -27,6 +28,7 @@ void ContactSet::resize(int count) {
   raw.topLeftCorner(kept, kept) = raw_.topLeftCorner(kept, kept);
   raw_ = std::move(raw);
   free_.conservativeResizeLike(Eigen::VectorXd::Zero(3 * count));
+  isStale_ = true;
 }
 
 void ContactSet::remove(int first, int count) {
@@ -37,17 +39,34 @@ void ContactSet::remove(int first, int count) {
   for (Index k = 0; k < after; ++k) kept.push_back(3 * (first + count) + k);
   raw_ = Eigen::MatrixXd(raw_(kept, kept));
   free_ = Eigen::VectorXd(free_(kept));
+  isStale_ = true;
+}
+
+bool ContactSet::misses(const ContactMask& mask) {
+  bool any = false;
+  for (const int node : mask.nodes) {
+    if (columns_.has(node)) continue;
+    missing_.push_back(node);
+    any = true;
+  }
+  return any;
 }
 
 bool ContactSet::place(int index, const SurfacePoint& point, double radius) {
   Entry& entry = masks_[index];
   if (entry.isPlaced && entry.mask.point.triangle == point.triangle &&
       entry.mask.point.position == point.position &&
-      entry.mask.radius == std::max(radius, surface_.narrowestMask(point)))
+      entry.mask.radius == std::max(radius, surface_.narrowestMask(point))) {
+    misses(entry.mask);
     return true;
+  }
+  const bool isPlaced = surface_.makeMask(point, radius, workspace_, spare_);
+  if (isPlaced && misses(spare_) && entry.isPlaced && columns_.hasAll(entry.mask.nodes))
+    return true;  // stays where it is
+  std::swap(entry.mask, spare_);
+  entry.isPlaced = isPlaced;
   entry.isCurrent = false;
-  entry.isPlaced = surface_.makeMask(point, radius, workspace_, entry.mask);
-  return entry.isPlaced;
+  return isPlaced;
 }
 
 void ContactSet::clear(int index) {
@@ -55,15 +74,11 @@ void ContactSet::clear(int index) {
   masks_[index].isCurrent = false;
 }
 
-bool ContactSet::isReady(int index) const {
-  return masks_[index].isPlaced && columns_.hasAll(masks_[index].mask.nodes);
-}
-
 void ContactSet::collectRows(bool onlyChanged) {
   ++stamp_;
   rows_.clear();
   for (int k = 0; k < size(); ++k) {
-    if (!masks_[k].isPlaced || (onlyChanged && masks_[k].isCurrent)) continue;
+    if (!masks_[k].isReady || (onlyChanged && masks_[k].isCurrent)) continue;
     for (const int node : masks_[k].mask.measureNodes) {
       if (rowStamp_[node] == stamp_) continue;
       rowStamp_[node] = stamp_;
@@ -77,13 +92,13 @@ void ContactSet::respond(int index) {
   const ContactMask& mask = masks_[index].mask;
   const DegreesOfFreedom& dofs = surface_.dofs();
   const auto rowCount = static_cast<Index>(rows_.size());
-  response_.setZero(3 * rowCount, 3);
+  if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
+  response_.topRows(3 * rowCount).setZero();
   for (std::size_t k = 0; k < mask.nodes.size(); ++k) {
-    const auto weight =
-        static_cast<float>(mask.traction[static_cast<Index>(k)] / dofs.tractionScale());
+    const auto weight = static_cast<float>(mask.traction[k] / dofs.tractionScale());
     for (int axis = 0; axis < 3; ++axis) {
       const float* column = columns_.column(mask.nodes[k], axis);
-      float* sum = response_.data() + 3 * rowCount * axis;
+      float* sum = response_.col(axis).data();
       for (Index i = 0; i < rowCount; ++i) {
         const float* from = column + 3 * rows_[i];
         sum[3 * i] += weight * from[0];
@@ -107,57 +122,74 @@ Matrix3d ContactSet::measure(int index) const {
   const ContactMask& mask = masks_[index].mask;
   Matrix3d sum = Matrix3d::Zero();
   for (std::size_t k = 0; k < mask.measureNodes.size(); ++k)
-    sum += mask.measure[static_cast<Index>(k)] *
+    sum += mask.measure[k] *
            response_.middleRows<3>(3 * rowOfNode_[mask.measureNodes[k]]).cast<double>();
   return sum;
 }
 
+void ContactSet::measureBase(int index) {
+  const ContactMask& mask = masks_[index].mask;
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t k = 0; k < mask.measureNodes.size(); ++k)
+    sum += mask.measure[k] * base_.u.col(0).segment<3>(3 * mask.measureNodes[k]);
+  free_.segment<3>(3 * index) = sum;
+}
+
 void ContactSet::update() {
-  // Those that changed, or whose columns have come, against all; then the others against those.
-  const auto wants = [&](int k) { return masks_[k].isPlaced && isReady(k); };
   bool anyChanged = false;
-  for (int k = 0; k < size(); ++k) anyChanged = anyChanged || (wants(k) && !masks_[k].isCurrent);
   for (int k = 0; k < size(); ++k) {
-    if (wants(k)) continue;
+    Entry& entry = masks_[k];
+    entry.isReady = entry.isPlaced && columns_.hasAll(entry.mask.nodes);
+    anyChanged = anyChanged || (entry.isReady && !entry.isCurrent);
+    if (entry.isReady || entry.isZero) continue;
     raw_.middleRows<3>(3 * k).setZero();
     raw_.middleCols<3>(3 * k).setZero();
     free_.segment<3>(3 * k).setZero();
-    masks_[k].isCurrent = false;
+    entry.isCurrent = false;
+    entry.isZero = true;
+    isStale_ = true;
   }
   if (anyChanged) {
+    isStale_ = true;
+    // Those that changed, or whose columns have come, against all; then the others against those.
     collectRows(false);
     for (int b = 0; b < size(); ++b) {
-      if (!wants(b) || masks_[b].isCurrent) continue;
+      if (!masks_[b].isReady || masks_[b].isCurrent) continue;
       respond(b);
       for (int a = 0; a < size(); ++a)
-        if (wants(a)) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
-      const ContactMask& mask = masks_[b].mask;
-      free_.segment<3>(3 * b).setZero();
-      for (std::size_t k = 0; k < mask.measureNodes.size(); ++k)
-        free_.segment<3>(3 * b) += mask.measure[static_cast<Index>(k)] *
-                                   base_.u.col(0).segment<3>(3 * mask.measureNodes[k]);
+        if (masks_[a].isReady) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
+      measureBase(b);
     }
     collectRows(true);
     for (int b = 0; b < size(); ++b) {
-      if (!wants(b) || !masks_[b].isCurrent) continue;
+      if (!masks_[b].isReady || !masks_[b].isCurrent) continue;
       respond(b);
       for (int a = 0; a < size(); ++a)
-        if (wants(a) && !masks_[a].isCurrent) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
+        if (masks_[a].isReady && !masks_[a].isCurrent) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
     }
-    for (int k = 0; k < size(); ++k)
-      if (wants(k)) masks_[k].isCurrent = true;
+    for (Entry& entry : masks_) {
+      entry.isCurrent = entry.isReady;
+      entry.isZero = entry.isZero && !entry.isReady;
+    }
   }
+  if (isStale_) symmetrise();
+}
+
+void ContactSet::symmetrise() {
+  isStale_ = false;
   compliance_.resize(raw_.rows(), raw_.cols());
   compliance_ = 0.5 * (raw_ + raw_.transpose());
   defect_ = 0;
   for (int k = 0; k < size(); ++k) {
-    if (!wants(k)) continue;
-    const double own = compliance_.block<3, 3>(3 * k, 3 * k).norm();
+    if (!masks_[k].isReady) continue;
+    const double own = compliance_.block<3, 3>(3 * k, 3 * k).squaredNorm();
+    double worst = 0;
     for (int a = 0; a < size(); ++a)
-      defect_ = std::max(
-          defect_,
-          (raw_.block<3, 3>(3 * a, 3 * k) - raw_.block<3, 3>(3 * k, 3 * a).transpose()).norm() /
-              own);
+      if (masks_[a].isReady)
+        worst = std::max(
+            worst, (raw_.block<3, 3>(3 * a, 3 * k) - raw_.block<3, 3>(3 * k, 3 * a).transpose())
+                       .squaredNorm());
+    defect_ = std::max(defect_, std::sqrt(worst / own));
   }
 }
 

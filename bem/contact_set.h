@@ -10,6 +10,9 @@ namespace palpa::bem {
 /// go and slide, from whatever columns of Xi are there. Masks keep their place in the list.
 ///
 /// Not thread-safe. After the first few calls nothing is allocated as long as masks do not grow.
+///
+/// A mask that is placed elsewhere before the columns of the new place are there stays where it is
+/// until they come: what slides ahead of the columns does not lose its force.
 class ContactSet {
  public:
   /// `base`: the field without contacts. All three must outlive the set.
@@ -25,8 +28,11 @@ class ContactSet {
   bool place(int index, const SurfacePoint& point, double radius);
   void clear(int index);
   bool isPlaced(int index) const { return masks_[index].isPlaced; }
-  /// Are the columns there that the mask needs? Then update() includes it.
-  bool isReady(int index) const;
+  /// Were the columns there that the mask needs, at the last update()? Only then was it included.
+  bool isReady(int index) const { return masks_[index].isReady; }
+  /// Nodes whose columns place() has missed since the last forgetMissing(); some appear twice.
+  const std::vector<int>& missing() const { return missing_; }
+  void forgetMissing() { missing_.clear(); }
   const ContactMask& mask(int index) const { return masks_[index].mask; }
 
   /// Brings the compliance up to date. Masks that are empty or not ready have zero blocks.
@@ -42,12 +48,18 @@ class ContactSet {
   struct Entry {
     ContactMask mask;
     bool isPlaced = false;
+    bool isReady = false;
     bool isCurrent = false;  // its blocks of raw_ belong to the mask
+    bool isZero = true;      // its blocks of raw_ are zero
   };
+  /// Adds those of a mask's nodes to missing_ that have no columns; are there any?
+  bool misses(const ContactMask& mask);
   /// The union of the measure nodes of some masks, as rows.
   void collectRows(bool onlyChanged);
   /// Xi Φ of a mask in these rows.
   void respond(int index);
+  void measureBase(int index);
+  void symmetrise();
   /// Ψ^T of a mask applied to the response.
   Eigen::Matrix3d measure(int index) const;
 
@@ -56,14 +68,18 @@ class ContactSet {
   const BoundaryField& base_;
   ContactSurface::Workspace workspace_;
   std::vector<Entry> masks_;
+  ContactMask spare_;
+  std::vector<int> missing_;
   Eigen::MatrixXd raw_, compliance_;
   Eigen::VectorXd free_;
   double defect_ = 0;
+  bool isStale_ = true;             // compliance_ does not belong to raw_
   std::vector<int> rows_;           // nodes
   std::vector<unsigned> rowStamp_;  // per node
   std::vector<int> rowOfNode_;
   unsigned stamp_ = 0;
-  Eigen::Matrix<float, Eigen::Dynamic, 3> response_;
+  Eigen::Matrix<float, Eigen::Dynamic, 3>
+      response_;  // more rows than needed, so that it seldom grows
 };
 
 }  // namespace palpa::bem

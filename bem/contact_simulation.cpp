@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 using Kind = ContactTool::Kind;
 
 constexpr int kRings = 4;
-constexpr int kLattice = 1 + 3 * kRings * (kRings + 1);  // 61 points
+constexpr int kLattice = 1 + 3 * kRings * (kRings + 1);
+static_assert(kLattice == ContactSimulation::kProbeMasks);
 /// The lattice reaches this much farther than the contact between two balls would (H. Hertz).
 constexpr double kMargin = 1.3;
 /// Masks of the lattice overlap: radius over spacing. As wide as the mesh needs them when the
@@ -74,6 +75,7 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   contact.across = inPlane(Vector3d::UnitX(), surface_.normal(contact.point));
   contact.firstMask = set_.size();
   contact.maskCount = tool.kind == Kind::kProbe ? kLattice : 1;
+  contact.patch.reserve(contact.maskCount);
   set_.resize(contact.firstMask + contact.maskCount);
   conditions_.resize(set_.size());
   forces_.forces.conservativeResizeLike(Eigen::VectorXd::Zero(3 * set_.size()));
@@ -113,19 +115,54 @@ void ContactSimulation::clear() {
   while (!contacts_.empty()) end(contacts_.back().id);
 }
 
+void ContactSimulation::takeOver(const ContactSimulation& other) {
+  const auto sameTriangles = surface_.mesh().triangles == other.surface_.mesh().triangles;
+  contacts_ = other.contacts_;
+  for (Contact& contact : contacts_) {
+    contact.patch.reserve(contact.maskCount);
+    SurfacePoint& point = contact.point;
+    if (sameTriangles)
+      point.position = surface_.mesh().point(point.triangle, point.weights);
+    else
+      point = surface_.tree().nearest(point.position);
+  }
+  set_.resize(other.set_.size());
+  conditions_.resize(other.conditions_.size());
+  forces_ = other.forces_;
+  next_ = other.next_;
+}
+
+const std::vector<int>& ContactSimulation::missing() {
+  set_.forgetMissing();
+  for (Contact& contact : contacts_) {
+    // Where a tool is looked for depends on where it was before, so step() must find that again.
+    const SurfacePoint point = contact.point;
+    const Vector3d across = contact.across;
+    placeMasks(contact);
+    contact.point = point;
+    contact.across = across;
+  }
+  return set_.missing();
+}
+
+void ContactSimulation::placeAll() {
+  set_.forgetMissing();
+  for (Contact& contact : contacts_) placeMasks(contact);
+}
+
 void ContactSimulation::step(int slides) {
   before_ = forces_;
   for (int slide = 0; slide < std::max(slides, 1); ++slide) {
-    for (Contact& contact : contacts_) placeMasks(contact);
+    placeAll();
     set_.update();
-    displacements_ = set_.freeDisplacements() + set_.compliance() * forces_.forces;
+    displacements_.noalias() = set_.freeDisplacements() + set_.compliance() * forces_.forces;
     for (const Contact& contact : contacts_) demand(contact);
     system_.solve(set_.compliance(), set_.freeDisplacements(), conditions_, forces_);
     if (!forces_.converged) {
       forces_.forces = before_.forces;
       return;
     }
-    displacements_ = set_.freeDisplacements() + set_.compliance() * forces_.forces;
+    displacements_.noalias() = set_.freeDisplacements() + set_.compliance() * forces_.forces;
     double moved = 0;
     for (Contact& contact : contacts_) {
       read(contact);
@@ -249,7 +286,7 @@ void ContactSimulation::read(Contact& contact) {
     const Vector3d force = forces_.forces.segment<3>(3 * mask);
     if (force.isZero(0)) continue;
     contact.force += force;
-    contact.patch.push_back({set_.mask(mask).point.position, set_.mask(mask).radius, force});
+    contact.patch.push_back({set_.mask(mask).point, set_.mask(mask).radius, force});
     isPressing = true;
     isSlipping = isSlipping || forces_.statuses[mask] == ContactStatus::kSlipping;
   }
@@ -303,7 +340,7 @@ void ContactSimulation::tractions(std::vector<int>& nodes, std::vector<Vector3d>
     const ContactMask& mask = set_.mask(k);
     for (std::size_t i = 0; i < mask.nodes.size(); ++i) {
       const auto place = std::find(nodes.begin(), nodes.end(), mask.nodes[i]);
-      const Vector3d traction = mask.traction[static_cast<Index>(i)] * force;
+      const Vector3d traction = mask.traction[i] * force;
       if (place != nodes.end()) {
         values[place - nodes.begin()] += traction;
       } else {

@@ -28,13 +28,14 @@ struct ContactTool {
 /// A pushing tool knows the place in which it would touch without tangential displacement, its
 /// reference. While it sticks, the reference stays and the surface is dragged along; when it slips,
 /// the reference follows by as much as it slipped. Its masks sit around the surface point nearest
-/// to the reference: one under kPush, up to 61 on a hexagonal lattice under kProbe, as close as the
-/// mesh can carry them.
+/// to the reference: one under kPush, up to kProbeMasks on a hexagonal lattice under kProbe, as
+/// close as the mesh can carry them.
 ///
-/// Not thread-safe.
+/// Not thread-safe. After the first few steps with as many contacts step() allocates nothing.
 class ContactSimulation {
  public:
   using Id = int;
+  static constexpr int kProbeMasks = 61;
 
   /// All three must outlive the simulation; `base`: the field without contacts.
   ContactSimulation(const ContactSurface& surface, const GreensColumns& columns,
@@ -47,6 +48,19 @@ class ContactSimulation {
   void set(Id id, const Eigen::Vector3d& value);
   void end(Id id);
   void clear();
+
+  /// Takes over all contacts of a simulation on another body, usually an edited version of this
+  /// one, with their forces and what friction remembers; whatever this one held is forgotten.
+  /// Grabbed places stay at the same point of the same triangle when both meshes have the same
+  /// triangles, at the nearest point otherwise; pushing tools stay where they are in space. On an
+  /// equal body the next step gives the forces that the other would have given.
+  void takeOver(const ContactSimulation& other);
+
+  /// Places the masks as step() will and returns the nodes whose columns it would miss, some of
+  /// them twice. Valid until the next call of anything else.
+  const std::vector<int>& missing();
+  /// The same of the last step().
+  const std::vector<int>& missed() const { return set_.missing(); }
 
   /// Finds the equilibrium. `slides`: how often at most sliding tools may take another place within
   /// the step; one is enough when steps follow each other quickly, several for a step on its own.
@@ -61,9 +75,9 @@ class ContactSimulation {
     kSlipping,  ///< presses and slides
   };
   struct PatchForce {
-    Eigen::Vector3d at;     ///< mm, unloaded shape
-    double radius;          ///< mm, of the mask
-    Eigen::Vector3d force;  ///< N
+    SurfacePoint point{};                             ///< of the unloaded shape
+    double radius = 0;                                ///< mm, of the mask
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N
   };
   struct Contact {
     Id id = -1;
@@ -87,6 +101,7 @@ class ContactSimulation {
 
   /// Did the last step meet all laws? When not, all forces are those of the step before.
   bool converged() const { return forces_.converged; }
+  int maskCount() const { return set_.size(); }
   double residual() const { return forces_.residual; }
   double reciprocityDefect() const { return set_.reciprocityDefect(); }
 
@@ -95,6 +110,7 @@ class ContactSimulation {
   void tractions(std::vector<int>& nodes, std::vector<Eigen::Vector3d>& values) const;
 
  private:
+  void placeAll();
   void placeMasks(Contact& contact);
   SurfacePoint footOf(const Contact& contact) const;
   double meanCurvature(const Contact& contact, double distance) const;

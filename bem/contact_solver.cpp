@@ -32,8 +32,7 @@ ContactSolver::Id ContactSolver::add(Entry entry) {
   for (std::size_t k = 0; k < entry.mask.nodes.size(); ++k) {
     const int node = entry.mask.nodes[k];
     for (int s = firstSlotOfNode_[node]; s < firstSlotOfNode_[node + 1]; ++s)
-      unit.p.middleRows<3>(3 * s) =
-          entry.mask.traction[static_cast<Eigen::Index>(k)] * Matrix3d::Identity();
+      unit.p.middleRows<3>(3 * s) = entry.mask.traction[k] * Matrix3d::Identity();
   }
   entry.response = problem_->solveField(unit);
   entry.id = nextId_;

@@ -97,8 +97,8 @@ bool ContactSurface::makeMask(const SurfacePoint& point, double radius, Workspac
   mask.measureNodes.clear();
   if (mask.nodes.empty() || integrateBump(point, mask.radius, work) <= 0) {
     mask.nodes.clear();
-    mask.traction.resize(0);
-    mask.measure.resize(0);
+    mask.traction.clear();
+    mask.measure.clear();
     return false;
   }
   project(work, mask.traction);
@@ -143,7 +143,12 @@ void ContactSurface::collectNodes(Workspace& work, std::vector<int>& nodes) cons
         work.around_.push_back(neighbour);
       }
     }
-  work.right_.setZero(static_cast<Eigen::Index>(nodes.size()));
+  work.count_ = static_cast<Eigen::Index>(nodes.size());
+  if (work.right_.size() < work.count_)
+    for (Eigen::VectorXd* vector :
+         {&work.right_, &work.residual_, &work.search_, &work.image_, &work.diagonal_, &work.fade_})
+      vector->resize(2 * work.count_);
+  work.right_.head(work.count_).setZero();
 }
 
 /// ∫ N_k (1 - (ρ/radius)^2)^2 dΓ over the touched triangles, by a rule of degree 5 on congruent
@@ -176,57 +181,60 @@ double ContactSurface::integrateBump(const SurfacePoint& point, double radius,
     for (int a = 0; a < 3; ++a)
       if (work.nodeStamp_[c[a]] == work.stamp_) work.right_[work.nodeIndex_[c[a]]] += sum[a];
   }
-  return work.right_.sum();
+  return work.right_.head(work.count_).sum();
 }
 
 /// Solves (M + F) φ = ∫ N b dΓ for the coefficients of the bump b: M is the mass matrix of the free
 /// nodes over the whole surface, F = m_k (kFade / mean of b at k)^2 on the diagonal, m_k = ∫ N_k.
 /// Conjugate gradients with the diagonal, which leaves a condition number below 20 whatever the
 /// size of the elements (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
-void ContactSurface::project(Workspace& work, Eigen::VectorXd& traction) const {
-  const Eigen::Index count = work.right_.size();
+void ContactSurface::project(Workspace& work, std::vector<double>& coefficients) const {
+  const Eigen::Index count = work.count_;
+  auto right = work.right_.head(count), residual = work.residual_.head(count);
+  auto search = work.search_.head(count), image = work.image_.head(count);
+  auto diagonal = work.diagonal_.head(count), fade = work.fade_.head(count);
   const auto indexOf = [&](int node) {
     return work.nodeStamp_[node] == work.stamp_ ? work.nodeIndex_[node] : -1;
   };
-  work.diagonal_.setZero(count);
+  diagonal.setZero();
   for (const int t : work.around_)
     for (const int node : mesh_.triangles[t])
-      if (const int k = indexOf(node); k >= 0) work.diagonal_[k] += triangles_[t].area / 6.0;
+      if (const int k = indexOf(node); k >= 0) diagonal[k] += triangles_[t].area / 6.0;
   // The diagonal of M is half of m_k.
-  work.fade_.resize(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const double weight = kFade * 2 * work.diagonal_[k] / work.right_[k];
-    work.fade_[k] = 2 * work.diagonal_[k] * std::min(weight * weight, kMostFaded);
+    const double weight = kFade * 2 * diagonal[k] / right[k];
+    fade[k] = 2 * diagonal[k] * std::min(weight * weight, kMostFaded);
   }
-  work.diagonal_ += work.fade_;
+  diagonal += fade;
   // ∫ λ_a λ_b = area / 12, twice that where the corners are the same.
-  const auto multiply = [&](const Eigen::VectorXd& x, Eigen::VectorXd& result) {
-    result = work.fade_.cwiseProduct(x);
+  const auto multiply = [&] {
+    image = fade.cwiseProduct(search);
     for (const int t : work.around_) {
       int index[3];
       double value[3], sum = 0;
       for (int a = 0; a < 3; ++a) {
         index[a] = indexOf(mesh_.triangles[t][a]);
-        value[a] = index[a] >= 0 ? x[index[a]] : 0.0;
+        value[a] = index[a] >= 0 ? search[index[a]] : 0.0;
         sum += value[a];
       }
       for (int a = 0; a < 3; ++a)
-        if (index[a] >= 0) result[index[a]] += triangles_[t].area / 12.0 * (sum + value[a]);
+        if (index[a] >= 0) image[index[a]] += triangles_[t].area / 12.0 * (sum + value[a]);
     }
   };
-  traction.setZero(count);
-  work.residual_ = work.right_;
-  work.search_ = work.residual_.cwiseQuotient(work.diagonal_);
-  double rho = work.residual_.dot(work.search_);
+  coefficients.assign(work.count_, 0.0);
+  Eigen::Map<Eigen::VectorXd> traction(coefficients.data(), count);
+  residual = right;
+  search = residual.cwiseQuotient(diagonal);
+  double rho = residual.dot(search);
   const double enough = rho * kProjectionTolerance * kProjectionTolerance;
   for (int iteration = 0; iteration < kMostIterations && rho > enough; ++iteration) {
-    multiply(work.search_, work.image_);
-    const double step = rho / work.search_.dot(work.image_);
-    traction += step * work.search_;
-    work.residual_ -= step * work.image_;
-    work.image_ = work.residual_.cwiseQuotient(work.diagonal_);
-    const double next = work.residual_.dot(work.image_);
-    work.search_ = work.image_ + (next / rho) * work.search_;
+    multiply();
+    const double step = rho / search.dot(image);
+    traction += step * search;
+    residual -= step * image;
+    image = residual.cwiseQuotient(diagonal);
+    const double next = residual.dot(image);
+    search = image + (next / rho) * search;
     rho = next;
   }
 }
@@ -261,9 +269,9 @@ void ContactSurface::measure(Workspace& work, ContactMask& mask) const {
   // The bulges of a translation vanish, so the sum is ∫ Φ dΓ.
   double integral = 0;
   for (const double weight : work.coefficients_) integral += weight;
-  mask.traction /= integral;
-  mask.measure.resize(static_cast<Eigen::Index>(work.coefficients_.size()));
-  for (Eigen::Index k = 0; k < mask.measure.size(); ++k)
+  for (double& coefficient : mask.traction) coefficient /= integral;
+  mask.measure.resize(work.coefficients_.size());
+  for (std::size_t k = 0; k < mask.measure.size(); ++k)
     mask.measure[k] = work.coefficients_[k] / integral;
 }
 

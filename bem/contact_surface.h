@@ -40,7 +40,9 @@ class ContactSurface {
     std::vector<unsigned> triangleStamp_, aroundStamp_, nodeStamp_, measureStamp_;
     unsigned stamp_ = 0;
     std::vector<int> touched_, around_, nodeIndex_, measureIndex_;
-    std::vector<double> coefficients_;  // ∫ λ_a λ_b of `around_`, over free nodes
+    std::vector<double> coefficients_;  // of the measure
+    Eigen::Index count_ = 0;            // nodes of the mask
+    // One number per node of the mask; longer than needed, so that they seldom grow.
     Eigen::VectorXd right_, residual_, search_, image_, diagonal_, fade_;
   };
 
@@ -61,7 +63,7 @@ class ContactSurface {
   void collectTriangles(const SurfacePoint& point, double radius, Workspace& work) const;
   void collectNodes(Workspace& work, std::vector<int>& nodes) const;
   double integrateBump(const SurfacePoint& point, double radius, Workspace& work) const;
-  void project(Workspace& work, Eigen::VectorXd& traction) const;
+  void project(Workspace& work, std::vector<double>& coefficients) const;
   void measure(Workspace& work, ContactMask& mask) const;
 
   const BoundaryMesh& mesh_;

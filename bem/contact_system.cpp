@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bem/dense_elimination.h"
+
 namespace palpa::bem {
 namespace {
 
@@ -127,8 +129,8 @@ void ContactSystem::newtonStep(const Problem& problem, ContactForces& solution) 
       active_.push_back(k);
   }
   const auto size = 3 * static_cast<Index>(active_.size());
-  jacobian_.resize(size, size);
-  right_.resize(size);
+  if (jacobian_.rows() < size) jacobian_.resize(3 * count, 3 * count + 1);
+  auto system = jacobian_.topLeftCorner(size, size + 1);
   for (std::size_t i = 0; i < active_.size(); ++i) {
     const Index k = active_[i];
     const auto row = 3 * static_cast<Index>(i);
@@ -152,21 +154,18 @@ void ContactSystem::newtonStep(const Problem& problem, ContactForces& solution) 
       b = plane - condition.friction * e * n.transpose() - turn;
     }
     for (std::size_t j = 0; j < active_.size(); ++j)
-      jacobian_.block<3, 3>(row, 3 * static_cast<Index>(j)).noalias() =
+      system.block<3, 3>(row, 3 * static_cast<Index>(j)).noalias() =
           a * problem.compliance.block<3, 3>(3 * k, 3 * active_[j]);
-    jacobian_.block<3, 3>(row, row) += b;
+    system.block<3, 3>(row, row) += b;
     Vector3d moved = Vector3d::Zero();  // by the contacts taken out
     for (Index j = 0; j < count; ++j)
       if (!step_.segment<3>(3 * j).isZero(0))
         moved += problem.compliance.block<3, 3>(3 * k, 3 * j) * step_.segment<3>(3 * j);
-    right_.segment<3>(row) = -value - a * moved;
+    system.col(size).segment<3>(row) = -value - a * moved;
   }
-  if (size > 0) {
-    factors_.compute(jacobian_);
-    right_ = factors_.solve(right_);
-  }
+  if (size > 0) solveByElimination(system);
   for (std::size_t i = 0; i < active_.size(); ++i)
-    step_.segment<3>(3 * active_[i]) = right_.segment<3>(3 * static_cast<Index>(i));
+    step_.segment<3>(3 * active_[i]) = system.col(size).segment<3>(3 * static_cast<Index>(i));
   solution.forces += step_;
 }
 

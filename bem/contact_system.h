@@ -75,9 +75,8 @@ class ContactSystem {
   Eigen::VectorXd displacements_;  // of the forces at hand
   Eigen::VectorXd penalty_;        // per contact, N/mm: about its stiffness
   std::vector<Eigen::Index> active_;
-  Eigen::MatrixXd jacobian_;
-  Eigen::VectorXd right_, step_, best_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  Eigen::MatrixXd jacobian_;  // and the right side; larger than needed, so that it seldom grows
+  Eigen::VectorXd step_, best_;
 };
 
 }  // namespace palpa::bem

@@ -31,16 +31,22 @@ bool GreensColumns::hasAll(std::span<const int> nodes) const {
 void GreensColumns::compute(std::span<const int> nodes, const Job& job,
                             ReferenceProblem::Effort effort) {
   std::vector<int> missing;
-  for (const int node : nodes)
-    if (indexOfNode_[node] >= 0 && !has(node)) missing.push_back(node);
+  std::vector<bool> isListed(indexOfNode_.size(), false);
+  for (const int node : nodes) {
+    if (indexOfNode_[node] < 0 || isListed[node] || has(node)) continue;
+    missing.push_back(node);
+    isListed[node] = true;
+  }
   std::vector<int> dofs;
   for (std::size_t first = 0; first < missing.size(); first += kBlock) {
     job.throwIfCancelled();
     const std::size_t last = std::min(missing.size(), first + kBlock);
     dofs.clear();
-    for (std::size_t k = first; k < last; ++k)
-      for (int axis = 0; axis < 3; ++axis) dofs.push_back(3 * missing[k] + axis);
-    const Eigen::MatrixXd block = problem_->greensColumns(dofs, effort);
+    // BLAS treats the columns at the end of a block otherwise when their number is odd.
+    for (std::size_t k = first; k < first + kBlock; ++k)
+      for (int axis = 0; axis < 3; ++axis)
+        dofs.push_back(3 * missing[std::min(k, last - 1)] + axis);
+    const Eigen::MatrixXd block = problem_->greensColumns(dofs, effort, job);
     for (std::size_t k = first; k < last; ++k) {
       const int index = indexOfNode_[missing[k]];
       columns_.view().middleCols<3>(3 * static_cast<Eigen::Index>(index)) =

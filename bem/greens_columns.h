@@ -40,7 +40,8 @@ class GreensColumns {
 
   /// Computes the missing ones of these nodes' columns, in blocks; nodes that are not free are
   /// skipped. Other threads may read meanwhile; only one may compute. Throws Cancelled and keeps
-  /// what it had.
+  /// what it had. Blocks have the same size always (filled up with what is there already), so that
+  /// a column does not depend on those it was computed with.
   void compute(std::span<const int> nodes, const Job& job,
                ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFast);
 
@@ -49,6 +50,12 @@ class GreensColumns {
   std::vector<int> nodesNear(const BoundaryMesh& mesh, const Eigen::Vector3d& point) const;
 
   std::size_t bytes() const { return columns_.bytes(); }
+  /// Of one block.
+  double blockBytes() const { return 3.0 * kBlock * static_cast<double>(rows_) * sizeof(float); }
+
+  /// From now on columns are computed by another problem that has the same operators and degrees of
+  /// freedom: one that was built anew from the same mesh. Not while another thread computes.
+  void continueWith(std::shared_ptr<const ReferenceProblem> same) { problem_ = std::move(same); }
 
   /// Nodes per block of compute(): enough for the solver to be efficient, few enough to stop soon.
   static constexpr int kBlock = 32;

@@ -10,11 +10,12 @@ BoundaryField ReferenceProblem::solveField(const BoundaryField& known, Effort ef
   return field;
 }
 
-Eigen::MatrixXd ReferenceProblem::greensColumns(std::span<const int> columns, Effort effort) const {
+Eigen::MatrixXd ReferenceProblem::greensColumns(std::span<const int> columns, Effort effort,
+                                                const Job& job) const {
   const auto states = static_cast<Eigen::Index>(columns.size());
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(dofs().nodalCount(), states);
   for (Eigen::Index k = 0; k < states; ++k) unit(columns[k], k) = 1.0;
-  return solve(dofs().expand(Eigen::MatrixXd::Zero(dofs().count(), states), unit), effort);
+  return solve(dofs().expand(Eigen::MatrixXd::Zero(dofs().count(), states), unit), effort, job);
 }
 
 Precision choosePrecision(Precision wanted, int nodeCount) {

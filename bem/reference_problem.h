@@ -31,9 +31,9 @@ class ReferenceProblem {
                            const Job& job = {}) const;
 
   /// Columns of Xi = -A0^-1 Ā0 for the given nodal degrees of freedom: the unknowns for a unit
-  /// known value.
-  Eigen::MatrixXd greensColumns(std::span<const int> columns,
-                                Effort effort = Effort::kRefined) const;
+  /// known value. Throws Cancelled on stop.
+  Eigen::MatrixXd greensColumns(std::span<const int> columns, Effort effort = Effort::kRefined,
+                                const Job& job = {}) const;
 
   /// max norm of G p - H u relative to that of its largest term: how well a field fulfils the
   /// equations.

@@ -1,5 +1,6 @@
 #include "app/core/priority.h"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -12,11 +13,18 @@ namespace {
 
 constexpr int kBackground = 10;  // a ninth of the time beside a busy thread of the window
 
+constexpr int kForeground = -10;
+
 }  // namespace
 
 void lowerThreadPriority() {
   // Linux gives every thread a priority of its own; should it refuse, things are only slower.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackground);
+}
+
+void raiseThreadPriority() {
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kForeground);
+  ::prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // ns; 50 µs otherwise
 }
 
 void lowerPriorityOfLoadedThreads() {

@@ -159,9 +159,7 @@ TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
     masks = contact.patch.size();
     force = -contact.force[2];
     for (const auto& patch : contact.patch)
-      EXPECT_GE(
-          -patch.force.dot(sphere().surface->normal(sphere().surface->tree().nearest(patch.at))),
-          0);
+      EXPECT_GE(-patch.force.dot(sphere().surface->normal(patch.point)), 0);
   }
   EXPECT_GE(masks, 7u);
 }
@@ -195,6 +193,60 @@ TEST(ContactSimulation, OthersStayWhenOneEnds) {
   EXPECT_LE((simulation.find(b)->force - alone.find(c)->force).norm(),
             1e-12 * alone.find(c)->force.norm());
   EXPECT_EQ(simulation.find(a), nullptr);
+}
+
+TEST(ContactSimulation, ATouchGoesOnInAnotherSimulation) {
+  const auto play = [](bool isSwapped) {
+    ContactSimulation first = sphere().simulation(), second = sphere().simulation();
+    ContactSimulation* touched = &first;
+    const auto push = first.begin({Kind::kProbe, 15, 0.2}, kTop, {0, 0, 39});
+    first.begin({Kind::kPush, 8, 0.3}, {0, 25, 0}, {0, 24, 0});
+    first.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
+    std::vector<Vector3d> forces;
+    for (int k = 0; k < 60; ++k) {
+      if (isSwapped && k == 30) {
+        second.takeOver(first);
+        EXPECT_TRUE(second.missing().empty());
+        touched = &second;
+      }
+      touched->set(push, {0.1 * k, 0.05 * k, 38.5});
+      touched->set(push + 1, {0.05 * k, 23.5, 0.02 * k});
+      touched->step();
+      for (const auto& contact : touched->contacts()) forces.push_back(contact.force);
+    }
+    return forces;
+  };
+  const auto whole = play(false), swapped = play(true);
+  double largest = 0, off = 0;
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    largest = std::max(largest, whole[k].norm());
+    off = std::max(off, (whole[k] - swapped[k]).norm());
+  }
+  EXPECT_LE(off, 1e-9 * largest);
+}
+
+TEST(ContactSimulation, WhatSlidesAheadOfItsColumnsKeepsItsForce) {
+  GreensColumns few(sphere().problem);
+  few.compute(makeContactMask(*sphere().surface, kTop, 8).nodes, Job{});
+  ContactSimulation simulation(*sphere().surface, few, sphere().base);
+  const auto id = simulation.begin({Kind::kPush, 8, 0}, kTop, {0, 0, 24});
+  simulation.step(5);
+  const double force = simulation.find(id)->force.norm();
+  ASSERT_GT(force, 0);
+  simulation.set(id, {6, 0, 23.2});
+  simulation.step(5);
+  EXPECT_FALSE(simulation.missed().empty());
+  EXPECT_EQ(simulation.find(id)->status, Status::kSlipping);
+  EXPECT_GT(simulation.find(id)->force.norm(), 0.3 * force);
+  for (int round = 0; round < 10 && !simulation.missing().empty(); ++round) {
+    few.compute(simulation.missing(), Job{});
+    simulation.step(20);
+  }
+  EXPECT_TRUE(simulation.missed().empty());
+  ContactSimulation whole = sphere().simulation();
+  whole.begin({Kind::kPush, 8, 0}, kTop, {6, 0, 23.2});
+  whole.step(50);
+  EXPECT_LE((simulation.find(id)->force - whole.contacts()[0].force).norm(), 1e-3 * force);
 }
 
 TEST(ContactSimulation, WaitsForColumnsAndRefusesHeldPlaces) {

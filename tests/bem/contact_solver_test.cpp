@@ -58,7 +58,7 @@ const Vector3d kTop(0, 0, 25), kSide(25, 0, 0);
 
 TEST(ContactMask, IsNormalisedAndReadsRigidTranslationsExactly) {
   const ContactMask mask = sphere().mask({10, 12, 19}, 9);
-  EXPECT_NEAR(mask.measure.sum(), 1.0, 1e-12);
+  EXPECT_NEAR(std::accumulate(mask.measure.begin(), mask.measure.end(), 0.0), 1.0, 1e-12);
   VectorXd translated(3 * sphere().mesh.nodeCount());
   for (int k = 0; k < sphere().mesh.nodeCount(); ++k)
     translated.segment<3>(3 * k) = Vector3d(0.1, -0.2, 0.3);
@@ -66,7 +66,7 @@ TEST(ContactMask, IsNormalisedAndReadsRigidTranslationsExactly) {
   // ∫ Φ dΓ = 1: a force of 1 N as tractions has the resultant 1 N.
   VectorXd p = VectorXd::Zero(3 * sphere().slots.count());
   for (std::size_t k = 0; k < mask.nodes.size(); ++k)
-    p[3 * sphere().slots.firstOfNode[mask.nodes[k]]] = mask.traction[static_cast<Eigen::Index>(k)];
+    p[3 * sphere().slots.firstOfNode[mask.nodes[k]]] = mask.traction[k];
   EXPECT_NEAR(tractionResultant(sphere().mesh, sphere().slots, p, sphere().triangles(0)).force[0],
               1.0, 1e-12);
 }
@@ -127,7 +127,7 @@ TEST(ContactSolver, EqualsTheSolutionForTheSameTractions) {
   BoundaryConditions given(sphere().mesh, sphere().slots);
   for (std::size_t k = 0; k < mask.nodes.size(); ++k)
     given.traction.segment<3>(3 * sphere().slots.firstOfNode[mask.nodes[k]]) =
-        mask.traction[static_cast<Eigen::Index>(k)] * force;
+        mask.traction[k] * force;
   const BoundaryField expected =
       sphere().problem->solveField(sphere().problem->dofs().knownField(given));
   const BoundaryField field = solver.field(solver.forces());
@@ -184,8 +184,8 @@ TEST(ContactSolver, AMaskOfOneNodeIsNodalSwitching) {
   mask.radius = 0;
   mask.nodes = mask.measureNodes = {node};
   const double area = nodalArea(sphere().mesh, node);
-  mask.traction = VectorXd::Constant(1, 1 / area);
-  mask.measure = VectorXd::Ones(1);
+  mask.traction = {1 / area};
+  mask.measure = {1};
   ContactSolver solver = sphere().solver();
   solver.addGrab(mask, displacement);
 

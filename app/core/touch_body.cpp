@@ -1,0 +1,12 @@
+#include "app/core/touch_body.h"
+
+namespace palpa::app {
+
+TouchBody::TouchBody(std::shared_ptr<const TouchModel> model,
+                     std::shared_ptr<bem::GreensColumns> columns)
+    : model_(std::move(model)),
+      surface_(model_->setup().mesh, model_->setup().slots, model_->problem()->dofs()),
+      columns_(columns ? std::move(columns)
+                       : std::make_shared<bem::GreensColumns>(model_->problem())) {}
+
+}  // namespace palpa::app

@@ -1,0 +1,329 @@
+#include "app/core/touch_loop.h"
+
+#include <pthread.h>
+
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include "app/core/priority.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Whether a new model has the columns that the contacts need is looked at when columns have come,
+/// and after so many steps, as contacts move.
+constexpr int kStepsBetweenLooks = 16;
+constexpr std::chrono::milliseconds kRateWindow{250};
+constexpr double kLargestRadius = 1e6;  // mm
+constexpr double kLargestFriction = 10;
+
+std::uint64_t bit(int slot) {
+  return std::uint64_t{1} << static_cast<unsigned>(slot);
+}
+
+bool isBall(const bem::ContactTool& tool) {
+  return tool.kind == bem::ContactTool::Kind::kProbe;
+}
+
+void check(const bem::ContactTool& tool, const Vector3d& at, const Vector3d& value) {
+  if (!at.allFinite() || !value.allFinite())
+    throw TouchRefused("the place or the value of a touch is not a finite number");
+  if (!(tool.radius > 0 && tool.radius <= kLargestRadius))
+    throw TouchRefused("the radius of a touch must be above 0 and at most 1e6 mm");
+  if (!(tool.friction >= 0 && tool.friction <= kLargestFriction))
+    throw TouchRefused("the friction coefficient of a touch must be 0 to 10");
+}
+
+void sleepUntil(TouchLoop::Clock::time_point time) {
+  const auto since = std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch());
+  const std::timespec at{static_cast<std::time_t>(since.count() / 1'000'000'000),
+                         static_cast<long>(since.count() % 1'000'000'000)};
+  // std::this_thread::sleep_until() asks for the time twice more. Interrupted: a step comes early.
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
+}
+
+void copyNodes(const std::vector<int>& nodes, std::uint64_t number, TouchMail::Wanted& wanted) {
+  wanted.number = number;
+  wanted.count = static_cast<int>(
+      std::min<std::size_t>(nodes.size(), static_cast<std::size_t>(TouchMail::Wanted::kMost)));
+  std::copy_n(nodes.begin(), wanted.count, wanted.nodes.begin());
+}
+
+}  // namespace
+
+TouchLoop::TouchLoop(Options options)
+    : worker_(mail_, options,
+              [this](std::vector<Vector3d>& points) {
+                read(focusSnapshot_);
+                for (const auto& contact : focusSnapshot_.touched())
+                  points.push_back(contact.point.position);
+                const std::lock_guard lock(hoverMutex_);
+                if (hasHover_) points.push_back(hover_);
+              }),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+TouchLoop::~TouchLoop() {
+  thread_.request_stop();
+  TouchMail::signal(mail_.loopSignal);
+  thread_.join();
+  if (next_) retire(next_);
+  if (touched_) retire(touched_);
+  delete newRecording_.load();
+  delete finished_.load();
+}
+
+std::uint64_t TouchLoop::setModel(std::shared_ptr<const TouchModel> model) {
+  return worker_.setModel(std::move(model));
+}
+
+TouchId TouchLoop::begin(const bem::ContactTool& tool, const Vector3d& at, const Vector3d& value) {
+  check(tool, at, value);
+  if (isBall(tool) && balls_.fetch_add(1) >= TouchSnapshot::kMostBalls) {
+    balls_.fetch_sub(1);
+    throw TouchRefused("at most 8 balls can press at once; let go of one first");
+  }
+  std::uint64_t used = used_.load(std::memory_order_acquire);
+  int index = 0;
+  do {
+    index = std::countr_one(used);
+    if (index == kSlots) {
+      if (isBall(tool)) balls_.fetch_sub(1);
+      throw TouchRefused("at most 64 touches can be held at once; let go of one first");
+    }
+  } while (!used_.compare_exchange_weak(used, used | bit(index), std::memory_order_acq_rel));
+  Slot& slot = slots_[index];
+  const TouchId id = (++slot.generation << 6U) | static_cast<TouchId>(index);
+  slot.begin = {TouchCommand::Kind::kBegin, id, tool, at, value};
+  slot.isEnding.store(false, std::memory_order_relaxed);
+  slot.open.store(id, std::memory_order_release);
+  begun_.fetch_or(bit(index), std::memory_order_release);
+  return id;
+}
+
+void TouchLoop::set(TouchId id, const Vector3d& value) {
+  Slot& slot = slots_[id % kSlots];
+  if (slot.open.load(std::memory_order_acquire) != id || !value.allFinite()) return;
+  slot.values.back() = {id, value};
+  slot.values.publish();
+}
+
+void TouchLoop::end(TouchId id) {
+  Slot& slot = slots_[id % kSlots];
+  TouchId expected = id;
+  if (slot.open.compare_exchange_strong(expected, 0))
+    slot.isEnding.store(true, std::memory_order_release);
+}
+
+void TouchLoop::expect(const Vector3d& point) {
+  if (!point.allFinite()) return;
+  const std::lock_guard lock(hoverMutex_);
+  hover_ = point;
+  hasHover_ = true;
+}
+
+void TouchLoop::read(TouchSnapshot& into) const {
+  const std::lock_guard lock(readers_);
+  results_.update();
+  into = results_.front();
+}
+
+void TouchLoop::startRecording(std::size_t most) {
+  auto recording = std::make_unique<TouchRecording>();
+  recording->entries.reserve(most);
+  const std::lock_guard lock(recorderMutex_);
+  delete newRecording_.exchange(recording.release());
+  isRecording_ = true;
+  TouchMail::signal(mail_.loopSignal);
+}
+
+TouchRecording TouchLoop::stopRecording() {
+  const std::lock_guard lock(recorderMutex_);
+  if (!std::exchange(isRecording_, false)) return {};
+  stopsRecording_.store(true, std::memory_order_release);
+  TouchMail::signal(mail_.loopSignal);
+  finished_.wait(nullptr);
+  const std::unique_ptr<TouchRecording> recording(finished_.exchange(nullptr));
+  return std::move(*recording);
+}
+
+void TouchLoop::run(const std::stop_token& stop) {
+  ::pthread_setname_np(::pthread_self(), kThreadName);
+  raiseThreadPriority();
+  auto due = Clock::now();
+  rateSince_ = due;
+  for (;;) {
+    const std::uint32_t seen = mail_.loopSignal.load(std::memory_order_acquire);
+    if (stop.stop_requested()) return;
+    receiveOffer();
+    if (next_) swapIfReady();
+    takeInput();
+    if (!touched_) {
+      publish();
+      mail_.loopSignal.wait(seen, std::memory_order_acquire);
+      due = Clock::now();
+      continue;
+    }
+    touched_->player->step();
+    ++step_;
+    if (recording_) ++recording_->steps;
+    askForColumns();
+    publish();
+    due += kPeriod;
+    // What came too late is not made up for: the hand has moved on.
+    if (const auto now = Clock::now(); due < now)
+      due = now;
+    else
+      sleepUntil(due);
+  }
+}
+
+void TouchLoop::receiveOffer() {
+  TouchMail::Offer* offer = mail_.offered.exchange(nullptr, std::memory_order_acq_rel);
+  if (!offer) return;
+  if (next_) retire(next_);
+  next_ = nullptr;
+  if (offer->player) {
+    next_ = offer;
+    nextReady_ = -1;
+    return;
+  }
+  for (int k = 0; k < kSlots; ++k)
+    if (slots_[k].isTouching) {
+      slots_[k].open.store(0);
+      apply({TouchCommand::Kind::kEnd, slots_[k].begin.id, {}, {}, {}});
+      freeSlot(k);
+    }
+  if (touched_) retire(touched_);
+  touched_ = nullptr;
+  retire(offer);
+}
+
+/// The next body takes over as soon as it has the columns that the contacts need.
+void TouchLoop::swapIfReady() {
+  TouchPlayer& player = *next_->player;
+  if (touched_ && !touched_->player->simulation().contacts().empty()) {
+    const int ready = player.body().columns()->readyCount();
+    if (ready == nextReady_ && ++stepsSinceLook_ < kStepsBetweenLooks) return;
+    nextReady_ = ready;
+    stepsSinceLook_ = 0;
+    player.takeOver(*touched_->player);
+    // Where the contacts still wait for columns of the old body nothing is lost by leaving it.
+    if (!player.missing().empty() && touched_->player->simulation().missed().empty()) {
+      copyNodes(player.missing(), next_->number, mail_.wanted.back().next);
+      mail_.wanted.back().touched.count = 0;
+      mail_.wanted.publish();
+      TouchMail::signal(mail_.workerSignal);
+      return;
+    }
+  }
+  if (touched_) {
+    retire(touched_);
+    if (recording_) ++recording_->modelChanges;
+  }
+  touched_ = std::exchange(next_, nullptr);
+}
+
+void TouchLoop::retire(TouchMail::Offer* offer) {
+  offer->next = mail_.retired.load(std::memory_order_relaxed);
+  while (!mail_.retired.compare_exchange_weak(offer->next, offer, std::memory_order_release)) {
+  }
+  TouchMail::signal(mail_.workerSignal);
+}
+
+void TouchLoop::takeInput() {
+  // In this order: what began after a recording was started belongs to it.
+  const std::uint64_t begun = begun_.load(std::memory_order_acquire);
+  takeRecorder();
+  if (!touched_) return;
+  for (std::uint64_t left = begun; left != 0; left &= left - 1) takeSlot(std::countr_zero(left));
+}
+
+void TouchLoop::takeRecorder() {
+  if (TouchRecording* begins = newRecording_.exchange(nullptr, std::memory_order_acq_rel)) {
+    recording_.reset(begins);
+    for (const Slot& slot : slots_) {
+      if (!slot.isTouching) continue;
+      TouchCommand command = slot.begin;
+      command.value = slot.value;
+      record(command);
+    }
+  }
+  if (stopsRecording_.exchange(false, std::memory_order_acq_rel)) {
+    finished_.store(recording_ ? recording_.release() : new TouchRecording());
+    finished_.notify_all();
+  }
+}
+
+void TouchLoop::takeSlot(int index) {
+  Slot& slot = slots_[index];
+  const TouchId id = slot.begin.id;
+  const bool isEnding = slot.isEnding.load(std::memory_order_acquire);
+  if (!slot.isTouching) {
+    slot.value = slot.begin.value;
+    slot.isTouching = true;
+    apply(slot.begin);
+  }
+  if (slot.values.update() && slot.values.front().id == id &&
+      slot.values.front().value != slot.value) {
+    slot.value = slot.values.front().value;
+    apply({TouchCommand::Kind::kSet, id, {}, Vector3d::Zero(), slot.value});
+  }
+  if (isEnding) {
+    apply({TouchCommand::Kind::kEnd, id, {}, Vector3d::Zero(), Vector3d::Zero()});
+    freeSlot(index);
+  }
+}
+
+void TouchLoop::freeSlot(int index) {
+  Slot& slot = slots_[index];
+  slot.isTouching = false;
+  if (isBall(slot.begin.tool)) balls_.fetch_sub(1);
+  begun_.fetch_and(~bit(index), std::memory_order_relaxed);
+  used_.fetch_and(~bit(index), std::memory_order_release);
+}
+
+void TouchLoop::apply(const TouchCommand& command) {
+  record(command);
+  touched_->player->apply(command);
+}
+
+void TouchLoop::record(const TouchCommand& command) {
+  if (!recording_) return;
+  if (recording_->entries.size() < recording_->entries.capacity())
+    recording_->entries.push_back({recording_->steps, command});
+  else
+    recording_->isFull = true;
+}
+
+/// Tells the worker which columns the step missed.
+void TouchLoop::askForColumns() {
+  const std::vector<int>& missed = touched_->player->simulation().missed();
+  if (missed.empty()) return;
+  copyNodes(missed, touched_->number, mail_.wanted.back().touched);
+  mail_.wanted.back().next.count = 0;
+  mail_.wanted.publish();
+  TouchMail::signal(mail_.workerSignal);
+}
+
+void TouchLoop::publish() {
+  TouchSnapshot& snapshot = results_.back();
+  if (touched_) {
+    touched_->player->describe(snapshot);
+  } else {
+    static_cast<TouchSummary&>(snapshot) = {};
+  }
+  snapshot.step = step_;
+  snapshot.time = Clock::now();
+  if (const auto elapsed = snapshot.time - rateSince_; elapsed >= kRateWindow) {
+    rate_ = static_cast<double>(step_ - rateStep_) / std::chrono::duration<double>(elapsed).count();
+    rateSince_ = snapshot.time;
+    rateStep_ = step_;
+  }
+  snapshot.rate = touched_ ? rate_ : 0;
+  results_.publish();
+}
+
+}  // namespace palpa::app

@@ -1,0 +1,140 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "app/core/touch_worker.h"
+
+namespace palpa::app {
+
+/// A touch that cannot begin; the message is for people.
+class TouchRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The hand meets the body: a thread of its own that takes what mouse, script or device say, finds
+/// the forces a thousand times a second, and hands them out. Neither side waits for the other:
+/// input comes through one place per contact in which the newest value wins, results go out through
+/// a triple buffer, and the loop itself takes no lock and allocates nothing while contacts are
+/// moved (beginning and ending one, and changing the model, may allocate).
+///
+/// The model may be replaced at any time. Contacts stay in place (ContactSimulation::takeOver); the
+/// old model is touched until the new one has the columns that they need.
+///
+/// A contact belongs to the thread that began it; different threads may have different contacts.
+/// All other functions may be called from any thread.
+class TouchLoop {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kPeriod{1};
+  static constexpr const char* kThreadName = "palpa-touch";
+  using Options = TouchWorker::Options;
+
+  explicit TouchLoop(Options options = {});
+  /// Waits for the step and the block of columns at hand.
+  ~TouchLoop();
+  TouchLoop(const TouchLoop&) = delete;
+  TouchLoop& operator=(const TouchLoop&) = delete;
+
+  /// What is to be touched from now on, as soon as it can be; returns the number by which snapshots
+  /// call it. A model whose operators equal those before (its key() does) keeps the columns. Null:
+  /// nothing; contacts end, the loop sleeps, and the columns are kept for the next model.
+  std::uint64_t setModel(std::shared_ptr<const TouchModel> model);
+
+  /// Begins a contact at the place nearest to `at` (mm, unloaded shape). For `value` see
+  /// bem::ContactSimulation::begin(). Without a model it begins as soon as there is one. Throws
+  /// TouchRefused: numbers that are not finite or out of range, more contacts than a snapshot
+  /// holds.
+  TouchId begin(const bem::ContactTool& tool, const Eigen::Vector3d& at,
+                const Eigen::Vector3d& value);
+  /// Moves it; values that are not finite, and contacts that have ended, are ignored.
+  void set(TouchId id, const Eigen::Vector3d& value);
+  /// A contact that is never ended stays as a pin.
+  void end(TouchId id);
+
+  /// Where the next touch may begin (mm): columns are computed around it.
+  void expect(const Eigen::Vector3d& point);
+
+  /// The newest snapshot.
+  void read(TouchSnapshot& into) const;
+  TouchWorker::Status status() const { return worker_.status(); }
+  /// What a snapshot's `model` means; null when it is not touched any more.
+  std::shared_ptr<const TouchBody> body(std::uint64_t number) const { return worker_.body(number); }
+
+  /// Records all input from now on, up to `most` commands (120 bytes each); contacts that are held
+  /// already begin at step 0. A recording that runs already is given up.
+  void startRecording(std::size_t most = 1U << 19U);
+  /// What was recorded; empty when none runs.
+  TouchRecording stopRecording();
+
+ private:
+  struct Value {
+    TouchId id = 0;
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  };
+  /// One contact. Whoever set its bit in used_ fills it in; then begun_ hands it to the loop.
+  struct Slot {
+    std::atomic<TouchId> open{0};  // 0 once it was ended
+    TouchId generation = 0;
+    TouchCommand begin;
+    TripleBuffer<Value> values;
+    std::atomic<bool> isEnding{false};
+    // Of the loop's thread.
+    bool isTouching = false;
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  };
+  static constexpr int kSlots = TouchSnapshot::kMostContacts;
+  static_assert(kSlots == 64, "one bit each");
+
+  void run(const std::stop_token& stop);
+  void receiveOffer();
+  void swapIfReady();
+  void retire(TouchMail::Offer* offer);
+  void takeInput();
+  void takeRecorder();
+  void takeSlot(int index);
+  void freeSlot(int index);
+  void apply(const TouchCommand& command);
+  void record(const TouchCommand& command);
+  void askForColumns();
+  void publish();
+
+  TouchMail mail_;
+  std::array<Slot, kSlots> slots_;
+  std::atomic<std::uint64_t> used_{0}, begun_{0};
+  std::atomic<int> balls_{0};
+  mutable std::mutex readers_;  // among readers
+  mutable TripleBuffer<TouchSnapshot> results_;
+
+  std::mutex recorderMutex_;  // among those who record
+  bool isRecording_ = false;
+  std::atomic<TouchRecording*> newRecording_{nullptr}, finished_{nullptr};
+  std::atomic<bool> stopsRecording_{false};
+
+  std::mutex hoverMutex_;  // between expect() and the worker
+  Eigen::Vector3d hover_ = Eigen::Vector3d::Zero();
+  bool hasHover_ = false;
+  TouchSnapshot focusSnapshot_;  // of the worker's thread
+
+  // Of the loop's thread.
+  TouchMail::Offer* touched_ = nullptr;
+  TouchMail::Offer* next_ = nullptr;
+  int nextReady_ = -1, stepsSinceLook_ = 0;
+  std::unique_ptr<TouchRecording> recording_;
+  std::uint64_t step_ = 0;
+  Clock::time_point rateSince_;
+  std::uint64_t rateStep_ = 0;
+  double rate_ = 0;
+
+  TouchWorker worker_;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace palpa::app

@@ -1,0 +1,235 @@
+#include "app/core/touch_worker.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "app/core/memory.h"
+#include "app/core/priority.h"
+#include "app/core/release.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Columns for places that are not touched leave this part of the memory to those that are.
+constexpr double kIdlePart = 0.8;
+/// Bytes that are left to the rest of the system.
+constexpr double kReserve = 256.0 * 1024 * 1024;
+
+constexpr const char* kNoMemory =
+    "there is no memory left for touching further places; take a larger edge length or close other "
+    "programs";
+
+}  // namespace
+
+TouchWorker::TouchWorker(TouchMail& mail, Options options,
+                         std::function<void(std::vector<Vector3d>&)> focus)
+    : mail_(mail),
+      options_(options),
+      focus_(std::move(focus)),
+      worker_([this](const std::stop_token& stop) { work(stop); }) {}
+
+TouchWorker::~TouchWorker() {
+  worker_.request_stop();
+  TouchMail::signal(mail_.workerSignal);
+  worker_.join();
+  releaseRetired();
+  delete mail_.offered.exchange(nullptr);
+}
+
+std::uint64_t TouchWorker::setModel(std::shared_ptr<const TouchModel> model) {
+  std::uint64_t number = 0;
+  std::optional<Request> replaced;  // released after the lock
+  {
+    const std::lock_guard lock(mutex_);
+    number = ++status_.newest;
+    replaced = std::exchange(request_, Request{number, std::move(model)});
+    status_.error.clear();
+  }
+  TouchMail::signal(mail_.workerSignal);
+  return number;
+}
+
+TouchWorker::Status TouchWorker::status() const {
+  const std::lock_guard lock(mutex_);
+  Status status = status_;
+  for (const Numbered& numbered : bodies_)
+    if (numbered.number == status.prepared) {
+      const bem::GreensColumns& columns = *numbered.body->columns();
+      status.columnsReady =
+          static_cast<double>(columns.readyCount()) / std::max(columns.nodeCount(), 1);
+    }
+  return status;
+}
+
+std::shared_ptr<const TouchBody> TouchWorker::body(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  for (const Numbered& numbered : bodies_)
+    if (numbered.number == number) return numbered.body;
+  return nullptr;
+}
+
+void TouchWorker::setError(std::string error) {
+  const std::lock_guard lock(mutex_);
+  status_.error = std::move(error);
+}
+
+void TouchWorker::work(const std::stop_token& stop) {
+  lowerThreadPriority();
+  for (;;) {
+    const std::uint32_t seen = mail_.workerSignal.load(std::memory_order_acquire);
+    if (stop.stop_requested()) return;
+    releaseRetired();
+    try {
+      if (prepare() || computeSome(stop)) continue;
+    } catch (const bem::Cancelled&) {
+      return;
+    } catch (const std::bad_alloc&) {
+      setError(kNoMemory);
+    } catch (const std::exception& error) {
+      setError(error.what());
+    }
+    mail_.workerSignal.wait(seen, std::memory_order_acquire);
+  }
+}
+
+void TouchWorker::releaseRetired() {
+  TouchMail::Offer* retired = mail_.retired.exchange(nullptr, std::memory_order_acquire);
+  while (retired) {
+    std::unique_ptr<TouchMail::Offer> offer(std::exchange(retired, retired->next));
+    std::shared_ptr<const TouchBody> body;
+    const std::lock_guard lock(mutex_);
+    const auto place = std::find_if(bodies_.begin(), bodies_.end(), [&](const Numbered& numbered) {
+      return numbered.number == offer->number;
+    });
+    if (place == bodies_.end()) continue;
+    body = std::move(place->body);
+    bodies_.erase(place);
+    offer.reset();
+    releaseElsewhere(std::move(body));
+  }
+}
+
+bool TouchWorker::prepare() {
+  Request request;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!request_) return false;
+    request = std::move(*request_);
+    request_.reset();
+  }
+  auto offer = std::make_unique<TouchMail::Offer>();
+  offer->number = request.number;
+  if (request.model) {
+    const ModelCache::Key key = request.model->key();
+    const bool isKnown = columns_ && key == columnsKey_;
+    if (isKnown) columns_->continueWith(request.model->problem());
+    auto body = std::make_shared<const TouchBody>(request.model, isKnown ? columns_ : nullptr);
+    columns_ = body->columns();
+    columnsKey_ = key;
+    offer->player = std::make_unique<TouchPlayer>(body, request.number);
+    const std::lock_guard lock(mutex_);
+    bodies_.push_back({request.number, std::move(body)});
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    status_.prepared = request.number;
+  }
+  // The one that the loop has not seen yet goes the way of those that it has done with.
+  if (auto* unseen = mail_.offered.exchange(offer.release(), std::memory_order_acq_rel)) {
+    unseen->next = mail_.retired.load(std::memory_order_relaxed);
+    while (!mail_.retired.compare_exchange_weak(unseen->next, unseen, std::memory_order_release)) {
+    }
+  }
+  TouchMail::signal(mail_.loopSignal);
+  return true;
+}
+
+bool TouchWorker::computeSome(const std::stop_token& stop) {
+  mail_.wanted.update();
+  const TouchMail::WantedOfBoth& wanted = mail_.wanted.front();
+  if (computeWanted(wanted.touched, stop) || computeWanted(wanted.next, stop)) return true;
+  if (!options_.computesAll) return false;
+  std::shared_ptr<const TouchBody> newest;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!bodies_.empty() && bodies_.back().number == status_.prepared) newest = bodies_.back().body;
+  }
+  if (!newest || newest->columns()->isComplete() || !hasMemoryFor(*newest, false)) return false;
+  compute(*newest, {}, stop);
+  return true;
+}
+
+bool TouchWorker::computeWanted(const TouchMail::Wanted& wanted, const std::stop_token& stop) {
+  const std::shared_ptr<const TouchBody> touched = body(wanted.number);
+  if (!touched) return false;
+  std::vector<int> nodes;
+  for (int k = 0; k < wanted.count; ++k)
+    if (!touched->columns()->has(wanted.nodes[k])) nodes.push_back(wanted.nodes[k]);
+  if (nodes.empty()) return false;
+  if (!hasMemoryFor(*touched, true)) {
+    setError(kNoMemory);
+    return false;
+  }
+  compute(*touched, nodes, stop);
+  return true;
+}
+
+void TouchWorker::compute(const TouchBody& body, std::span<const int> wanted,
+                          const std::stop_token& stop) {
+  bem::Job job;
+  job.stop = stop;
+  job.threads = options_.threads;
+  body.columns()->compute(block(body, wanted), job);
+}
+
+/// The nodes to be computed next, as many as go together: what is wanted, then what is nearest to
+/// that or to the focus.
+std::vector<int> TouchWorker::block(const TouchBody& body, std::span<const int> wanted) {
+  constexpr std::size_t kCount = bem::GreensColumns::kBlock;
+  const bem::BoundaryMesh& mesh = body.surface().mesh();
+  std::vector<int> nodes;
+  for (const int node : wanted)
+    if (nodes.size() < kCount && std::find(nodes.begin(), nodes.end(), node) == nodes.end())
+      nodes.push_back(node);
+  focusPoints_.clear();
+  if (wanted.empty())
+    focus_(focusPoints_);
+  else
+    focusPoints_.push_back(mesh.nodes[wanted.front()]);
+  struct Candidate {
+    double distance;
+    int node;
+  };
+  std::vector<Candidate> others;
+  for (int node = 0; node < mesh.nodeCount(); ++node) {
+    if (!body.surface().dofs().isFree(node) || body.columns()->has(node) ||
+        std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+      continue;
+    double distance = focusPoints_.empty() ? 0 : std::numeric_limits<double>::infinity();
+    for (const Vector3d& point : focusPoints_)
+      distance = std::min(distance, (mesh.nodes[node] - point).squaredNorm());
+    others.push_back({distance, node});
+  }
+  const std::size_t room = std::min(kCount - nodes.size(), others.size());
+  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(room),
+                    others.end(), [](const Candidate& a, const Candidate& b) {
+                      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+                    });
+  for (std::size_t k = 0; k < room; ++k) nodes.push_back(others[k].node);
+  return nodes;
+}
+
+bool TouchWorker::hasMemoryFor(const TouchBody& body, bool isUrgent) const {
+  const bem::GreensColumns& columns = *body.columns();
+  const double block = columns.blockBytes();
+  const double used = block / bem::GreensColumns::kBlock * columns.readyCount();
+  const double part = isUrgent ? 1.0 : kIdlePart;
+  if (options_.columnsLimit > 0 && used + block > part * options_.columnsLimit) return false;
+  const double available = availableMemory();
+  return available <= 0 || block + kReserve < (isUrgent ? available : kIdlePart * available);
+}
+
+}  // namespace palpa::app

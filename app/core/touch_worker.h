@@ -1,0 +1,115 @@
+#pragma once
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/core/touch_player.h"
+#include "app/core/triple_buffer.h"
+
+namespace palpa::app {
+
+/// What the loop and the worker hand each other, without locks.
+struct TouchMail {
+  /// A body ready to be touched; without a player: there is nothing to touch any more.
+  struct Offer {
+    std::uint64_t number = 0;
+    std::unique_ptr<TouchPlayer> player;
+    Offer* next = nullptr;
+  };
+  /// Nodes of one body whose columns the contacts wait for.
+  struct Wanted {
+    static constexpr int kMost = 1024;
+    std::uint64_t number = 0;
+    int count = 0;
+    std::array<int, kMost> nodes{};
+  };
+  struct WantedOfBoth {
+    Wanted touched, next;
+  };
+
+  std::atomic<Offer*> offered{nullptr};      // to the loop; the newest replaces others
+  std::atomic<Offer*> retired{nullptr};      // to the worker; a list
+  TripleBuffer<WantedOfBoth> wanted;         // to the worker
+  std::atomic<std::uint32_t> loopSignal{0};  // changes when there is something to do
+  std::atomic<std::uint32_t> workerSignal{0};
+
+  static void signal(std::atomic<std::uint32_t>& what) {
+    what.fetch_add(1, std::memory_order_release);
+    what.notify_all();
+  }
+};
+
+/// What a touch loop needs done beside it, on a thread of low priority: prepares bodies, computes
+/// columns (those that contacts wait for, then those around the focus, then the rest) and releases
+/// what is not used any more.
+class TouchWorker {
+ public:
+  struct Options {
+    int threads = 0;          ///< for columns; 0: all cores
+    double columnsLimit = 0;  ///< bytes that columns may take; 0: what is available
+    bool computesAll = true;  ///< false: only columns that contacts wait for
+  };
+  /// `focus` tells where columns are needed next: it adds points to a list; called on the worker.
+  TouchWorker(TouchMail& mail, Options options,
+              std::function<void(std::vector<Eigen::Vector3d>&)> focus);
+  /// Waits for the block of columns at hand.
+  ~TouchWorker();
+
+  /// From any thread. Null: nothing to touch. Returns its number: 1, 2, …
+  std::uint64_t setModel(std::shared_ptr<const TouchModel> model);
+
+  struct Status {
+    std::uint64_t newest = 0;    ///< number of the model set last; 0: none
+    std::uint64_t prepared = 0;  ///< number of the one offered to the loop last
+    double columnsReady = 0;     ///< of that one, 0 … 1
+    std::string error;           ///< for people; empty when all is well
+  };
+  Status status() const;
+  /// Null when it is not used any more.
+  std::shared_ptr<const TouchBody> body(std::uint64_t number) const;
+
+ private:
+  void work(const std::stop_token& stop);
+  void releaseRetired();
+  bool prepare();
+  bool computeSome(const std::stop_token& stop);
+  bool computeWanted(const TouchMail::Wanted& wanted, const std::stop_token& stop);
+  void compute(const TouchBody& body, std::span<const int> wanted, const std::stop_token& stop);
+  std::vector<int> block(const TouchBody& body, std::span<const int> wanted);
+  bool hasMemoryFor(const TouchBody& body, bool isUrgent) const;
+  void setError(std::string error);
+
+  struct Request {
+    std::uint64_t number = 0;
+    std::shared_ptr<const TouchModel> model;
+  };
+  struct Numbered {
+    std::uint64_t number = 0;
+    std::shared_ptr<const TouchBody> body;
+  };
+
+  TouchMail& mail_;
+  const Options options_;
+  const std::function<void(std::vector<Eigen::Vector3d>&)> focus_;
+
+  mutable std::mutex mutex_;  // guards what follows, up to columns_
+  Status status_;
+  std::optional<Request> request_;
+  std::vector<Numbered> bodies_;  // that are offered or touched
+
+  // Of the worker alone.
+  ModelCache::Key columnsKey_;
+  std::shared_ptr<bem::GreensColumns> columns_;  // of the newest body, kept for the next
+  std::vector<Eigen::Vector3d> focusPoints_;
+
+  std::jthread worker_;  // last: it uses all of the above
+};
+
+}  // namespace palpa::app

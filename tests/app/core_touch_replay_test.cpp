@@ -1,0 +1,178 @@
+#include "app/core/touch_replay.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "app/core/touch_loop.h"
+#include "bem/parallel.h"
+#include "core_projects.h"
+
+namespace palpa::app {
+namespace {
+
+using namespace std::chrono_literals;
+using Eigen::Vector3d;
+using Kind = bem::ContactTool::Kind;
+
+std::shared_ptr<const TouchModel> build(double edgeLength) {
+  return buildTouchModel(test::clampedSphere(edgeLength), {}, {});
+}
+
+/// A push with friction, a probe and a grab that move for a while.
+TouchRecording touches() {
+  using Command = TouchCommand::Kind;
+  TouchRecording recording;
+  const Vector3d none = Vector3d::Zero();
+  recording.steps = 120;
+  recording.entries.push_back(
+      {0, {Command::kBegin, 1, {Kind::kPush, 8, 0.3}, {0, 0, 25}, {0, 0, 23}}});
+  recording.entries.push_back(
+      {10, {Command::kBegin, 2, {Kind::kProbe, 10, 0.2}, {0, 25, 0}, {0, 34, 0}}});
+  recording.entries.push_back(
+      {20, {Command::kBegin, 3, {Kind::kGrab, 8, 0}, {25, 0, 0}, {-1, 0, 0}}});
+  for (std::uint64_t k = 20; k < 100; ++k) {
+    if (k == 90) recording.entries.push_back({k, {Command::kEnd, 3, {}, none, none}});
+    const double t = 0.01 * static_cast<double>(k);
+    recording.entries.push_back({k, {Command::kSet, 1, {}, none, {4 * t, t, 23 - t}}});
+    recording.entries.push_back({k, {Command::kSet, 2, {}, none, {t, 33.5 - t, t}}});
+  }
+  return recording;
+}
+
+std::vector<Vector3d> forcesOf(const std::shared_ptr<const TouchBody>& body,
+                               const TouchRecording& recording, int threads) {
+  bem::setBlasThreads(threads);
+  bem::Job job;
+  job.threads = threads;
+  std::vector<Vector3d> forces;
+  replay(body, recording, job, [&](const TouchSnapshot& snapshot) {
+    for (const auto& contact : snapshot.touched()) forces.push_back(contact.force);
+  });
+  bem::setBlasThreads(bem::workerCount({}));
+  return forces;
+}
+
+TEST(TouchReplay, IsTheSameOnAnyNumberOfThreads) {
+  for (const double edgeLength : {6.0, 4.5}) {
+    const auto model = build(edgeLength);
+    const auto one = forcesOf(std::make_shared<TouchBody>(model), touches(), 1);
+    const auto two = forcesOf(std::make_shared<TouchBody>(model), touches(), 2);
+    EXPECT_EQ(one.size(), 120u + 110u + 70u);
+    EXPECT_EQ(one, two);
+    EXPECT_GT(one.back().norm(), 0);
+  }
+}
+
+TEST(TouchReplay, DoesNotDependOnTheOrderOfTheColumns) {
+  const auto model = build(6);
+  const auto whole = std::make_shared<TouchBody>(model);
+  whole->columns()->compute(whole->columns()->nodesNear(whole->surface().mesh(), {0, 0, -25}), {});
+  EXPECT_EQ(forcesOf(whole, touches(), 2),
+            forcesOf(std::make_shared<TouchBody>(model), touches(), 2));
+}
+
+TEST(TouchReplay, GivesTheForcesOfTheLiveLoopThroughASwapToo) {
+  const auto model = build(6);
+  TouchLoop loop;
+  TouchSnapshot snapshot;
+  const auto await = [&](const std::function<bool()>& condition) {
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    do {
+      loop.read(snapshot);
+      if (condition()) return true;
+    } while (std::chrono::steady_clock::now() < end);
+    return false;
+  };
+  const auto number = loop.setModel(model);
+  ASSERT_TRUE(await([&] { return snapshot.model == number && snapshot.columnsReady == 1; }));
+  for (const bool isSwapping : {false, true}) {
+    loop.startRecording();
+    const TouchId push = loop.begin({Kind::kPush, 8, 0.3}, {0, 0, 25}, {0, 0, 23});
+    const TouchId grab = loop.begin({Kind::kGrab, 8, 0}, {25, 0, 0}, {-1, 0, 0});
+    ASSERT_TRUE(await([&] { return snapshot.find(grab) != nullptr; }));
+    struct Seen {
+      std::uint64_t step;
+      Vector3d push, grab;
+    };
+    std::vector<Seen> seen;
+    std::uint64_t swapped = 0;
+    for (int k = 0; k < 150; ++k) {
+      loop.set(push, {0.04 * k, 0.01 * k, 23 - 0.01 * k});
+      std::this_thread::sleep_for(700us);
+      if (isSwapping && k == 60) swapped = loop.setModel(build(6));
+      loop.read(snapshot);
+      if (seen.empty() || seen.back().step != snapshot.step)
+        seen.push_back({snapshot.step, snapshot.find(push)->force, snapshot.find(grab)->force});
+    }
+    if (isSwapping) {
+      ASSERT_TRUE(await([&] { return snapshot.model == swapped; }));
+      seen.push_back({snapshot.step, snapshot.find(push)->force, snapshot.find(grab)->force});
+    }
+    loop.end(push);
+    loop.end(grab);
+    ASSERT_TRUE(await([&] { return snapshot.contactCount == 0; }));
+    const std::uint64_t last = snapshot.step;
+    const TouchRecording recording = loop.stopRecording();
+    EXPECT_EQ(recording.modelChanges, isSwapping ? 1 : 0);
+    EXPECT_FALSE(recording.isFull);
+    ASSERT_GE(recording.steps, 1u);
+    std::vector<TouchSnapshot::Contact> pushed(recording.steps), grabbed(recording.steps);
+    std::uint64_t endedAt = 0;
+    replay(std::make_shared<TouchBody>(model), recording, {}, [&](const TouchSnapshot& at) {
+      if (const auto* contact = at.find(push)) pushed[at.step - 1] = *contact;
+      if (const auto* contact = at.find(grab)) grabbed[at.step - 1] = *contact;
+      if (endedAt == 0 && at.step > 10 && at.contactCount == 0) endedAt = at.step;
+    });
+    // The loop counts all its steps, the recording those since its beginning.
+    ASSERT_GT(endedAt, 0u);
+    ASSERT_LE(endedAt, last);
+    std::size_t compared = 0;
+    for (std::uint64_t offset = last - recording.steps; offset <= last - endedAt; ++offset) {
+      compared = 0;
+      for (const Seen& live : seen) {
+        if (live.step <= offset || live.step - offset > recording.steps) continue;
+        const auto& again = pushed[live.step - offset - 1];
+        const double tolerance = isSwapping ? 1e-9 * live.push.norm() : 0;
+        if ((again.force - live.push).norm() > tolerance) break;
+        if ((grabbed[live.step - offset - 1].force - live.grab).norm() > tolerance) break;
+        ++compared;
+      }
+      if (compared == seen.size()) break;
+    }
+    EXPECT_EQ(compared, seen.size());
+  }
+}
+
+TEST(TouchReplay, CanBeCancelled) {
+  std::stop_source stop;
+  bem::Job job;
+  job.stop = stop.get_token();
+  int steps = 0;
+  EXPECT_THROW(replay(std::make_shared<TouchBody>(build(8)), touches(), job,
+                      [&](const TouchSnapshot&) {
+                        if (++steps == 5) stop.request_stop();
+                      }),
+               bem::Cancelled);
+  EXPECT_EQ(steps, 5);
+}
+
+TEST(TouchReplay, CommandsThatMakeNoSenseAreIgnored) {
+  using Command = TouchCommand::Kind;
+  const Vector3d none = Vector3d::Zero();
+  TouchRecording recording;
+  recording.steps = 2;
+  recording.entries.push_back({0, {Command::kSet, 7, {}, none, {0, 0, 1}}});
+  recording.entries.push_back({0, {Command::kEnd, 7, {}, none, none}});
+  for (TouchId id = 1; id <= 100; ++id)
+    recording.entries.push_back(
+        {0, {Command::kBegin, id, {Kind::kForce, 8, 0}, {0, 0, 25}, {0, 0, -0.01}}});
+  replay(std::make_shared<TouchBody>(build(8)), recording, {}, [](const TouchSnapshot& snapshot) {
+    EXPECT_EQ(snapshot.contactCount, TouchSnapshot::kMostContacts);
+  });
+}
+
+}  // namespace
+}  // namespace palpa::app
