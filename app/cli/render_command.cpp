@@ -13,10 +13,11 @@
 namespace palpa::cli {
 namespace {
 
-const std::map<std::string, SceneField> kFields{{"none", SceneField::kNone},
-                                                {"displacement", SceneField::kDisplacement},
-                                                {"normal-traction", SceneField::kNormalTraction},
-                                                {"von-mises", SceneField::kVonMises}};
+const std::map<std::string, app::SurfaceQuantity> kFields{
+    {"none", app::SurfaceQuantity::kNone},
+    {"displacement", app::SurfaceQuantity::kDisplacement},
+    {"normal-traction", app::SurfaceQuantity::kNormalTraction},
+    {"von-mises", app::SurfaceQuantity::kVonMises}};
 
 /// Directions from the eye into the scene.
 const std::map<std::string, Eigen::Vector3d> kViews{{"front", {0, 1, 0}}, {"back", {0, -1, 0}},
@@ -85,7 +86,7 @@ class RenderCommand : public Command {
     const auto model = buildModel(project, context);
     const bool touched = touch_.isGiven() || !project.touches.empty();
     const app::TouchState state = touched ? touch_.play(*model, project) : model->rest();
-    view::renderToPng(makeScene(project, *model, state, sceneOptions), output_, size);
+    view::renderToPng(makeScene(project, model, state, sceneOptions), output_, size);
 
     const StateReport report{*model, state, {}};
     Json json = report.json();

@@ -141,11 +141,13 @@ std::vector<std::string> captions(const modeling::Project& project, const app::T
 
 }  // namespace
 
-view::SurfaceScene makeScene(const modeling::Project& project, const app::TouchModel& model,
+view::SurfaceScene makeScene(const modeling::Project& project,
+                             const std::shared_ptr<const app::TouchModel>& shared,
                              const app::TouchState& state, const SceneOptions& options) {
+  const app::TouchModel& model = *shared;
   const app::BoundarySetup& setup = model.setup();
   view::SurfaceScene scene;
-  addSurface(project, model, state, options, scene);
+  addSurface(shared, state, options, scene);
   scene.showMeshEdges = options.showMeshEdges;
   scene.showUndeformed = options.showUndeformed;
   for (const auto& support : setup.supports) {

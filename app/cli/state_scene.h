@@ -4,17 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "app/core/touch_model.h"
+#include "app/core/drawn_body.h"
 #include "app/view/scene.h"
 #include "modeling/project/project.h"
 
 namespace palpa::cli {
 
-/// What is drawn as colour.
-enum class SceneField { kNone, kDisplacement, kNormalTraction, kVonMises };
-
 struct SceneOptions {
-  SceneField field = SceneField::kDisplacement;
+  app::SurfaceQuantity field = app::SurfaceQuantity::kDisplacement;
   double displacementScale = 1;
   bool showUndeformed = true;
   bool showMeshEdges = false;
@@ -27,7 +24,8 @@ struct SceneOptions {
 
 /// The picture of a state: deformed surface, colours, force arrows with newtons, supports,
 /// captions.
-view::SurfaceScene makeScene(const modeling::Project& project, const app::TouchModel& model,
+view::SurfaceScene makeScene(const modeling::Project& project,
+                             const std::shared_ptr<const app::TouchModel>& model,
                              const app::TouchState& state, const SceneOptions& options);
 
 }  // namespace palpa::cli

@@ -60,6 +60,8 @@ struct TouchState {
 /// ready to be touched. Immutable, so that it can be shared between threads.
 class TouchModel {
  public:
+  /// What surface() is a mesh of.
+  const modeling::Body& body() const { return body_; }
   const modeling::SurfaceMesh& surface() const { return surface_; }
   const BoundarySetup& setup() const { return setup_; }
   const std::shared_ptr<const bem::ReferenceProblem>& problem() const { return problem_; }
@@ -75,9 +77,10 @@ class TouchModel {
  private:
   friend std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project&,
                                                            const BuildOptions&, const bem::Job&);
-  TouchModel(modeling::SurfaceMesh surface, BoundarySetup setup)
-      : surface_(std::move(surface)), setup_(std::move(setup)) {}
+  TouchModel(modeling::Body body, modeling::SurfaceMesh surface, BoundarySetup setup)
+      : body_(std::move(body)), surface_(std::move(surface)), setup_(std::move(setup)) {}
 
+  modeling::Body body_;
   modeling::SurfaceMesh surface_;
   BoundarySetup setup_;
   std::shared_ptr<const bem::ReferenceProblem> problem_;

@@ -1,0 +1,158 @@
+#include "app/core/drawn_body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bem/error.h"
+#include "bem/results.h"
+#include "modeling/job.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+modeling::DisplayMesh makeMesh(const TouchModel& model, const bem::Job& job) {
+  try {
+    return modeling::displayMesh(model.surface(), model.body(), {},
+                                 modeling::Job{job.stop, job.progress});
+  } catch (const modeling::Cancelled&) {
+    throw bem::Cancelled{};
+  }
+}
+
+}  // namespace
+
+DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model, const bem::Job& job)
+    : model_(std::move(model)), mesh_(makeMesh(*model_, job)) {
+  const BoundarySetup& setup = model_->setup();
+  std::map<std::pair<int, int>, int> sides;  // (node, smoothing group)
+  const auto side = [&](int node, int group) {
+    return sides.emplace(std::pair(node, group), static_cast<int>(sides.size())).first->second;
+  };
+  sideOfCorner_.resize(setup.mesh.triangles.size());
+  for (std::size_t t = 0; t < sideOfCorner_.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      sideOfCorner_[t][k] = side(setup.mesh.triangles[t][k], setup.mesh.smoothingGroups[t]);
+  for (const auto& slot : setup.slots.slots)
+    sideOfSlot_.push_back(side(slot.node, slot.smoothingGroup));
+  sideCount_ = static_cast<int>(sides.size());
+  sideNormals(VectorXd::Zero(3 * static_cast<Eigen::Index>(setup.mesh.nodes.size())), 0,
+              normalsAtRest_);
+
+  std::vector<bool> held(setup.mesh.triangles.size(), false);
+  for (const auto& support : setup.supports)
+    for (const int triangle : support.triangles) held[static_cast<std::size_t>(triangle)] = true;
+  for (const int triangle : mesh_.boundaryTriangle)
+    isHeld_.push_back(held[static_cast<std::size_t>(triangle)]);
+  findBorders();
+}
+
+void DrawnBody::findBorders() {
+  std::map<std::array<int, 2>, int> patchBeside;  // of the triangle with this directed edge
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      patchBeside[{mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]}] =
+          mesh_.patchOfTriangle[t];
+  for (const auto& [edge, patch] : patchBeside) {
+    const auto other = patchBeside.find({edge[1], edge[0]});
+    // At a sharp edge the points are split: both sides have the edge as their border.
+    if (other == patchBeside.end() || (other->second != patch && edge[0] < edge[1]))
+      borders_.push_back(edge);
+  }
+}
+
+template <class Value>
+Value DrawnBody::atSides(std::size_t point, const std::vector<Value>& values) const {
+  const modeling::DisplayMesh::Link& link = mesh_.links[point];
+  const auto& sides = sideOfCorner_[static_cast<std::size_t>(link.triangle)];
+  return link.weights[0] * values[static_cast<std::size_t>(sides[0])] +
+         link.weights[1] * values[static_cast<std::size_t>(sides[1])] +
+         link.weights[2] * values[static_cast<std::size_t>(sides[2])];
+}
+
+Vector3d DrawnBody::displacementAt(std::size_t point, const Eigen::Ref<const VectorXd>& u) const {
+  const modeling::DisplayMesh::Link& link = mesh_.links[point];
+  const auto& corners = model_->setup().mesh.triangles[static_cast<std::size_t>(link.triangle)];
+  return link.weights[0] * u.segment<3>(3 * corners[0]) +
+         link.weights[1] * u.segment<3>(3 * corners[1]) +
+         link.weights[2] * u.segment<3>(3 * corners[2]);
+}
+
+void DrawnBody::sideNormals(const Eigen::Ref<const VectorXd>& u, double scale,
+                            std::vector<Vector3d>& normals) const {
+  const bem::BoundaryMesh& mesh = model_->setup().mesh;
+  normals.assign(static_cast<std::size_t>(sideCount_), Vector3d::Zero());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    const auto at = [&](std::size_t k) -> Vector3d {
+      return mesh.nodes[static_cast<std::size_t>(corners[k])] +
+             scale * u.segment<3>(3 * corners[k]);
+    };
+    const Vector3d area = (at(1) - at(0)).cross(at(2) - at(0));
+    for (const int side : sideOfCorner_[t]) normals[static_cast<std::size_t>(side)] += area;
+  }
+  for (Vector3d& normal : normals) normal.normalize();
+}
+
+void DrawnBody::deform(const Eigen::Ref<const VectorXd>& u, double scale, Shape& shape) const {
+  // The displacement is linear on the boundary triangles; normals of the deformed surface would
+  // show that as facets. So the true surface's normals are turned as the mean normals at the nodes
+  // turn.
+  thread_local std::vector<Vector3d> normals;
+  sideNormals(u, scale, normals);
+  shape.positions.resize(mesh_.positions.size());
+  shape.normals.resize(mesh_.positions.size());
+  for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
+    shape.positions[i] = mesh_.positions[i] + scale * displacementAt(i, u);
+    const auto turn =
+        Eigen::Quaterniond::FromTwoVectors(atSides(i, normalsAtRest_), atSides(i, normals));
+    shape.normals[i] = (turn * mesh_.normals[i]).normalized();
+  }
+}
+
+std::vector<Vector3d> DrawnBody::displacements(const Eigen::Ref<const VectorXd>& u) const {
+  std::vector<Vector3d> result;
+  result.reserve(mesh_.positions.size());
+  for (std::size_t i = 0; i < mesh_.positions.size(); ++i) result.push_back(displacementAt(i, u));
+  return result;
+}
+
+std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
+                                      const bem::BoundaryField& field) const {
+  std::vector<double> result;
+  if (quantity == SurfaceQuantity::kNone) return result;
+  result.reserve(mesh_.positions.size());
+  if (quantity == SurfaceQuantity::kDisplacement) {
+    for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
+      result.push_back(displacementAt(i, field.u.col(0)).norm());
+    return result;
+  }
+  const BoundarySetup& setup = model_->setup();
+  std::vector<double> ofSlot;
+  if (quantity == SurfaceQuantity::kNormalTraction) {
+    for (int slot = 0; slot < setup.slots.count(); ++slot)
+      ofSlot.push_back(setup.slots.slots[static_cast<std::size_t>(slot)].normal.dot(
+          field.p.col(0).segment<3>(3 * slot)));
+  } else {
+    for (const Eigen::Matrix3d& stress : bem::surfaceStress(setup.mesh, setup.slots, field.u.col(0),
+                                                            field.p.col(0), setup.material))
+      ofSlot.push_back(bem::vonMises(stress));
+  }
+  // The mean over the slots on each side of the nodes.
+  std::vector<double> means(static_cast<std::size_t>(sideCount_), 0.0);
+  std::vector<int> counts(means.size(), 0);
+  for (std::size_t slot = 0; slot < ofSlot.size(); ++slot) {
+    const auto side = static_cast<std::size_t>(sideOfSlot_[slot]);
+    means[side] += ofSlot[slot];
+    ++counts[side];
+  }
+  for (std::size_t side = 0; side < means.size(); ++side) means[side] /= std::max(counts[side], 1);
+  for (std::size_t i = 0; i < mesh_.positions.size(); ++i) result.push_back(atSides(i, means));
+  return result;
+}
+
+}  // namespace palpa::app

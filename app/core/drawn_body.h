@@ -1,0 +1,71 @@
+#pragma once
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "app/core/touch_model.h"
+#include "modeling/mesh/display_mesh.h"
+
+namespace palpa::app {
+
+/// What the surface can be coloured by.
+enum class SurfaceQuantity {
+  kNone,
+  kDisplacement,    ///< |u|, mm
+  kNormalTraction,  ///< MPa, positive outwards
+  kVonMises,        ///< MPa
+};
+
+/// A model's surface as it is drawn: the true surface of the solid, finer than the boundary mesh,
+/// with displacements, colours and normals carried over from the nodes. At sharp edges its points
+/// are split, so that neither normals nor colours that jump there blend across. Immutable.
+class DrawnBody {
+ public:
+  /// About 3 µs per point. Throws Cancelled.
+  explicit DrawnBody(std::shared_ptr<const TouchModel> model, const bem::Job& job = {});
+
+  const TouchModel& model() const { return *model_; }
+  /// Without displacements.
+  const modeling::DisplayMesh& mesh() const { return mesh_; }
+  /// Edges of triangles between two patches or on a sharp edge, as pairs of points.
+  const std::vector<std::array<int, 2>>& borders() const { return borders_; }
+  /// Is the triangle held by a support?
+  const std::vector<bool>& isHeld() const { return isHeld_; }
+
+  struct Shape {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<Eigen::Vector3d> normals;  ///< unit
+  };
+  /// Displaced by `scale` times `u`, 3 numbers per node in mm. Into a shape that is used again
+  /// nothing is allocated. About 0.2 µs per point.
+  void deform(const Eigen::Ref<const Eigen::VectorXd>& u, double scale, Shape& shape) const;
+  /// Displacement of each point, mm.
+  std::vector<Eigen::Vector3d> displacements(const Eigen::Ref<const Eigen::VectorXd>& u) const;
+
+  /// One number per point; empty for kNone. Stresses take some microseconds per node.
+  std::vector<double> values(SurfaceQuantity quantity, const bem::BoundaryField& field) const;
+
+ private:
+  /// Normals of the flat triangles at the sides of the nodes, weighted by area.
+  void sideNormals(const Eigen::Ref<const Eigen::VectorXd>& u, double scale,
+                   std::vector<Eigen::Vector3d>& normals) const;
+  /// Value at a point from one value per side.
+  template <class Value>
+  Value atSides(std::size_t point, const std::vector<Value>& values) const;
+  Eigen::Vector3d displacementAt(std::size_t point,
+                                 const Eigen::Ref<const Eigen::VectorXd>& u) const;
+  void findBorders();
+
+  std::shared_ptr<const TouchModel> model_;
+  modeling::DisplayMesh mesh_;
+  /// The sides of the nodes: one for every smoothing group that meets at a node. What jumps at
+  /// sharp edges has one value per side.
+  std::vector<std::array<int, 3>> sideOfCorner_;  // per boundary triangle
+  std::vector<int> sideOfSlot_;
+  int sideCount_ = 0;
+  std::vector<Eigen::Vector3d> normalsAtRest_;  // per side
+  std::vector<std::array<int, 2>> borders_;
+  std::vector<bool> isHeld_;
+};
+
+}  // namespace palpa::app
