@@ -52,7 +52,7 @@ class Viewport {
   void setTouchesVisible(bool visible);
   void setWarningsVisible(bool visible);
 
-  /// A body with new triangles; marks are reset.
+  /// A body with new triangles; marks, regions and the field are removed.
   void setBody(const ViewportBody& body);
   /// The same triangles at other places: the quick path while a control point is dragged.
   void moveBody(const std::vector<Eigen::Vector3d>& positions,
@@ -74,6 +74,25 @@ class Viewport {
   /// their borders are drawn where it is zero, through the triangles. Empty: nowhere. Supports win.
   /// Cheap enough to be set with every moveBody().
   void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
+
+  // What happens while one touches. All of it may be set anew for every picture.
+  /// Colours the surface by one number per position, beside a scalar bar; none: plain. The field
+  /// needs a range, so that colours stay while the numbers change: the caller decides when it
+  /// grows. Supports are then hatched in grey, and loads have a border alone, so that the only
+  /// colours are those of the field and of marks.
+  void setField(const std::optional<ScalarField>& field);
+  /// The same field with other numbers and another range: the quick path. std::invalid_argument
+  /// without a field.
+  void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);
+  /// The undeformed shape: thin lines along its borders and knot lines, faint where the body hides
+  /// them, and its translucent near side when it has triangles. None to remove it. It is left out
+  /// of fit().
+  void setGhost(const std::optional<ViewportBody>& body);
+  /// Not hidden by setRegionsVisible(), and left out of fit().
+  void setLiveArrows(const LiveArrows& arrows);
+  void setContactRings(const std::vector<ContactRing>& rings);
+  void setProbeBalls(const std::vector<ProbeBall>& balls);
+
   /// A rectangle between two pixels while selecting; none to remove it.
   void setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners);
 

@@ -79,6 +79,34 @@ struct TouchMarker {
   bool isSelected = false;
 };
 
+/// Forces that change while one presses. Their lengths are relative to a given force, not to the
+/// largest of the moment, so that arrows grow with the force.
+struct LiveArrows {
+  std::vector<ForceArrow> arrows;
+  /// N, > 0: a force as large is drawn a quarter of the body's diagonal long. Larger ones are no
+  /// longer than that; smaller ones shrink in proportion, down to nothing.
+  double fullForce = 1;
+};
+
+/// A ring around a contact, on the deformed surface.
+struct ContactRing {
+  enum class State : std::uint8_t {
+    kOpen,      ///< near, without force: dashed
+    kHolding,   ///< fixed to the surface: a grab or a pin
+    kSticking,  ///< pressed, friction holds it
+    kSlipping,  ///< pressed and sliding: dashed
+    kFailed,    ///< the force could not be found and is the last one known
+  };
+  std::vector<Eigen::Vector3d> points;  ///< a polyline that is closed by its first point
+  State state = State::kHolding;
+};
+
+/// A rigid ball that presses on the body: a probe, or the tip of a finger.
+struct ProbeBall {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0;  ///< mm, > 0
+};
+
 /// What a tool draws over the scene while it is used.
 struct ToolDrawing {
   enum class Style : std::uint8_t {
