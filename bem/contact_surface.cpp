@@ -262,8 +262,7 @@ void ContactSurface::measure(Workspace& work, ContactMask& mask) const {
       // ∫ λ_a λ_b = area / 12 and ∫ λ_a λ_b λ_c = area / 60, twice that where an index repeats.
       add(c[a], triangles_[t].area / 12.0 * (sum + phi[a]));
       const double cubic = triangles_[t].area / 60.0 * (sum + phi[a] + phi[(a + 1) % 3]);
-      for (int i = firstBulge_[3 * t + a]; i < firstBulge_[3 * t + a + 1]; ++i)
-        add(bulges_[i].node, cubic * bulges_[i].weight);
+      for (const Weight& bulged : bulge(t, a)) add(bulged.node, cubic * bulged.weight);
     }
   }
   // The bulges of a translation vanish, so the sum is ∫ Φ dΓ.

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "bem/boundary_conditions.h"
@@ -30,6 +31,18 @@ class ContactSurface {
   /// continuous along the surface.
   double narrowestMask(const SurfacePoint& point) const;
 
+  struct Weight {
+    int node;
+    double weight;
+  };
+  /// DisplacementRecovery::bulge() of the edge from a corner of a triangle to the next.
+  std::span<const Weight> bulge(int triangle, int corner) const {
+    const int edge = 3 * triangle + corner;
+    return std::span(bulges_).subspan(
+        static_cast<std::size_t>(firstBulge_[edge]),
+        static_cast<std::size_t>(firstBulge_[edge + 1] - firstBulge_[edge]));
+  }
+
   /// Memory that making masks needs; reused, so that nothing is allocated after the first few.
   class Workspace {
    public:
@@ -52,10 +65,6 @@ class ContactSurface {
                 ContactMask& mask) const;
 
  private:
-  struct Weight {
-    int node;
-    double weight;
-  };
   struct Triangle {
     double area;
     double longestEdge;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/contact_surface.h"
 #include "bem/displacement_recovery.h"
 #include "bem/flat_triangle_integrals.h"
 #include "bem/kelvin.h"
@@ -119,6 +120,27 @@ class StressIntegral {
   double area_;
 };
 
+/// 1/2 ∫ p.u dΓ; `workOfBulge` gives b_ab . traction of an edge.
+template <class Work>
+double energyOf(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
+                const Eigen::VectorXd& p, const Work& workOfBulge) {
+  double sum = 0;
+  for (int t = 0; t < mesh.triangleCount(); ++t) {
+    const Matrix3d tractions = cornerTractions(slots, p, t);
+    if (tractions.isZero(0)) continue;
+    const Matrix3d work = cornerDisplacements(mesh, u, t).transpose() * tractions;
+    const double area = mesh.area(t);
+    sum += area / 12.0 * (work.sum() + work.trace());
+    // ∫ λ_a λ_b λ_c = area / 60, twice that for c = a or b.
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      sum += area / 60.0 *
+             workOfBulge(t, a, 2 * tractions.col(a) + 2 * tractions.col(b) + tractions.col(c));
+    }
+  }
+  return 0.5 * sum;
+}
+
 }  // namespace
 
 Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots,
@@ -140,21 +162,23 @@ Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots
 double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
                     const Eigen::VectorXd& p) {
   const DisplacementRecovery recovery(mesh, slots);
-  double sum = 0;
-  for (int t = 0; t < mesh.triangleCount(); ++t) {
-    const Matrix3d tractions = cornerTractions(slots, p, t);
-    if (tractions.isZero(0)) continue;
-    const Matrix3d work = cornerDisplacements(mesh, u, t).transpose() * tractions;
-    sum += mesh.area(t) / 12.0 * (work.sum() + work.trace());
-    // ∫ λ_a λ_b λ_c = area / 60, twice that for c = a or b.
-    for (int a = 0; a < 3; ++a) {
-      const int b = (a + 1) % 3, c = (a + 2) % 3;
-      const Vector3d traction = 2 * tractions.col(a) + 2 * tractions.col(b) + tractions.col(c);
-      for (const auto& [node, weight] : recovery.bulge(t, a))
-        sum += mesh.area(t) / 60.0 * weight * u.segment<3>(3 * node).dot(traction);
-    }
-  }
-  return 0.5 * sum;
+  return energyOf(mesh, slots, u, p, [&](int t, int a, const Vector3d& traction) {
+    double sum = 0;
+    for (const auto& [node, weight] : recovery.bulge(t, a))
+      sum += weight * u.segment<3>(3 * node).dot(traction);
+    return sum;
+  });
+}
+
+double strainEnergy(const ContactSurface& surface, const Eigen::VectorXd& u,
+                    const Eigen::VectorXd& p) {
+  return energyOf(surface.mesh(), surface.slots(), u, p,
+                  [&](int t, int a, const Vector3d& traction) {
+                    double sum = 0;
+                    for (const auto& [node, weight] : surface.bulge(t, a))
+                      sum += weight * u.segment<3>(3 * node).dot(traction);
+                    return sum;
+                  });
 }
 
 std::vector<Matrix3d> surfaceStress(const BoundaryMesh& mesh, const TractionSlots& slots,

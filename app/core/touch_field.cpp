@@ -25,7 +25,7 @@ TouchState TouchField::describe(const TouchSnapshot& snapshot) {
   for (const TouchSnapshot::Contact& contact : snapshot.touched())
     contacts.push_back({contact.point.position, contact.tool.radius, contact.force,
                         contact.displacement, contact.stiffness});
-  return body_->model().describe(field(snapshot), std::move(contacts));
+  return body_->model().describe(field(snapshot), std::move(contacts), &body_->surface());
 }
 
 }  // namespace palpa::app

@@ -17,6 +17,8 @@ using Eigen::Vector3d;
 /// and after so many steps, as contacts move.
 constexpr int kStepsBetweenLooks = 16;
 constexpr std::chrono::milliseconds kRateWindow{250};
+/// How often the loop looks for new input between two steps.
+constexpr std::chrono::microseconds kLook{250};
 constexpr double kLargestRadius = 1e6;  // mm
 constexpr double kLargestFriction = 10;
 
@@ -106,7 +108,7 @@ TouchId TouchLoop::begin(const bem::ContactTool& tool, const Vector3d& at, const
 void TouchLoop::set(TouchId id, const Vector3d& value) {
   Slot& slot = slots_[id % kSlots];
   if (slot.open.load(std::memory_order_acquire) != id || !value.allFinite()) return;
-  slot.values.back() = {id, value};
+  slot.values.back() = {id, value, Clock::now()};
   slot.values.publish();
 }
 
@@ -166,17 +168,39 @@ void TouchLoop::run(const std::stop_token& stop) {
       due = Clock::now();
       continue;
     }
+    const auto began = Clock::now();
     touched_->player->step();
     ++step_;
     if (recording_) ++recording_->steps;
     askForColumns();
     publish();
-    due += kPeriod;
-    // What came too late is not made up for: the hand has moved on.
-    if (const auto now = Clock::now(); due < now)
-      due = now;
-    else
-      sleepUntil(due);
+    // What came too late is not made up for: the hand has moved on. After a step that came early
+    // for its input the period begins anew.
+    due = due + kPeriod < began ? began + kPeriod : std::min(due, began) + kPeriod;
+    waitUntil(due, began + kShortest);
+  }
+}
+
+bool TouchLoop::hasInput() const {
+  for (std::uint64_t left = begun_.load(std::memory_order_acquire); left != 0; left &= left - 1) {
+    const Slot& slot = slots_[std::countr_zero(left)];
+    if (!slot.isTouching || slot.values.hasNew() || slot.isEnding.load(std::memory_order_relaxed))
+      return true;
+  }
+  return false;
+}
+
+/// Until the next step is due or, from `earliest` on, there is input for it.
+void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) const {
+  auto next = std::min(earliest, due);
+  for (;;) {
+    const auto now = Clock::now();
+    if (now < next) {
+      sleepUntil(next);
+      continue;
+    }
+    if (next >= due || hasInput()) return;
+    next = std::min(next + kLook, due);
   }
 }
 
@@ -270,6 +294,7 @@ void TouchLoop::takeSlot(int index) {
       slot.values.front().value != slot.value) {
     slot.value = slot.values.front().value;
     apply({TouchCommand::Kind::kSet, id, {}, Vector3d::Zero(), slot.value});
+    said_[saidCount_++] = slot.values.front().said;
   }
   if (isEnding) {
     apply({TouchCommand::Kind::kEnd, id, {}, Vector3d::Zero(), Vector3d::Zero()});
@@ -323,7 +348,10 @@ void TouchLoop::publish() {
     rateStep_ = step_;
   }
   snapshot.rate = touched_ ? rate_ : 0;
+  const auto time = snapshot.time;
   results_.publish();
+  for (int k = 0; k < saidCount_; ++k) latency_.add(time - said_[k]);
+  saidCount_ = 0;
 }
 
 }  // namespace palpa::app

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "app/core/latency_histogram.h"
 #include "app/core/touch_worker.h"
 
 namespace palpa::app {
@@ -20,7 +21,8 @@ class TouchRefused : public std::runtime_error {
 };
 
 /// The hand meets the body: a thread of its own that takes what mouse, script or device say, finds
-/// the forces a thousand times a second, and hands them out. Neither side waits for the other:
+/// the forces a thousand times a second, and sooner when something new is said (but at most every
+/// half millisecond), and hands them out. Neither side waits for the other:
 /// input comes through one place per contact in which the newest value wins, results go out through
 /// a triple buffer, and the loop itself takes no lock and allocates nothing while contacts are
 /// moved (beginning and ending one, and changing the model, may allocate).
@@ -33,7 +35,8 @@ class TouchRefused : public std::runtime_error {
 class TouchLoop {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kPeriod{1};
+  static constexpr std::chrono::microseconds kPeriod{1000};   ///< between steps without new input
+  static constexpr std::chrono::microseconds kShortest{500};  ///< between steps with new input
   static constexpr const char* kThreadName = "palpa-touch";
   using Options = TouchWorker::Options;
 
@@ -62,6 +65,10 @@ class TouchLoop {
   /// Where the next touch may begin (mm): columns are computed around it.
   void expect(const Eigen::Vector3d& point);
 
+  /// From set() to the snapshot with the force being published, of all values that were used.
+  Latency latency() const { return latency_.read(); }
+  void clearLatency() { latency_.clear(); }
+
   /// The newest snapshot.
   void read(TouchSnapshot& into) const;
   TouchWorker::Status status() const { return worker_.status(); }
@@ -78,6 +85,7 @@ class TouchLoop {
   struct Value {
     TouchId id = 0;
     Eigen::Vector3d value = Eigen::Vector3d::Zero();
+    Clock::time_point said;
   };
   /// One contact. Whoever set its bit in used_ fills it in; then begun_ hands it to the loop.
   struct Slot {
@@ -94,6 +102,8 @@ class TouchLoop {
   static_assert(kSlots == 64, "one bit each");
 
   void run(const std::stop_token& stop);
+  bool hasInput() const;
+  void waitUntil(Clock::time_point due, Clock::time_point earliest) const;
   void receiveOffer();
   void swapIfReady();
   void retire(TouchMail::Offer* offer);
@@ -113,6 +123,8 @@ class TouchLoop {
   mutable std::mutex readers_;  // among readers
   mutable TripleBuffer<TouchSnapshot> results_;
 
+  LatencyHistogram latency_;
+
   std::mutex recorderMutex_;  // among those who record
   bool isRecording_ = false;
   std::atomic<TouchRecording*> newRecording_{nullptr}, finished_{nullptr};
@@ -129,6 +141,8 @@ class TouchLoop {
   int nextReady_ = -1, stepsSinceLook_ = 0;
   std::unique_ptr<TouchRecording> recording_;
   std::uint64_t step_ = 0;
+  std::array<Clock::time_point, kSlots> said_;  // of the values of this step
+  int saidCount_ = 0;
   Clock::time_point rateSince_;
   std::uint64_t rateStep_ = 0;
   double rate_ = 0;

@@ -71,8 +71,8 @@ GeometryError::Findings checkSurface(const modeling::SurfaceMesh& surface,
 
 }  // namespace
 
-TouchState TouchModel::describe(bem::BoundaryField field,
-                                std::vector<TouchState::Contact> contacts) const {
+TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts,
+                                const bem::ContactSurface* surface) const {
   TouchState state{std::move(field), {}, std::move(contacts), 0, 0, 0};
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double largest = 0;
@@ -91,8 +91,9 @@ TouchState TouchModel::describe(bem::BoundaryField field,
   for (const auto& contact : state.contacts) count(contact.force);
   state.balance = sum.norm();
   state.relativeBalance = largest > 0 ? state.balance / largest : 0;
-  state.energy =
-      bem::strainEnergy(setup_.mesh, setup_.slots, state.field.u.col(0), state.field.p.col(0));
+  const auto u = state.field.u.col(0), p = state.field.p.col(0);
+  state.energy = surface ? bem::strainEnergy(*surface, u, p)
+                         : bem::strainEnergy(setup_.mesh, setup_.slots, u, p);
   return state;
 }
 

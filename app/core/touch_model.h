@@ -5,6 +5,7 @@
 #include "app/core/boundary_setup.h"
 #include "app/core/geometry_error.h"
 #include "app/core/model_cache.h"
+#include "bem/contact_surface.h"
 #include "bem/reference_problem.h"
 #include "modeling/project/project.h"
 
@@ -71,8 +72,10 @@ class TouchModel {
   /// What problem() is found by in a cache.
   const ModelCache::Key& key() const { return key_; }
 
-  /// Forces, energy and balance that belong to a field and its contacts.
-  TouchState describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts) const;
+  /// Forces, energy and balance that belong to a field and its contacts. With a `surface` of this
+  /// model some ten times as fast.
+  TouchState describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts,
+                      const bem::ContactSurface* surface = nullptr) const;
 
  private:
   friend std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project&,

@@ -15,9 +15,10 @@ class TripleBuffer {
   void publish() { back_ = middle_.exchange(back_ | kNew, std::memory_order_acq_rel) & kIndex; }
 
   // The reader's side.
+  bool hasNew() const { return (middle_.load(std::memory_order_relaxed) & kNew) != 0; }
   /// Fetches the newest value into front(); false when there is none since the last time.
   bool update() {
-    if ((middle_.load(std::memory_order_relaxed) & kNew) == 0) return false;
+    if (!hasNew()) return false;
     front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
     return true;
   }

@@ -106,6 +106,21 @@ TEST(TripleBuffer, HandsOverTheNewestWholeValue) {
   }
 }
 
+TEST(LatencyHistogram, GivesQuantiles) {
+  LatencyHistogram histogram;
+  EXPECT_EQ(histogram.read().count, 0u);
+  EXPECT_EQ(histogram.read().p99, 0);
+  for (int k = 1; k <= 1000; ++k) histogram.add(std::chrono::microseconds(k));
+  histogram.add(5s);
+  const Latency latency = histogram.read();
+  EXPECT_EQ(latency.count, 1001u);
+  EXPECT_NEAR(latency.p50, 500e-6, 20e-6);
+  EXPECT_NEAR(latency.p99, 990e-6, 20e-6);
+  EXPECT_EQ(latency.largest, 5);
+  histogram.clear();
+  EXPECT_EQ(histogram.read().count, 0u);
+}
+
 TEST(TouchLoop, GivesTheForceOfTheExactSolver) {
   TouchLoop loop;
   loop.setModel(sphere());
@@ -180,6 +195,9 @@ TEST(TouchLoop, TheNewestValueWins) {
   for (int k = 1; k <= 100'000; ++k) loop.set(id, {0, 0, -2e-5 * k});
   const auto snapshot = await(loop, hasValue(id, {0, 0, -2}));
   EXPECT_LT(snapshot.find(id)->force[2], 0);
+  EXPECT_GE(loop.latency().count, 1u);
+  EXPECT_LT(loop.latency().count, 100'000u);
+  EXPECT_GT(loop.latency().largest, 0);
   loop.set(id, {0, 0, std::numeric_limits<double>::quiet_NaN()});
   EXPECT_EQ(await(loop, stepsAfter(snapshot.step + 5)).find(id)->value, Vector3d(0, 0, -2));
 }

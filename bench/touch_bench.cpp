@@ -1,0 +1,225 @@
+// What touching costs, beside the goals: force updates, sliding tools, the whole field, the running
+// loop from input to force, and a touch dragged around the sphere.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/memory.h"
+#include "app/core/priority.h"
+#include "app/core/touch_field.h"
+#include "app/core/touch_player.h"
+#include "bem/contact_solver.h"
+#include "bench/touch_latency.h"
+#include "bench/touch_slide.h"
+#include "modeling/shapes/primitives.h"
+
+namespace {
+
+using namespace palpa;
+using Eigen::Vector3d;
+using Kind = bem::ContactTool::Kind;
+using Command = app::TouchCommand;
+
+template <class Work>
+double secondsFor(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Median over repetitions until half a second has gone by.
+template <class Work>
+double medianSecondsFor(const Work& work) {
+  std::vector<double> times;
+  for (double total = 0; times.size() < 3 || (total < 0.5 && times.size() < 5000);) {
+    times.push_back(secondsFor(work));
+    total += times.back();
+  }
+  return bench::quantilesOf(std::move(times)).p50;
+}
+
+/// The seed's sphere: R = 25 mm, fixed below z = -20 mm.
+std::shared_ptr<const app::TouchModel> sphere(int cellsPerCubeEdge) {
+  modeling::Project project;
+  project.name = "bench";
+  project.material = {"silicone-like", 0.1, 0.45};
+  project.body = modeling::makeSphere(25);
+  project.supports.push_back({"base", modeling::Support::Kind::fixed,
+                              modeling::Region::below(Vector3d::UnitZ(), -20), Vector3d::Zero()});
+  project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
+  return app::buildTouchModel(project, {}, {});
+}
+
+class Bench {
+ public:
+  explicit Bench(int cells) : model_(sphere(cells)) {
+    nodes_ = model_->report().nodes;
+    std::printf("\nn = %d nodes, sphere R = 25 mm, E = 0.1 MPa, nu = 0.45\n", nodes_);
+    std::printf("  %-52s %14s  %s\n", "what", "measured", "goal");
+    add("surface for contacts, made once", "ms",
+        1e3 * secondsFor([&] { body_ = std::make_shared<app::TouchBody>(model_); }));
+  }
+
+  void forces() {
+    for (const int count : {1, 10, 50}) {
+      app::TouchPlayer player(body_);
+      bem::ContactSolver exact(model_->problem(), model_->setup().slots, model_->rest().field);
+      app::TouchId id = 0;
+      int last = 0;
+      for (const Vector3d& at : bench::pointsOnSphere(count)) {
+        player.apply({Command::Kind::kBegin, ++id, {Kind::kGrab, 3}, at, -0.02 * at});
+        last = exact.addGrab(bem::makeContactMask(body_->surface(), at, 3), Vector3d(-0.02 * at));
+      }
+      prepare(player);
+      player.step();
+      double depth = 0;
+      const std::string contacts = std::to_string(count) + (count > 1 ? " grabs" : " grab");
+      const double update = medianSecondsFor([&] {
+        player.apply({Command::Kind::kSet, id, {}, {0, 0, 0}, {0, 0, depth += 1e-4}});
+        player.step();
+      });
+      add("step, " + contacts, "kHz", 1e-3 / update,
+          count == 10   ? ">= 10"
+          : count == 50 ? ">= 1"
+                        : "");
+      add("  exact solver, forces alone", "kHz",
+          1e-3 / medianSecondsFor([&] {
+            exact.setDisplacement(last, {0, 0, depth += 1e-4});
+            exact.forces();
+          }));
+      if (count == 10) fields(player, exact);
+    }
+  }
+
+  void slides(const std::string& csv) {
+    struct Case {
+      std::string what;
+      bem::ContactTool tool;
+      double depth;
+    };
+    std::ofstream file;
+    if (!csv.empty()) file.open(csv);
+    if (file) file << "tool,angle_rad,force_N,fx_N,fy_N,fz_N\n";
+    for (const Case& each : {Case{"finger 6 mm", {Kind::kPush, 6, 0}, 1.5},
+                             Case{"finger 6 mm friction 0.3", {Kind::kPush, 6, 0.3}, 1.5},
+                             Case{"ball 10 mm", {Kind::kProbe, 10, 0}, 1.5},
+                             Case{"ball 10 mm friction 0.3", {Kind::kProbe, 10, 0.3}, 1.5}}) {
+      const bench::Slide slide = bench::dragAround(body_, each.tool, each.depth);
+      std::vector<double> times;
+      int failed = 0, patches = 0;
+      for (const auto& sample : slide.samples) {
+        times.push_back(1e6 * sample.seconds);
+        failed += sample.isConverged ? 0 : 1;
+        patches = std::max(patches, sample.patches);
+        if (file)
+          file << each.what << ',' << sample.angle << ',' << sample.force.norm() << ','
+               << sample.force[0] << ',' << sample.force[1] << ',' << sample.force[2] << '\n';
+      }
+      const bench::Quantiles cost = bench::quantilesOf(std::move(times));
+      add("sliding " + each.what + ", step p50", "us", cost.p50);
+      add("  p99", "us", cost.p99, "< 1000");
+      add("  largest force", "N", slide.largestForce());
+      add("  largest jump between 1 ms samples", "%",
+          100 * slide.largestJump() / slide.largestForce());
+      add("  of its magnitude", "%", 100 * slide.largestMagnitudeJump() / slide.largestForce());
+      add("  masks at most", "", patches);
+      if (failed > 0) add("  steps without convergence", "", failed, "0");
+    }
+    if (!csv.empty() && !file) std::fprintf(stderr, "%s cannot be written\n", csv.c_str());
+  }
+
+  void loop(double seconds) {
+    for (const bool computesAll : {false, true}) {
+      const auto report =
+          bench::measureLatency(model_, 10, std::chrono::duration<double>(seconds), computesAll);
+      const std::string beside = computesAll ? ", columns computed beside" : "";
+      add("first force, no columns before" + beside, "ms", 1e3 * report.firstForce);
+      add("running loop, 10 grabs" + beside, "Hz", report.rate, ">= 1000");
+      add("  input to force, p50", "ms", 1e3 * report.inside.p50);
+      add("  p99", "ms", 1e3 * report.inside.p99, "< 1");
+      add("  largest of " + std::to_string(report.inside.count), "ms", 1e3 * report.inside.largest);
+      add("  until another thread has it, p50", "ms", 1e3 * report.latency.p50);
+      add("  p99", "ms", 1e3 * report.latency.p99);
+      add("  fields displayed meanwhile", "Hz", report.displayed / seconds);
+      if (computesAll) add("  columns at the end", "%", 100 * report.columnsReady);
+    }
+  }
+
+  nlohmann::json json() const { return {{"nodes", nodes_}, {"rows", rows_}}; }
+
+ private:
+  void prepare(app::TouchPlayer& player) const {
+    while (!player.missing().empty()) body_->columns()->compute(player.missing(), {});
+  }
+
+  void fields(app::TouchPlayer& player, const bem::ContactSolver& exact) {
+    app::TouchField field(body_);
+    app::TouchSnapshot snapshot;
+    player.describe(snapshot);
+    field.displacements(snapshot);  // the masks are new
+    field.displacements(snapshot);  // and stay: they are kept
+    add("displacements everywhere, 10 grabs", "kHz",
+        1e-3 / medianSecondsFor([&] { field.displacements(snapshot); }), ">= 1");
+    add("displacements and tractions", "kHz",
+        1e-3 / medianSecondsFor([&] { field.field(snapshot); }));
+    add("with reactions, energy and balance", "ms",
+        1e3 * medianSecondsFor([&] { field.describe(snapshot); }));
+    add("displacements, all 10 just moved", "ms", 1e3 * medianSecondsFor([&] {
+                                                    app::TouchField fresh(body_);
+                                                    fresh.displacements(snapshot);
+                                                  }));
+    const Eigen::VectorXd forces = exact.forces();
+    add("  exact solver, whole field", "kHz",
+        1e-3 / medianSecondsFor([&] { exact.field(forces); }));
+  }
+
+  void add(const std::string& what, const std::string& unit, double value,
+           const std::string& goal = "") {
+    std::printf("  %-52s %10.4g %-4s %s\n", what.c_str(), value, unit.c_str(), goal.c_str());
+    std::fflush(stdout);
+    rows_.push_back({{"what", what}, {"value", value}, {"unit", unit}, {"goal", goal}});
+  }
+
+  std::shared_ptr<const app::TouchModel> model_;
+  std::shared_ptr<app::TouchBody> body_;
+  int nodes_ = 0;
+  nlohmann::json rows_ = nlohmann::json::array();
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App options{"Times what touching the clamped sphere costs."};
+  std::vector<int> cells{10, 20};
+  double seconds = 10;
+  std::string csv, json;
+  options.add_option("--cells", cells,
+                     "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
+  options.add_option("--seconds", seconds, "how long the loop runs; 0: not at all")
+      ->check(CLI::Range(0.0, 3600.0));
+  options.add_option("--csv", csv, "the forces of the slides around the sphere, of the last mesh");
+  options.add_option("--json", json, "all rows as JSON");
+  CLI11_PARSE(options, argc, argv);
+
+  app::lowerPriorityOfLoadedThreads();
+  app::reuseFreedMemory();
+  nlohmann::json all = nlohmann::json::array();
+  for (const int count : cells) {
+    Bench bench(count);
+    bench.forces();
+    bench.slides(csv);
+    if (seconds > 0) bench.loop(seconds);
+    all.push_back(bench.json());
+  }
+  if (json.empty()) return 0;
+  std::ofstream file(json);
+  if (file << all.dump(2) << '\n') return 0;
+  std::fprintf(stderr, "%s cannot be written\n", json.c_str());
+  return 3;
+}

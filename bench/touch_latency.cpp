@@ -1,0 +1,119 @@
+#include "bench/touch_latency.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <thread>
+
+#include "app/core/touch_field.h"
+
+namespace palpa::bench {
+namespace {
+
+using namespace std::chrono_literals;
+using Eigen::Vector3d;
+using Clock = std::chrono::steady_clock;
+using Kind = bem::ContactTool::Kind;
+
+double secondsBetween(Clock::time_point from, Clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+/// What a window does beside the loop.
+int display(const app::TouchLoop& loop, const std::stop_token& stop) {
+  app::TouchSnapshot snapshot;
+  std::unique_ptr<app::TouchField> field;
+  int count = 0;
+  while (!stop.stop_requested()) {
+    loop.read(snapshot);
+    if (const auto body = loop.body(snapshot.model)) {
+      if (!field || field->body() != body) field = std::make_unique<app::TouchField>(body);
+      field->describe(snapshot);
+      ++count;
+    }
+    std::this_thread::sleep_for(16ms);
+  }
+  return count;
+}
+
+}  // namespace
+
+Quantiles quantilesOf(std::vector<double> times) {
+  if (times.empty()) return {};
+  std::sort(times.begin(), times.end());
+  const std::size_t last = times.size() - 1;
+  return {times[last / 2], times[last * 99 / 100], times[last], static_cast<int>(times.size())};
+}
+
+std::vector<Vector3d> pointsOnSphere(int count) {
+  std::vector<Vector3d> points;
+  for (int k = 0; k < count; ++k) {
+    const double z = 0.95 - 1.5 * (k + 0.5) / count;
+    const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+    points.emplace_back(25 * r * std::cos(angle), 25 * r * std::sin(angle), 25 * z);
+  }
+  return points;
+}
+
+LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
+                             std::chrono::duration<double> duration, bool computesAll) {
+  app::TouchLoop::Options options;
+  options.computesAll = computesAll;
+  app::TouchLoop loop(options);
+  app::TouchSnapshot snapshot;
+  const auto number = loop.setModel(model);
+  while (loop.read(snapshot), snapshot.model != number) std::this_thread::sleep_for(1ms);
+  LatencyReport report;
+  const auto touched = Clock::now();
+  app::TouchId last = 0;
+  const std::vector<Vector3d> points = pointsOnSphere(contacts);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    last = loop.begin({Kind::kGrab, 3}, points[k], -0.02 * points[k]);
+    if (k > 0) continue;
+    do loop.read(snapshot);
+    while (!snapshot.find(last) || snapshot.find(last)->force.isZero(0));
+    report.firstForce = secondsBetween(touched, snapshot.time);
+  }
+  const auto isTouching = [&] {
+    loop.read(snapshot);
+    return snapshot.contactCount == contacts &&
+           std::ranges::none_of(snapshot.touched(),
+                                [](const auto& contact) { return contact.force.isZero(0); });
+  };
+  while (!isTouching()) std::this_thread::sleep_for(1ms);
+
+  int displayed = 0;
+  {
+    const std::jthread window(
+        [&](const std::stop_token& stop) { displayed = display(loop, stop); });
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> pause(0.5e-3, 3e-3);
+    std::vector<double> latencies;
+    loop.read(snapshot);
+    const std::uint64_t firstStep = snapshot.step;
+    const auto start = Clock::now();
+    loop.clearLatency();
+    for (int k = 1; Clock::now() - start < duration; ++k) {
+      const Vector3d value(0, 0, 1e-4 * (k % 10'000));
+      const auto said = Clock::now();
+      loop.set(last, value);
+      do {
+        std::this_thread::sleep_for(50us);
+        loop.read(snapshot);
+      } while (snapshot.find(last)->value != value);
+      latencies.push_back(secondsBetween(said, Clock::now()));
+      std::this_thread::sleep_for(std::chrono::duration<double>(pause(random)));
+      loop.read(snapshot);
+    }
+    report.inside = loop.latency();
+    report.rate =
+        static_cast<double>(snapshot.step - firstStep) / secondsBetween(start, snapshot.time);
+    report.latency = quantilesOf(std::move(latencies));
+  }
+  report.displayed = displayed;
+  report.columnsReady = snapshot.columnsReady;
+  return report;
+}
+
+}  // namespace palpa::bench

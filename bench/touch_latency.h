@@ -1,0 +1,36 @@
+#pragma once
+#include <chrono>
+#include <memory>
+
+#include "app/core/touch_loop.h"
+
+namespace palpa::bench {
+
+/// Times of a set, s.
+struct Quantiles {
+  double p50 = 0, p99 = 0, largest = 0;
+  int count = 0;
+};
+Quantiles quantilesOf(std::vector<double> times);
+
+struct LatencyReport {
+  app::Latency inside;  ///< as the loop measures it: from set() to the published force
+  /// s, from set() until another thread that looks every 50 µs has the force
+  Quantiles latency;
+  double rate = 0;          ///< steps per second, over the whole run
+  double firstForce = 0;    ///< s, from a touch on a body without columns to its first force
+  double columnsReady = 0;  ///< at the end
+  int displayed = 0;        ///< fields evaluated meanwhile by another thread, at 60 per second
+};
+
+/// Moves one of `contacts` grabs on the sphere for some time, at moments that have nothing to do
+/// with the loop's, and looks how long forces take; another thread evaluates the whole field 60
+/// times a second. `computesAll`: columns are computed in the background meanwhile; otherwise only
+/// those touched, before.
+LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
+                             std::chrono::duration<double> duration, bool computesAll);
+
+/// Places on the free part of the sphere R = 25 mm, on a spiral.
+std::vector<Eigen::Vector3d> pointsOnSphere(int count);
+
+}  // namespace palpa::bench
