@@ -121,16 +121,18 @@ std::vector<Vector3d> DrawnBody::displacements(const Eigen::Ref<const VectorXd>&
   return result;
 }
 
+std::vector<double> DrawnBody::displacementSizes(const Eigen::Ref<const VectorXd>& u) const {
+  std::vector<double> result;
+  result.reserve(mesh_.positions.size());
+  for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
+    result.push_back(displacementAt(i, u).norm());
+  return result;
+}
+
 std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
                                       const bem::BoundaryField& field) const {
-  std::vector<double> result;
-  if (quantity == SurfaceQuantity::kNone) return result;
-  result.reserve(mesh_.positions.size());
-  if (quantity == SurfaceQuantity::kDisplacement) {
-    for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
-      result.push_back(displacementAt(i, field.u.col(0)).norm());
-    return result;
-  }
+  if (quantity == SurfaceQuantity::kNone) return {};
+  if (quantity == SurfaceQuantity::kDisplacement) return displacementSizes(field.u.col(0));
   const BoundarySetup& setup = model_->setup();
   std::vector<double> ofSlot;
   if (quantity == SurfaceQuantity::kNormalTraction) {
@@ -151,6 +153,8 @@ std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
     ++counts[side];
   }
   for (std::size_t side = 0; side < means.size(); ++side) means[side] /= std::max(counts[side], 1);
+  std::vector<double> result;
+  result.reserve(mesh_.positions.size());
   for (std::size_t i = 0; i < mesh_.positions.size(); ++i) result.push_back(atSides(i, means));
   return result;
 }

@@ -42,6 +42,9 @@ class DrawnBody {
   /// Displacement of each point, mm.
   std::vector<Eigen::Vector3d> displacements(const Eigen::Ref<const Eigen::VectorXd>& u) const;
 
+  /// Their lengths.
+  std::vector<double> displacementSizes(const Eigen::Ref<const Eigen::VectorXd>& u) const;
+
   /// One number per point; empty for kNone. Stresses take some microseconds per node.
   std::vector<double> values(SurfaceQuantity quantity, const bem::BoundaryField& field) const;
 

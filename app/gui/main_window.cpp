@@ -19,10 +19,12 @@
 #include "app/gui/dialogs/preferences_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
+#include "app/gui/docks/forces_dock.h"
 #include "app/gui/docks/history_dock.h"
 #include "app/gui/docks/model_dock.h"
 #include "app/gui/docks/properties_dock.h"
 #include "app/gui/docks/rebuild_dock.h"
+#include "app/gui/simulate/simulate_actions.h"
 #include "app/gui/tools/point_tools.h"
 #include "app/gui/tools/surface_tools.h"
 
@@ -31,14 +33,17 @@ namespace {
 
 constexpr int kUntilCloseAgain = 50;  // ms until a window that was busy tries again to close
 constexpr int kDockWidth = 340;       // leaves the view nearly three quarters of a window of 1280
-constexpr int kLayoutVersion = 2;     // of what saveState() writes; another one is not restored
+constexpr int kRateInterval = 250;    // ms between two looks at the rate of touching
+constexpr int kLayoutVersion = 3;     // of what saveState() writes; another one is not restored
 
 }  // namespace
 
 MainWindow::MainWindow()
     : editor_(settings_),
+      simulation_(editor_),
       viewport_(new ViewportWidget(this)),
       scene_(editor_, *viewport_),
+      pictures_(new SimulationView(simulation_, settings_, scene_, *viewport_)),
       warnings_(editor_, *viewport_),
       menus_(*this),
       tools_(menus_, *viewport_),
@@ -46,6 +51,7 @@ MainWindow::MainWindow()
       messages_(new MessageBar(viewport_)),
       hint_(new QLabel(this)),
       rebuild_(new QPushButton(this)),
+      rate_(new QLabel(this)),
       frame_(new QLabel(this)) {
   setCentralWidget(viewport_);
   setAcceptDrops(true);
@@ -58,6 +64,7 @@ MainWindow::MainWindow()
   new ViewActions(workspace_);
   addTools();
   new SolidActions(workspace_);
+  new SimulateActions(workspace_, simulation_, *pictures_);
   addDocks();
   addDialogs();
   addHelpActions(workspace_);
@@ -85,7 +92,12 @@ void MainWindow::addTools() {
 
 void MainWindow::addDocks() {
   docks_ = {new ModelDock(workspace_), new HistoryDock(editor_, this),
-            new PropertiesDock(workspace_), new RebuildDock(editor_, this)};
+            new PropertiesDock(workspace_), new RebuildDock(editor_, this),
+            new ForcesDock(simulation_, settings_, this)};
+  connect(&simulation_, &Simulation::activeChanged, this, [this](bool active) {
+    if (active) docks_[4]->show();
+    docks_[active ? 4 : 0]->raise();
+  });
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   for (QDockWidget* dock : docks_) menus_.view->addAction(dock->toggleViewAction());
   menus_.add(menus_.view,
@@ -94,7 +106,7 @@ void MainWindow::addDocks() {
 }
 
 void MainWindow::layOutDocks() {
-  const auto [model, history, properties, rebuild] = docks_;
+  const auto [model, history, properties, rebuild, forces] = docks_;
   for (QDockWidget* dock : docks_) {
     removeDockWidget(dock);
     dock->setFloating(false);
@@ -105,6 +117,7 @@ void MainWindow::layOutDocks() {
   menus_.tools->show();
   for (QDockWidget* dock : {model, properties}) addDockWidget(Qt::RightDockWidgetArea, dock);
   tabifyDockWidget(model, history);
+  tabifyDockWidget(history, forces);
   tabifyDockWidget(properties, rebuild);
   for (QDockWidget* dock : docks_) dock->show();
   model->raise();
@@ -134,12 +147,19 @@ void MainWindow::addStatusBar() {
   rebuild_->setFlat(true);
   rebuild_->setToolTip(tr("Show the stages of the rebuild and the facts of the model"));
   connect(rebuild_, &QPushButton::clicked, this, [this] {
-    QDockWidget* dock = docks_.back();
+    QDockWidget* dock = docks_[3];
     dock->show();
     dock->raise();
   });
   statusBar()->addPermanentWidget(rebuild_);
+  statusBar()->addPermanentWidget(rate_);
   statusBar()->addPermanentWidget(frame_);
+  rate_->setObjectName("touchRate");
+  rate_->setToolTip(tr("How often a second forces are found"));
+  auto* rateTimer = new QTimer(this);
+  connect(rateTimer, &QTimer::timeout, this, &MainWindow::updateRate);
+  rateTimer->start(kRateInterval);
+  connect(&simulation_, &Simulation::activeChanged, this, &MainWindow::updateRate);
   const auto showHint = [this] { hint_->setText(tools_.active().hint()); };
   connect(&tools_, &ToolBox::changed, this, showHint);
   showHint();
@@ -170,6 +190,15 @@ void MainWindow::updateStatus() {
   rebuild_->setText(rebuildText(status));
   rebuild_->setIcon(status.state == app::RebuildStatus::State::kFailed ? icon("warning") : QIcon());
   viewport_->setComputing(status.state == app::RebuildStatus::State::kBuilding);
+}
+
+void MainWindow::updateRate() {
+  QString text;
+  if (simulation_.isActive() && simulation_.drawn()) {
+    text = tr("%L1 Hz").arg(simulation_.snapshot().rate, 0, 'f', 0);
+    if (simulation_.isBehind()) text = tr("Touching the previous model · %1").arg(text);
+  }
+  if (rate_->text() != text) rate_->setText(text);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

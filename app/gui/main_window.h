@@ -12,6 +12,7 @@
 #include "app/gui/menus.h"
 #include "app/gui/scene_controller.h"
 #include "app/gui/settings.h"
+#include "app/gui/simulate/simulation_view.h"
 #include "app/gui/tools/tool_box.h"
 #include "app/gui/viewport_widget.h"
 #include "app/gui/widgets/message_bar.h"
@@ -31,6 +32,7 @@ class MainWindow : public QMainWindow {
   Settings& settings() { return settings_; }
   ViewportWidget& viewport() { return *viewport_; }
   ToolBox& tools() { return tools_; }
+  Simulation& simulation() { return simulation_; }
   FileActions& files() { return *files_; }
 
   /// Opens a project or imports a body, by the ending of the file's name.
@@ -56,21 +58,25 @@ class MainWindow : public QMainWindow {
   void addStatusBar();
   void updateTitle();
   void updateStatus();
+  void updateRate();
   void applySettings();
 
   Settings settings_;
   Editor editor_;
+  Simulation simulation_;
   ViewportWidget* viewport_;
   SceneController scene_;
+  SimulationView* pictures_;
   GeometryWarnings warnings_;
   Menus menus_;
   ToolBox tools_;
   Workspace workspace_;
   FileActions* files_ = nullptr;
   MessageBar* messages_;
-  std::array<QDockWidget*, 4> docks_{};  // model, history, properties, rebuild
+  std::array<QDockWidget*, 5> docks_{};  // model, history, properties, rebuild, forces
   QLabel* hint_;
   QPushButton* rebuild_;
+  QLabel* rate_;
   QLabel* frame_;
 };
 

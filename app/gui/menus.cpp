@@ -19,6 +19,7 @@ Menus::Menus(QMainWindow& window)
       select(window.menuBar()->addMenu(tr("Sele&ct"))),
       solid(window.menuBar()->addMenu(tr("&Solid"))),
       conditions(window.menuBar()->addMenu(tr("Su&pports && Loads"))),
+      simulate(window.menuBar()->addMenu(tr("Si&mulate"))),
       view(window.menuBar()->addMenu(tr("&View"))),
       help(window.menuBar()->addMenu(tr("&Help"))),
       bar(new QToolBar(tr("Main"), &window)),
@@ -31,7 +32,7 @@ Menus::Menus(QMainWindow& window)
   }
   window.addToolBar(Qt::TopToolBarArea, bar);
   window.addToolBar(Qt::LeftToolBarArea, tools);
-  for (QMenu* menu : {file, edit, select, solid, conditions, view, help})
+  for (QMenu* menu : {file, edit, select, solid, conditions, simulate, view, help})
     menu->setToolTipsVisible(true);
 }
 

@@ -19,6 +19,7 @@ class Menus {
   QMenu* select;
   QMenu* solid;
   QMenu* conditions;  ///< supports, loads, touches, material, mesh
+  QMenu* simulate;    ///< touching
   QMenu* view;
   QMenu* help;
   QToolBar* bar;    ///< top: files, history, views

@@ -27,7 +27,7 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
     : QObject(&widget), editor_(editor), widget_(widget) {
   connect(&editor, &Editor::projectReplaced, this, [this] {
     showProject();
-    widget_.viewport().fit();
+    if (isShown_) widget_.viewport().fit();
   });
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
@@ -36,7 +36,24 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
   widget_.viewport().fit();
 }
 
+void SceneController::setShown(bool shown) {
+  if (shown == isShown_) return;
+  isShown_ = shown;
+  if (shown) {
+    showProject();
+    return;
+  }
+  view::Viewport& viewport = widget_.viewport();
+  viewport.setControlNet({});
+  viewport.setGizmo(std::nullopt);
+  viewport.setLoadArrows({});
+  viewport.setTouchMarkers({});
+  viewport.setToolDrawing({});
+  viewport.setRegions({}, {});
+}
+
 void SceneController::showProject() {
+  if (!isShown_) return;
   hovered_.reset();
   hoveredPatch_.reset();
   following_.clear();
@@ -100,6 +117,7 @@ void SceneController::setPatches(const std::vector<view::Triangle>& triangles,
 }
 
 void SceneController::showChange(const modeling::Change& change) {
+  if (!isShown_) return;
   if (change.topology) {
     showProject();
     return;
@@ -131,6 +149,7 @@ void SceneController::showRegions() {
 }
 
 void SceneController::showMarks() {
+  if (!isShown_) return;
   const std::set<int>& selected = editor_.selection().patches;
   std::vector<Mark> marks(patchOfTriangle_.size(), Mark::kNone);
   for (std::size_t t = 0; t < marks.size(); ++t) {
@@ -146,6 +165,7 @@ void SceneController::showLoads() {
 }
 
 void SceneController::showTouches() {
+  if (!isShown_) return;
   widget_.viewport().setTouchMarkers(touchMarkers(editor_.project(), editor_.selection()));
   widget_.update();
 }
@@ -153,7 +173,7 @@ void SceneController::showTouches() {
 void SceneController::showSelection() {
   const modeling::Solid* solid = editor_.solid();
   // An edit may announce the selection while the view still has the net before it.
-  if (!solid || solid->controlPoints().size() != netSize_) return;
+  if (!isShown_ || !solid || solid->controlPoints().size() != netSize_) return;
   const std::set<int> moved = pointsOf(editor_.selection(), *solid);
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
   for (int point : moved) states[point] = HandleState::kFollowing;

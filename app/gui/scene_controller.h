@@ -20,6 +20,10 @@ class SceneController : public QObject {
  public:
   SceneController(Editor& editor, ViewportWidget& widget);
 
+  /// While it is not shown the view belongs to others: what changes then is drawn when it is shown
+  /// again.
+  void setShown(bool shown);
+
   /// The control point under the pointer, highlighted.
   void setHovered(std::optional<int> point);
   void setGizmoAxis(view::GizmoAxis axis);
@@ -63,6 +67,7 @@ class SceneController : public QObject {
   std::unique_ptr<modeling::Tessellation> tessellation_;
   modeling::Tessellation::Shape shape_;  // as shown
   std::vector<int> patchOfTriangle_, patchOfPosition_;
+  bool isShown_ = true;
   std::optional<int> hovered_;
   std::optional<int> hoveredPatch_;
   std::set<int> following_;

@@ -5,7 +5,11 @@ namespace palpa::gui {
 ToolBox::ToolBox(Menus& menus, ViewportWidget& widget)
     : menus_(menus), widget_(widget), group_(this) {
   connect(&widget, &ViewportWidget::escaped, this, [this] {
-    if (!entries_.empty()) activate(entries_.front().tool.get());
+    for (const Entry& entry : entries_) {
+      if (entry.mode != mode_) continue;
+      activate(entry.tool.get());
+      break;
+    }
   });
 }
 
@@ -13,7 +17,7 @@ ToolBox::~ToolBox() {
   widget_.setTool(nullptr);
 }
 
-Tool* ToolBox::add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& item) {
+Tool* ToolBox::add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& item, Mode mode) {
   Tool* added = tool.get();
   QAction* action = menus_.add(menu, item, this, [this, added] { activate(added); });
   action->setCheckable(true);
@@ -22,9 +26,20 @@ Tool* ToolBox::add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& i
   connect(added, &Tool::changed, this, [this, added] {
     if (added == active_) Q_EMIT changed();
   });
-  entries_.push_back({std::move(tool), action});
-  if (!active_) activate(added);
+  entries_.push_back({std::move(tool), action, mode});
+  action->setVisible(mode == mode_);
+  Tool*& last = last_[static_cast<std::size_t>(mode)];
+  if (!last) last = added;
+  if (!active_ && mode == mode_) activate(added);
   return added;
+}
+
+void ToolBox::setMode(Mode mode) {
+  if (mode == mode_) return;
+  last_[static_cast<std::size_t>(mode_)] = active_;
+  mode_ = mode;
+  for (const Entry& entry : entries_) entry.action->setVisible(entry.mode == mode);
+  activate(last_[static_cast<std::size_t>(mode)]);
 }
 
 QString ToolBox::activeTitle() const {

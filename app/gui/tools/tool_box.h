@@ -2,6 +2,7 @@
 
 #include <QActionGroup>
 #include <QObject>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -11,8 +12,11 @@
 
 namespace palpa::gui {
 
+/// What the window is used for; each mode has tools of its own.
+enum class Mode { kModel, kSimulate };
+
 /// All tools; one of them is active and gets the events of the view. Escape with nothing to cancel
-/// goes back to the first.
+/// goes back to the first of the mode.
 class ToolBox : public QObject {
   Q_OBJECT
 
@@ -21,7 +25,12 @@ class ToolBox : public QObject {
   ~ToolBox() override;
 
   /// Adds a tool with its button and its place in a menu. The first one is active from the start.
-  Tool* add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& item);
+  Tool* add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& item,
+            Mode mode = Mode::kModel);
+
+  Mode mode() const { return mode_; }
+  /// Shows the mode's tools and activates the one of them that was active last.
+  void setMode(Mode mode);
 
   Tool& active() { return *active_; }
   void activate(Tool* tool);
@@ -39,9 +48,12 @@ class ToolBox : public QObject {
   struct Entry {
     std::unique_ptr<Tool> tool;
     QAction* action;
+    Mode mode;
   };
   std::vector<Entry> entries_;
   Tool* active_ = nullptr;
+  Mode mode_ = Mode::kModel;
+  std::array<Tool*, 2> last_{};  // active in each mode
 };
 
 }  // namespace palpa::gui

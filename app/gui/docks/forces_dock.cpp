@@ -1,0 +1,211 @@
+#include "app/gui/docks/forces_dock.h"
+
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <map>
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kInterval = 80;  // ms between two looks: numbers that change faster cannot be read
+constexpr int kDigits = 4;
+
+using Kind = bem::ContactTool::Kind;
+using Status = app::TouchSnapshot::Status;
+
+QString kindText(Kind kind) {
+  switch (kind) {
+    case Kind::kGrab:
+      return ForcesDock::tr("Grab");
+    case Kind::kPush:
+      return ForcesDock::tr("Push");
+    case Kind::kProbe:
+      return ForcesDock::tr("Ball");
+    case Kind::kForce:
+      return ForcesDock::tr("Force");
+  }
+  return {};
+}
+
+QString statusText(Status status) {
+  switch (status) {
+    case Status::kWaiting:
+      return ForcesDock::tr("waits for its place to be solved");
+    case Status::kHeld:
+      return ForcesDock::tr("on a support: no force");
+    case Status::kOpen:
+      return ForcesDock::tr("does not touch");
+    case Status::kHolding:
+      return ForcesDock::tr("holds");
+    case Status::kSticking:
+      return ForcesDock::tr("sticks");
+    case Status::kSlipping:
+      return ForcesDock::tr("slips");
+  }
+  return {};
+}
+
+}  // namespace
+
+ForcesDock::ForcesDock(Simulation& simulation, const Settings& settings, QWidget* parent)
+    : QDockWidget(tr("Forces"), parent),
+      simulation_(simulation),
+      settings_(settings),
+      list_(new QTreeWidget(this)),
+      summary_(new QLabel(this)),
+      plot_(new PlotWidget(this)) {
+  setObjectName("forces");
+  list_->setObjectName("contacts");
+  list_->setAccessibleName(tr("Forces of contacts and supports"));
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setSelectionMode(QAbstractItemView::NoSelection);
+  list_->setHeaderLabels(
+      {tr("Contact"), tr("Force"), tr("Moved"), tr("Stiffness"), tr("Force along x, y, z")});
+  list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->setMinimumHeight(90);
+  summary_->setObjectName("forcesSummary");
+  summary_->setWordWrap(true);
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(0, 0, 0, 6);
+  column->addWidget(list_, 3);
+  column->addWidget(plot_, 4);
+  column->addWidget(summary_);
+  summary_->setContentsMargins(10, 0, 10, 0);
+  setWidget(content);
+  soon_.setSingleShot(true);
+  soon_.setInterval(kInterval);
+  connect(&soon_, &QTimer::timeout, this, &ForcesDock::showForces);
+  const auto showSoon = [this] {
+    if (!soon_.isActive()) soon_.start();
+  };
+  connect(&simulation, &Simulation::framed, this, [this, showSoon] {
+    history_.add(simulation_.snapshot());
+    showSoon();
+  });
+  connect(&simulation, &Simulation::activeChanged, this, [this, showSoon] {
+    history_.clear();
+    showSoon();
+  });
+  connect(&settings, &Settings::changed, this, showSoon);
+  showForces();
+}
+
+QString ForcesDock::text(int row, int column) const {
+  const QTreeWidgetItem* item = list_->topLevelItem(row);
+  return item ? item->text(column) : QString();
+}
+
+QString ForcesDock::shownAs(double value, Quantity quantity) const {
+  return shown(value, quantity, settings_.units(), kDigits);
+}
+
+QString ForcesDock::vectorText(const Eigen::Vector3d& vector, Quantity quantity) const {
+  const Unit& unit = settings_.units().of(quantity);
+  // With as many decimals as the length has: what is only noise beside it reads as 0.
+  const double size = vector.norm() / unit.factor;
+  const int decimals =
+      size > 0 ? std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
+  QStringList parts;
+  for (int k = 0; k < 3; ++k) {
+    const double value = vector[k] / unit.factor;
+    parts << QString::number(value + 0.0, 'f', decimals);
+  }
+  return parts.join(", ");
+}
+
+void ForcesDock::fillRow(int row, const QStringList& texts) {
+  while (list_->topLevelItemCount() <= row) {
+    auto* item = new QTreeWidgetItem(list_);
+    for (int column = 1; column < 5; ++column) item->setTextAlignment(column, Qt::AlignRight);
+  }
+  QTreeWidgetItem* item = list_->topLevelItem(row);
+  for (int column = 0; column < texts.size(); ++column)
+    if (item->text(column) != texts[column]) item->setText(column, texts[column]);
+}
+
+void ForcesDock::showPlot() {
+  plot_->setVisible(simulation_.isActive());
+  const auto& samples = history_.samples();
+  if (!plot_->isVisible() || samples.empty()) return;
+  std::map<app::TouchId, view::ForcePlot::Curve> curves;
+  const Unit& unit = settings_.units().of(Quantity::kForce);
+  for (const ForceHistory::Sample& sample : samples)
+    for (const auto& [id, force] : sample.forces) {
+      curves[id].times.push_back(sample.time);
+      curves[id].forces.push_back(force / unit.factor);
+    }
+  std::vector<view::ForcePlot::Curve> shownCurves;
+  int number = 0;
+  for (auto& [id, curve] : curves) {
+    curve.name = std::to_string(++number);
+    shownCurves.push_back(std::move(curve));
+  }
+  const double end = std::max(samples.back().time, ForceHistory::kSeconds / 3);
+  plot_->setCurves(shownCurves, std::max(0.0, end - ForceHistory::kSeconds), end,
+                   unit.symbol.toStdString());
+}
+
+void ForcesDock::showForces() {
+  showPlot();
+  const auto rows = [this](int count) {
+    while (list_->topLevelItemCount() > count) delete list_->takeTopLevelItem(count);
+  };
+  if (!simulation_.isActive()) {
+    rows(0);
+    summary_->setText(tr("Switch to Simulate (F5) to touch the solid and read its forces."));
+    return;
+  }
+  if (!simulation_.drawn()) {
+    rows(0);
+    summary_->setText(tr("Touching begins as soon as the model is built."));
+    return;
+  }
+  const app::TouchSnapshot& snapshot = simulation_.snapshot();
+  int row = 0;
+  const Unit& length = settings_.units().of(Quantity::kLength);
+  const Unit& force = settings_.units().of(Quantity::kForce);
+  for (const auto& contact : snapshot.touched()) {
+    const int number = row + 1;
+    const bool hasForce = contact.status != Status::kWaiting && contact.status != Status::kHeld;
+    const double stiffness = contact.stiffness * length.factor / force.factor;
+    fillRow(row++,
+            {tr("%1 %2, %3")
+                 .arg(kindText(contact.tool.kind))
+                 .arg(number)
+                 .arg(statusText(contact.status)),
+             hasForce ? shownAs(contact.force.norm(), Quantity::kForce) : tr("–"),
+             hasForce ? shownAs(contact.displacement.norm(), Quantity::kLength) : QString(),
+             hasForce && stiffness > 0
+                 ? tr("%L1 %2/%3").arg(stiffness, 0, 'g', kDigits).arg(force.symbol, length.symbol)
+                 : QString(),
+             hasForce ? vectorText(contact.force, Quantity::kForce) : QString()});
+  }
+  QString words;
+  if (const auto state = simulation_.describe()) {
+    for (const auto& support : state->supports)
+      fillRow(row++, {tr("Support %1").arg(QString::fromStdString(support.name)),
+                      shownAs(support.resultant.force.norm(), Quantity::kForce), QString(),
+                      QString(), vectorText(support.resultant.force, Quantity::kForce)});
+    words = tr("Energy %L1 mJ · balance %L2 %")
+                .arg(state->energy, 0, 'g', kDigits)
+                .arg(100 * state->relativeBalance, 0, 'g', 2);
+  }
+  rows(row);
+  if (!snapshot.isConverged)
+    words += "\n" + tr("The laws of contact cannot be met here; these are the last forces that met "
+                       "them. Move back a little.");
+  const app::TouchWorker::Status status = simulation_.columns();
+  if (!status.error.empty())
+    words += "\n" + QString::fromStdString(status.error);
+  else if (snapshot.columnsReady < 1)
+    words +=
+        "\n" + tr("%L1 % of the surface solved ahead").arg(100 * snapshot.columnsReady, 0, 'f', 0);
+  if (snapshot.contactCount == 0) words += "\n" + tr("Nothing is touched.");
+  summary_->setText(words.trimmed());
+}
+
+}  // namespace palpa::gui

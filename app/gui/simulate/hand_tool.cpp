@@ -1,0 +1,275 @@
+#include "app/gui/simulate/hand_tool.h"
+
+#include <Eigen/Geometry>
+#include <QFormLayout>
+
+#include "app/core/touch.h"
+#include "app/gui/tools/condition_options.h"
+#include "app/gui/widgets/quantity_edit.h"
+
+namespace palpa::gui {
+namespace {
+
+using Kind = bem::ContactTool::Kind;
+using Style = view::ToolDrawing::Style;
+
+constexpr double kNotch = 0.05;   // of the radius: how far a notch of the wheel presses
+constexpr double kPinReach = 12;  // pixels
+constexpr double kMostFriction = 10;
+
+bool isPushing(Kind kind) {
+  return kind == Kind::kPush || kind == Kind::kProbe;
+}
+
+}  // namespace
+
+double HandOptions::radius(const app::DrawnBody& body) const {
+  return radius_.value_or(app::defaultTouchRadius(body.model().setup().mesh));
+}
+
+void HandOptions::setRadius(double radius) {
+  radius_ = radius;
+  Q_EMIT changed();
+}
+
+void HandOptions::setFriction(double friction) {
+  friction_ = friction;
+  Q_EMIT changed();
+}
+
+HandTool::HandTool(Kind kind, Settings& settings, Simulation& simulation, HandOptions& options,
+                   ViewportWidget& widget)
+    : kind_(kind),
+      settings_(settings),
+      simulation_(simulation),
+      options_(options),
+      widget_(widget) {
+  // A contact is bound to its body; an edit keeps it, another project does not.
+  connect(&simulation, &Simulation::activeChanged, this, [this] { hold_.reset(); });
+}
+
+double HandTool::forcePerLength(const app::DrawnBody& body, double radius) {
+  // About the stiffness of a half-space under a disc: the pull looks like what it does.
+  return 2 * body.model().setup().material.youngsModulus * radius;
+}
+
+std::optional<HandTool::Place> HandTool::placeAt(const Eigen::Vector2d& pixel) const {
+  const app::DrawnBody* body = simulation_.drawn();
+  if (!body) return std::nullopt;
+  const auto hit = widget_.viewport().surfaceAt(pixel);
+  if (!hit) return std::nullopt;
+  const auto& [a, b, c] = body->mesh().triangles[static_cast<std::size_t>(hit->triangle)];
+  const auto& drawn = simulation_.shape().positions;
+  const Eigen::Vector3d p = drawn[b] - drawn[a], q = drawn[c] - drawn[a],
+                        r = hit->position - drawn[a];
+  const Eigen::Vector3d area = p.cross(q);
+  const double s = r.cross(q).dot(area) / area.squaredNorm();
+  const double t = p.cross(r).dot(area) / area.squaredNorm();
+  const auto& unloaded = body->mesh().positions;
+  const auto& normals = simulation_.shape().normals;
+  return Place{(1 - s - t) * unloaded[a] + s * unloaded[b] + t * unloaded[c], hit->position,
+               ((1 - s - t) * normals[a] + s * normals[b] + t * normals[c]).normalized()};
+}
+
+std::optional<app::TouchId> HandTool::pinAt(const Eigen::Vector2d& pixel) const {
+  std::optional<app::TouchId> nearest;
+  double least = kPinReach * widget_.devicePixelRatioF();
+  for (const auto& contact : simulation_.snapshot().touched()) {
+    const Eigen::Vector3d drawn =
+        contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
+    const double distance = (widget_.viewport().toPixel(drawn) - pixel).norm();
+    if (distance > least) continue;
+    least = distance;
+    nearest = contact.id;
+  }
+  return nearest;
+}
+
+bool HandTool::press(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  widget_.viewport().setToolDrawing({});
+  if (const auto pin = pinAt(event.pixel)) {
+    const auto& contact = *simulation_.snapshot().find(*pin);
+    const Eigen::Vector3d drawn =
+        contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
+    const bem::BoundaryMesh& mesh = simulation_.drawn()->model().setup().mesh;
+    const double gain = contact.tool.kind == Kind::kForce
+                            ? forcePerLength(*simulation_.drawn(), contact.tool.radius)
+                            : 1;
+    hold_ = Hold{*pin,
+                 contact.tool.kind,
+                 gain,
+                 contact.value,
+                 drawn,
+                 mesh.normal(contact.point.triangle),
+                 event.pixel,
+                 Eigen::Vector3d::Zero(),
+                 Eigen::Vector3d::Zero()};
+    Q_EMIT changed();
+    return true;
+  }
+  const auto place = placeAt(event.pixel);
+  if (!place) return true;
+  const double radius = options_.radius(*simulation_.drawn());
+  const bem::ContactTool tool{kind_, radius, isPushing(kind_) ? options_.friction() : 0};
+  // It begins without a jump: where the place is, touching, or without force.
+  const Eigen::Vector3d displaced =
+      (place->drawn - place->at) / std::max(simulation_.scale(), 1e-9);
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();
+  if (kind_ == Kind::kGrab) start = displaced;
+  if (kind_ == Kind::kPush) start = place->at + displaced;
+  if (kind_ == Kind::kProbe) start = place->at + displaced + radius * place->normal;
+  const auto id = simulation_.begin(tool, place->at, start);
+  if (!id) return true;
+  hold_ = Hold{*id,
+               kind_,
+               kind_ == Kind::kForce ? forcePerLength(*simulation_.drawn(), radius) : 1,
+               start,
+               place->drawn,
+               place->normal,
+               event.pixel,
+               Eigen::Vector3d::Zero(),
+               Eigen::Vector3d::Zero()};
+  widget_.setCursor(cursor());
+  Q_EMIT changed();
+  return true;
+}
+
+void HandTool::pull(const Eigen::Vector2d& pixel, bool alongNormal) {
+  if (alongNormal != hold_->alongNormal) {
+    hold_->alongNormal = alongNormal;
+    hold_->done = hold_->motion;
+    hold_->from = pixel;
+  }
+  const view::Viewport& viewport = widget_.viewport();
+  const Eigen::Vector3d place = hold_->place + hold_->done;
+  const auto at = [&](const Eigen::Vector2d& where) {
+    return alongNormal ? viewport.onLine(where, place, hold_->normal)
+                       : std::optional(viewport.inViewPlane(where, place));
+  };
+  const auto before = at(hold_->from), now = at(pixel);
+  if (!before || !now || !now->allFinite()) return;
+  hold_->motion = hold_->done + (*now - *before);
+  simulation_.move(hold_->id, hold_->start + hold_->gain * hold_->motion);
+}
+
+bool HandTool::move(const PointerEvent& event) {
+  if (!hold_) {
+    drawHover(event.pixel);
+    return false;
+  }
+  pull(event.pixel, (event.modifiers & Qt::ControlModifier) != 0);
+  return true;
+}
+
+void HandTool::drawHover(const Eigen::Vector2d& pixel) {
+  view::ToolDrawing drawing;
+  if (const auto place = placeAt(pixel)) {
+    drawing.dots.push_back({place->drawn, pinAt(pixel) ? Style::kHovered : Style::kPreview});
+    simulation_.expect(place->at);
+  }
+  widget_.viewport().setToolDrawing(drawing);
+  widget_.update();
+}
+
+bool HandTool::release(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton || !hold_) return false;
+  const bool stays = (event.modifiers & Qt::ShiftModifier) != 0;
+  if (!stays) simulation_.letGo(hold_->id);
+  hold_.reset();
+  widget_.setCursor(cursor());
+  Q_EMIT changed();
+  return true;
+}
+
+bool HandTool::doubleClick(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  if (const auto pin = pinAt(event.pixel)) {
+    simulation_.letGo(*pin);
+    return true;
+  }
+  return press(event);
+}
+
+bool HandTool::wheel(const PointerEvent&, double notches) {
+  if (!hold_ || !simulation_.drawn()) return false;
+  const Eigen::Vector3d step =
+      -notches * kNotch * options_.radius(*simulation_.drawn()) * hold_->normal;
+  hold_->done += step;
+  hold_->motion += step;
+  simulation_.move(hold_->id, hold_->start + hold_->gain * hold_->motion);
+  return true;
+}
+
+void HandTool::leave() {
+  if (hold_) return;
+  widget_.viewport().setToolDrawing({});
+  widget_.update();
+}
+
+bool HandTool::cancel() {
+  if (hold_) {
+    simulation_.letGo(hold_->id);
+    hold_.reset();
+    widget_.setCursor(cursor());
+    Q_EMIT changed();
+    return true;
+  }
+  if (!simulation_.isActive() || simulation_.snapshot().contactCount == 0) return false;
+  simulation_.letGoOfAll();
+  return true;
+}
+
+void HandTool::deactivate() {
+  if (hold_) cancel();
+  widget_.viewport().setToolDrawing({});
+}
+
+QCursor HandTool::cursor() const {
+  return hold_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
+}
+
+QString HandTool::hint() const {
+  if (hold_)
+    return tr("Ctrl or the wheel: along the normal. Shift when letting go: it stays as a pin");
+  switch (kind_) {
+    case Kind::kGrab:
+      return tr("Press on the surface and drag: it follows the hand");
+    case Kind::kPush:
+      return tr("Press on the surface, push in with the wheel or Ctrl, drag to slide");
+    case Kind::kProbe:
+      return tr("Press on the surface to set a ball on it, push in with the wheel or Ctrl");
+    case Kind::kForce:
+      return tr("Press on the surface and drag out a force");
+  }
+  return {};
+}
+
+QWidget* HandTool::makeOptions(QWidget* parent) {
+  auto* widget = new QWidget(parent);
+  auto* form = new QFormLayout(widget);
+  form->setContentsMargins(0, 0, 0, 0);
+  auto* radius = new QuantityEdit(Quantity::kLength, settings_, widget);
+  radius->setRange(1e-6, 1e6);
+  const auto showRadius = [this, radius] {
+    if (simulation_.drawn()) radius->setValue(options_.radius(*simulation_.drawn()));
+    radius->setEnabled(simulation_.drawn() != nullptr);
+  };
+  showRadius();
+  addRow(form, kind_ == Kind::kProbe ? tr("&Radius of the ball") : tr("&Radius of the fingertip"),
+         radius, "handRadius",
+         kind_ == Kind::kProbe ? tr("The ball is rigid; its contact grows with depth")
+                               : tr("The contact presses on a disc of this radius"));
+  connect(radius, &QuantityEdit::edited, &options_, &HandOptions::setRadius);
+  connect(&simulation_, &Simulation::bodyChanged, radius, showRadius);
+  if (!isPushing(kind_)) return widget;
+  auto* friction = new QuantityEdit(Quantity::kNumber, settings_, widget);
+  friction->setRange(0, kMostFriction);
+  friction->setValue(options_.friction());
+  addRow(form, tr("&Friction"), friction, "handFriction",
+         tr("Coulomb's coefficient; 0: it slides freely"));
+  connect(friction, &QuantityEdit::edited, &options_, &HandOptions::setFriction);
+  return widget;
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/gui/settings.h"
+#include "app/gui/simulate/simulation.h"
+#include "app/gui/tools/tool.h"
+#include "app/gui/viewport_widget.h"
+
+namespace palpa::gui {
+
+/// What all hand tools share and a person can set.
+class HandOptions : public QObject {
+  Q_OBJECT
+
+ public:
+  /// mm; that of a fingertip for the body when none was set.
+  double radius(const app::DrawnBody& body) const;
+  double friction() const { return friction_; }
+  void setRadius(double radius);
+  void setFriction(double friction);
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  std::optional<double> radius_;
+  double friction_ = 0.5;
+};
+
+/// The hand in Simulate mode: a press begins a contact, dragging moves it parallel to the screen,
+/// or along the normal of its place with Ctrl or the wheel; release lets go, with Shift it stays as
+/// a pin. A press on a pin takes hold of it again.
+class HandTool : public Tool {
+  Q_OBJECT
+
+ public:
+  using Kind = bem::ContactTool::Kind;
+  HandTool(Kind kind, Settings& settings, Simulation& simulation, HandOptions& options,
+           ViewportWidget& widget);
+
+  void deactivate() override;
+  bool press(const PointerEvent& event) override;
+  bool move(const PointerEvent& event) override;
+  bool release(const PointerEvent& event) override;
+  bool doubleClick(const PointerEvent& event) override;
+  bool wheel(const PointerEvent& event, double notches) override;
+  void leave() override;
+  /// Lets go of what is held; otherwise of all pins.
+  bool cancel() override;
+  QCursor cursor() const override;
+  QString hint() const override;
+  QWidget* makeOptions(QWidget* parent) override;
+
+  /// N per mm by which the arrow of a given force was pulled.
+  static double forcePerLength(const app::DrawnBody& body, double radius);
+
+ private:
+  /// Place, on the unloaded shape and as it is drawn, and normal under a pixel.
+  struct Place {
+    Eigen::Vector3d at, drawn, normal;
+  };
+  std::optional<Place> placeAt(const Eigen::Vector2d& pixel) const;
+  std::optional<app::TouchId> pinAt(const Eigen::Vector2d& pixel) const;
+  void pull(const Eigen::Vector2d& pixel, bool alongNormal);
+  void drawHover(const Eigen::Vector2d& pixel);
+
+  /// What is held.
+  struct Hold {
+    app::TouchId id = 0;
+    Kind kind{};
+    double gain = 1;         // value per mm of motion
+    Eigen::Vector3d start;   // value before any motion
+    Eigen::Vector3d place;   // mm, where it is drawn: the plane of the motion
+    Eigen::Vector3d normal;  // unit, outwards
+    Eigen::Vector2d from;    // pixel of the last change of direction
+    Eigen::Vector3d done;    // mm, motion before `from`
+    Eigen::Vector3d motion;  // mm, so far
+    bool alongNormal = false;
+  };
+
+  Kind kind_;
+  Settings& settings_;
+  Simulation& simulation_;
+  HandOptions& options_;
+  ViewportWidget& widget_;
+  std::optional<Hold> hold_;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,107 @@
+#include "app/gui/simulate/simulate_actions.h"
+
+#include <QActionGroup>
+#include <QToolButton>
+
+#include "app/gui/main_window.h"
+#include "app/gui/menus.h"
+#include "app/gui/tools/tool_box.h"
+
+namespace palpa::gui {
+
+using Kind = bem::ContactTool::Kind;
+using app::SurfaceQuantity;
+
+SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulation,
+                                 SimulationView& pictures)
+    : QObject(&workspace.window),
+      workspace_(workspace),
+      simulation_(simulation),
+      pictures_(pictures) {
+  addModes();
+  addTools();
+  addPictures();
+  connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
+  show(false);
+}
+
+void SimulateActions::addModes() {
+  Menus& menus = workspace_.menus;
+  auto* modes = new QActionGroup(this);
+  model_ = menus.add(menus.simulate,
+                     {"model", tr("M&odel"), QKeySequence(Qt::SHIFT | Qt::Key_F5),
+                      tr("Shape the solid: control points, supports, loads")},
+                     this, [this] { simulation_.setActive(false); });
+  simulate_ = menus.add(menus.simulate,
+                        {"simulate", tr("&Simulate"), QKeySequence(Qt::Key_F5),
+                         tr("Touch the solid and read the forces")},
+                        this, [this] { simulation_.setActive(true); });
+  for (QAction* action : {model_, simulate_}) {
+    action->setCheckable(true);
+    modes->addAction(action);
+    menus.bar->addAction(action);
+    // Where one is matters more than anything else in the bar: with words.
+    static_cast<QToolButton*>(menus.bar->widgetForAction(action))
+        ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+  menus.simulate->addSeparator();
+}
+
+void SimulateActions::addTools() {
+  const auto add = [this](Kind kind, const Menus::Item& item) {
+    workspace_.tools.add(
+        std::make_unique<HandTool>(kind, workspace_.settings, simulation_, hand_, workspace_.view),
+        workspace_.menus.simulate, item, Mode::kSimulate);
+  };
+  add(Kind::kGrab, {"hand-grab", tr("&Grab"), QKeySequence(Qt::Key_H),
+                    tr("Take hold of the surface and pull it anywhere")});
+  add(Kind::kPush, {"hand-push", tr("&Push"), QKeySequence(Qt::Key_P),
+                    tr("Press with a fingertip that slides and sticks")});
+  add(Kind::kProbe, {"hand-ball", tr("&Ball"), QKeySequence(Qt::Key_B),
+                     tr("Press with a rigid ball; the contact grows with depth")});
+  add(Kind::kForce,
+      {"hand-force", tr("&Force"), QKeySequence(Qt::Key_D), tr("Pull with a given force")});
+  workspace_.menus.simulate->addSeparator();
+  onlySimulating_.push_back(workspace_.menus.add(
+      workspace_.menus.simulate,
+      {"hand-release", tr("&Let go of all"), {}, tr("Remove all contacts and pins (Escape)")}, this,
+      [this] { simulation_.letGoOfAll(); }));
+  workspace_.menus.simulate->addSeparator();
+}
+
+void SimulateActions::addPictures() {
+  Menus& menus = workspace_.menus;
+  QMenu* colours = menus.simulate->addMenu(tr("&Colour by"));
+  auto* group = new QActionGroup(this);
+  const auto add = [&](SurfaceQuantity quantity, const QString& text) {
+    QAction* action = menus.addToggle(colours, {nullptr, text}, simulation_.quantity() == quantity,
+                                      this, [this, quantity](bool on) {
+                                        if (on) simulation_.setQuantity(quantity);
+                                      });
+    group->addAction(action);
+  };
+  add(SurfaceQuantity::kDisplacement, tr("&Displacement |u|"));
+  add(SurfaceQuantity::kNormalTraction, tr("&Normal traction"));
+  add(SurfaceQuantity::kVonMises, tr("&von Mises stress"));
+  add(SurfaceQuantity::kNone, tr("&Plain"));
+  menus.addToggle(menus.simulate,
+                  {nullptr, tr("&Undeformed shape"), {}, tr("Show where the surface was")},
+                  pictures_.isGhostShown(), this, [this](bool on) { pictures_.setGhostShown(on); });
+  QMenu* scales = menus.simulate->addMenu(tr("D&raw displacements"));
+  auto* factors = new QActionGroup(this);
+  for (const int factor : {0, 1, 2, 5, 10, 50}) {
+    QAction* action = menus.addToggle(scales, {nullptr, tr("× %1").arg(factor)},
+                                      simulation_.scale() == factor, this, [this, factor](bool on) {
+                                        if (on) simulation_.setScale(factor);
+                                      });
+    factors->addAction(action);
+  }
+}
+
+void SimulateActions::show(bool isActive) {
+  (isActive ? simulate_ : model_)->setChecked(true);
+  for (QAction* action : onlySimulating_) action->setEnabled(isActive);
+  workspace_.tools.setMode(isActive ? Mode::kSimulate : Mode::kModel);
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/gui/simulate/hand_tool.h"
+#include "app/gui/simulate/simulation_view.h"
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// The Simulate menu: the switch between the modes, the hand's tools, what is drawn.
+class SimulateActions : public QObject {
+  Q_OBJECT
+
+ public:
+  SimulateActions(const Workspace& workspace, Simulation& simulation, SimulationView& pictures);
+
+ private:
+  void addModes();
+  void addTools();
+  void addPictures();
+  void show(bool isActive);
+
+  Workspace workspace_;
+  Simulation& simulation_;
+  SimulationView& pictures_;
+  HandOptions hand_;
+  QAction* model_ = nullptr;
+  QAction* simulate_ = nullptr;
+  std::vector<QAction*> onlySimulating_;
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,232 @@
+#include "app/gui/simulate/simulation_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+namespace palpa::gui {
+namespace {
+
+using Status = app::TouchSnapshot::Status;
+using Kind = bem::ContactTool::Kind;
+using app::SurfaceQuantity;
+
+constexpr int kRingPieces = 40;
+constexpr int kDigits = 3;
+
+/// Below zero on held triangles, above on free ones, with the border along their common edges.
+std::vector<double> supportField(const app::DrawnBody& body) {
+  constexpr double kOnBorder = -1e-3;  // a held triangle with three corners there is still inside
+  std::vector<double> field(body.mesh().positions.size(), 1.0);
+  std::vector<bool> isFree(field.size(), false);
+  for (std::size_t t = 0; t < body.mesh().triangles.size(); ++t)
+    for (const int corner : body.mesh().triangles[t]) {
+      const auto i = static_cast<std::size_t>(corner);
+      if (body.isHeld()[t])
+        field[i] = -1.0;
+      else
+        isFree[i] = true;
+    }
+  bool any = false;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    any = any || field[i] < 0;
+    if (field[i] < 0 && isFree[i]) field[i] = kOnBorder;
+  }
+  if (!any) field.clear();
+  return field;
+}
+
+std::vector<std::vector<int>> polylines(const std::vector<std::array<int, 2>>& pairs) {
+  std::vector<std::vector<int>> lines;
+  lines.reserve(pairs.size());
+  for (const auto& [a, b] : pairs) lines.push_back({a, b});
+  return lines;
+}
+
+view::ContactRing::State stateOf(Status status, bool isConverged) {
+  using State = view::ContactRing::State;
+  if (!isConverged) return State::kFailed;
+  switch (status) {
+    case Status::kHolding:
+      return State::kHolding;
+    case Status::kSticking:
+      return State::kSticking;
+    case Status::kSlipping:
+      return State::kSlipping;
+    default:
+      return State::kOpen;
+  }
+}
+
+}  // namespace
+
+SimulationView::SimulationView(Simulation& simulation, const Settings& settings,
+                               SceneController& scene, ViewportWidget& widget)
+    : QObject(&widget),
+      simulation_(simulation),
+      settings_(settings),
+      scene_(scene),
+      widget_(widget) {
+  connect(&simulation, &Simulation::activeChanged, this, &SimulationView::enterOrLeave);
+  connect(&simulation, &Simulation::bodyChanged, this, &SimulationView::showBody);
+  connect(&simulation, &Simulation::framed, this, &SimulationView::showFrame);
+  connect(&simulation, &Simulation::picturesChanged, this, [this] {
+    if (hasBody_ && simulation_.drawn()) showBody();
+  });
+}
+
+void SimulationView::enterOrLeave(bool active) {
+  if (active) {
+    // The body as it is modelled stays until the first model is there.
+    scene_.setShown(false);
+    return;
+  }
+  view::Viewport& viewport = widget_.viewport();
+  viewport.setField(std::nullopt);
+  viewport.setGhost(std::nullopt);
+  viewport.setLiveArrows({});
+  viewport.setContactRings({});
+  viewport.setProbeBalls({});
+  hasBody_ = false;
+  fullForce_ = 0;
+  scene_.setShown(true);
+  widget_.update();
+}
+
+view::ScalarField SimulationView::fieldLooks() const {
+  view::ScalarField field;
+  const Quantity quantity = simulation_.quantity() == SurfaceQuantity::kDisplacement
+                                ? Quantity::kLength
+                                : Quantity::kStress;
+  field.unit = settings_.units().of(quantity).symbol.toStdString();
+  switch (simulation_.quantity()) {
+    case SurfaceQuantity::kDisplacement:
+      field.name = tr("Displacement |u|").toStdString();
+      break;
+    case SurfaceQuantity::kNormalTraction:
+      field.name = tr("Normal traction").toStdString();
+      field.colours = view::ScalarField::Colours::kDiverging;
+      break;
+    case SurfaceQuantity::kVonMises:
+      field.name = tr("von Mises stress").toStdString();
+      break;
+    case SurfaceQuantity::kNone:
+      break;
+  }
+  return field;
+}
+
+void SimulationView::showBody() {
+  const app::DrawnBody& body = *simulation_.drawn();
+  const modeling::DisplayMesh& mesh = body.mesh();
+  view::Viewport& viewport = widget_.viewport();
+  viewport.setBody({simulation_.shape().positions, simulation_.shape().normals, mesh.triangles,
+                    mesh.patchOfTriangle, polylines(body.borders()), polylines(mesh.edgeLines)});
+  viewport.setRegions(supportField(body), {});
+  if (simulation_.quantity() == SurfaceQuantity::kNone) {
+    viewport.setField(std::nullopt);
+  } else {
+    view::ScalarField field = fieldLooks();
+    field.values.assign(mesh.positions.size(), 0.0);
+    field.range = std::array<double, 2>{0, 1};
+    viewport.setField(field);
+  }
+  hasBody_ = true;
+  showGhost();
+  showFrame();
+}
+
+void SimulationView::setGhostShown(bool shown) {
+  isGhostShown_ = shown;
+  if (hasBody_) showGhost();
+  widget_.update();
+}
+
+void SimulationView::showGhost() {
+  if (!isGhostShown_) {
+    widget_.viewport().setGhost(std::nullopt);
+    return;
+  }
+  const app::DrawnBody& body = *simulation_.drawn();
+  widget_.viewport().setGhost(view::ViewportBody{body.mesh().positions,
+                                                 body.mesh().normals,
+                                                 body.mesh().triangles,
+                                                 body.mesh().patchOfTriangle,
+                                                 polylines(body.borders()),
+                                                 {}});
+}
+
+void SimulationView::showFrame() {
+  if (!hasBody_) return;
+  view::Viewport& viewport = widget_.viewport();
+  viewport.moveBody(simulation_.shape().positions, simulation_.shape().normals);
+  if (simulation_.quantity() != SurfaceQuantity::kNone) {
+    const Quantity quantity = simulation_.quantity() == SurfaceQuantity::kDisplacement
+                                  ? Quantity::kLength
+                                  : Quantity::kStress;
+    const double factor = settings_.units().of(quantity).factor;
+    std::vector<double> values = simulation_.values();
+    for (double& value : values) value /= factor;
+    viewport.setFieldValues(values,
+                            {simulation_.range()[0] / factor, simulation_.range()[1] / factor});
+  }
+  showContacts();
+  widget_.updateQuickly();
+}
+
+std::vector<Eigen::Vector3d> SimulationView::ring(const app::TouchSnapshot::Contact& contact,
+                                                  double radius) const {
+  std::vector<Eigen::Vector3d> points;
+  const auto body = simulation_.body();
+  const Eigen::Vector3d normal = body->model().setup().mesh.normal(contact.point.triangle);
+  const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
+  for (int i = 0; i < kRingPieces; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kRingPieces;
+    const bem::SurfacePoint place = body->surface().tree().nearest(
+        contact.point.position + radius * (std::cos(angle) * x + std::sin(angle) * y));
+    points.push_back(place.position + simulation_.scale() * simulation_.displacementAt(place));
+  }
+  return points;
+}
+
+void SimulationView::showContacts() {
+  const app::TouchSnapshot& snapshot = simulation_.snapshot();
+  view::LiveArrows arrows;
+  std::vector<view::ContactRing> rings;
+  std::vector<view::ProbeBall> balls;
+  double largest = 0;
+  for (const auto& contact : snapshot.touched()) {
+    const Eigen::Vector3d moved = simulation_.displacementAt(contact.point);
+    const Eigen::Vector3d drawn = contact.point.position + simulation_.scale() * moved;
+    const double force = contact.force.norm();
+    largest = std::max(largest, force);
+    if (force > 0) {
+      const Eigen::Vector3d normal =
+          simulation_.drawn()->model().setup().mesh.normal(contact.point.triangle);
+      arrows.arrows.push_back(
+          {drawn, contact.force,
+           contact.force.dot(normal) < 0 ? view::ForceArrow::Anchor::kTip
+                                         : view::ForceArrow::Anchor::kTail,
+           view::ForceArrow::Role::kApplied,
+           shown(force, Quantity::kForce, settings_.units(), kDigits).toStdString()});
+    }
+    double radius = contact.tool.radius;
+    if (contact.tool.kind == Kind::kProbe) {
+      balls.push_back({contact.value + (simulation_.scale() - 1) * moved, contact.tool.radius});
+      radius = 0;
+      for (const auto& patch : snapshot.pressed(contact))
+        radius = std::max(radius, (patch.point.position - contact.point.position).norm() + 0.5 * patch.radius);
+    }
+    if (radius > 0)
+      rings.push_back({ring(contact, radius), stateOf(contact.status, snapshot.isConverged)});
+  }
+  // Steady while one presses harder, as the colours.
+  if (largest > fullForce_ || largest < 0.1 * fullForce_) fullForce_ = 2 * largest;
+  arrows.fullForce = fullForce_ > 0 ? fullForce_ : 1;
+  view::Viewport& viewport = widget_.viewport();
+  viewport.setLiveArrows(arrows);
+  viewport.setContactRings(rings);
+  viewport.setProbeBalls(balls);
+}
+
+}  // namespace palpa::gui

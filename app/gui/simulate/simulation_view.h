@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QObject>
+
+#include "app/gui/scene_controller.h"
+#include "app/gui/settings.h"
+#include "app/gui/simulate/simulation.h"
+#include "app/gui/viewport_widget.h"
+
+namespace palpa::gui {
+
+/// The pictures of Simulate mode: the deformed surface in colours, arrows with newtons, rings
+/// around contacts, balls, and the undeformed shape as a ghost. Gives the view back to the scene
+/// controller when the mode is left.
+class SimulationView : public QObject {
+  Q_OBJECT
+
+ public:
+  SimulationView(Simulation& simulation, const Settings& settings, SceneController& scene,
+                 ViewportWidget& widget);
+
+  void setGhostShown(bool shown);
+  bool isGhostShown() const { return isGhostShown_; }
+
+ private:
+  void enterOrLeave(bool active);
+  void showBody();
+  void showGhost();
+  void showFrame();
+  void showContacts();
+  view::ScalarField fieldLooks() const;
+  std::vector<Eigen::Vector3d> ring(const app::TouchSnapshot::Contact& contact,
+                                    double radius) const;
+
+  Simulation& simulation_;
+  const Settings& settings_;
+  SceneController& scene_;
+  ViewportWidget& widget_;
+  bool isGhostShown_ = true;
+  bool hasBody_ = false;
+  double fullForce_ = 0;  // N, of the longest arrow
+};
+
+}  // namespace palpa::gui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "app/gui/canvas.h"
+#include "app/view/force_plot.h"
+
+namespace palpa::gui {
+
+/// A ForcePlot as a widget, in the colours of the theme.
+class PlotWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlotWidget(QWidget* parent = nullptr);
+  ~PlotWidget() override;
+
+  /// ForcePlot::setCurves().
+  void setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin, double end,
+                 const std::string& unit);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Canvas canvas_;
+  std::unique_ptr<view::ForcePlot> plot_;
+};
+
+}  // namespace palpa::gui

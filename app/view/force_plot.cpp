@@ -1,0 +1,139 @@
+#include "app/view/force_plot.h"
+
+#include <vtkAxis.h>
+#include <vtkChartLegend.h>
+#include <vtkChartXY.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlot.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace palpa::view {
+namespace {
+
+constexpr double kFontSize = 11;  // logical pixels
+constexpr double kLineWidth = 1.8;
+constexpr double kHeadroom = 1.08;
+constexpr double kLeastForce = 1e-9;  // of the axis, where all curves are zero
+
+/// Okabe and Ito's, which colour-blind people can tell apart.
+constexpr std::array<std::array<unsigned char, 3>, 6> kColours{
+    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}}};
+
+}  // namespace
+
+struct ForcePlot::Parts {
+  vtkRenderWindow* window;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkContextActor> actor;
+  vtkNew<vtkChartXY> chart;
+  ViewportTheme theme = ViewportTheme::light();
+  double ratio = 1;
+
+  void updateLooks() {
+    renderer->SetBackground(theme.backgroundTop.data());
+    const auto style = [this](vtkTextProperty* text) {
+      text->SetColor(theme.text[0], theme.text[1], theme.text[2]);
+      text->SetFontSize(static_cast<int>(std::lround(kFontSize * ratio)));
+      text->SetBold(false);
+    };
+    for (const int side : {vtkAxis::LEFT, vtkAxis::BOTTOM}) {
+      vtkAxis* axis = chart->GetAxis(side);
+      style(axis->GetLabelProperties());
+      style(axis->GetTitleProperties());
+      axis->GetPen()->SetColorF(theme.text[0], theme.text[1], theme.text[2], 0.6);
+      axis->GetGridPen()->SetColorF(theme.grid[0], theme.grid[1], theme.grid[2], 0.8);
+      axis->GetPen()->SetWidth(static_cast<float>(ratio));
+      axis->GetGridPen()->SetWidth(static_cast<float>(ratio));
+    }
+    style(chart->GetLegend()->GetLabelProperties());
+  }
+};
+
+ForcePlot::ForcePlot(vtkRenderWindow* window) : parts_(std::make_unique<Parts>()) {
+  parts_->window = window;
+  window->SetMultiSamples(0);
+  window->SetDPI(72);  // a point of a font is a pixel
+  vtkNew<vtkContextScene> scene;
+  scene->AddItem(parts_->chart);
+  parts_->actor->SetScene(scene);
+  scene->SetRenderer(parts_->renderer);
+  parts_->renderer->AddActor(parts_->actor);
+  parts_->chart->SetAutoSize(true);
+  parts_->chart->SetForceAxesToBounds(true);
+  parts_->chart->SetShowLegend(true);
+  parts_->chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
+  parts_->chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
+  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle("s");
+  for (const int side : {vtkAxis::LEFT, vtkAxis::BOTTOM})
+    parts_->chart->GetAxis(side)->SetBehavior(vtkAxis::FIXED);
+  window->AddRenderer(parts_->renderer);
+  parts_->updateLooks();
+}
+
+ForcePlot::~ForcePlot() {
+  parts_->window->RemoveRenderer(parts_->renderer);
+}
+
+void ForcePlot::setTheme(const ViewportTheme& theme) {
+  parts_->theme = theme;
+  parts_->updateLooks();
+}
+
+void ForcePlot::setPixelRatio(double ratio) {
+  if (ratio == parts_->ratio) return;
+  parts_->ratio = ratio;
+  parts_->updateLooks();
+}
+
+void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double end,
+                          const std::string& unit) {
+  vtkChartXY* chart = parts_->chart;
+  chart->ClearPlots();
+  double largest = kLeastForce;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Curve& curve = curves[i];
+    if (curve.times.size() != curve.forces.size())
+      throw std::invalid_argument("force plot: a curve needs one force per time");
+    if (curve.times.size() < 2) continue;
+    vtkNew<vtkTable> table;
+    vtkNew<vtkFloatArray> times, forces;
+    times->SetName("time");
+    forces->SetName(curve.name.c_str());
+    for (std::size_t k = 0; k < curve.times.size(); ++k) {
+      times->InsertNextValue(static_cast<float>(curve.times[k]));
+      forces->InsertNextValue(static_cast<float>(curve.forces[k]));
+      largest = std::max(largest, curve.forces[k]);
+    }
+    table->AddColumn(times);
+    table->AddColumn(forces);
+    vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
+    plot->SetInputData(table, 0, 1);
+    const auto& [r, g, b] = kColours[i % kColours.size()];
+    plot->SetColor(r, g, b, 255);
+    plot->SetWidth(static_cast<float>(kLineWidth * parts_->ratio));
+  }
+  vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
+  bottom->SetRange(begin, end);
+  vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
+  left->SetRange(0, kHeadroom * largest);
+  left->SetTitle(unit);
+  chart->RecalculateBounds();
+}
+
+void ForcePlot::render() {
+  parts_->window->Render();
+}
+
+}  // namespace palpa::view

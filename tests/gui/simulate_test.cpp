@@ -1,0 +1,149 @@
+#include <QAction>
+#include <QLabel>
+#include <QTreeWidget>
+
+#include "app/gui/docks/forces_dock.h"
+#include "app/gui/simulate/hand_tool.h"
+#include "modeling/project/project_file.h"
+#include "tests/gui/window_fixture.h"
+
+namespace palpa::gui {
+namespace {
+
+using Status = app::TouchSnapshot::Status;
+
+class Simulate : public WindowTest {
+ protected:
+  Simulation& simulation() { return window_->simulation(); }
+  ForcesDock& forces() { return *find<ForcesDock>("forces"); }
+
+  void enter() {
+    ASSERT_TRUE(window_->openFile(kSphere));
+    waitForModel();
+    action("Simulate")->trigger();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().drawn() != nullptr; }, 20000));
+    QTest::qWait(50);
+  }
+  /// A point on the sphere that is well seen.
+  QPoint onBody() { return pixelOf({15, -15, 13}); }
+  const app::TouchSnapshot::Contact* contact() {
+    const auto touched = simulation().snapshot().touched();
+    return touched.empty() ? nullptr : &touched.front();
+  }
+  bool waitForForce() {
+    return QTest::qWaitFor([&] { return contact() && contact()->force.norm() > 1e-6; }, 20000);
+  }
+  void slowly(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = {}) {
+    for (int i = 1; i <= 8; ++i) {
+      moveTo(from + (to - from) * i / 8, Qt::LeftButton, modifiers);
+      QTest::qWait(15);
+    }
+  }
+};
+
+TEST_F(Simulate, AGrabPullsAndTheDockSaysWithHowManyNewtons) {
+  enter();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(60, -30));
+  ASSERT_TRUE(waitForForce());
+  QTest::qWait(300);
+  const auto held = *contact();
+  EXPECT_EQ(held.status, Status::kHolding);
+  EXPECT_GT(held.displacement.norm(), 1.0);
+  // The dock reads what the loop found.
+  EXPECT_TRUE(forces().text(0, 0).startsWith("Grab 1"));
+  EXPECT_EQ(forces().text(0, 1), shown(held.force.norm(), Quantity::kForce, {}, 4));
+  EXPECT_TRUE(forces().text(1, 0).contains("base"));
+  keepPicture("simulate-grab");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + QPoint(60, -30));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 5000));
+  QTest::qWait(200);
+  EXPECT_TRUE(forces().text(0, 0).contains("base"));
+  EXPECT_EQ(simulation().displacementAt(held.point).norm(), 0.0);
+}
+
+TEST_F(Simulate, ABallIsPushedInWithTheWheel) {
+  enter();
+  action("Ball")->trigger();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  std::vector<double> sizes;
+  for (int i = 0; i < 12; ++i) {
+    QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120}, Qt::LeftButton, {},
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view(), &event);
+    QTest::qWait(60);
+    if (contact()) sizes.push_back(contact()->force.norm());
+  }
+  ASSERT_TRUE(waitForForce());
+  QTest::qWait(300);
+  EXPECT_GT(sizes.back(), sizes[sizes.size() / 2]);
+  EXPECT_TRUE(contact()->status == Status::kSticking || contact()->status == Status::kSlipping);
+  // It presses: the force points into the body.
+  EXPECT_LT(contact()->force.dot(contact()->point.position), 0);
+  keepPicture("simulate-ball");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, at);
+}
+
+TEST_F(Simulate, ShiftLeavesAPinAndEscapeLetsGo) {
+  enter();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(40, 20));
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(40, 20));
+  ASSERT_TRUE(waitForForce());
+  // A second one, beside it.
+  const QPoint other = at + QPoint(-150, 40);
+  action("Force")->trigger();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, other);
+  slowly(other, other + QPoint(-40, 0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 2; }, 5000));
+  QTest::qWait(300);
+  keepPicture("simulate-pin");
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, other + QPoint(-40, 0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 1; }, 5000));
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 5000));
+}
+
+TEST_F(Simulate, AnEditDuringATouchSwapsTheModel) {
+  enter();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(40, 20));
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(40, 20));
+  ASSERT_TRUE(waitForForce());
+  const double before = contact()->force.norm();
+  const std::uint64_t model = simulation().snapshot().model;
+  modeling::Material stiffer = editor().project().material;
+  stiffer.youngsModulus *= 2;
+  ASSERT_TRUE(editor().perform(modeling::SetMaterial{stiffer}));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().model > model; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !simulation().isBehind(); }, 20000));
+  QTest::qWait(100);
+  ASSERT_TRUE(contact());
+  EXPECT_NEAR(contact()->force.norm(), 2 * before, 1e-3 * before);
+}
+
+TEST_F(Simulate, TheModelComesBackAsItWas) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  waitForModel();
+  const std::string before = text();
+  QTest::qWait(400);
+  const QImage picture = view().grab().toImage();
+  action("Simulate")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().drawn() != nullptr; }, 20000));
+  EXPECT_TRUE(action("Push")->isVisible());
+  EXPECT_FALSE(action("Scale")->isVisible());
+  keepPicture("simulate-rest");
+  action("Model")->trigger();
+  QTest::qWait(400);
+  EXPECT_FALSE(simulation().isActive());
+  EXPECT_TRUE(action("Scale")->isVisible());
+  EXPECT_EQ(text(), before);
+  EXPECT_EQ(view().grab().toImage(), picture);
+}
+
+}  // namespace
+}  // namespace palpa::gui
