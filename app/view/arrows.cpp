@@ -6,9 +6,11 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkSmartPointer.h>
 #include <vtkTubeFilter.h>
 
 #include <algorithm>
+#include <array>
 
 #include "app/view/camera_fit.h"
 #include "app/view/colour_map.h"
@@ -18,10 +20,6 @@
 namespace palpa::view {
 namespace {
 
-/// Thickness relative to the body's diagonal, the same for all arrows: only the length speaks.
-constexpr double kShaftRadius = 0.0075;
-constexpr double kHeadRadius = 0.021;
-constexpr double kHeadLength = 0.062;
 constexpr int kSides = 32;
 
 vtkSmartPointer<vtkActor> makePart(vtkAlgorithmOutput* shape, const Colour& colour,
@@ -39,6 +37,42 @@ vtkSmartPointer<vtkActor> makePart(vtkAlgorithmOutput* shape, const Colour& colo
   property->SetSpecularPower(20);
   property->BackfaceCullingOn();
   return actor;
+}
+
+/// Shaft and head of an arrow as solid bodies.
+std::array<vtkSmartPointer<vtkActor>, 2> makeArrow(const PlacedArrow& arrow, double bodyDiagonal,
+                                                   const Colour& colour, double opacity) {
+  const Eigen::Vector3d along = arrow.tip - arrow.tail;
+  const double length = along.norm();
+  const double shrink = std::min(1.0, 0.6 * length / (kArrowHeadLength * bodyDiagonal));
+  const double headLength = shrink * kArrowHeadLength * bodyDiagonal;
+  const Eigen::Vector3d direction = along / length;
+  const Eigen::Vector3d neck = arrow.tip - headLength * direction;
+
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(arrow.tail.x(), arrow.tail.y(), arrow.tail.z());
+  line->SetPoint2(neck.x(), neck.y(), neck.z());
+  vtkNew<vtkTubeFilter> shaft;
+  shaft->SetInputConnection(line->GetOutputPort());
+  shaft->SetRadius(shrink * kArrowShaftRadius * bodyDiagonal);
+  shaft->SetNumberOfSides(kSides);
+  shaft->CappingOn();
+
+  const Eigen::Vector3d middle = arrow.tip - 0.5 * headLength * direction;
+  vtkNew<vtkConeSource> head;
+  head->SetCenter(middle.x(), middle.y(), middle.z());
+  head->SetDirection(direction.x(), direction.y(), direction.z());
+  head->SetHeight(headLength);
+  head->SetRadius(shrink * kArrowHeadRadius * bodyDiagonal);
+  head->SetResolution(kSides);
+  return {makePart(shaft->GetOutputPort(), colour, opacity),
+          makePart(head->GetOutputPort(), colour, opacity)};
+}
+
+PlacedArrow place(const ForceArrow& arrow, double length) {
+  const Eigen::Vector3d vector = length * arrow.force.normalized();
+  if (arrow.anchor == ForceArrow::Anchor::kTail) return {arrow.at, arrow.at + vector, &arrow};
+  return {arrow.at - vector, arrow.at, &arrow};
 }
 
 }  // namespace
@@ -61,45 +95,20 @@ std::vector<PlacedArrow> placeArrows(const std::vector<ForceArrow>& arrows, doub
   std::vector<PlacedArrow> placed;
   for (const ForceArrow& arrow : arrows) {
     const double force = arrow.force.norm();
-    if (force == 0) continue;
-    const double length = longest * std::max(force / largest, 0.25);
-    const Eigen::Vector3d vector = length * arrow.force / force;
-    if (arrow.anchor == ForceArrow::Anchor::kTail) {
-      placed.push_back({arrow.at, arrow.at + vector, &arrow});
-    } else {
-      placed.push_back({arrow.at - vector, arrow.at, &arrow});
-    }
+    if (force > 0) placed.push_back(place(arrow, longest * std::max(force / largest, 0.25)));
   }
   return placed;
 }
 
-std::array<vtkSmartPointer<vtkActor>, 2> makeArrow(const PlacedArrow& arrow, double bodyDiagonal,
-                                                   const Colour& colour, double opacity) {
-  const Eigen::Vector3d along = arrow.tip - arrow.tail;
-  const double length = along.norm();
-  const double shrink = std::min(1.0, 0.6 * length / (kHeadLength * bodyDiagonal));
-  const double headLength = shrink * kHeadLength * bodyDiagonal;
-  const Eigen::Vector3d direction = along / length;
-  const Eigen::Vector3d neck = arrow.tip - headLength * direction;
-
-  vtkNew<vtkLineSource> line;
-  line->SetPoint1(arrow.tail.x(), arrow.tail.y(), arrow.tail.z());
-  line->SetPoint2(neck.x(), neck.y(), neck.z());
-  vtkNew<vtkTubeFilter> shaft;
-  shaft->SetInputConnection(line->GetOutputPort());
-  shaft->SetRadius(shrink * kShaftRadius * bodyDiagonal);
-  shaft->SetNumberOfSides(kSides);
-  shaft->CappingOn();
-
-  const Eigen::Vector3d middle = arrow.tip - 0.5 * headLength * direction;
-  vtkNew<vtkConeSource> head;
-  head->SetCenter(middle.x(), middle.y(), middle.z());
-  head->SetDirection(direction.x(), direction.y(), direction.z());
-  head->SetHeight(headLength);
-  head->SetRadius(shrink * kHeadRadius * bodyDiagonal);
-  head->SetResolution(kSides);
-  return {makePart(shaft->GetOutputPort(), colour, opacity),
-          makePart(head->GetOutputPort(), colour, opacity)};
+std::vector<PlacedArrow> placeLiveArrows(const LiveArrows& arrows, double longest) {
+  // Far below a pixel there is no direction worth drawing.
+  constexpr double kSmallest = 1e-3;
+  std::vector<PlacedArrow> placed;
+  for (const ForceArrow& arrow : arrows.arrows) {
+    const double share = arrow.force.norm() / arrows.fullForce;
+    if (share > kSmallest) placed.push_back(place(arrow, longest * std::min(share, 1.0)));
+  }
+  return placed;
 }
 
 void addArrows(const std::vector<PlacedArrow>& arrows, double bodyDiagonal, double opacity,

@@ -1,18 +1,21 @@
 #pragma once
 
-#include <vtkActor.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 
-#include <array>
 #include <vector>
 
 #include "app/view/colour_map.h"
 #include "app/view/label_placement.h"
 #include "app/view/scene.h"
+#include "app/view/viewport_scene.h"
 
 /// Force arrows. Internal to app/view.
 namespace palpa::view {
+
+/// Thickness relative to the body's diagonal, the same for all arrows: only the length speaks.
+inline constexpr double kArrowShaftRadius = 0.0075;
+inline constexpr double kArrowHeadRadius = 0.021;
+inline constexpr double kArrowHeadLength = 0.062;
 
 /// Where an arrow is drawn.
 struct PlacedArrow {
@@ -28,12 +31,12 @@ struct PlacedArrow {
 /// Ends of all arrows with a force, the largest `longest` (mm) long.
 std::vector<PlacedArrow> placeArrows(const std::vector<ForceArrow>& arrows, double longest);
 
+/// Ends of all arrows with a force, `longest` (mm) long for `fullForce` (N) and more, in proportion
+/// below.
+std::vector<PlacedArrow> placeLiveArrows(const LiveArrows& arrows, double longest);
+
 /// In the colours of pictures.
 const Colour& arrowColour(ForceArrow::Role role);
-
-/// Shaft and head of an arrow as solid bodies.
-std::array<vtkSmartPointer<vtkActor>, 2> makeArrow(const PlacedArrow& arrow, double bodyDiagonal,
-                                                   const Colour& colour, double opacity);
 
 /// Adds the arrows as solid bodies to `renderer`. Called once for the scene's own renderer and once
 /// for a translucent one in front, so that an arrow inside or behind the body still shines through.

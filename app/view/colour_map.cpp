@@ -57,4 +57,16 @@ vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field) {
   return map;
 }
 
+std::vector<Colour> colourSteps(ScalarField::Colours colours, int count) {
+  ScalarField unit;
+  unit.colours = colours;
+  unit.range = {0.0, 1.0};
+  const auto map = colourMap(unit);
+  std::vector<Colour> steps(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    map->GetColor(i / (count - 1.0), steps[static_cast<std::size_t>(i)].data());
+  }
+  return steps;
+}
+
 }  // namespace palpa::view

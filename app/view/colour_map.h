@@ -4,6 +4,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <vector>
 
 #include "app/view/scene.h"
 
@@ -27,5 +28,8 @@ std::array<double, 2> colourRange(const ScalarField& field);
 /// The field's colours over `colourRange(field)`: viridis (perceptually uniform, readable in grey
 /// and for colour-blind people) or Moreland's blue-white-red.
 vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field);
+
+/// `count` >= 2 colours of the map at equal distances, from the lowest value to the highest.
+std::vector<Colour> colourSteps(ScalarField::Colours colours, int count);
 
 }  // namespace palpa::view

@@ -6,6 +6,7 @@
 #include <vtkNew.h>
 #include <vtkPolyDataMapper2D.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,6 +83,13 @@ void FlatShapes::addFrame(const Eigen::Vector2d& a, const Eigen::Vector2d& b, do
   addRectangle({low.x(), high.y() - width}, high, colour, opacity);
   addRectangle({low.x(), low.y() + width}, {low.x() + width, high.y() - width}, colour, opacity);
   addRectangle({high.x() - width, low.y() + width}, {high.x(), high.y() - width}, colour, opacity);
+}
+
+void FlatShapes::addPlate(const Eigen::Vector2d& low, const Eigen::Vector2d& high,
+                          const Colour& frame, const ViewportTheme& theme, double pixelRatio,
+                          double frameOpacity) {
+  addRectangle(low, high, mixed(theme.backgroundTop, theme.body, 0.05), 0.90);
+  addFrame(low, high, std::max(1.0, std::round(pixelRatio)), frame, frameOpacity);
 }
 
 void FlatShapes::finish() {

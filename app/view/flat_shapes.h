@@ -12,6 +12,9 @@
 /// Flat shapes of the interactive view. Internal to app/view.
 namespace palpa::view {
 
+/// Between words and the border of their plate, logical pixels.
+inline const Eigen::Vector2d kPlatePad(6, 4);
+
 /// Coloured polygons in one actor of a renderer's overlay, made anew for every picture. Pixels are
 /// counted from the picture's top left corner; later shapes cover earlier ones.
 class FlatShapes {
@@ -32,6 +35,9 @@ class FlatShapes {
   /// A frame of the given width just inside the rectangle.
   void addFrame(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double width,
                 const Colour& colour, double opacity = 1);
+  /// The ground of words, with a frame of that opacity.
+  void addPlate(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Colour& frame,
+                const ViewportTheme& theme, double pixelRatio, double frameOpacity = 0.7);
   /// To be called when all shapes are added.
   void finish();
 

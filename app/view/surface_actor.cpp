@@ -5,13 +5,11 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkShaderProperty.h>
-#include <vtkUniforms.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <utility>
+
+#include "app/view/colour_map.h"
 
 namespace palpa::view {
 namespace {
@@ -21,58 +19,13 @@ constexpr double kMarkStrength = 0.82;
 /// In the wire picture only marked triangles are drawn, as a tint of this opacity.
 constexpr double kTintOpacity = 0.35;
 
+constexpr Colour kGrey{0.56, 0.57, 0.58};
 constexpr double kAmbient = 0.50;
 constexpr double kDiffuse = 0.56;
 /// Distance between the strokes of the hatching, logical pixels, up to a factor of 1.4 either way.
 constexpr double kHatch = 11;
 /// The hatching lies in planes across this direction, along which no face of a simple solid lies.
 const Eigen::Vector3d kAcrossHatching = Eigen::Vector3d(0.61, 0.55, 0.57).normalized();
-
-/// Colours supports and loads exactly up to the line where their numbers are zero, whatever the
-/// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
-/// to the border for a line of constant width. Supports are hatched, so that they can be told from
-/// loads without colour. The colour of a marked triangle stays visible where it is in a region.
-/// Words in capitals stand for true or false: what is not shown is not computed.
-constexpr const char* kColourRegions = R"(//VTK::Color::Impl
-vec3 plain = ambientColor / ambientPart;
-vec3 region = plain;
-float strongest = 0.0;
-float edge = 0.0;
-if (ANY_LOAD) {
-  float outside = regionsVSOutput.y / max(fwidth(regionsVSOutput.y), 1e-20);
-  strongest = clamp(0.5 - outside, 0.0, 1.0);
-  edge = clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0);
-  region = mix(plain, loadColour, strongest);
-}
-if (ANY_SUPPORT) {
-  float outside = regionsVSOutput.x / max(fwidth(regionsVSOutput.x), 1e-20);
-  float inside = clamp(0.5 - outside, 0.0, 1.0);
-  float across = regionsVSOutput.z / hatchStep;
-  float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
-  float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
-  region = mix(region, mix(supportColour, edgeColour, 0.30 * stroke), inside);
-  strongest = max(strongest, inside);
-  edge = max(clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
-}
-bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
-if (isMarked) region = mix(region, plain, 0.6);
-if (WIRE) opacity = max(opacity, wireOpacity * strongest);
-edge *= 0.75;
-region = mix(region, edgeColour, edge);
-opacity = max(opacity, edge);
-ambientColor = ambientPart * region;
-diffuseColor = diffusePart * region;
-)";
-
-/// Not in the shaded picture: with it pixels are shaded before they are found to be hidden.
-constexpr const char* kDiscardUntinted = "if (opacity < 0.004) discard;\n";
-
-/// The tints of the wire picture let all that lies behind them shine through, and be drawn after
-/// them: they count as infinitely far. VTK's own translucent pass divides by the sum of opacities
-/// and shows wild colours where that is nearly zero, at the rims.
-constexpr const char* kDepthOfTints = R"(//VTK::Depth::Impl
-gl_FragDepth = 1.0;
-)";
 
 Colour colourOf(Mark mark, const ViewportTheme& theme) {
   switch (mark) {
@@ -106,6 +59,7 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
       normals_(vtkSmartPointer<vtkFloatArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       regions_(vtkSmartPointer<vtkFloatArray>::New()),
+      field_(vtkSmartPointer<vtkFloatArray>::New()),
       surface_(vtkSmartPointer<vtkPolyData>::New()),
       body_(vtkSmartPointer<vtkActor>::New()) {
   normals_->SetNumberOfComponents(3);
@@ -116,6 +70,8 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   regions_->SetName("regions");
   regions_->SetNumberOfComponents(3);
   surface_->GetPointData()->AddArray(regions_);
+  field_->SetName("field");
+  surface_->GetPointData()->AddArray(field_);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface_);
@@ -128,20 +84,6 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
                                         vtkDataObject::FIELD_ASSOCIATION_POINTS);
   body_->SetMapper(mapper);
   blendInOrder(body_);
-  vtkShaderProperty* shader = body_->GetShaderProperty();
-  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true,
-                                     "//VTK::Normal::Dec\n"
-                                     "in vec3 regionsMC;\n"
-                                     "out vec3 regionsVSOutput;\n",
-                                     false);
-  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true,
-                                     "//VTK::Normal::Impl\n"
-                                     "regionsVSOutput = regionsMC;\n",
-                                     false);
-  shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
-                                       "//VTK::Normal::Dec\n"
-                                       "in vec3 regionsVSOutput;\n",
-                                       false);
   vtkProperty* property = body_->GetProperty();
   property->SetInterpolationToPhong();
   property->SetAmbient(kAmbient);
@@ -153,6 +95,9 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   vtkNew<vtkCellArray> none;
   borders_ = makeLineActor(points_, none);
   knotLines_ = makeLineActor(points_, none);
+  for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
+    vtkPolyData::SafeDownCast(lines->GetMapper()->GetInput())->GetPointData()->AddArray(field_);
+  }
   renderer->AddActor(knotLines_);
   renderer->AddActor(borders_);
   setTheme(theme_);
@@ -170,6 +115,8 @@ void SurfaceActor::setBody(const ViewportBody& body) {
   marks_.assign(body.triangles.size(), Mark::kNone);
   supportField_.clear();
   loadField_.clear();
+  fieldColours_.reset();
+  field_->SetNumberOfTuples(0);
   move(body.positions, body.normals);
   colourTriangles();
 }
@@ -224,21 +171,21 @@ void SurfaceActor::setRegionsVisible(bool visible) {
 
 void SurfaceActor::updateRegionLooks() {
   updateShader();
-  vtkUniforms* uniforms = body_->GetShaderProperty()->GetFragmentCustomUniforms();
-  const auto set = [&](const char* name, double value) {
-    uniforms->SetUniformf(name, static_cast<float>(value));
-  };
-  set("hatchStep", scale_);
-  set("lineScale", pixelRatio_);
-  set("ambientPart", kAmbient);
-  set("diffusePart", kDiffuse);
-  set("wireOpacity", kTintOpacity);
-  const Colour support = colourOf(Mark::kSupport, theme_);
-  const Colour load = colourOf(Mark::kLoad, theme_);
-  uniforms->SetUniform3f("supportColour", support.data());
-  uniforms->SetUniform3f("loadColour", load.data());
-  uniforms->SetUniform3f("bodyColour", theme_.body.data());
-  uniforms->SetUniform3f("edgeColour", theme_.line.data());
+  SurfaceUniforms uniforms;
+  uniforms.hatchStep = scale_;
+  uniforms.lineScale = pixelRatio_;
+  uniforms.ambient = kAmbient;
+  uniforms.diffuse = kDiffuse;
+  uniforms.tintOpacity = kTintOpacity;
+  // Beside the colours of a field, supports are grey.
+  uniforms.support =
+      fieldColours_ ? mixed(theme_.body, kGrey, 0.7) : colourOf(Mark::kSupport, theme_);
+  uniforms.load = colourOf(Mark::kLoad, theme_);
+  uniforms.body = theme_.body;
+  uniforms.edge = theme_.line;
+  uniforms.field = fieldColours_;
+  setUniforms(uniforms, body_);
+  for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) setUniforms(uniforms, lines);
 }
 
 void SurfaceActor::updateVisibility() {
@@ -258,29 +205,39 @@ void SurfaceActor::setShading(Shading shading) {
 }
 
 void SurfaceActor::updateShader() {
-  const bool isWire = shading_ == Shading::kWire;
-  const bool anySupport = regionsVisible_ && !supportField_.empty();
-  const bool anyLoad = regionsVisible_ && !loadField_.empty();
-  const std::string before =
-      std::exchange(shaderKey_, {isWire ? 'w' : '-', anySupport ? 's' : '-', anyLoad ? 'l' : '-'});
-  if (shaderKey_ == before) return;
-  vtkShaderProperty* shader = body_->GetShaderProperty();
-  std::string colours = kColourRegions;
-  for (const auto& [word, value] : {std::pair("WIRE", isWire), std::pair("ANY_SUPPORT", anySupport),
-                                    std::pair("ANY_LOAD", anyLoad)})
-    for (std::size_t at; (at = colours.find(word)) != std::string::npos;)
-      colours.replace(at, std::strlen(word), value ? "true" : "false");
-  if (isWire) colours += kDiscardUntinted;
-  shader->ClearFragmentShaderReplacement("//VTK::Color::Impl", true);
-  if (isWire || anySupport || anyLoad)
-    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours, false);
-  // Only there: a shader that sets the depth itself is slower.
-  if (isWire)
-    shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);
-  else
-    shader->ClearFragmentShaderReplacement("//VTK::Depth::Impl", true);
+  SurfaceLook look;
+  look.isWire = shading_ == Shading::kWire;
+  look.anySupport = regionsVisible_ && !supportField_.empty();
+  look.anyLoad = regionsVisible_ && !loadField_.empty();
+  look.hasField = fieldColours_.has_value();
+  if (look == look_) return;
+  look_ = look;
+  applyShader(look, body_);
+  for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
+    applyLineShader(look.isWire && look.hasField, lines);
+  }
   // Bodies are closed: the far side is hidden.
-  body_->GetProperty()->SetBackfaceCulling(!isWire);
+  body_->GetProperty()->SetBackfaceCulling(!look.isWire);
+}
+
+void SurfaceActor::setField(const std::optional<ScalarField>& field) {
+  fieldColours_.reset();
+  if (field) {
+    fieldColours_ = field->colours;
+    setFieldValues(field->values, colourRange(*field));
+  }
+  updateRegionLooks();
+  updateVisibility();
+}
+
+void SurfaceActor::setFieldValues(const std::vector<double>& values,
+                                  const std::array<double, 2>& range) {
+  field_->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  const double scale = 1 / (range[1] - range[0]);
+  float* target = values.empty() ? nullptr : field_->GetPointer(0);
+  for (const double value : values) *target++ = placeInColours((value - range[0]) * scale);
+  field_->Modified();
+  surface_->Modified();
 }
 
 void SurfaceActor::setTheme(const ViewportTheme& theme) {

@@ -4,8 +4,11 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <string>
+#include <array>
+#include <optional>
+#include <vector>
 
+#include "app/view/surface_shader.h"
 #include "app/view/viewport_geometry.h"
 #include "app/view/viewport_scene.h"
 
@@ -25,6 +28,10 @@ class SurfaceActor {
   void setMarks(const std::vector<Mark>& marks);
   /// Viewport::setRegions().
   void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
+  /// Viewport::setField(); the range must be there.
+  void setField(const std::optional<ScalarField>& field);
+  /// `range` not empty. Only where there is a field.
+  void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);
   /// Millimetres per logical pixel in the middle of the picture: how wide the hatching is.
   void setScale(double millimetresPerPixel);
   void setRegionsVisible(bool visible);
@@ -43,6 +50,7 @@ class SurfaceActor {
   vtkSmartPointer<vtkFloatArray> normals_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;  ///< RGBA of each triangle
   vtkSmartPointer<vtkFloatArray> regions_;         ///< support, load, place across the hatching
+  vtkSmartPointer<vtkFloatArray> field_;           ///< places in the colours: placeInColours()
   vtkSmartPointer<vtkPolyData> surface_;
   vtkSmartPointer<vtkActor> body_, borders_, knotLines_;
   std::vector<double> supportField_, loadField_;
@@ -50,7 +58,8 @@ class SurfaceActor {
   bool anyMark_ = false;
   bool regionsVisible_ = true;
   double scale_ = 1;
-  std::string shaderKey_;  ///< which variant the shader is
+  std::optional<ScalarField::Colours> fieldColours_;
+  std::optional<SurfaceLook> look_;  ///< which variant the shader is
   Shading shading_ = Shading::kShadedWithEdges;
   ViewportTheme theme_ = ViewportTheme::light();
   double pixelRatio_ = 1;

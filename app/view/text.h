@@ -16,6 +16,8 @@ struct TextStyle {
   double size = 15;  ///< font size in pixels
   bool bold = false;
   Colour colour = kTextColour;
+
+  bool operator==(const TextStyle&) const = default;
 };
 
 /// Text whose lower left corner is set by `placeText`; VTK's built-in Arial, so that pictures do

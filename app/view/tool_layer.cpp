@@ -5,10 +5,7 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-
-#include "app/view/text.h"
 
 namespace palpa::view {
 namespace {
@@ -64,34 +61,20 @@ bool seenSegment(const Turntable& camera, Eigen::Vector3d a, Eigen::Vector3d b, 
 
 void PlateLabels::set(const std::vector<std::string>& texts, const ViewportTheme& theme,
                       double pixelRatio) {
-  const bool sameLooks = pixelRatio == pixelRatio_ && theme.text == theme_.text;
   theme_ = theme;
   pixelRatio_ = pixelRatio;
-  while (plates_.size() > texts.size()) {
-    if (plates_.back().text) overlay_->RemoveActor2D(plates_.back().text);
-    plates_.pop_back();
-  }
-  plates_.resize(texts.size());
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    Plate& plate = plates_[i];
-    if (sameLooks && plate.words == texts[i]) continue;
-    if (plate.text) overlay_->RemoveActor2D(plate.text);
-    plate = {texts[i], nullptr, Eigen::Vector2d::Zero()};
-    if (plate.words.empty()) continue;
-    plate.text = makeText(plate.words, {kFontSize * pixelRatio, false, theme.text});
-    plate.size = textSize(plate.text, overlay_);
-    overlay_->AddActor2D(plate.text);
-  }
+  texts_.set(texts, {kFontSize * pixelRatio, false, theme.text});
 }
 
 void PlateLabels::place(std::size_t index, const Eigen::Vector2d& pixel, const Colour& frame,
                         const Turntable& camera, FlatShapes& shapes) {
-  const Plate& plate = plates_[index];
-  if (!plate.text) return;
-  plate.text->SetVisibility(pixel.allFinite());
-  if (!pixel.allFinite()) return;
-  const Eigen::Vector2d pad = Eigen::Vector2d(6, 4) * pixelRatio_;
-  const Eigen::Vector2d size = plate.size + 2 * pad;
+  const Eigen::Vector2d words = texts_.extent(index);
+  if (words.isZero() || !pixel.allFinite()) {
+    texts_.hide(index);
+    return;
+  }
+  const Eigen::Vector2d pad = kPlatePad * pixelRatio_;
+  const Eigen::Vector2d size = words + 2 * pad;
   // To the right and above; to the left or below where the picture ends.
   const double gap = 12 * pixelRatio_;
   Eigen::Vector2d low(pixel.x() + gap, pixel.y() - gap - size.y());
@@ -100,11 +83,8 @@ void PlateLabels::place(std::size_t index, const Eigen::Vector2d& pixel, const C
   }
   if (low.y() < 0) low.y() = pixel.y() + gap;
   low = low.array().round();
-  const Eigen::Vector2d high = low + Eigen::Vector2d(size.array().round());
-  shapes.addRectangle(low, high, mixed(theme_.backgroundTop, theme_.body, 0.05), 0.90);
-  shapes.addFrame(low, high, std::max(1.0, std::round(pixelRatio_)), frame, 0.7);
-  plate.text->SetPosition(std::round(low.x() + pad.x()),
-                          std::round(camera.height() - high.y() + pad.y()));
+  shapes.addPlate(low, low + Eigen::Vector2d(size.array().round()), frame, theme_, pixelRatio_);
+  texts_.place(index, low + pad, camera.height());
 }
 
 ToolLayer::ToolLayer(vtkRenderer* scene, vtkRenderer* overlay) : labels_(overlay) {

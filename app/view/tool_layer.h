@@ -2,13 +2,13 @@
 
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
-#include <vtkTextActor.h>
 
 #include <array>
 #include <functional>
 #include <vector>
 
 #include "app/view/flat_shapes.h"
+#include "app/view/text_pool.h"
 #include "app/view/turntable.h"
 #include "app/view/viewport_geometry.h"
 #include "app/view/viewport_scene.h"
@@ -16,10 +16,10 @@
 /// What tools draw, and touches, in the interactive view. Internal to app/view.
 namespace palpa::view {
 
-/// Words on plates; the texts are made anew only when they change.
+/// Words on plates.
 class PlateLabels {
  public:
-  explicit PlateLabels(vtkRenderer* overlay) : overlay_(overlay) {}
+  explicit PlateLabels(vtkRenderer* overlay) : texts_(overlay) {}
 
   void set(const std::vector<std::string>& texts, const ViewportTheme& theme, double pixelRatio);
   /// Places the text of that index beside `pixel`; NaN hides it.
@@ -27,16 +27,9 @@ class PlateLabels {
              const Turntable& camera, FlatShapes& shapes);
 
  private:
-  struct Plate {
-    std::string words;
-    vtkSmartPointer<vtkTextActor> text;
-    Eigen::Vector2d size;  ///< pixels
-  };
-
-  vtkRenderer* overlay_;
-  std::vector<Plate> plates_;
+  TextPool texts_;
   ViewportTheme theme_ = ViewportTheme::light();
-  double pixelRatio_ = 0;
+  double pixelRatio_ = 1;
 };
 
 /// Lines, dots and labels of the active tool.

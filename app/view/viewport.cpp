@@ -5,39 +5,15 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "app/view/png.h"
+#include "app/view/viewport_checks.h"
 #include "app/view/viewport_parts.h"
 
 namespace palpa::view {
 namespace {
 
 constexpr double kRadiansPerPixel = 0.007;  // logical pixels: half a turn in 450
-
-void require(bool condition, const char* message) {
-  if (!condition) throw std::invalid_argument(std::string("viewport: ") + message);
-}
-
-void requirePolylines(const std::vector<std::vector<int>>& lines, int pointCount) {
-  for (const std::vector<int>& line : lines) {
-    for (const int point : line) {
-      require(point >= 0 && point < pointCount, "a line names a point that does not exist");
-    }
-  }
-}
-
-void requireValid(const ViewportBody& body) {
-  const int pointCount = static_cast<int>(body.positions.size());
-  require(body.normals.size() == body.positions.size(), "normals need one entry per point");
-  for (const Triangle& triangle : body.triangles) {
-    for (const int corner : triangle) {
-      require(corner >= 0 && corner < pointCount, "a triangle names a point that does not exist");
-    }
-  }
-  requirePolylines(body.borders, pointCount);
-  requirePolylines(body.knotLines, pointCount);
-}
 
 CameraView directions(StandardView view) {
   CameraView camera;
@@ -91,7 +67,11 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->surface.setPixelRatio(ratio);
   parts_->netActor.setPixelRatio(ratio);
   parts_->axes.setPixelRatio(ratio);
+  parts_->ghostLines.setPixelRatio(ratio);
+  parts_->rings.setPixelRatio(ratio);
   parts_->remakeArrows();
+  parts_->remakeLiveArrows();
+  parts_->remakeColourBar();
   parts_->remakeWarnings();
   parts_->remakeTouches();
   parts_->remakeTool();
@@ -132,12 +112,16 @@ void Viewport::setControlNetVisible(bool visible) {
 }
 
 void Viewport::setBody(const ViewportBody& body) {
-  requireValid(body);
+  requireValidBody(body);
   parts_->body = body;
   parts_->bodyBoxes.set(body.positions, body.triangles);
   parts_->surface.setBody(body);
+  parts_->field.reset();
   parts_->syncBounds();
+  parts_->restDiagonal = parts_->bodyDiagonal();
   parts_->remakeArrows();
+  parts_->remakeLiveArrows();
+  parts_->remakeColourBar();
 }
 
 void Viewport::moveBody(const std::vector<Eigen::Vector3d>& positions,

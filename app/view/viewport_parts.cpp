@@ -16,16 +16,23 @@ constexpr double kFallbackDiagonal = 100;  // mm, where there is no body
 Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
     : window(renderWindow),
       pixelRatio(ratio),
+      restDiagonal(kFallbackDiagonal),
       shapes(shineThrough),
+      ghostSide(scene),
       surface(scene),
       grid(scene),
       netActor(scene, shineThrough),
+      ghostLines(scene, shineThrough),
       arrows(scene, shineThrough, overlay),
+      rings(scene, shineThrough),
+      liveArrows(scene, shineThrough, overlay),
       tool(scene, overlay),
       touchLayer(overlay),
       signs(overlay),
       axes(overlay),
-      gizmoActor(overlay) {
+      gizmoActor(overlay),
+      colourBar(overlay),
+      balls(scene) {
   window->SetMultiSamples(0);  // in software four samples take three times as long
   window->SetDPI(72);          // a point of a font is a pixel
   window->SetNumberOfLayers(3);
@@ -66,6 +73,14 @@ void Viewport::Parts::remakeArrows() {
   arrows.set(forces, bodyDiagonal(), theme, pixelRatio);
 }
 
+void Viewport::Parts::remakeLiveArrows() {
+  liveArrows.set(liveForces, restDiagonal, theme, pixelRatio);
+}
+
+void Viewport::Parts::remakeColourBar() {
+  colourBar.set(field, theme, pixelRatio);
+}
+
 void Viewport::Parts::remakeWarnings() {
   signs.set(warnings, theme, pixelRatio);
 }
@@ -84,7 +99,12 @@ void Viewport::Parts::applyTheme() {
   grid.setTheme(theme);
   surface.setTheme(theme);
   netActor.setTheme(theme);
+  ghostSide.setTheme(theme);
+  ghostLines.setTheme(theme);
+  balls.setTheme(theme);
   remakeArrows();
+  remakeLiveArrows();
+  remakeColourBar();
   remakeWarnings();
   remakeTouches();
   remakeTool();
@@ -94,6 +114,8 @@ void Viewport::Parts::applyCamera() {
   Bounds all = bodyBounds;
   all.add(netBounds);
   for (const Eigen::Vector3d& point : arrows.ends()) all.add(point);
+  for (const Eigen::Vector3d& point : liveArrows.ends()) all.add(point);
+  for (const Bounds& part : {ghostLines.bounds(), rings.bounds(), balls.bounds()}) all.add(part);
   for (const Eigen::Vector3d& point : tool.ends()) all.add(point);
   // The ground fades out at one visible height from the focus.
   const Eigen::Vector3d reach = Eigen::Vector3d(1, 1, 0) * camera.visibleHeight();
@@ -119,7 +141,10 @@ void Viewport::Parts::applyCamera() {
 void Viewport::Parts::updateOverlay() {
   shapes.clear(camera.height());
   axes.update(camera, shapes);
-  arrows.update(camera, shapes);
+  std::vector<PixelBox> taken;
+  colourBar.update(camera, taken, shapes);
+  arrows.update(camera, taken, shapes);
+  liveArrows.update(camera, taken, shapes);
   gizmoActor.update(gizmo, camera, pixelRatio, shapes);
   touchLayer.update(
       camera, [this](const Eigen::Vector3d& point) { return hidden(point); }, shapes);

@@ -6,11 +6,14 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
+#include "app/view/colour_bar.h"
+#include "app/view/contact_layer.h"
 #include "app/view/control_net_actor.h"
 #include "app/view/flat_shapes.h"
+#include "app/view/force_arrows.h"
+#include "app/view/ghost_actor.h"
 #include "app/view/gizmo_actor.h"
 #include "app/view/grid_actor.h"
-#include "app/view/load_arrows.h"
 #include "app/view/orientation_axes.h"
 #include "app/view/surface_actor.h"
 #include "app/view/tool_layer.h"
@@ -32,6 +35,8 @@ struct Viewport::Parts {
   /// After lengths in the scene have changed.
   void syncBounds();
   void remakeArrows();
+  void remakeLiveArrows();
+  void remakeColourBar();
   void remakeWarnings();
   void remakeTouches();
   void remakeTool();
@@ -64,6 +69,9 @@ struct Viewport::Parts {
   ControlNet net;
   bool netVisible = true;
   std::vector<ForceArrow> forces;
+  LiveArrows liveForces;
+  double restDiagonal;               ///< of the body before it moved: sizes do not follow its shape
+  std::optional<ScalarField> field;  ///< without values
   std::vector<WarningMarker> warnings;
   std::optional<Gizmo> gizmo;
   std::vector<TouchMarker> touches;
@@ -74,15 +82,21 @@ struct Viewport::Parts {
   // Drawn below the texts, and smoothed in fine pictures with all that the overlay covers.
   FlatShapes shapes;
   // Within a renderer, what is added later is blended over what was added before.
+  GhostSide ghostSide;
   SurfaceActor surface;
   GridActor grid;
   ControlNetActor netActor;
-  LoadArrows arrows;
+  GhostLines ghostLines;
+  ForceArrows arrows;
+  ContactRings rings;
+  ForceArrows liveArrows;
   ToolLayer tool;
   TouchLayer touchLayer;
   WarningSigns signs;
   OrientationAxes axes;
   GizmoActor gizmoActor;
+  ColourBar colourBar;
+  ProbeBalls balls;
 };
 
 }  // namespace palpa::view

@@ -1,38 +1,68 @@
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "app/view/colour_map.h"
+#include "app/view/viewport_checks.h"
 #include "app/view/viewport_parts.h"
 
+// Simulate mode.
 namespace palpa::view {
 namespace {
 
-void require(bool condition, const char* message) {
-  if (!condition) throw std::invalid_argument(std::string("viewport: ") + message);
+void requireRange(const std::array<double, 2>& range) {
+  require(std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] <= range[1],
+          "the range of a field is finite, the smallest value first");
 }
 
 }  // namespace
 
 void Viewport::setField(const std::optional<ScalarField>& field) {
-  if (field)
+  if (field) {
     require(field->values.size() == parts_->body.positions.size(),
             "a field needs one number per point");
+    require(field->range.has_value(), "a field needs a range");
+    requireRange(*field->range);
+  }
+  parts_->surface.setField(field);
+  parts_->field = field;
+  if (field) parts_->field->values.clear();
+  parts_->remakeColourBar();
 }
 
-void Viewport::setFieldValues(const std::vector<double>& values, const std::array<double, 2>&) {
+void Viewport::setFieldValues(const std::vector<double>& values,
+                              const std::array<double, 2>& range) {
+  require(parts_->field.has_value(), "there is no field whose values could change");
   require(values.size() == parts_->body.positions.size(), "a field needs one number per point");
+  requireRange(range);
+  const bool sameRange = parts_->field->range == range;
+  parts_->field->range = range;
+  parts_->surface.setFieldValues(values, colourRange(*parts_->field));
+  if (!sameRange) parts_->remakeColourBar();
 }
 
-void Viewport::setGhost(const std::optional<ViewportBody>&) {}
+void Viewport::setGhost(const std::optional<ViewportBody>& body) {
+  const ViewportBody ghost = body.value_or(ViewportBody{});
+  requireValidBody(ghost);
+  parts_->ghostSide.set(ghost);
+  parts_->ghostLines.set(ghost);
+}
 
 void Viewport::setLiveArrows(const LiveArrows& arrows) {
-  require(arrows.fullForce > 0, "the full force is positive");
+  require(arrows.fullForce > 0 && std::isfinite(arrows.fullForce), "the full force is positive");
+  parts_->liveForces = arrows;
+  parts_->remakeLiveArrows();
 }
 
-void Viewport::setContactRings(const std::vector<ContactRing>&) {}
+void Viewport::setContactRings(const std::vector<ContactRing>& rings) {
+  parts_->rings.set(rings);
+}
 
 void Viewport::setProbeBalls(const std::vector<ProbeBall>& balls) {
-  for (const ProbeBall& ball : balls) require(ball.radius > 0, "the radius of a ball is positive");
+  for (const ProbeBall& ball : balls) {
+    require(ball.radius > 0 && std::isfinite(ball.radius) && ball.center.allFinite(),
+            "a ball needs a place and a positive radius");
+  }
+  parts_->balls.set(balls);
 }
 
 }  // namespace palpa::view

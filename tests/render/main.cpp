@@ -17,6 +17,7 @@
 #include "app/view/errors.h"
 #include "tests/render/compare.h"
 #include "tests/render/scenes.h"
+#include "tests/render/simulate_scenes.h"
 #include "tests/render/viewport_scenes.h"
 
 namespace palpa::render_tests {
@@ -32,8 +33,10 @@ std::map<std::string, std::function<void(const fs::path&)>> pictures() {
       view::renderToPng(scene.scene, path, scene.options);
     };
   }
-  for (const auto& [name, scene] : viewportCases()) {
-    all[name] = [scene](const fs::path& path) { draw(scene, path); };
+  for (const auto& cases : {viewportCases(), simulateCases()}) {
+    for (const auto& [name, scene] : cases) {
+      all[name] = [scene](const fs::path& path) { draw(scene, path); };
+    }
   }
   return all;
 }

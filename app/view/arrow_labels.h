@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// Room for the labels of arrows in the interactive view. Internal to app/view; pure arithmetic.
+namespace palpa::view {
+
+/// A rectangle of the picture; pixels from its top left corner.
+struct PixelBox {
+  Eigen::Vector2d low, high;
+
+  /// The area that both cover.
+  double overlap(const PixelBox& other) const;
+};
+
+/// A label that wants to stand at the end of an arrow.
+struct ArrowLabelWish {
+  Eigen::Vector2d end;    ///< pixel
+  Eigen::Vector2d along;  ///< direction in which the arrow points there; any length
+  Eigen::Vector2d size;   ///< pixels
+};
+
+/// The place of a label: in front of the end of its arrow, `gap` pixels away, or else, where that
+/// covers one of `taken`, turned to the side in steps or further away; where the least is covered
+/// when there is no free place. Within a picture of `picture` pixels as long as the arrow's end is.
+PixelBox placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture, double gap,
+                         const std::vector<PixelBox>& taken);
+
+}  // namespace palpa::view

@@ -1,0 +1,109 @@
+#include "app/view/force_arrows.h"
+
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+namespace palpa::view {
+namespace {
+
+constexpr double kLongestLoad = 0.17;  // of the body's diagonal
+constexpr double kLongestLive = 0.25;
+constexpr double kThickness = 0.6;  // of the arrows in pictures: they stand among handles and lines
+constexpr double kFaint = 0.22;
+constexpr double kFontSize = 13;  // logical pixels
+constexpr double kGap = 8;
+
+vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->SetColorModeToDirectScalars();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetOpacity(opacity);
+  property->SetAmbient(0.35);
+  property->SetDiffuse(0.70);
+  property->SetSpecular(0.15);
+  property->SetSpecularPower(20);
+  property->BackfaceCullingOn();
+  actor->VisibilityOff();
+  return actor;
+}
+
+}  // namespace
+
+ForceArrows::ForceArrows(vtkRenderer* scene, vtkRenderer* shineThrough, vtkRenderer* overlay)
+    : solid_(makeActor(mesh_.surface(), 1)),
+      faint_(makeActor(mesh_.surface(), kFaint)),
+      texts_(overlay) {
+  blendInOrder(faint_);
+  scene->AddActor(solid_);
+  shineThrough->AddActor(faint_);
+}
+
+void ForceArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
+                      const ViewportTheme& theme, double pixelRatio) {
+  show(placeArrows(arrows, kLongestLoad * bodyDiagonal), bodyDiagonal, theme, pixelRatio);
+}
+
+void ForceArrows::set(const LiveArrows& arrows, double bodyDiagonal, const ViewportTheme& theme,
+                      double pixelRatio) {
+  show(placeLiveArrows(arrows, kLongestLive * bodyDiagonal), bodyDiagonal, theme, pixelRatio);
+}
+
+void ForceArrows::show(const std::vector<PlacedArrow>& arrows, double bodyDiagonal,
+                       const ViewportTheme& theme, double pixelRatio) {
+  theme_ = theme;
+  pixelRatio_ = pixelRatio;
+  ends_.clear();
+  labels_.clear();
+  std::vector<SolidArrow> solids;
+  std::vector<std::string> words;
+  for (const PlacedArrow& placed : arrows) {
+    ends_.push_back(placed.tail);
+    ends_.push_back(placed.tip);
+    // Reactions are quiet: they take the colour of text, applied forces one that stands out.
+    const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
+                              ? arrowColour(placed.arrow->role)
+                              : mixed(theme.text, theme.body, 0.25);
+    solids.push_back(SolidArrow::of(placed.tail, placed.tip, kThickness * bodyDiagonal, colour));
+    labels_.push_back({placed.freeEnd(), placed.heldEnd(), colour});
+    words.push_back(placed.arrow->label);
+  }
+  mesh_.set(solids);
+  texts_.set(words, {kFontSize * pixelRatio, false, theme.text});
+  updateVisibility();
+}
+
+void ForceArrows::setVisible(bool visible) {
+  visible_ = visible;
+  updateVisibility();
+}
+
+void ForceArrows::updateVisibility() {
+  const bool visible = visible_ && !labels_.empty();
+  solid_->SetVisibility(visible);
+  faint_->SetVisibility(visible);
+}
+
+void ForceArrows::update(const Turntable& camera, std::vector<PixelBox>& taken,
+                         FlatShapes& shapes) {
+  texts_.hideAll();
+  if (!visible_) return;
+  const Eigen::Vector2d pad = kPlatePad * pixelRatio_;
+  const Eigen::Vector2d picture(camera.width(), camera.height());
+  for (std::size_t i = 0; i < labels_.size(); ++i) {
+    if (texts_.extent(i).isZero()) continue;
+    const Eigen::Vector2d end = camera.toPixel(labels_[i].free);
+    const Eigen::Vector2d other = camera.toPixel(labels_[i].held);
+    if (!end.allFinite() || !other.allFinite()) continue;
+    const PixelBox plate = placeArrowLabel({end, end - other, texts_.extent(i) + 2 * pad}, picture,
+                                           kGap * pixelRatio_, taken);
+    taken.push_back(plate);
+    shapes.addPlate(plate.low, plate.high, labels_[i].frame, theme_, pixelRatio_);
+    texts_.place(i, plate.low + pad, camera.height());
+  }
+}
+
+}  // namespace palpa::view

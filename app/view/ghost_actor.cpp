@@ -1,0 +1,108 @@
+#include "app/view/ghost_actor.h"
+
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+
+namespace palpa::view {
+namespace {
+
+/// The rim shows where the outline of the shape was, without looking for it.
+constexpr const char* kDenseRim = R"(
+float facing = abs(normalVCVSOutput.z);
+opacity = mix(0.70, 0.16, smoothstep(0.0, 0.45, facing));
+//VTK::Light::Impl
+)";
+
+/// Infinitely far: all that is drawn later covers it.
+constexpr const char* kFarthest = "//VTK::Depth::Impl\ngl_FragDepth = 1.0;\n";
+
+void setLines(vtkActor* actor, const std::vector<std::vector<int>>& lines) {
+  vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
+  actor->SetVisibility(!lines.empty());
+}
+
+}  // namespace
+
+GhostSide::GhostSide(vtkRenderer* scene)
+    : points_(makeFloatPoints()),
+      normals_(vtkSmartPointer<vtkFloatArray>::New()),
+      surface_(vtkSmartPointer<vtkPolyData>::New()),
+      actor_(vtkSmartPointer<vtkActor>::New()) {
+  normals_->SetNumberOfComponents(3);
+  surface_->SetPoints(points_);
+  surface_->GetPointData()->SetNormals(normals_);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface_);
+  actor_->SetMapper(mapper);
+  vtkShaderProperty* shader = actor_->GetShaderProperty();
+  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kDenseRim, false);
+  shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kFarthest, false);
+  vtkProperty* property = actor_->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.6);
+  property->SetDiffuse(0.4);
+  property->BackfaceCullingOn();
+  blendInOrder(actor_);
+  actor_->VisibilityOff();
+  scene->AddActor(actor_);
+}
+
+void GhostSide::set(const ViewportBody& body) {
+  vtkNew<vtkCellArray> triangles;
+  for (const Triangle& t : body.triangles) triangles->InsertNextCell({t[0], t[1], t[2]});
+  surface_->SetPolys(triangles);
+  assign(body.positions, points_);
+  assign(body.normals, normals_);
+  surface_->Modified();
+  actor_->SetVisibility(!body.triangles.empty());
+}
+
+void GhostSide::setTheme(const ViewportTheme& theme) {
+  setColour(actor_, mixed(theme.net, theme.body, 0.3));
+}
+
+GhostLines::GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough) : points_(makeFloatPoints()) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (auto* lines : {&borders_, &knotLines_}) {
+      vtkNew<vtkCellArray> none;
+      vtkSmartPointer<vtkActor>& actor = (*lines)[k];
+      actor = makeLineActor(points_, none);
+      // Where nothing moved, the body's own lines cover these.
+      actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(0, 0);
+      actor->VisibilityOff();
+      (k == 0 ? scene : shineThrough)->AddActor(actor);
+    }
+  }
+  borders_[0]->GetProperty()->SetOpacity(0.85);
+  borders_[1]->GetProperty()->SetOpacity(0.22);
+  knotLines_[0]->GetProperty()->SetOpacity(0.40);
+  knotLines_[1]->GetProperty()->SetOpacity(0.08);
+}
+
+void GhostLines::set(const ViewportBody& body) {
+  assign(body.positions, points_);
+  bounds_ = {};
+  for (const Eigen::Vector3d& position : body.positions) bounds_.add(position);
+  const auto borders = distinctLines(body.borders, body.positions);
+  for (vtkActor* actor : borders_) setLines(actor, borders);
+  for (vtkActor* actor : knotLines_) setLines(actor, body.knotLines);
+}
+
+void GhostLines::setTheme(const ViewportTheme& theme) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    setColour(borders_[k], theme.net);
+    setColour(knotLines_[k], theme.net);
+  }
+}
+
+void GhostLines::setPixelRatio(double ratio) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    borders_[k]->GetProperty()->SetLineWidth(static_cast<float>(1.4 * ratio));
+    knotLines_[k]->GetProperty()->SetLineWidth(static_cast<float>(ratio));
+  }
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkFloatArray.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+
+#include "app/view/bounds.h"
+#include "app/view/viewport_geometry.h"
+#include "app/view/viewport_scene.h"
+
+/// The undeformed shape in the interactive view. Internal to app/view.
+namespace palpa::view {
+
+/// The near side, denser towards its rim, behind everything else: where the two shapes nearly
+/// coincide, a border between "in front" and "behind" would only show rounding errors. To be made
+/// before all that covers it.
+class GhostSide {
+ public:
+  explicit GhostSide(vtkRenderer* scene);
+  void set(const ViewportBody& body);
+  void setTheme(const ViewportTheme& theme);
+
+ private:
+  vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkFloatArray> normals_;
+  vtkSmartPointer<vtkPolyData> surface_;
+  vtkSmartPointer<vtkActor> actor_;
+};
+
+/// Borders and knot lines, faint where the body hides them. To be made after the body.
+class GhostLines {
+ public:
+  GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough);
+  void set(const ViewportBody& body);
+  void setTheme(const ViewportTheme& theme);
+  void setPixelRatio(double ratio);
+  const Bounds& bounds() const { return bounds_; }
+
+ private:
+  vtkSmartPointer<vtkPoints> points_;
+  std::array<vtkSmartPointer<vtkActor>, 2> borders_, knotLines_;  ///< solid, faint
+  Bounds bounds_;
+};
+
+}  // namespace palpa::view

@@ -1,0 +1,202 @@
+#include "app/view/surface_shader.h"
+
+#include <vtkDataObject.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/view/colour_map.h"
+
+namespace palpa::view {
+namespace {
+
+/// Between these the colours of a map are mixed.
+constexpr int kColours = 33;
+/// Far below all places in the colours; where it takes part in the mean over a triangle, the
+/// triangle has no colour.
+constexpr float kNowhere = -1e6F;
+constexpr double kFarthestPlace = 1e3;
+
+/// The number is interpolated to each pixel before its colour is looked up: so the colours of the
+/// map alone appear, also across large triangles.
+constexpr const char* kFieldColour = R"(
+if (fieldVSOutput > -2000.0) {
+  float place = clamp(fieldVSOutput, 0.0, 1.0) * 32.0;
+  int lower = min(int(place), 31);
+  region = mix(fieldColours[lower], fieldColours[lower + 1], place - float(lower));
+}
+)";
+
+/// Colours supports and loads exactly up to the line where their numbers are zero, whatever the
+/// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
+/// to the border for a line of constant width. Supports are hatched, so that they can be told from
+/// loads without colour. The colour of a marked triangle stays visible where it is in a region.
+/// Words in capitals stand for true or false: what is not shown is not computed.
+constexpr const char* kColourRegions = R"(//VTK::Color::Impl
+vec3 plain = ambientColor / ambientPart;
+vec3 region = plain;
+FIELD_COLOUR
+float strongest = 0.0;
+float edge = 0.0;
+if (ANY_LOAD) {
+  float outside = regionsVSOutput.y / max(fwidth(regionsVSOutput.y), 1e-20);
+  edge = clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0);
+  if (!HAS_FIELD) {
+    strongest = clamp(0.5 - outside, 0.0, 1.0);
+    region = mix(plain, loadColour, strongest);
+  }
+}
+if (ANY_SUPPORT) {
+  float outside = regionsVSOutput.x / max(fwidth(regionsVSOutput.x), 1e-20);
+  float inside = clamp(0.5 - outside, 0.0, 1.0);
+  float across = regionsVSOutput.z / hatchStep;
+  float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
+  float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
+  float strokeStrength = HAS_FIELD ? 0.45 : 0.30;
+  region = mix(region, mix(supportColour, edgeColour, strokeStrength * stroke), inside);
+  strongest = max(strongest, inside);
+  edge = max(clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
+}
+bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
+if (isMarked) region = mix(region, plain, 0.6);
+if (WIRE) opacity = max(opacity, wireOpacity * strongest);
+edge *= 0.75;
+region = mix(region, edgeColour, edge);
+opacity = max(opacity, edge);
+ambientColor = ambientPart * region;
+diffuseColor = diffusePart * region;
+)";
+
+constexpr const char* kColourLines = R"(//VTK::Color::Impl
+vec3 region = ambientColor;
+FIELD_COLOUR
+ambientColor = region;
+diffuseColor = vec3(0.0);
+opacity = 1.0;
+)";
+
+/// Not in the shaded picture: with it pixels are shaded before they are found to be hidden.
+constexpr const char* kDiscardUntinted = "if (opacity < 0.004) discard;\n";
+
+/// The tints of the wire picture let all that lies behind them shine through, and be drawn after
+/// them: they count as infinitely far. VTK's own translucent pass divides by the sum of opacities
+/// and shows wild colours where that is nearly zero, at the rims.
+constexpr const char* kDepthOfTints = R"(//VTK::Depth::Impl
+gl_FragDepth = 1.0;
+)";
+
+using ShaderColours = std::array<std::array<float, 3>, kColours>;
+
+const ShaderColours& shaderColours(ScalarField::Colours field) {
+  const auto make = [](ScalarField::Colours map) {
+    const std::vector<Colour> steps = colourSteps(map, kColours);
+    ShaderColours colours{};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) colours[i][k] = static_cast<float>(steps[i][k]);
+    }
+    return colours;
+  };
+  static const ShaderColours sequential = make(ScalarField::Colours::kSequential);
+  static const ShaderColours diverging = make(ScalarField::Colours::kDiverging);
+  return field == ScalarField::Colours::kDiverging ? diverging : sequential;
+}
+
+void replaceAll(std::string& text, const std::string& word, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, word.size(), by);
+  }
+}
+
+/// Hands a point array through to the fragment shader under the same name.
+void passThrough(const std::vector<std::pair<std::string, std::string>>& typesAndNames,
+                 vtkActor* actor) {
+  auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+  mapper->RemoveAllVertexAttributeMappings();
+  std::string vertexNames = "//VTK::Normal::Dec\n";
+  std::string fragmentNames = vertexNames;
+  std::string body = "//VTK::Normal::Impl\n";
+  for (const auto& [type, name] : typesAndNames) {
+    mapper->MapDataArrayToVertexAttribute((name + "MC").c_str(), name.c_str(),
+                                          vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    vertexNames += "in " + type + " " + name + "MC;\nout " + type + " " + name + "VSOutput;\n";
+    fragmentNames += "in " + type + " " + name + "VSOutput;\n";
+    body += name + "VSOutput = " + name + "MC;\n";
+  }
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  shader->ClearAllVertexShaderReplacements();
+  shader->ClearAllFragmentShaderReplacements();
+  if (typesAndNames.empty()) return;
+  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true, vertexNames, false);
+  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, body, false);
+  shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true, fragmentNames, false);
+}
+
+}  // namespace
+
+float placeInColours(double share) {
+  if (std::isnan(share)) return kNowhere;
+  return static_cast<float>(std::clamp(share, -kFarthestPlace, kFarthestPlace));
+}
+
+void applyShader(const SurfaceLook& look, vtkActor* surface) {
+  // In the wire picture the lines take the colours of the field.
+  const bool hasField = look.hasField && !look.isWire;
+  std::vector<std::pair<std::string, std::string>> arrays{{"vec3", "regions"}};
+  if (hasField) arrays.emplace_back("float", "field");
+  passThrough(arrays, surface);
+  std::string colours = kColourRegions;
+  replaceAll(colours, "FIELD_COLOUR", hasField ? kFieldColour : "");
+  for (const auto& [word, value] :
+       {std::pair("HAS_FIELD", hasField), std::pair("WIRE", look.isWire),
+        std::pair("ANY_SUPPORT", look.anySupport), std::pair("ANY_LOAD", look.anyLoad)}) {
+    replaceAll(colours, word, value ? "true" : "false");
+  }
+  if (look.isWire) colours += kDiscardUntinted;
+  vtkShaderProperty* shader = surface->GetShaderProperty();
+  if (look.isWire || look.anySupport || look.anyLoad || hasField)
+    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours, false);
+  // Only there: a shader that sets the depth itself is slower.
+  if (look.isWire)
+    shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);
+}
+
+void applyLineShader(bool hasField, vtkActor* lines) {
+  if (!hasField) {
+    passThrough({}, lines);
+    return;
+  }
+  passThrough({{"float", "field"}}, lines);
+  std::string colours = kColourLines;
+  replaceAll(colours, "FIELD_COLOUR", kFieldColour);
+  lines->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours,
+                                                           false);
+}
+
+void setUniforms(const SurfaceUniforms& numbers, vtkActor* actor) {
+  vtkUniforms* uniforms = actor->GetShaderProperty()->GetFragmentCustomUniforms();
+  const auto set = [&](const char* name, double value) {
+    uniforms->SetUniformf(name, static_cast<float>(value));
+  };
+  set("hatchStep", numbers.hatchStep);
+  set("lineScale", numbers.lineScale);
+  set("ambientPart", numbers.ambient);
+  set("diffusePart", numbers.diffuse);
+  set("wireOpacity", numbers.tintOpacity);
+  uniforms->SetUniform3f("supportColour", numbers.support.data());
+  uniforms->SetUniform3f("loadColour", numbers.load.data());
+  uniforms->SetUniform3f("bodyColour", numbers.body.data());
+  uniforms->SetUniform3f("edgeColour", numbers.edge.data());
+  if (!numbers.field) return;
+  uniforms->SetUniform3fv(
+      "fieldColours", kColours,
+      reinterpret_cast<const float(*)[3]>(shaderColours(*numbers.field).data()));
+}
+
+}  // namespace palpa::view

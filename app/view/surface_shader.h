@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vtkActor.h>
+
+#include <optional>
+
+#include "app/view/viewport_scene.h"
+
+/// How the surface of the interactive view computes its colours. Internal to app/view.
+namespace palpa::view {
+
+/// Which variant of the shader draws the surface: what is not shown is not computed.
+struct SurfaceLook {
+  bool isWire = false;
+  bool anySupport = false;
+  bool anyLoad = false;
+  bool hasField = false;
+
+  bool operator==(const SurfaceLook&) const = default;
+};
+
+/// The numbers the shader needs.
+struct SurfaceUniforms {
+  double hatchStep = 1;  ///< mm between the strokes of the hatching
+  double lineScale = 1;  ///< device pixels per logical pixel
+  double ambient = 0, diffuse = 0;
+  double tintOpacity = 0;  ///< in the wire picture
+  Colour support{}, load{}, body{}, edge{};
+  std::optional<ScalarField::Colours> field;
+};
+
+/// The number that the point array "field" holds for a share of the way from the lowest value of
+/// the colours to the highest: of any size, or NaN, which has no colour.
+float placeInColours(double share);
+
+/// The actor's mapper has the point arrays "regions" (support, load, place across the hatching) and
+/// "field".
+void applyShader(const SurfaceLook& look, vtkActor* surface);
+/// Lines on the surface in the colours of the field, or plain.
+void applyLineShader(bool hasField, vtkActor* lines);
+void setUniforms(const SurfaceUniforms& numbers, vtkActor* actor);
+
+}  // namespace palpa::view

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextActor.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "app/view/text.h"
+
+/// Texts of the interactive view that change often. Internal to app/view.
+namespace palpa::view {
+
+/// Texts in one style in the overlay of a renderer. The actors are kept, also those that are not
+/// needed at the moment; a text is drawn into its image anew only when its words or the style
+/// change.
+class TextPool {
+ public:
+  explicit TextPool(vtkRenderer* overlay) : overlay_(overlay) {}
+  ~TextPool();
+  TextPool(const TextPool&) = delete;
+  TextPool& operator=(const TextPool&) = delete;
+
+  /// All texts are hidden until they are placed.
+  void set(const std::vector<std::string>& texts, const TextStyle& style);
+  std::size_t size() const { return used_; }
+  /// Width and height in pixels; zero without words.
+  const Eigen::Vector2d& extent(std::size_t index) const { return entries_[index].extent; }
+  /// Shows it with its upper left corner at `corner`, in pixels from the top left of a picture of
+  /// that height.
+  void place(std::size_t index, const Eigen::Vector2d& corner, int pictureHeight);
+  void hide(std::size_t index);
+  void hideAll();
+
+ private:
+  struct Entry {
+    vtkSmartPointer<vtkTextActor> actor;
+    std::string words;
+    Eigen::Vector2d extent = Eigen::Vector2d::Zero();
+  };
+
+  vtkRenderer* overlay_;
+  std::vector<Entry> entries_;
+  std::size_t used_ = 0;
+  TextStyle style_;
+};
+
+}  // namespace palpa::view

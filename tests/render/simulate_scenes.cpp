@@ -1,0 +1,356 @@
+#include "tests/render/simulate_scenes.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "modeling/shapes/primitives.h"
+
+namespace palpa::render_tests {
+namespace {
+
+using Eigen::Vector3d;
+using view::ContactRing;
+using view::ForceArrow;
+using view::LiveArrows;
+using view::ScalarField;
+using view::Viewport;
+using view::ViewportBody;
+using Anchor = ForceArrow::Anchor;
+using Role = ForceArrow::Role;
+using State = ContactRing::State;
+
+/// A smooth displacement: `peak` at `at`, fading out over `radius`.
+struct Dent {
+  Vector3d at, peak;
+  double radius;
+
+  Vector3d operator()(const Vector3d& place) const {
+    return std::exp(-(place - at).squaredNorm() / (radius * radius)) * peak;
+  }
+};
+
+/// A body pressed and pulled at some places.
+class Pressed {
+ public:
+  Pressed(const modeling::Solid& solid, std::vector<Dent> dents, int piecesPerSpan = 10)
+      : rest(viewportBody(solid, piecesPerSpan)), moved(rest), dents_(std::move(dents)) {
+    for (Vector3d& position : moved.positions) position = at(position);
+    for (std::size_t i = 0; i < rest.normals.size(); ++i) {
+      // The area vector of two moved tangents.
+      const Vector3d first = rest.normals[i].unitOrthogonal();
+      const Vector3d second = rest.normals[i].cross(first);
+      const Vector3d& place = rest.positions[i];
+      constexpr double kStep = 1e-4;
+      const Vector3d a = at(place + kStep * first) - at(place - kStep * first);
+      const Vector3d b = at(place + kStep * second) - at(place - kStep * second);
+      moved.normals[i] = a.cross(b).normalized();
+    }
+  }
+
+  Vector3d at(const Vector3d& place) const {
+    Vector3d result = place;
+    for (const Dent& dent : dents_) result += dent(place);
+    return result;
+  }
+
+  ScalarField displacement(double full) const {
+    ScalarField field{"Displacement |u|", "mm", {}, ScalarField::Colours::kSequential, {{0, full}}};
+    for (const Vector3d& place : rest.positions) field.values.push_back((at(place) - place).norm());
+    return field;
+  }
+
+  /// How far the surface moved outwards, in the colours of a traction.
+  ScalarField traction() const {
+    ScalarField field{
+        "Normal traction", "MPa", {}, ScalarField::Colours::kDiverging, {{-0.05, 0.05}}};
+    for (std::size_t i = 0; i < rest.positions.size(); ++i) {
+      const Vector3d moving = at(rest.positions[i]) - rest.positions[i];
+      field.values.push_back(0.01 * moving.dot(rest.normals[i]));
+    }
+    return field;
+  }
+
+  /// The circle about `around`, a point of a sphere at the origin, on the moved surface.
+  std::vector<Vector3d> ring(const Vector3d& around, double radius) const {
+    const Vector3d first = around.unitOrthogonal();
+    const Vector3d second = around.normalized().cross(first);
+    std::vector<Vector3d> points;
+    for (int i = 0; i < 48; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 48;
+      const Vector3d beside =
+          around + radius * (std::cos(angle) * first + std::sin(angle) * second);
+      points.push_back(at(around.norm() * beside.normalized()));
+    }
+    return points;
+  }
+
+  void show(Viewport& viewport) const {
+    viewport.setBody(rest);
+    viewport.setControlNet({});
+    viewport.fit();
+    viewport.moveBody(moved.positions, moved.normals);
+    std::vector<double> base;
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const Vector3d& place : rest.positions) {
+      lowest = std::min(lowest, place.z());
+      highest = std::max(highest, place.z());
+    }
+    for (const Vector3d& place : rest.positions) {
+      base.push_back(place.z() - lowest - 0.15 * (highest - lowest));
+    }
+    viewport.setRegions(base, {});
+  }
+
+  ViewportBody rest, moved;
+
+ private:
+  std::vector<Dent> dents_;
+};
+
+constexpr double kRadius = 25;  // mm
+
+Vector3d onSphere(double x, double y, double z) {
+  return kRadius * Vector3d(x, y, z).normalized();
+}
+
+/// A sphere pressed in from the upper front.
+Pressed pushedSphere() {
+  const Vector3d at = onSphere(0.25, -0.75, 0.65);
+  return {modeling::makeSphere(kRadius), {{at, -5.5 / kRadius * at, 10}}};
+}
+
+/// A sphere pulled out at its left side.
+Pressed pulledSphere() {
+  const Vector3d at = onSphere(-0.85, -0.6, 0.25);
+  return {modeling::makeSphere(kRadius), {{at, {-9, -4, 3}, 11}}};
+}
+
+void push(Viewport& viewport) {
+  const Pressed sphere = pushedSphere();
+  const Vector3d at = onSphere(0.25, -0.75, 0.65);
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(6));
+  viewport.setLiveArrows(
+      {{{sphere.at(at), -1.34 / kRadius * at, Anchor::kTip, Role::kApplied, "1.34 N"},
+        {{0, 0, -25}, 1.34 / kRadius * at, Anchor::kTip, Role::kReaction, "1.34 N"}},
+       2});
+  viewport.setContactRings({{sphere.ring(at, 4), State::kSticking}});
+}
+
+void pull(Viewport& viewport) {
+  const Pressed sphere = pulledSphere();
+  const Vector3d at = onSphere(-0.85, -0.6, 0.25);
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(12));
+  viewport.setGhost(sphere.rest);
+  viewport.setLiveArrows(
+      {{{sphere.at(at), {-0.9, -0.4, 0.3}, Anchor::kTail, Role::kApplied, "1.03 N"}}, 1});
+  viewport.setContactRings({{sphere.ring(at, 3), State::kHolding}});
+}
+
+void traction(Viewport& viewport) {
+  const Vector3d in = onSphere(0.5, -0.75, 0.4);
+  const Vector3d out = onSphere(-0.6, -0.7, 0.35);
+  const Pressed sphere(modeling::makeSphere(kRadius),
+                       {{in, -5 / kRadius * in, 9}, {out, 5 / kRadius * out, 9}});
+  sphere.show(viewport);
+  viewport.setField(sphere.traction());
+  viewport.setLiveArrows(
+      {{{sphere.at(in), -0.8 / kRadius * in, Anchor::kTip, Role::kApplied, "0.800 N"},
+        {sphere.at(out), 0.75 / kRadius * out, Anchor::kTail, Role::kApplied, "0.750 N"}},
+       1});
+  viewport.setContactRings(
+      {{sphere.ring(in, 4), State::kSlipping}, {sphere.ring(out, 4), State::kHolding}});
+}
+
+/// A ball presses from the upper right; the ring of the contact is seen through it.
+void probe(Viewport& viewport) {
+  const Vector3d at = onSphere(0.35, -0.6, 0.72);
+  const Pressed sphere(modeling::makeSphere(kRadius), {{at, -4.5 / kRadius * at, 9}});
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(5));
+  const double ball = 9;
+  viewport.setProbeBalls({{sphere.at(at) * (1 + ball / sphere.at(at).norm()), ball}});
+  viewport.setContactRings({{sphere.ring(at, 4.5), State::kSticking}});
+  viewport.setLiveArrows(
+      {{{sphere.at(at), -2.4 / kRadius * at, Anchor::kTip, Role::kApplied, "2.40 N"}}, 3});
+}
+
+void plainProbe(Viewport& viewport) {
+  probe(viewport);
+  viewport.setField({});
+}
+
+void ghost(Viewport& viewport) {
+  const Pressed box(modeling::makeBox({40, 30, 20}), {{{0, 0, 20}, {6, 0, -7}, 14}});
+  box.show(viewport);
+  viewport.setGhost(box.rest);
+}
+
+/// Enlarged ten times: the ghost stands inside the drawn shape.
+void enlarged(Viewport& viewport) {
+  const Pressed cylinder(modeling::makeCylinder(15, 40), {{{0, 0, 55}, {16, 4, 6}, 32}});
+  cylinder.show(viewport);
+  viewport.setField(cylinder.displacement(20));
+  ViewportBody lines = cylinder.rest;
+  lines.triangles.clear();
+  lines.patchOfTriangle.clear();
+  viewport.setGhost(lines);
+}
+
+/// From hardly anything to more than the full length.
+void growingArrows(Viewport& viewport) {
+  const Pressed sphere(modeling::makeSphere(kRadius), {});
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(1));
+  LiveArrows forces{{}, 2};
+  int i = 0;
+  for (const double force : {0.001, 0.02, 0.1, 0.3, 0.8, 2.0, 9.0}) {
+    const double angle = -2.7 + 0.37 * i++;
+    const Vector3d away(std::cos(angle), std::sin(angle), 0.15);
+    forces.arrows.push_back({kRadius * away.normalized(), force * away.normalized(), Anchor::kTail,
+                             Role::kApplied,
+                             i < 4 ? "" : std::to_string(force).substr(0, 4) + " N"});
+  }
+  viewport.setLiveArrows(forces);
+}
+
+/// Labels that would cover each other, and some of arrows behind the body.
+void manyContacts(Viewport& viewport) {
+  const Pressed sphere = pushedSphere();
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(6));
+  LiveArrows forces{{}, 1};
+  std::vector<ContactRing> rings;
+  for (int i = 0; i < 12; ++i) {
+    const Vector3d at = i < 8 ? onSphere(0.25 + 0.17 * (i % 4) - 0.3, -0.75, 0.65 - 0.25 * (i / 4))
+                              : onSphere(-0.7 + 0.5 * (i - 8), 0.8, 0.3);
+    forces.arrows.push_back({sphere.at(at), -0.5 / kRadius * at, Anchor::kTip, Role::kApplied,
+                             "0.5" + std::to_string(10 + i) + " N"});
+    rings.push_back({sphere.ring(at, 1.5), State::kSticking});
+  }
+  viewport.setLiveArrows(forces);
+  viewport.setContactRings(rings);
+}
+
+/// Every state, and one behind the body.
+void rings(Viewport& viewport) {
+  const Pressed sphere = pushedSphere();
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(6));
+  viewport.setContactRings({{sphere.ring(onSphere(-0.7, -0.7, 0.4), 4), State::kOpen},
+                            {sphere.ring(onSphere(-0.25, -0.9, 0.1), 4), State::kHolding},
+                            {sphere.ring(onSphere(0.25, -0.75, 0.65), 4), State::kSticking},
+                            {sphere.ring(onSphere(0.35, -0.9, -0.1), 4), State::kSlipping},
+                            {sphere.ring(onSphere(0.8, -0.5, 0.2), 4), State::kFailed},
+                            {sphere.ring(onSphere(-0.3, 0.9, 0.2), 6), State::kSlipping}});
+}
+
+void plainRings(Viewport& viewport) {
+  rings(viewport);
+  viewport.setField({});
+}
+
+/// Marks, supports and loads over the colours.
+void regions(Viewport& viewport) {
+  push(viewport);
+  const Pressed sphere = pushedSphere();
+  std::vector<double> supports, loads;
+  std::vector<view::Mark> marks;
+  for (const Vector3d& place : sphere.rest.positions) {
+    supports.push_back(place.z() + 12 + 0.3 * place.x());
+    loads.push_back((place - onSphere(0.8, -0.6, 0.1)).norm() - 7);
+  }
+  for (const int patch : sphere.rest.patchOfTriangle) {
+    marks.push_back(patch == 0 ? view::Mark::kHovered : view::Mark::kNone);
+  }
+  viewport.setRegions(supports, loads);
+  viewport.setMarks(marks);
+}
+
+/// Quick changes after the first picture: what the loop does.
+void updated(Viewport& viewport) {
+  push(viewport);
+  viewport.render(view::Quality::kQuick);
+  const Pressed sphere = pulledSphere();
+  const Vector3d at = onSphere(-0.85, -0.6, 0.25);
+  viewport.moveBody(sphere.moved.positions, sphere.moved.normals);
+  const ScalarField field = sphere.displacement(20);
+  viewport.setFieldValues(field.values, *field.range);
+  viewport.setLiveArrows({{{sphere.at(at), {-0.9, -0.4, 0.3}, Anchor::kTail, {}, "1.03 N"}}, 2});
+  viewport.setContactRings({});
+}
+
+/// The inside of a patch without values, and numbers that need a power of ten.
+void tinyNumbers(Viewport& viewport) {
+  const Pressed box(modeling::makeBox({40, 30, 20}), {{{10, -8, 20}, {0, 0, -3}, 9}});
+  box.show(viewport);
+  ScalarField field = box.displacement(3);
+  field.name = "von Mises stress";
+  field.unit = "MPa";
+  field.range = {0, 2e-5};
+  for (double& value : field.values) value *= 0.6e-5;
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    if (box.rest.positions[i].x() > 12 && box.rest.positions[i].z() < 12) {
+      field.values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  viewport.setField(field);
+  viewport.setRegions({}, {});
+}
+
+std::function<void(Viewport&)> dark(std::function<void(Viewport&)> light) {
+  return [light = std::move(light)](Viewport& viewport) {
+    light(viewport);
+    viewport.setTheme(view::ViewportTheme::dark());
+  };
+}
+
+std::function<void(Viewport&)> shaded(std::function<void(Viewport&)> scene, view::Shading shading) {
+  return [scene = std::move(scene), shading](Viewport& viewport) {
+    scene(viewport);
+    viewport.setShading(shading);
+  };
+}
+
+std::function<void(Viewport&)> parallel(std::function<void(Viewport&)> scene) {
+  return [scene = std::move(scene)](Viewport& viewport) {
+    viewport.setParallelProjection(true);
+    scene(viewport);
+  };
+}
+
+}  // namespace
+
+std::map<std::string, ViewportCase> simulateCases() {
+  return {
+      {"simulate_push", {push}},
+      {"simulate_dark_push", {dark(push)}},
+      {"simulate_pull_ghost", {pull}},
+      {"simulate_dark_pull_ghost", {dark(pull)}},
+      {"simulate_traction", {traction}},
+      {"simulate_dark_traction", {dark(traction)}},
+      {"simulate_probe", {probe}},
+      {"simulate_dark_probe", {dark(plainProbe)}},
+      {"simulate_ghost", {ghost}},
+      {"simulate_dark_ghost", {dark(ghost)}},
+      {"simulate_enlarged", {enlarged}},
+      {"simulate_growing_arrows", {growingArrows}},
+      {"simulate_many_contacts", {manyContacts}},
+      {"simulate_rings", {rings}},
+      {"simulate_dark_rings", {dark(plainRings)}},
+      {"simulate_regions", {regions}},
+      {"simulate_shaded", {shaded(pull, view::Shading::kShaded)}},
+      {"simulate_wire", {shaded(push, view::Shading::kWire)}},
+      {"simulate_updated", {updated}},
+      {"simulate_tiny_numbers", {tinyNumbers}},
+      {"simulate_parallel", {parallel(probe), 640, 480}},
+      {"simulate_narrow", {push, 320, 240}},
+      {"simulate_high_dpi", {push, 1200, 900, 2}},
+  };
+}
+
+}  // namespace palpa::render_tests

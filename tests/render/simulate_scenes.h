@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tests/render/viewport_scenes.h"
+
+namespace palpa::render_tests {
+
+/// Pictures of the interactive view while one touches: dented bodies with their field, contacts,
+/// forces and ghost.
+std::map<std::string, ViewportCase> simulateCases();
+
+}  // namespace palpa::render_tests
