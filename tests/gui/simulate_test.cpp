@@ -114,6 +114,7 @@ TEST_F(Simulate, AnEditDuringATouchSwapsTheModel) {
   slowly(at, at + QPoint(40, 20));
   QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(40, 20));
   ASSERT_TRUE(waitForForce());
+  QTest::qWait(200);  // until the last motion has arrived
   const double before = contact()->force.norm();
   const std::uint64_t model = simulation().snapshot().model;
   modeling::Material stiffer = editor().project().material;
@@ -124,6 +125,42 @@ TEST_F(Simulate, AnEditDuringATouchSwapsTheModel) {
   QTest::qWait(100);
   ASSERT_TRUE(contact());
   EXPECT_NEAR(contact()->force.norm(), 2 * before, 1e-3 * before);
+}
+
+TEST_F(Simulate, ARecordingIsReplayedAndExported) {
+  enter();
+  action("Record")->trigger();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(50, 10));
+  ASSERT_TRUE(waitForForce());
+  QTest::qWait(150);
+  const Eigen::Vector3d force = contact()->force;
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + QPoint(50, 10));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 5000));
+  action("Record")->trigger();
+  ASSERT_TRUE(action("Replay")->isEnabled());
+  // In the window: the same force again.
+  action("Replay")->trigger();
+  double nearest = 1e9;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        if (contact()) nearest = std::min(nearest, (contact()->force - force).norm());
+        return action("Export forces")->isEnabled();
+      },
+      20000));
+  EXPECT_LT(nearest, 1e-3 * force.norm());
+  // As a table: its last contact line before letting go has it, too.
+  const QString file = folder_.filePath("forces.csv");
+  withDialog<QFileDialog>([&] { action("Export forces")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, file); });
+  QFile table(file);
+  ASSERT_TRUE(table.open(QIODevice::ReadOnly));
+  const QStringList lines = QString(table.readAll()).trimmed().split('\n');
+  ASSERT_GT(lines.size(), 100);
+  const int column = static_cast<int>(lines[0].split(',').indexOf("force_N"));
+  EXPECT_NEAR(lines.back().split(',')[column].toDouble(), force.norm(), 1e-3 * force.norm());
+  keepPicture("simulate-recorded");
 }
 
 TEST_F(Simulate, TheModelComesBackAsItWas) {

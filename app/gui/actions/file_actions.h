@@ -29,6 +29,9 @@ class FileActions : public QObject {
   void newSolid();
   /// Asks for a file and opens it.
   void open();
+  /// Asks for a name to write to, which gets `ending` when it has none, and before something is
+  /// overwritten; empty when the person cancelled.
+  QString askFileToWrite(const QString& title, const QString& filter, const QString& ending);
 
  private:
   void addImportAndExport();
@@ -42,9 +45,6 @@ class FileActions : public QObject {
   void editPrimitive();
   /// Asks for a file that exists and keeps its folder; empty when the person cancelled.
   QString askFileToOpen(const QString& title, const QString& filter);
-  /// Asks for a name to write to, which gets `ending` when it has none, and before something is
-  /// overwritten; empty when the person cancelled.
-  QString askFileToWrite(const QString& title, const QString& filter, const QString& ending);
 
   Workspace workspace_;
 };

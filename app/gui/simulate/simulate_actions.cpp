@@ -21,6 +21,7 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
   addModes();
   addTools();
   addPictures();
+  recording_ = new RecordingActions(workspace, simulation);
   connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
   show(false);
 }

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "app/gui/simulate/hand_tool.h"
+#include "app/gui/simulate/recording_actions.h"
 #include "app/gui/simulate/simulation_view.h"
 #include "app/gui/workspace.h"
 
@@ -27,6 +28,7 @@ class SimulateActions : public QObject {
   HandOptions hand_;
   QAction* model_ = nullptr;
   QAction* simulate_ = nullptr;
+  RecordingActions* recording_ = nullptr;
   std::vector<QAction*> onlySimulating_;
 };
 

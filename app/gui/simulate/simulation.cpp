@@ -43,7 +43,9 @@ void Simulation::setActive(bool active) {
     timer_.start();
     followModel();
   } else {
+    Q_EMIT leaving();
     timer_.stop();
+    isLive_ = true;
     letGoOfAll();
     loop_->setModel(nullptr);
     maker_ = {};
@@ -116,7 +118,20 @@ Eigen::Vector3d Simulation::displacementAt(const bem::SurfacePoint& point) const
   return sum;
 }
 
+void Simulation::show(const app::TouchSnapshot& snapshot) {
+  if (!drawn_) return;
+  snapshot_ = snapshot;
+  evaluate();
+  Q_EMIT framed();
+}
+
+void Simulation::showLive() {
+  isLive_ = true;
+  isDirty_ = true;
+}
+
 void Simulation::frame() {
+  if (!isLive_) return;
   loop_->read(snapshot_);
   if (snapshot_.model != drawnNumber_) {
     // Until the new body is drawn the picture stays as it is.
@@ -157,6 +172,10 @@ void Simulation::makeDrawn(std::uint64_t number) {
 void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBody> drawn,
                        std::unique_ptr<app::TouchField> field) {
   if (!isActive() || number != wantedNumber_) return;
+  if (!isLive_) {
+    wantedNumber_ = 0;  // made again then
+    return;
+  }
   if (field_) app::releaseElsewhere(std::shared_ptr<app::TouchField>(std::move(field_)));
   if (drawn_) app::releaseElsewhere(std::move(drawn_));
   field_ = std::move(field);

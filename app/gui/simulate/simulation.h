@@ -62,11 +62,19 @@ class Simulation : public QObject {
   /// The body whose pictures are drawn; null before the first.
   std::shared_ptr<const app::TouchBody> body() const;
 
+  /// Keeps body() and the picture as they are, whatever the loop says, until showLive().
+  void freeze() { isLive_ = false; }
+  void showLive();
+  /// Draws a snapshot of body(), as of a replay; the picture must be frozen.
+  void show(const app::TouchSnapshot& snapshot);
+
   /// Displacement of a surface point of drawn() in the last frame, mm.
   Eigen::Vector3d displacementAt(const bem::SurfacePoint& point) const;
 
  Q_SIGNALS:
   void activeChanged(bool active);
+  /// The mode is being left; everything is still there.
+  void leaving();
   /// drawn() is another one; framed() follows.
   void bodyChanged();
   /// shape(), values() and snapshot() are new.
@@ -90,6 +98,7 @@ class Simulation : public QObject {
   app::TouchSnapshot snapshot_;
   std::uint64_t lastStep_ = 0;
   bool wasTouched_ = false, isDirty_ = false;
+  bool isLive_ = true;
   std::uint64_t drawnNumber_ = 0, wantedNumber_ = 0;
   std::shared_ptr<const app::DrawnBody> drawn_;
   std::unique_ptr<app::TouchField> field_;

@@ -215,7 +215,8 @@ void SimulationView::showContacts() {
       balls.push_back({contact.value + (simulation_.scale() - 1) * moved, contact.tool.radius});
       radius = 0;
       for (const auto& patch : snapshot.pressed(contact))
-        radius = std::max(radius, (patch.point.position - contact.point.position).norm() + 0.5 * patch.radius);
+        radius = std::max(
+            radius, (patch.point.position - contact.point.position).norm() + 0.5 * patch.radius);
     }
     if (radius > 0)
       rings.push_back({ring(contact, radius), stateOf(contact.status, snapshot.isConverged)});

@@ -1,0 +1,173 @@
+#include "app/gui/simulate/recording_actions.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include "app/gui/background_job.h"
+#include "app/gui/dialogs/picture_dialog.h"
+#include "app/gui/dialogs/progress_dialog.h"
+#include "app/gui/main_window.h"
+#include "app/gui/menus.h"
+#include "app/gui/simulate/animation.h"
+
+namespace palpa::gui {
+namespace {
+
+constexpr std::uint64_t kStepsPerPicture = 1000 / kAnimationRate;
+
+}  // namespace
+
+RecordingActions::RecordingActions(const Workspace& workspace, Simulation& simulation)
+    : QObject(&workspace.window),
+      workspace_(workspace),
+      simulation_(simulation),
+      recorder_(simulation) {
+  Menus& menus = workspace.menus;
+  menus.simulate->addSeparator();
+  record_ = menus.addToggle(menus.simulate,
+                            {"record", tr("&Record"), QKeySequence(Qt::CTRL | Qt::Key_R),
+                             tr("Record what the hand does, a thousand times a second")},
+                            false, this, [this](bool on) { toggleRecording(on); });
+  replay_ = menus.add(menus.simulate,
+                      {"replay", tr("Re&play"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
+                       tr("Do again what was recorded")},
+                      this, [this] {
+                        if (recorder_.isReplaying())
+                          recorder_.stopReplay();
+                        else
+                          recorder_.replay();
+                      });
+  table_ = menus.add(menus.simulate,
+                     {nullptr,
+                      tr("Export &forces …"),
+                      {},
+                      tr("Write the forces of every millisecond of the recording as a table")},
+                     this, [this] { exportTable(); });
+  animation_ = menus.add(
+      menus.simulate,
+      {nullptr, tr("Export &animation …"), {}, tr("Write the recording as pictures or as a video")},
+      this, [this] { exportAnimation(); });
+  for (QAction* action : {record_, replay_}) menus.bar->addAction(action);
+  connect(&recorder_, &Recorder::changed, this, &RecordingActions::update);
+  connect(&simulation, &Simulation::activeChanged, this, &RecordingActions::update);
+  connect(&simulation, &Simulation::bodyChanged, this, &RecordingActions::update);
+  update();
+}
+
+void RecordingActions::update() {
+  const bool isActive = simulation_.isActive() && simulation_.drawn();
+  const bool isThere = recorder_.recording().has_value() && !recorder_.isRecording();
+  record_->setVisible(simulation_.isActive());
+  replay_->setVisible(simulation_.isActive());
+  record_->setEnabled(isActive && !recorder_.isReplaying());
+  const QSignalBlocker silent(record_);
+  record_->setChecked(recorder_.isRecording());
+  replay_->setEnabled(isActive && isThere);
+  replay_->setText(recorder_.isReplaying() ? tr("Stop re&play") : tr("Re&play"));
+  table_->setEnabled(isActive && isThere && !recorder_.isReplaying());
+  animation_->setEnabled(isActive && isThere && !recorder_.isReplaying());
+}
+
+void RecordingActions::toggleRecording(bool on) {
+  if (on) {
+    recorder_.start();
+    return;
+  }
+  recorder_.stop();
+  if (!recorder_.recording()) {
+    Q_EMIT workspace_.editor.said(tr("Nothing was recorded: nothing was touched"));
+    return;
+  }
+  const app::TouchRecording& recording = *recorder_.recording();
+  QString words = tr("Recorded %L1 s").arg(1e-3 * static_cast<double>(recording.steps), 0, 'f', 1);
+  if (recording.isFull) words += tr("; the end was lost, it was too long");
+  if (recording.modelChanges > 0)
+    words += tr("; the solid was edited meanwhile, and a replay uses it as it is then");
+  Q_EMIT workspace_.editor.said(words);
+}
+
+void RecordingActions::exportTable() {
+  const QString file =
+      workspace_.window.files().askFileToWrite(tr("Export forces"), tr("Tables (*.csv)"), ".csv");
+  if (file.isEmpty()) return;
+  const auto model = simulation_.body()->sharedModel();
+  const app::TouchRecording recording = *recorder_.recording();
+  try {
+    const bool isDone =
+        runWorkInBackground(workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
+                            [&](const modeling::Job& job) {
+                              bem::Job inner;
+                              inner.stop = job.stop;
+                              inner.progress = job.progress;
+                              Recorder::writeTable(model, recording, file.toStdString(), inner);
+                            });
+    if (isDone) Q_EMIT workspace_.editor.said(tr("Forces exported to %1").arg(file));
+  } catch (const std::exception& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+  }
+}
+
+bool RecordingActions::drawInto(const std::filesystem::path& folder, const QSize& size) {
+  simulation_.freeze();
+  struct Live {
+    Simulation& simulation;
+    ~Live() { simulation.showLive(); }
+  } const live{simulation_};
+  const auto model = simulation_.body()->sharedModel();
+  const app::TouchRecording recording = *recorder_.recording();
+  std::vector<app::TouchSnapshot> snapshots;
+  std::uint64_t step = 0;
+  const bool isPlayed =
+      runWorkInBackground(workspace_.window, tr("Replaying"), [&](const modeling::Job& job) {
+        bem::Job inner;
+        inner.stop = job.stop;
+        inner.progress = job.progress;
+        Recorder::play(model, recording, inner, [&](const app::TouchSnapshot& snapshot) {
+          if (step++ % kStepsPerPicture == 0) snapshots.push_back(snapshot);
+        });
+      });
+  if (!isPlayed) return false;
+  ProgressDialog progress(tr("Drawing the pictures"), &workspace_.window);
+  bool isStopped = false;
+  connect(&progress, &QDialog::rejected, &progress, [&] { isStopped = true; });
+  progress.open();
+  return writeAnimation(simulation_, workspace_.view, snapshots, folder, size,
+                        [&](double fraction) {
+                          progress.showProgress("draw", fraction, isStopped);
+                          return isStopped;
+                        });
+}
+
+void RecordingActions::exportAnimation() {
+  PictureDialog dialog(workspace_.view.size(), &workspace_.window);
+  dialog.setWindowTitle(tr("Export animation"));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const bool isVideo = !videoProgram().isEmpty();
+  const QString target =
+      isVideo ? workspace_.window.files().askFileToWrite(tr("Export animation"),
+                                                         tr("Videos (*.mp4)"), ".mp4")
+              : QFileDialog::getExistingDirectory(&workspace_.window, tr("Folder for the pictures"),
+                                                  workspace_.settings.lastFolder());
+  if (target.isEmpty()) return;
+  try {
+    QTemporaryDir pictures;
+    const std::filesystem::path folder =
+        isVideo ? pictures.path().toStdString() : target.toStdString();
+    if (!drawInto(folder, dialog.pictureSize())) return;
+    if (isVideo && !runWorkInBackground(workspace_.window, tr("Making the video"),
+                                        [&](const modeling::Job& job) {
+                                          makeVideo(folder, target.toStdString(),
+                                                    [&] { return job.stop.stop_requested(); });
+                                        }))
+      return;
+    Q_EMIT workspace_.editor.said(
+        isVideo
+            ? tr("Animation exported to %1").arg(target)
+            : tr("Pictures exported to %1; with ffmpeg installed they become a video").arg(target));
+  } catch (const std::exception& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+  }
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QAction>
+#include <QObject>
+
+#include "app/gui/simulate/recorder.h"
+#include "app/gui/workspace.h"
+
+namespace palpa::gui {
+
+/// The part of the Simulate menu that records, replays and exports.
+class RecordingActions : public QObject {
+  Q_OBJECT
+
+ public:
+  RecordingActions(const Workspace& workspace, Simulation& simulation);
+
+  Recorder& recorder() { return recorder_; }
+
+ private:
+  void update();
+  void toggleRecording(bool on);
+  void exportTable();
+  void exportAnimation();
+  /// Draws the pictures of a replay; false when it was stopped.
+  bool drawInto(const std::filesystem::path& folder, const QSize& size);
+
+  Workspace workspace_;
+  Simulation& simulation_;
+  Recorder recorder_;
+  QAction* record_;
+  QAction* replay_;
+  QAction* table_;
+  QAction* animation_;
+};
+
+}  // namespace palpa::gui
