@@ -71,8 +71,10 @@ LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model
   for (std::size_t k = 0; k < points.size(); ++k) {
     last = loop.begin({Kind::kGrab, 3}, points[k], -0.02 * points[k]);
     if (k > 0) continue;
-    do loop.read(snapshot);
-    while (!snapshot.find(last) || snapshot.find(last)->force.isZero(0));
+    do {
+      std::this_thread::sleep_for(200us);
+      loop.read(snapshot);
+    } while (!snapshot.find(last) || snapshot.find(last)->force.isZero(0));
     report.firstForce = secondsBetween(touched, snapshot.time);
   }
   const auto isTouching = [&] {

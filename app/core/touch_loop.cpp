@@ -2,7 +2,6 @@
 
 #include <pthread.h>
 
-#include <cmath>
 #include <ctime>
 #include <utility>
 
@@ -19,25 +18,6 @@ constexpr int kStepsBetweenLooks = 16;
 constexpr std::chrono::milliseconds kRateWindow{250};
 /// How often the loop looks for new input between two steps.
 constexpr std::chrono::microseconds kLook{250};
-constexpr double kLargestRadius = 1e6;  // mm
-constexpr double kLargestFriction = 10;
-
-std::uint64_t bit(int slot) {
-  return std::uint64_t{1} << static_cast<unsigned>(slot);
-}
-
-bool isBall(const bem::ContactTool& tool) {
-  return tool.kind == bem::ContactTool::Kind::kProbe;
-}
-
-void check(const bem::ContactTool& tool, const Vector3d& at, const Vector3d& value) {
-  if (!at.allFinite() || !value.allFinite())
-    throw TouchRefused("the place or the value of a touch is not a finite number");
-  if (!(tool.radius > 0 && tool.radius <= kLargestRadius))
-    throw TouchRefused("the radius of a touch must be above 0 and at most 1e6 mm");
-  if (!(tool.friction >= 0 && tool.friction <= kLargestFriction))
-    throw TouchRefused("the friction coefficient of a touch must be 0 to 10");
-}
 
 void sleepUntil(TouchLoop::Clock::time_point time) {
   const auto since = std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch());
@@ -79,44 +59,6 @@ TouchLoop::~TouchLoop() {
 
 std::uint64_t TouchLoop::setModel(std::shared_ptr<const TouchModel> model) {
   return worker_.setModel(std::move(model));
-}
-
-TouchId TouchLoop::begin(const bem::ContactTool& tool, const Vector3d& at, const Vector3d& value) {
-  check(tool, at, value);
-  if (isBall(tool) && balls_.fetch_add(1) >= TouchSnapshot::kMostBalls) {
-    balls_.fetch_sub(1);
-    throw TouchRefused("at most 8 balls can press at once; let go of one first");
-  }
-  std::uint64_t used = used_.load(std::memory_order_acquire);
-  int index = 0;
-  do {
-    index = std::countr_one(used);
-    if (index == kSlots) {
-      if (isBall(tool)) balls_.fetch_sub(1);
-      throw TouchRefused("at most 64 touches can be held at once; let go of one first");
-    }
-  } while (!used_.compare_exchange_weak(used, used | bit(index), std::memory_order_acq_rel));
-  Slot& slot = slots_[index];
-  const TouchId id = (++slot.generation << 6U) | static_cast<TouchId>(index);
-  slot.begin = {TouchCommand::Kind::kBegin, id, tool, at, value};
-  slot.isEnding.store(false, std::memory_order_relaxed);
-  slot.open.store(id, std::memory_order_release);
-  begun_.fetch_or(bit(index), std::memory_order_release);
-  return id;
-}
-
-void TouchLoop::set(TouchId id, const Vector3d& value) {
-  Slot& slot = slots_[id % kSlots];
-  if (slot.open.load(std::memory_order_acquire) != id || !value.allFinite()) return;
-  slot.values.back() = {id, value, Clock::now()};
-  slot.values.publish();
-}
-
-void TouchLoop::end(TouchId id) {
-  Slot& slot = slots_[id % kSlots];
-  TouchId expected = id;
-  if (slot.open.compare_exchange_strong(expected, 0))
-    slot.isEnding.store(true, std::memory_order_release);
 }
 
 void TouchLoop::expect(const Vector3d& point) {
@@ -181,15 +123,6 @@ void TouchLoop::run(const std::stop_token& stop) {
   }
 }
 
-bool TouchLoop::hasInput() const {
-  for (std::uint64_t left = begun_.load(std::memory_order_acquire); left != 0; left &= left - 1) {
-    const Slot& slot = slots_[std::countr_zero(left)];
-    if (!slot.isTouching || slot.values.hasNew() || slot.isEnding.load(std::memory_order_relaxed))
-      return true;
-  }
-  return false;
-}
-
 /// Until the next step is due or, from `earliest` on, there is input for it.
 void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) const {
   auto next = std::min(earliest, due);
@@ -199,7 +132,7 @@ void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) con
       sleepUntil(next);
       continue;
     }
-    if (next >= due || hasInput()) return;
+    if (next >= due || input_.hasNews()) return;
     next = std::min(next + kLook, due);
   }
 }
@@ -214,12 +147,7 @@ void TouchLoop::receiveOffer() {
     nextReady_ = -1;
     return;
   }
-  for (int k = 0; k < kSlots; ++k)
-    if (slots_[k].isTouching) {
-      slots_[k].open.store(0);
-      apply({TouchCommand::Kind::kEnd, slots_[k].begin.id, {}, {}, {}});
-      freeSlot(k);
-    }
+  input_.endAll([this](const TouchCommand& command) { apply(command); });
   if (touched_) retire(touched_);
   touched_ = nullptr;
   retire(offer);
@@ -259,55 +187,20 @@ void TouchLoop::retire(TouchMail::Offer* offer) {
 
 void TouchLoop::takeInput() {
   // In this order: what began after a recording was started belongs to it.
-  const std::uint64_t begun = begun_.load(std::memory_order_acquire);
+  const std::uint64_t begun = input_.begun();
   takeRecorder();
-  if (!touched_) return;
-  for (std::uint64_t left = begun; left != 0; left &= left - 1) takeSlot(std::countr_zero(left));
+  if (touched_) input_.take(begun, [this](const TouchCommand& command) { apply(command); });
 }
 
 void TouchLoop::takeRecorder() {
   if (TouchRecording* begins = newRecording_.exchange(nullptr, std::memory_order_acq_rel)) {
     recording_.reset(begins);
-    for (const Slot& slot : slots_) {
-      if (!slot.isTouching) continue;
-      TouchCommand command = slot.begin;
-      command.value = slot.value;
-      record(command);
-    }
+    input_.repeat([this](const TouchCommand& command) { record(command); });
   }
   if (stopsRecording_.exchange(false, std::memory_order_acq_rel)) {
     finished_.store(recording_ ? recording_.release() : new TouchRecording());
     finished_.notify_all();
   }
-}
-
-void TouchLoop::takeSlot(int index) {
-  Slot& slot = slots_[index];
-  const TouchId id = slot.begin.id;
-  const bool isEnding = slot.isEnding.load(std::memory_order_acquire);
-  if (!slot.isTouching) {
-    slot.value = slot.begin.value;
-    slot.isTouching = true;
-    apply(slot.begin);
-  }
-  if (slot.values.update() && slot.values.front().id == id &&
-      slot.values.front().value != slot.value) {
-    slot.value = slot.values.front().value;
-    apply({TouchCommand::Kind::kSet, id, {}, Vector3d::Zero(), slot.value});
-    said_[saidCount_++] = slot.values.front().said;
-  }
-  if (isEnding) {
-    apply({TouchCommand::Kind::kEnd, id, {}, Vector3d::Zero(), Vector3d::Zero()});
-    freeSlot(index);
-  }
-}
-
-void TouchLoop::freeSlot(int index) {
-  Slot& slot = slots_[index];
-  slot.isTouching = false;
-  if (isBall(slot.begin.tool)) balls_.fetch_sub(1);
-  begun_.fetch_and(~bit(index), std::memory_order_relaxed);
-  used_.fetch_and(~bit(index), std::memory_order_release);
 }
 
 void TouchLoop::apply(const TouchCommand& command) {
@@ -350,8 +243,8 @@ void TouchLoop::publish() {
   snapshot.rate = touched_ ? rate_ : 0;
   const auto time = snapshot.time;
   results_.publish();
-  for (int k = 0; k < saidCount_; ++k) latency_.add(time - said_[k]);
-  saidCount_ = 0;
+  for (const auto said : input_.said()) latency_.add(time - said);
+  input_.clearSaid();
 }
 
 }  // namespace palpa::app

@@ -1,31 +1,23 @@
 #pragma once
-#include <array>
 #include <atomic>
-#include <bit>
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <stdexcept>
 #include <thread>
 
 #include "app/core/latency_histogram.h"
+#include "app/core/touch_input.h"
 #include "app/core/touch_worker.h"
 
 namespace palpa::app {
 
-/// A touch that cannot begin; the message is for people.
-class TouchRefused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// The hand meets the body: a thread of its own that takes what mouse, script or device say, finds
 /// the forces a thousand times a second, and sooner when something new is said (but at most every
-/// half millisecond), and hands them out. Neither side waits for the other:
-/// input comes through one place per contact in which the newest value wins, results go out through
-/// a triple buffer, and the loop itself takes no lock and allocates nothing while contacts are
-/// moved (beginning and ending one, and changing the model, may allocate).
+/// half millisecond), and hands them out. Neither side waits for the other: input comes through one
+/// place per contact in which the newest value wins, results go out through a triple buffer, and
+/// the loop itself takes no lock and allocates nothing while contacts are moved (beginning and
+/// ending one, and changing the model, may allocate).
 ///
 /// The model may be replaced at any time. Contacts stay in place (ContactSimulation::takeOver); the
 /// old model is touched until the new one has the columns that they need.
@@ -56,11 +48,13 @@ class TouchLoop {
   /// TouchRefused: numbers that are not finite or out of range, more contacts than a snapshot
   /// holds.
   TouchId begin(const bem::ContactTool& tool, const Eigen::Vector3d& at,
-                const Eigen::Vector3d& value);
+                const Eigen::Vector3d& value) {
+    return input_.begin(tool, at, value);
+  }
   /// Moves it; values that are not finite, and contacts that have ended, are ignored.
-  void set(TouchId id, const Eigen::Vector3d& value);
+  void set(TouchId id, const Eigen::Vector3d& value) { input_.set(id, value); }
   /// A contact that is never ended stays as a pin.
-  void end(TouchId id);
+  void end(TouchId id) { input_.end(id); }
 
   /// Where the next touch may begin (mm): columns are computed around it.
   void expect(const Eigen::Vector3d& point);
@@ -82,44 +76,20 @@ class TouchLoop {
   TouchRecording stopRecording();
 
  private:
-  struct Value {
-    TouchId id = 0;
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();
-    Clock::time_point said;
-  };
-  /// One contact. Whoever set its bit in used_ fills it in; then begun_ hands it to the loop.
-  struct Slot {
-    std::atomic<TouchId> open{0};  // 0 once it was ended
-    TouchId generation = 0;
-    TouchCommand begin;
-    TripleBuffer<Value> values;
-    std::atomic<bool> isEnding{false};
-    // Of the loop's thread.
-    bool isTouching = false;
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();
-  };
-  static constexpr int kSlots = TouchSnapshot::kMostContacts;
-  static_assert(kSlots == 64, "one bit each");
-
   void run(const std::stop_token& stop);
-  bool hasInput() const;
   void waitUntil(Clock::time_point due, Clock::time_point earliest) const;
   void receiveOffer();
   void swapIfReady();
   void retire(TouchMail::Offer* offer);
   void takeInput();
   void takeRecorder();
-  void takeSlot(int index);
-  void freeSlot(int index);
   void apply(const TouchCommand& command);
   void record(const TouchCommand& command);
   void askForColumns();
   void publish();
 
   TouchMail mail_;
-  std::array<Slot, kSlots> slots_;
-  std::atomic<std::uint64_t> used_{0}, begun_{0};
-  std::atomic<int> balls_{0};
+  TouchInput input_;
   mutable std::mutex readers_;  // among readers
   mutable TripleBuffer<TouchSnapshot> results_;
 
@@ -141,8 +111,6 @@ class TouchLoop {
   int nextReady_ = -1, stepsSinceLook_ = 0;
   std::unique_ptr<TouchRecording> recording_;
   std::uint64_t step_ = 0;
-  std::array<Clock::time_point, kSlots> said_;  // of the values of this step
-  int saidCount_ = 0;
   Clock::time_point rateSince_;
   std::uint64_t rateStep_ = 0;
   double rate_ = 0;

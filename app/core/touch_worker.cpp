@@ -22,6 +22,34 @@ constexpr const char* kNoMemory =
     "there is no memory left for touching further places; take a larger edge length or close other "
     "programs";
 
+constexpr std::size_t kBlock = bem::GreensColumns::kBlock;
+
+/// Fills a block up with the nodes nearest to some points whose columns are missing.
+void addNearest(const TouchBody& body, const std::vector<Vector3d>& points,
+                std::vector<int>& block) {
+  struct Candidate {
+    double distance;
+    int node;
+  };
+  const bem::BoundaryMesh& mesh = body.surface().mesh();
+  std::vector<Candidate> others;
+  for (int node = 0; node < mesh.nodeCount(); ++node) {
+    if (!body.surface().dofs().isFree(node) || body.columns()->has(node) ||
+        std::find(block.begin(), block.end(), node) != block.end())
+      continue;
+    double distance = points.empty() ? 0 : std::numeric_limits<double>::infinity();
+    for (const Vector3d& point : points)
+      distance = std::min(distance, (mesh.nodes[node] - point).squaredNorm());
+    others.push_back({distance, node});
+  }
+  const std::size_t room = std::min(kBlock - block.size(), others.size());
+  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(room),
+                    others.end(), [](const Candidate& a, const Candidate& b) {
+                      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+                    });
+  for (std::size_t k = 0; k < room; ++k) block.push_back(others[k].node);
+}
+
 }  // namespace
 
 TouchWorker::TouchWorker(TouchMail& mail, Options options,
@@ -29,12 +57,16 @@ TouchWorker::TouchWorker(TouchMail& mail, Options options,
     : mail_(mail),
       options_(options),
       focus_(std::move(focus)),
-      worker_([this](const std::stop_token& stop) { work(stop); }) {}
+      worker_([this](const std::stop_token& stop) { work(stop); }),
+      filler_([this](const std::stop_token& stop) { fill(stop); }) {}
 
 TouchWorker::~TouchWorker() {
   worker_.request_stop();
+  filler_.request_stop();
   TouchMail::signal(mail_.workerSignal);
+  TouchMail::signal(fillSignal_);
   worker_.join();
+  filler_.join();
   releaseRetired();
   delete mail_.offered.exchange(nullptr);
 }
@@ -76,14 +108,14 @@ void TouchWorker::setError(std::string error) {
   status_.error = std::move(error);
 }
 
-void TouchWorker::work(const std::stop_token& stop) {
-  lowerThreadPriority();
+template <class Some>
+void TouchWorker::repeat(const std::stop_token& stop, std::atomic<std::uint32_t>& signal,
+                         const Some& some) {
   for (;;) {
-    const std::uint32_t seen = mail_.workerSignal.load(std::memory_order_acquire);
+    const std::uint32_t seen = signal.load(std::memory_order_acquire);
     if (stop.stop_requested()) return;
-    releaseRetired();
     try {
-      if (prepare() || computeSome(stop)) continue;
+      if (some()) continue;
     } catch (const bem::Cancelled&) {
       return;
     } catch (const std::bad_alloc&) {
@@ -91,8 +123,25 @@ void TouchWorker::work(const std::stop_token& stop) {
     } catch (const std::exception& error) {
       setError(error.what());
     }
-    mail_.workerSignal.wait(seen, std::memory_order_acquire);
+    signal.wait(seen, std::memory_order_acquire);
   }
+}
+
+void TouchWorker::work(const std::stop_token& stop) {
+  repeat(stop, mail_.workerSignal, [&] {
+    releaseRetired();
+    if (prepare()) return true;
+    mail_.wanted.update();
+    const TouchMail::WantedOfBoth& wanted = mail_.wanted.front();
+    if (computeWanted(wanted.touched, stop) || computeWanted(wanted.next, stop)) return true;
+    if (isUrgent_.exchange(false)) TouchMail::signal(fillSignal_);
+    return false;
+  });
+}
+
+void TouchWorker::fill(const std::stop_token& stop) {
+  lowerThreadPriority();
+  repeat(stop, fillSignal_, [&] { return computeOthers(stop); });
 }
 
 void TouchWorker::releaseRetired() {
@@ -125,7 +174,10 @@ bool TouchWorker::prepare() {
   if (request.model) {
     const ModelCache::Key key = request.model->key();
     const bool isKnown = columns_ && key == columnsKey_;
-    if (isKnown) columns_->continueWith(request.model->problem());
+    if (isKnown) {
+      const std::lock_guard lock(computing_);
+      columns_->continueWith(request.model->problem());
+    }
     auto body = std::make_shared<const TouchBody>(request.model, isKnown ? columns_ : nullptr);
     columns_ = body->columns();
     columnsKey_ = key;
@@ -144,21 +196,7 @@ bool TouchWorker::prepare() {
     }
   }
   TouchMail::signal(mail_.loopSignal);
-  return true;
-}
-
-bool TouchWorker::computeSome(const std::stop_token& stop) {
-  mail_.wanted.update();
-  const TouchMail::WantedOfBoth& wanted = mail_.wanted.front();
-  if (computeWanted(wanted.touched, stop) || computeWanted(wanted.next, stop)) return true;
-  if (!options_.computesAll) return false;
-  std::shared_ptr<const TouchBody> newest;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!bodies_.empty() && bodies_.back().number == status_.prepared) newest = bodies_.back().body;
-  }
-  if (!newest || newest->columns()->isComplete() || !hasMemoryFor(*newest, false)) return false;
-  compute(*newest, {}, stop);
+  TouchMail::signal(fillSignal_);
   return true;
 }
 
@@ -173,53 +211,42 @@ bool TouchWorker::computeWanted(const TouchMail::Wanted& wanted, const std::stop
     setError(kNoMemory);
     return false;
   }
-  compute(*touched, nodes, stop);
+  std::vector<int> block;
+  for (const int node : nodes)
+    if (block.size() < kBlock && std::find(block.begin(), block.end(), node) == block.end())
+      block.push_back(node);
+  if (block.size() < kBlock)
+    addNearest(*touched, {touched->surface().mesh().nodes[block.front()]}, block);
+  isUrgent_.store(true);
+  const std::lock_guard lock(computing_);
+  compute(*touched, block, stop);
   return true;
 }
 
-void TouchWorker::compute(const TouchBody& body, std::span<const int> wanted,
+bool TouchWorker::computeOthers(const std::stop_token& stop) {
+  if (!options_.computesAll || isUrgent_.load()) return false;
+  std::shared_ptr<const TouchBody> newest;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!bodies_.empty() && bodies_.back().number == status_.prepared) newest = bodies_.back().body;
+  }
+  if (!newest || newest->columns()->isComplete() || !hasMemoryFor(*newest, false)) return false;
+  std::vector<Vector3d> points;
+  focus_(points);
+  std::vector<int> block;
+  addNearest(*newest, points, block);
+  const std::lock_guard lock(computing_);
+  compute(*newest, block, stop);
+  return true;
+}
+
+/// With the lock on computing_ held.
+void TouchWorker::compute(const TouchBody& body, std::span<const int> nodes,
                           const std::stop_token& stop) {
   bem::Job job;
   job.stop = stop;
   job.threads = options_.threads;
-  body.columns()->compute(block(body, wanted), job);
-}
-
-/// The nodes to be computed next, as many as go together: what is wanted, then what is nearest to
-/// that or to the focus.
-std::vector<int> TouchWorker::block(const TouchBody& body, std::span<const int> wanted) {
-  constexpr std::size_t kCount = bem::GreensColumns::kBlock;
-  const bem::BoundaryMesh& mesh = body.surface().mesh();
-  std::vector<int> nodes;
-  for (const int node : wanted)
-    if (nodes.size() < kCount && std::find(nodes.begin(), nodes.end(), node) == nodes.end())
-      nodes.push_back(node);
-  focusPoints_.clear();
-  if (wanted.empty())
-    focus_(focusPoints_);
-  else
-    focusPoints_.push_back(mesh.nodes[wanted.front()]);
-  struct Candidate {
-    double distance;
-    int node;
-  };
-  std::vector<Candidate> others;
-  for (int node = 0; node < mesh.nodeCount(); ++node) {
-    if (!body.surface().dofs().isFree(node) || body.columns()->has(node) ||
-        std::find(nodes.begin(), nodes.end(), node) != nodes.end())
-      continue;
-    double distance = focusPoints_.empty() ? 0 : std::numeric_limits<double>::infinity();
-    for (const Vector3d& point : focusPoints_)
-      distance = std::min(distance, (mesh.nodes[node] - point).squaredNorm());
-    others.push_back({distance, node});
-  }
-  const std::size_t room = std::min(kCount - nodes.size(), others.size());
-  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(room),
-                    others.end(), [](const Candidate& a, const Candidate& b) {
-                      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
-                    });
-  for (std::size_t k = 0; k < room; ++k) nodes.push_back(others[k].node);
-  return nodes;
+  body.columns()->compute(nodes, job);
 }
 
 bool TouchWorker::hasMemoryFor(const TouchBody& body, bool isUrgent) const {

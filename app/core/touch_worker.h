@@ -46,9 +46,9 @@ struct TouchMail {
   }
 };
 
-/// What a touch loop needs done beside it, on a thread of low priority: prepares bodies, computes
-/// columns (those that contacts wait for, then those around the focus, then the rest) and releases
-/// what is not used any more.
+/// What a touch loop needs done beside it. One thread prepares bodies, computes the columns that
+/// contacts wait for, and releases what is not used any more; another, of low priority, computes
+/// the other columns when there is time, those around the focus first.
 class TouchWorker {
  public:
   struct Options {
@@ -56,7 +56,8 @@ class TouchWorker {
     double columnsLimit = 0;  ///< bytes that columns may take; 0: what is available
     bool computesAll = true;  ///< false: only columns that contacts wait for
   };
-  /// `focus` tells where columns are needed next: it adds points to a list; called on the worker.
+  /// `focus` tells where columns are needed next: it adds points to a list; called on the thread of
+  /// low priority.
   TouchWorker(TouchMail& mail, Options options,
               std::function<void(std::vector<Eigen::Vector3d>&)> focus);
   /// Waits for the block of columns at hand.
@@ -77,12 +78,15 @@ class TouchWorker {
 
  private:
   void work(const std::stop_token& stop);
+  void fill(const std::stop_token& stop);
+  /// Does `some` until it says that there is nothing to do, and then waits for the signal.
+  template <class Some>
+  void repeat(const std::stop_token& stop, std::atomic<std::uint32_t>& signal, const Some& some);
   void releaseRetired();
   bool prepare();
-  bool computeSome(const std::stop_token& stop);
   bool computeWanted(const TouchMail::Wanted& wanted, const std::stop_token& stop);
-  void compute(const TouchBody& body, std::span<const int> wanted, const std::stop_token& stop);
-  std::vector<int> block(const TouchBody& body, std::span<const int> wanted);
+  bool computeOthers(const std::stop_token& stop);
+  void compute(const TouchBody& body, std::span<const int> nodes, const std::stop_token& stop);
   bool hasMemoryFor(const TouchBody& body, bool isUrgent) const;
   void setError(std::string error);
 
@@ -107,9 +111,12 @@ class TouchWorker {
   // Of the worker alone.
   ModelCache::Key columnsKey_;
   std::shared_ptr<bem::GreensColumns> columns_;  // of the newest body, kept for the next
-  std::vector<Eigen::Vector3d> focusPoints_;
 
-  std::jthread worker_;  // last: it uses all of the above
+  std::mutex computing_;               // one at a time computes columns
+  std::atomic<bool> isUrgent_{false};  // contacts wait: the others have time
+  std::atomic<std::uint32_t> fillSignal_{0};
+
+  std::jthread worker_, filler_;  // last: they use all of the above
 };
 
 }  // namespace palpa::app
