@@ -136,6 +136,23 @@ class Bench {
     addDrag(drag);
     addGaps("  drag", beat.gaps(), 50);
     add("  last edit to up to date", "s", driver.waitForModel(), {}, {});
+    measureTouch(driver);
+  }
+
+  /// Frames and the loop's answers while the surface is pulled around in Simulate mode.
+  void measureTouch(WindowDriver& driver) {
+    gui::Simulation& simulation = driver.window().simulation();
+    driver.touch(1);  // columns of the place
+    simulation.loop().clearLatency();
+    const Heartbeat beat;
+    const auto touch = driver.touch(seconds_);
+    add("  frames of a touch", "1/s", touch.framesPerSecond, {}, 30);
+    add("  to draw a frame in the view", "ms", touch.paintMilliseconds, {}, {});
+    addGaps("  touch", beat.gaps(), {});
+    const app::Latency latency = simulation.loop().latency();
+    add("  input to force, 99 %", "ms", 1e3 * latency.p99, 1, {});
+    add("  input to force, largest", "ms", 1e3 * latency.largest, {}, {});
+    simulation.setActive(false);
   }
 
   void writeJson(const std::string& file) const {

@@ -75,7 +75,25 @@ void WindowDriver::send(QEvent::Type type, QPoint at, Qt::MouseButton button,
 }
 
 WindowDriver::Drag WindowDriver::drag(double seconds) {
-  const QPoint start = visiblePoint();
+  return moveAround(visiblePoint(), seconds);
+}
+
+WindowDriver::Drag WindowDriver::touch(double seconds) {
+  gui::Simulation& simulation = window_->simulation();
+  simulation.setActive(true);
+  if (!runUntil([&] { return simulation.drawn() != nullptr; }, 60))
+    throw std::runtime_error("Simulate mode does not begin");
+  const gui::ViewportWidget& view = window_->viewport();
+  const QPoint middle = view.rect().center();
+  // A body with a hole has none in the middle.
+  for (int x = 0; x < view.width() / 2; x += 20)
+    if (window_->viewport().viewport().surfaceAt(
+            Eigen::Vector2d(middle.x() + x, middle.y()) * view.devicePixelRatioF()))
+      return moveAround(middle + QPoint(x, 0), seconds);
+  throw std::runtime_error("no surface can be seen");
+}
+
+WindowDriver::Drag WindowDriver::moveAround(QPoint start, double seconds) {
   Drag result;
   int frames = 0;
   double paintTime = 0, motionTime = 0;  // ms

@@ -34,8 +34,12 @@ class WindowDriver {
   /// Drags a visible control point around for `seconds`, 60 motions a second, and lets go near
   /// where it was. std::runtime_error when no control point can be seen.
   Drag drag(double seconds);
+  /// The same in Simulate mode: grabs the surface in the middle of the view and pulls it around.
+  /// std::runtime_error when it is not there.
+  Drag touch(double seconds);
 
  private:
+  Drag moveAround(QPoint start, double seconds);
   QPoint visiblePoint();
   void send(QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons);
 

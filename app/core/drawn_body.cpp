@@ -15,9 +15,10 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-modeling::DisplayMesh makeMesh(const TouchModel& model, const bem::Job& job) {
+modeling::DisplayMesh makeMesh(const TouchModel& model, const modeling::DisplaySettings& settings,
+                               const bem::Job& job) {
   try {
-    return modeling::displayMesh(model.surface(), model.body(), {},
+    return modeling::displayMesh(model.surface(), model.body(), settings,
                                  modeling::Job{job.stop, job.progress});
   } catch (const modeling::Cancelled&) {
     throw bem::Cancelled{};
@@ -26,8 +27,9 @@ modeling::DisplayMesh makeMesh(const TouchModel& model, const bem::Job& job) {
 
 }  // namespace
 
-DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model, const bem::Job& job)
-    : model_(std::move(model)), mesh_(makeMesh(*model_, job)) {
+DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model,
+                     const modeling::DisplaySettings& settings, const bem::Job& job)
+    : model_(std::move(model)), mesh_(makeMesh(*model_, settings, job)) {
   const BoundarySetup& setup = model_->setup();
   std::map<std::pair<int, int>, int> sides;  // (node, smoothing group)
   const auto side = [&](int node, int group) {

@@ -22,7 +22,8 @@ enum class SurfaceQuantity {
 class DrawnBody {
  public:
   /// About 3 µs per point. Throws Cancelled.
-  explicit DrawnBody(std::shared_ptr<const TouchModel> model, const bem::Job& job = {});
+  explicit DrawnBody(std::shared_ptr<const TouchModel> model,
+                     const modeling::DisplaySettings& settings = {}, const bem::Job& job = {});
 
   const TouchModel& model() const { return *model_; }
   /// Without displacements.

@@ -75,6 +75,7 @@ std::optional<app::TouchId> HandTool::pinAt(const Eigen::Vector2d& pixel) const 
   std::optional<app::TouchId> nearest;
   double least = kPinReach * widget_.devicePixelRatioF();
   for (const auto& contact : simulation_.snapshot().touched()) {
+    if (simulation_.isOver(contact.id)) continue;
     const Eigen::Vector3d drawn =
         contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
     const double distance = (widget_.viewport().toPixel(drawn) - pixel).norm();

@@ -1,5 +1,6 @@
 #include "app/gui/simulate/simulation.h"
 
+#include <Eigen/Geometry>
 #include <QMetaObject>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,20 @@ namespace {
 
 constexpr int kFrame = 16;          // ms between two frames at most
 constexpr double kHeadroom = 0.25;  // a range this much too large is made smaller
+/// As many triangles are drawn in time without a graphics card; more only where the mesh has them.
+constexpr double kTriangles = 8000;
+constexpr int kMostPieces = 8;  // of an edge of the mesh
+
+/// The smallest range of colours: of the body's size, of Young's modulus.
+constexpr double kLeastShare = 0.005;
+
+modeling::DisplaySettings displaySettings(const app::TouchModel& model) {
+  modeling::DisplaySettings settings;
+  const double perTriangle = kTriangles / std::max(model.report().triangles, 1);
+  settings.mostPieces = std::clamp(static_cast<int>(std::sqrt(perTriangle)), 1, kMostPieces);
+  settings.leastPieces = std::min(settings.leastPieces, settings.mostPieces);
+  return settings;
+}
 
 /// The smallest of 1, 2, 5 times a power of ten that is not below `value` > 0.
 double roundUp(double value) {
@@ -75,8 +90,13 @@ std::optional<app::TouchId> Simulation::begin(const bem::ContactTool& tool,
   }
 }
 
+void Simulation::letGo(app::TouchId id) {
+  loop_->end(id);
+  over_.insert(id);
+}
+
 void Simulation::letGoOfAll() {
-  for (const auto& contact : snapshot_.touched()) loop_->end(contact.id);
+  for (const auto& contact : snapshot_.touched()) letGo(contact.id);
 }
 
 void Simulation::setQuantity(app::SurfaceQuantity quantity) {
@@ -138,6 +158,7 @@ void Simulation::frame() {
     if (snapshot_.model != 0 && snapshot_.model != wantedNumber_) makeDrawn(snapshot_.model);
     return;
   }
+  std::erase_if(over_, [this](app::TouchId id) { return !snapshot_.find(id); });
   const bool isTouched = snapshot_.contactCount > 0;
   if (!drawn_ || (!isDirty_ && !isTouched && !wasTouched_)) return;
   if (!isDirty_ && snapshot_.step == lastStep_) return;
@@ -157,7 +178,8 @@ void Simulation::makeDrawn(std::uint64_t number) {
     bem::Job job;
     job.stop = stop;
     try {
-      auto drawn = std::make_shared<const app::DrawnBody>(body->sharedModel(), job);
+      auto drawn = std::make_shared<const app::DrawnBody>(body->sharedModel(),
+                                                          displaySettings(body->model()), job);
       auto field = std::make_shared<std::unique_ptr<app::TouchField>>(
           std::make_unique<app::TouchField>(body));
       QMetaObject::invokeMethod(
@@ -205,15 +227,23 @@ void Simulation::evaluate() {
   updateRange();
 }
 
+double Simulation::leastRange() const {
+  if (quantity_ != app::SurfaceQuantity::kDisplacement)
+    return kLeastShare * drawn_->model().setup().material.youngsModulus;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& node : drawn_->model().setup().mesh.nodes) box.extend(node);
+  return kLeastShare * box.diagonal().norm();
+}
+
 void Simulation::updateRange() {
   if (values_.empty()) return;
   double largest = 0;
   for (const double value : values_) largest = std::max(largest, std::abs(value));
-  if (largest == 0) largest = 1e-9;
-  // Steady while one presses harder; the person compares colours over time.
+  // Steady while one presses harder, and at rest: the person compares colours over time.
   const double present = range_[1];
-  if (largest > present || largest < kHeadroom * present || present == 0)
-    range_[1] = roundUp(largest);
+  const double least = leastRange();
+  if (present == 0 || largest > present || (largest > 0 && largest < kHeadroom * present))
+    range_[1] = roundUp(std::max(largest, least));
   range_[0] = quantity_ == app::SurfaceQuantity::kNormalTraction ? -range_[1] : 0;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "app/core/drawn_body.h"
@@ -33,7 +34,9 @@ class Simulation : public QObject {
   std::optional<app::TouchId> begin(const bem::ContactTool& tool, const Eigen::Vector3d& at,
                                     const Eigen::Vector3d& value);
   void move(app::TouchId id, const Eigen::Vector3d& value) { loop_->set(id, value); }
-  void letGo(app::TouchId id) { loop_->end(id); }
+  void letGo(app::TouchId id);
+  /// Was it let go, though the snapshot still has it?
+  bool isOver(app::TouchId id) const { return over_.contains(id); }
   void letGoOfAll();
   /// Where the pointer is, mm on the unloaded shape: columns are computed around it.
   void expect(const Eigen::Vector3d& at) { loop_->expect(at); }
@@ -90,12 +93,14 @@ class Simulation : public QObject {
              std::unique_ptr<app::TouchField> field);
   void evaluate();
   void updateRange();
+  double leastRange() const;
 
   Editor& editor_;
   std::unique_ptr<app::TouchLoop> loop_;
   std::shared_ptr<const app::TouchModel> model_;  // that the loop was given last
   QTimer timer_;
   app::TouchSnapshot snapshot_;
+  std::set<app::TouchId> over_;
   std::uint64_t lastStep_ = 0;
   bool wasTouched_ = false, isDirty_ = false;
   bool isLive_ = true;
