@@ -53,7 +53,12 @@ TouchSnapshot await(const TouchLoop& loop,
     if (condition(snapshot)) return snapshot;
     std::this_thread::sleep_for(200us);
   } while (std::chrono::steady_clock::now() < end);
-  ADD_FAILURE() << "waited for a minute";
+  const auto status = loop.status();
+  ADD_FAILURE() << "waited for a minute; model " << snapshot.model << " of " << status.newest
+                << " (prepared " << status.prepared << "), step " << snapshot.step << ", "
+                << snapshot.contactCount << " contacts, residual " << snapshot.residual
+                << ", converged " << snapshot.isConverged << ", columns " << snapshot.columnsReady
+                << ", error \"" << status.error << "\"";
   return snapshot;
 }
 
@@ -394,16 +399,17 @@ TEST(TouchLoop, SurvivesEverythingAtOnce) {
     for (int hand = 0; hand < 3; ++hand)
       hands.emplace_back([&, hand] {
         const Kind kinds[] = {Kind::kGrab, Kind::kPush, Kind::kProbe};
+        const Vector3d none = Vector3d::Zero();
         for (int round = 0; round < 15; ++round) {
           const Vector3d at = 25 * Vector3d(std::cos(round + hand), std::sin(round + hand), 0);
           TouchId id = 0;
           while (id == 0) try {
-              id = loop.begin({kinds[hand], 8, 0.2}, at, at);
+              id = loop.begin({kinds[hand], 8, 0.2}, at, kinds[hand] == Kind::kGrab ? none : at);
             } catch (const TouchRefused&) {  // those that were ended are still being taken away
               std::this_thread::sleep_for(1ms);
             }
           for (int k = 0; k < 20; ++k) {
-            loop.set(id, (1 - 0.002 * k) * at);
+            loop.set(id, (kinds[hand] == Kind::kGrab ? 0.0 : 1.0) * at - 0.002 * k * at);
             std::this_thread::sleep_for(300us);
           }
           if (round % 5 != 0) loop.end(id);
@@ -419,7 +425,8 @@ TEST(TouchLoop, SurvivesEverythingAtOnce) {
     loop.setModel(sphere());
     hands.clear();
     const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, {0, 0, -2});
-    await(loop, hasForce(id));
+    const auto last = await(loop, [&](const TouchSnapshot& s) { return s.find(id) != nullptr; });
+    await(loop, stepsAfter(last.step + 3));
   }
   waitUntilReleased();
 }
