@@ -38,7 +38,7 @@ RingLook lookOf(State state) {
     case State::kSlipping:
       return {{1.00, 0.66, 0.12}, 14, 0.68};
     case State::kFailed:
-      return {{1.00, 0.25, 0.25}, 1, 1};
+      return {{1.00, 0.25, 0.25}, 4, 0.80};
     case State::kHolding:
       break;
   }
@@ -52,6 +52,8 @@ vtkSmartPointer<vtkActor> makeRingActor(vtkPolyData* lines, bool isColoured) {
   mapper->SetScalarVisibility(isColoured);
   mapper->SetScalarModeToUseCellData();
   mapper->SetColorModeToDirectScalars();
+  // The surface is drawn flat between points that a smooth ring may leave behind it.
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -60);
   actor->VisibilityOff();
   return actor;
 }

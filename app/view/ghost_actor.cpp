@@ -1,10 +1,12 @@
 #include "app/view/ghost_actor.h"
 
+#include <vtkDataObject.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
+#include <vtkUniforms.h>
 
 namespace palpa::view {
 namespace {
@@ -23,6 +25,17 @@ void setLines(vtkActor* actor, const std::vector<std::vector<int>>& lines) {
   vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
   actor->SetVisibility(!lines.empty());
 }
+
+// The far side of the shape, seen through the body, would only confuse.
+constexpr const char* kDeclareFacing = R"(//VTK::Normal::Dec
+in vec3 outwardsMC;
+out float facingVSOutput;
+)";
+constexpr const char* kFacing = R"(//VTK::Normal::Impl
+facingVSOutput = dot(outwardsMC, parallelView > 0.5 ? -forward : eye - vertexMC.xyz);
+)";
+constexpr const char* kDeclareTurned = "//VTK::Normal::Dec\nin float facingVSOutput;\n";
+constexpr const char* kDiscardTurned = "//VTK::Color::Impl\nif (facingVSOutput < 0.0) discard;\n";
 
 }  // namespace
 
@@ -64,7 +77,10 @@ void GhostSide::setTheme(const ViewportTheme& theme) {
   setColour(actor_, mixed(theme.net, theme.body, 0.3));
 }
 
-GhostLines::GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough) : points_(makeFloatPoints()) {
+GhostLines::GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough)
+    : points_(makeFloatPoints()), outwards_(vtkSmartPointer<vtkFloatArray>::New()) {
+  outwards_->SetNumberOfComponents(3);
+  outwards_->SetName("outwards");
   for (std::size_t k = 0; k < 2; ++k) {
     for (auto* lines : {&borders_, &knotLines_}) {
       vtkNew<vtkCellArray> none;
@@ -76,14 +92,26 @@ GhostLines::GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough) : points_(
       (k == 0 ? scene : shineThrough)->AddActor(actor);
     }
   }
+  for (vtkActor* actor : {borders_[1].Get(), knotLines_[1].Get()}) {
+    vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->GetPointData()->AddArray(outwards_);
+    auto* mapper = vtkPolyDataMapper::SafeDownCast(actor->GetMapper());
+    mapper->MapDataArrayToVertexAttribute("outwardsMC", "outwards",
+                                          vtkDataObject::FIELD_ASSOCIATION_POINTS);
+    vtkShaderProperty* shader = actor->GetShaderProperty();
+    shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true, kDeclareFacing, false);
+    shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, kFacing, false);
+    shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true, kDeclareTurned, false);
+    shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, kDiscardTurned, false);
+  }
   borders_[0]->GetProperty()->SetOpacity(0.85);
   borders_[1]->GetProperty()->SetOpacity(0.22);
   knotLines_[0]->GetProperty()->SetOpacity(0.40);
-  knotLines_[1]->GetProperty()->SetOpacity(0.08);
+  knotLines_[1]->GetProperty()->SetOpacity(0.12);
 }
 
 void GhostLines::set(const ViewportBody& body) {
   assign(body.positions, points_);
+  assign(body.normals, outwards_);
   bounds_ = {};
   for (const Eigen::Vector3d& position : body.positions) bounds_.add(position);
   const auto borders = distinctLines(body.borders, body.positions);
@@ -95,6 +123,15 @@ void GhostLines::setTheme(const ViewportTheme& theme) {
   for (std::size_t k = 0; k < 2; ++k) {
     setColour(borders_[k], theme.net);
     setColour(knotLines_[k], theme.net);
+  }
+}
+
+void GhostLines::update(const Turntable& camera) {
+  for (vtkActor* actor : {borders_[1].Get(), knotLines_[1].Get()}) {
+    vtkUniforms* uniforms = actor->GetShaderProperty()->GetVertexCustomUniforms();
+    uniforms->SetUniform3f("eye", camera.eye().data());
+    uniforms->SetUniform3f("forward", camera.axes().forward.data());
+    uniforms->SetUniformf("parallelView", camera.parallel() ? 1.0F : 0.0F);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "app/view/bounds.h"
+#include "app/view/turntable.h"
 #include "app/view/viewport_geometry.h"
 #include "app/view/viewport_scene.h"
 
@@ -31,17 +32,21 @@ class GhostSide {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// Borders and knot lines, faint where the body hides them. To be made after the body.
+/// Borders and knot lines; where the body hides them, those of the near side are drawn faintly. To
+/// be made after the body.
 class GhostLines {
  public:
   GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough);
   void set(const ViewportBody& body);
   void setTheme(const ViewportTheme& theme);
   void setPixelRatio(double ratio);
+  /// To be called before drawing.
+  void update(const Turntable& camera);
   const Bounds& bounds() const { return bounds_; }
 
  private:
   vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkFloatArray> outwards_;
   std::array<vtkSmartPointer<vtkActor>, 2> borders_, knotLines_;  ///< solid, faint
   Bounds bounds_;
 };

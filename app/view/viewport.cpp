@@ -263,6 +263,7 @@ void Viewport::render(Quality quality) {
   parts.applyCamera();
   parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
   parts.surface.setScale(parts.pixelRatio * parts.camera.visibleHeight() / parts.camera.height());
+  parts.ghostLines.update(parts.camera);
   parts.updateOverlay();
   parts.overlay->SetUseFXAA(quality == Quality::kFine);
   parts.window->Render();

@@ -264,8 +264,10 @@ void regions(Viewport& viewport) {
     supports.push_back(place.z() + 12 + 0.3 * place.x());
     loads.push_back((place - onSphere(0.8, -0.6, 0.1)).norm() - 7);
   }
+  const int hovered = viewport.surfaceAt({560, 150})->triangle;
   for (const int patch : sphere.rest.patchOfTriangle) {
-    marks.push_back(patch == 0 ? view::Mark::kHovered : view::Mark::kNone);
+    const bool isHovered = patch == sphere.rest.patchOfTriangle[static_cast<std::size_t>(hovered)];
+    marks.push_back(isHovered ? view::Mark::kHovered : view::Mark::kNone);
   }
   viewport.setRegions(supports, loads);
   viewport.setMarks(marks);
