@@ -33,9 +33,9 @@ vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field);
 std::vector<Colour> colourSteps(ScalarField::Colours colours, int count);
 
 /// A colour map as polynomials, one for the lower and one for the upper half of the values: within
-/// 0.015 of the map in each channel.
+/// 0.02 of the map in each channel.
 struct ColourFit {
-  static constexpr int kCoefficients = 5;
+  static constexpr int kCoefficients = 6;
   /// Of 1, s, s² …, where s grows from 0 to 1 across the half.
   using Half = std::array<Colour, kCoefficients>;
   Half lower, upper;

@@ -34,7 +34,7 @@ RingLook lookOf(State state) {
     case State::kOpen:
       return {{0.80, 0.83, 0.87}, 20, 0.40};
     case State::kSticking:
-      return {{0.42, 0.92, 0.45}, 1, 1};
+      return {{0.42, 0.93, 1.00}, 1, 1};
     case State::kSlipping:
       return {{1.00, 0.66, 0.12}, 14, 0.68};
     case State::kFailed:

@@ -11,6 +11,9 @@
 namespace palpa::view {
 namespace {
 
+constexpr Colour kOnDark{0.92, 0.94, 0.98};
+constexpr Colour kOnWhite{0.13, 0.15, 0.20};
+
 /// The rim shows where the outline of the shape was, without looking for it.
 constexpr const char* kDenseRim = R"(
 float facing = abs(normalVCVSOutput.z);
@@ -104,9 +107,9 @@ GhostLines::GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough)
     shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, kDiscardTurned, false);
   }
   borders_[0]->GetProperty()->SetOpacity(0.85);
-  borders_[1]->GetProperty()->SetOpacity(0.22);
+  borders_[1]->GetProperty()->SetOpacity(0.34);
   knotLines_[0]->GetProperty()->SetOpacity(0.40);
-  knotLines_[1]->GetProperty()->SetOpacity(0.12);
+  knotLines_[1]->GetProperty()->SetOpacity(0.18);
 }
 
 void GhostLines::set(const ViewportBody& body) {
@@ -119,10 +122,14 @@ void GhostLines::set(const ViewportBody& body) {
   for (vtkActor* actor : knotLines_) setLines(actor, body.knotLines);
 }
 
-void GhostLines::setTheme(const ViewportTheme& theme) {
-  for (std::size_t k = 0; k < 2; ++k) {
-    setColour(borders_[k], theme.net);
-    setColour(knotLines_[k], theme.net);
+void GhostLines::setTheme(const ViewportTheme& theme,
+                          const std::optional<ScalarField::Colours>& field) {
+  // Most of a body hardly moves: it is dark in sequential colours and white in diverging ones.
+  Colour onBody = theme.net;
+  if (field) onBody = *field == ScalarField::Colours::kSequential ? kOnDark : kOnWhite;
+  for (const auto* lines : {&borders_, &knotLines_}) {
+    setColour((*lines)[0], theme.net);
+    setColour((*lines)[1], onBody);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 
 #include "app/view/bounds.h"
 #include "app/view/turntable.h"
@@ -38,7 +39,8 @@ class GhostLines {
  public:
   GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough);
   void set(const ViewportBody& body);
-  void setTheme(const ViewportTheme& theme);
+  /// `field`: the colours of the body, where it is not plain, which the lines must stand out from.
+  void setTheme(const ViewportTheme& theme, const std::optional<ScalarField::Colours>& field);
   void setPixelRatio(double ratio);
   /// To be called before drawing.
   void update(const Turntable& camera);

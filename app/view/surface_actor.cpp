@@ -271,7 +271,11 @@ void SurfaceActor::colourTriangles() {
   surface_->Modified();
   // Without marks, and so while one touches, no colours of triangles are looked up.
   body_->GetMapper()->SetScalarVisibility(wire || anyMark_);
-  setColour(body_, theme_.body);
+  // Rounded like theirs, so that the body keeps its colour when the first mark is set.
+  Colour plain{};
+  for (std::size_t k = 0; k < 3; ++k) plain[k] = std::round(255 * theme_.body[k]) / 255;
+  body_->GetProperty()->SetAmbientColor(plain.data());
+  body_->GetProperty()->SetDiffuseColor(plain.data());
   updateVisibility();
   updateRegionLooks();
 }

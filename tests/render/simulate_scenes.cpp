@@ -241,7 +241,7 @@ void rings(Viewport& viewport) {
   const Pressed sphere = pushedSphere();
   sphere.show(viewport);
   viewport.setField(sphere.displacement(6));
-  viewport.setContactRings({{sphere.ring(onSphere(-0.7, -0.7, 0.4), 4), State::kOpen},
+  viewport.setContactRings({{sphere.ring(onSphere(0.95, -0.15, 0.35), 4), State::kOpen},
                             {sphere.ring(onSphere(-0.25, -0.9, 0.1), 4), State::kHolding},
                             {sphere.ring(onSphere(0.25, -0.75, 0.65), 4), State::kSticking},
                             {sphere.ring(onSphere(0.35, -0.9, -0.1), 4), State::kSlipping},
