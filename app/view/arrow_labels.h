@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 /// Room for the labels of arrows in the interactive view. Internal to app/view; pure arithmetic.
@@ -13,6 +14,19 @@ struct PixelBox {
   /// The area that both cover.
   double overlap(const PixelBox& other) const;
 };
+
+/// The ends of an arrow as pixels.
+struct SeenArrow {
+  Eigen::Vector2d held, free;
+};
+
+/// The part of an arrow from its held end on that lies in the picture; all of it when no end does.
+/// None when an end has no place (NaN).
+std::optional<SeenArrow> seenPart(const Eigen::Vector2d& held, const Eigen::Vector2d& free,
+                                  const Eigen::Vector2d& picture);
+
+/// Adds what the arrow covers, as small squares along it.
+void addArrowCover(const SeenArrow& arrow, double width, std::vector<PixelBox>& taken);
 
 /// A label that wants to stand at the end of an arrow.
 struct ArrowLabelWish {

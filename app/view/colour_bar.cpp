@@ -12,7 +12,8 @@ namespace {
 constexpr double kFontSize = 13;
 constexpr double kBarWidth = 16;
 constexpr double kTick = 4;
-constexpr double kPad = 10;
+constexpr double kToNumber = 4;
+constexpr double kPad = 7;
 constexpr double kFromEdge = 12;
 constexpr double kTallest = 300;
 
@@ -40,9 +41,11 @@ void ColourBar::set(const std::optional<ScalarField>& field, const ViewportTheme
   theme_ = theme;
   pixelRatio_ = pixelRatio;
   field_ = field;
-  titles_.hideAll();
-  numbers_.hideAll();
-  if (!field_) return;
+  if (!field_) {
+    titles_.hideAll();
+    numbers_.hideAll();
+    return;
+  }
   range_ = colourRange(*field_);
   if (field_->colours == coloursOf_) return;
   coloursOf_ = field_->colours;
@@ -59,32 +62,43 @@ void ColourBar::update(const Turntable& camera, std::vector<PixelBox>& taken, Fl
   titles_.set(titlesOf(*field_, ticks), {style.size, true, theme_.text});
   numbers_.set(ticks.labels, style);
 
-  double width = 0;
-  for (std::size_t i = 0; i < ticks.labels.size(); ++i)
-    width = std::max(width, (kBarWidth + kTick + 4) * unit + numbers_.extent(i).x());
-  double top = 0;
+  // Two plates, one below the other: the bar's own is narrow and leaves the view free.
+  const Eigen::Vector2d pad = Eigen::Vector2d(kPad, kPad) * unit;
+  const double gap = 4 * unit;
+  Eigen::Vector2d titles(0, -gap);
   for (std::size_t i = 0; i < 2; ++i) {
-    width = std::max(width, titles_.extent(i).x());
-    if (titles_.extent(i).y() > 0) top += titles_.extent(i).y() + 4 * unit;
+    if (titles_.extent(i).isZero()) continue;
+    titles.x() = std::max(titles.x(), titles_.extent(i).x());
+    titles.y() += titles_.extent(i).y() + gap;
   }
-  const Eigen::Vector2d pad = Eigen::Vector2d::Constant(kPad * unit);
-  const Eigen::Vector2d size = (Eigen::Vector2d(width, height) + 2 * pad).array().ceil();
-  const double right = camera.width() - kFromEdge * unit;
-  const Eigen::Vector2d low(std::round(right - size.x()),
-                            std::round(0.5 * (camera.height() - size.y())));
-  const PixelBox plate{low, low + size};
-  taken.push_back(plate);
-  shapes.addPlate(plate.low, plate.high, theme_.text, theme_, unit, 0.3);
+  double numbersWidth = 0;
+  for (std::size_t i = 0; i < ticks.labels.size(); ++i)
+    numbersWidth = std::max(numbersWidth, numbers_.extent(i).x());
+  const Eigen::Vector2d bar((kBarWidth + kTick + kToNumber) * unit + numbersWidth, height);
+  const Eigen::Vector2d titleSize =
+      titles.y() > 0 ? Eigen::Vector2d(titles + 2 * pad) : Eigen::Vector2d(0, 0);
+  const Eigen::Vector2d barSize = bar + 2 * pad;
+  const double right = std::round(camera.width() - kFromEdge * unit);
+  const double top = std::round(0.5 * (camera.height() - titleSize.y() - barSize.y()));
+  const PixelBox titlePlate{{std::round(right - titleSize.x()), top},
+                            {right, std::round(top + titleSize.y())}};
+  const PixelBox plate{{std::round(right - barSize.x()), titlePlate.high.y()},
+                       {right, std::round(titlePlate.high.y() + barSize.y())}};
+  for (const PixelBox& box : {titlePlate, plate}) {
+    if (box.high.y() == box.low.y()) continue;
+    taken.push_back(box);
+    shapes.addPlate(box.low, box.high, theme_.text, theme_, unit, 0.2);
+  }
 
-  Eigen::Vector2d corner = low + pad;
+  Eigen::Vector2d corner = titlePlate.low + pad;
   for (std::size_t i = 0; i < 2; ++i) {
     if (titles_.extent(i).isZero()) continue;
     titles_.place(i, corner, camera.height());
-    corner.y() += titles_.extent(i).y() + 4 * unit;
+    corner.y() += titles_.extent(i).y() + gap;
   }
   const double halfNumber = ticks.labels.empty() ? 0 : 0.5 * numbers_.extent(0).y();
-  const Eigen::Vector2d barLow(corner.x(), std::round(corner.y() + halfNumber + 2 * unit));
-  const Eigen::Vector2d barHigh(corner.x() + std::round(kBarWidth * unit),
+  const Eigen::Vector2d barLow = (plate.low + pad + Eigen::Vector2d(0, halfNumber)).array().round();
+  const Eigen::Vector2d barHigh(barLow.x() + std::round(kBarWidth * unit),
                                 std::round(plate.high.y() - pad.y() - halfNumber));
   drawColours(barLow, barHigh, shapes);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
@@ -94,7 +108,7 @@ void ColourBar::update(const Turntable& camera, std::vector<PixelBox>& taken, Fl
     const double lineTop = std::round(y - 0.5 * line);
     shapes.addRectangle({barHigh.x(), lineTop}, {barHigh.x() + kTick * unit, lineTop + line},
                         theme_.text, 0.8);
-    numbers_.place(i, {barHigh.x() + (kTick + 4) * unit, y - 0.5 * numbers_.extent(i).y()},
+    numbers_.place(i, {barHigh.x() + (kTick + kToNumber) * unit, y - 0.5 * numbers_.extent(i).y()},
                    camera.height());
   }
 }

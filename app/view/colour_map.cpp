@@ -1,5 +1,6 @@
 #include "app/view/colour_map.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +68,46 @@ std::vector<Colour> colourSteps(ScalarField::Colours colours, int count) {
     map->GetColor(i / (count - 1.0), steps[static_cast<std::size_t>(i)].data());
   }
   return steps;
+}
+
+Colour ColourFit::at(double share) const {
+  const double place = 2 * std::clamp(share, 0.0, 1.0);
+  const Half& half = place > 1 ? upper : lower;
+  const double s = place > 1 ? place - 1 : place;
+  Colour colour{};
+  for (std::size_t i = half.size(); i-- > 0;) {
+    for (std::size_t k = 0; k < 3; ++k) colour[k] = colour[k] * s + half[i][k];
+  }
+  return colour;
+}
+
+ColourFit fitColours(ScalarField::Colours colours) {
+  constexpr int kSamples = 65;  // of each half
+  const std::vector<Colour> steps = colourSteps(colours, 2 * kSamples - 1);
+  Eigen::MatrixXd powers(kSamples, ColourFit::kCoefficients);
+  for (int i = 0; i < kSamples; ++i) {
+    for (int k = 0; k < ColourFit::kCoefficients; ++k) {
+      powers(i, k) = std::pow(i / (kSamples - 1.0), k);
+    }
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> solver(powers);
+  const auto fitHalf = [&](std::size_t first) {
+    Eigen::MatrixXd wanted(kSamples, 3);
+    for (int i = 0; i < kSamples; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        wanted(i, k) = steps[first + static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      }
+    }
+    const Eigen::MatrixXd solution = solver.solve(wanted);
+    ColourFit::Half half{};
+    for (std::size_t i = 0; i < half.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        half[i][k] = solution(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+      }
+    }
+    return half;
+  };
+  return {fitHalf(0), fitHalf(kSamples - 1)};
 }
 
 }  // namespace palpa::view

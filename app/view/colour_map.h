@@ -32,4 +32,18 @@ vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field);
 /// `count` >= 2 colours of the map at equal distances, from the lowest value to the highest.
 std::vector<Colour> colourSteps(ScalarField::Colours colours, int count);
 
+/// A colour map as polynomials, one for the lower and one for the upper half of the values: within
+/// 0.02 of the map in each channel.
+struct ColourFit {
+  static constexpr int kCoefficients = 6;
+  /// Of 1, s, s² …, where s grows from 0 to 1 across the half.
+  using Half = std::array<Colour, kCoefficients>;
+  Half lower, upper;
+
+  /// At a share in 0 … 1 of the way from the lowest value to the highest.
+  Colour at(double share) const;
+};
+
+ColourFit fitColours(ScalarField::Colours colours);
+
 }  // namespace palpa::view

@@ -34,11 +34,11 @@ RingLook lookOf(State state) {
     case State::kOpen:
       return {{0.80, 0.83, 0.87}, 20, 0.40};
     case State::kSticking:
-      return {{0.42, 0.92, 0.45}, 1, 1};
+      return {{0.42, 0.93, 1.00}, 1, 1};
     case State::kSlipping:
       return {{1.00, 0.66, 0.12}, 14, 0.68};
     case State::kFailed:
-      return {{1.00, 0.25, 0.25}, 1, 1};
+      return {{1.00, 0.25, 0.25}, 4, 0.80};
     case State::kHolding:
       break;
   }
@@ -52,6 +52,8 @@ vtkSmartPointer<vtkActor> makeRingActor(vtkPolyData* lines, bool isColoured) {
   mapper->SetScalarVisibility(isColoured);
   mapper->SetScalarModeToUseCellData();
   mapper->SetColorModeToDirectScalars();
+  // The surface is drawn flat between points that a smooth ring may leave behind it.
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -60);
   actor->VisibilityOff();
   return actor;
 }

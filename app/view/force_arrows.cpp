@@ -13,6 +13,7 @@ constexpr double kThickness = 0.6;  // of the arrows in pictures: they stand amo
 constexpr double kFaint = 0.22;
 constexpr double kFontSize = 13;  // logical pixels
 constexpr double kGap = 8;
+constexpr double kCover = 7;
 
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -89,17 +90,25 @@ void ForceArrows::updateVisibility() {
 
 void ForceArrows::update(const Turntable& camera, std::vector<PixelBox>& taken,
                          FlatShapes& shapes) {
-  texts_.hideAll();
-  if (!visible_) return;
+  if (!visible_) {
+    texts_.hideAll();
+    return;
+  }
   const Eigen::Vector2d pad = kPlatePad * pixelRatio_;
   const Eigen::Vector2d picture(camera.width(), camera.height());
+  std::vector<std::optional<SeenArrow>> seen;
+  for (const Label& label : labels_) {
+    seen.push_back(seenPart(camera.toPixel(label.held), camera.toPixel(label.free), picture));
+    if (seen.back()) addArrowCover(*seen.back(), kCover * pixelRatio_, taken);
+  }
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (texts_.extent(i).isZero()) continue;
-    const Eigen::Vector2d end = camera.toPixel(labels_[i].free);
-    const Eigen::Vector2d other = camera.toPixel(labels_[i].held);
-    if (!end.allFinite() || !other.allFinite()) continue;
-    const PixelBox plate = placeArrowLabel({end, end - other, texts_.extent(i) + 2 * pad}, picture,
-                                           kGap * pixelRatio_, taken);
+    if (texts_.extent(i).isZero() || !seen[i]) {
+      texts_.hide(i);
+      continue;
+    }
+    const ArrowLabelWish wish{seen[i]->free, seen[i]->free - seen[i]->held,
+                              texts_.extent(i) + 2 * pad};
+    const PixelBox plate = placeArrowLabel(wish, picture, kGap * pixelRatio_, taken);
     taken.push_back(plate);
     shapes.addPlate(plate.low, plate.high, labels_[i].frame, theme_, pixelRatio_);
     texts_.place(i, plate.low + pad, camera.height());

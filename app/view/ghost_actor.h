@@ -7,8 +7,10 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 
 #include "app/view/bounds.h"
+#include "app/view/turntable.h"
 #include "app/view/viewport_geometry.h"
 #include "app/view/viewport_scene.h"
 
@@ -31,17 +33,22 @@ class GhostSide {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// Borders and knot lines, faint where the body hides them. To be made after the body.
+/// Borders and knot lines; where the body hides them, those of the near side are drawn faintly. To
+/// be made after the body.
 class GhostLines {
  public:
   GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough);
   void set(const ViewportBody& body);
-  void setTheme(const ViewportTheme& theme);
+  /// `field`: the colours of the body, where it is not plain, which the lines must stand out from.
+  void setTheme(const ViewportTheme& theme, const std::optional<ScalarField::Colours>& field);
   void setPixelRatio(double ratio);
+  /// To be called before drawing.
+  void update(const Turntable& camera);
   const Bounds& bounds() const { return bounds_; }
 
  private:
   vtkSmartPointer<vtkPoints> points_;
+  vtkSmartPointer<vtkFloatArray> outwards_;
   std::array<vtkSmartPointer<vtkActor>, 2> borders_, knotLines_;  ///< solid, faint
   Bounds bounds_;
 };

@@ -183,7 +183,6 @@ void SurfaceActor::updateRegionLooks() {
   uniforms.load = colourOf(Mark::kLoad, theme_);
   uniforms.body = theme_.body;
   uniforms.edge = theme_.line;
-  uniforms.field = fieldColours_;
   setUniforms(uniforms, body_);
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) setUniforms(uniforms, lines);
 }
@@ -209,12 +208,13 @@ void SurfaceActor::updateShader() {
   look.isWire = shading_ == Shading::kWire;
   look.anySupport = regionsVisible_ && !supportField_.empty();
   look.anyLoad = regionsVisible_ && !loadField_.empty();
-  look.hasField = fieldColours_.has_value();
+  look.anyMark = anyMark_;
+  look.field = fieldColours_;
   if (look == look_) return;
   look_ = look;
   applyShader(look, body_);
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
-    applyLineShader(look.isWire && look.hasField, lines);
+    applyLineShader(look.isWire ? look.field : std::nullopt, lines);
   }
   // Bodies are closed: the far side is hidden.
   body_->GetProperty()->SetBackfaceCulling(!look.isWire);
@@ -269,6 +269,13 @@ void SurfaceActor::colourTriangles() {
   }
   colours_->Modified();
   surface_->Modified();
+  // Without marks, and so while one touches, no colours of triangles are looked up.
+  body_->GetMapper()->SetScalarVisibility(wire || anyMark_);
+  // Rounded like theirs, so that the body keeps its colour when the first mark is set.
+  Colour plain{};
+  for (std::size_t k = 0; k < 3; ++k) plain[k] = std::round(255 * theme_.body[k]) / 255;
+  body_->GetProperty()->SetAmbientColor(plain.data());
+  body_->GetProperty()->SetDiffuseColor(plain.data());
   updateVisibility();
   updateRegionLooks();
 }

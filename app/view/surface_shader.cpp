@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,22 +18,10 @@
 namespace palpa::view {
 namespace {
 
-/// Between these the colours of a map are mixed.
-constexpr int kColours = 33;
 /// Far below all places in the colours; where it takes part in the mean over a triangle, the
 /// triangle has no colour.
 constexpr float kNowhere = -1e6F;
 constexpr double kFarthestPlace = 1e3;
-
-/// The number is interpolated to each pixel before its colour is looked up: so the colours of the
-/// map alone appear, also across large triangles.
-constexpr const char* kFieldColour = R"(
-if (fieldVSOutput > -2000.0) {
-  float place = clamp(fieldVSOutput, 0.0, 1.0) * 32.0;
-  int lower = min(int(place), 31);
-  region = mix(fieldColours[lower], fieldColours[lower + 1], place - float(lower));
-}
-)";
 
 /// Colours supports and loads exactly up to the line where their numbers are zero, whatever the
 /// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
@@ -64,8 +53,10 @@ if (ANY_SUPPORT) {
   strongest = max(strongest, inside);
   edge = max(clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
 }
-bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
-if (isMarked) region = mix(region, plain, 0.6);
+if (ANY_MARK) {
+  bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
+  if (isMarked) region = mix(region, plain, 0.6);
+}
 if (WIRE) opacity = max(opacity, wireOpacity * strongest);
 edge *= 0.75;
 region = mix(region, edgeColour, edge);
@@ -92,20 +83,35 @@ constexpr const char* kDepthOfTints = R"(//VTK::Depth::Impl
 gl_FragDepth = 1.0;
 )";
 
-using ShaderColours = std::array<std::array<float, 3>, kColours>;
+/// A colour as GLSL has it.
+std::string vec3(const Colour& colour) {
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "vec3(%.6f, %.6f, %.6f)", colour[0], colour[1],
+                colour[2]);
+  return text.data();
+}
 
-const ShaderColours& shaderColours(ScalarField::Colours field) {
-  const auto make = [](ScalarField::Colours map) {
-    const std::vector<Colour> steps = colourSteps(map, kColours);
-    ShaderColours colours{};
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) colours[i][k] = static_cast<float>(steps[i][k]);
-    }
-    return colours;
+/// Sets `region` to the colour of the field. The number is interpolated to each pixel before its
+/// colour is looked up: so the colours of the map alone appear, also across large triangles. Where
+/// the processor draws, polynomials with constants take a fraction of the time of a table.
+std::string fieldColour(ScalarField::Colours colours) {
+  const ColourFit fit = fitColours(colours);
+  const auto horner = [](const ColourFit::Half& half, const std::string& s) {
+    std::string sum = vec3(half.back());
+    for (std::size_t i = half.size() - 1; i-- > 0;)
+      sum = vec3(half[i]) + " + " + s + " * (" + sum + ")";
+    return sum;
   };
-  static const ShaderColours sequential = make(ScalarField::Colours::kSequential);
-  static const ShaderColours diverging = make(ScalarField::Colours::kDiverging);
-  return field == ScalarField::Colours::kDiverging ? diverging : sequential;
+  return "float place = 2.0 * clamp(fieldVSOutput, 0.0, 1.0);\n"
+         "vec3 lower = " +
+         horner(fit.lower, "place") +
+         ";\n"
+         "place -= 1.0;\n"
+         "vec3 upper = " +
+         horner(fit.upper, "place") +
+         ";\n"
+         "vec3 mapped = place > 0.0 ? upper : lower;\n"
+         "region = fieldVSOutput > -2000.0 ? mapped : region;\n";
 }
 
 void replaceAll(std::string& text, const std::string& word, const std::string& by) {
@@ -147,15 +153,16 @@ float placeInColours(double share) {
 
 void applyShader(const SurfaceLook& look, vtkActor* surface) {
   // In the wire picture the lines take the colours of the field.
-  const bool hasField = look.hasField && !look.isWire;
+  const bool hasField = look.field && !look.isWire;
   std::vector<std::pair<std::string, std::string>> arrays{{"vec3", "regions"}};
   if (hasField) arrays.emplace_back("float", "field");
   passThrough(arrays, surface);
   std::string colours = kColourRegions;
-  replaceAll(colours, "FIELD_COLOUR", hasField ? kFieldColour : "");
+  replaceAll(colours, "FIELD_COLOUR", hasField ? fieldColour(*look.field) : "");
   for (const auto& [word, value] :
        {std::pair("HAS_FIELD", hasField), std::pair("WIRE", look.isWire),
-        std::pair("ANY_SUPPORT", look.anySupport), std::pair("ANY_LOAD", look.anyLoad)}) {
+        std::pair("ANY_SUPPORT", look.anySupport), std::pair("ANY_LOAD", look.anyLoad),
+        std::pair("ANY_MARK", look.anyMark)}) {
     replaceAll(colours, word, value ? "true" : "false");
   }
   if (look.isWire) colours += kDiscardUntinted;
@@ -167,14 +174,14 @@ void applyShader(const SurfaceLook& look, vtkActor* surface) {
     shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);
 }
 
-void applyLineShader(bool hasField, vtkActor* lines) {
-  if (!hasField) {
+void applyLineShader(const std::optional<ScalarField::Colours>& field, vtkActor* lines) {
+  if (!field) {
     passThrough({}, lines);
     return;
   }
   passThrough({{"float", "field"}}, lines);
   std::string colours = kColourLines;
-  replaceAll(colours, "FIELD_COLOUR", kFieldColour);
+  replaceAll(colours, "FIELD_COLOUR", fieldColour(*field));
   lines->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours,
                                                            false);
 }
@@ -193,10 +200,6 @@ void setUniforms(const SurfaceUniforms& numbers, vtkActor* actor) {
   uniforms->SetUniform3f("loadColour", numbers.load.data());
   uniforms->SetUniform3f("bodyColour", numbers.body.data());
   uniforms->SetUniform3f("edgeColour", numbers.edge.data());
-  if (!numbers.field) return;
-  uniforms->SetUniform3fv(
-      "fieldColours", kColours,
-      reinterpret_cast<const float(*)[3]>(shaderColours(*numbers.field).data()));
 }
 
 }  // namespace palpa::view

@@ -14,7 +14,8 @@ struct SurfaceLook {
   bool isWire = false;
   bool anySupport = false;
   bool anyLoad = false;
-  bool hasField = false;
+  bool anyMark = false;
+  std::optional<ScalarField::Colours> field;
 
   bool operator==(const SurfaceLook&) const = default;
 };
@@ -26,7 +27,6 @@ struct SurfaceUniforms {
   double ambient = 0, diffuse = 0;
   double tintOpacity = 0;  ///< in the wire picture
   Colour support{}, load{}, body{}, edge{};
-  std::optional<ScalarField::Colours> field;
 };
 
 /// The number that the point array "field" holds for a share of the way from the lowest value of
@@ -37,7 +37,7 @@ float placeInColours(double share);
 /// "field".
 void applyShader(const SurfaceLook& look, vtkActor* surface);
 /// Lines on the surface in the colours of the field, or plain.
-void applyLineShader(bool hasField, vtkActor* lines);
+void applyLineShader(const std::optional<ScalarField::Colours>& field, vtkActor* lines);
 void setUniforms(const SurfaceUniforms& numbers, vtkActor* actor);
 
 }  // namespace palpa::view

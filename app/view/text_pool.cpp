@@ -28,7 +28,7 @@ void TextPool::set(const std::vector<std::string>& texts, const TextStyle& style
     entry.actor->SetInput(entry.words.c_str());
     entry.extent = entry.words.empty() ? Eigen::Vector2d(0, 0) : textSize(entry.actor, overlay_);
   }
-  hideAll();
+  for (std::size_t i = used_; i < entries_.size(); ++i) hide(i);
 }
 
 void TextPool::place(std::size_t index, const Eigen::Vector2d& corner, int pictureHeight) {

@@ -23,7 +23,7 @@ class TextPool {
   TextPool(const TextPool&) = delete;
   TextPool& operator=(const TextPool&) = delete;
 
-  /// All texts are hidden until they are placed.
+  /// Texts stay where they are; new ones are hidden until they are placed.
   void set(const std::vector<std::string>& texts, const TextStyle& style);
   std::size_t size() const { return used_; }
   /// Width and height in pixels; zero without words.
@@ -31,6 +31,8 @@ class TextPool {
   /// Shows it with its upper left corner at `corner`, in pixels from the top left of a picture of
   /// that height.
   void place(std::size_t index, const Eigen::Vector2d& corner, int pictureHeight);
+  /// Not to be called for what is placed again before the picture is drawn: VTK makes the image of
+  /// a text anew after that.
   void hide(std::size_t index);
   void hideAll();
 

@@ -71,7 +71,7 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->rings.setPixelRatio(ratio);
   parts_->remakeArrows();
   parts_->remakeLiveArrows();
-  parts_->remakeColourBar();
+  parts_->applyField();
   parts_->remakeWarnings();
   parts_->remakeTouches();
   parts_->remakeTool();
@@ -121,7 +121,7 @@ void Viewport::setBody(const ViewportBody& body) {
   parts_->restDiagonal = parts_->bodyDiagonal();
   parts_->remakeArrows();
   parts_->remakeLiveArrows();
-  parts_->remakeColourBar();
+  parts_->applyField();
 }
 
 void Viewport::moveBody(const std::vector<Eigen::Vector3d>& positions,
@@ -263,6 +263,7 @@ void Viewport::render(Quality quality) {
   parts.applyCamera();
   parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
   parts.surface.setScale(parts.pixelRatio * parts.camera.visibleHeight() / parts.camera.height());
+  parts.ghostLines.update(parts.camera);
   parts.updateOverlay();
   parts.overlay->SetUseFXAA(quality == Quality::kFine);
   parts.window->Render();

@@ -77,8 +77,9 @@ void Viewport::Parts::remakeLiveArrows() {
   liveArrows.set(liveForces, restDiagonal, theme, pixelRatio);
 }
 
-void Viewport::Parts::remakeColourBar() {
+void Viewport::Parts::applyField() {
   colourBar.set(field, theme, pixelRatio);
+  ghostLines.setTheme(theme, field ? std::optional(field->colours) : std::nullopt);
 }
 
 void Viewport::Parts::remakeWarnings() {
@@ -100,11 +101,10 @@ void Viewport::Parts::applyTheme() {
   surface.setTheme(theme);
   netActor.setTheme(theme);
   ghostSide.setTheme(theme);
-  ghostLines.setTheme(theme);
   balls.setTheme(theme);
   remakeArrows();
   remakeLiveArrows();
-  remakeColourBar();
+  applyField();
   remakeWarnings();
   remakeTouches();
   remakeTool();

@@ -36,7 +36,8 @@ struct Viewport::Parts {
   void syncBounds();
   void remakeArrows();
   void remakeLiveArrows();
-  void remakeColourBar();
+  /// After the field, but for its values, or the theme has changed.
+  void applyField();
   void remakeWarnings();
   void remakeTouches();
   void remakeTool();

@@ -95,7 +95,7 @@ struct ContactRing {
     kHolding,   ///< fixed to the surface: a grab or a pin
     kSticking,  ///< pressed, friction holds it
     kSlipping,  ///< pressed and sliding: dashed
-    kFailed,    ///< the force could not be found and is the last one known
+    kFailed,    ///< the force could not be found and is the last one known: a broken ring
   };
   std::vector<Eigen::Vector3d> points;  ///< a polyline that is closed by its first point
   State state = State::kHolding;

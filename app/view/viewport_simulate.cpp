@@ -26,7 +26,7 @@ void Viewport::setField(const std::optional<ScalarField>& field) {
   parts_->surface.setField(field);
   parts_->field = field;
   if (field) parts_->field->values.clear();
-  parts_->remakeColourBar();
+  parts_->applyField();
 }
 
 void Viewport::setFieldValues(const std::vector<double>& values,
@@ -37,7 +37,7 @@ void Viewport::setFieldValues(const std::vector<double>& values,
   const bool sameRange = parts_->field->range == range;
   parts_->field->range = range;
   parts_->surface.setFieldValues(values, colourRange(*parts_->field));
-  if (!sameRange) parts_->remakeColourBar();
+  if (!sameRange) parts_->applyField();
 }
 
 void Viewport::setGhost(const std::optional<ViewportBody>& body) {

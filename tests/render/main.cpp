@@ -79,6 +79,27 @@ int requireAllCases(const std::vector<std::string>& names) {
   return 1;
 }
 
+/// How many of the changes of a case, whose picture is `base`, are not noticed; `same` is none.
+int countUnnoticed(const ViewportCase& original, const fs::path& base, const std::string& same,
+                   const std::map<std::string, std::function<void(view::Viewport&)>>& changes,
+                   const fs::path& output) {
+  int failures = 0;
+  for (const auto& [name, change] : changes) {
+    ViewportCase changed = original;
+    changed.setUp = [&](view::Viewport& viewport) {
+      original.setUp(viewport);
+      change(viewport);
+    };
+    const fs::path picture = output / ("notices_" + name + ".png");
+    draw(changed, picture);
+    const Difference result = compare(picture, base, {});
+    const bool right = result.acceptable() == (name == same);
+    std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
+    failures += !right;
+  }
+  return failures;
+}
+
 /// Small but visible changes of a picture of the interactive view; each must be found.
 int requireViewportChangesNoticed(const fs::path& output) {
   const ViewportCase original = viewportCases().at("viewport_selection_gizmo");
@@ -96,39 +117,51 @@ int requireViewportChangesNoticed(const fs::path& output) {
          v.orbit({4, 0});
        }},
   };
-  int failures = 0;
-  for (const auto& [name, change] : changes) {
-    ViewportCase changed = original;
-    changed.setUp = [&](view::Viewport& viewport) {
-      original.setUp(viewport);
-      change(viewport);
-    };
-    const fs::path picture = output / ("notices_" + name + ".png");
-    draw(changed, picture);
-    const Difference result = compare(picture, base, {});
-    const bool right = result.acceptable() == (name == "viewport_same");
-    std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
-    failures += !right;
-  }
-  return failures;
+  return countUnnoticed(original, base, "viewport_same", changes, output);
+}
+
+/// The same for what is shown while one touches.
+int requireTouchChangesNoticed(const fs::path& output) {
+  const ViewportCase original = simulateCases().at("simulate_pull_ghost");
+  const fs::path base = output / "notices_touch.png";
+  draw(original, base);
+  const std::map<std::string, std::function<void(view::Viewport&)>> changes{
+      {"touch_same", [](view::Viewport&) {}},
+      {"touch_no_arrow", [](view::Viewport& v) { v.setLiveArrows({}); }},
+      {"touch_no_ring", [](view::Viewport& v) { v.setContactRings({}); }},
+      {"touch_no_ghost", [](view::Viewport& v) { v.setGhost({}); }},
+      {"touch_no_field", [](view::Viewport& v) { v.setField({}); }},
+      {"touch_a_ball",
+       [](view::Viewport& v) {
+         v.setProbeBalls({{{0, -25, 0}, 3}});
+       }},
+  };
+  return countUnnoticed(original, base, "touch_same", changes, output);
 }
 
 /// A window that has shown something else before shows the same as a new one.
 int requireNothingLeftBehind(const fs::path& output) {
   fs::create_directories(output);
-  const auto cases = viewportCases();
+  std::map<std::string, ViewportCase> cases = viewportCases();
+  cases.merge(simulateCases());
   const fs::path fresh = output / "fresh.png";
   const fs::path reused = output / "reused.png";
   int failures = 0;
   for (const auto& [first, last] : {std::pair{"viewport_hovered_point", "viewport_high_dpi"},
                                     std::pair{"viewport_high_dpi", "viewport_selection_gizmo"},
-                                    std::pair{"viewport_knot_lines", "viewport_close_up"}}) {
+                                    std::pair{"viewport_knot_lines", "viewport_close_up"},
+                                    std::pair{"simulate_many_contacts", "simulate_push"},
+                                    std::pair{"simulate_traction", "simulate_updated"},
+                                    std::pair{"simulate_pull_ghost", "viewport_close_up"}}) {
     ViewportCase before = cases.at(first);
     ViewportCase after = cases.at(last);
     // Visibilities are not part of what a case sets up anew.
     after.setUp = [setUp = after.setUp](view::Viewport& viewport) {
       viewport.setControlNetVisible(true);
       viewport.setGridVisible(true);
+      viewport.setGhost({});
+      viewport.setLiveArrows({});
+      viewport.setContactRings({});
       setUp(viewport);
     };
     draw(after, fresh);
@@ -169,6 +202,7 @@ int requireChangesNoticed(const fs::path& output) {
     failures += !right;
   }
   failures += requireViewportChangesNoticed(output);
+  failures += requireTouchChangesNoticed(output);
   return failures == 0 ? 0 : 1;
 }
 

@@ -241,7 +241,7 @@ void rings(Viewport& viewport) {
   const Pressed sphere = pushedSphere();
   sphere.show(viewport);
   viewport.setField(sphere.displacement(6));
-  viewport.setContactRings({{sphere.ring(onSphere(-0.7, -0.7, 0.4), 4), State::kOpen},
+  viewport.setContactRings({{sphere.ring(onSphere(0.95, -0.15, 0.35), 4), State::kOpen},
                             {sphere.ring(onSphere(-0.25, -0.9, 0.1), 4), State::kHolding},
                             {sphere.ring(onSphere(0.25, -0.75, 0.65), 4), State::kSticking},
                             {sphere.ring(onSphere(0.35, -0.9, -0.1), 4), State::kSlipping},
@@ -264,8 +264,10 @@ void regions(Viewport& viewport) {
     supports.push_back(place.z() + 12 + 0.3 * place.x());
     loads.push_back((place - onSphere(0.8, -0.6, 0.1)).norm() - 7);
   }
+  const int hovered = viewport.surfaceAt({560, 150})->triangle;
   for (const int patch : sphere.rest.patchOfTriangle) {
-    marks.push_back(patch == 0 ? view::Mark::kHovered : view::Mark::kNone);
+    const bool isHovered = patch == sphere.rest.patchOfTriangle[static_cast<std::size_t>(hovered)];
+    marks.push_back(isHovered ? view::Mark::kHovered : view::Mark::kNone);
   }
   viewport.setRegions(supports, loads);
   viewport.setMarks(marks);

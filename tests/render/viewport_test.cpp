@@ -277,6 +277,46 @@ TEST_P(ViewportTest, WrongArraysAreRefused) {
   EXPECT_TRUE(viewport.surfaceAt({400, 300}));  // the body from before is still there
 }
 
+TEST_P(ViewportTest, WrongContactsAreRefused) {
+  const std::vector<double> values(body.positions.size(), 1.0);
+  const ScalarField field{"f", "mm", values, ScalarField::Colours::kSequential, {{0, 2}}};
+  EXPECT_THROW(viewport.setFieldValues(values, {0, 2}), std::invalid_argument);
+  ScalarField wrong = field;
+  wrong.values.pop_back();
+  EXPECT_THROW(viewport.setField(wrong), std::invalid_argument);
+  wrong = field;
+  wrong.range.reset();
+  EXPECT_THROW(viewport.setField(wrong), std::invalid_argument);
+  wrong.range = {2, 1};
+  EXPECT_THROW(viewport.setField(wrong), std::invalid_argument);
+  viewport.setField(field);
+  viewport.setFieldValues(values, {1, 1});
+  EXPECT_THROW(viewport.setFieldValues({1.0}, {0, 2}), std::invalid_argument);
+  EXPECT_THROW(viewport.setFieldValues(values, {0, std::nan("")}), std::invalid_argument);
+  viewport.setBody(body);  // and with it no field
+  EXPECT_THROW(viewport.setFieldValues(values, {0, 2}), std::invalid_argument);
+
+  ViewportBody ghost = body;
+  ghost.normals.pop_back();
+  EXPECT_THROW(viewport.setGhost(ghost), std::invalid_argument);
+  viewport.setGhost(body);
+  viewport.setGhost({});
+  EXPECT_THROW(viewport.setLiveArrows({{}, 0}), std::invalid_argument);
+  EXPECT_THROW(viewport.setProbeBalls({{{0, 0, 0}, 0}}), std::invalid_argument);
+  EXPECT_THROW(viewport.setProbeBalls({{{std::nan(""), 0, 0}, 1}}), std::invalid_argument);
+  viewport.setContactRings({{{}, ContactRing::State::kOpen}});
+}
+
+TEST_P(ViewportTest, LiveThingsDoNotChangeWhatIsFitted) {
+  const double zoom = viewport.camera().zoom;
+  viewport.setLiveArrows({{{{20, 0, 10}, {1, 0, 0}, ForceArrow::Anchor::kTail, {}, ""}}, 1});
+  viewport.setProbeBalls({{{200, 0, 0}, 50}});
+  ViewportBody ghost = body;
+  for (Vector3d& place : ghost.positions) place *= 10;
+  viewport.setGhost(ghost);
+  EXPECT_NEAR(viewport.camera().zoom, zoom, 1e-12);
+}
+
 TEST_P(ViewportTest, AnEmptyBodyIsNowhere) {
   viewport.setBody({});
   viewport.setControlNet({});
