@@ -39,6 +39,10 @@ Canvas::Canvas() {
   window_->OpenGLInitContext();
   window_->SetReadyForRendering(true);
   window_->SetFrameBlitModeToNoBlit();  // nobody looks at the surface itself
+  // What VTK's own windows set and a context begins without: of two shapes in the same depth the
+  // later one is seen.
+  window_->GetState()->Reset();
+  window_->GetState()->vtkglDepthFunc(GL_LEQUAL);
 }
 
 Canvas::~Canvas() {
