@@ -101,7 +101,6 @@ void Viewport::Parts::applyTheme() {
   surface.setTheme(theme);
   netActor.setTheme(theme);
   ghostSide.setTheme(theme);
-  balls.setTheme(theme);
   remakeArrows();
   remakeLiveArrows();
   applyField();
