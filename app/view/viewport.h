@@ -86,7 +86,7 @@ class Viewport {
   void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);
   /// The undeformed shape: thin lines along its borders and knot lines, faint where the body hides
   /// them, and its translucent near side when it has triangles. None to remove it. It is left out
-  /// of fit().
+  /// of fit(). Its triangles need not be as fine as those of the body: drawing them takes time.
   void setGhost(const std::optional<ViewportBody>& body);
   /// Not hidden by setRegionsVisible(), and left out of fit().
   void setLiveArrows(const LiveArrows& arrows);
