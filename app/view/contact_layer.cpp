@@ -20,6 +20,8 @@ constexpr double kRingWidth = 2.6;  // logical pixels
 constexpr double kBorderWidth = 5;
 constexpr double kBorderOpacity = 0.75;
 constexpr double kFaint = 0.30;
+/// Amber: neither among the colours of fields nor those of bodies.
+constexpr Colour kGlass{0.98, 0.76, 0.40};
 constexpr Colour kBorderColour{0.06, 0.07, 0.10};
 
 struct RingLook {
@@ -61,7 +63,7 @@ vtkSmartPointer<vtkActor> makeRingActor(vtkPolyData* lines, bool isColoured) {
 /// Dense where the ball is seen at a grazing angle.
 constexpr const char* kClearMiddle = R"(
 float facing = abs(normalVCVSOutput.z);
-opacity = mix(0.72, 0.20, smoothstep(0.0, 0.75, facing));
+opacity = mix(0.80, 0.15, smoothstep(0.0, 0.70, facing));
 //VTK::Light::Impl
 )";
 
@@ -136,13 +138,13 @@ void ProbeBalls::add() {
                                                            false);
   vtkProperty* property = actor->GetProperty();
   property->SetInterpolationToPhong();
-  property->SetAmbient(0.45);
-  property->SetDiffuse(0.60);
+  property->SetAmbient(0.62);
+  property->SetDiffuse(0.45);
   property->SetSpecular(0.55);
   property->SetSpecularPower(45);
   property->BackfaceCullingOn();
   blendInOrder(actor);
-  setColour(actor, colour_);
+  setColour(actor, kGlass);
   scene_->AddActor(actor);
   actors_.push_back(actor);
 }
@@ -159,11 +161,6 @@ void ProbeBalls::set(const std::vector<ProbeBall>& balls) {
     bounds_.add(ball.center - Eigen::Vector3d::Constant(ball.radius));
     bounds_.add(ball.center + Eigen::Vector3d::Constant(ball.radius));
   }
-}
-
-void ProbeBalls::setTheme(const ViewportTheme& theme) {
-  colour_ = mixed(theme.touch, theme.text, 0.25);
-  for (const auto& actor : actors_) setColour(actor, colour_);
 }
 
 }  // namespace palpa::view

@@ -40,7 +40,6 @@ class ProbeBalls {
   explicit ProbeBalls(vtkRenderer* scene);
 
   void set(const std::vector<ProbeBall>& balls);
-  void setTheme(const ViewportTheme& theme);
   const Bounds& bounds() const { return bounds_; }
 
  private:
@@ -49,7 +48,6 @@ class ProbeBalls {
   vtkRenderer* scene_;
   vtkSmartPointer<vtkPolyData> unitSphere_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;  ///< kept when fewer are needed
-  Colour colour_{};
   Bounds bounds_;
 };
 

@@ -21,8 +21,11 @@ opacity = mix(0.70, 0.16, smoothstep(0.0, 0.45, facing));
 //VTK::Light::Impl
 )";
 
-/// Infinitely far: all that is drawn later covers it.
-constexpr const char* kFarthest = "//VTK::Depth::Impl\ngl_FragDepth = 1.0;\n";
+/// Behind everything. Moved there by vertices, not by pixels: then those that the body covers are
+/// left out before their colours are computed.
+constexpr const char* kFarthest =
+    "gl_Position.z = 0.99999 * gl_Position.w;\n"
+    "//VTK::Light::Impl\n";
 
 void setLines(vtkActor* actor, const std::vector<std::vector<int>>& lines) {
   vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
@@ -55,7 +58,7 @@ GhostSide::GhostSide(vtkRenderer* scene)
   actor_->SetMapper(mapper);
   vtkShaderProperty* shader = actor_->GetShaderProperty();
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kDenseRim, false);
-  shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kFarthest, false);
+  shader->AddVertexShaderReplacement("//VTK::Light::Impl", true, kFarthest, false);
   vtkProperty* property = actor_->GetProperty();
   property->SetInterpolationToPhong();
   property->SetAmbient(0.6);

@@ -19,7 +19,7 @@ namespace palpa::view {
 
 /// The near side, denser towards its rim, behind everything else: where the two shapes nearly
 /// coincide, a border between "in front" and "behind" would only show rounding errors. To be made
-/// before all that covers it.
+/// right after the body.
 class GhostSide {
  public:
   explicit GhostSide(vtkRenderer* scene);

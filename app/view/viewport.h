@@ -30,8 +30,8 @@ enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kIsometri
 /// state and a Pop(); and a surface format with DeprecatedFunctions, or Mesa draws all lines one
 /// pixel wide.
 ///
-/// Costs with 10,000 points and 20,000 triangles: moveBody() and setHandleStates() well below a
-/// millisecond, picking about half a millisecond.
+/// Costs with 10,000 points and 20,000 triangles: moveBody(), setFieldValues(), setHandleStates()
+/// and a dozen live arrows well below a millisecond each, picking about half a millisecond.
 class Viewport {
  public:
   /// `pixelRatio`: device pixels per logical pixel; widths and sizes of handles grow with it. Sets
@@ -79,16 +79,18 @@ class Viewport {
   /// Colours the surface by one number per position, beside a scalar bar; none: plain. The field
   /// needs a range, so that colours stay while the numbers change: the caller decides when it
   /// grows. Supports are then hatched in grey, and loads have a border alone, so that the only
-  /// colours are those of the field and of marks.
+  /// colours are those of the field and of marks. Where a number is NaN there is no colour. In the
+  /// wire picture the lines are coloured.
   void setField(const std::optional<ScalarField>& field);
   /// The same field with other numbers and another range: the quick path. std::invalid_argument
   /// without a field.
   void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);
   /// The undeformed shape: thin lines along its borders and knot lines, faint where the body hides
   /// them, and its translucent near side when it has triangles. None to remove it. It is left out
-  /// of fit().
+  /// of fit(). Its triangles need not be as fine as those of the body: drawing them takes time.
   void setGhost(const std::optional<ViewportBody>& body);
-  /// Not hidden by setRegionsVisible(), and left out of fit().
+  /// Sizes follow the body as setBody() had it. Not hidden by setRegionsVisible(), and left out of
+  /// fit().
   void setLiveArrows(const LiveArrows& arrows);
   void setContactRings(const std::vector<ContactRing>& rings);
   void setProbeBalls(const std::vector<ProbeBall>& balls);

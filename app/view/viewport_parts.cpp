@@ -18,8 +18,8 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       pixelRatio(ratio),
       restDiagonal(kFallbackDiagonal),
       shapes(shineThrough),
-      ghostSide(scene),
       surface(scene),
+      ghostSide(scene),
       grid(scene),
       netActor(scene, shineThrough),
       ghostLines(scene, shineThrough),
@@ -101,7 +101,6 @@ void Viewport::Parts::applyTheme() {
   surface.setTheme(theme);
   netActor.setTheme(theme);
   ghostSide.setTheme(theme);
-  balls.setTheme(theme);
   remakeArrows();
   remakeLiveArrows();
   applyField();

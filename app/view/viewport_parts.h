@@ -83,8 +83,8 @@ struct Viewport::Parts {
   // Drawn below the texts, and smoothed in fine pictures with all that the overlay covers.
   FlatShapes shapes;
   // Within a renderer, what is added later is blended over what was added before.
-  GhostSide ghostSide;
   SurfaceActor surface;
+  GhostSide ghostSide;
   GridActor grid;
   ControlNetActor netActor;
   GhostLines ghostLines;

@@ -133,7 +133,7 @@ int requireTouchChangesNoticed(const fs::path& output) {
       {"touch_no_field", [](view::Viewport& v) { v.setField({}); }},
       {"touch_a_ball",
        [](view::Viewport& v) {
-         v.setProbeBalls({{{0, -25, 0}, 3}});
+         v.setProbeBalls({{{12, -25, 8}, 5}});
        }},
   };
   return countUnnoticed(original, base, "touch_same", changes, output);
