@@ -1,6 +1,7 @@
 #include "app/view/force_plot.h"
 
 #include <vtkAxis.h>
+#include <vtkBrush.h>
 #include <vtkChartLegend.h>
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
@@ -27,9 +28,10 @@ constexpr double kLineWidth = 1.8;
 constexpr double kHeadroom = 1.08;
 constexpr double kLeastForce = 1e-9;  // of the axis, where all curves are zero
 
-/// Okabe and Ito's, which colour-blind people can tell apart.
+/// Okabe and Ito's, which colour-blind people can tell apart; the dark blue last, which a dark
+/// background swallows.
 constexpr std::array<std::array<unsigned char, 3>, 6> kColours{
-    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}}};
+    {{213, 94, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {0, 114, 178}}};
 
 }  // namespace
 
@@ -57,7 +59,11 @@ struct ForcePlot::Parts {
       axis->GetPen()->SetWidth(static_cast<float>(ratio));
       axis->GetGridPen()->SetWidth(static_cast<float>(ratio));
     }
-    style(chart->GetLegend()->GetLabelProperties());
+    vtkChartLegend* legend = chart->GetLegend();
+    style(legend->GetLabelProperties());
+    legend->GetBrush()->SetColorF(theme.backgroundTop[0], theme.backgroundTop[1],
+                                  theme.backgroundTop[2], 0.8);
+    legend->GetPen()->SetColorF(theme.text[0], theme.text[1], theme.text[2], 0.3);
   }
 };
 
@@ -101,6 +107,7 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
                           const std::string& unit) {
   vtkChartXY* chart = parts_->chart;
   chart->ClearPlots();
+  chart->SetShowLegend(curves.size() > 1);
   double largest = kLeastForce;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];

@@ -69,6 +69,38 @@ class Photographer {
     return window_.findChild<T*>(name);
   }
 
+  void simulate(const QString& tool) {
+    action("Simulate")->trigger();
+    if (!QTest::qWaitFor([this] { return window_.simulation().drawn() != nullptr; }, 60000))
+      std::fprintf(stderr, "palpa_screenshots: Simulate mode does not begin\n");
+    QTest::qWait(200);
+    action(tool)->trigger();
+  }
+  void pressWithBall(QPoint at) {
+    simulate("Ball");
+    held_ = at;
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+    for (int i = 0; i < 10; ++i) {
+      QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120}, Qt::LeftButton, {},
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(&view(), &event);
+      QTest::qWait(50);
+    }
+    QTest::qWait(2000);
+  }
+  void grab(QPoint at, QPoint by) {
+    simulate("Grab");
+    held_ = at + by;
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+    for (int i = 1; i <= 20; ++i) move(at + by * i / 20, Qt::LeftButton);
+    QTest::qWait(2000);
+  }
+  /// Back to modelling.
+  void letGo() {
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, held_);
+    action("Model")->trigger();
+  }
+
   void shoot(const QString& name, QWidget* of = nullptr) {
     QTest::qWait(500);  // until the fine picture is drawn
     const QString file = folder_ + "/" + name + ".png";
@@ -99,6 +131,7 @@ class Photographer {
 
   QString folder_;
   MainWindow window_;
+  QPoint held_;  // where a contact is held
 };
 
 void photograph(const QString& folder) {
@@ -141,6 +174,17 @@ void photograph(const QString& folder) {
   p.click(p.pointNear(p.middle()));
   p.shoot("rotate");
   p.key(Qt::Key_S);
+
+  p.open("sphere");
+  p.pressWithBall(p.middle() + QPoint(-60, -70));
+  p.shoot("simulate-ball");
+  p.letGo();
+  p.open("gripper-finger");
+  p.theme(Theme::kDark);
+  p.grab(p.middle() + QPoint(40, -60), QPoint(70, 60));
+  p.shoot("simulate-grab-dark");
+  p.letGo();
+  p.theme(Theme::kLight);
 
   p.shootDialog("new-solid", "New");
   p.shootDialog("material", "Material");
