@@ -4,12 +4,14 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
+#include <utility>
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kRest = 150;         // ms without movement until a fine picture is drawn
-constexpr double kLongFrame = 20;  // ms that a fine picture takes where OpenGL is software
+constexpr int kRestAfterComputing = 500;  // ms
+constexpr int kRest = 150;                // ms without movement until a fine picture is drawn
+constexpr double kLongFrame = 20;         // ms that a fine picture takes where OpenGL is software
 
 }  // namespace
 
@@ -20,7 +22,6 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent) {
   setMinimumSize(320, 240);
   setAttribute(Qt::WA_OpaquePaintEvent);
   restTimer_.setSingleShot(true);
-  restTimer_.setInterval(kRest);
   connect(&restTimer_, &QTimer::timeout, this, [this] {
     isMoving_ = false;
     update();
@@ -39,14 +40,17 @@ void ViewportWidget::setTool(Tool* tool) {
 
 void ViewportWidget::updateQuickly() {
   isMoving_ = true;
-  restTimer_.start();
+  restTimer_.start(kRest);
   update();
 }
 
 void ViewportWidget::setComputing(bool computing) {
   if (computing == isComputing_) return;
   isComputing_ = computing;
-  if (!computing) update();
+  if (computing || lastFineFrame_ <= kLongFrame) return;
+  // Panels tell of the result first, and the worker still estimates the condition number.
+  isMoving_ = true;
+  restTimer_.start(kRestAfterComputing);
 }
 
 void ViewportWidget::fitCanvas() {
@@ -75,6 +79,7 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   timer.start();
   fitCanvas();  // another screen may have other pixels
   canvas_.makeCurrent();
+  if (!std::exchange(isWarm_, true)) viewport_->warmUp();
   const bool isQuick = isMoving_ || (isComputing_ && lastFineFrame_ > kLongFrame);
   viewport_->render(isQuick ? view::Quality::kQuick : view::Quality::kFine);
   QImage image = canvas_.image();

@@ -73,6 +73,7 @@ class ViewportWidget : public QWidget {
   double lastFrame_ = 0, lastFineFrame_ = 0;  // ms
   bool isMoving_ = false;
   bool isComputing_ = false;
+  bool isWarm_ = false;
   QTimer restTimer_;
 };
 

@@ -255,6 +255,18 @@ void Viewport::setCamera(const CameraView& view) {
   parts_->camera.setDistance(parts_->camera.distance() / view.zoom);
 }
 
+void Viewport::warmUp() {
+  Parts& parts = *parts_;
+  std::vector<HandleState> states(parts.net.points.size(), HandleState::kPlain);
+  for (std::size_t i = 0; i < states.size() && i < 4; ++i) states[i] = static_cast<HandleState>(i);
+  parts.netActor.setStates(states);
+  const std::optional<Gizmo> gizmo = parts.gizmo;
+  parts.gizmo.emplace().at = parts.camera.focus();
+  render(Quality::kQuick);
+  parts.gizmo = gizmo;
+  parts.netActor.setStates(std::vector<HandleState>(states.size(), HandleState::kPlain));
+}
+
 void Viewport::render(Quality quality) {
   Parts& parts = *parts_;
   const int* size = parts.window->GetSize();

@@ -144,6 +144,10 @@ class Viewport {
                                         const Eigen::Vector3d& through,
                                         const Eigen::Vector3d& direction) const;
 
+  /// Draws once what a person will soon see, so that its shaders are compiled then: each takes Mesa
+  /// a tenth of a second. To be called before anything is selected.
+  void warmUp();
+
   /// Draws everything into the window.
   void render(Quality quality = Quality::kFine);
 
