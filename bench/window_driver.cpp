@@ -87,8 +87,8 @@ WindowDriver::Drag WindowDriver::touch(double seconds) {
   const QPoint middle = view.rect().center();
   // A body with a hole has none in the middle.
   for (int x = 0; x < view.width() / 2; x += 20)
-    if (window_->viewport().viewport().surfaceAt(
-            Eigen::Vector2d(middle.x() + x, middle.y()) * view.devicePixelRatioF()))
+    if (window_->viewport().viewport().surfaceAt(Eigen::Vector2d(middle.x() + x, middle.y()) *
+                                                 view.devicePixelRatioF()))
       return moveAround(middle + QPoint(x, 0), seconds);
   throw std::runtime_error("no surface can be seen");
 }
@@ -100,11 +100,10 @@ WindowDriver::Drag WindowDriver::moveAround(QPoint start, double seconds) {
   QElapsedTimer clock;
   double first = 0, last = 0;  // s, of the motions
   QObject context;
-  QObject::connect(&window_->viewport(), &gui::ViewportWidget::framePainted, &context,
-                   [&] {
-                     ++frames;
-                     paintTime += window_->viewport().lastFrameMilliseconds();
-                   });
+  QObject::connect(&window_->viewport(), &gui::ViewportWidget::framePainted, &context, [&] {
+    ++frames;
+    paintTime += window_->viewport().lastFrameMilliseconds();
+  });
   QTimer mouse;
   mouse.setTimerType(Qt::PreciseTimer);
   QObject::connect(&mouse, &QTimer::timeout, &context, [&] {

@@ -27,9 +27,10 @@ class WindowDriver {
 
   struct Drag {
     int motions = 0;
-    double framesPerSecond = 0;  ///< of all frames between the first motion and the last
+    double framesPerSecond = 0;     ///< of all frames between the first motion and the last
     double motionMilliseconds = 0;  ///< to handle one, on average
-    double paintMilliseconds = 0;   ///< to draw a frame, on average, without the window's other parts
+    double paintMilliseconds =
+        0;  ///< to draw a frame, on average, without the window's other parts
   };
   /// Drags a visible control point around for `seconds`, 60 motions a second, and lets go near
   /// where it was. std::runtime_error when no control point can be seen.

@@ -53,8 +53,7 @@ RebuildPipeline::~RebuildPipeline() {
   current_.request_stop();
 }
 
-std::uint64_t RebuildPipeline::submit(modeling::Project snapshot,
-                                      std::chrono::milliseconds quiet) {
+std::uint64_t RebuildPipeline::submit(modeling::Project snapshot, std::chrono::milliseconds quiet) {
   std::uint64_t revision = 0;
   {
     const std::lock_guard lock(mutex_);

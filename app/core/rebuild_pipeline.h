@@ -109,7 +109,7 @@ class RebuildPipeline {
   RebuildStatus status_;
   std::optional<modeling::Project> waiting_;  // the newest snapshot, until the worker takes it
   std::chrono::steady_clock::time_point notBefore_;  // the worker takes it
-  std::stop_source current_;                  // stops the build of the snapshot taken last
+  std::stop_source current_;                         // stops the build of the snapshot taken last
   std::shared_ptr<const TouchModel> model_;
   std::chrono::steady_clock::time_point stageBegan_;
   bool estimateDue_ = false;

@@ -119,7 +119,8 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.quality = modeling::measureQuality(surface);
   BoundarySetup setup = makeBoundarySetup(project, surface);
   checkMemory(report.nodes, setup.slots.count(), settings.edgeLength, options);
-  std::shared_ptr<TouchModel> model(new TouchModel(project.body, std::move(surface), std::move(setup)));
+  std::shared_ptr<TouchModel> model(
+      new TouchModel(project.body, std::move(surface), std::move(setup)));
   report.meshSeconds += watch.lap();
 
   const BoundarySetup& parts = model->setup_;
