@@ -81,6 +81,8 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
+  // A replay has a thread that talks to the touch loop, which goes before what started it.
+  simulation_.setActive(false);
   // Qt would delete the panels last of all, after the editor that their fields write to.
   for (QDockWidget* dock : docks_) delete dock;
 }

@@ -21,6 +21,12 @@ bool isPushing(Kind kind) {
   return kind == Kind::kPush || kind == Kind::kProbe;
 }
 
+/// N per mm by which the arrow of a given force is pulled: about the stiffness of a half-space
+/// under a disc, so that the pull looks like what it does.
+double forcePerLength(const app::DrawnBody& body, double radius) {
+  return 2 * body.model().setup().material.youngsModulus * radius;
+}
+
 }  // namespace
 
 double HandOptions::radius(const app::DrawnBody& body) const {
@@ -44,13 +50,7 @@ HandTool::HandTool(Kind kind, Settings& settings, Simulation& simulation, HandOp
       simulation_(simulation),
       options_(options),
       widget_(widget) {
-  // A contact is bound to its body; an edit keeps it, another project does not.
   connect(&simulation, &Simulation::activeChanged, this, [this] { hold_.reset(); });
-}
-
-double HandTool::forcePerLength(const app::DrawnBody& body, double radius) {
-  // About the stiffness of a half-space under a disc: the pull looks like what it does.
-  return 2 * body.model().setup().material.youngsModulus * radius;
 }
 
 std::optional<HandTool::Place> HandTool::placeAt(const Eigen::Vector2d& pixel) const {
@@ -115,7 +115,7 @@ bool HandTool::press(const PointerEvent& event) {
   const bem::ContactTool tool{kind_, radius, isPushing(kind_) ? options_.friction() : 0};
   // It begins without a jump: where the place is, touching, or without force.
   const Eigen::Vector3d displaced =
-      (place->drawn - place->at) / std::max(simulation_.scale(), 1e-9);
+      simulation_.displacementAt(simulation_.body()->surface().tree().nearest(place->at));
   Eigen::Vector3d start = Eigen::Vector3d::Zero();
   if (kind_ == Kind::kGrab) start = displaced;
   if (kind_ == Kind::kPush) start = place->at + displaced;

@@ -53,9 +53,6 @@ class HandTool : public Tool {
   QString hint() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
-  /// N per mm by which the arrow of a given force was pulled.
-  static double forcePerLength(const app::DrawnBody& body, double radius);
-
  private:
   /// Place, on the unloaded shape and as it is drawn, and normal under a pixel.
   struct Place {

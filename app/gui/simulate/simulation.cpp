@@ -152,12 +152,14 @@ void Simulation::showLive() {
 
 void Simulation::frame() {
   if (!isLive_) return;
-  loop_->read(snapshot_);
-  if (snapshot_.model != drawnNumber_) {
-    // Until the new body is drawn the picture stays as it is.
-    if (snapshot_.model != 0 && snapshot_.model != wantedNumber_) makeDrawn(snapshot_.model);
+  loop_->read(incoming_);
+  if (incoming_.model != drawnNumber_) {
+    // Until the new body is drawn the picture stays as it is, and so does the snapshot, whose
+    // places are on the triangles of drawn().
+    if (incoming_.model != 0 && incoming_.model != wantedNumber_) makeDrawn(incoming_.model);
     return;
   }
+  snapshot_ = incoming_;
   std::erase_if(over_, [this](app::TouchId id) { return !snapshot_.find(id); });
   const bool isTouched = snapshot_.contactCount > 0;
   if (!drawn_ || (!isDirty_ && !isTouched && !wasTouched_)) return;
@@ -194,8 +196,9 @@ void Simulation::makeDrawn(std::uint64_t number) {
 void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBody> drawn,
                        std::unique_ptr<app::TouchField> field) {
   if (!isActive() || number != wantedNumber_) return;
-  if (!isLive_) {
-    wantedNumber_ = 0;  // made again then
+  loop_->read(incoming_);
+  if (!isLive_ || incoming_.model != number) {
+    wantedNumber_ = 0;  // made again, or already the next one
     return;
   }
   if (field_) app::releaseElsewhere(std::shared_ptr<app::TouchField>(std::move(field_)));
@@ -204,8 +207,7 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
   drawn_ = std::move(drawn);
   drawnNumber_ = number;
   range_ = {0, 0};
-  loop_->read(snapshot_);
-  if (snapshot_.model != number) return;  // already the next one
+  snapshot_ = incoming_;
   evaluate();
   Q_EMIT bodyChanged();
   Q_EMIT framed();

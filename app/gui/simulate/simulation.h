@@ -48,7 +48,7 @@ class Simulation : public QObject {
   void setScale(double scale);
   double scale() const { return scale_; }
 
-  /// The state of the last frame; of another body than drawn() while a new one is made.
+  /// The state of the last frame; its places are on the triangles of drawn().
   const app::TouchSnapshot& snapshot() const { return snapshot_; }
   /// Null until the first model is there.
   const app::DrawnBody* drawn() const { return drawn_.get(); }
@@ -99,7 +99,7 @@ class Simulation : public QObject {
   std::unique_ptr<app::TouchLoop> loop_;
   std::shared_ptr<const app::TouchModel> model_;  // that the loop was given last
   QTimer timer_;
-  app::TouchSnapshot snapshot_;
+  app::TouchSnapshot incoming_, snapshot_;  // as the loop says it now; of drawn()
   std::set<app::TouchId> over_;
   std::uint64_t lastStep_ = 0;
   bool wasTouched_ = false, isDirty_ = false;

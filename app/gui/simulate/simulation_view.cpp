@@ -71,7 +71,7 @@ SimulationView::SimulationView(Simulation& simulation, const Settings& settings,
   connect(&simulation, &Simulation::bodyChanged, this, &SimulationView::showBody);
   connect(&simulation, &Simulation::framed, this, &SimulationView::showFrame);
   connect(&simulation, &Simulation::picturesChanged, this, [this] {
-    if (hasBody_ && simulation_.drawn()) showBody();
+    if (hasBody_) showField();
   });
 }
 
@@ -123,17 +123,23 @@ void SimulationView::showBody() {
   viewport.setBody({simulation_.shape().positions, simulation_.shape().normals, mesh.triangles,
                     mesh.patchOfTriangle, polylines(body.borders()), polylines(mesh.edgeLines)});
   viewport.setRegions(supportField(body), {});
+  hasBody_ = true;
+  showField();
+  showGhost();
+  showFrame();
+}
+
+void SimulationView::showField() {
+  view::Viewport& viewport = widget_.viewport();
   if (simulation_.quantity() == SurfaceQuantity::kNone) {
     viewport.setField(std::nullopt);
   } else {
     view::ScalarField field = fieldLooks();
-    field.values.assign(mesh.positions.size(), 0.0);
+    // The next frame brings the numbers.
+    field.values.assign(simulation_.drawn()->mesh().positions.size(), 0.0);
     field.range = std::array<double, 2>{0, 1};
     viewport.setField(field);
   }
-  hasBody_ = true;
-  showGhost();
-  showFrame();
 }
 
 void SimulationView::setGhostShown(bool shown) {

@@ -25,6 +25,7 @@ class SimulationView : public QObject {
  private:
   void enterOrLeave(bool active);
   void showBody();
+  void showField();
   void showGhost();
   void showFrame();
   void showContacts();
