@@ -163,6 +163,43 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   keepPicture("simulate-recorded");
 }
 
+TEST_F(Simulate, ThePointerMovesWhileAnotherMeshTakesOver) {
+  enter();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(30, 0));
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(30, 0));
+  ASSERT_TRUE(waitForForce());
+  // Finer: the new mesh has triangles that the old one lacks.
+  const std::uint64_t model = simulation().snapshot().model;
+  modeling::MeshSettings finer = editor().project().mesh;
+  finer.edgeLength /= 1.6;
+  ASSERT_TRUE(editor().perform(modeling::SetMesh{finer}));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        moveTo(at + QPoint(35, 5));
+        const auto& mesh = simulation().drawn()->model().setup().mesh;
+        EXPECT_LT(contact()->point.triangle, static_cast<int>(mesh.triangles.size()));
+        return simulation().snapshot().model > model;
+      },
+      30000));
+}
+
+TEST_F(Simulate, ClosingEndsAReplay) {
+  enter();
+  action("Record")->trigger();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(30, 0));
+  QTest::qWait(500);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + QPoint(30, 0));
+  QTest::qWait(50);
+  action("Record")->trigger();
+  action("Replay")->trigger();
+  ASSERT_FALSE(action("Export forces")->isEnabled());  // it runs
+  window_.reset();
+}
+
 TEST_F(Simulate, TheModelComesBackAsItWas) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
