@@ -114,7 +114,9 @@ void LuFactorisation<Scalar>::solveInPlace(
 template <class Scalar>
 double LuFactorisation<Scalar>::conditionEstimate(const Job& job) const {
   const auto n = static_cast<lapack_int>(size());
-  std::vector<Scalar> v(size()), x(size());
+  // On page borders: the library adds up magnitudes in an order that depends on where a vector
+  // lies.
+  LargeMatrix<Scalar> v(n, 1), x(n, 1);
   std::vector<lapack_int> signs(size());
   std::array<lapack_int, 3> saved{};
   Scalar inverseNorm = 0;
