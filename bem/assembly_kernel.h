@@ -78,8 +78,6 @@ template <class Scalar>
 AssembleRows<Scalar> assembleRowsForThisProcessor();
 template <class Scalar>
 AddProduct<Scalar> addProductForThisProcessor();
-/// Its name, for reports: "avx512", "avx2" or "baseline".
-const char* instructionSetName();
 
 // One set per instruction set; only call what the processor supports.
 void assembleRowsAvx512(const AssemblyTask<double>&);

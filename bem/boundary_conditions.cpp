@@ -33,12 +33,17 @@ std::pair<Matrix3d, int> heldDirections(const std::vector<Vector3d>& rollerNorma
 DegreesOfFreedom::DegreesOfFreedom(const BoundaryMesh& mesh, const TractionSlots& slots,
                                    const std::vector<SlotCondition>& conditions,
                                    const Material& material)
-    : nodes_(mesh.nodes.size()),
+    : DegreesOfFreedom(slots, conditions, material, mesh.boundingSize()) {}
+
+DegreesOfFreedom::DegreesOfFreedom(const TractionSlots& slots,
+                                   const std::vector<SlotCondition>& conditions,
+                                   const Material& material, double size)
+    : nodes_(slots.firstOfNode.size() - 1),
       firstSlotOfNode_(slots.firstOfNode),
       conditions_(conditions),
       projectors_(slots.slots.size(), Matrix3d::Zero()),
-      tractionScale_(material.youngsModulus / mesh.boundingSize()) {
-  for (int k = 0; k < mesh.nodeCount(); ++k) {
+      tractionScale_(material.youngsModulus / size) {
+  for (int k = 0; k < nodeCount(); ++k) {
     std::vector<Vector3d> rollerNormals, fixedNormals;
     const auto isNewFace = [&fixedNormals](const Vector3d& normal) {
       return std::none_of(fixedNormals.begin(), fixedNormals.end(), [&](const Vector3d& other) {

@@ -25,9 +25,12 @@ struct BoundaryConditions {
 
   /// A body without supports or loads.
   BoundaryConditions(const BoundaryMesh& mesh, const TractionSlots& slots)
-      : ofSlot(slots.slots.size(), SlotCondition::kTraction),
-        displacement(Eigen::VectorXd::Zero(3 * mesh.nodeCount())),
-        traction(Eigen::VectorXd::Zero(3 * slots.count())) {}
+      : BoundaryConditions(mesh.nodeCount(), slots.count()) {}
+  /// For any number of displacement and traction coefficients.
+  BoundaryConditions(int displacements, int tractions)
+      : ofSlot(tractions, SlotCondition::kTraction),
+        displacement(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(displacements))),
+        traction(Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(tractions))) {}
 };
 
 /// Displacements (3 per node, mm) and tractions (3 per slot, MPa) on the whole boundary. Several
@@ -57,6 +60,10 @@ class DegreesOfFreedom {
  public:
   DegreesOfFreedom(const BoundaryMesh& mesh, const TractionSlots& slots,
                    const std::vector<SlotCondition>& conditions, const Material& material);
+  /// For any discretisation whose displacement coefficients are the slots' nodes. `size`: of the
+  /// body, mm.
+  DegreesOfFreedom(const TractionSlots& slots, const std::vector<SlotCondition>& conditions,
+                   const Material& material, double size);
 
   int nodeCount() const { return static_cast<int>(nodes_.size()); }
   /// Number of unknowns and of equations: 3 per node and 3 per extra traction.
@@ -106,11 +113,17 @@ class DegreesOfFreedom {
 /// Names of the rigid motions that the supports leave free, for people; empty when the body is
 /// held.
 std::vector<std::string> freeRigidMotions(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs);
+/// The same for displacement coefficients at any places (mm): nodes or control points.
+std::vector<std::string> freeRigidMotions(const std::vector<Eigen::Vector3d>& places, double size,
+                                          const DegreesOfFreedom& dofs);
 
 /// Throws SolverError unless the body is held (kNotHeld) and the data determine the pressure of a
 /// (nearly) incompressible body (kIncompressible): not held everywhere at nu = 0.5, no closed
 /// cavity above 0.47.
-void checkSolvable(const BoundaryMesh& mesh, const TractionSlots& slots,
+void checkSolvable(const BoundaryMesh& mesh, const std::vector<SlotCondition>& conditions,
+                   const DegreesOfFreedom& dofs, const Material& material);
+/// The same for displacement coefficients at any places; `closedSurfaces`: 1 and one per cavity.
+void checkSolvable(const std::vector<Eigen::Vector3d>& places, double size, int closedSurfaces,
                    const std::vector<SlotCondition>& conditions, const DegreesOfFreedom& dofs,
                    const Material& material);
 

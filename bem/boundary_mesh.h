@@ -54,6 +54,7 @@ struct TractionSlots {
   std::vector<std::array<int, 3>> ofCorner;  ///< per triangle: slot of each corner
   std::vector<int> firstOfNode;  ///< slots of node k are firstOfNode[k] … firstOfNode[k+1]-1
 
+  TractionSlots() = default;
   explicit TractionSlots(const BoundaryMesh& mesh);
   int count() const { return static_cast<int>(slots.size()); }
 };

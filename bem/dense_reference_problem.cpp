@@ -6,6 +6,7 @@
 #include "bem/lu_factorisation.h"
 #include "bem/parallel.h"
 #include "bem/reference_problem.h"
+#include "bem/spline/spline_assembly.h"
 
 namespace palpa::bem {
 namespace {
@@ -170,20 +171,33 @@ class DenseReferenceProblem final : public ReferenceProblem {
   LuFactorisation<Factor> factors_;
 };
 
-template <class Stored, class Factor>
-std::unique_ptr<ReferenceProblem> make(const BoundaryMesh& mesh, const TractionSlots& slots,
-                                       DegreesOfFreedom dofs, const Material& material,
-                                       const AssemblyOptions& options, const Job& job,
-                                       ReferenceProblemTimes* times) {
+template <class Stored, class Factor, class Assemble>
+std::unique_ptr<ReferenceProblem> make(DegreesOfFreedom dofs, const Assemble& assembleOperators,
+                                       const Job& job, ReferenceProblemTimes* times) {
   const auto start = std::chrono::steady_clock::now();
-  BoundaryOperators<Stored> operators =
-      assemble<Stored>(mesh, slots, dofs.collocationPoints(mesh, slots), material, options, job);
+  BoundaryOperators<Stored> operators = assembleOperators(Stored{});
   if (times) times->assemble = secondsSince(start);
   const auto assembled = std::chrono::steady_clock::now();
   auto problem = std::make_unique<DenseReferenceProblem<Stored, Factor>>(std::move(dofs),
                                                                          std::move(operators), job);
   if (times) times->factorise = secondsSince(assembled);
   return problem;
+}
+
+/// `assembleOperators(Scalar{})` yields the operators in the precision of a Scalar.
+template <class Assemble>
+std::unique_ptr<ReferenceProblem> make(Precision precision, DegreesOfFreedom dofs,
+                                       const Assemble& assembleOperators, const Job& job,
+                                       ReferenceProblemTimes* times) {
+  setBlasThreads(workerCount(job));
+  switch (choosePrecision(precision, dofs.nodeCount())) {
+    case Precision::kMixed:
+      return make<double, float>(std::move(dofs), assembleOperators, job, times);
+    case Precision::kSingle:
+      return make<float, float>(std::move(dofs), assembleOperators, job, times);
+    default:
+      return make<double, double>(std::move(dofs), assembleOperators, job, times);
+  }
 }
 
 }  // namespace
@@ -195,16 +209,35 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     ReferenceProblemTimes* times) {
   material.validate();
   DegreesOfFreedom dofs(mesh, slots, conditions, material);
-  checkSolvable(mesh, slots, conditions, dofs, material);
-  setBlasThreads(workerCount(job));
-  switch (choosePrecision(precision, mesh.nodeCount())) {
-    case Precision::kMixed:
-      return make<double, float>(mesh, slots, std::move(dofs), material, options, job, times);
-    case Precision::kSingle:
-      return make<float, float>(mesh, slots, std::move(dofs), material, options, job, times);
-    default:
-      return make<double, double>(mesh, slots, std::move(dofs), material, options, job, times);
-  }
+  checkSolvable(mesh, conditions, dofs, material);
+  const auto points = dofs.collocationPoints(mesh, slots);
+  return make(
+      precision, std::move(dofs),
+      [&](auto scalar) {
+        return assemble<decltype(scalar)>(mesh, slots, points, material, options, job);
+      },
+      job, times);
+}
+
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
+    const SplineSurface& surface, const SplineTractions& tractions,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, Precision precision, const Job& job,
+    ReferenceProblemTimes* times) {
+  material.validate();
+  const double size = surface.boundingSize();
+  DegreesOfFreedom dofs(tractions.slots, conditions, material, size);
+  checkSolvable(surface.controlPoints(), size, surface.closedSurfaceCount(), conditions, dofs,
+                material);
+  auto points = grevilleCollocation(surface);
+  for (const int slot : dofs.extraSlots())
+    points.push_back(shiftedCollocation(surface, tractions, slot));
+  return make(
+      precision, std::move(dofs),
+      [&](auto scalar) {
+        return assemble<decltype(scalar)>(surface, tractions, points, material, options, job);
+      },
+      job, times);
 }
 
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
@@ -213,7 +246,7 @@ std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const Job& job, const ByteSource& source) {
   material.validate();
   DegreesOfFreedom dofs(mesh, slots, conditions, material);
-  checkSolvable(mesh, slots, conditions, dofs, material);
+  checkSolvable(mesh, conditions, dofs, material);
   setBlasThreads(workerCount(job));
   switch (choosePrecision(precision, mesh.nodeCount())) {
     case Precision::kMixed:

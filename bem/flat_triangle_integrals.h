@@ -1,8 +1,8 @@
 #pragma once
-#include <type_traits>
 #include <xsimd/xsimd.hpp>
 
 #include "bem/flat_triangle.h"
+#include "bem/inverse_square_root.h"
 #include "bem/triangle_rule.h"
 
 /// The integrals of `BasisIntegrals` over a flat triangle with linear basis functions, for a batch
@@ -91,22 +91,6 @@ struct PlacedRule {
   double point[Count][3];             ///< mm
   const double (*productWeight)[10];  ///< see RuleProducts
 };
-
-/// 1 / sqrt(x) to the last bits but one; x > 0.
-template <class Batch>
-inline Batch inverseSquareRoot(const Batch& x) {
-#ifdef __AVX512F__
-  // Two Newton steps on the processor's 14-bit estimate: several times faster than a division and a
-  // square root.
-  if constexpr (std::is_same_v<Batch, xsimd::batch<double, xsimd::avx512f>>) {
-    const Batch half = Batch(0.5) * x;
-    Batch y(_mm512_rsqrt14_pd(x));
-    y = y * xsimd::fnma(half, y * y, Batch(1.5));
-    return y * xsimd::fnma(half, y * y, Batch(1.5));
-  }
-#endif
-  return Batch(1.0) / xsimd::sqrt(x);
-}
 
 /// Plain quadrature; for collocation points at some distance (see `QuadratureRange`). `corners` are
 /// the 9 coordinates of the triangle's corners. With r = sum_b N_b r_b (r_b from the collocation

@@ -5,6 +5,7 @@
 #include "bem/assembly.h"
 #include "bem/boundary_conditions.h"
 #include "bem/byte_stream.h"
+#include "bem/spline/spline_tractions.h"
 
 namespace palpa::bem {
 
@@ -76,6 +77,13 @@ struct ReferenceProblemTimes {
 /// on stop.
 std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, Precision precision, const Job& job,
+    ReferenceProblemTimes* times = nullptr);
+
+/// The same in the coefficients of splines; `conditions`: one per slot of `tractions`.
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
+    const SplineSurface& surface, const SplineTractions& tractions,
     const std::vector<SlotCondition>& conditions, const Material& material,
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times = nullptr);

@@ -79,9 +79,13 @@ int componentCount(const BoundaryMesh& mesh) {
 }  // namespace
 
 std::vector<std::string> freeRigidMotions(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs) {
-  const double size = mesh.boundingSize();
+  return freeRigidMotions(mesh.nodes, mesh.boundingSize(), dofs);
+}
+
+std::vector<std::string> freeRigidMotions(const std::vector<Vector3d>& places, double size,
+                                          const DegreesOfFreedom& dofs) {
   Vector3d center = Vector3d::Zero();
-  for (const Vector3d& p : mesh.nodes) center += p / mesh.nodeCount();
+  for (const Vector3d& p : places) center += p / static_cast<double>(places.size());
   // Held against total motion of the held nodes, in the mean square: a motion that hardly moves
   // them along the held directions is free. Normals of a curved guide are off by the order of (h /
   // R)^2, so a ball in a frictionless socket shows 1e-4 here.
@@ -93,9 +97,9 @@ std::vector<std::string> freeRigidMotions(const BoundaryMesh& mesh, const Degree
     row << direction, (x - center).cross(direction) / size;
     return row;
   };
-  for (int k = 0; k < mesh.nodeCount(); ++k)
+  for (int k = 0; k < dofs.nodeCount(); ++k)
     for (int d = 0; dofs.constrained(k) > 0 && d < 3; ++d) {
-      const RigidMotion row = motionAlong(mesh.nodes[k], dofs.frame(k).col(d));
+      const RigidMotion row = motionAlong(places[k], dofs.frame(k).col(d));
       total += row * row.transpose();
       if (d < dofs.constrained(k)) held += row * row.transpose();
     }
@@ -115,10 +119,15 @@ std::vector<std::string> freeRigidMotions(const BoundaryMesh& mesh, const Degree
   return names;
 }
 
-void checkSolvable(const BoundaryMesh& mesh, const TractionSlots& slots,
+void checkSolvable(const BoundaryMesh& mesh, const std::vector<SlotCondition>& conditions,
+                   const DegreesOfFreedom& dofs, const Material& material) {
+  checkSolvable(mesh.nodes, mesh.boundingSize(), componentCount(mesh), conditions, dofs, material);
+}
+
+void checkSolvable(const std::vector<Vector3d>& places, double size, int closedSurfaces,
                    const std::vector<SlotCondition>& conditions, const DegreesOfFreedom& dofs,
                    const Material& material) {
-  const auto motions = freeRigidMotions(mesh, dofs);
+  const auto motions = freeRigidMotions(places, size, dofs);
   if (!motions.empty()) {
     std::string list;
     for (const auto& name : motions) list += (list.empty() ? "" : "; ") + name;
@@ -130,7 +139,7 @@ void checkSolvable(const BoundaryMesh& mesh, const TractionSlots& slots,
   // pressure in the cavity is lost in discretisation errors (a hollow sphere: 4 % at 0.3, 44 % at
   // 0.49, n = 500 to 800).
   constexpr double kCavityLimit = 0.47;
-  if (material.poissonRatio > kCavityLimit && componentCount(mesh) > 1)
+  if (material.poissonRatio > kCavityLimit && closedSurfaces > 1)
     throw SolverError(
         SolverError::Kind::kIncompressible,
         "the body has a closed cavity, and its material is nearly incompressible "
@@ -139,7 +148,7 @@ void checkSolvable(const BoundaryMesh& mesh, const TractionSlots& slots,
   const bool heldEverywhere =
       std::none_of(conditions.begin(), conditions.end(),
                    [](SlotCondition c) { return c == SlotCondition::kTraction; });
-  if (heldEverywhere && slots.count() > 0 && material.poissonRatio > 0.5 - 1e-6)
+  if (heldEverywhere && !conditions.empty() && material.poissonRatio > 0.5 - 1e-6)
     throw SolverError(SolverError::Kind::kIncompressible,
                       "the material is incompressible (Poisson's ratio 0.5) and the supports hold "
                       "the whole surface, so the pressure inside is undetermined. Leave a part of "

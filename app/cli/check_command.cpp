@@ -83,7 +83,7 @@ class CheckCommand : public Command {
       }
       const auto& conditions = setup.conditions.ofSlot;
       const bem::DegreesOfFreedom dofs(setup.mesh, setup.slots, conditions, setup.material);
-      bem::checkSolvable(setup.mesh, setup.slots, conditions, dofs, setup.material);
+      bem::checkSolvable(setup.mesh, conditions, dofs, setup.material);
       bytes = bem::estimateBytes(setup.mesh.nodeCount(), setup.slots.count(),
                                  bem::Precision::kAutomatic);
     });

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "bem/assembly_kernel.h"
+#include "bem/instruction_set.h"
 
 namespace palpa::app {
 namespace {

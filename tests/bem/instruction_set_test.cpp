@@ -7,6 +7,7 @@
 #include "bem/assembly_kernel.h"
 #include "bem/boundary_mesh.h"
 #include "bem/flat_triangle_integrals.h"
+#include "bem/instruction_set.h"
 #include "bem/large_matrix.h"
 #include "test_meshes.h"
 

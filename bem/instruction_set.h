@@ -1,0 +1,12 @@
+#pragma once
+
+namespace palpa::bem {
+
+enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
+
+/// The widest one that this processor has and this program was built for.
+InstructionSet instructionSet();
+/// Its name, for reports: "avx512", "avx2" or "baseline".
+const char* instructionSetName();
+
+}  // namespace palpa::bem

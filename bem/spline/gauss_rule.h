@@ -1,0 +1,16 @@
+#pragma once
+#include <vector>
+
+namespace palpa::bem {
+
+/// Gauss-Legendre rule on [0, 1]; the weights sum to 1.
+struct GaussRule {
+  std::vector<double> points, weights;
+};
+
+inline constexpr int kMostGaussPoints = 24;
+
+/// The rule with `count` (1 … 24) points, exact for polynomials of degree 2 count - 1; made once.
+const GaussRule& gaussRule(int count);
+
+}  // namespace palpa::bem

@@ -1,0 +1,12 @@
+#include "bem/spline/spline_kernel_loop.h"
+
+namespace palpa::bem {
+
+void placePointsAvx2(const PlacePointsTask& task) {
+  detail::placePoints<xsimd::fma3<xsimd::avx2>>(task);
+}
+void sumKernelsAvx2(const SumKernelsTask& task) {
+  detail::sumKernels<xsimd::fma3<xsimd::avx2>>(task);
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,12 @@
+#include "bem/spline/spline_kernel_loop.h"
+
+namespace palpa::bem {
+
+void placePointsAvx512(const PlacePointsTask& task) {
+  detail::placePoints<xsimd::avx512f>(task);
+}
+void sumKernelsAvx512(const SumKernelsTask& task) {
+  detail::sumKernels<xsimd::avx512f>(task);
+}
+
+}  // namespace palpa::bem

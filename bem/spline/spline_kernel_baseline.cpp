@@ -1,0 +1,12 @@
+#include "bem/spline/spline_kernel_loop.h"
+
+namespace palpa::bem {
+
+void placePointsBaseline(const PlacePointsTask& task) {
+  detail::placePoints<xsimd::default_arch>(task);
+}
+void sumKernelsBaseline(const SumKernelsTask& task) {
+  detail::sumKernels<xsimd::default_arch>(task);
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,103 @@
+#include "bem/spline/spline_projection.h"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "bem/error.h"
+#include "bem/spline/gauss_rule.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kPoints = 6;  ///< per direction: exact for products of two functions of degree 5
+constexpr int kMostCells = 64;
+
+/// Solves ∫ N_a (Σ N_b x_b - f) dΓ = 0.
+Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vector<int>>& unknowns,
+                        int count, const std::vector<int>& elements, const SplineFunction& function,
+                        double featureLength) {
+  std::vector<int> all(surface.elements().size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> basis;
+  visitSplinePoints(surface, all, kPoints, INFINITY,
+                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      surface.evaluateBasis(place, basis);
+                      const std::vector<int>& list = unknowns[place.element];
+                      for (std::size_t a = 0; a < list.size(); ++a)
+                        for (std::size_t b = 0; b < list.size(); ++b)
+                          entries.emplace_back(list[a], list[b], weight * basis[a] * basis[b]);
+                    });
+  Eigen::SparseMatrix<double> mass(count, count);
+  mass.setFromTriplets(entries.begin(), entries.end());
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
+  visitSplinePoints(surface, elements, kPoints, featureLength / 8,
+                    [&](const SplinePlace& place, const SplineJet& jet, double weight) {
+                      surface.evaluateBasis(place, basis);
+                      const Vector3d value =
+                          weight * function(jet.position, jet.areaVector().normalized());
+                      const std::vector<int>& list = unknowns[place.element];
+                      for (std::size_t a = 0; a < list.size(); ++a)
+                        right.row(list[a]) += basis[a] * value.transpose();
+                    });
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(mass);
+  if (solver.info() != Eigen::Success)
+    throw SolverError(SolverError::Kind::kBadMesh,
+                      "a patch of the solid has no area, so loads cannot be placed on it");
+  const Eigen::MatrixXd x = solver.solve(right);
+  return Eigen::Map<const Eigen::VectorXd>(Eigen::MatrixXd(x.transpose()).data(), 3 * count);
+}
+
+}  // namespace
+
+void visitSplinePoints(
+    const SplineSurface& surface, const std::vector<int>& elements, int pointsPerDirection,
+    double cellSize,
+    const std::function<void(const SplinePlace&, const SplineJet&, double)>& visit) {
+  const GaussRule& rule = gaussRule(pointsPerDirection);
+  for (const int e : elements) {
+    const SplineElement& element = surface.elements()[e];
+    const double width = element.upper[0] - element.lower[0];
+    const double height = element.upper[1] - element.lower[1];
+    const SplineJet middle =
+        surface.evaluate({e, element.lower[0] + width / 2, element.lower[1] + height / 2});
+    const auto cells = [&](double length) {
+      return std::clamp(static_cast<int>(std::ceil(length / cellSize)), 1, kMostCells);
+    };
+    const int columns = cells(middle.du.norm() * width), rows = cells(middle.dv.norm() * height);
+    for (int b = 0; b < rows; ++b)
+      for (int a = 0; a < columns; ++a)
+        for (int j = 0; j < pointsPerDirection; ++j)
+          for (int i = 0; i < pointsPerDirection; ++i) {
+            const SplinePlace place{e, element.lower[0] + width * (a + rule.points[i]) / columns,
+                                    element.lower[1] + height * (b + rule.points[j]) / rows};
+            const SplineJet jet = surface.evaluate(place);
+            visit(place, jet,
+                  jet.areaVector().norm() * width * height * rule.weights[i] * rule.weights[j] /
+                      (columns * rows));
+          }
+  }
+}
+
+Eigen::VectorXd projectTraction(const SplineSurface& surface, const SplineTractions& tractions,
+                                const std::vector<int>& elements, const SplineFunction& traction,
+                                double featureLength) {
+  return project(surface, tractions.ofFunction, tractions.slots.count(), elements, traction,
+                 featureLength);
+}
+
+Eigen::VectorXd projectDisplacement(const SplineSurface& surface, const SplineFunction& function) {
+  std::vector<std::vector<int>> unknowns;
+  std::vector<int> all;
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    unknowns.push_back(surface.functions(e));
+    all.push_back(e);
+  }
+  return project(surface, unknowns, surface.coefficientCount(), all, function, INFINITY);
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,103 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "bem/spline/spline_collocation.h"
+#include "bem/spline/spline_kernel.h"
+
+namespace palpa::bem {
+
+/// Quadrature points on one element with the values of its functions, in the layout of
+/// spline_kernel.h.
+struct SplinePoints {
+  int used = 0;   ///< that have a weight
+  int count = 0;  ///< with those that fill up
+  std::array<std::vector<double>, 3> position, area;
+  std::vector<double> areaSize, basis;
+};
+
+/// A rectangle in an element, in parameters.
+struct SplineCell {
+  std::array<double, 2> lower, upper;
+};
+
+/// Integrates Kelvin's kernels times the functions of spline elements, from any collocation point.
+/// Far elements take a tensor Gauss rule of 3 to 6 points per direction by their distance over
+/// their radius; nearer ones are divided until the rule of 6 does. An element that contains the
+/// point is divided while it is long, and what still contains it is integrated in polar coordinates
+/// around the point in the metric of the surface there, in which all integrands are smooth; the
+/// part of T that has no limit drops out in the assembly. Where the surface has no metric, in a
+/// corner in which both derivatives are parallel, cells are halved towards the point instead.
+///
+/// Const use from several threads is safe, each with a Workspace of its own. Memory: about 86
+/// points per element.
+class SplineQuadrature {
+ public:
+  static constexpr int kFewest = 3, kMost = 6;  ///< points per direction of the tensor rules
+
+  /// `tolerance`: relative error allowed in the integrals over one element, [1e-12, 1e-2]. The
+  /// surface must outlive it.
+  SplineQuadrature(const SplineSurface& surface, double tolerance);
+
+  /// Memory of one thread, and what integrate() leaves behind.
+  struct Workspace {
+    std::vector<double> u, v, weight, kernels;
+    SplinePoints points;
+    /// [kKernelSums][stride]: see spline_kernel.h; stride = stride(element).
+    std::vector<double> sums;
+    long pointCount = 0;  ///< quadrature points used so far
+  };
+
+  /// Distance of a point from the middle of an element over the element's radius.
+  double ratio(int element, const Eigen::Vector3d& x) const {
+    return (x - elements_[element].ball.center).norm() / elements_[element].ball.radius;
+  }
+  int stride(int element) const { return elements_[element].stride; }
+
+  /// Sums of one element from x, into work.sums. `inside`: the place of x in the element, null when
+  /// the element does not contain it.
+  void integrate(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
+                 Workspace& work) const;
+
+ private:
+  struct Ball {
+    Eigen::Vector3d center;
+    double radius;
+  };
+  struct Element {
+    SpanPolynomials direction[2];
+    std::vector<double> controlPoints;
+    int functions, stride;
+    Ball ball;
+    /// From how many radii on so many points per direction do.
+    std::array<double, kMost + 1> ratio;
+    std::array<SplinePoints, kMost - kFewest + 1> rules;
+  };
+
+  /// Integrals of the functions times the area vectors: what a rule must do, however far the point.
+  std::vector<double> moments(const Element& element, const SplinePoints& points) const;
+  int pointsFor(const Element& element, double ratio) const;
+  Ball ballAround(int element, const SplineCell& cell) const;
+  std::array<double, 2> lengths(int element, const SplineCell& cell) const;
+  void place(const Element& element, Workspace& work, SplinePoints& points) const;
+  void addNear(int element, const SplineCell& cell, const Ball& ball, const Eigen::Vector3d& x,
+               int depth, Workspace& work) const;
+  void addSingular(int element, const SplineCell& cell, const Eigen::Vector3d& x,
+                   const SplinePlace& place, int depth, Workspace& work) const;
+  /// Is the metric at a place another than elsewhere in a cell, as in a corner where it vanishes?
+  bool metricVaries(const SplineCell& cell, const SplinePlace& place) const;
+  bool isFoldedCorner(const SplineCell& cell, const SplinePlace& place) const;
+  void addFoldedCorner(const SplineCell& cell, const SplinePlace& place, Workspace& work) const;
+  void addPolar(const SplineCell& cell, const SplinePlace& place, Workspace& work) const;
+  void sum(const Element& element, const SplinePoints& points, const Eigen::Vector3d& x,
+           Workspace& work) const;
+
+  const SplineSurface& surface_;
+  SplineKernel kernel_;
+  double error_;
+  int radial_;        ///< points of the polar rule towards the cell's border
+  int cornerLevels_;  ///< halvings towards a corner where the surface has no metric
+  std::vector<Element> elements_;
+};
+
+}  // namespace palpa::bem

@@ -1,0 +1,85 @@
+#include "bem/spline/spline_tractions.h"
+
+#include <map>
+#include <tuple>
+
+namespace palpa::bem {
+
+using Eigen::Vector3d;
+
+std::vector<std::vector<SplineOccurrence>> occurrences(const SplineSurface& surface) {
+  std::vector<std::vector<SplineOccurrence>> all(surface.controlPoints().size());
+  for (std::size_t p = 0; p < surface.patches().size(); ++p) {
+    const SplinePatch& patch = surface.patches()[p];
+    const int count = patch.basis[0].count();
+    for (std::size_t k = 0; k < patch.net.size(); ++k)
+      all[patch.net[k]].push_back(
+          {static_cast<int>(p), static_cast<int>(k) % count, static_cast<int>(k) / count});
+  }
+  return all;
+}
+
+std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, double u,
+                                       double v) {
+  const std::array<double, 2> parameter{u, v};
+  std::array<std::vector<int>, 2> spans;
+  for (int d = 0; d < 2; ++d) {
+    const auto& list = surface.patches()[patch].basis[d].spans();
+    const double slack = 1e-10 * (list.back().upper - list.front().lower);
+    for (std::size_t s = 0; s < list.size(); ++s)
+      if (parameter[d] >= list[s].lower - slack && parameter[d] <= list[s].upper + slack)
+        spans[d].push_back(static_cast<int>(s));
+  }
+  std::vector<SplinePlace> places;
+  for (const int j : spans[1])
+    for (const int i : spans[0]) places.push_back({surface.elementAt(patch, i, j), u, v});
+  return places;
+}
+
+std::vector<SplinePlace> grevillePlaces(const SplineSurface& surface, const SplineOccurrence& at) {
+  const SplinePatch& patch = surface.patches()[at.patch];
+  return placesInPatch(surface, at.patch, patch.basis[0].greville(at.i),
+                       patch.basis[1].greville(at.j));
+}
+
+SplineTractions::SplineTractions(const SplineSurface& surface) {
+  std::map<std::tuple<int, int, int>, int> index;
+  for (int e = 0; e < surface.elementCount(); ++e)
+    for (const int coefficient : surface.functions(e))
+      index[{coefficient, surface.smoothingGroup(e), surface.elements()[e].tag}] = 0;
+  slots.firstOfNode.assign(surface.controlPoints().size() + 1, 0);
+  for (auto& [key, slot] : index) {
+    const auto& [coefficient, group, tag] = key;
+    slot = slots.count();
+    slots.slots.push_back({coefficient, group, tag, Vector3d::Zero()});
+    ++slots.firstOfNode[coefficient + 1];
+  }
+  for (int k = 0; k < surface.coefficientCount(); ++k)
+    slots.firstOfNode[k + 1] += slots.firstOfNode[k];
+
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    std::vector<int>& list = ofFunction.emplace_back();
+    for (const int coefficient : surface.functions(e))
+      list.push_back(index[{coefficient, surface.smoothingGroup(e), surface.elements()[e].tag}]);
+  }
+  // A function's normal is that at its Greville point. Functions whose point lies in the part of
+  // another tag take the nearest element of their own.
+  const auto all = occurrences(surface);
+  for (int k = 0; k < surface.coefficientCount(); ++k)
+    for (const SplineOccurrence& at : all[k])
+      for (const SplinePlace& place : grevillePlaces(surface, at)) {
+        const auto found = index.find(
+            {k, surface.smoothingGroup(place.element), surface.elements()[place.element].tag});
+        if (found != index.end()) slots.slots[found->second].normal += surface.normal(place);
+      }
+  for (int e = 0; e < surface.elementCount(); ++e)
+    for (const int slot : ofFunction[e]) {
+      const SplineElement& element = surface.elements()[e];
+      if (slots.slots[slot].normal.isZero())
+        slots.slots[slot].normal = surface.normal({e, (element.lower[0] + element.upper[0]) / 2,
+                                                   (element.lower[1] + element.upper[1]) / 2});
+    }
+  for (auto& slot : slots.slots) slot.normal.normalize();
+}
+
+}  // namespace palpa::bem

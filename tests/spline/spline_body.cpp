@@ -1,0 +1,113 @@
+#include "spline_body.h"
+
+#include <cmath>
+#include <set>
+
+#include "modeling/solid/knot_operations.h"
+
+namespace palpa::bem::test {
+
+using Eigen::Vector3d;
+
+namespace {
+
+std::vector<int> allElements(const SplineSurface& surface) {
+  std::vector<int> list;
+  for (int e = 0; e < surface.elementCount(); ++e) list.push_back(e);
+  return list;
+}
+
+/// sqrt of ∫ |value - exact|^2 over ∫ |exact|^2.
+double relativeError(const SplineSurface& surface,
+                     const std::function<Vector3d(const SplinePlace&, const SplineJet&)>& value,
+                     const std::function<Vector3d(const SplineJet&)>& exact) {
+  double error = 0, scale = 0;
+  visitSplinePoints(surface, allElements(surface), 5, INFINITY,
+                    [&](const SplinePlace& place, const SplineJet& jet, double weight) {
+                      const Vector3d expected = exact(jet);
+                      error += weight * (value(place, jet) - expected).squaredNorm();
+                      scale += weight * expected.squaredNorm();
+                    });
+  return std::sqrt(error / scale);
+}
+
+}  // namespace
+
+SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
+                       const ExactField& exact, const AssemblyOptions& options)
+    : surface(std::move(bodySurface)), tractions(surface), material(bodyMaterial) {
+  const TractionSlots& slots = tractions.slots;
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : slots.slots)
+    conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+  problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options,
+                                      Precision::kDouble, Job{}, &times);
+  BoundaryConditions given(surface.coefficientCount(), slots.count());
+  given.ofSlot = conditions;
+  given.displacement = projectDisplacement(
+      surface, [&](const Vector3d& x, const Vector3d&) { return exact.displacement(x); });
+  given.traction = projectTraction(
+      surface, tractions, allElements(surface),
+      [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
+      INFINITY);
+  field = problem->solveField(problem->dofs().knownField(given));
+}
+
+Vector3d SplineBody::displacement(const SplinePlace& place) const {
+  std::vector<double> basis;
+  surface.evaluateBasis(place, basis);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t f = 0; f < basis.size(); ++f)
+    sum += basis[f] * field.u.col(0).segment<3>(3 * surface.functions(place.element)[f]);
+  return sum;
+}
+
+double SplineBody::displacementError(const ExactField& exact) const {
+  return relativeError(
+      surface, [&](const SplinePlace& place, const SplineJet&) { return displacement(place); },
+      [&](const SplineJet& jet) { return exact.displacement(jet.position); });
+}
+
+double SplineBody::tractionError(const ExactField& exact) const {
+  std::vector<double> basis;
+  return relativeError(
+      surface,
+      [&](const SplinePlace& place, const SplineJet&) {
+        surface.evaluateBasis(place, basis);
+        Vector3d sum = Vector3d::Zero();
+        for (std::size_t f = 0; f < basis.size(); ++f)
+          sum += basis[f] * field.p.col(0).segment<3>(3 * tractions.ofFunction[place.element][f]);
+        return sum;
+      },
+      [&](const SplineJet& jet) {
+        return Vector3d(exact.stress(jet.position) * jet.areaVector().normalized());
+      });
+}
+
+SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Vector3d&)>& held) {
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    const SplineElement& element = surface.elements()[e];
+    const SplineJet middle = surface.evaluate(
+        {e, (element.lower[0] + element.upper[0]) / 2, (element.lower[1] + element.upper[1]) / 2});
+    if (held(middle.position)) surface.setTag(e, 1);
+  }
+  return surface;
+}
+
+modeling::Solid halved(const modeling::Solid& solid) {
+  modeling::Solid fine = solid;
+  std::set<std::pair<int, int>> done;
+  for (int p = 0; p < static_cast<int>(solid.patches().size()); ++p)
+    for (int d = 0; d < 2; ++d) {
+      if (done.contains({p, d})) continue;
+      for (const auto& link : modeling::chainOf(solid, {p, d}))
+        done.insert({link.at.patch, link.at.direction});
+      const std::vector<double>& knots = solid.patches()[p].knots[d];
+      for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+        if (knots[k] < knots[k + 1])
+          fine = modeling::insertKnot(fine, {p, d}, (knots[k] + knots[k + 1]) / 2);
+    }
+  return fine;
+}
+
+}  // namespace palpa::bem::test

@@ -1,0 +1,42 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "bem/reference_problem.h"
+#include "bem/spline/spline_projection.h"
+#include "exact_fields.h"
+#include "modeling/solid/solid.h"
+
+namespace palpa::bem::test {
+
+/// Which tag an element with this midpoint and normal gets.
+using TagOfPlace = std::function<int(const Eigen::Vector3d& middle, const Eigen::Vector3d& normal)>;
+
+/// A spline body whose boundary data were taken from an exact field, and its numerical solution:
+/// displacements given where the tag is 1, tractions elsewhere, both L2-projected.
+struct SplineBody {
+  SplineSurface surface;
+  SplineTractions tractions;
+  Material material;
+  ReferenceProblemTimes times;
+  std::unique_ptr<ReferenceProblem> problem;
+  BoundaryField field;
+
+  SplineBody(SplineSurface bodySurface, const Material& bodyMaterial, const ExactField& exact,
+             const AssemblyOptions& options = {});
+
+  Eigen::Vector3d displacement(const SplinePlace& place) const;
+  /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the surface.
+  double displacementError(const ExactField& exact) const;
+  /// The same of the tractions, with the surface's true normals.
+  double tractionError(const ExactField& exact) const;
+};
+
+/// Elements whose middle fulfils `held` get the tag 1.
+SplineSurface heldWhere(SplineSurface surface,
+                        const std::function<bool(const Eigen::Vector3d&)>& held);
+
+/// Every knot span of every patch halved.
+modeling::Solid halved(const modeling::Solid& solid);
+
+}  // namespace palpa::bem::test
