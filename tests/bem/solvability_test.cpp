@@ -26,7 +26,7 @@ Refusal refusal(const BoundaryMesh& mesh, const Material& material,
   try {
     material.validate();
     const DegreesOfFreedom dofs(mesh, slots, conditions, material);
-    checkSolvable(mesh, slots, conditions, dofs, material);
+    checkSolvable(mesh, conditions, dofs, material);
   } catch (const SolverError& error) {
     return {error.kind(), error.what()};
   }
