@@ -15,9 +15,11 @@
 #include "app/core/touch_field.h"
 #include "app/core/touch_player.h"
 #include "bem/contact_solver.h"
+#include "bench/latency_table.h"
+#include "bench/sphere.h"
+#include "bench/timing.h"
 #include "bench/touch_latency.h"
 #include "bench/touch_slide.h"
-#include "modeling/shapes/primitives.h"
 
 namespace {
 
@@ -25,36 +27,9 @@ using namespace palpa;
 using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 using Command = app::TouchCommand;
-
-template <class Work>
-double secondsFor(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Median over repetitions until half a second has gone by.
-template <class Work>
-double medianSecondsFor(const Work& work) {
-  std::vector<double> times;
-  for (double total = 0; times.size() < 3 || (total < 0.5 && times.size() < 5000);) {
-    times.push_back(secondsFor(work));
-    total += times.back();
-  }
-  return bench::quantilesOf(std::move(times)).p50;
-}
-
-/// The seed's sphere: R = 25 mm, fixed below z = -20 mm.
-modeling::Project sphereProject(int cellsPerCubeEdge) {
-  modeling::Project project;
-  project.name = "bench";
-  project.material = {"silicone-like", 0.1, 0.45};
-  project.body = modeling::makeSphere(25);
-  project.supports.push_back({"base", modeling::Support::Kind::fixed,
-                              modeling::Region::below(Vector3d::UnitZ(), -20), Vector3d::Zero()});
-  project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
-  return project;
-}
+using bench::medianSecondsFor;
+using bench::secondsFor;
+using bench::sphereProject;
 
 /// A problem that was never solved: its columns are made up. What a field costs does not depend on
 /// the numbers, and at 10,000 nodes the true ones take minutes.
@@ -180,13 +155,15 @@ class Bench {
       const std::string beside = computesAll ? ", columns computed beside" : "";
       add("first force, no columns before" + beside, "ms", 1e3 * report.firstForce);
       add("running loop, 10 grabs" + beside, "Hz", report.rate, ">= 1000");
-      add("  input to force, p50", "ms", 1e3 * report.inside.p50);
-      add("  p99", "ms", 1e3 * report.inside.p99, "< 1");
-      add("  largest of " + std::to_string(report.inside.count), "ms", 1e3 * report.inside.largest);
+      add("  input to force, p50", "ms", 1e3 * report.inside.all.p50);
+      add("  p99", "ms", 1e3 * report.inside.all.p99, "< 1");
+      add("  largest of " + std::to_string(report.inside.all.count), "ms",
+          1e3 * report.inside.all.largest);
       add("  until another thread has it, p50", "ms", 1e3 * report.latency.p50);
       add("  p99", "ms", 1e3 * report.latency.p99);
       add("  fields displayed meanwhile", "Hz", report.displayed / seconds);
       if (computesAll) add("  columns at the end", "%", 100 * report.columnsReady);
+      bench::printLatencies(report.inside);
     }
   }
 
