@@ -224,12 +224,14 @@ int main(int argc, char** argv) {
   double seconds = 10;
   int large = 45;
   std::string csv, json;
+  bool onlySlides = false;
   options.add_option("--cells", cells,
                      "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
   options.add_option("--large", large, "cells for the field of a large mesh; 0: none");
   options.add_option("--seconds", seconds, "how long the loop runs; 0: not at all")
       ->check(CLI::Range(0.0, 3600.0));
   options.add_option("--csv", csv, "the forces of the slides around the sphere, of the last mesh");
+  options.add_flag("--only-slides", onlySlides, "nothing but the slides around the sphere");
   options.add_option("--json", json, "all rows as JSON");
   CLI11_PARSE(options, argc, argv);
 
@@ -238,12 +240,12 @@ int main(int argc, char** argv) {
   nlohmann::json all = nlohmann::json::array();
   for (const int count : cells) {
     Bench bench(count);
-    bench.forces();
+    if (!onlySlides) bench.forces();
     bench.slides(csv);
-    if (seconds > 0) bench.loop(seconds);
+    if (seconds > 0 && !onlySlides) bench.loop(seconds);
     all.push_back(bench.json());
   }
-  if (large > 0) all.push_back(Bench::largeField(large));
+  if (large > 0 && !onlySlides) all.push_back(Bench::largeField(large));
   if (json.empty()) return 0;
   std::ofstream file(json);
   if (file << all.dump(2) << '\n') return 0;

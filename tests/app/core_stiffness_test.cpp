@@ -50,14 +50,14 @@ TEST(Stiffness, OfAPlaceIsThatOfATouchThere) {
   for (std::size_t i = 0; i < drawn.mesh().positions.size(); ++i)
     if (drawn.mesh().positions[i].z() > drawn.mesh().positions[top].z()) top = i;
   EXPECT_NEAR(stiffnesses[top], wanted, 2e-3 * wanted);
-  // The sphere is turned into itself about z.
+  // The sphere is turned into itself about z, and tilts on its small base when pushed at its side.
   std::vector<double> equator;
   for (std::size_t i = 0; i < stiffnesses.size(); ++i)
     if (std::abs(drawn.mesh().positions[i].z()) < 0.5) equator.push_back(stiffnesses[i]);
   ASSERT_GT(equator.size(), 8u);
   const auto [low, high] = std::minmax_element(equator.begin(), equator.end());
-  EXPECT_LT(*high, 1.03 * *low);
-  EXPECT_GT(*low, 1.1 * stiffnesses[top]);
+  EXPECT_LT(*high, 1.12 * *low);
+  EXPECT_LT(*high, 0.6 * stiffnesses[top]);
 }
 
 TEST(Stiffness, ColoursReachFromTheSoftestToNearlyAll) {

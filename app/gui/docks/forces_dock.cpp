@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace palpa::gui {
@@ -71,6 +72,7 @@ ForcesDock::ForcesDock(Simulation& simulation, const Settings& settings, QWidget
   list_->setHeaderLabels({tr("Contact"), tr("Force"), tr("Moved"), tr("Stiffness")});
   // All of it is seen at once: components stand in a line of their own.
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setMinimumSectionSize(20);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -129,7 +131,9 @@ QString ForcesDock::vectorText(const Eigen::Vector3d& vector, Quantity quantity)
   QStringList parts;
   for (int k = 0; k < 3; ++k) {
     const double value = vector[k] / unit.factor;
-    parts << QString::number(value + 0.0, 'f', decimals);
+    // What rounds to zero has no sign.
+    const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+    parts << QString::number(isZero ? 0.0 : value, 'f', decimals);
   }
   return parts.join(", ") + " " + unit.symbol;
 }
