@@ -49,6 +49,25 @@ void open(Photographer& p, const QString& project, const QString& tool) {
   p.window().viewport().viewport().fit();
 }
 
+/// The place where the body is seen nearest to a wish.
+QPoint onBody(Photographer& p, QPoint wish) {
+  ViewportWidget& view = p.window().viewport();
+  constexpr int kStep = 4, kMost = 400;
+  for (int aside = 0; aside < kMost; aside += kStep)
+    for (const int side : {-1, 1}) {
+      // Well within it: both neighbours are on the body, too.
+      const QPoint at = wish + QPoint(side * aside, 0);
+      const auto isHit = [&](int off) {
+        return view.viewport()
+            .surfaceAt(Eigen::Vector2d(at.x() + off, at.y()) * view.devicePixelRatioF())
+            .has_value();
+      };
+      if (isHit(-20) && isHit(0) && isHit(20)) return at;
+    }
+  std::fprintf(stderr, "palpa_screenshots: no body is seen\n");
+  std::exit(1);
+}
+
 /// A tool is pressed in with the wheel, led through `way`, and taken out again.
 void pressAlong(Photographer& p, const QString& name, QPoint at, int notches,
                 const std::function<QPoint(double)>& way, int steps) {
@@ -79,7 +98,7 @@ void film(const QString& folder) {
   Photographer p(folder);
   p.size(1000, 640);
   open(p, "sphere", "Ball");
-  const QPoint onSphere = p.middle() + QPoint(-40, -60);
+  const QPoint onSphere = onBody(p, p.middle() + QPoint(-60, -60));
   pressAlong(
       p, "sphere", onSphere, 12, [&](double turn) { return onCircle(onSphere, 60, turn); }, 36);
   p.letGo();
@@ -87,7 +106,7 @@ void film(const QString& folder) {
   open(p, "cylinder", "Grab");
   {
     Camera camera(p, "cylinder");
-    const QPoint at = p.middle() + QPoint(0, -90);
+    const QPoint at = onBody(p, p.middle() + QPoint(-40, -90));
     p.hover(QPoint(4, 4));
     camera.shoot();
     p.press(at);
@@ -113,14 +132,13 @@ void film(const QString& folder) {
   p.letGo();
 
   open(p, "gripper-finger", "Push");
-  const QPoint onFinger = p.middle() + QPoint(40, -50);
+  const QPoint onFinger = onBody(p, p.middle() + QPoint(-20, -150));
   pressAlong(
       p, "gripper-finger", onFinger, 14,
       [&](double way) {
         // There and back.
         const double share = way < 0.5 ? 2 * way : 2 - 2 * way;
-        return onFinger + QPoint(static_cast<int>(std::lround(-90 * share)),
-                                 static_cast<int>(std::lround(60 * share)));
+        return onFinger + QPoint(0, static_cast<int>(std::lround(170 * share)));
       },
       36);
   p.letGo();
@@ -155,8 +173,11 @@ int plotSlide(const QString& csv, const QString& png) {
   canvas.resize({900, 380});
   view::ForcePlot plot(canvas.window());
   plot.setPixelRatio(1.3);
-  plot.setCurves(shownCurves, 0, 2 * std::numbers::pi * kSecondsPerRadian, "N");
-  plot.render();
+  // The axes are known once something was drawn.
+  for (int round = 0; round < 2; ++round) {
+    plot.setCurves(shownCurves, 0, 2 * std::numbers::pi * kSecondsPerRadian, "N");
+    plot.render();
+  }
   if (canvas.image().save(png)) return 0;
   std::fprintf(stderr, "palpa_screenshots: cannot write %s\n", qPrintable(png));
   return 3;
