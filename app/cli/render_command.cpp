@@ -7,6 +7,8 @@
 #include "app/cli/state_report.h"
 #include "app/cli/state_scene.h"
 #include "app/cli/values.h"
+#include "app/core/stiffness_worker.h"
+#include "app/core/touch.h"
 #include "app/view/display.h"
 #include "app/view/picture.h"
 
@@ -17,7 +19,8 @@ const std::map<std::string, app::SurfaceQuantity> kFields{
     {"none", app::SurfaceQuantity::kNone},
     {"displacement", app::SurfaceQuantity::kDisplacement},
     {"normal-traction", app::SurfaceQuantity::kNormalTraction},
-    {"von-mises", app::SurfaceQuantity::kVonMises}};
+    {"von-mises", app::SurfaceQuantity::kVonMises},
+    {"stiffness", app::SurfaceQuantity::kStiffness}};
 
 /// Directions from the eye into the scene.
 const std::map<std::string, Eigen::Vector3d> kViews{{"front", {0, 1, 0}}, {"back", {0, -1, 0}},
@@ -56,8 +59,13 @@ class RenderCommand : public Command {
         ->type_name("FILE");
     options
         .add_option("--field", field_,
-                    "Colours: displacement (default), normal-traction, von-mises, none")
+                    "Colours: displacement (default), normal-traction, von-mises, stiffness (under "
+                    "a fingertip), none")
         ->type_name("NAME");
+    options
+        .add_option("--fingertip", fingertip_,
+                    "Radius of the fingertip of --field stiffness, mm (default: as for touches)")
+        ->type_name("LENGTH");
     options
         .add_option("--view", view_,
                     "Direction of view: front, back, left, right, top, bottom, or x,y,z from the "
@@ -78,7 +86,7 @@ class RenderCommand : public Command {
   void run(const Context& context) override {
     // Whatever can be wrong without solving is better known before it.
     touch_.validate();
-    const SceneOptions sceneOptions = readSceneOptions();
+    SceneOptions sceneOptions = readSceneOptions();
     const view::PictureOptions size = size_.empty() ? view::PictureOptions{} : parseSize(size_);
     const modeling::Project project = input_.read();
     view::requireDisplay();
@@ -86,6 +94,12 @@ class RenderCommand : public Command {
     const auto model = buildModel(project, context);
     const bool touched = touch_.isGiven() || !project.touches.empty();
     const app::TouchState state = touched ? touch_.play(*model, project) : model->rest();
+    if (sceneOptions.field == app::SurfaceQuantity::kStiffness) {
+      const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh)
+                                               : parsePositive("--fingertip", fingertip_);
+      sceneOptions.compliances = app::stiffnessMap(model, radius, jobOf(context));
+      context.progress.clear();
+    }
     view::renderToPng(makeScene(project, model, state, sceneOptions), output_, size);
 
     const StateReport report{*model, state, {}};
@@ -100,9 +114,14 @@ class RenderCommand : public Command {
     const auto field = kFields.find(field_);
     if (field == kFields.end()) {
       throw UsageError("--field: unknown field '" + field_ +
-                       "'; known are displacement, normal-traction, von-mises, none");
+                       "'; known are displacement, normal-traction, von-mises, stiffness, none");
     }
     options.field = field->second;
+    if (!fingertip_.empty()) {
+      if (options.field != app::SurfaceQuantity::kStiffness)
+        throw UsageError("--fingertip has a meaning with --field stiffness alone");
+      parsePositive("--fingertip", fingertip_);
+    }
     options.showUndeformed = !noGhost_;
     if (!scale_.empty()) options.displacementScale = parseNumber("--scale", scale_);
     if (!zoom_.empty()) options.zoom = parsePositive("--zoom", zoom_);
@@ -120,6 +139,7 @@ class RenderCommand : public Command {
   SceneOptions scene_;
   std::string output_;
   std::string field_ = "displacement";
+  std::string fingertip_;
   std::string view_;
   std::string size_;
   std::string scale_;

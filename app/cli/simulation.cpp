@@ -20,15 +20,19 @@ int parseNode(const std::string& text) {
 
 }  // namespace
 
-std::shared_ptr<const app::TouchModel> buildModel(const modeling::Project& project,
-                                                  const Context& context) {
+bem::Job jobOf(const Context& context) {
   bem::Job job;
   job.stop = context.stop;
   job.threads = context.options.threads;
   job.progress = [&progress = context.progress](std::string_view phase, double fraction) {
     progress.show(phase, fraction);
   };
-  auto model = app::buildTouchModel(project, {}, job);
+  return job;
+}
+
+std::shared_ptr<const app::TouchModel> buildModel(const modeling::Project& project,
+                                                  const Context& context) {
+  auto model = app::buildTouchModel(project, {}, jobOf(context));
   context.progress.clear();
   return model;
 }

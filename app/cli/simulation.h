@@ -12,7 +12,10 @@
 
 namespace palpa::cli {
 
-/// Builds the model of a project as the common options say: threads, progress, cancelling.
+/// As the common options say: threads, progress, cancelling.
+bem::Job jobOf(const Context& context);
+
+/// Builds the model of a project.
 std::shared_ptr<const app::TouchModel> buildModel(const modeling::Project& project,
                                                   const Context& context);
 

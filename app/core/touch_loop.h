@@ -60,8 +60,24 @@ class TouchLoop {
   void expect(const Eigen::Vector3d& point);
 
   /// From set() to the snapshot with the force being published, of all values that were used.
-  Latency latency() const { return latency_.read(); }
-  void clearLatency() { latency_.clear(); }
+  Latency latency() const { return latencies_.all.read(); }
+  /// Its parts, one after the other, and how late the system wakes the loop.
+  struct Latencies {
+    Latency all;
+    Latency untilTaken;  ///< from set() until the loop takes the value
+    Latency step;        ///< until the forces are found, of those steps that had news
+    Latency publishing;  ///< until the snapshot is published
+    Latency lateness;    ///< of every wake-up, behind the time that was asked for
+  };
+  Latencies latencies() const {
+    return {latencies_.all.read(), latencies_.untilTaken.read(), latencies_.step.read(),
+            latencies_.publishing.read(), latencies_.lateness.read()};
+  }
+  void clearLatency() {
+    for (auto* histogram : {&latencies_.all, &latencies_.untilTaken, &latencies_.step,
+                            &latencies_.publishing, &latencies_.lateness})
+      histogram->clear();
+  }
 
   /// The newest snapshot.
   void read(TouchSnapshot& into) const;
@@ -77,7 +93,7 @@ class TouchLoop {
 
  private:
   void run(const std::stop_token& stop);
-  void waitUntil(Clock::time_point due, Clock::time_point earliest) const;
+  void waitUntil(Clock::time_point due, Clock::time_point earliest);
   void receiveOffer();
   void swapIfReady();
   void retire(TouchMail::Offer* offer);
@@ -93,7 +109,10 @@ class TouchLoop {
   mutable std::mutex readers_;  // among readers
   mutable TripleBuffer<TouchSnapshot> results_;
 
-  LatencyHistogram latency_;
+  struct Histograms {
+    LatencyHistogram all, untilTaken, step, publishing, lateness;
+  };
+  Histograms latencies_;
 
   std::mutex recorderMutex_;  // among those who record
   bool isRecording_ = false;
@@ -109,6 +128,7 @@ class TouchLoop {
   TouchMail::Offer* touched_ = nullptr;
   TouchMail::Offer* next_ = nullptr;
   int nextReady_ = -1, stepsSinceLook_ = 0;
+  Clock::time_point began_, stepped_;  // of the last step
   std::unique_ptr<TouchRecording> recording_;
   std::uint64_t step_ = 0;
   Clock::time_point rateSince_;

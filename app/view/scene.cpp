@@ -44,9 +44,12 @@ void SurfaceScene::validate() const {
     require(field->values.size() == positions.size(), "field.values need one entry per point");
     for (const double value : field->values) {
       require(std::isfinite(value), "field.values are not all finite");
+      require(value > 0 || !field->isLogarithmic, "field.values of a logarithmic field are > 0");
     }
     if (field->range) {
       require((*field->range)[0] <= (*field->range)[1], "field.range is not ascending");
+      require((*field->range)[0] > 0 || !field->isLogarithmic,
+              "field.range of a logarithmic field is > 0");
     }
   }
   for (const int triangle : supports) {

@@ -25,6 +25,12 @@ struct ScalarField {
 
   /// Smallest and largest value of the scalar bar; the data's own when absent.
   std::optional<std::array<double, 2>> range;
+
+  /// Equal ratios are equally far apart in the colours. All values and the range are above zero;
+  /// the colours are sequential.
+  bool isLogarithmic = false;
+  /// There are larger values than the range has, drawn like its end: the scalar bar says so.
+  bool isCapped = false;
 };
 
 /// A force drawn as an arrow whose length is proportional to its magnitude (the largest of the

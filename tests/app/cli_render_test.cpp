@@ -37,7 +37,7 @@ TEST_F(CliRender, WritesAPicture) {
 }
 
 TEST_F(CliRender, KnowsItsOptions) {
-  for (const char* field : {"none", "displacement", "normal-traction", "von-mises"}) {
+  for (const char* field : {"none", "displacement", "normal-traction", "von-mises", "stiffness"}) {
     const Outcome outcome =
         draw(std::string("--at 0,0,20 --force 0,0,-1 --size 320x240 --view front --parallel "
                          "--mesh-edges --reactions --no-ghost --scale 3 --zoom 1.2 -o a.png "
@@ -54,6 +54,7 @@ TEST_F(CliRender, KnowsItsOptions) {
 TEST_F(CliRender, RefusesWhatItCannotDo) {
   for (const char* arguments :
        {"", "-o a.png --size 12", "-o a.png --size 1x1", "-o a.png --field colour",
+        "-o a.png --fingertip 3", "-o a.png --field stiffness --fingertip 0",
         "-o a.png --view behind", "-o a.png --view 0,0,0", "-o a.png --zoom 0"}) {
     EXPECT_EQ(draw(arguments).exitCode, 2) << arguments;
   }
