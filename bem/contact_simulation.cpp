@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bem/contact_foot.h"
+
 namespace palpa::bem {
 namespace {
 
@@ -197,7 +199,7 @@ SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
   const double height = normal.dot(contact.reference - contact.point.position);
   const double wanted = kLift * surface_.narrowestMask(contact.point);
   const Vector3d from = contact.reference + std::max(wanted - height, 0.0) * normal;
-  return surface_.tree().nearest(from);
+  return smoothFoot(surface_, contact.reference, surface_.tree().nearest(from));
 }
 
 /// Of the surface around a contact, from normals at a distance (mm); positive where it bulges.
@@ -243,6 +245,18 @@ void ContactSimulation::placeProbe(Contact& contact) {
   }
 }
 
+/// ∫ Φ (|x - centre| - radius) dΓ: how far a mask is outside a ball in the mean, which is what its
+/// mean displacement must make up for. At nodes the mesh lies on the true surface, and between
+/// them Ψ recovers it as it does displacements; at the middle of a mask the gap would be smaller by
+/// its radius squared over 8 radii of curvature.
+double ContactSimulation::meanGap(int mask, const Vector3d& centre, double radius) const {
+  const ContactMask& on = set_.mask(mask);
+  double gap = 0;
+  for (std::size_t k = 0; k < on.measureNodes.size(); ++k)
+    gap += on.measure[k] * (surface_.mesh().nodes[on.measureNodes[k]] - centre).norm();
+  return gap - radius;
+}
+
 /// What the laws demand of a contact's masks.
 void ContactSimulation::demand(const Contact& contact) {
   for (int k = 0; k < contact.maskCount; ++k) {
@@ -261,19 +275,21 @@ void ContactSimulation::demand(const Contact& contact) {
     const SurfacePoint& point = set_.mask(mask).point;
     const Vector3d outward = surface_.normal(point);
     condition.normal = -outward;
-    double radius = 0;
+    double closed = 0;
     if (contact.tool.kind == Kind::kProbe) {
       // Away from the ball's centre, seen from where the place is now.
-      radius = contact.tool.radius;
-      const Vector3d away = point.position + displacementOf(mask) - contact.value;
+      const Vector3d now = displacementOf(mask);
+      const Vector3d away = point.position + now - contact.value;
       if (away.dot(outward) < 0) condition.normal = away.normalized();
+      closed = condition.normal.dot(now) - meanGap(mask, contact.value - now, contact.tool.radius);
+    } else {
+      closed = condition.normal.dot(contact.value - point.position);
     }
-    // The gap |x + d - c| - R >= 0, linear in d, along the normal; along the surface the slip
-    // against what sticks to the tool.
+    // The gap, linear in d, along the normal; along the surface the slip against what sticks to the
+    // tool.
     const Vector3d& m = condition.normal;
     const Vector3d stuck = contact.value - contact.reference;
-    condition.value =
-        m * (m.dot(contact.value - point.position) + radius) + (stuck - m * m.dot(stuck));
+    condition.value = m * closed + (stuck - m * m.dot(stuck));
   }
 }
 

@@ -115,6 +115,7 @@ class ContactSimulation {
   SurfacePoint footOf(const Contact& contact) const;
   double meanCurvature(const Contact& contact, double distance) const;
   void placeProbe(Contact& contact);
+  double meanGap(int mask, const Eigen::Vector3d& centre, double radius) const;
   void demand(const Contact& contact);
   void read(Contact& contact);
   double slide(Contact& contact);
