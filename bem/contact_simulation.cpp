@@ -21,14 +21,21 @@ constexpr int kLattice = 1 + 3 * kRings * (kRings + 1);
 static_assert(kLattice == ContactSimulation::kProbeMasks);
 /// The lattice reaches this much farther than the contact between two balls would (H. Hertz).
 constexpr double kMargin = 1.3;
-/// Masks of the lattice overlap: radius over spacing. As wide as the mesh needs them when the
-/// spacing is that of the nodes.
-constexpr double kOverlap = 1.25;
+/// Masks of the lattice overlap: radius over spacing, where the spacing is at least that of the
+/// nodes. The narrowest that the mesh can carry (1.25) would do, but how wide these are in effect
+/// depends on where they lie among the nodes: by up to a third of their mean ρ^2, which is felt.
+constexpr double kOverlap = 1.7;
 /// A lattice point that lies farther than this part of the spacing from the surface point it falls
 /// on (beyond an edge of the body) is left out.
 constexpr double kFarthest = 0.6;
 /// Places are looked for from this part of a mask's radius above the surface.
 constexpr double kLift = 0.2;
+/// A mask of radius r on a half-space yields to the force F of a ball by c F / (E* r), c =
+/// 0.7665 (the mean under (1 - ρ^2 / r^2)^2), a circle of contact a by Hertz's a^2 / R with F = 4/3
+/// E* a^3 / R. So a mask that stands for a circle x = a / r must meet the ball when that has come
+/// nearer by (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4 c / 3; up to where this is the mean gap
+/// r^2 / 8 R of a mask that is pressed all over.
+constexpr double kNarrow = 1.022, kNarrowContact = 0.5126;
 /// Sliding within a step ends when places move by less than this part of the mask's radius.
 constexpr double kSettled = 1e-6;
 
@@ -111,6 +118,7 @@ void ContactSimulation::end(Id id) {
     if (contact.firstMask > ended->firstMask) contact.firstMask -= ended->maskCount;
   contacts_.erase(contacts_.begin() + (ended - contacts_.data()));
   conditions_.resize(set_.size());
+  attempt_.resize(0);
 }
 
 void ContactSimulation::clear() {
@@ -131,6 +139,7 @@ void ContactSimulation::takeOver(const ContactSimulation& other) {
   set_.resize(other.set_.size());
   conditions_.resize(other.conditions_.size());
   forces_ = other.forces_;
+  attempt_ = other.attempt_;
   next_ = other.next_;
 }
 
@@ -158,12 +167,18 @@ void ContactSimulation::step(int slides) {
     placeAll();
     set_.update();
     displacements_.noalias() = set_.freeDisplacements() + set_.compliance() * forces_.forces;
-    for (const Contact& contact : contacts_) demand(contact);
+    for (Contact& contact : contacts_) {
+      lift(contact);
+      demand(contact);
+    }
+    if (attempt_.size() == forces_.forces.size()) forces_.forces = attempt_;
     system_.solve(set_.compliance(), set_.freeDisplacements(), conditions_, forces_);
-    if (!forces_.converged) {
+    if (!forces_.converged && forces_.softness == 0) {
+      attempt_ = forces_.forces;
       forces_.forces = before_.forces;
       return;
     }
+    attempt_.resize(0);
     displacements_.noalias() = set_.freeDisplacements() + set_.compliance() * forces_.forces;
     double moved = 0;
     for (Contact& contact : contacts_) {
@@ -172,6 +187,11 @@ void ContactSimulation::step(int slides) {
     }
     if (moved <= kSettled) break;
   }
+}
+
+ContactSimulation::MaskState ContactSimulation::maskState(int mask) const {
+  return {set_.mask(mask), conditions_[mask], forces_.statuses[mask],
+          forces_.forces.segment<3>(3 * mask), displacementOf(mask)};
 }
 
 Vector3d ContactSimulation::displacementOf(int mask) const {
@@ -217,15 +237,16 @@ double ContactSimulation::meanCurvature(const Contact& contact, double distance)
   return sum / 4;
 }
 
-/// The masks of a ball: wherever the unloaded surface reaches into it, the contact lies within that
-/// part. The lattice is as fine as the mesh, or wide enough to cover the contact.
+/// The masks of a ball: wherever the surface without it reaches into it, the contact lies within
+/// that part. The lattice is as fine as the mesh, or wide enough to cover the contact.
 void ContactSimulation::placeProbe(Contact& contact) {
   const double radius = contact.tool.radius;
   const Vector3d normal = surface_.normal(contact.point);
   const Vector3d along = contact.across, across = normal.cross(along);
+  const Vector3d ball = contact.value - contact.lifted;  // as the surface without it sees it
   const double depth =
-      std::clamp(radius - (contact.value - contact.point.position).dot(normal), 0.0, 2 * radius);
-  const double finest = surface_.narrowestMask(contact.point) / kOverlap;
+      std::clamp(radius - (ball - contact.point.position).dot(normal), 0.0, 2 * radius);
+  const double finest = surface_.narrowestMask(contact.point) / ContactSurface::kNarrowest;
   const double curvature = 1 / radius + meanCurvature(contact, finest);
   const double reach = curvature * radius * radius > depth ? std::sqrt(depth / curvature) : radius;
   const double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
@@ -237,7 +258,7 @@ void ContactSimulation::placeProbe(Contact& contact) {
     const SurfacePoint point = k == 0 ? contact.point : surface_.tree().nearest(wanted);
     const Vector3d off = point.position - wanted;
     const double aside = (off - normal * normal.dot(off)).norm();
-    const bool isInside = (point.position - contact.value).norm() < radius || k == 0;
+    const bool isInside = (point.position - ball).norm() < radius || k == 0;
     if (isInside && aside <= kFarthest * spacing)
       set_.place(mask, point, kOverlap * spacing);
     else
@@ -245,16 +266,41 @@ void ContactSimulation::placeProbe(Contact& contact) {
   }
 }
 
-/// ∫ Φ (|x - centre| - radius) dΓ: how far a mask is outside a ball in the mean, which is what its
-/// mean displacement must make up for. At nodes the mesh lies on the true surface, and between
-/// them Ψ recovers it as it does displacements; at the middle of a mask the gap would be smaller by
-/// its radius squared over 8 radii of curvature.
-double ContactSimulation::meanGap(int mask, const Vector3d& centre, double radius) const {
+/// Notes by how much all else moves the middle of a contact.
+void ContactSimulation::lift(Contact& contact) const {
+  const Index middle = 3 * contact.firstMask, count = 3 * contact.maskCount;
+  contact.lifted =
+      displacements_.segment<3>(middle) -
+      set_.compliance().block(middle, middle, 3, count) * forces_.forces.segment(middle, count);
+}
+
+/// How far a mask of the unloaded surface is from a ball along the direction `m` of its pressure,
+/// in the mean: ∫ Φ [m . (x - c) - √(R^2 - t^2)] dΓ with t what lies across m, for which the
+/// surface is taken where it is now. That is what the mask's mean displacement must make up for. At
+/// nodes the mesh lies on the true surface, and between them Ψ recovers it as it does
+/// displacements. (At the middle alone the gap would be smaller by the mask's radius squared over 8
+/// radii of curvature.)
+double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vector3d& m) const {
+  const double radius = contact.tool.radius;
+  const Vector3d now = displacementOf(mask);
+  const auto gapAt = [&](const Vector3d& x) {
+    const Vector3d from = x - contact.value;
+    const double along = m.dot(from);
+    const double across = (from + now - (along + m.dot(now)) * m).squaredNorm();
+    return along - std::sqrt(std::max(radius * radius - across, 0.0));
+  };
   const ContactMask& on = set_.mask(mask);
   double gap = 0;
   for (std::size_t k = 0; k < on.measureNodes.size(); ++k)
-    gap += on.measure[k] * (surface_.mesh().nodes[on.measureNodes[k]] - centre).norm();
-  return gap - radius;
+    gap += on.measure[k] * gapAt(surface_.mesh().nodes[on.measureNodes[k]]);
+  if (mask != contact.firstMask) return gap;
+  // A contact much narrower than its one mask.
+  const double middle = gapAt(surface_.smoothPosition(on.point));
+  const double offset = gap - middle, approach = -middle - m.dot(contact.lifted);
+  if (approach <= 0 || offset <= 0) return offset > 0 ? middle : gap;
+  const double part = std::sqrt(approach / (8 * offset));
+  if (part >= kNarrowContact) return gap;
+  return middle + 8 * offset * part * part * (1 - kNarrow * part);
 }
 
 /// What the laws demand of a contact's masks.
@@ -278,12 +324,11 @@ void ContactSimulation::demand(const Contact& contact) {
     double closed = 0;
     if (contact.tool.kind == Kind::kProbe) {
       // Away from the ball's centre, seen from where the place is now.
-      const Vector3d now = displacementOf(mask);
-      const Vector3d away = point.position + now - contact.value;
+      const Vector3d away = point.position + displacementOf(mask) - contact.value;
       if (away.dot(outward) < 0) condition.normal = away.normalized();
-      closed = condition.normal.dot(now) - meanGap(mask, contact.value - now, contact.tool.radius);
+      closed = -gapToBall(contact, mask, condition.normal);
     } else {
-      closed = condition.normal.dot(contact.value - point.position);
+      closed = condition.normal.dot(contact.value - surface_.smoothPosition(point));
     }
     // The gap, linear in d, along the normal; along the surface the slip against what sticks to the
     // tool.
