@@ -161,7 +161,7 @@ TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
     for (const auto& patch : contact.patch)
       EXPECT_GE(-patch.force.dot(sphere().surface->normal(patch.point)), 0);
   }
-  EXPECT_GE(masks, 7u);
+  EXPECT_GE(masks, 6u);  // a ring, wide enough without the middle
 }
 
 TEST(ContactSimulation, TheSameStepsGiveTheSameForces) {
