@@ -18,6 +18,8 @@ struct ContactTool {
   Kind kind = Kind::kGrab;
   double radius = 6;    ///< mm; of the mask, for kProbe of the ball
   double friction = 0;  ///< Coulomb's coefficient of kPush and kProbe, 0 … 10
+
+  bool isPushing() const { return kind == Kind::kPush || kind == Kind::kProbe; }
 };
 
 /// Any number of contacts on one body over time: grabbed places stay, pushing tools slide along the
@@ -93,7 +95,7 @@ class ContactSimulation {
 
     // Of the simulation alone.
     Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< mm, see above
-    Eigen::Vector3d across = Eigen::Vector3d::Zero();     ///< direction of the lattice
+    Eigen::Vector3d across = Eigen::Vector3d::UnitX();    ///< direction of the lattice
     /// mm, of the middle, by all else than this contact's own force
     Eigen::Vector3d lifted = Eigen::Vector3d::Zero();
     int firstMask = 0, maskCount = 0;

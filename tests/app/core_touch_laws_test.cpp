@@ -91,10 +91,16 @@ void expectEquilibrium(const TouchPlayer& player, TouchField& field) {
   const TouchState state = field.describe(snapshot);
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
   double size = 1e-3;
-  for (const auto& patch : snapshot.pressed()) {
-    force += patch.force;
-    moment += patch.point.position.cross(patch.force);
-    size += patch.force.norm();
+  const auto& simulation = player.simulation();
+  for (int k = 0; k < simulation.maskCount(); ++k) {
+    const auto mask = simulation.maskState(k);
+    if (mask.force.isZero(0)) continue;
+    Vector3d middle = Vector3d::Zero();
+    for (std::size_t i = 0; i < mask.mask.measureNodes.size(); ++i)
+      middle += mask.mask.measure[i] * sphere()->surface().mesh().nodes[mask.mask.measureNodes[i]];
+    force += mask.force;
+    moment += middle.cross(mask.force);
+    size += mask.force.norm();
   }
   for (const auto& support : state.supports) {
     force += support.resultant.force;
@@ -102,7 +108,6 @@ void expectEquilibrium(const TouchPlayer& player, TouchField& field) {
   }
   EXPECT_LE(force.norm(), 0.01 * size);
   EXPECT_LE(moment.norm(), 0.015 * size * 25);
-  const auto& simulation = player.simulation();
   double largest = 0.1;
   for (int k = 0; k < simulation.maskCount(); ++k)
     largest = std::max(largest, simulation.maskState(k).displacement.norm());
@@ -112,7 +117,8 @@ void expectEquilibrium(const TouchPlayer& player, TouchField& field) {
       if (mask.mask.nodes.empty() || mask.status == ContactStatus::kOpen ||
           (mask.force.isZero(0) && mask.condition.kind == Demand::kForce))
         continue;
-      EXPECT_LE((mask.mask.displacement(state.field.u) - mask.displacement).norm(), 0.01 * largest);
+      EXPECT_LE((mask.mask.displacement(state.field.u) - mask.displacement).norm(),
+                0.015 * largest);
     }
 }
 
@@ -150,7 +156,7 @@ TEST(TouchLaws, HoldAtEveryStepOfRandomHistories) {
                               Vector3d(-0.5, 0.8, 0).normalized(),
                               Vector3d(-0.6, -0.7, 0.2).normalized()};
   int slipping = 0, sticking = 0, open = 0;
-  for (unsigned seed = 1; seed <= 6; ++seed) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
     auto player = std::make_unique<TouchPlayer>(sphere());
