@@ -58,7 +58,7 @@ TouchLoop::~TouchLoop() {
 }
 
 std::uint64_t TouchLoop::setModel(std::shared_ptr<const TouchModel> model) {
-  return worker_.setModel(std::move(model));
+  return worker_.setModel(std::move(model), input_.count());
 }
 
 void TouchLoop::expect(const Vector3d& point) {
@@ -145,15 +145,18 @@ void TouchLoop::receiveOffer() {
   if (!offer) return;
   if (next_) retire(next_);
   next_ = nullptr;
-  if (offer->player) {
-    next_ = offer;
-    nextReady_ = -1;
+  if (!offer->player || offer->ended > 0) {
+    input_.endAll(offer->ended, [this](const TouchCommand& command) { apply(command); });
+    if (touched_ && recording_) ++recording_->modelChanges;
+    if (touched_) retire(touched_);
+    touched_ = nullptr;
+  }
+  if (!offer->player) {
+    retire(offer);
     return;
   }
-  input_.endAll([this](const TouchCommand& command) { apply(command); });
-  if (touched_) retire(touched_);
-  touched_ = nullptr;
-  retire(offer);
+  next_ = offer;
+  nextReady_ = -1;
 }
 
 /// The next body takes over as soon as it has the columns that the contacts need.

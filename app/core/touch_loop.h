@@ -40,7 +40,8 @@ class TouchLoop {
 
   /// What is to be touched from now on, as soon as it can be; returns the number by which snapshots
   /// call it. A model whose operators equal those before (its key() does) keeps the columns. Null:
-  /// nothing; contacts end, the loop sleeps, and the columns are kept for the next model.
+  /// nothing; the contacts that were begun until now end, also when another model follows at once,
+  /// the loop sleeps, and the columns are kept for the next model.
   std::uint64_t setModel(std::shared_ptr<const TouchModel> model);
 
   /// Begins a contact at the place nearest to `at` (mm, unloaded shape). For `value` see
@@ -85,8 +86,9 @@ class TouchLoop {
   /// What a snapshot's `model` means; null when it is not touched any more.
   std::shared_ptr<const TouchBody> body(std::uint64_t number) const { return worker_.body(number); }
 
-  /// Records all input from now on, up to `most` commands (120 bytes each); contacts that are held
-  /// already begin at step 0. A recording that runs already is given up.
+  /// Records all input from now on, up to `most` commands (120 bytes each, reserved as addresses;
+  /// the system gives memory for those that come, so the loop never allocates); contacts that are
+  /// held already begin at step 0. A recording that runs already is given up.
   void startRecording(std::size_t most = 1U << 19U);
   /// What was recorded; empty when none runs.
   TouchRecording stopRecording();
