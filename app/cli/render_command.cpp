@@ -85,7 +85,7 @@ class RenderCommand : public Command {
 
     const auto model = buildModel(project, context);
     const bool touched = touch_.isGiven() || !project.touches.empty();
-    const app::TouchState state = touched ? touch_.play(*model, project) : model->rest();
+    const app::TouchState state = touched ? touch_.play(*model, project, context) : model->rest();
     view::renderToPng(makeScene(project, model, state, sceneOptions), output_, size);
 
     const StateReport report{*model, state, {}};

@@ -16,6 +16,12 @@ class TouchCommand : public Command {
   std::string summary() const override { return "Touch a project's solid and report the forces"; }
   std::string example() const override {
     return "palpa-cli touch ball.json --at 25,0,0 --displace -2,0,0\n"
+           "  palpa-cli touch ball.json --at 25,0,0 --kind force --force -0.5,0,0 --radius 8\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --kind push --displace 3,0,-2 --friction 0.2\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 10 "
+           "--friction 0.5\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --displace 0,0,-2 --at 25,0,0 --kind pin\n"
+           "    (two at once: the options of each follow its --at)\n"
            "  palpa-cli touch projects/sphere.json   (plays the recorded touches)";
   }
 
@@ -38,7 +44,7 @@ class TouchCommand : public Command {
     }
     const auto model = buildModel(project, context);
     const auto start = std::chrono::steady_clock::now();
-    const app::TouchState state = touch_.play(*model, project);
+    const app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const StateReport report{*model, state, probes_.read(*model, state), seconds.count()};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
