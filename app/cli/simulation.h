@@ -32,6 +32,8 @@ class TouchInput {
   /// True when the command line itself describes a touch.
   bool isGiven() const { return option(kAt).isGiven() || !node_.empty(); }
 
+  bool hasSteps() const { return !steps_.empty(); }
+
   /// Throws SolverError, Cancelled.
   app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
                        const Context& context) const;
@@ -64,6 +66,7 @@ class ProbeInput {
  public:
   void declare(CLI::App& options);
   void validate() const;
+  bool isGiven() const { return !probes_.empty(); }
   std::vector<app::Probe> read(const app::TouchModel& model, const app::TouchState& state) const;
 
  private:
