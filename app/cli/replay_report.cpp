@@ -14,9 +14,13 @@ double seconds(std::uint64_t step) {
 
 }  // namespace
 
-ReplayReport::ReplayReport(const app::RecordingFile& file, std::string warning)
-    : model_(file.model), steps_(file.recording.steps), commands_(file.recording.entries.size()) {
-  if (!warning.empty()) warnings_.push_back(std::move(warning));
+ReplayReport::ReplayReport(const app::RecordingFile& file, app::RecordedModel present)
+    : recorded_(file.model),
+      present_(std::move(present)),
+      steps_(file.recording.steps),
+      commands_(file.recording.entries.size()) {
+  if (std::string warning = app::differenceOf(recorded_, present_); !warning.empty())
+    warnings_.push_back(std::move(warning));
   if (file.recording.modelChanges > 0)
     warnings_.emplace_back("the model was replaced while it was recorded; its forces are others");
   if (file.recording.isFull)
@@ -59,13 +63,16 @@ void ReplayReport::add(const app::TouchSnapshot& snapshot, std::uint64_t step) {
 }
 
 Json ReplayReport::json() const {
-  Json report{
-      {"recorded_model", {{"name", model_.name}, {"key", model_.key}, {"nodes", model_.nodes}}},
-      {"steps", steps_},
-      {"duration_s", seconds(steps_)},
-      {"commands", commands_},
-      {"unconverged_steps", unconverged_},
-      {"contacts", Json::array()}};
+  const auto describe = [](const app::RecordedModel& model) {
+    return Json{{"name", model.name}, {"key", model.key}, {"nodes", model.nodes}};
+  };
+  Json report{{"model", describe(present_)},
+              {"recorded_model", describe(recorded_)},
+              {"steps", steps_},
+              {"duration_s", seconds(steps_)},
+              {"commands", commands_},
+              {"unconverged_steps", unconverged_},
+              {"contacts", Json::array()}};
   for (const Contact& contact : contacts_) {
     Json one{{"contact", contact.id},
              {"kind", app::nameOf(contact.tool.kind)},

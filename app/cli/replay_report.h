@@ -13,8 +13,8 @@ namespace palpa::cli {
 /// docs/command-line.md.
 class ReplayReport {
  public:
-  /// `warning`: empty for none.
-  ReplayReport(const app::RecordingFile& file, std::string warning);
+  /// `present`: the model that it is replayed on.
+  ReplayReport(const app::RecordingFile& file, app::RecordedModel present);
 
   /// The snapshot after a step, from 0.
   void add(const app::TouchSnapshot& snapshot, std::uint64_t step);
@@ -39,7 +39,7 @@ class ReplayReport {
   };
   Contact& find(const app::TouchSnapshot::Contact& contact, std::uint64_t step);
 
-  app::RecordedModel model_;
+  app::RecordedModel recorded_, present_;
   std::uint64_t steps_;
   std::size_t commands_;
   std::vector<std::string> warnings_;

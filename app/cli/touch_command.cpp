@@ -83,8 +83,7 @@ class TouchCommand : public Command {
     const app::RecordingFile file = app::readRecording(recording_);
     const modeling::Project project = input_.read();
     const auto model = buildModel(project, context);
-    ReplayReport report(file,
-                        app::differenceOf(file.model, app::recordedModelOf(*model, project.name)));
+    ReplayReport report(file, app::recordedModelOf(*model, project.name));
     std::ostringstream text;
     app::TouchTable table(text);
     std::uint64_t step = 0;

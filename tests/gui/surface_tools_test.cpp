@@ -203,7 +203,7 @@ TEST_F(SurfaceTools, ATouchIsPulledOutOrPressedIn) {
 TEST_F(SurfaceTools, ATouchIsOfTheKindThatWasChosen) {
   use("Place touch");
   const auto option = [&](const char* name) {
-    auto* field = window().findChild<QWidget*>(name);
+    auto* field = window_->findChild<QWidget*>(name);
     EXPECT_TRUE(field && field->isVisible()) << name;
     return field;
   };
