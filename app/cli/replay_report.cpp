@@ -42,7 +42,6 @@ ReplayReport::Contact& ReplayReport::find(const app::TouchSnapshot::Contact& con
 
 void ReplayReport::add(const app::TouchSnapshot& snapshot, std::uint64_t step) {
   if (!snapshot.isConverged) ++unconverged_;
-  double sum = 0;
   for (const auto& contact : snapshot.touched()) {
     Contact& seen = find(contact, step);
     seen.last = step;
@@ -50,16 +49,12 @@ void ReplayReport::add(const app::TouchSnapshot& snapshot, std::uint64_t step) {
         seen.statuses.end())
       seen.statuses.push_back(contact.status);
     const double force = contact.force.norm();
-    sum += force;
     if (force <= seen.largest) continue;
     seen.largest = force;
     seen.largestStep = step;
     seen.largestForce = contact.force;
     seen.largestAt = contact.point.position;
   }
-  if (sum <= largest_) return;
-  largest_ = sum;
-  largestStep_ = step;
 }
 
 Json ReplayReport::json() const {

@@ -19,12 +19,11 @@ class ReplayReport {
   /// The snapshot after a step, from 0.
   void add(const app::TouchSnapshot& snapshot, std::uint64_t step);
 
+  /// What a person should know of the recording, sentences.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
   Json json() const;
   std::string text() const;
-
-  /// The largest force of all contacts together, N, and the step after which it was reached.
-  double largestForce() const { return largest_; }
-  std::uint64_t largestStep() const { return largestStep_; }
 
  private:
   struct Contact {
@@ -45,8 +44,6 @@ class ReplayReport {
   std::vector<std::string> warnings_;
   std::vector<Contact> contacts_;
   std::uint64_t unconverged_ = 0;
-  double largest_ = 0;
-  std::uint64_t largestStep_ = 0;
 };
 
 }  // namespace palpa::cli
