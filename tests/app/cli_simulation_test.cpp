@@ -170,9 +170,9 @@ TEST_F(CliSimulation, EveryKindOfTouchSaysWhatItDoes) {
   EXPECT_GT(slides.at("stiffness_N_per_mm").get<double>(), 0);
   EXPECT_EQ(touch("--kind push --displace 0,0,2").at("status"), "open");
 
-  const Json probed =
-      cli_.runJson("touch p.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 12 "
-                   "--friction 0.5 --steps 150");
+  const Json probed = cli_.runJson(
+      "touch p.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 12 "
+      "--friction 0.5 --steps 150");
   const Json& ball = probed.at("contacts")[0];
   EXPECT_EQ(ball.at("radius_mm"), 12);
   EXPECT_GT(ball.at("patch").at("radius_mm").get<double>(), 0.5);
@@ -193,9 +193,10 @@ TEST_F(CliSimulation, EveryKindOfTouchSaysWhatItDoes) {
 TEST_F(CliSimulation, SeveralTouchesAreGivenAtOnce) {
   cli_.run("new sphere --radius 25 -o p.json");
   const Json contacts =
-      cli_.runJson("touch p.json --at 0,0,25 --displace 0,0,-2 --radius 9 "
-                   "--at -25,0,0 --kind pin --at 0,25,0 --kind push --displace 0,-1,0.2 "
-                   "--friction 0.1")
+      cli_.runJson(
+              "touch p.json --at 0,0,25 --displace 0,0,-2 --radius 9 "
+              "--at -25,0,0 --kind pin --at 0,25,0 --kind push --displace 0,-1,0.2 "
+              "--friction 0.1")
           .at("contacts");
   ASSERT_EQ(contacts.size(), 3u);
   EXPECT_EQ(contacts[0].at("kind"), "grab");
