@@ -166,11 +166,17 @@ void settle(Way& way, TouchState::Path& path) {
   } while (path.settlingSteps < kMostSettlingSteps);
   if (isConverged && path.change <= kMostCreep) return;
   char text[240];
-  std::snprintf(text, sizeof text,
-                "the tools find no state of rest at the end of their ways: after %d steps there "
-                "forces still change by %.2g of the largest; a finer mesh, another radius or less "
-                "friction may help",
-                path.settlingSteps, path.change);
+  if (isConverged)
+    std::snprintf(text, sizeof text,
+                  "the tools find no state of rest at the end of their ways: after %d steps there "
+                  "forces still change by %.2g of the largest; a finer mesh, another radius or "
+                  "less friction may help",
+                  path.settlingSteps, path.change);
+  else
+    std::snprintf(text, sizeof text,
+                  "the laws of contact cannot be met at the end of the ways of the tools (residual "
+                  "%.2g); less friction, a shorter way or more steps may help",
+                  way.residual());
   notConverged(text);
 }
 
