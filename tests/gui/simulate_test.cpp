@@ -167,7 +167,7 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   withDialog<QFileDialog>([&] { action("Save recording")->trigger(); },
                           [&](QFileDialog& dialog) { chooseFile(dialog, kept); });
   const app::RecordingFile saved = app::readRecording(kept.toStdString());
-  EXPECT_EQ(saved.model.name, project().name);
+  EXPECT_EQ(saved.model.name, window_->editor().project().name);
   EXPECT_GT(saved.recording.entries.size(), 2u);
   EXPECT_FALSE(saved.model.key.empty());
   withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
@@ -184,7 +184,7 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
   broken.write("{\"format\": \"palpa-project\"}");
   broken.close();
-  QSignalSpy refused(&editor(), &Editor::refused);
+  QSignalSpy refused(&window_->editor(), &Editor::refused);
   withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
                           [&](QFileDialog& dialog) { chooseFile(dialog, wrong); });
   ASSERT_EQ(refused.count(), 1);

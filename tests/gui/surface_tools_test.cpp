@@ -202,30 +202,18 @@ TEST_F(SurfaceTools, ATouchIsPulledOutOrPressedIn) {
 
 TEST_F(SurfaceTools, ATouchIsOfTheKindThatWasChosen) {
   use("Place touch");
-  const auto option = [&](const char* name) {
-    auto* field = window_->findChild<QWidget*>(name);
-    EXPECT_TRUE(field && field->isVisible()) << name;
-    return field;
-  };
-  auto* kind = dynamic_cast<QComboBox*>(option("touchKind"));
-  auto* friction = option("touchFriction");
-  ASSERT_TRUE(kind && friction);
-  EXPECT_FALSE(friction->isEnabled());
-  kind->setFocus();
-  QTest::keyClick(kind, Qt::Key_Down);
-  ASSERT_TRUE(friction->isEnabled());
-  friction->setFocus();
-  QTest::keyClick(friction, Qt::Key_A, Qt::ControlModifier);
-  QTest::keyClicks(friction, "0.4");
-  QTest::keyClick(friction, Qt::Key_Return);
+  EXPECT_FALSE(option<QuantityEdit>("touchFriction").isEnabled());
+  choose("touchKind", 1);
+  ASSERT_TRUE(option<QuantityEdit>("touchFriction").isEnabled());
+  enter("touchFriction", "0.4");
   click(middle());
   const modeling::Touch touch = project().touches.back();
   ASSERT_STREQ(modeling::kindOf(touch), "push");
   EXPECT_DOUBLE_EQ(*modeling::frictionOf(touch), 0.4);
   EXPECT_LT(modeling::vectorOf(touch).dot(touch.at), 0);
   keepPicture("touch-push");
-  for (int k = 0; k < 2; ++k) QTest::keyClick(kind, Qt::Key_Down);
-  EXPECT_FALSE(friction->isEnabled());
+  choose("touchKind", 3);
+  EXPECT_FALSE(option<QuantityEdit>("touchFriction").isEnabled());
   click(middle() + QPoint(30, 30));
   ASSERT_STREQ(modeling::kindOf(project().touches.back()), "pin");
   EXPECT_EQ(modeling::vectorOf(project().touches.back()).norm(), 0);
