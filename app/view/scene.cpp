@@ -59,6 +59,12 @@ void SurfaceScene::validate() const {
   for (const ForceArrow& arrow : arrows) {
     require(arrow.at.allFinite() && arrow.force.allFinite(), "an arrow is not finite");
   }
+  require(fullForce >= 0 && std::isfinite(fullForce), "fullForce is not a number from 0 on");
+  requireFinite(room, "room");
+  for (const ProbeBall& ball : balls) {
+    require(ball.center.allFinite() && ball.radius > 0 && std::isfinite(ball.radius),
+            "a ball needs a place and a radius > 0");
+  }
   for (const ContactPatch& patch : contactPatches) {
     require(patch.center.allFinite() && patch.radius > 0, "a contact patch needs a radius > 0");
   }

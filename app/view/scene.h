@@ -58,6 +58,12 @@ struct ContactPatch {
   double radius = 0;                                 ///< mm, > 0
 };
 
+/// A rigid ball that presses on the body: a probe, or the tip of a finger.
+struct ProbeBall {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0;  ///< mm, > 0
+};
+
 /// How the scene is looked at. Position and distance follow from fitting the scene to the picture.
 struct CameraView {
   Eigen::Vector3d direction{-0.72, 0.58, -0.38};  ///< from the eye into the scene, any length
@@ -87,7 +93,13 @@ struct SurfaceScene {
   std::string supportLabel;   ///< words for the support colour, e.g. "held: base"; may be empty
   std::vector<ForceArrow> arrows;
   double arrowLength = 0.32;  ///< of the largest arrow, as a fraction of the body's diagonal
+  /// N, of an arrow of that length, so that pictures of a film can be compared; 0: the largest of
+  /// the scene.
+  double fullForce = 0;
   std::vector<ContactPatch> contactPatches;
+  std::vector<ProbeBall> balls;
+  /// Places the picture has room for besides what is drawn, mm: those of other pictures of a film.
+  std::vector<Eigen::Vector3d> room;
 
   std::string title;                  ///< top left
   std::vector<std::string> captions;  ///< lines at the bottom

@@ -5,6 +5,7 @@
 #include <QTreeWidget>
 
 #include "app/core/touch.h"
+#include "app/core/touch_recording_file.h"
 #include "app/gui/docks/forces_dock.h"
 #include "app/gui/simulate/hand_tool.h"
 #include "modeling/project/project_file.h"
@@ -277,6 +278,34 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   const int column = static_cast<int>(lines[0].split(',').indexOf("force_N"));
   EXPECT_NEAR(lines.back().split(',')[column].toDouble(), force.norm(), 1e-3 * force.norm());
   keepPicture("simulate-recorded");
+  // Kept in a file, another table of it has the same bytes.
+  const QString kept = folder_.filePath("hand.json"), again = folder_.filePath("again.csv");
+  withDialog<QFileDialog>([&] { action("Save recording")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, kept); });
+  const app::RecordingFile saved = app::readRecording(kept.toStdString());
+  EXPECT_EQ(saved.model.name, window_->editor().project().name);
+  EXPECT_GT(saved.recording.entries.size(), 2u);
+  EXPECT_FALSE(saved.model.key.empty());
+  withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, kept); });
+  withDialog<QFileDialog>([&] { action("Export forces")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, again); });
+  QFile second(again);
+  ASSERT_TRUE(second.open(QIODevice::ReadOnly));
+  table.seek(0);
+  EXPECT_EQ(second.readAll(), table.readAll());
+  // Not a recording: said, and the one that is there stays.
+  const QString wrong = folder_.filePath("wrong.json");
+  QFile broken(wrong);
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("{\"format\": \"palpa-project\"}");
+  broken.close();
+  QSignalSpy refused(&window_->editor(), &Editor::refused);
+  withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, wrong); });
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused[0][0].toString().contains("not a recording"));
+  EXPECT_TRUE(action("Export forces")->isEnabled());
 }
 
 TEST_F(Simulate, ThePointerMovesWhileAnotherMeshTakesOver) {
