@@ -33,6 +33,7 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   contact.patch.reserve(contact.maskCount);
   set_.resize(contact.firstMask + contact.maskCount);
   conditions_.resize(set_.size());
+  anchors_.resize(set_.size());
   forces_.forces.conservativeResizeLike(Eigen::VectorXd::Zero(3 * set_.size()));
   contacts_.push_back(std::move(contact));
   return contacts_.back().id;
@@ -55,6 +56,8 @@ void ContactSimulation::end(Id id) {
   const Contact* ended = find(id);
   assert(ended);
   set_.remove(ended->firstMask, ended->maskCount);
+  anchors_.erase(anchors_.begin() + ended->firstMask,
+                 anchors_.begin() + ended->firstMask + ended->maskCount);
   const Index first = 3 * ended->firstMask, count = 3 * ended->maskCount;
   Eigen::VectorXd& f = forces_.forces;
   const Index after = f.size() - first - count;
@@ -84,6 +87,7 @@ void ContactSimulation::takeOver(const ContactSimulation& other) {
   }
   set_.resize(other.set_.size());
   conditions_.resize(other.conditions_.size());
+  anchors_ = other.anchors_;
   forces_ = other.forces_;
   attempt_ = other.attempt_;
   next_ = other.next_;
@@ -179,10 +183,12 @@ void ContactSimulation::demand(const Contact& contact) {
     } else {
       closed = condition.normal.dot(contact.value - surface_.smoothPosition(point));
     }
-    // The gap, linear in d, along the normal; along the surface the slip against what sticks to the
-    // tool.
+    // The gap, linear in d, along the normal; along the surface the slip against what the mask's
+    // place would do if it stuck to the tool from where it was met, or last slipped to.
     const Vector3d& m = condition.normal;
-    const Vector3d stuck = contact.value - contact.reference;
+    const Anchor& anchor = anchors_[mask];
+    const Vector3d stuck =
+        anchor.isKnown ? Vector3d(contact.value + anchor.displacement) : displacementOf(mask);
     condition.value = m * closed + (stuck - m * m.dot(stuck));
   }
 }
@@ -212,30 +218,22 @@ void ContactSimulation::read(Contact& contact) {
                                                : Status::kSticking;
 }
 
-/// Moves the reference of a pushing tool by how much it slipped; returns the motion over the mask's
-/// radius.
+/// Lets what friction remembers of every mask follow where it slipped, and the reference of the
+/// tool where its middle did; returns the motion of that over the tool's radius.
 double ContactSimulation::slide(Contact& contact) {
   if (!contact.tool.isPushing()) return 0;
-  Vector3d slip = Vector3d::Zero();
-  double pressing = 0;
-  for (int k = 0; k < contact.maskCount; ++k) {
-    const int mask = contact.firstMask + k;
-    if (forces_.statuses[mask] != ContactStatus::kSlipping) continue;
-    const ContactCondition& condition = conditions_[mask];
-    const double weight = forces_.forces.segment<3>(3 * mask).dot(condition.normal);
-    const Vector3d off = displacementOf(mask) - condition.value;
-    slip += weight * (off - condition.normal * condition.normal.dot(off));
-    pressing += weight;
+  const int middle = contact.firstMask;
+  for (int mask = middle; mask < middle + contact.maskCount; ++mask) {
+    Anchor& anchor = anchors_[mask];
+    if (!anchor.isKnown || forces_.statuses[mask] != ContactStatus::kSticking)
+      anchor.displacement = displacementOf(mask) - contact.value;
+    anchor.isKnown = set_.isPlaced(mask) && set_.isReady(mask);
   }
-  Vector3d next = contact.reference;
-  if (pressing > 0) {
-    next -= slip / pressing;
-  } else if (contact.status != Status::kSticking) {
-    // In the air, above the place that it would meet first.
-    const Vector3d normal = surface_.normal(contact.point);
-    const Vector3d moved = displacementOf(contact.firstMask);
-    next = contact.value - (moved - normal * normal.dot(moved));
-  }
+  if (forces_.statuses[middle] == ContactStatus::kSticking) return 0;
+  // Above the place that is under the tool now, or that it would meet first.
+  const Vector3d normal = surface_.normal(contact.point);
+  const Vector3d moved = displacementOf(middle);
+  const Vector3d next = contact.value - (moved - normal * normal.dot(moved));
   const double motion = (next - contact.reference).norm();
   contact.reference = next;
   return motion / std::max(contact.tool.radius, 1e-12);

@@ -28,10 +28,11 @@ struct ContactTool {
 /// for bit.
 ///
 /// A pushing tool knows the place in which it would touch without tangential displacement, its
-/// reference. While it sticks, the reference stays and the surface is dragged along; when it slips,
-/// the reference follows by as much as it slipped. Its masks sit around the surface point nearest
-/// to the reference: one under kPush, up to kProbeMasks on a hexagonal lattice under kProbe, as
-/// close as the mesh can carry them.
+/// reference. Its masks sit around the surface point below the reference: one under kPush, up to
+/// kProbeMasks on a hexagonal lattice under kProbe, as close as the mesh can carry them. While the
+/// middle one sticks, the reference stays and the surface is dragged along; when it slips, the
+/// reference is where the tool has come to. Friction remembers for every mask by how much its place
+/// was displaced, as seen from the tool, when it was met or last slipped: that is what sticks.
 ///
 /// Not thread-safe. After the first few steps with as many contacts step() allocates nothing.
 class ContactSimulation {
@@ -143,6 +144,12 @@ class ContactSimulation {
   ContactSystem system_;
   std::vector<Contact> contacts_;
   std::vector<ContactCondition> conditions_;  // one per mask
+  /// What friction remembers of a mask: the displacement that sticks, less the tool's position, mm.
+  struct Anchor {
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+    bool isKnown = false;  // was the mask in use in the last step?
+  };
+  std::vector<Anchor> anchors_;  // one per mask
   ContactForces forces_, before_;
   Eigen::VectorXd attempt_;  // where the solver was when it found nothing; otherwise empty
   Eigen::VectorXd displacements_;

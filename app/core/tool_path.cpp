@@ -54,7 +54,7 @@ FirstContact firstContact(const bem::ContactSurface& surface, const MovingTool& 
   const double radius = isBall ? 0 : tool.tool.radius;
   const bem::ContactMask mask = bem::makeContactMask(surface, foot.position, radius);
   const Vector3d normal = surface.normal(foot);
-  Vector3d start = foot.position + Vector3d(mask.displacement(field.u));
+  Vector3d start = surface.smoothPosition(foot) + Vector3d(mask.displacement(field.u));
   if (isBall) start += tool.tool.radius * normal;
   return {start, start + kLift * tool.tool.radius * normal};
 }
