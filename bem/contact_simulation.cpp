@@ -1,62 +1,18 @@
 #include "bem/contact_simulation.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 namespace palpa::bem {
 namespace {
 
 using Eigen::Index;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Kind = ContactTool::Kind;
 
-constexpr int kRings = 4;
-constexpr int kLattice = 1 + 3 * kRings * (kRings + 1);
-static_assert(kLattice == ContactSimulation::kProbeMasks);
-/// The lattice reaches this much farther than the contact between two balls would (H. Hertz).
-constexpr double kMargin = 1.3;
-/// Masks of the lattice overlap: radius over spacing. As wide as the mesh needs them when the
-/// spacing is that of the nodes.
-constexpr double kOverlap = 1.25;
-/// A lattice point that lies farther than this part of the spacing from the surface point it falls
-/// on (beyond an edge of the body) is left out.
-constexpr double kFarthest = 0.6;
-/// Places are looked for from this part of a mask's radius above the surface.
-constexpr double kLift = 0.2;
 /// Sliding within a step ends when places move by less than this part of the mask's radius.
 constexpr double kSettled = 1e-6;
-
-/// Points of a hexagonal lattice with spacing 1 around the origin, ring by ring.
-const std::array<Vector2d, kLattice>& lattice() {
-  static const auto points = [] {
-    std::array<Vector2d, kLattice> result;
-    int count = 0;
-    result[count++] = Vector2d::Zero();
-    const auto corner = [](int k) {
-      return Vector2d(std::cos(k * std::numbers::pi / 3), std::sin(k * std::numbers::pi / 3));
-    };
-    for (int ring = 1; ring <= kRings; ++ring)
-      for (int side = 0; side < 6; ++side)
-        for (int k = 0; k < ring; ++k)
-          result[count++] = ring * corner(side) + k * (corner(side + 1) - corner(side));
-    return result;
-  }();
-  return points;
-}
-
-bool isPushing(const ContactTool& tool) {
-  return tool.kind == Kind::kPush || tool.kind == Kind::kProbe;
-}
-
-/// `direction` turned as little as needed to lie in the plane across the unit normal.
-Vector3d inPlane(const Vector3d& direction, const Vector3d& normal) {
-  const Vector3d flat = direction - normal * normal.dot(direction);
-  return flat.norm() > 1e-6 ? flat.normalized() : normal.unitOrthogonal();
-}
 
 }  // namespace
 
@@ -71,13 +27,13 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   contact.tool = tool;
   contact.value = value;
   contact.point = surface_.tree().nearest(at);
-  contact.reference = isPushing(tool) ? value : at;
-  contact.across = inPlane(Vector3d::UnitX(), surface_.normal(contact.point));
+  contact.reference = tool.isPushing() ? value : at;
   contact.firstMask = set_.size();
-  contact.maskCount = tool.kind == Kind::kProbe ? kLattice : 1;
+  contact.maskCount = tool.kind == Kind::kProbe ? kProbeMasks : 1;
   contact.patch.reserve(contact.maskCount);
   set_.resize(contact.firstMask + contact.maskCount);
   conditions_.resize(set_.size());
+  anchors_.resize(set_.size());
   forces_.forces.conservativeResizeLike(Eigen::VectorXd::Zero(3 * set_.size()));
   contacts_.push_back(std::move(contact));
   return contacts_.back().id;
@@ -100,6 +56,8 @@ void ContactSimulation::end(Id id) {
   const Contact* ended = find(id);
   assert(ended);
   set_.remove(ended->firstMask, ended->maskCount);
+  anchors_.erase(anchors_.begin() + ended->firstMask,
+                 anchors_.begin() + ended->firstMask + ended->maskCount);
   const Index first = 3 * ended->firstMask, count = 3 * ended->maskCount;
   Eigen::VectorXd& f = forces_.forces;
   const Index after = f.size() - first - count;
@@ -109,6 +67,7 @@ void ContactSimulation::end(Id id) {
     if (contact.firstMask > ended->firstMask) contact.firstMask -= ended->maskCount;
   contacts_.erase(contacts_.begin() + (ended - contacts_.data()));
   conditions_.resize(set_.size());
+  attempt_.resize(0);
 }
 
 void ContactSimulation::clear() {
@@ -128,7 +87,9 @@ void ContactSimulation::takeOver(const ContactSimulation& other) {
   }
   set_.resize(other.set_.size());
   conditions_.resize(other.conditions_.size());
+  anchors_ = other.anchors_;
   forces_ = other.forces_;
+  attempt_ = other.attempt_;
   next_ = other.next_;
 }
 
@@ -156,12 +117,18 @@ void ContactSimulation::step(int slides) {
     placeAll();
     set_.update();
     displacements_.noalias() = set_.freeDisplacements() + set_.compliance() * forces_.forces;
-    for (const Contact& contact : contacts_) demand(contact);
+    for (Contact& contact : contacts_) {
+      lift(contact);
+      demand(contact);
+    }
+    if (attempt_.size() == forces_.forces.size()) forces_.forces = attempt_;
     system_.solve(set_.compliance(), set_.freeDisplacements(), conditions_, forces_);
-    if (!forces_.converged) {
+    if (!forces_.converged && forces_.softness == 0) {
+      attempt_ = forces_.forces;
       forces_.forces = before_.forces;
       return;
     }
+    attempt_.resize(0);
     displacements_.noalias() = set_.freeDisplacements() + set_.compliance() * forces_.forces;
     double moved = 0;
     for (Contact& contact : contacts_) {
@@ -172,75 +139,21 @@ void ContactSimulation::step(int slides) {
   }
 }
 
+ContactSimulation::MaskState ContactSimulation::maskState(int mask) const {
+  return {set_.mask(mask), conditions_[mask], forces_.statuses[mask],
+          forces_.forces.segment<3>(3 * mask), displacementOf(mask)};
+}
+
 Vector3d ContactSimulation::displacementOf(int mask) const {
   return displacements_.segment<3>(3 * mask);
 }
 
-void ContactSimulation::placeMasks(Contact& contact) {
-  if (!isPushing(contact.tool)) {
-    set_.place(contact.firstMask, contact.point, contact.tool.radius);
-    return;
-  }
-  contact.point = footOf(contact);
-  contact.across = inPlane(contact.across, surface_.normal(contact.point));
-  if (contact.tool.kind == Kind::kPush)
-    set_.place(contact.firstMask, contact.point, contact.tool.radius);
-  else
-    placeProbe(contact);
-}
-
-/// The surface point below a tool's reference. Looked for from a little above the surface: the
-/// nearest point moves without jumps seen from outside a convex mesh, but jumps from face to face
-/// seen from inside.
-SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
-  const Vector3d normal = surface_.normal(contact.point);
-  const double height = normal.dot(contact.reference - contact.point.position);
-  const double wanted = kLift * surface_.narrowestMask(contact.point);
-  const Vector3d from = contact.reference + std::max(wanted - height, 0.0) * normal;
-  return surface_.tree().nearest(from);
-}
-
-/// Of the surface around a contact, from normals at a distance (mm); positive where it bulges.
-double ContactSimulation::meanCurvature(const Contact& contact, double distance) const {
-  const Vector3d normal = surface_.normal(contact.point);
-  const Vector3d across = normal.cross(contact.across);
-  double sum = 0;
-  for (const Vector3d& direction :
-       {contact.across, Vector3d(-contact.across), across, Vector3d(-across)}) {
-    const SurfacePoint point = surface_.tree().nearest(
-        contact.point.position + distance * direction + kLift * distance * normal);
-    const double apart = (point.position - contact.point.position).dot(direction);
-    if (apart > 0) sum += (surface_.normal(point) - normal).dot(direction) / apart;
-  }
-  return sum / 4;
-}
-
-/// The masks of a ball: wherever the unloaded surface reaches into it, the contact lies within that
-/// part. The lattice is as fine as the mesh, or wide enough to cover the contact.
-void ContactSimulation::placeProbe(Contact& contact) {
-  const double radius = contact.tool.radius;
-  const Vector3d normal = surface_.normal(contact.point);
-  const Vector3d along = contact.across, across = normal.cross(along);
-  const double depth =
-      std::clamp(radius - (contact.value - contact.point.position).dot(normal), 0.0, 2 * radius);
-  const double finest = surface_.narrowestMask(contact.point) / kOverlap;
-  const double curvature = 1 / radius + meanCurvature(contact, finest);
-  const double reach = curvature * radius * radius > depth ? std::sqrt(depth / curvature) : radius;
-  const double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
-  for (int k = 0; k < contact.maskCount; ++k) {
-    const int mask = contact.firstMask + k;
-    const Vector2d at = spacing * lattice()[k];
-    const Vector3d wanted =
-        contact.point.position + at[0] * along + at[1] * across + kLift * spacing * normal;
-    const SurfacePoint point = k == 0 ? contact.point : surface_.tree().nearest(wanted);
-    const Vector3d off = point.position - wanted;
-    const double aside = (off - normal * normal.dot(off)).norm();
-    const bool isInside = (point.position - contact.value).norm() < radius || k == 0;
-    if (isInside && aside <= kFarthest * spacing)
-      set_.place(mask, point, kOverlap * spacing);
-    else
-      set_.clear(mask);
-  }
+/// Notes by how much all else moves the middle of a contact.
+void ContactSimulation::lift(Contact& contact) const {
+  const Index middle = 3 * contact.firstMask, count = 3 * contact.maskCount;
+  contact.lifted =
+      displacements_.segment<3>(middle) -
+      set_.compliance().block(middle, middle, 3, count) * forces_.forces.segment(middle, count);
 }
 
 /// What the laws demand of a contact's masks.
@@ -255,25 +168,28 @@ void ContactSimulation::demand(const Contact& contact) {
     }
     condition.value = contact.value;
     if (contact.tool.kind == Kind::kForce) condition.kind = ContactCondition::Kind::kForce;
-    if (!isPushing(contact.tool)) continue;
+    if (!contact.tool.isPushing()) continue;
     condition.kind = ContactCondition::Kind::kUnilateral;
     condition.friction = contact.tool.friction;
     const SurfacePoint& point = set_.mask(mask).point;
     const Vector3d outward = surface_.normal(point);
     condition.normal = -outward;
-    double radius = 0;
+    double closed = 0;
     if (contact.tool.kind == Kind::kProbe) {
       // Away from the ball's centre, seen from where the place is now.
-      radius = contact.tool.radius;
       const Vector3d away = point.position + displacementOf(mask) - contact.value;
       if (away.dot(outward) < 0) condition.normal = away.normalized();
+      closed = -gapToBall(contact, mask, condition.normal);
+    } else {
+      closed = condition.normal.dot(contact.value - surface_.smoothPosition(point));
     }
-    // The gap |x + d - c| - R >= 0, linear in d, along the normal; along the surface the slip
-    // against what sticks to the tool.
+    // The gap, linear in d, along the normal; along the surface the slip against what the mask's
+    // place would do if it stuck to the tool from where it was met, or last slipped to.
     const Vector3d& m = condition.normal;
-    const Vector3d stuck = contact.value - contact.reference;
-    condition.value =
-        m * (m.dot(contact.value - point.position) + radius) + (stuck - m * m.dot(stuck));
+    const Anchor& anchor = anchors_[mask];
+    const Vector3d stuck =
+        anchor.isKnown ? Vector3d(contact.value + anchor.displacement) : displacementOf(mask);
+    condition.value = m * closed + (stuck - m * m.dot(stuck));
   }
 }
 
@@ -294,38 +210,30 @@ void ContactSimulation::read(Contact& contact) {
   const Vector3d caused = contact.displacement - set_.freeDisplacements().segment<3>(3 * middle);
   const double squared = caused.squaredNorm();
   contact.stiffness = squared > 0 ? contact.force.dot(caused) / squared : 0.0;
-  contact.status = !set_.isPlaced(middle)     ? Status::kHeld
-                   : !set_.isReady(middle)    ? Status::kWaiting
-                   : !isPushing(contact.tool) ? Status::kHolding
-                   : !isPressing              ? Status::kOpen
-                   : isSlipping               ? Status::kSlipping
-                                              : Status::kSticking;
+  contact.status = !set_.isPlaced(middle)      ? Status::kHeld
+                   : !set_.isReady(middle)     ? Status::kWaiting
+                   : !contact.tool.isPushing() ? Status::kHolding
+                   : !isPressing               ? Status::kOpen
+                   : isSlipping                ? Status::kSlipping
+                                               : Status::kSticking;
 }
 
-/// Moves the reference of a pushing tool by how much it slipped; returns the motion over the mask's
-/// radius.
+/// Lets what friction remembers of every mask follow where it slipped, and the reference of the
+/// tool where its middle did; returns the motion of that over the tool's radius.
 double ContactSimulation::slide(Contact& contact) {
-  if (!isPushing(contact.tool)) return 0;
-  Vector3d slip = Vector3d::Zero();
-  double pressing = 0;
-  for (int k = 0; k < contact.maskCount; ++k) {
-    const int mask = contact.firstMask + k;
-    if (forces_.statuses[mask] != ContactStatus::kSlipping) continue;
-    const ContactCondition& condition = conditions_[mask];
-    const double weight = forces_.forces.segment<3>(3 * mask).dot(condition.normal);
-    const Vector3d off = displacementOf(mask) - condition.value;
-    slip += weight * (off - condition.normal * condition.normal.dot(off));
-    pressing += weight;
+  if (!contact.tool.isPushing()) return 0;
+  const int middle = contact.firstMask;
+  for (int mask = middle; mask < middle + contact.maskCount; ++mask) {
+    Anchor& anchor = anchors_[mask];
+    if (!anchor.isKnown || forces_.statuses[mask] != ContactStatus::kSticking)
+      anchor.displacement = displacementOf(mask) - contact.value;
+    anchor.isKnown = set_.isPlaced(mask) && set_.isReady(mask);
   }
-  Vector3d next = contact.reference;
-  if (pressing > 0) {
-    next -= slip / pressing;
-  } else if (contact.status != Status::kSticking) {
-    // In the air, above the place that it would meet first.
-    const Vector3d normal = surface_.normal(contact.point);
-    const Vector3d moved = displacementOf(contact.firstMask);
-    next = contact.value - (moved - normal * normal.dot(moved));
-  }
+  if (forces_.statuses[middle] == ContactStatus::kSticking) return 0;
+  // Above the place that is under the tool now, or that it would meet first.
+  const Vector3d normal = surface_.normal(contact.point);
+  const Vector3d moved = displacementOf(middle);
+  const Vector3d next = contact.value - (moved - normal * normal.dot(moved));
   const double motion = (next - contact.reference).norm();
   contact.reference = next;
   return motion / std::max(contact.tool.radius, 1e-12);

@@ -18,6 +18,8 @@ struct ContactTool {
   Kind kind = Kind::kGrab;
   double radius = 6;    ///< mm; of the mask, for kProbe of the ball
   double friction = 0;  ///< Coulomb's coefficient of kPush and kProbe, 0 … 10
+
+  bool isPushing() const { return kind == Kind::kPush || kind == Kind::kProbe; }
 };
 
 /// Any number of contacts on one body over time: grabbed places stay, pushing tools slide along the
@@ -26,10 +28,11 @@ struct ContactTool {
 /// for bit.
 ///
 /// A pushing tool knows the place in which it would touch without tangential displacement, its
-/// reference. While it sticks, the reference stays and the surface is dragged along; when it slips,
-/// the reference follows by as much as it slipped. Its masks sit around the surface point nearest
-/// to the reference: one under kPush, up to kProbeMasks on a hexagonal lattice under kProbe, as
-/// close as the mesh can carry them.
+/// reference. Its masks sit around the surface point below the reference: one under kPush, up to
+/// kProbeMasks on a hexagonal lattice under kProbe, as close as the mesh can carry them. While the
+/// middle one sticks, the reference stays and the surface is dragged along; when it slips, the
+/// reference is where the tool has come to. Friction remembers for every mask by how much its place
+/// was displaced, as seen from the tool, when it was met or last slipped: that is what sticks.
 ///
 /// Not thread-safe. After the first few steps with as many contacts step() allocates nothing.
 class ContactSimulation {
@@ -93,15 +96,29 @@ class ContactSimulation {
 
     // Of the simulation alone.
     Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< mm, see above
-    Eigen::Vector3d across = Eigen::Vector3d::Zero();     ///< direction of the lattice
+    Eigen::Vector3d across = Eigen::Vector3d::UnitX();    ///< direction of the lattice
+    /// mm, of the middle, by all else than this contact's own force
+    Eigen::Vector3d lifted = Eigen::Vector3d::Zero();
     int firstMask = 0, maskCount = 0;
   };
   const std::vector<Contact>& contacts() const { return contacts_; }
   const Contact* find(Id id) const;
 
-  /// Did the last step meet all laws? When not, all forces are those of the step before.
+  /// Did the last step meet all laws? When not, they are those of tools that are a little soft
+  /// (ContactSystem; softness() says by how much), or, when also these were not found, those of the
+  /// step before; the next step goes on from where the solver was.
   bool converged() const { return forces_.converged; }
+  double softness() const { return forces_.softness; }
   int maskCount() const { return set_.size(); }
+  /// What the laws demanded of a mask (0 … maskCount() - 1) in the last step, and what came of it.
+  struct MaskState {
+    const ContactMask& mask;
+    const ContactCondition& condition;  ///< kForce of nothing when the mask is not used
+    ContactStatus status;
+    Eigen::Vector3d force;         ///< N
+    Eigen::Vector3d displacement;  ///< mm
+  };
+  MaskState maskState(int mask) const;
   double residual() const { return forces_.residual; }
   double reciprocityDefect() const { return set_.reciprocityDefect(); }
 
@@ -115,6 +132,8 @@ class ContactSimulation {
   SurfacePoint footOf(const Contact& contact) const;
   double meanCurvature(const Contact& contact, double distance) const;
   void placeProbe(Contact& contact);
+  void lift(Contact& contact) const;
+  double gapToBall(const Contact& contact, int mask, const Eigen::Vector3d& m) const;
   void demand(const Contact& contact);
   void read(Contact& contact);
   double slide(Contact& contact);
@@ -125,7 +144,14 @@ class ContactSimulation {
   ContactSystem system_;
   std::vector<Contact> contacts_;
   std::vector<ContactCondition> conditions_;  // one per mask
+  /// What friction remembers of a mask: the displacement that sticks, less the tool's position, mm.
+  struct Anchor {
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
+    bool isKnown = false;  // was the mask in use in the last step?
+  };
+  std::vector<Anchor> anchors_;  // one per mask
   ContactForces forces_, before_;
+  Eigen::VectorXd attempt_;  // where the solver was when it found nothing; otherwise empty
   Eigen::VectorXd displacements_;
   Id next_ = 0;
 };

@@ -11,10 +11,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Radius over edge length at which half the bump's height is as wide as that of a nodal basis
-/// function.
-constexpr double kNarrowest = 1.25;
-
 /// Integration cells are at most this part of the radius.
 constexpr double kCell = 1.0 / 4;
 
@@ -78,6 +74,16 @@ Vector3d ContactSurface::normal(const SurfacePoint& point) const {
     normal += point.weights[corner] * slots_.slots[slots_.ofCorner[point.triangle][corner]].normal;
   const double length = normal.norm();
   return length > 0 ? Vector3d(normal / length) : mesh_.normal(point.triangle);
+}
+
+Vector3d ContactSurface::smoothPosition(const SurfacePoint& point) const {
+  Vector3d position = point.position;
+  for (int a = 0; a < 3; ++a) {
+    const double both = point.weights[a] * point.weights[(a + 1) % 3];
+    for (const Weight& weight : bulge(point.triangle, a))
+      position += both * weight.weight * mesh_.nodes[weight.node];
+  }
+  return position;
 }
 
 double ContactSurface::narrowestMask(const SurfacePoint& point) const {

@@ -27,8 +27,14 @@ class ContactSurface {
   /// Outward unit normal interpolated from the corners' slots: continuous along smooth faces.
   Eigen::Vector3d normal(const SurfacePoint& point) const;
 
-  /// The narrowest mask the mesh can carry at a point, mm: 1.25 times the longest edges there;
+  /// Where the body's true surface is at a point of a triangle: its edges become cubics as in
+  /// DisplacementRecovery, so that smooth faces lie third instead of second order near it.
+  Eigen::Vector3d smoothPosition(const SurfacePoint& point) const;
+
+  /// The narrowest mask the mesh can carry at a point, mm: kNarrowest times the longest edges
+  /// there, at which half the bump's height is as wide as that of a nodal basis function;
   /// continuous along the surface.
+  static constexpr double kNarrowest = 1.25;
   double narrowestMask(const SurfacePoint& point) const;
 
   struct Weight {

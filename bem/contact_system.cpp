@@ -14,10 +14,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Kind = ContactCondition::Kind;
 
-/// Gauss-Seidel steps are this part of the largest that is safe.
-constexpr double kRelaxation = 1.0;
-/// The residual is looked at after so many sweeps: it costs as much as one.
-constexpr int kSweepsBetweenLooks = 5;
+/// What a Newton's step costs beside the elimination, per contact, in multiplications.
+constexpr double kContactWork = 1000;
 
 struct Projected {
   Vector3d force;
@@ -44,7 +42,72 @@ void ContactSystem::solve(const Eigen::Ref<const Eigen::MatrixXd>& compliance,
                           const Eigen::Ref<const Eigen::VectorXd>& freeDisplacements,
                           std::span<const ContactCondition> conditions, ContactForces& solution) {
   const Problem problem{compliance, freeDisplacements, conditions};
+  double work = 0;
+  solution.iterations = 0;
+  solution.softness = findSharedPlaces(problem);
+  if (solution.softness == 0) {
+    start(problem, solution);
+    solution.converged = iterate(problem, solution, work);
+    if (solution.converged) return;
+  }
+  solution.converged = false;
   start(problem, solution);
+  stiff_ = solution.forces;
+  const double everywhere[] = {0, kSoftness[0], kSoftness[1], kSoftness[2]};
+  for (const double softness : everywhere) {
+    if (softness == 0 && solution.softness == 0) continue;
+    softened_ = compliance;
+    for (Index k = 0; k < static_cast<Index>(conditions.size()); ++k)
+      softened_.block<3, 3>(3 * k, 3 * k) *= 1 + shared_[k] + softness;
+    const Problem soft{softened_, freeDisplacements, conditions};
+    start(soft, solution);
+    if (!iterate(soft, solution, work)) {
+      solution.forces = stiff_;
+      continue;
+    }
+    // By how much the laws themselves are missed.
+    solution.softness = std::max(solution.softness, softness);
+    statuses_ = solution.statuses;
+    start(problem, solution);
+    solution.residual = residual(problem, solution);
+    std::swap(solution.statuses, statuses_);
+    return;
+  }
+  solution.softness = 0;
+  start(problem, solution);
+  solution.residual = residual(problem, solution);
+}
+
+/// Notes how soft contacts must be that hold or press at the place of another, and returns the
+/// largest. By what one of two can still yield along with the other held, as a part of what it
+/// yields alone.
+double ContactSystem::findSharedPlaces(const Problem& problem) {
+  const auto count = static_cast<Index>(problem.conditions.size());
+  shared_.setZero(count);
+  traces_.resize(count);
+  for (Index k = 0; k < count; ++k)
+    traces_[k] = problem.conditions[k].kind == Kind::kForce
+                     ? 0.0
+                     : problem.compliance.block<3, 3>(3 * k, 3 * k).trace();
+  double largest = 0;
+  for (Index b = 1; b < count; ++b) {
+    for (Index a = 0; a < b; ++a) {
+      const double both = traces_[a] * traces_[b];
+      if (both <= 0) continue;
+      const double cross = problem.compliance(3 * a, 3 * b) +
+                           problem.compliance(3 * a + 1, 3 * b + 1) +
+                           problem.compliance(3 * a + 2, 3 * b + 2);
+      const double left = 1 - cross * cross / both;
+      if (left >= kSharedPlace) continue;
+      const double softness = kSharedSoftness * std::min(1 - left / kSharedPlace, 1.0);
+      for (const Index k : {a, b}) shared_[k] = std::max(shared_[k], softness);
+      largest = std::max(largest, softness);
+    }
+  }
+  return largest;
+}
+
+bool ContactSystem::iterate(const Problem& problem, ContactForces& solution, double& work) {
   double best = std::numeric_limits<double>::infinity();
   best_.setZero(solution.forces.size());
   const auto isGood = [&] {
@@ -57,37 +120,26 @@ void ContactSystem::solve(const Eigen::Ref<const Eigen::MatrixXd>& compliance,
     return solution.residual <= kTolerance;
   };
   bool good = isGood();
-  while (!good && solution.iterations < kMostNewton) {
+  for (int k = 0; !good && k < kMostNewton; ++k) {
+    work += newtonWork(solution);
+    if (k >= kLeastNewton && work > kMostWork) break;
     newtonStep(problem, solution);
     ++solution.iterations;
     if (!solution.forces.allFinite()) solution.forces.setZero();
     displacements_.noalias() = problem.free + problem.compliance * solution.forces;
     good = isGood();
   }
-  if (!good) {
-    solution.forces = best_;
-    displacements_.noalias() = problem.free + problem.compliance * solution.forces;
-  }
-  for (int sweeps = 0; !good && sweeps < kMostSweeps; ++sweeps) {
-    sweep(problem, solution);
-    ++solution.iterations;
-    if (sweeps % kSweepsBetweenLooks < kSweepsBetweenLooks - 1) continue;
-    good = isGood();
-    if (!std::isfinite(solution.residual)) break;
-  }
-  if (!good) {
-    solution.forces = best_;
-    displacements_.noalias() = problem.free + problem.compliance * solution.forces;
-    solution.residual = residual(problem, solution);
-  }
-  solution.converged = good;
+  if (good) return true;
+  solution.forces = best_;
+  displacements_.noalias() = problem.free + problem.compliance * solution.forces;
+  solution.residual = residual(problem, solution);
+  return false;
 }
 
 void ContactSystem::start(const Problem& problem, ContactForces& solution) {
   const auto count = static_cast<Index>(problem.conditions.size());
   if (solution.forces.size() != 3 * count) solution.forces.setZero(3 * count);
   solution.statuses.resize(problem.conditions.size());
-  solution.iterations = 0;
   penalty_.resize(count);
   for (Index k = 0; k < count; ++k) {
     // A mask that is not used has no compliance and must have a given force.
@@ -112,6 +164,14 @@ double ContactSystem::residual(const Problem& problem, ContactForces& solution) 
     largest = std::max({largest, f.norm(), allowed.force.norm()});
   }
   return largest > 0 ? worst / largest : 0.0;
+}
+
+double ContactSystem::newtonWork(const ContactForces& solution) {
+  double size = 0;
+  for (const ContactStatus status : solution.statuses)
+    size += status == ContactStatus::kOpen || status == ContactStatus::kForced ? 0 : 3;
+  return size * size * (size / 3 + 6) +
+         kContactWork * static_cast<double>(solution.statuses.size());
 }
 
 void ContactSystem::newtonStep(const Problem& problem, ContactForces& solution) {
@@ -167,25 +227,6 @@ void ContactSystem::newtonStep(const Problem& problem, ContactForces& solution) 
   for (std::size_t i = 0; i < active_.size(); ++i)
     step_.segment<3>(3 * active_[i]) = system.col(size).segment<3>(3 * static_cast<Index>(i));
   solution.forces += step_;
-}
-
-void ContactSystem::sweep(const Problem& problem, ContactForces& solution) {
-  for (std::size_t k = 0; k < problem.conditions.size(); ++k) {
-    const auto row = 3 * static_cast<Index>(k);
-    const ContactCondition& condition = problem.conditions[k];
-    const Matrix3d own = problem.compliance.block<3, 3>(row, row);
-    const Vector3d f = solution.forces.segment<3>(row);
-    const Vector3d d = displacements_.segment<3>(row);
-    // The trace is at least the largest eigenvalue, so this step is safe.
-    if (penalty_[static_cast<Index>(k)] == 0.0) continue;
-    const Vector3d next = condition.kind == Kind::kHold
-                              ? Vector3d(f + own.ldlt().solve(condition.value - d))
-                              : project(condition, f, d, kRelaxation / own.trace()).force;
-    const Vector3d change = next - f;
-    if (change.isZero(0)) continue;
-    solution.forces.segment<3>(row) = next;
-    displacements_.noalias() += problem.compliance.middleCols<3>(row) * change;
-  }
 }
 
 }  // namespace palpa::bem

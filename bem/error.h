@@ -15,7 +15,8 @@ class SolverError : public std::runtime_error {
     kNotHeld,         ///< a rigid motion is left free
     kIncompressible,  ///< nu = 0.5 with the displacement prescribed everywhere
     kTooLarge,        ///< the memory estimate exceeds the limit
-    kSingular         ///< the factorisation broke down
+    kSingular,        ///< the factorisation broke down
+    kNotConverged     ///< contacts found no equilibrium
   };
   SolverError(Kind errorKind, const std::string& message)
       : std::runtime_error(message), kind_(errorKind) {}

@@ -19,6 +19,8 @@
 #include "bem/parallel.h"
 #include "bench/cancel_latency.h"
 #include "bench/plain_assembly.h"
+#include "bench/sphere.h"
+#include "bench/timing.h"
 #include "modeling/mesh/display_mesh.h"
 #include "modeling/mesh/geometry_check.h"
 #include "modeling/mesh/mesh_follow.h"
@@ -27,57 +29,16 @@
 namespace {
 
 using namespace palpa;
+using bench::medianSecondsFor;
+using bench::pointsOnSphere;
+using bench::secondsFor;
+using bench::sphereProject;
 using Eigen::Vector3d;
-
-template <class Work>
-double secondsFor(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Median over repetitions until half a second has gone by (at least 3).
-template <class Work>
-double medianSecondsFor(const Work& work) {
-  std::vector<double> times;
-  double total = 0;
-  while (times.size() < 3 || (total < 0.5 && times.size() < 1000)) {
-    times.push_back(secondsFor(work));
-    total += times.back();
-  }
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2),
-                   times.end());
-  return times[times.size() / 2];
-}
-
-/// The seed's sphere: R = 25 mm, fixed below z = -20 mm.
-modeling::Project sphereProject(int cellsPerCubeEdge) {
-  modeling::Project project;
-  project.name = "bench";
-  project.material = {"silicone-like", 0.1, 0.45};
-  project.body = modeling::makeSphere(25);
-  project.supports.push_back({"base",
-                              modeling::Support::Kind::fixed,
-                              {{modeling::HalfSpace{Vector3d::UnitZ(), -20}}},
-                              Vector3d::Zero()});
-  project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
-  return project;
-}
 
 app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
   const modeling::Project project = sphereProject(cellsPerCubeEdge);
   return app::makeBoundarySetup(
       project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
-}
-
-std::vector<Vector3d> pointsOnSphere(int count) {
-  std::vector<Vector3d> points;  // a spiral over the part that is free
-  for (int k = 0; k < count; ++k) {
-    const double z = 0.95 - 1.5 * (k + 0.5) / count;
-    const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
-    points.emplace_back(25 * r * std::cos(angle), 25 * r * std::sin(angle), 25 * z);
-  }
-  return points;
 }
 
 struct Row {

@@ -15,9 +15,11 @@
 #include "app/core/touch_field.h"
 #include "app/core/touch_player.h"
 #include "bem/contact_solver.h"
+#include "bench/latency_table.h"
+#include "bench/sphere.h"
+#include "bench/timing.h"
 #include "bench/touch_latency.h"
 #include "bench/touch_slide.h"
-#include "modeling/shapes/primitives.h"
 
 namespace {
 
@@ -25,36 +27,9 @@ using namespace palpa;
 using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 using Command = app::TouchCommand;
-
-template <class Work>
-double secondsFor(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Median over repetitions until half a second has gone by.
-template <class Work>
-double medianSecondsFor(const Work& work) {
-  std::vector<double> times;
-  for (double total = 0; times.size() < 3 || (total < 0.5 && times.size() < 5000);) {
-    times.push_back(secondsFor(work));
-    total += times.back();
-  }
-  return bench::quantilesOf(std::move(times)).p50;
-}
-
-/// The seed's sphere: R = 25 mm, fixed below z = -20 mm.
-modeling::Project sphereProject(int cellsPerCubeEdge) {
-  modeling::Project project;
-  project.name = "bench";
-  project.material = {"silicone-like", 0.1, 0.45};
-  project.body = modeling::makeSphere(25);
-  project.supports.push_back({"base", modeling::Support::Kind::fixed,
-                              modeling::Region::below(Vector3d::UnitZ(), -20), Vector3d::Zero()});
-  project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
-  return project;
-}
+using bench::medianSecondsFor;
+using bench::secondsFor;
+using bench::sphereProject;
 
 /// A problem that was never solved: its columns are made up. What a field costs does not depend on
 /// the numbers, and at 10,000 nodes the true ones take minutes.
@@ -180,13 +155,15 @@ class Bench {
       const std::string beside = computesAll ? ", columns computed beside" : "";
       add("first force, no columns before" + beside, "ms", 1e3 * report.firstForce);
       add("running loop, 10 grabs" + beside, "Hz", report.rate, ">= 1000");
-      add("  input to force, p50", "ms", 1e3 * report.inside.p50);
-      add("  p99", "ms", 1e3 * report.inside.p99, "< 1");
-      add("  largest of " + std::to_string(report.inside.count), "ms", 1e3 * report.inside.largest);
+      add("  input to force, p50", "ms", 1e3 * report.inside.all.p50);
+      add("  p99", "ms", 1e3 * report.inside.all.p99, "< 1");
+      add("  largest of " + std::to_string(report.inside.all.count), "ms",
+          1e3 * report.inside.all.largest);
       add("  until another thread has it, p50", "ms", 1e3 * report.latency.p50);
       add("  p99", "ms", 1e3 * report.latency.p99);
       add("  fields displayed meanwhile", "Hz", report.displayed / seconds);
       if (computesAll) add("  columns at the end", "%", 100 * report.columnsReady);
+      bench::printLatencies(report.inside);
     }
   }
 
@@ -247,12 +224,14 @@ int main(int argc, char** argv) {
   double seconds = 10;
   int large = 45;
   std::string csv, json;
+  bool onlySlides = false;
   options.add_option("--cells", cells,
                      "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
   options.add_option("--large", large, "cells for the field of a large mesh; 0: none");
   options.add_option("--seconds", seconds, "how long the loop runs; 0: not at all")
       ->check(CLI::Range(0.0, 3600.0));
   options.add_option("--csv", csv, "the forces of the slides around the sphere, of the last mesh");
+  options.add_flag("--only-slides", onlySlides, "nothing but the slides around the sphere");
   options.add_option("--json", json, "all rows as JSON");
   CLI11_PARSE(options, argc, argv);
 
@@ -261,12 +240,12 @@ int main(int argc, char** argv) {
   nlohmann::json all = nlohmann::json::array();
   for (const int count : cells) {
     Bench bench(count);
-    bench.forces();
+    if (!onlySlides) bench.forces();
     bench.slides(csv);
-    if (seconds > 0) bench.loop(seconds);
+    if (seconds > 0 && !onlySlides) bench.loop(seconds);
     all.push_back(bench.json());
   }
-  if (large > 0) all.push_back(Bench::largeField(large));
+  if (large > 0 && !onlySlides) all.push_back(Bench::largeField(large));
   if (json.empty()) return 0;
   std::ofstream file(json);
   if (file << all.dump(2) << '\n') return 0;

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/core/touch_field.h"
+#include "bench/sphere.h"
 
 namespace palpa::bench {
 namespace {
@@ -38,23 +39,6 @@ int display(const app::TouchLoop& loop, const std::stop_token& stop) {
 }
 
 }  // namespace
-
-Quantiles quantilesOf(std::vector<double> times) {
-  if (times.empty()) return {};
-  std::sort(times.begin(), times.end());
-  const std::size_t last = times.size() - 1;
-  return {times[last / 2], times[last * 99 / 100], times[last], static_cast<int>(times.size())};
-}
-
-std::vector<Vector3d> pointsOnSphere(int count) {
-  std::vector<Vector3d> points;
-  for (int k = 0; k < count; ++k) {
-    const double z = 0.95 - 1.5 * (k + 0.5) / count;
-    const double angle = k * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
-    points.emplace_back(25 * r * std::cos(angle), 25 * r * std::sin(angle), 25 * z);
-  }
-  return points;
-}
 
 LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
                              std::chrono::duration<double> duration, bool computesAll) {
@@ -108,7 +92,7 @@ LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model
       std::this_thread::sleep_for(std::chrono::duration<double>(pause(random)));
       loop.read(snapshot);
     }
-    report.inside = loop.latency();
+    report.inside = loop.latencies();
     report.rate =
         static_cast<double>(snapshot.step - firstStep) / secondsBetween(start, snapshot.time);
     report.latency = quantilesOf(std::move(latencies));

@@ -3,18 +3,13 @@
 #include <memory>
 
 #include "app/core/touch_loop.h"
+#include "bench/timing.h"
 
 namespace palpa::bench {
 
-/// Times of a set, s.
-struct Quantiles {
-  double p50 = 0, p99 = 0, largest = 0;
-  int count = 0;
-};
-Quantiles quantilesOf(std::vector<double> times);
-
 struct LatencyReport {
-  app::Latency inside;  ///< as the loop measures it: from set() to the published force
+  /// As the loop measures it: from set() to the published force, and its parts.
+  app::TouchLoop::Latencies inside;
   /// s, from set() until another thread that looks every 50 µs has the force
   Quantiles latency;
   double rate = 0;          ///< steps per second, over the whole run
@@ -29,8 +24,5 @@ struct LatencyReport {
 /// those touched, before.
 LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
                              std::chrono::duration<double> duration, bool computesAll);
-
-/// Places on the free part of the sphere R = 25 mm, on a spiral.
-std::vector<Eigen::Vector3d> pointsOnSphere(int count);
 
 }  // namespace palpa::bench

@@ -27,6 +27,7 @@
 #include "app/core/priority.h"
 #include "app/gui/appearance.h"
 #include "bench/heartbeat.h"
+#include "bench/latency_table.h"
 #include "bench/window_driver.h"
 #include "modeling/shapes/primitives.h"
 
@@ -155,6 +156,33 @@ class Bench {
     simulation.setActive(false);
   }
 
+  /// Only a touch, for long: the sphere's surface is pulled around while it is drawn.
+  void measureLongTouch(WindowDriver& driver, double edgeLength, double seconds) {
+    modeling::Project project = app::makeProject(modeling::makeSphere(25), "bench");
+    project.mesh.edgeLength = edgeLength;
+    driver.editor().start(std::move(project));
+    driver.waitForModel();
+    add("touch of the sphere, n", "nodes", driver.editor().model()->report().nodes, {}, {});
+    gui::Simulation& simulation = driver.window().simulation();
+    driver.touch(1);
+    // Two spans: columns are computed beside the first.
+    for (const char* when : {"while columns are computed", "when they are there"}) {
+      simulation.loop().clearLatency();
+      const double begun = simulation.columns().columnsReady;
+      const auto touch = driver.touch(seconds);
+      const double ready = simulation.columns().columnsReady;
+      add(std::string("touch ") + when + ": input to force, 99 %", "ms",
+          1e3 * simulation.loop().latency().p99, 1, {});
+      add("  columns at the beginning", "%", 100 * begun, {}, {});
+      add("  columns at the end", "%", 100 * ready, {}, {});
+      add("  frames", "1/s", touch.framesPerSecond, {}, 30);
+      add("  steps", "1/s", simulation.snapshot().rate, {}, 1000);
+      bench::printLatencies(simulation.loop().latencies());
+      bench::runUntil([&] { return simulation.columns().columnsReady >= 1; }, 120);
+    }
+    simulation.setActive(false);
+  }
+
   void writeJson(const std::string& file) const {
     QJsonArray rows;
     for (const Row& row : rows_) {
@@ -220,10 +248,14 @@ int main(int argc, char** argv) {
   std::string json, folder = PALPA_PROJECTS;
   std::optional<std::string> started;
   bool withoutProjects = false;
+  double touchSeconds = 0;
   options.add_option("--seconds", seconds, "each of the measured spans lasts");
   options.add_option("--edge-length", edgeLength, "mm, of the sphere (R = 25 mm) that is rebuilt");
   options.add_option("--projects", folder, "folder with the projects to open and drag");
   options.add_flag("--without-projects", withoutProjects, "only start-up and the sphere");
+  options.add_option("--touch", touchSeconds,
+                     "only a touch of the sphere with the view drawn, for so many seconds with a "
+                     "histogram of the time from input to force");
   options.add_option("--json", json, "file for the numbers");
   options.add_option("--start-up", started, "what is measured in a process of its own")
       ->expected(0, 1)
@@ -244,6 +276,12 @@ int main(int argc, char** argv) {
     if (started) return startUp(*started);
     const auto files = projectsIn(folder);
     Bench bench(seconds);
+    if (touchSeconds > 0) {
+      WindowDriver driver;
+      bench.measureLongTouch(driver, edgeLength, touchSeconds);
+      if (!json.empty()) bench.writeJson(json);
+      return 0;
+    }
     bench.measureStart("");
     if (!files.empty()) bench.measureStart(files.back());
     WindowDriver driver;

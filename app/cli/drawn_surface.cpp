@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/drawn_body.h"
+#include "app/core/stiffness_colours.h"
 
 namespace palpa::cli {
 namespace {
@@ -24,6 +25,21 @@ ScalarField describe(app::SurfaceQuantity kind, std::vector<double> values) {
   return field;
 }
 
+ScalarField describeStiffness(const app::TouchModel& model, const app::DrawnBody& drawn,
+                              const std::vector<double>& compliances) {
+  const app::BoundarySetup& setup = model.setup();
+  const auto colours = app::StiffnessColours::of(setup.mesh, setup.slots, compliances);
+  ScalarField field;
+  field.name = "Stiffness";
+  field.unit = "N/mm";
+  field.values = drawn.stiffnesses(compliances);
+  colours.cap(field.values);
+  field.range = colours.range;
+  field.isLogarithmic = true;
+  field.isCapped = colours.isCapped;
+  return field;
+}
+
 }  // namespace
 
 void addSurface(const std::shared_ptr<const app::TouchModel>& model, const app::TouchState& state,
@@ -38,7 +54,9 @@ void addSurface(const std::shared_ptr<const app::TouchModel>& model, const app::
   scene.displacements = drawn.displacements(u);
   scene.displacementScale = options.displacementScale;
   scene.normals = std::move(shape.normals);
-  if (options.field != app::SurfaceQuantity::kNone)
+  if (options.field == app::SurfaceQuantity::kStiffness)
+    scene.field = describeStiffness(*model, drawn, options.compliances);
+  else if (options.field != app::SurfaceQuantity::kNone)
     scene.field = describe(options.field, drawn.values(options.field, state.field));
   for (std::size_t t = 0; t < drawn.isHeld().size(); ++t)
     if (drawn.isHeld()[t]) scene.supports.push_back(static_cast<int>(t));

@@ -26,6 +26,7 @@ Failure failureOf(const bem::SolverError& error) {
     case Kind::kIncompressible:
     case Kind::kTooLarge:
     case Kind::kSingular:
+    case Kind::kNotConverged:
       break;
   }
   return {kCannotBeSolved, "cannot_be_solved", error.what()};

@@ -40,13 +40,18 @@ std::string loadText(const modeling::Load& load) {
 }
 
 std::string touchText(const modeling::Touch& touch) {
-  std::string text = "at " + toText(touch.at);
-  if (const auto* moved = std::get_if<modeling::TouchDisplacement>(&touch.action)) {
-    text += " moved by " + toText(moved->vector) + " mm";
+  std::string text = modeling::kindOf(touch) + (" at " + toText(touch.at));
+  const Eigen::Vector3d& vector = modeling::vectorOf(touch);
+  if (std::holds_alternative<modeling::TouchForce>(touch.action)) {
+    text += ", " + toText(vector) + " N";
+  } else if (std::holds_alternative<modeling::TouchPin>(touch.action) && vector.isZero(0)) {
+    text += ", held in place";
   } else {
-    text += " pulled with " + toText(std::get<modeling::TouchForce>(touch.action).vector) + " N";
+    text += ", moved by " + toText(vector) + " mm";
   }
   if (touch.radius) text += format(", radius %.6g mm", *touch.radius);
+  if (const double* friction = modeling::frictionOf(touch))
+    text += format(", friction %.6g", *friction);
   return text;
 }
 

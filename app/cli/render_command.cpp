@@ -3,10 +3,15 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/film.h"
+#include "app/cli/replay_report.h"
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
 #include "app/cli/state_scene.h"
+#include "app/cli/text.h"
 #include "app/cli/values.h"
+#include "app/core/stiffness_worker.h"
+#include "app/core/touch.h"
 #include "app/view/display.h"
 #include "app/view/picture.h"
 
@@ -17,7 +22,8 @@ const std::map<std::string, app::SurfaceQuantity> kFields{
     {"none", app::SurfaceQuantity::kNone},
     {"displacement", app::SurfaceQuantity::kDisplacement},
     {"normal-traction", app::SurfaceQuantity::kNormalTraction},
-    {"von-mises", app::SurfaceQuantity::kVonMises}};
+    {"von-mises", app::SurfaceQuantity::kVonMises},
+    {"stiffness", app::SurfaceQuantity::kStiffness}};
 
 /// Directions from the eye into the scene.
 const std::map<std::string, Eigen::Vector3d> kViews{{"front", {0, 1, 0}}, {"back", {0, -1, 0}},
@@ -44,6 +50,7 @@ class RenderCommand : public Command {
   std::string example() const override {
     return "palpa-cli render ball.json --at 25,0,0 --displace -4,0,0 -o ball.png\n"
            "  palpa-cli render projects/sphere.json -o sphere.png   (the recorded touches)\n"
+           "  palpa-cli render ball.json --recording hand.json --frames pictures --fps 25\n"
            "Without a display:\n"
            "  xvfb-run -a -s \"-screen 0 1600x1000x24\" palpa-cli render ball.json -o ball.png";
   }
@@ -51,13 +58,27 @@ class RenderCommand : public Command {
   void declare(CLI::App& options) override {
     input_.declare(options);
     touch_.declare(options);
-    options.add_option("-o,--output", output_, "Picture to write (.png)")
-        ->required()
+    options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE");
+    options
+        .add_option("--recording", recording_,
+                    "Draw a replay of what was recorded: the state --at-time, or --frames")
         ->type_name("FILE");
+    options.add_option("--at-time", atTime_, "Which moment of the recording, s")->type_name("TIME");
+    options
+        .add_option("--frames", frames_,
+                    "Folder for pictures of the whole recording: frame_00000.png, …")
+        ->type_name("FOLDER");
+    options.add_option("--fps", rate_, "Pictures per second, 1 to 1000 (default 30)")
+        ->type_name("RATE");
     options
         .add_option("--field", field_,
-                    "Colours: displacement (default), normal-traction, von-mises, none")
+                    "Colours: displacement (default), normal-traction, von-mises, stiffness (under "
+                    "a fingertip), none")
         ->type_name("NAME");
+    options
+        .add_option("--fingertip", fingertip_,
+                    "Radius of the fingertip of --field stiffness, mm (default: as for touches)")
+        ->type_name("LENGTH");
     options
         .add_option("--view", view_,
                     "Direction of view: front, back, left, right, top, bottom, or x,y,z from the "
@@ -78,31 +99,103 @@ class RenderCommand : public Command {
   void run(const Context& context) override {
     // Whatever can be wrong without solving is better known before it.
     touch_.validate();
-    const SceneOptions sceneOptions = readSceneOptions();
+    validateRecording();
+    SceneOptions sceneOptions = readSceneOptions();
     const view::PictureOptions size = size_.empty() ? view::PictureOptions{} : parseSize(size_);
     const modeling::Project project = input_.read();
     view::requireDisplay();
 
     const auto model = buildModel(project, context);
+    if (sceneOptions.field == app::SurfaceQuantity::kStiffness) {
+      const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh)
+                                               : parsePositive("--fingertip", fingertip_);
+      sceneOptions.compliances = app::stiffnessMap(model, radius, jobOf(context));
+      context.progress.clear();
+    }
+    if (!recording_.empty()) {
+      drawRecording(project, model, sceneOptions, size, context);
+      return;
+    }
     const bool touched = touch_.isGiven() || !project.touches.empty();
-    const app::TouchState state = touched ? touch_.play(*model, project) : model->rest();
-    view::renderToPng(makeScene(project, model, state, sceneOptions), output_, size);
+    drawState(project, model, touched ? touch_.play(*model, project, context) : model->rest(),
+              sceneOptions, size, context);
+  }
 
+ private:
+  void validateRecording() const {
+    if (recording_.empty()) {
+      if (!atTime_.empty() || !frames_.empty() || !rate_.empty())
+        throw UsageError("--at-time, --frames and --fps need --recording");
+      if (output_.empty()) throw UsageError("give the picture's name with -o");
+      return;
+    }
+    if (touch_.isGiven() || touch_.hasSteps())
+      throw UsageError(
+          "--recording says itself what is touched; leave out --at, --node and "
+          "--steps");
+    if (frames_.empty() == atTime_.empty())
+      throw UsageError("--recording needs either --at-time or --frames");
+    if (atTime_.empty() != output_.empty())
+      throw UsageError(output_.empty() ? "--at-time needs the picture's name with -o"
+                                       : "--frames names its pictures itself; leave out -o");
+    if (!rate_.empty() && frames_.empty()) throw UsageError("--fps needs --frames");
+    rate();
+    if (!atTime_.empty() && parseNumber("--at-time", atTime_) < 0)
+      throw UsageError("--at-time: expected a number from 0 on, found '" + atTime_ + "'");
+  }
+
+  double rate() const {
+    if (rate_.empty()) return 30;
+    const double rate = parseNumber("--fps", rate_);
+    if (rate < 1 || rate > 1000)
+      throw UsageError("--fps: expected a number from 1 to 1000, found '" + rate_ + "'");
+    return rate;
+  }
+
+  void drawState(const modeling::Project& project,
+                 const std::shared_ptr<const app::TouchModel>& model, const app::TouchState& state,
+                 const SceneOptions& sceneOptions, const view::PictureOptions& size,
+                 const Context& context) const {
+    view::renderToPng(makeScene(project, model, state, sceneOptions), output_, size);
     const StateReport report{*model, state, {}};
     Json json = report.json();
     json["file"] = output_;
     context.print(json, report.text() + "written    " + output_ + "\n");
   }
 
- private:
+  void drawRecording(const modeling::Project& project,
+                     const std::shared_ptr<const app::TouchModel>& model,
+                     const SceneOptions& sceneOptions, const view::PictureOptions& size,
+                     const Context& context) const {
+    const app::RecordingFile file = app::readRecording(recording_);
+    const ReplayReport report(file, app::recordedModelOf(*model, project.name));
+    const Film film(project, model, file.recording, sceneOptions);
+    if (!atTime_.empty()) {
+      drawState(project, model, film.at(parseNumber("--at-time", atTime_), context), sceneOptions,
+                size, context);
+      return;
+    }
+    const int count = film.draw(frames_, rate(), size, context);
+    Json json{
+        {"folder", frames_}, {"frames", count}, {"fps", rate()}, {"warnings", report.warnings()}};
+    std::string text;
+    for (const std::string& warning : report.warnings()) text += "warning    " + warning + "\n";
+    context.print(json, text + format("written    %d pictures in ", count) + frames_ + "\n");
+  }
+
   SceneOptions readSceneOptions() const {
     SceneOptions options = scene_;
     const auto field = kFields.find(field_);
     if (field == kFields.end()) {
       throw UsageError("--field: unknown field '" + field_ +
-                       "'; known are displacement, normal-traction, von-mises, none");
+                       "'; known are displacement, normal-traction, von-mises, stiffness, none");
     }
     options.field = field->second;
+    if (!fingertip_.empty()) {
+      if (options.field != app::SurfaceQuantity::kStiffness)
+        throw UsageError("--fingertip has a meaning with --field stiffness alone");
+      parsePositive("--fingertip", fingertip_);
+    }
     options.showUndeformed = !noGhost_;
     if (!scale_.empty()) options.displacementScale = parseNumber("--scale", scale_);
     if (!zoom_.empty()) options.zoom = parsePositive("--zoom", zoom_);
@@ -119,7 +212,12 @@ class RenderCommand : public Command {
   TouchInput touch_;
   SceneOptions scene_;
   std::string output_;
+  std::string recording_;
+  std::string atTime_;
+  std::string frames_;
+  std::string rate_;
   std::string field_ = "displacement";
+  std::string fingertip_;
   std::string view_;
   std::string size_;
   std::string scale_;

@@ -13,13 +13,6 @@ bool isJson(const std::string& path) {
   return std::filesystem::path(path).extension() == ".json";
 }
 
-void writeJson(const Json& report, const std::string& path) {
-  std::ofstream file(path);
-  file << report.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-  file.close();
-  if (!file) throw OutputError("cannot write " + path + "; check that its folder exists");
-}
-
 /// Mean traction of each triangle: the traction jumps across edges, so it has no value at nodes.
 view::MeshData triangleTractions(const app::TouchModel& model, const app::TouchState& state) {
   view::MeshData data{"traction_MPa", 3, {}};
@@ -37,10 +30,21 @@ void requireResultFileName(const std::string& path) {
   if (!isJson(path)) view::requireMeshFileName(path);
 }
 
+std::string jsonText(const Json& report) {
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void writeText(const std::string& text, const std::string& path) {
+  std::ofstream file(path);
+  file << text;
+  file.close();
+  if (!file) throw OutputError("cannot write " + path + "; check that its folder exists");
+}
+
 void writeResult(const app::TouchModel& model, const app::TouchState& state, const Json& report,
                  const std::string& path) {
   if (isJson(path)) {
-    writeJson(report, path);
+    writeText(jsonText(report), path);
     return;
   }
   const bem::BoundaryMesh& mesh = model.setup().mesh;

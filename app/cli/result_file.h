@@ -15,6 +15,11 @@ inline constexpr const char* kResultFileHelp =
 /// Throws ViewError when the ending is none of these. To be called before the long work.
 void requireResultFileName(const std::string& path);
 
+std::string jsonText(const Json& report);
+
+/// Throws OutputError.
+void writeText(const std::string& text, const std::string& path);
+
 void writeResult(const app::TouchModel& model, const app::TouchState& state, const Json& report,
                  const std::string& path);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,11 +13,14 @@
 
 namespace palpa::cli {
 
+/// Threads, progress and cancelling as the common options say.
+bem::Job jobOf(const Context& context);
+
 /// Builds the model of a project as the common options say: threads, progress, cancelling.
 std::shared_ptr<const app::TouchModel> buildModel(const modeling::Project& project,
                                                   const Context& context);
 
-/// The options that describe a touch: --at with --displace or --force, --node, or none for the
+/// The options that describe touches: groups that begin with --at, --node, or none for the
 /// project's recorded touches.
 class TouchInput {
  public:
@@ -26,19 +30,35 @@ class TouchInput {
   void validate() const;
 
   /// True when the command line itself describes a touch.
-  bool isGiven() const { return !at_.empty() || !node_.empty(); }
+  bool isGiven() const { return option(kAt).isGiven() || !node_.empty(); }
 
-  app::TouchState play(const app::TouchModel& model, const modeling::Project& project) const;
+  bool hasSteps() const { return !steps_.empty(); }
+
+  /// Throws SolverError, Cancelled.
+  app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
+                       const Context& context) const;
 
  private:
-  modeling::Touch touch() const;
+  /// Options of one touch; each may occur once per touch.
+  enum Which { kAt, kKind, kDisplace, kForce, kRadius, kFriction, kCount };
+  struct Repeated {
+    CLI::Option* option = nullptr;
+    std::vector<std::string> values;
+    bool isGiven() const { return !values.empty(); }
+  };
+  /// What was given of one touch; empty: not given.
+  using Group = std::array<std::string, kCount>;
 
-  std::string at_;
+  const Repeated& option(Which which) const { return repeated_[which]; }
+  std::vector<Group> groups() const;
+  std::vector<modeling::Touch> touches() const;
+  void validateNode() const;
+  int steps() const;
+
+  const CLI::App* app_ = nullptr;
+  std::array<Repeated, kCount> repeated_;
   std::string node_;
-  std::string displacement_;
-  std::string force_;
-  std::string radius_;
-  std::string kind_ = "grab";
+  std::string steps_;
 };
 
 /// Places at which the solution is to be read off: --probe, any number.
@@ -46,6 +66,7 @@ class ProbeInput {
  public:
   void declare(CLI::App& options);
   void validate() const;
+  bool isGiven() const { return !probes_.empty(); }
   std::vector<app::Probe> read(const app::TouchModel& model, const app::TouchState& state) const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include "app/cli/text.h"
 #include "app/core/memory.h"
+#include "app/core/touch_table.h"
 
 namespace palpa::cli {
 namespace {
@@ -18,6 +19,53 @@ std::string toText(const char* what, const std::string& name, const bem::Resulta
   return format("%-10s %s: force ", what, name.c_str()) + cli::toText(resultant.force, 4) +
          format(" N, |%.4g| N, moment ", resultant.force.norm()) +
          cli::toText(resultant.moment, 4) + " N·mm\n";
+}
+
+bool isPushing(const app::TouchState::Contact& contact) {
+  return contact.kind == "push" || contact.kind == "probe";
+}
+
+Json toJson(const app::TouchState::Contact& contact) {
+  Json json;
+  if (!contact.name.empty()) json["name"] = contact.name;
+  json["kind"] = contact.kind;
+  json["status"] = app::nameOf(contact.status);
+  json["at_mm"] = cli::toJson(contact.at);
+  json["radius_mm"] = contact.radius;
+  json["force_N"] = cli::toJson(contact.force);
+  json["normal"] = cli::toJson(contact.normal);
+  json["normal_force_N"] = contact.normalForce();
+  json["tangential_force_N"] = contact.tangentialForce().norm();
+  json["displacement_mm"] = cli::toJson(contact.displacement);
+  json["stiffness_N_per_mm"] = contact.stiffness;
+  if (!isPushing(contact)) return json;
+  json["friction"] = contact.friction;
+  json["tool_mm"] = cli::toJson(contact.tool);
+  json["patch"] = {{"radius_mm", contact.patchRadius()}, {"masks", Json::array()}};
+  for (const auto& mask : contact.patch) {
+    json["patch"]["masks"].push_back({{"at_mm", cli::toJson(mask.point.position)},
+                                      {"radius_mm", mask.radius},
+                                      {"force_N", cli::toJson(mask.force)}});
+  }
+  return json;
+}
+
+std::string toText(const app::TouchState::Contact& contact) {
+  const char* label = contact.name.empty() ? "touch" : contact.name.c_str();
+  std::string text = format("%-10s %s", "contact", label);
+  text += std::string(": ") + contact.kind + ", " + app::nameOf(contact.status) + ", at " +
+          cli::toText(contact.at, 4) + " mm";
+  if (contact.radius > 0) text += format(", radius %.4g mm", contact.radius);
+  if (isPushing(contact)) text += format(", friction %.4g", contact.friction);
+  text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
+  text += "           force " + cli::toText(contact.force, 4) +
+          format(" N, |%.4g| N: %.4g N into the body, %.4g N along it; stiffness %.4g N/mm\n",
+                 contact.force.norm(), contact.normalForce(), contact.tangentialForce().norm(),
+                 contact.stiffness);
+  if (contact.kind == "probe" && !contact.patch.empty())
+    text += format("           patch radius %.4g mm, %zu masks\n", contact.patchRadius(),
+                   contact.patch.size());
+  return text;
 }
 
 /// Largest displacement of a node and where it is.
@@ -53,12 +101,15 @@ Json StateReport::json() const {
   if (!state.contacts.empty()) {
     report["contacts"] = Json::array();
     for (const auto& contact : state.contacts) {
-      report["contacts"].push_back({{"at_mm", cli::toJson(contact.at)},
-                                    {"radius_mm", contact.radius},
-                                    {"force_N", cli::toJson(contact.force)},
-                                    {"displacement_mm", cli::toJson(contact.displacement)},
-                                    {"stiffness_N_per_mm", contact.stiffness}});
+      report["contacts"].push_back(toJson(contact));
     }
+  }
+  if (state.path) {
+    report["path"] = {{"steps", state.path->steps},
+                      {"settling_steps", state.path->settlingSteps},
+                      {"converged", true},
+                      {"last_change", state.path->change},
+                      {"residual", state.path->residual}};
   }
   report["balance_N"] = state.balance;
   report["relative_balance"] = state.relativeBalance;
@@ -86,11 +137,13 @@ std::string StateReport::text() const {
   std::string text = format("mesh       %d nodes, %d triangles, smallest angle %.1f°\n",
                             build.nodes, build.triangles, build.quality.smallestAngle);
   for (const auto& contact : state.contacts) {
-    text += "contact    at " + cli::toText(contact.at, 4) + " mm";
-    if (contact.radius > 0) text += format(", radius %.4g mm", contact.radius);
-    text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
-    text += "           force " + cli::toText(contact.force, 4) +
-            format(" N, |%.4g| N, stiffness %.4g N/mm\n", contact.force.norm(), contact.stiffness);
+    text += toText(contact);
+  }
+  if (state.path) {
+    text += format(
+        "path       %d steps, then %d at rest; converged: the last changed forces by %.1g of the "
+        "largest\n",
+        state.path->steps, state.path->settlingSteps, state.path->change);
   }
   for (const auto& load : model.setup().loads) text += toText("load", load.name, load.resultant);
   for (const auto& support : state.supports) {

@@ -48,7 +48,12 @@ void addContacts(const app::TouchModel& model, const app::TouchState& state, dou
     scene.arrows.push_back({drawn.position, contact.force,
                             presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
                             ForceArrow::Role::kApplied, forceLabel(contact.force)});
-    if (contact.radius > 0) scene.contactPatches.push_back({contact.at, contact.radius});
+    const bool isBall = contact.kind == "probe";
+    if (isBall)
+      scene.balls.push_back({contact.tool + (scale - 1) * contact.displacement, contact.radius});
+    const double radius = isBall ? contact.patchRadius() : contact.radius;
+    if (radius > 0 && contact.force.norm() > 0)
+      scene.contactPatches.push_back({contact.at, radius});
   }
 }
 

@@ -12,6 +12,7 @@ namespace palpa::cli {
 
 struct SceneOptions {
   app::SurfaceQuantity field = app::SurfaceQuantity::kDisplacement;
+  std::vector<double> compliances;  ///< app::stiffnessMap(), for kStiffness
   double displacementScale = 1;
   bool showUndeformed = true;
   bool showMeshEdges = false;

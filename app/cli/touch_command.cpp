@@ -1,10 +1,15 @@
 #include <chrono>
+#include <filesystem>
+#include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/replay_report.h"
 #include "app/cli/result_file.h"
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
+#include "app/core/touch_replay.h"
+#include "app/core/touch_table.h"
 #include "modeling/error.h"
 
 namespace palpa::cli {
@@ -16,19 +21,39 @@ class TouchCommand : public Command {
   std::string summary() const override { return "Touch a project's solid and report the forces"; }
   std::string example() const override {
     return "palpa-cli touch ball.json --at 25,0,0 --displace -2,0,0\n"
-           "  palpa-cli touch projects/sphere.json   (plays the recorded touches)";
+           "  palpa-cli touch ball.json --at 25,0,0 --kind force --force -0.5,0,0 --radius 8\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --kind push --displace 3,0,-2 --friction 0.2\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 10 "
+           "--friction 0.5\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --displace 0,0,-2 --at 25,0,0 --kind pin\n"
+           "    (two at once: the options of each follow its --at)\n"
+           "  palpa-cli touch projects/sphere.json   (plays the project's touches)\n"
+           "  palpa-cli touch ball.json --recording hand.json -o forces.csv";
   }
 
   void declare(CLI::App& options) override {
     input_.declare(options);
     touch_.declare(options);
     probes_.declare(options);
-    options.add_option("-o,--output", output_, kResultFileHelp)->type_name("FILE");
+    options
+        .add_option("--recording", recording_,
+                    "Replay what was recorded in the window (Simulate > Save recording) or by a "
+                    "script, a thousand steps a second")
+        ->type_name("FILE");
+    options
+        .add_option("-o,--output", output_,
+                    std::string(kResultFileHelp) +
+                        "; with --recording .json or .csv (the forces of every step)")
+        ->type_name("FILE");
   }
 
   void run(const Context& context) override {
     touch_.validate();
     probes_.validate();
+    if (!recording_.empty()) {
+      replay(context);
+      return;
+    }
     if (!output_.empty()) requireResultFileName(output_);
     const modeling::Project project = input_.read();
     if (!touch_.isGiven() && project.touches.empty()) {
@@ -38,7 +63,7 @@ class TouchCommand : public Command {
     }
     const auto model = buildModel(project, context);
     const auto start = std::chrono::steady_clock::now();
-    const app::TouchState state = touch_.play(*model, project);
+    const app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const StateReport report{*model, state, probes_.read(*model, state), seconds.count()};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
@@ -46,9 +71,36 @@ class TouchCommand : public Command {
   }
 
  private:
+  void replay(const Context& context) {
+    if (touch_.isGiven() || touch_.hasSteps() || probes_.isGiven())
+      throw UsageError(
+          "--recording says itself what is touched; leave out --at, --node, --steps "
+          "and --probe");
+    const bool isTable = std::filesystem::path(output_).extension() == ".csv";
+    if (!output_.empty() && !isTable && std::filesystem::path(output_).extension() != ".json")
+      throw UsageError("-o: with --recording expected a name that ends in .csv or .json, found '" +
+                       output_ + "'");
+    const app::RecordingFile file = app::readRecording(recording_);
+    const modeling::Project project = input_.read();
+    const auto model = buildModel(project, context);
+    ReplayReport report(file, app::recordedModelOf(*model, project.name));
+    std::ostringstream text;
+    app::TouchTable table(text);
+    std::uint64_t step = 0;
+    app::replay(std::make_shared<const app::TouchBody>(model), file.recording, jobOf(context),
+                [&](const app::TouchSnapshot& snapshot) {
+                  if (isTable) table.add(snapshot, step);
+                  report.add(snapshot, step++);
+                });
+    context.progress.clear();
+    if (!output_.empty()) writeText(isTable ? text.str() : jsonText(report.json()), output_);
+    context.print(report.json(), report.text());
+  }
+
   ProjectInput input_;
   TouchInput touch_;
   ProbeInput probes_;
+  std::string recording_;
   std::string output_;
 };
 

@@ -133,7 +133,7 @@ std::vector<double> DrawnBody::displacementSizes(const Eigen::Ref<const VectorXd
 
 std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
                                       const bem::BoundaryField& field) const {
-  if (quantity == SurfaceQuantity::kNone) return {};
+  if (quantity == SurfaceQuantity::kNone || quantity == SurfaceQuantity::kStiffness) return {};
   if (quantity == SurfaceQuantity::kDisplacement) return displacementSizes(field.u.col(0));
   const BoundarySetup& setup = model_->setup();
   std::vector<double> ofSlot;
@@ -146,7 +146,16 @@ std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
                                                             field.p.col(0), setup.material))
       ofSlot.push_back(bem::vonMises(stress));
   }
-  // The mean over the slots on each side of the nodes.
+  return fromSlots(ofSlot);
+}
+
+std::vector<double> DrawnBody::stiffnesses(const std::vector<double>& compliances) const {
+  std::vector<double> result = fromSlots(compliances);
+  for (double& value : result) value = 1 / value;
+  return result;
+}
+
+std::vector<double> DrawnBody::fromSlots(const std::vector<double>& ofSlot) const {
   std::vector<double> means(static_cast<std::size_t>(sideCount_), 0.0);
   std::vector<int> counts(means.size(), 0);
   for (std::size_t slot = 0; slot < ofSlot.size(); ++slot) {

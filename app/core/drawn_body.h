@@ -14,6 +14,7 @@ enum class SurfaceQuantity {
   kDisplacement,    ///< |u|, mm
   kNormalTraction,  ///< MPa, positive outwards
   kVonMises,        ///< MPa
+  kStiffness,       ///< N/mm, under a fingertip; of the body alone (bem::StiffnessMap)
 };
 
 /// A model's surface as it is drawn: the true surface of the solid, finer than the boundary mesh,
@@ -46,8 +47,13 @@ class DrawnBody {
   /// Their lengths.
   std::vector<double> displacementSizes(const Eigen::Ref<const Eigen::VectorXd>& u) const;
 
-  /// One number per point; empty for kNone. Stresses take some microseconds per node.
+  /// One number per point; empty for kNone, and for kStiffness, which is not of a field. Stresses
+  /// take some microseconds per node.
   std::vector<double> values(SurfaceQuantity quantity, const bem::BoundaryField& field) const;
+
+  /// N/mm per point, from bem::StiffnessMap::compliances(): infinite where a support holds it, NaN
+  /// where it is not known yet.
+  std::vector<double> stiffnesses(const std::vector<double>& compliances) const;
 
  private:
   /// Normals of the flat triangles at the sides of the nodes, weighted by area.
@@ -58,6 +64,8 @@ class DrawnBody {
   Value atSides(std::size_t point, const std::vector<Value>& values) const;
   Eigen::Vector3d displacementAt(std::size_t point,
                                  const Eigen::Ref<const Eigen::VectorXd>& u) const;
+  /// Value at each point from one value per slot: the mean over the slots on its side.
+  std::vector<double> fromSlots(const std::vector<double>& ofSlot) const;
   void findBorders();
 
   std::shared_ptr<const TouchModel> model_;

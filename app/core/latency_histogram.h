@@ -10,7 +10,11 @@ namespace palpa::app {
 /// How long something took, s.
 struct Latency {
   std::uint64_t count = 0;
-  double p50 = 0, p99 = 0, largest = 0;  ///< quantiles to 20 µs, up to 40 ms
+  double p50 = 0, p99 = 0, p999 = 0, largest = 0;  ///< quantiles to 20 µs, up to 40 ms
+  /// Ends of the classes, s; the last class has none.
+  static constexpr std::array kEnds{0.1e-3, 0.2e-3, 0.3e-3, 0.5e-3, 0.7e-3, 1e-3,
+                                    1.5e-3, 2e-3,   3e-3,   5e-3,   10e-3};
+  std::array<std::uint64_t, kEnds.size() + 1> classes{};  ///< how many in each
 };
 
 /// Counts times without locks: one thread adds, others read.
@@ -43,6 +47,14 @@ class LatencyHistogram {
     };
     latency.p50 = quantile(0.5);
     latency.p99 = quantile(0.99);
+    latency.p999 = quantile(0.999);
+    std::size_t k = 0;
+    for (int bin = 0; bin < kBins; ++bin) {
+      while (k < Latency::kEnds.size() &&
+             (bin + 0.5) * static_cast<double>(kBin.count()) > 1e9 * Latency::kEnds[k])
+        ++k;
+      latency.classes[k] += counts[bin];
+    }
     return latency;
   }
 

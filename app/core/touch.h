@@ -3,6 +3,7 @@
 #include <span>
 
 #include "app/core/touch_model.h"
+#include "bem/job.h"
 
 namespace palpa::app {
 
@@ -10,10 +11,14 @@ namespace palpa::app {
 /// body's size.
 double defaultTouchRadius(const bem::BoundaryMesh& mesh);
 
-/// Plays touches, all at the same time, on a model: masks as wide as their radius, forces or
-/// displacements prescribed. Throws SolverError for a touch on a support, two at one place, or one
-/// far from the surface.
-TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches);
+/// Plays touches, all at the same time, on a model. Grabs, forces and pins are exact; pushes and
+/// probes come after them and go their ways in steps (tool_path.h), `steps` = 0 chooses how many.
+/// The field is exact for the forces of the tools.
+///
+/// Throws SolverError: kBadCondition for a touch on a support, two at one place, one far from the
+/// surface, or too many tools; kNotConverged when tools find no equilibrium; Cancelled.
+TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches,
+                       int steps = 0, const bem::Job& job = {});
 
 /// The seed's nodal switching: gives one free node a displacement (mm). Throws SolverError for a
 /// held node or a number out of range.

@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/touch_table.h"
+
 namespace palpa::app {
 
 TouchField::TouchField(std::shared_ptr<const TouchBody> body)
@@ -22,9 +24,20 @@ const bem::BoundaryField& TouchField::field(const TouchSnapshot& snapshot) {
 
 TouchState TouchField::describe(const TouchSnapshot& snapshot) {
   std::vector<TouchState::Contact> contacts;
-  for (const TouchSnapshot::Contact& contact : snapshot.touched())
-    contacts.push_back({contact.point.position, contact.tool.radius, contact.force,
-                        contact.displacement, contact.stiffness});
+  for (const TouchSnapshot::Contact& from : snapshot.touched()) {
+    TouchState::Contact contact{from.point.position, from.tool.radius, from.force,
+                                from.displacement,   from.stiffness,   nameOf(from.tool.kind)};
+    contact.status = from.status;
+    contact.normal = body_->surface().normal(from.point);
+    contact.friction = from.tool.friction;
+    const auto patch = snapshot.pressed(from);
+    if (from.tool.kind == bem::ContactTool::Kind::kPush ||
+        from.tool.kind == bem::ContactTool::Kind::kProbe) {
+      contact.tool = from.value;
+      contact.patch.assign(patch.begin(), patch.end());
+    }
+    contacts.push_back(std::move(contact));
+  }
   return body_->model().describe(field(snapshot), std::move(contacts), &body_->surface());
 }
 

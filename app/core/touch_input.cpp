@@ -44,6 +44,7 @@ TouchId TouchInput::begin(const bem::ContactTool& tool, const Vector3d& at, cons
   } while (!used_.compare_exchange_weak(used, used | bit(index), std::memory_order_acq_rel));
   Place& place = places_[index];
   const TouchId id = (++place.generation << 6U) | static_cast<TouchId>(index);
+  place.order = count_.fetch_add(1, std::memory_order_acq_rel) + 1;
   place.begin = {TouchCommand::Kind::kBegin, id, tool, at, value};
   place.open.store(id, std::memory_order_release);
   begun_.fetch_or(bit(index), std::memory_order_release);

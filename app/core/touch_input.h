@@ -34,6 +34,8 @@ class TouchInput {
   // Of the loop's thread.
   /// Is there anything that take() would pass on?
   bool hasNews() const;
+  /// How many contacts were begun until now. From any thread.
+  std::uint64_t count() const { return count_.load(std::memory_order_acquire); }
   /// The contacts that have begun until now: one bit per place.
   std::uint64_t begun() const { return begun_.load(std::memory_order_acquire); }
   /// Passes on what was said of these contacts, as TouchCommands.
@@ -41,14 +43,21 @@ class TouchInput {
   void take(std::uint64_t begun, const Apply& apply) {
     for (; begun != 0; begun &= begun - 1) takePlace(std::countr_zero(begun), apply);
   }
-  /// Ends all contacts that were passed on.
+  /// Ends the contacts among the first `count` that were begun. Of those begun later the ones that
+  /// were passed on already end too, but are passed on anew.
   template <class Apply>
-  void endAll(const Apply& apply) {
-    for (int k = 0; k < kPlaces; ++k) {
-      if (!places_[k].isTouching) continue;
-      places_[k].open.store(0);
-      apply(endOf(places_[k]));
-      free(k);
+  void endAll(std::uint64_t count, const Apply& apply) {
+    for (std::uint64_t left = begun(); left != 0; left &= left - 1) {
+      const int k = std::countr_zero(left);
+      Place& place = places_[k];
+      if (place.isTouching) apply(endOf(place));
+      if (place.order <= count) {
+        place.open.store(0);
+        free(k);
+      } else if (place.isTouching) {
+        place.begin.value = place.value;
+        place.isTouching = false;
+      }
     }
   }
   /// The commands with which those contacts would begin as they are now.
@@ -77,6 +86,7 @@ class TouchInput {
   struct Place {
     std::atomic<TouchId> open{0};  // 0 once it was ended
     TouchId generation = 0;
+    std::uint64_t order = 0;  // among all that were begun
     TouchCommand begin;
     TripleBuffer<Value> values;
     std::atomic<TouchId> ending{0};  // the id that was ended
@@ -120,6 +130,7 @@ class TouchInput {
 
   std::array<Place, kPlaces> places_;
   std::atomic<std::uint64_t> used_{0}, begun_{0};
+  std::atomic<std::uint64_t> count_{0};
   std::atomic<int> balls_{0};
   // Of the loop's thread.
   std::array<Clock::time_point, kPlaces> said_;

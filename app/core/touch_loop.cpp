@@ -58,7 +58,7 @@ TouchLoop::~TouchLoop() {
 }
 
 std::uint64_t TouchLoop::setModel(std::shared_ptr<const TouchModel> model) {
-  return worker_.setModel(std::move(model));
+  return worker_.setModel(std::move(model), input_.count());
 }
 
 void TouchLoop::expect(const Vector3d& point) {
@@ -95,7 +95,7 @@ TouchRecording TouchLoop::stopRecording() {
 
 void TouchLoop::run(const std::stop_token& stop) {
   ::pthread_setname_np(::pthread_self(), kThreadName);
-  raiseThreadPriority();
+  PunctualThread punctual;
   auto due = Clock::now();
   rateSince_ = due;
   for (;;) {
@@ -110,26 +110,29 @@ void TouchLoop::run(const std::stop_token& stop) {
       due = Clock::now();
       continue;
     }
-    const auto began = Clock::now();
+    began_ = Clock::now();
     touched_->player->step();
+    stepped_ = Clock::now();
     ++step_;
     if (recording_) ++recording_->steps;
     askForColumns();
     publish();
+    punctual.worked(began_, Clock::now());
     // What came too late is not made up for: the hand has moved on. After a step that came early
     // for its input the period begins anew.
-    due = due + kPeriod < began ? began + kPeriod : std::min(due, began) + kPeriod;
-    waitUntil(due, began + kShortest);
+    due = due + kPeriod < began_ ? began_ + kPeriod : std::min(due, began_) + kPeriod;
+    waitUntil(due, began_ + kShortest);
   }
 }
 
 /// Until the next step is due or, from `earliest` on, there is input for it.
-void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) const {
+void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) {
   auto next = std::min(earliest, due);
   for (;;) {
     const auto now = Clock::now();
     if (now < next) {
       sleepUntil(next);
+      latencies_.lateness.add(Clock::now() - next);
       continue;
     }
     if (next >= due || input_.hasNews()) return;
@@ -142,15 +145,18 @@ void TouchLoop::receiveOffer() {
   if (!offer) return;
   if (next_) retire(next_);
   next_ = nullptr;
-  if (offer->player) {
-    next_ = offer;
-    nextReady_ = -1;
+  if (!offer->player || offer->ended > 0) {
+    input_.endAll(offer->ended, [this](const TouchCommand& command) { apply(command); });
+    if (touched_ && recording_) ++recording_->modelChanges;
+    if (touched_) retire(touched_);
+    touched_ = nullptr;
+  }
+  if (!offer->player) {
+    retire(offer);
     return;
   }
-  input_.endAll([this](const TouchCommand& command) { apply(command); });
-  if (touched_) retire(touched_);
-  touched_ = nullptr;
-  retire(offer);
+  next_ = offer;
+  nextReady_ = -1;
 }
 
 /// The next body takes over as soon as it has the columns that the contacts need.
@@ -243,7 +249,12 @@ void TouchLoop::publish() {
   snapshot.rate = touched_ ? rate_ : 0;
   const auto time = snapshot.time;
   results_.publish();
-  for (const auto said : input_.said()) latency_.add(time - said);
+  for (const auto said : input_.said()) {
+    latencies_.all.add(time - said);
+    latencies_.untilTaken.add(began_ - said);
+    latencies_.step.add(stepped_ - began_);
+    latencies_.publishing.add(time - stepped_);
+  }
   input_.clearSaid();
 }
 

@@ -40,7 +40,8 @@ class TouchLoop {
 
   /// What is to be touched from now on, as soon as it can be; returns the number by which snapshots
   /// call it. A model whose operators equal those before (its key() does) keeps the columns. Null:
-  /// nothing; contacts end, the loop sleeps, and the columns are kept for the next model.
+  /// nothing; the contacts that were begun until now end, also when another model follows at once,
+  /// the loop sleeps, and the columns are kept for the next model.
   std::uint64_t setModel(std::shared_ptr<const TouchModel> model);
 
   /// Begins a contact at the place nearest to `at` (mm, unloaded shape). For `value` see
@@ -60,8 +61,24 @@ class TouchLoop {
   void expect(const Eigen::Vector3d& point);
 
   /// From set() to the snapshot with the force being published, of all values that were used.
-  Latency latency() const { return latency_.read(); }
-  void clearLatency() { latency_.clear(); }
+  Latency latency() const { return latencies_.all.read(); }
+  /// Its parts, one after the other, and how late the system wakes the loop.
+  struct Latencies {
+    Latency all;
+    Latency untilTaken;  ///< from set() until the loop takes the value
+    Latency step;        ///< until the forces are found, of those steps that had news
+    Latency publishing;  ///< until the snapshot is published
+    Latency lateness;    ///< of every wake-up, behind the time that was asked for
+  };
+  Latencies latencies() const {
+    return {latencies_.all.read(), latencies_.untilTaken.read(), latencies_.step.read(),
+            latencies_.publishing.read(), latencies_.lateness.read()};
+  }
+  void clearLatency() {
+    for (auto* histogram : {&latencies_.all, &latencies_.untilTaken, &latencies_.step,
+                            &latencies_.publishing, &latencies_.lateness})
+      histogram->clear();
+  }
 
   /// The newest snapshot.
   void read(TouchSnapshot& into) const;
@@ -69,15 +86,16 @@ class TouchLoop {
   /// What a snapshot's `model` means; null when it is not touched any more.
   std::shared_ptr<const TouchBody> body(std::uint64_t number) const { return worker_.body(number); }
 
-  /// Records all input from now on, up to `most` commands (120 bytes each); contacts that are held
-  /// already begin at step 0. A recording that runs already is given up.
+  /// Records all input from now on, up to `most` commands (120 bytes each, reserved as addresses;
+  /// the system gives memory for those that come, so the loop never allocates); contacts that are
+  /// held already begin at step 0. A recording that runs already is given up.
   void startRecording(std::size_t most = 1U << 19U);
   /// What was recorded; empty when none runs.
   TouchRecording stopRecording();
 
  private:
   void run(const std::stop_token& stop);
-  void waitUntil(Clock::time_point due, Clock::time_point earliest) const;
+  void waitUntil(Clock::time_point due, Clock::time_point earliest);
   void receiveOffer();
   void swapIfReady();
   void retire(TouchMail::Offer* offer);
@@ -93,7 +111,10 @@ class TouchLoop {
   mutable std::mutex readers_;  // among readers
   mutable TripleBuffer<TouchSnapshot> results_;
 
-  LatencyHistogram latency_;
+  struct Histograms {
+    LatencyHistogram all, untilTaken, step, publishing, lateness;
+  };
+  Histograms latencies_;
 
   std::mutex recorderMutex_;  // among those who record
   bool isRecording_ = false;
@@ -109,6 +130,7 @@ class TouchLoop {
   TouchMail::Offer* touched_ = nullptr;
   TouchMail::Offer* next_ = nullptr;
   int nextReady_ = -1, stepsSinceLook_ = 0;
+  Clock::time_point began_, stepped_;  // of the last step
   std::unique_ptr<TouchRecording> recording_;
   std::uint64_t step_ = 0;
   Clock::time_point rateSince_;

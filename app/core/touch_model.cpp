@@ -71,9 +71,18 @@ GeometryError::Findings checkSurface(const modeling::SurfaceMesh& surface,
 
 }  // namespace
 
+double TouchState::Contact::patchRadius() const {
+  double reach = 0;
+  for (const auto& mask : patch)
+    reach = std::max(reach, (mask.point.position - at).norm() + 0.5 * mask.radius);
+  return reach;
+}
+
 TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts,
                                 const bem::ContactSurface* surface) const {
-  TouchState state{std::move(field), {}, std::move(contacts), 0, 0, 0};
+  TouchState state;
+  state.field = std::move(field);
+  state.contacts = std::move(contacts);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double largest = 0;
   const auto count = [&](const Eigen::Vector3d& force) {

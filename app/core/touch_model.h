@@ -1,10 +1,13 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/core/boundary_setup.h"
 #include "app/core/geometry_error.h"
 #include "app/core/model_cache.h"
+#include "bem/contact_simulation.h"
 #include "bem/contact_surface.h"
 #include "bem/reference_problem.h"
 #include "modeling/project/project.h"
@@ -35,6 +38,7 @@ struct BuildReport {
 /// Displacements and tractions on the whole boundary with everything a person wants to read off:
 /// what one solution of the static problem or of a touch is.
 struct TouchState {
+  using Status = bem::ContactSimulation::Status;
   bem::BoundaryField field;  ///< one column
   struct Force {
     std::string name;
@@ -43,13 +47,37 @@ struct TouchState {
   std::vector<Force> supports;
   struct Contact {
     Eigen::Vector3d at;            ///< mm, on the unloaded surface
-    double radius;                 ///< mm; 0 for a single node
+    double radius;                 ///< mm, of the mask or ball; 0 for a single node
     Eigen::Vector3d force;         ///< N, exerted by the contact on the body
     Eigen::Vector3d displacement;  ///< mm
-    double stiffness;              ///< N/mm along the displacement it causes
+    /// N/mm, along the displacement that the contact causes; of pushes and probes along the one
+    /// that all contacts cause there.
+    double stiffness;
+    std::string kind = "grab";         ///< as in project files; "node": a single one
+    std::string name{};                ///< of the touch; may be empty
+    Status status = Status::kHolding;  ///< of pushes and probes at rest: see Path
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, unit, at `at` as unloaded
+    double friction = 0;                                ///< Coulomb's coefficient
+    Eigen::Vector3d tool = Eigen::Vector3d::Zero();     ///< mm, in space: fingertip, ball's centre
+    std::vector<bem::ContactSimulation::PatchForce> patch{};  ///< of a push or probe
+
+    /// N, positive into the body.
+    double normalForce() const { return 0.0 - force.dot(normal); }
+    /// N, along the surface.
+    Eigen::Vector3d tangentialForce() const { return force + normalForce() * normal; }
+    /// mm, from `at` to half-way into the outermost mask of the patch; 0 without one.
+    double patchRadius() const;
   };
   std::vector<Contact> contacts;
-  double energy = 0;  ///< strain energy, mJ
+  /// How pushes and probes got where they are.
+  struct Path {
+    int steps = 0;          ///< along the ways, those that were divided counted more than once
+    int settlingSteps = 0;  ///< at the end, until nothing changed any more
+    double change = 0;      ///< of the forces in the last of these, over the largest
+    double residual = 0;    ///< of the laws of contact, over the largest force
+  };
+  std::optional<Path> path;  ///< none without pushes and probes
+  double energy = 0;         ///< strain energy, mJ
   /// Norm of the sum of all forces on the body (N): zero for the exact solution, so an honest error
   /// indicator.
   double balance = 0;

@@ -14,7 +14,7 @@ struct TouchSummary {
   std::uint64_t model = 0;  ///< TouchLoop::setModel()'s number of the model touched; 0: none
   std::uint64_t step = 0;   ///< how many were made so far
   std::chrono::steady_clock::time_point time;
-  /// Did the last step meet all laws of contact? When not, all forces are those of the step before.
+  /// Did the last step meet all laws of contact? See bem::ContactSimulation::converged().
   bool isConverged = true;
   double residual = 0;      ///< of the laws, relative
   double columnsReady = 0;  ///< of the model's Green's function, 0 … 1

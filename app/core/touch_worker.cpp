@@ -71,13 +71,15 @@ TouchWorker::~TouchWorker() {
   delete mail_.offered.exchange(nullptr);
 }
 
-std::uint64_t TouchWorker::setModel(std::shared_ptr<const TouchModel> model) {
+std::uint64_t TouchWorker::setModel(std::shared_ptr<const TouchModel> model, std::uint64_t begun) {
   std::uint64_t number = 0;
   std::optional<Request> replaced;  // released after the lock
   {
     const std::lock_guard lock(mutex_);
     number = ++status_.newest;
-    replaced = std::exchange(request_, Request{number, std::move(model)});
+    std::uint64_t ended = model ? 0 : begun;
+    if (request_) ended = std::max(ended, request_->ended);
+    replaced = std::exchange(request_, Request{number, std::move(model), ended});
     status_.error.clear();
   }
   TouchMail::signal(mail_.workerSignal);
@@ -171,6 +173,7 @@ bool TouchWorker::prepare() {
   }
   auto offer = std::make_unique<TouchMail::Offer>();
   offer->number = request.number;
+  offer->ended = request.ended;
   if (request.model) {
     const ModelCache::Key key = request.model->key();
     const bool isKnown = columns_ && key == columnsKey_;
@@ -189,12 +192,15 @@ bool TouchWorker::prepare() {
     const std::lock_guard lock(mutex_);
     status_.prepared = request.number;
   }
-  // The one that the loop has not seen yet goes the way of those that it has done with.
-  if (auto* unseen = mail_.offered.exchange(offer.release(), std::memory_order_acq_rel)) {
+  // The one that the loop has not seen yet goes the way of those that it has done with; what ended
+  // with it ends.
+  if (auto* unseen = mail_.offered.exchange(nullptr, std::memory_order_acq_rel)) {
+    offer->ended = std::max(offer->ended, unseen->ended);
     unseen->next = mail_.retired.load(std::memory_order_relaxed);
     while (!mail_.retired.compare_exchange_weak(unseen->next, unseen, std::memory_order_release)) {
     }
   }
+  mail_.offered.store(offer.release(), std::memory_order_release);
   TouchMail::signal(mail_.loopSignal);
   TouchMail::signal(fillSignal_);
   return true;

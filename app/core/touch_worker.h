@@ -21,6 +21,8 @@ struct TouchMail {
   struct Offer {
     std::uint64_t number = 0;
     std::unique_ptr<TouchPlayer> player;
+    /// Before it there was nothing to touch: so many contacts, counted from the first, have ended.
+    std::uint64_t ended = 0;
     Offer* next = nullptr;
   };
   /// Nodes of one body whose columns the contacts wait for.
@@ -63,8 +65,9 @@ class TouchWorker {
   /// Waits for the block of columns at hand.
   ~TouchWorker();
 
-  /// From any thread. Null: nothing to touch. Returns its number: 1, 2, …
-  std::uint64_t setModel(std::shared_ptr<const TouchModel> model);
+  /// From any thread. Null: nothing to touch, and the first `begun` contacts end. Returns its
+  /// number: 1, 2, …
+  std::uint64_t setModel(std::shared_ptr<const TouchModel> model, std::uint64_t begun);
 
   struct Status {
     std::uint64_t newest = 0;    ///< number of the model set last; 0: none
@@ -93,6 +96,7 @@ class TouchWorker {
   struct Request {
     std::uint64_t number = 0;
     std::shared_ptr<const TouchModel> model;
+    std::uint64_t ended = 0;  // as in Offer
   };
   struct Numbered {
     std::uint64_t number = 0;

@@ -103,10 +103,7 @@ std::vector<view::TouchMarker> touchMarkers(const modeling::Project& project,
   std::vector<view::TouchMarker> markers;
   for (const modeling::Touch& touch : project.touches) {
     const Selection::Named named{Selection::Kind::kTouch, touch.name};
-    const auto* displacement = std::get_if<modeling::TouchDisplacement>(&touch.action);
-    const Eigen::Vector3d direction =
-        displacement ? displacement->vector : std::get<modeling::TouchForce>(touch.action).vector;
-    markers.push_back({touch.at, direction, touch.name, selection.named == named});
+    markers.push_back({touch.at, modeling::vectorOf(touch), touch.name, selection.named == named});
   }
   return markers;
 }

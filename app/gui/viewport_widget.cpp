@@ -70,6 +70,7 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (!canvas_.isValid()) {
     painter.fillRect(rect(), palette().window());
+    painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("The solid cannot be drawn: this display offers no OpenGL 3.2. Install "
                         "a graphics driver, or Mesa, which draws without one."));

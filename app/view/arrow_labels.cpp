@@ -42,27 +42,38 @@ void addArrowCover(const SeenArrow& arrow, double width, std::vector<PixelBox>& 
   }
 }
 
-PixelBox placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture, double gap,
-                         const std::vector<PixelBox>& taken) {
+ArrowLabelPlace placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture,
+                                double gap, const std::vector<PixelBox>& taken,
+                                std::optional<int> before) {
+  constexpr double kBetter = 0.7;  // of what the place before covers: worth moving
   const Eigen::Vector2d ahead =
       wish.along.norm() > 0 ? Eigen::Vector2d(wish.along.normalized()) : Eigen::Vector2d(0, -1);
   const Eigen::Vector2d half = 0.5 * wish.size;
   const bool endIsSeen = isInside(wish.end, picture);
-  PixelBox best{wish.end, wish.end};
+  ArrowLabelPlace best{{wish.end, wish.end}, 0};
   double least = std::numeric_limits<double>::infinity();
+  int choice = -1;
   for (const double distance : {1.0, 2.2, 4.0, 7.0}) {
     // No further back than to the side: there lies the arrow.
     for (const int step : {0, 1, -1, 2, -2, 3, -3, 4, -4}) {
+      ++choice;
       const Eigen::Vector2d away = Eigen::Rotation2Dd(step * std::numbers::pi / 8) * ahead;
       // The label touches a circle about the end, in that direction.
       Eigen::Vector2d center = wish.end + distance * gap * away + half.cwiseProduct(away);
       if (endIsSeen) center = center.cwiseMin(picture - half).cwiseMax(half);
       const PixelBox box{(center - half).array().round(), (center + half).array().round()};
+      const bool isBefore = choice == before;
+      PixelBox needed = box;
+      if (before && !isBefore) {
+        needed.low.array() -= gap;
+        needed.high.array() += gap;
+      }
       double covered = 0;
-      for (const PixelBox& other : taken) covered += box.overlap(other);
+      for (const PixelBox& other : taken) covered += needed.overlap(other);
+      if (isBefore) covered *= kBetter;
       if (covered >= least) continue;
       least = covered;
-      best = box;
+      best = {box, choice};
       if (least == 0) return best;
     }
   }

@@ -35,10 +35,21 @@ struct ArrowLabelWish {
   Eigen::Vector2d size;   ///< pixels
 };
 
+/// Where a label stands, and as the how manieth of the places tried that is.
+struct ArrowLabelPlace {
+  PixelBox box;
+  int choice = 0;
+};
+
 /// The place of a label: in front of the end of its arrow, `gap` pixels away, or else, where that
 /// covers one of `taken`, turned to the side in steps or further away; where the least is covered
 /// when there is no free place. Within a picture of `picture` pixels as long as the arrow's end is.
-PixelBox placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture, double gap,
-                         const std::vector<PixelBox>& taken);
+///
+/// `before`: the choice in the picture before, if any. It is kept while it is free, and left only
+/// for a place that stays free when others come nearer by a gap, so that labels do not jump to and
+/// fro while arrows move.
+ArrowLabelPlace placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture,
+                                double gap, const std::vector<PixelBox>& taken,
+                                std::optional<int> before = {});
 
 }  // namespace palpa::view

@@ -30,12 +30,7 @@ vtkSmartPointer<vtkActor> makePart(vtkAlgorithmOutput* shape, const Colour& colo
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetColor(colour[0], colour[1], colour[2]);
-  property->SetOpacity(opacity);
-  property->SetAmbient(0.35);
-  property->SetDiffuse(0.70);
-  property->SetSpecular(0.15);
-  property->SetSpecularPower(20);
-  property->BackfaceCullingOn();
+  setArrowLooks(property, opacity);
   return actor;
 }
 
@@ -83,6 +78,15 @@ const Eigen::Vector3d& PlacedArrow::freeEnd() const {
 
 const Eigen::Vector3d& PlacedArrow::heldEnd() const {
   return arrow->anchor == ForceArrow::Anchor::kTail ? tail : tip;
+}
+
+void setArrowLooks(vtkProperty* property, double opacity) {
+  property->SetOpacity(opacity);
+  property->SetAmbient(0.35);
+  property->SetDiffuse(0.70);
+  property->SetSpecular(0.15);
+  property->SetSpecularPower(20);
+  property->BackfaceCullingOn();
 }
 
 const Colour& arrowColour(ForceArrow::Role role) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <vector>
@@ -34,6 +35,9 @@ std::vector<PlacedArrow> placeArrows(const std::vector<ForceArrow>& arrows, doub
 /// Ends of all arrows with a force, `longest` (mm) long for `fullForce` (N) and more, in proportion
 /// below.
 std::vector<PlacedArrow> placeLiveArrows(const LiveArrows& arrows, double longest);
+
+/// How light falls on arrows, in pictures and in the window.
+void setArrowLooks(vtkProperty* property, double opacity);
 
 /// In the colours of pictures.
 const Colour& arrowColour(ForceArrow::Role role);

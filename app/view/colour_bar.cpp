@@ -46,18 +46,34 @@ void ColourBar::set(const std::optional<ScalarField>& field, const ViewportTheme
     numbers_.hideAll();
     return;
   }
-  range_ = colourRange(*field_);
+  range_ = colourNumberRange(*field_);
   if (field_->colours == coloursOf_) return;
   coloursOf_ = field_->colours;
   colours_ = colourSteps(coloursOf_, kStrips);
+}
+
+Ticks ColourBar::ticks(double pictureHeight) const {
+  const double height = std::min(kTallest * pixelRatio_, kShareOfHeight * pictureHeight);
+  const int wanted = std::clamp(static_cast<int>(height / (3 * kFontSize * pixelRatio_)), 2, 8);
+  return fieldTicks(*field_, wanted);
+}
+
+double ColourBar::reach(double pictureHeight) {
+  if (!field_) return 0;
+  const double unit = pixelRatio_;
+  const Ticks numbers = ticks(pictureHeight);
+  numbers_.set(numbers.labels, {kFontSize * unit, false, theme_.text});
+  double width = 0;
+  for (std::size_t i = 0; i < numbers.labels.size(); ++i)
+    width = std::max(width, numbers_.extent(i).x());
+  return width + (kBarWidth + kTick + kToNumber + 2 * kPad + kFromEdge) * unit;
 }
 
 void ColourBar::update(const Turntable& camera, std::vector<PixelBox>& taken, FlatShapes& shapes) {
   if (!field_) return;
   const double unit = pixelRatio_;
   const double height = std::min(kTallest * unit, kShareOfHeight * camera.height());
-  const int wanted = std::clamp(static_cast<int>(height / (3 * kFontSize * unit)), 2, 8);
-  const Ticks ticks = niceTicks(range_[0], range_[1], wanted);
+  const Ticks ticks = this->ticks(camera.height());
   const TextStyle style{kFontSize * unit, false, theme_.text};
   titles_.set(titlesOf(*field_, ticks), {style.size, true, theme_.text});
   numbers_.set(ticks.labels, style);
@@ -102,7 +118,8 @@ void ColourBar::update(const Turntable& camera, std::vector<PixelBox>& taken, Fl
                                 std::round(plate.high.y() - pad.y() - halfNumber));
   drawColours(barLow, barHigh, shapes);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const double share = (ticks.values[i] - range_[0]) / (range_[1] - range_[0]);
+    const double share =
+        (colourNumber(*field_, ticks.values[i]) - range_[0]) / (range_[1] - range_[0]);
     const double y = barHigh.y() - share * (barHigh.y() - barLow.y());
     const double line = std::max(1.0, std::round(unit));
     const double lineTop = std::round(y - 0.5 * line);

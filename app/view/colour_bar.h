@@ -24,8 +24,12 @@ class ColourBar {
   /// To be called before drawing, between clear() and finish() of `shapes`; adds its place to
   /// `taken`.
   void update(const Turntable& camera, std::vector<PixelBox>& taken, FlatShapes& shapes);
+  /// How far it reaches from the right edge into a picture of that height, pixels: its colours with
+  /// their numbers. The words above them may reach further.
+  double reach(double pictureHeight);
 
  private:
+  Ticks ticks(double pictureHeight) const;
   void drawColours(const Eigen::Vector2d& low, const Eigen::Vector2d& high, FlatShapes& shapes);
 
   TextPool titles_, numbers_;

@@ -38,9 +38,37 @@ std::array<double, 2> colourRange(const ScalarField& field) {
   return range;
 }
 
+double colourNumber(const ScalarField& field, double value) {
+  return field.isLogarithmic ? std::log10(value) : value;
+}
+
+std::array<double, 2> colourNumberRange(const ScalarField& field) {
+  const auto [low, high] = colourRange(field);
+  return {colourNumber(field, low), colourNumber(field, high)};
+}
+
+Ticks fieldTicks(const ScalarField& field, int wanted) {
+  const auto [low, high] = colourRange(field);
+  Ticks ticks =
+      field.isLogarithmic ? logarithmicTicks(low, high, wanted) : niceTicks(low, high, wanted);
+  if (!field.isCapped) return ticks;
+  // Others near the end would be covered by its label.
+  const auto share = [&](double value) {
+    const auto [first, last] = colourNumberRange(field);
+    return (colourNumber(field, value) - first) / (last - first);
+  };
+  while (!ticks.values.empty() && share(ticks.values.back()) > 1 - 0.6 / wanted) {
+    ticks.values.pop_back();
+    ticks.labels.pop_back();
+  }
+  ticks.values.push_back(high);
+  ticks.labels.push_back("≥ " + shortNumber(high / std::pow(10.0, ticks.exponent)));
+  return ticks;
+}
+
 vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field) {
   auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
-  const auto [low, high] = colourRange(field);
+  const auto [low, high] = colourNumberRange(field);
   if (field.colours == ScalarField::Colours::kDiverging) {
     // K. Moreland, Diverging color maps for scientific visualization (2009).
     map->SetColorSpaceToDiverging();

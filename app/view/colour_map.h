@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/view/scene.h"
+#include "app/view/ticks.h"
 
 /// Colours. Internal to app/view.
 namespace palpa::view {
@@ -25,9 +26,19 @@ inline constexpr Colour kReactionColour{0.16, 0.21, 0.30};
 /// own, made symmetric about zero for diverging colours, and widened when all values are equal.
 std::array<double, 2> colourRange(const ScalarField& field);
 
-/// The field's colours over `colourRange(field)`: viridis (perceptually uniform, readable in grey
-/// and for colour-blind people) or Moreland's blue-white-red.
+/// The number that stands for a value in colourMap(): itself, or its decimal logarithm.
+double colourNumber(const ScalarField& field, double value);
+
+/// The ends of colourMap(): the numbers of those of colourRange().
+std::array<double, 2> colourNumberRange(const ScalarField& field);
+
+/// The field's colours over `colourNumberRange(field)`: viridis (perceptually uniform, readable in
+/// grey and for colour-blind people) or Moreland's blue-white-red.
 vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field);
+
+/// Numbers to write beside the field's colours, about `wanted` (>= 2). Where the field is capped,
+/// the last one is its end, "≥ 20".
+Ticks fieldTicks(const ScalarField& field, int wanted);
 
 /// `count` >= 2 colours of the map at equal distances, from the lowest value to the highest.
 std::vector<Colour> colourSteps(ScalarField::Colours colours, int count);

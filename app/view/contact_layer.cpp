@@ -7,6 +7,7 @@
 #include <vtkShaderProperty.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/view/ring_dashes.h"
@@ -150,16 +151,24 @@ void ProbeBalls::add() {
 }
 
 void ProbeBalls::set(const std::vector<ProbeBall>& balls) {
+  balls_ = balls;
   while (actors_.size() < balls.size()) add();
+  for (std::size_t i = 0; i < actors_.size(); ++i) actors_[i]->SetVisibility(i < balls.size());
   bounds_ = {};
-  for (std::size_t i = 0; i < actors_.size(); ++i) {
-    actors_[i]->SetVisibility(i < balls.size());
-    if (i >= balls.size()) continue;
-    const ProbeBall& ball = balls[i];
-    actors_[i]->SetPosition(ball.center.x(), ball.center.y(), ball.center.z());
-    actors_[i]->SetScale(ball.radius);
+  for (const ProbeBall& ball : balls) {
     bounds_.add(ball.center - Eigen::Vector3d::Constant(ball.radius));
     bounds_.add(ball.center + Eigen::Vector3d::Constant(ball.radius));
+  }
+}
+
+void ProbeBalls::update(const Turntable& camera) {
+  std::sort(balls_.begin(), balls_.end(), [&](const ProbeBall& a, const ProbeBall& b) {
+    return camera.depth(a.center) > camera.depth(b.center);
+  });
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const ProbeBall& ball = balls_[i];
+    actors_[i]->SetPosition(ball.center.x(), ball.center.y(), ball.center.z());
+    actors_[i]->SetScale(ball.radius);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/view/bounds.h"
+#include "app/view/turntable.h"
 #include "app/view/viewport_geometry.h"
 #include "app/view/viewport_scene.h"
 
@@ -34,12 +35,14 @@ class ContactRings {
 };
 
 /// Translucent balls, clear in the middle so that the contact behind can be seen, and dense at the
-/// rim. Only near sides are drawn, without sorting.
+/// rim. Only near sides are drawn, the balls farther away first.
 class ProbeBalls {
  public:
   explicit ProbeBalls(vtkRenderer* scene);
 
   void set(const std::vector<ProbeBall>& balls);
+  /// To be called before drawing.
+  void update(const Turntable& camera);
   const Bounds& bounds() const { return bounds_; }
 
  private:
@@ -47,7 +50,8 @@ class ProbeBalls {
 
   vtkRenderer* scene_;
   vtkSmartPointer<vtkPolyData> unitSphere_;
-  std::vector<vtkSmartPointer<vtkActor>> actors_;  ///< kept when fewer are needed
+  std::vector<ProbeBall> balls_;
+  std::vector<vtkSmartPointer<vtkActor>> actors_;  ///< drawn in this order; kept when not needed
   Bounds bounds_;
 };
 

@@ -21,13 +21,7 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
   mapper->SetColorModeToDirectScalars();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  vtkProperty* property = actor->GetProperty();
-  property->SetOpacity(opacity);
-  property->SetAmbient(0.35);
-  property->SetDiffuse(0.70);
-  property->SetSpecular(0.15);
-  property->SetSpecularPower(20);
-  property->BackfaceCullingOn();
+  setArrowLooks(actor->GetProperty(), opacity);
   actor->VisibilityOff();
   return actor;
 }
@@ -58,6 +52,7 @@ void ForceArrows::show(const std::vector<PlacedArrow>& arrows, double bodyDiagon
   theme_ = theme;
   pixelRatio_ = pixelRatio;
   ends_.clear();
+  std::vector<Label> before = std::move(labels_);
   labels_.clear();
   std::vector<SolidArrow> solids;
   std::vector<std::string> words;
@@ -72,6 +67,9 @@ void ForceArrows::show(const std::vector<PlacedArrow>& arrows, double bodyDiagon
     labels_.push_back({placed.freeEnd(), placed.heldEnd(), colour});
     words.push_back(placed.arrow->label);
   }
+  // As many as before are the same ones, a little later.
+  if (before.size() == labels_.size())
+    for (std::size_t i = 0; i < labels_.size(); ++i) labels_[i].choice = before[i].choice;
   mesh_.set(solids);
   texts_.set(words, {kFontSize * pixelRatio, false, theme.text});
   updateVisibility();
@@ -108,7 +106,10 @@ void ForceArrows::update(const Turntable& camera, std::vector<PixelBox>& taken,
     }
     const ArrowLabelWish wish{seen[i]->free, seen[i]->free - seen[i]->held,
                               texts_.extent(i) + 2 * pad};
-    const PixelBox plate = placeArrowLabel(wish, picture, kGap * pixelRatio_, taken);
+    const ArrowLabelPlace place =
+        placeArrowLabel(wish, picture, kGap * pixelRatio_, taken, labels_[i].choice);
+    labels_[i].choice = place.choice;
+    const PixelBox& plate = place.box;
     taken.push_back(plate);
     shapes.addPlate(plate.low, plate.high, labels_[i].frame, theme_, pixelRatio_);
     texts_.place(i, plate.low + pad, camera.height());

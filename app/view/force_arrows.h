@@ -42,6 +42,7 @@ class ForceArrows {
   struct Label {
     Eigen::Vector3d free, held;  ///< ends of the arrow
     Colour frame;
+    std::optional<int> choice{};  ///< of its place in the picture before
   };
 
   void show(const std::vector<PlacedArrow>& arrows, double bodyDiagonal, const ViewportTheme& theme,

@@ -77,7 +77,8 @@ ForcePlot::ForcePlot(vtkRenderWindow* window) : parts_(std::make_unique<Parts>()
   scene->SetRenderer(parts_->renderer);
   parts_->renderer->AddActor(parts_->actor);
   parts_->chart->SetAutoSize(true);
-  parts_->chart->SetForceAxesToBounds(true);
+  // Otherwise the data limit the axes, and a force that hardly changes would fill the plot.
+  parts_->chart->SetForceAxesToBounds(false);
   parts_->chart->SetShowLegend(true);
   parts_->chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
   parts_->chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);

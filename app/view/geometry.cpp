@@ -15,6 +15,8 @@
 
 #include <numbers>
 
+#include "app/view/colour_map.h"
+
 namespace palpa::view {
 namespace {
 
@@ -70,7 +72,8 @@ vtkSmartPointer<vtkPolyData> referenceSurface(const SurfaceScene& scene) {
   if (scene.field) {
     vtkNew<vtkDoubleArray> values;
     values->SetName(kField);
-    for (const double value : scene.field->values) values->InsertNextValue(value);
+    for (const double value : scene.field->values)
+      values->InsertNextValue(colourNumber(*scene.field, value));
     surface->GetPointData()->SetScalars(values);
   }
   return surface;

@@ -15,6 +15,7 @@
 #include "app/view/body.h"
 #include "app/view/camera_fit.h"
 #include "app/view/colour_map.h"
+#include "app/view/contact_layer.h"
 #include "app/view/corner_axes.h"
 #include "app/view/display.h"
 #include "app/view/flat.h"
@@ -185,8 +186,14 @@ void renderToPng(const SurfaceScene& scene, const std::filesystem::path& path,
 
   const std::vector<Eigen::Vector3d> shape = scene.deformedPositions();
   const double size = diagonal(scene.positions);
-  const std::vector<PlacedArrow> arrows = placeArrows(scene.arrows, scene.arrowLength * size);
+  const double longest = scene.arrowLength * size;
+  const LiveArrows live{scene.arrows, scene.fullForce};
+  const std::vector<PlacedArrow> arrows =
+      scene.fullForce > 0 ? placeLiveArrows(live, longest) : placeArrows(scene.arrows, longest);
+  ProbeBalls balls(body);
+  balls.set(scene.balls);
   std::vector<Eigen::Vector3d> seen = shape;
+  seen.insert(seen.end(), scene.room.begin(), scene.room.end());
   if (scene.showUndeformed) {
     seen.insert(seen.end(), scene.positions.begin(), scene.positions.end());
   }

@@ -33,13 +33,14 @@ std::string unitText(const ScalarField& field, const Ticks& ticks) {
 ScalarBar::ScalarBar(const ScalarField& field, double height, double fontSize, double pixel,
                      vtkRenderer* overlay)
     : field_(field), height_(height), fontSize_(fontSize), pixel_(pixel), overlay_(overlay) {
-  const auto range = colourRange(field);
-  const Ticks ticks = niceTicks(range[0], range[1], wantedTicks(height, fontSize));
+  const Ticks ticks = fieldTicks(field, wantedTicks(height, fontSize));
   const std::string unit = unitText(field, ticks);
   title_ = field.name + (unit.empty() ? "" : "\n" + unit);
   if (!field.values.empty()) {
     const auto [low, high] = std::minmax_element(field.values.begin(), field.values.end());
-    extremes_ = "max  " + threeDigits(*high) + "\nmin  " + threeDigits(*low);
+    // What is beyond the range has no meaning as an extreme.
+    if (!field.isCapped) extremes_ = "max  " + threeDigits(*high) + "\n";
+    extremes_ += "min  " + threeDigits(*low);
   }
   width_ = textSize(makeText(title_, {fontSize, true}), overlay).x();
   width_ = std::max(width_, textSize(makeText(extremes_, {0.87 * fontSize}), overlay).x());
@@ -60,7 +61,7 @@ void ScalarBar::draw(const Eigen::Vector2d& corner) const {
   const Rectangle bar{corner.x(), corner.y() - height_ + extremesHeight + 0.9 * fontSize_,
                       corner.x() + kBarWidth * fontSize_,
                       corner.y() - titleHeight - 0.9 * fontSize_};
-  const auto range = colourRange(field_);
+  const auto range = colourNumberRange(field_);
   const auto map = colourMap(field_);
   for (int i = 0; i < kStrips; ++i) {
     const double low = bar.bottom + bar.height() * i / kStrips;
@@ -78,9 +79,9 @@ void ScalarBar::draw(const Eigen::Vector2d& corner) const {
                {bar.left, bar.bottom}},
               kLineColour, pixel_, overlay_);
 
-  const Ticks ticks = niceTicks(range[0], range[1], wantedTicks(height_, fontSize_));
+  const Ticks ticks = fieldTicks(field_, wantedTicks(height_, fontSize_));
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const double share = (ticks.values[i] - range[0]) / (range[1] - range[0]);
+    const double share = (colourNumber(field_, ticks.values[i]) - range[0]) / (range[1] - range[0]);
     const double y = bar.bottom + share * bar.height();
     addFlatLine({{bar.right, y}, {bar.right + 0.35 * fontSize_, y}}, kLineColour, pixel_, overlay_);
     const auto label = makeText(ticks.labels[i], {fontSize_});

@@ -44,9 +44,12 @@ void SurfaceScene::validate() const {
     require(field->values.size() == positions.size(), "field.values need one entry per point");
     for (const double value : field->values) {
       require(std::isfinite(value), "field.values are not all finite");
+      require(value > 0 || !field->isLogarithmic, "field.values of a logarithmic field are > 0");
     }
     if (field->range) {
       require((*field->range)[0] <= (*field->range)[1], "field.range is not ascending");
+      require((*field->range)[0] > 0 || !field->isLogarithmic,
+              "field.range of a logarithmic field is > 0");
     }
   }
   for (const int triangle : supports) {
@@ -55,6 +58,12 @@ void SurfaceScene::validate() const {
   }
   for (const ForceArrow& arrow : arrows) {
     require(arrow.at.allFinite() && arrow.force.allFinite(), "an arrow is not finite");
+  }
+  require(fullForce >= 0 && std::isfinite(fullForce), "fullForce is not a number from 0 on");
+  requireFinite(room, "room");
+  for (const ProbeBall& ball : balls) {
+    require(ball.center.allFinite() && ball.radius > 0 && std::isfinite(ball.radius),
+            "a ball needs a place and a radius > 0");
   }
   for (const ContactPatch& patch : contactPatches) {
     require(patch.center.allFinite() && patch.radius > 0, "a contact patch needs a radius > 0");

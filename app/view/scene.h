@@ -25,6 +25,12 @@ struct ScalarField {
 
   /// Smallest and largest value of the scalar bar; the data's own when absent.
   std::optional<std::array<double, 2>> range;
+
+  /// Equal ratios are equally far apart in the colours. All values and the range are above zero;
+  /// the colours are sequential.
+  bool isLogarithmic = false;
+  /// There are larger values than the range has, drawn like its end: the scalar bar says so.
+  bool isCapped = false;
 };
 
 /// A force drawn as an arrow whose length is proportional to its magnitude (the largest of the
@@ -50,6 +56,12 @@ struct ForceArrow {
 struct ContactPatch {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< mm
   double radius = 0;                                 ///< mm, > 0
+};
+
+/// A rigid ball that presses on the body: a probe, or the tip of a finger.
+struct ProbeBall {
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0;  ///< mm, > 0
 };
 
 /// How the scene is looked at. Position and distance follow from fitting the scene to the picture.
@@ -81,7 +93,13 @@ struct SurfaceScene {
   std::string supportLabel;   ///< words for the support colour, e.g. "held: base"; may be empty
   std::vector<ForceArrow> arrows;
   double arrowLength = 0.32;  ///< of the largest arrow, as a fraction of the body's diagonal
+  /// N, of an arrow of that length, so that pictures of a film can be compared; 0: the largest of
+  /// the scene.
+  double fullForce = 0;
   std::vector<ContactPatch> contactPatches;
+  std::vector<ProbeBall> balls;
+  /// Places the picture has room for besides what is drawn, mm: those of other pictures of a film.
+  std::vector<Eigen::Vector3d> room;
 
   std::string title;                  ///< top left
   std::vector<std::string> captions;  ///< lines at the bottom

@@ -224,6 +224,7 @@ void SurfaceActor::setField(const std::optional<ScalarField>& field) {
   fieldColours_.reset();
   if (field) {
     fieldColours_ = field->colours;
+    isLogarithmic_ = field->isLogarithmic;
     setFieldValues(field->values, colourRange(*field));
   }
   updateRegionLooks();
@@ -233,9 +234,15 @@ void SurfaceActor::setField(const std::optional<ScalarField>& field) {
 void SurfaceActor::setFieldValues(const std::vector<double>& values,
                                   const std::array<double, 2>& range) {
   field_->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  const double scale = 1 / (range[1] - range[0]);
   float* target = values.empty() ? nullptr : field_->GetPointer(0);
-  for (const double value : values) *target++ = placeInColours((value - range[0]) * scale);
+  if (isLogarithmic_) {
+    const double scale = 1 / std::log(range[1] / range[0]);
+    for (const double value : values)
+      *target++ = placeInColours(std::log(value / range[0]) * scale);
+  } else {
+    const double scale = 1 / (range[1] - range[0]);
+    for (const double value : values) *target++ = placeInColours((value - range[0]) * scale);
+  }
   field_->Modified();
   surface_->Modified();
 }

@@ -59,6 +59,7 @@ class SurfaceActor {
   bool regionsVisible_ = true;
   double scale_ = 1;
   std::optional<ScalarField::Colours> fieldColours_;
+  bool isLogarithmic_ = false;
   std::optional<SurfaceLook> look_;  ///< which variant the shader is
   Shading shading_ = Shading::kShadedWithEdges;
   ViewportTheme theme_ = ViewportTheme::light();

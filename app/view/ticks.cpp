@@ -64,6 +64,42 @@ Ticks niceTicks(double low, double high, int wanted) {
   return ticks;
 }
 
+Ticks logarithmicTicks(double low, double high, int wanted) {
+  if (!(low > 0 && std::isfinite(high) && high > low * (1 + 1e-9)))
+    return niceTicks(low, high, wanted);
+  // From dense to sparse; the densest that is not too dense.
+  static const std::array<std::vector<double>, 4> kSteps{
+      {{1, 1.5, 2, 3, 4, 5, 6, 8}, {1, 2, 3, 5}, {1, 2, 5}, {1, 3}}};
+  const int first = static_cast<int>(std::floor(std::log10(low)));
+  const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
+  Ticks ticks;
+  const auto fill = [&](const std::vector<double>& steps, int everyPower) {
+    ticks = {};
+    for (int power = first; power <= last; power += everyPower)
+      for (const double step : steps) {
+        const double value = step * std::pow(10.0, power);
+        if (value < low * (1 - 1e-9) || value > high * (1 + 1e-9)) continue;
+        ticks.values.push_back(value);
+        ticks.labels.push_back(shortNumber(value));
+      }
+    return static_cast<int>(ticks.values.size()) <= wanted;
+  };
+  for (const auto& steps : kSteps)
+    if (fill(steps, 1)) {
+      // Hardly a factor between the ends: as on a plain scale.
+      return ticks.values.size() < 2 ? niceTicks(low, high, wanted) : ticks;
+    }
+  for (int every = 1; !fill({1}, every); ++every) {
+  }
+  return ticks;
+}
+
+std::string shortNumber(double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
 std::string threeDigits(double value) {
   if (!std::isfinite(value)) return "not finite";
   if (value == 0) return "0";

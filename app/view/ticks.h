@@ -16,6 +16,13 @@ struct Ticks {
 /// one tick `low`.
 Ticks niceTicks(double low, double high, int wanted);
 
+/// About `wanted` (>= 2) numbers with few digits within [low, high], 0 < low, spread evenly in
+/// their ratios. Where the ends differ by hardly a factor: as niceTicks().
+Ticks logarithmicTicks(double low, double high, int wanted);
+
+/// `value` with as few digits as its first six need: 0.02, 1.5, 300.
+std::string shortNumber(double value);
+
 /// `value` with three significant digits, without needless exponent: 0.134, 12.3, 4570.
 std::string threeDigits(double value);
 

@@ -68,30 +68,34 @@ void Turntable::setDistance(double distance) {
       std::clamp(distance, kNearestDistance * sceneRadius_, kFarthestDistance * sceneRadius_);
 }
 
-Turntable::Fit Turntable::fitting(const std::vector<Eigen::Vector3d>& points, double margin) const {
+Turntable::Fit Turntable::fitting(const std::vector<Eigen::Vector3d>& points, double margin,
+                                  double reserve) const {
   Bounds bounds;
   for (const Eigen::Vector3d& point : points) bounds.add(point);
   const double size = bounds.empty() ? 0 : bounds.size().norm();
   if (size <= 1e-9 * sceneRadius_) return {bounds.empty() ? focus_ : bounds.center(), distance_};
 
   const double spare = std::min({margin, 0.25 * width_, 0.25 * height_});
-  const Rectangle target{spare, spare, width_ - spare, height_ - spare};
+  const double kept = std::min(reserve, width_ / 3.0);
+  const Rectangle target{spare, spare, width_ - spare - kept, height_ - spare};
   const Eigen::Matrix3d toView = axes().toView();
   const Placement placement = fitPlacement(parallel_, points, toView, target, height_);
   const double distance = height_ / (2 * placement.pixelsPerLength * halfAngleTangent());
   // A line seen end on would draw the camera into it.
   if (!(distance >= size)) return {bounds.center(), size};
-  return {toView.transpose() * placement.focus, distance};
+  // What is looked at appears in the middle of the picture: to its right by half of what is kept.
+  const Eigen::Vector3d aside(0.5 * kept / placement.pixelsPerLength, 0, 0);
+  return {toView.transpose() * (placement.focus + aside), distance};
 }
 
-void Turntable::fit(const std::vector<Eigen::Vector3d>& points, double margin) {
-  const Fit found = fitting(points, margin);
+void Turntable::fit(const std::vector<Eigen::Vector3d>& points, double margin, double reserve) {
+  const Fit found = fitting(points, margin, reserve);
   focus_ = found.focus;
   setDistance(found.distance);
 }
 
 double Turntable::fittingDistance(const std::vector<Eigen::Vector3d>& points, double margin) const {
-  return fitting(points, margin).distance;
+  return fitting(points, margin, 0).distance;
 }
 
 ViewAxes Turntable::axes() const {

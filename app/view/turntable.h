@@ -38,9 +38,10 @@ class Turntable {
   void pan(const Eigen::Vector2d& pixels, const Eigen::Vector3d& point);
   /// Comes nearer by the factor, as far as the limits allow; `point` stays where it appears.
   void zoom(double factor, const Eigen::Vector3d& point);
-  /// Shows all points, with `margin` pixels left free on each side. A single place comes to the
-  /// middle at the distance there was; nothing happens without points.
-  void fit(const std::vector<Eigen::Vector3d>& points, double margin);
+  /// Shows all points, with `margin` pixels left free on each side, and `reserve` pixels (at most a
+  /// third of the width) more at the right. A single place comes to the middle at the distance
+  /// there was; nothing happens without points.
+  void fit(const std::vector<Eigen::Vector3d>& points, double margin, double reserve = 0);
   /// The distance that fit() would choose.
   double fittingDistance(const std::vector<Eigen::Vector3d>& points, double margin) const;
 
@@ -71,7 +72,7 @@ class Turntable {
     Eigen::Vector3d focus;
     double distance;
   };
-  Fit fitting(const std::vector<Eigen::Vector3d>& points, double margin) const;
+  Fit fitting(const std::vector<Eigen::Vector3d>& points, double margin, double reserve) const;
 
   double azimuth_ = 0;    ///< rad, of the direction of view about the vertical, from x to y
   double elevation_ = 0;  ///< rad, of the direction of view above the horizontal

@@ -223,7 +223,7 @@ void Viewport::fit() {
 
 void Viewport::fitTo(const std::vector<Eigen::Vector3d>& points) {
   parts_->syncSize();
-  parts_->camera.fit(points, parts_->fitMargin());
+  parts_->camera.fit(points, parts_->fitMargin(), parts_->fitReserve());
 }
 
 void Viewport::lookFrom(StandardView view) {
@@ -251,7 +251,9 @@ void Viewport::setCamera(const CameraView& view) {
   require(view.direction.norm() > 0 && view.zoom > 0, "a camera needs a direction and a zoom > 0");
   parts_->camera.setDirection(view.direction, view.up);
   parts_->camera.setParallel(view.parallel);
-  fit();
+  parts_->syncSize();
+  // Whatever is drawn beside the body: a CameraView means the same with and without a field.
+  parts_->camera.fit(parts_->shownPoints(), parts_->fitMargin());
   parts_->camera.setDistance(parts_->camera.distance() / view.zoom);
 }
 

@@ -107,7 +107,8 @@ class Viewport {
   /// Factor > 1 comes nearer; what lies under `at` stays there. Ends at a 500th of the body's
   /// radius before the point looked at, and at 200 radii from it.
   void zoom(double factor, const Eigen::Vector2d& at);
-  /// Shows the body, the net when it is visible, and the arrows, with a margin around them.
+  /// Shows the body, the net when it is visible, and the arrows, with a margin around them, beside
+  /// the scalar bar when there is one.
   void fit();
   void fitTo(const std::vector<Eigen::Vector3d>& points);
   /// Turns only: the point looked at and the distance stay.
@@ -116,7 +117,7 @@ class Viewport {
   void setParallelProjection(bool parallel);
   bool parallelProjection() const;
   /// Direction, projection and size. As for pictures, a CameraView has no place: setCamera() looks
-  /// at the middle of what fit() shows. A rolled `up` is straightened.
+  /// at the middle of what fit() shows without a scalar bar. A rolled `up` is straightened.
   CameraView camera() const;
   void setCamera(const CameraView& camera);
 

@@ -110,6 +110,7 @@ void Viewport::Parts::applyTheme() {
 }
 
 void Viewport::Parts::applyCamera() {
+  balls.update(camera);
   Bounds all = bodyBounds;
   all.add(netBounds);
   for (const Eigen::Vector3d& point : arrows.ends()) all.add(point);
@@ -166,6 +167,10 @@ std::vector<Eigen::Vector3d> Viewport::Parts::shownPoints() const {
 
 double Viewport::Parts::fitMargin() const {
   return 0.09 * std::min(camera.width(), camera.height());
+}
+
+double Viewport::Parts::fitReserve() {
+  return field ? colourBar.reach(camera.height()) : 0;
 }
 
 double Viewport::Parts::bodyDiagonal() const {

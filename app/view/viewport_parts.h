@@ -48,6 +48,8 @@ struct Viewport::Parts {
   /// Everything that fit() shows.
   std::vector<Eigen::Vector3d> shownPoints() const;
   double fitMargin() const;
+  /// Pixels at the right edge that fit() leaves to the scalar bar.
+  double fitReserve();
   double bodyDiagonal() const;
   /// What lies under a pixel: the surface, or the plane through the focus.
   Eigen::Vector3d pointUnder(const Eigen::Vector2d& pixel) const;

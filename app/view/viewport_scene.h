@@ -101,12 +101,6 @@ struct ContactRing {
   State state = State::kHolding;
 };
 
-/// A rigid ball that presses on the body: a probe, or the tip of a finger.
-struct ProbeBall {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double radius = 0;  ///< mm, > 0
-};
-
 /// What a tool draws over the scene while it is used.
 struct ToolDrawing {
   enum class Style : std::uint8_t {

@@ -22,6 +22,8 @@ void Viewport::setField(const std::optional<ScalarField>& field) {
             "a field needs one number per point");
     require(field->range.has_value(), "a field needs a range");
     requireRange(*field->range);
+    require((*field->range)[0] > 0 || !field->isLogarithmic,
+            "the range of a logarithmic field is above zero");
   }
   parts_->surface.setField(field);
   parts_->field = field;
@@ -34,6 +36,8 @@ void Viewport::setFieldValues(const std::vector<double>& values,
   require(parts_->field.has_value(), "there is no field whose values could change");
   require(values.size() == parts_->body.positions.size(), "a field needs one number per point");
   requireRange(range);
+  require(range[0] > 0 || !parts_->field->isLogarithmic,
+          "the range of a logarithmic field is above zero");
   const bool sameRange = parts_->field->range == range;
   parts_->field->range = range;
   parts_->surface.setFieldValues(values, colourRange(*parts_->field));

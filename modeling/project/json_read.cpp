@@ -56,14 +56,30 @@ Load loadFrom(const json& value) {
                      value["peak_MPa"].get<double>(), vectorFrom(value["direction"])}};
 }
 
+namespace {
+
+Eigen::Vector3d displacementFrom(const json& value) {
+  if (!value.contains("displace_mm")) return Eigen::Vector3d::Zero();
+  return vectorFrom(value["displace_mm"]);
+}
+
+}  // namespace
+
 Touch touchFrom(const json& value) {
   Touch touch;
   touch.name = value["name"];
   touch.at = vectorFrom(value["at_mm"]);
-  if (value.contains("displace_mm"))
-    touch.action = TouchDisplacement{vectorFrom(value["displace_mm"])};
-  else
+  // A grab with a force is what a force was called at first.
+  if (value.contains("force_N"))
     touch.action = TouchForce{vectorFrom(value["force_N"])};
+  else if (value["kind"] == "push")
+    touch.action = TouchPush{displacementFrom(value), value.value("friction", 0.0)};
+  else if (value["kind"] == "probe")
+    touch.action = TouchProbe{displacementFrom(value), value.value("friction", 0.0)};
+  else if (value["kind"] == "pin")
+    touch.action = TouchPin{displacementFrom(value)};
+  else
+    touch.action = TouchDisplacement{displacementFrom(value)};
   if (value.contains("radius_mm")) touch.radius = value["radius_mm"].get<double>();
   return touch;
 }

@@ -75,13 +75,16 @@ std::string loadText(const Load& load) {
 }
 
 std::string touchText(const Touch& touch) {
-  std::string text = "{\"name\": " + quoted(touch.name) +
-                     ", \"kind\": \"grab\", \"at_mm\": " + vectorText(touch.at);
-  if (const auto* moved = std::get_if<TouchDisplacement>(&touch.action))
-    text += ", \"displace_mm\": " + vectorText(moved->vector);
-  else
-    text += ", \"force_N\": " + vectorText(std::get<TouchForce>(touch.action).vector);
+  std::string text = "{\"name\": " + quoted(touch.name) + ", \"kind\": \"" + kindOf(touch) +
+                     "\", \"at_mm\": " + vectorText(touch.at);
+  const Eigen::Vector3d& vector = vectorOf(touch);
+  if (std::holds_alternative<TouchForce>(touch.action))
+    text += ", \"force_N\": " + vectorText(vector);
+  else if (!std::holds_alternative<TouchPin>(touch.action) || vector != Eigen::Vector3d::Zero())
+    text += ", \"displace_mm\": " + vectorText(vector);
   if (touch.radius) text += ", \"radius_mm\": " + numberText(*touch.radius);
+  if (const double* friction = frictionOf(touch); friction && *friction != 0.0)
+    text += ", \"friction\": " + numberText(*friction);
   return text + "}";
 }
 

@@ -1,6 +1,7 @@
 #include "modeling/project/project.h"
 
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "modeling/error.h"
@@ -78,10 +79,12 @@ void checkLoad(const Bump& load, const Surface&, const std::string& path) {
 void checkTouch(const Touch& touch, const std::string& path) {
   requireFinite(touch.at, path + ".at_mm");
   if (touch.radius) requirePositive(*touch.radius, path + ".radius_mm");
-  if (const auto* moved = std::get_if<TouchDisplacement>(&touch.action))
-    requireFinite(moved->vector, path + ".displace_mm");
-  else
-    requireFinite(std::get<TouchForce>(touch.action).vector, path + ".force_N");
+  const bool isForce = std::holds_alternative<TouchForce>(touch.action);
+  requireFinite(vectorOf(touch), path + (isForce ? ".force_N" : ".displace_mm"));
+  const double* friction = frictionOf(touch);
+  if (friction && !(*friction >= 0.0 && *friction <= kMostFriction))
+    throw ModelingError(path + ".friction: " + numberText(*friction) +
+                        " is outside the range 0 … " + numberText(kMostFriction));
 }
 
 }  // namespace
@@ -118,6 +121,23 @@ void checkProject(const Project& project) {
                           quotedPatchNames(project.body));
   if (project.primitive && !std::holds_alternative<Solid>(project.body))
     throw ModelingError("primitive: a mesh body is not made from a primitive");
+}
+
+const char* kindOf(const Touch& touch) {
+  constexpr const char* kKinds[] = {"grab", "force", "push", "probe", "pin"};
+  static_assert(std::size(kKinds) == std::variant_size_v<decltype(Touch::action)>);
+  return kKinds[touch.action.index()];
+}
+
+const Eigen::Vector3d& vectorOf(const Touch& touch) {
+  return std::visit([](const auto& action) -> const Eigen::Vector3d& { return action.vector; },
+                    touch.action);
+}
+
+const double* frictionOf(const Touch& touch) {
+  if (const auto* push = std::get_if<TouchPush>(&touch.action)) return &push->friction;
+  if (const auto* probe = std::get_if<TouchProbe>(&touch.action)) return &probe->friction;
+  return nullptr;
 }
 
 const Region* regionOf(const Load& load) {

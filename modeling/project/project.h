@@ -53,21 +53,52 @@ struct Load {
   std::variant<Pressure, UniformTraction, Bump> what;
 };
 
+/// Grabs: the place is moved, all three components, from where it is on the unloaded shape.
 struct TouchDisplacement {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm
 };
 
+/// Pulls or presses with a given force, whatever the place does.
 struct TouchForce {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< N
 };
 
-/// A recorded touch: the surface near `at` is grabbed and either moved or pulled with a force.
+/// A fingertip's pressure mask that presses but does not pull; it slides, with friction.
+struct TouchPush {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm, of the tip from first contact
+  double friction = 0.0;                             ///< Coulomb's coefficient, 0 … kMostFriction
+};
+
+/// A rigid ball that presses but does not pull; it slides, with friction.
+struct TouchProbe {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm, of the ball from first contact
+  double friction = 0.0;                             ///< Coulomb's coefficient, 0 … kMostFriction
+};
+
+/// Holds the place where supports and loads alone leave it, or moves it from there.
+struct TouchPin {
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm
+};
+
+inline constexpr double kMostFriction = 10.0;
+
+/// A recorded touch. All touches of a project act at the same time; docs/project-file.md says what
+/// each kind does beside loads and other touches.
 struct Touch {
   std::string name;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< mm
-  std::variant<TouchDisplacement, TouchForce> action;
-  std::optional<double> radius;  ///< mm, > 0; that of a fingertip when absent
+  /// mm, on the unloaded shape; where a push or probe first meets the surface.
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  std::variant<TouchDisplacement, TouchForce, TouchPush, TouchProbe, TouchPin> action;
+  /// mm, > 0; of the mask, for a probe of the ball; that of a fingertip when absent.
+  std::optional<double> radius;
 };
+
+/// "grab", "force", "push", "probe" or "pin": the kind in project files.
+const char* kindOf(const Touch& touch);
+/// The displacement (mm) or force (N) of a touch.
+const Eigen::Vector3d& vectorOf(const Touch& touch);
+/// Coulomb's coefficient of a push or probe; null for other kinds.
+const double* frictionOf(const Touch& touch);
 
 /// Everything a project file holds.
 struct Project {

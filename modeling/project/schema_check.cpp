@@ -51,6 +51,10 @@ const CompiledSchema& compiledSchema(SchemaName name) {
     static const CompiledSchema commands(standaloneCommandsSchema());
     return commands;
   }
+  if (name == SchemaName::recording) {
+    static const CompiledSchema recording(json::parse(kRecordingSchema));
+    return recording;
+  }
   static const CompiledSchema project(json::parse(kProjectSchema));
   return project;
 }
@@ -220,7 +224,9 @@ void checkAgainstSchema(const json& document, const std::string& source, SchemaN
   const valijson::adapters::NlohmannJsonAdapter adapter(document);
   if (validator.validate(compiled.schema, adapter, nullptr)) return;
   const auto found = violation(compiled.document, compiled.document, document, "");
-  const std::string name = schema == SchemaName::project ? "project" : "commands";
+  const std::string name = schema == SchemaName::project    ? "project"
+                           : schema == SchemaName::commands ? "commands"
+                                                            : "recording";
   throw ModelingError(
       source + ": " +
       found.value_or("does not follow the schema (resources/" + name + ".schema.json)"));

@@ -5,11 +5,13 @@
 
 namespace palpa::modeling {
 
-/// resources/project.schema.json and commands.schema.json, built into the library.
+/// resources/project.schema.json, commands.schema.json and recording.schema.json, built into the
+/// library.
 extern const char* const kProjectSchema;
 extern const char* const kCommandsSchema;
+extern const char* const kRecordingSchema;
 
-enum class SchemaName { project, commands };
+enum class SchemaName { project, commands, recording };
 
 /// Validates a document against one of the schemas; references from the commands' schema into
 /// project.schema.json are followed. Throws ModelingError with the first violation in

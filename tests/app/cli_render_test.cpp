@@ -37,7 +37,7 @@ TEST_F(CliRender, WritesAPicture) {
 }
 
 TEST_F(CliRender, KnowsItsOptions) {
-  for (const char* field : {"none", "displacement", "normal-traction", "von-mises"}) {
+  for (const char* field : {"none", "displacement", "normal-traction", "von-mises", "stiffness"}) {
     const Outcome outcome =
         draw(std::string("--at 0,0,20 --force 0,0,-1 --size 320x240 --view front --parallel "
                          "--mesh-edges --reactions --no-ghost --scale 3 --zoom 1.2 -o a.png "
@@ -54,10 +54,38 @@ TEST_F(CliRender, KnowsItsOptions) {
 TEST_F(CliRender, RefusesWhatItCannotDo) {
   for (const char* arguments :
        {"", "-o a.png --size 12", "-o a.png --size 1x1", "-o a.png --field colour",
+        "-o a.png --fingertip 3", "-o a.png --field stiffness --fingertip 0",
         "-o a.png --view behind", "-o a.png --view 0,0,0", "-o a.png --zoom 0"}) {
     EXPECT_EQ(draw(arguments).exitCode, 2) << arguments;
   }
   EXPECT_EQ(draw("-o no/such/folder/a.png").exitCode, 3);
+}
+
+TEST_F(CliRender, DrawsARecording) {
+  const std::string recording =
+      " --recording " PALPA_PROJECTS "/../tests/data/recordings/sphere-hand.json --size 240x180 ";
+  const std::string render = "render " + Runner::example("sphere.json") + recording;
+  const Outcome film = cli_.run(render + "--frames film/deep --fps 10 --json", PALPA_WITH_DISPLAY);
+  ASSERT_EQ(film.exitCode, 0) << film.err;
+  EXPECT_EQ(film.json().at("frames"), 4);  // 0, 0.1, 0.2, 0.3 s of 0.4 s
+  for (const char* name : {"00000", "00001", "00002", "00003"})
+    EXPECT_EQ(pngSize(cli_.read(std::string("film/deep/frame_") + name + ".png")),
+              std::pair(240, 180));
+  EXPECT_FALSE(std::filesystem::exists(cli_.path("film/deep/frame_00004.png")));
+  EXPECT_NE(cli_.read("film/deep/frame_00000.png"), cli_.read("film/deep/frame_00003.png"));
+
+  const Outcome one = cli_.run(render + "--at-time 0.28 -o at.png --json", PALPA_WITH_DISPLAY);
+  ASSERT_EQ(one.exitCode, 0) << one.err;
+  EXPECT_EQ(one.json().at("contacts").size(), 3u);
+  EXPECT_EQ(pngSize(cli_.read("at.png")), std::pair(240, 180));
+
+  for (const char* wrong :
+       {"-o a.png", "--frames f -o a.png", "--at-time 0.1", "--at-time 0.1 -o a.png --fps 3",
+        "--frames f --fps 0", "--frames f --at 0,0,25 --displace 0,0,-1", "--at-time -1 -o a.png"})
+    EXPECT_EQ(cli_.run(render + wrong, PALPA_WITH_DISPLAY).exitCode, 2) << wrong;
+  const Outcome late = cli_.run(render + "--at-time 0.4 -o a.png", PALPA_WITH_DISPLAY);
+  EXPECT_EQ(late.exitCode, 3);
+  EXPECT_NE(late.err.find("the recording lasts 0.400 s"), std::string::npos) << late.err;
 }
 
 TEST_F(CliRender, SaysWhatToDoWithoutADisplay) {

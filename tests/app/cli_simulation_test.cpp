@@ -145,6 +145,107 @@ TEST_F(CliSimulation, RecordedTouchesArePlayed) {
   EXPECT_NEAR(left, -right, 0.05 * std::abs(left));
 }
 
+TEST_F(CliSimulation, EveryKindOfTouchSaysWhatItDoes) {
+  cli_.run("new sphere --radius 25 -o p.json");
+  const auto touch = [&](const std::string& options) {
+    return cli_.runJson("touch p.json --at 0,0,25 " + options).at("contacts").at(0);
+  };
+  EXPECT_EQ(touch("--displace 0,0,-1").at("kind"), "grab");
+  const Json force = touch("--kind force --force 0.1,0,-0.5");
+  EXPECT_EQ(force, touch("--force 0.1,0,-0.5"));
+  EXPECT_EQ(force.at("kind"), "force");
+  EXPECT_EQ(force.at("status"), "holding");
+  EXPECT_NEAR(force.at("normal_force_N").get<double>(), 0.5, 0.02);
+  EXPECT_NEAR(force.at("tangential_force_N").get<double>(), 0.1, 0.02);
+  const Json pin = touch("--kind pin");
+  EXPECT_EQ(pin.at("kind"), "pin");
+  EXPECT_LT(norm(pin.at("force_N")), 1e-12);
+  const Json sticks = touch("--kind push --displace 0.5,0,-2 --friction 2");
+  EXPECT_EQ(sticks.at("status"), "sticking");
+  const Json slides = touch("--kind push --displace 8,0,-2 --friction 0.2 --radius 8");
+  EXPECT_EQ(slides.at("status"), "slipping");
+  EXPECT_NEAR(slides.at("tangential_force_N").get<double>(),
+              0.2 * slides.at("normal_force_N").get<double>(), 1e-6);
+  EXPECT_EQ(slides.at("friction"), 0.2);
+  EXPECT_GT(slides.at("stiffness_N_per_mm").get<double>(), 0);
+  EXPECT_EQ(touch("--kind push --displace 0,0,2").at("status"), "open");
+
+  const Json probed = cli_.runJson(
+      "touch p.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 12 "
+      "--friction 0.5 --steps 150");
+  const Json& ball = probed.at("contacts")[0];
+  EXPECT_EQ(ball.at("radius_mm"), 12);
+  EXPECT_GT(ball.at("patch").at("radius_mm").get<double>(), 0.5);
+  ASSERT_GE(ball.at("patch").at("masks").size(), 1u);
+  double sum = 0;
+  for (const Json& mask : ball.at("patch").at("masks")) sum += mask.at("force_N")[2].get<double>();
+  EXPECT_NEAR(sum, ball.at("force_N")[2].get<double>(), 1e-9);
+  EXPECT_NEAR(ball.at("tool_mm")[2].get<double>(), 25 + 12 - 2, 0.1);
+  EXPECT_EQ(probed.at("path").at("steps"), 150);
+  EXPECT_EQ(probed.at("path").at("converged"), true);
+
+  const std::string text =
+      cli_.run("touch p.json --at 0,0,25 --kind probe --displace 0,0,-2 --friction 0.5").out;
+  for (const char* part : {"probe, sticking", "N into the body", "patch radius", "steps, then"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST_F(CliSimulation, SeveralTouchesAreGivenAtOnce) {
+  cli_.run("new sphere --radius 25 -o p.json");
+  const Json contacts =
+      cli_.runJson(
+              "touch p.json --at 0,0,25 --displace 0,0,-2 --radius 9 "
+              "--at -25,0,0 --kind pin --at 0,25,0 --kind push --displace 0,-1,0.2 "
+              "--friction 0.1")
+          .at("contacts");
+  ASSERT_EQ(contacts.size(), 3u);
+  EXPECT_EQ(contacts[0].at("kind"), "grab");
+  EXPECT_EQ(contacts[0].at("radius_mm"), 9);
+  EXPECT_EQ(contacts[1].at("name"), "touch 2");
+  EXPECT_EQ(contacts[1].at("kind"), "pin");
+  EXPECT_LT(norm(contacts[1].at("displacement_mm")), 1e-9);
+  EXPECT_GT(norm(contacts[1].at("force_N")), 0.01);
+  EXPECT_EQ(contacts[2].at("friction"), 0.1);
+  // The same touches in the project give the same.
+  Json project = cli_.readJson("p.json");
+  project["touches"] = Json::parse(R"([
+    {"name": "touch 1", "kind": "grab", "at_mm": [0, 0, 25], "displace_mm": [0, 0, -2], "radius_mm": 9},
+    {"name": "touch 2", "kind": "pin", "at_mm": [-25, 0, 0]},
+    {"name": "touch 3", "kind": "push", "at_mm": [0, 25, 0], "displace_mm": [0, -1, 0.2],
+     "friction": 0.1}])");
+  cli_.writeJson("p.json", project);
+  EXPECT_EQ(cli_.runJson("touch p.json").at("contacts"), contacts);
+  const std::string info = cli_.run("info p.json").out;
+  EXPECT_NE(info.find("touch 2: pin at (-25, 0, 0), held in place"), std::string::npos) << info;
+  EXPECT_NE(info.find("push at (0, 25, 0), moved by (0, -1, 0.2) mm, friction 0.1"),
+            std::string::npos)
+      << info;
+}
+
+TEST_F(CliSimulation, TouchesThatMakeNoSenseAreRefusedWithAWord) {
+  cli_.run("new box --edge-length 8 -o p.json");
+  const auto refusal = [&](const std::string& options) {
+    const Outcome outcome = cli_.run("touch p.json " + options);
+    EXPECT_EQ(outcome.exitCode, 2) << options << "\n" << outcome.err;
+    return outcome.err;
+  };
+  const std::string at = "--at 0,0,20 ";
+  const std::pair<std::string, const char*> cases[] = {
+      {at + "--kind squeeze --displace 0,0,-1", "known are grab, push, probe, force, pin"},
+      {at + "--displace 0,0,-1 --friction 0.3", "--friction needs --kind push or probe"},
+      {at + "--kind push --displace 0,0,-1 --friction -1", "--friction: expected a number"},
+      {at + "--kind push --force 0,0,-1", "has --displace, but no --force"},
+      {at + "--kind probe", "--kind probe needs --displace"},
+      {at + "--kind force --displace 0,0,-1", "--kind force needs --force"},
+      {at + "--displace 0,0,-1 --displace 0,0,-2", "--displace is given twice"},
+      {"--kind pin " + at + "--at 5,0,20 --displace 0,0,-1", "stands before the first --at"},
+      {at + "--displace 0,0,-1 --steps 0", "--steps: expected a whole number"},
+      {"--friction 0.2", "--friction needs --at"},
+      {"--node 3 --displace 0,0,-1 --friction 0.2", "no meaning for a single node"}};
+  for (const auto& [options, expected] : cases)
+    EXPECT_NE(refusal(options).find(expected), std::string::npos) << options;
+}
+
 TEST_F(CliSimulation, ResultsGoToFiles) {
   cli_.run("new box --edge-length 8 -o p.json");
   for (const char* name : {"r.json", "r.vtp", "r.stl", "r.obj", "r.ply"}) {

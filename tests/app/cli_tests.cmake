@@ -16,6 +16,7 @@ palpa_add_test(palpa_cli_tests
     cli_examples_test.cpp
     cli_exchange_test.cpp
     cli_project_test.cpp
+    cli_recording_test.cpp
     cli_simulation_test.cpp
   LIBRARIES palpa_cli_runner
   LABEL cli)

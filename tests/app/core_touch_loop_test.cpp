@@ -326,6 +326,30 @@ TEST(TouchLoop, WithoutAModelTouchesEnd) {
   EXPECT_EQ(snapshot.contactCount, 1);
 }
 
+TEST(TouchLoop, ContactsEndWithoutAModelThoughAnotherFollowsAtOnce) {
+  const std::shared_ptr<const TouchModel> models[] = {sphere(), largerSphere(1.01)};
+  TouchLoop loop;
+  auto number = loop.setModel(sphere());
+  for (int round = 0; round < 20; ++round) {
+    const TouchId old = loop.begin({Kind::kGrab, 8}, kTop, {0, 0, -1});
+    // Every other time what ends has been touched; otherwise it may not even have begun.
+    if (round % 2 == 0) await(loop, hasForce(old));
+    loop.setModel(nullptr);
+    if (round % 3 == 0) loop.setModel(models[0]);
+    number = loop.setModel(models[round % 2]);
+    const TouchId next = loop.begin({Kind::kGrab, 8}, kSide, Vector3d::Zero());
+    loop.set(next, {-1, 0, 0});
+    const auto snapshot = await(loop, [&](const TouchSnapshot& at) {
+      return at.model == number && hasForce(next)(at) && at.find(next)->value == Vector3d(-1, 0, 0);
+    });
+    EXPECT_EQ(snapshot.find(old), nullptr) << round;
+    EXPECT_EQ(snapshot.contactCount, 1) << round;
+    loop.end(old);
+    loop.end(next);
+    await(loop, [](const TouchSnapshot& at) { return at.contactCount == 0; });
+  }
+}
+
 TEST(TouchLoop, OldModelsAreReleasedElsewhere) {
   TouchLoop loop;
   std::weak_ptr<const TouchModel> old;

@@ -150,7 +150,7 @@ TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
   const auto id = simulation.begin({Kind::kProbe, 200, 0}, kTop, {0, 0, 225});
   std::size_t masks = 0;
   double force = 0;
-  for (const double depth : {0.1, 0.5, 1.5, 3.0}) {
+  for (const double depth : {0.01, 0.1, 0.5, 1.5, 3.0, 6.0}) {
     simulation.set(id, {0, 0, 225 - depth});
     simulation.step(5);
     const auto& contact = *simulation.find(id);
@@ -161,7 +161,7 @@ TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
     for (const auto& patch : contact.patch)
       EXPECT_GE(-patch.force.dot(sphere().surface->normal(patch.point)), 0);
   }
-  EXPECT_GE(masks, 7u);
+  EXPECT_GE(masks, 6u);  // a ring, wide enough without the middle
 }
 
 TEST(ContactSimulation, TheSameStepsGiveTheSameForces) {

@@ -12,8 +12,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Kind = ContactCondition::Kind;
 
-/// Contacts at random places of a half space, roughly: compliance falls with distance.
+/// Contacts at random places of an incompressible whole space, each a smeared force, whose
+/// compliance is positive definite (R. Cortez, The method of regularized Stokeslets, SIAM J. Sci.
+/// Comput. 23 (2001) 1204-1225).
 struct RandomContacts {
+  static constexpr double kCore = 4;  // mm^2
   MatrixXd compliance;
   VectorXd free;
   std::vector<ContactCondition> conditions;
@@ -28,11 +31,11 @@ struct RandomContacts {
     for (int a = 0; a < count; ++a)
       for (int b = 0; b < count; ++b) {
         const Vector3d r = places[a] - places[b];
-        const double distance = std::sqrt(r.squaredNorm() + 4);
+        const double squared = r.squaredNorm(), distance = std::sqrt(squared + kCore);
         compliance.block<3, 3>(3 * a, 3 * b) =
-            (Eigen::Matrix3d::Identity() + r * r.transpose() / (distance * distance)) / distance;
+            ((squared + 2 * kCore) * Eigen::Matrix3d::Identity() + r * r.transpose()) /
+            (distance * distance * distance);
       }
-    compliance += 1e-3 * MatrixXd::Identity(3 * count, 3 * count);
     free = 0.1 * VectorXd::NullaryExpr(3 * count, [&] { return unit(random); });
     for (int k = 0; k < count; ++k) {
       ContactCondition condition;
@@ -95,19 +98,46 @@ TEST(ContactSystem, MeetsTheLawsWithoutFriction) {
 
 TEST(ContactSystem, MeetsCoulombsLaw) {
   ContactSystem system;
-  int failed = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
-    const RandomContacts contacts(1 + seed % 20, 0.1 + 0.004 * seed, seed);
+    const RandomContacts contacts(1 + seed % 20, 0.1 + 0.0004 * seed, seed);
     ContactForces solution;
     system.solve(contacts.compliance, contacts.free, contacts.conditions, solution);
-    if (solution.converged)
-      expectLaws(contacts, solution);
-    else
-      ++failed;
+    ASSERT_TRUE(solution.converged) << solution.residual;
+    EXPECT_LE(solution.iterations, 10);
+    expectLaws(contacts, solution);
   }
-  // With random normals and friction up to 0.9 there need not be a solution.
-  EXPECT_LE(failed, 4);
+}
+
+TEST(ContactSystem, ToolsAtOnePlaceYieldALittle) {
+  // The same place twice, and its compliance a little indefinite as a discretised one may be. One
+  // tool wants it 1 mm in, the other 2 mm; a third contact is elsewhere.
+  RandomContacts contacts(3, 0, 5);
+  contacts.free.setZero();
+  auto& d = contacts.compliance;
+  for (const int side : {0, 1}) {
+    d.middleCols<3>(3) = d.leftCols<3>();
+    if (side == 0) d.middleRows<3>(3) = d.topRows<3>();
+  }
+  d.block<3, 3>(3, 3) = d.block<3, 3>(0, 0) = Eigen::Matrix3d::Identity();
+  d.block<3, 3>(0, 3) = d.block<3, 3>(3, 0) = 1.0005 * Eigen::Matrix3d::Identity();
+  contacts.conditions[0] = {Kind::kHold, {0, 0, -1}};
+  contacts.conditions[1] = {Kind::kHold, {0, 0, -2}};
+  contacts.conditions[2] = {Kind::kHold, {0, 0.5, 0}};
+  ContactSystem system;
+  ContactForces solution;
+  system.solve(d, contacts.free, contacts.conditions, solution);
+  EXPECT_FALSE(solution.converged);
+  EXPECT_GT(solution.residual, ContactSystem::kTolerance);
+  ASSERT_GT(solution.softness, 0);
+  const VectorXd displaced = contacts.displacements(solution);
+  // Where they contradict each other they meet in the middle, and elsewhere the law holds.
+  const double softness = ContactSystem::kSharedSoftness;
+  EXPECT_NEAR(displaced[2], -1.5 / (1 + softness / 2), 0.01);
+  EXPECT_NEAR(displaced[5], -1.5 / (1 + softness / 2), 0.01);
+  EXPECT_LE((displaced.tail<3>() - Vector3d(0, 0.5, 0)).norm(), 1e-9);
+  EXPECT_LE(solution.forces.norm(), 20);
+  EXPECT_LE(solution.iterations, ContactSystem::kMostNewton * 4);
 }
 
 TEST(ContactSystem, TheSolutionWithoutFrictionDoesNotDependOnTheStart) {

@@ -201,6 +201,32 @@ TEST_F(PropertiesDock, ATouchBecomesAForceWithARadius) {
   keepPicture("properties-touch");
 }
 
+TEST_F(PropertiesDock, ATouchBecomesAPushWithFrictionAndAPin) {
+  using namespace modeling;
+  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, {}}});
+  editor().select(Selection::of(Selection::Kind::kTouch, "poke"));
+  const auto choose = [&](int steps) {
+    auto& kind = field<QComboBox>("kind");
+    kind.setFocus();
+    for (int k = 0; k < std::abs(steps); ++k)
+      QTest::keyClick(&field<QComboBox>("kind"), steps > 0 ? Qt::Key_Down : Qt::Key_Up);
+  };
+  choose(2);
+  // On the way it was a force, so the length is that of a unit.
+  EXPECT_EQ(std::get<TouchPush>(project().touches.back().action).vector.z(), -1.0);
+  enter(field<VectorEdit>("vector").component(0), "0.5");
+  enter(field("friction"), "11");
+  EXPECT_TRUE(refusalOf(field("friction")).isVisible());
+  enter(field("friction"), "0.3");
+  choose(1);
+  const auto probe = std::get<TouchProbe>(project().touches.back().action);
+  EXPECT_EQ(probe.friction, 0.3);
+  EXPECT_EQ(probe.vector, Eigen::Vector3d(0.5, 0, -1));
+  keepPicture("properties-probe");
+  choose(1);
+  EXPECT_EQ(std::get<TouchPin>(project().touches.back().action).vector.norm(), 0.0);
+}
+
 TEST_F(PropertiesDock, ADragRefreshesTheNumbersLater) {
   const int point = visiblePoint();
   const QPoint pixel = pixelOfPoint(point);

@@ -1,7 +1,11 @@
 #include <QAction>
+#include <QFontMetrics>
+#include <QHeaderView>
 #include <QLabel>
 #include <QTreeWidget>
 
+#include "app/core/touch.h"
+#include "app/core/touch_recording_file.h"
 #include "app/gui/docks/forces_dock.h"
 #include "app/gui/simulate/hand_tool.h"
 #include "modeling/project/project_file.h"
@@ -61,6 +65,119 @@ TEST_F(Simulate, AGrabPullsAndTheDockSaysWithHowManyNewtons) {
   QTest::qWait(200);
   EXPECT_TRUE(forces().text(0, 0).contains("base"));
   EXPECT_EQ(simulation().displacementAt(held.point).norm(), 0.0);
+}
+
+TEST_F(Simulate, EnlargedDisplacementsFollowThePointer) {
+  enter();
+  const double scale = 5;
+  simulation().setScale(scale);
+  const QPoint at = onBody(), to = at + QPoint(60, -30);
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, to);
+  ASSERT_TRUE(waitForForce());
+  const auto drawn = [&] {
+    const auto& point = contact()->point;
+    return view().viewport().toPixel(point.position + scale * contact()->displacement);
+  };
+  // The place is drawn under the hand: the hand's way was divided by the scale.
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return (drawn() - Eigen::Vector2d(to.x(), to.y())).norm() < 2.5; }, 3000))
+      << drawn().transpose() << " is not " << to.x() << ' ' << to.y();
+  keepPicture("simulate-enlarged");
+  // A notch of the wheel presses as far as it does without enlargement: 5 % of the radius.
+  const Eigen::Vector3d before = contact()->value;
+  QWheelEvent event(to, view().mapToGlobal(to), {}, {0, 120}, Qt::LeftButton, {}, Qt::NoScrollPhase,
+                    false);
+  QApplication::sendEvent(&view(), &event);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const double pressed = (contact()->value - before).norm();
+        return std::abs(pressed - 0.05 * contact()->tool.radius) < 1e-6;
+      },
+      3000));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, to);
+}
+
+TEST_F(Simulate, TheSurfaceIsPlainUntilItIsTouched) {
+  enter();
+  ASSERT_FALSE(simulation().values().empty());
+  for (const double value : simulation().values()) ASSERT_TRUE(std::isnan(value));
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(30, 0));
+  ASSERT_TRUE(waitForForce());
+  for (const double value : simulation().values()) ASSERT_TRUE(std::isfinite(value));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + QPoint(30, 0));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::isnan(simulation().values().front()); }, 5000));
+}
+
+TEST_F(Simulate, TheSurfaceIsColouredByItsStiffness) {
+  enter();
+  action("Stiffness under a fingertip")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().stiffnessReady() >= 1; }, 60000));
+  QTest::qWait(100);
+  // What the colours say at a place is what a finger feels there.
+  const auto& body = *simulation().drawn();
+  std::size_t top = 0;
+  for (std::size_t i = 0; i < body.mesh().positions.size(); ++i)
+    if (body.mesh().positions[i].z() > body.mesh().positions[top].z()) top = i;
+  const double stiffness = simulation().values()[top];
+  EXPECT_GT(stiffness, simulation().range()[0]);
+  EXPECT_LT(stiffness, simulation().range()[1]);
+  const Eigen::Vector3d at = body.mesh().positions[top];
+  const double radius = app::defaultTouchRadius(body.model().setup().mesh);
+  const auto id = simulation().begin({bem::ContactTool::Kind::kPush, radius, 0}, at,
+                                     at - Eigen::Vector3d(0, 0, 0.5));
+  ASSERT_TRUE(id);
+  ASSERT_TRUE(waitForForce());
+  QTest::qWait(100);
+  EXPECT_NEAR(contact()->stiffness, stiffness, 0.03 * stiffness);
+  keepPicture("simulate-stiffness");
+  // Where it is held it is stiffer than the colours go.
+  double stiffest = 0;
+  for (const double value : simulation().values()) stiffest = std::max(stiffest, value);
+  EXPECT_EQ(stiffest, simulation().range()[1]);
+  EXPECT_TRUE(simulation().stiffnessColours().isCapped);
+  // A wider finger feels a stiffer body.
+  simulation().setFingertip(1.5 * radius);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().stiffnessReady() >= 1; }, 60000));
+  QTest::qWait(100);
+  EXPECT_GT(simulation().values()[top], 1.05 * stiffness);
+}
+
+TEST_F(Simulate, TheForcesPanelNeedsNoScrollingAndLetsGo) {
+  enter();
+  keepPicture("simulate-forces-empty");
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(40, 20));
+  QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(40, 20));
+  ASSERT_TRUE(waitForForce());
+  forces().setFloating(true);
+  forces().resize(300, 500);
+  QTest::qWait(300);
+  auto* list = forces().findChild<QTreeWidget*>("contacts");
+  ASSERT_TRUE(list);
+  EXPECT_LE(list->header()->length(), list->viewport()->width());
+  const QFontMetrics metrics(list->font());
+  for (int row = 0; row < 2; ++row) {
+    const int indent = 2 * list->indentation() + 12;
+    EXPECT_LE(metrics.horizontalAdvance(forces().details(row)) + indent, list->viewport()->width())
+        << forces().details(row).toStdString();
+    for (int column = 0; column < list->columnCount(); ++column)
+      EXPECT_LE(metrics.horizontalAdvance(forces().text(row, column)), list->columnWidth(column))
+          << forces().text(row, column).toStdString();
+  }
+  EXPECT_TRUE(forces().details(0).startsWith("holds: "));
+  if (const QString folder = qEnvironmentVariable("PALPA_PICTURES"); !folder.isEmpty())
+    forces().grab().save(folder + "/simulate-forces-300.png");
+  // Delete lets go of the chosen pin, and is not about the project.
+  const std::string before = text();
+  list->setCurrentItem(list->topLevelItem(0));
+  list->setFocus();
+  QTest::keyClick(list, Qt::Key_Delete);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 5000));
+  EXPECT_EQ(text(), before);
 }
 
 TEST_F(Simulate, ABallIsPushedInWithTheWheel) {
@@ -161,6 +278,34 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   const int column = static_cast<int>(lines[0].split(',').indexOf("force_N"));
   EXPECT_NEAR(lines.back().split(',')[column].toDouble(), force.norm(), 1e-3 * force.norm());
   keepPicture("simulate-recorded");
+  // Kept in a file, another table of it has the same bytes.
+  const QString kept = folder_.filePath("hand.json"), again = folder_.filePath("again.csv");
+  withDialog<QFileDialog>([&] { action("Save recording")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, kept); });
+  const app::RecordingFile saved = app::readRecording(kept.toStdString());
+  EXPECT_EQ(saved.model.name, window_->editor().project().name);
+  EXPECT_GT(saved.recording.entries.size(), 2u);
+  EXPECT_FALSE(saved.model.key.empty());
+  withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, kept); });
+  withDialog<QFileDialog>([&] { action("Export forces")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, again); });
+  QFile second(again);
+  ASSERT_TRUE(second.open(QIODevice::ReadOnly));
+  table.seek(0);
+  EXPECT_EQ(second.readAll(), table.readAll());
+  // Not a recording: said, and the one that is there stays.
+  const QString wrong = folder_.filePath("wrong.json");
+  QFile broken(wrong);
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("{\"format\": \"palpa-project\"}");
+  broken.close();
+  QSignalSpy refused(&window_->editor(), &Editor::refused);
+  withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, wrong); });
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused[0][0].toString().contains("not a recording"));
+  EXPECT_TRUE(action("Export forces")->isEnabled());
 }
 
 TEST_F(Simulate, ThePointerMovesWhileAnotherMeshTakesOver) {

@@ -200,6 +200,25 @@ TEST_F(SurfaceTools, ATouchIsPulledOutOrPressedIn) {
   expectOneStep();
 }
 
+TEST_F(SurfaceTools, ATouchIsOfTheKindThatWasChosen) {
+  use("Place touch");
+  EXPECT_FALSE(option<QuantityEdit>("touchFriction").isEnabled());
+  choose("touchKind", 1);
+  ASSERT_TRUE(option<QuantityEdit>("touchFriction").isEnabled());
+  enter("touchFriction", "0.4");
+  click(middle());
+  const modeling::Touch touch = project().touches.back();
+  ASSERT_STREQ(modeling::kindOf(touch), "push");
+  EXPECT_DOUBLE_EQ(*modeling::frictionOf(touch), 0.4);
+  EXPECT_LT(modeling::vectorOf(touch).dot(touch.at), 0);
+  keepPicture("touch-push");
+  choose("touchKind", 3);
+  EXPECT_FALSE(option<QuantityEdit>("touchFriction").isEnabled());
+  click(middle() + QPoint(30, 30));
+  ASSERT_STREQ(modeling::kindOf(project().touches.back()), "pin");
+  EXPECT_EQ(modeling::vectorOf(project().touches.back()).norm(), 0);
+}
+
 TEST_F(SurfaceTools, AKnotIsInsertedUnderThePointerAndRemovedAgain) {
   use("Insert knot");
   const QPoint at = middle() + QPoint(20, 30);

@@ -185,6 +185,7 @@ TEST(EditPoints, SmoothEdgesStaySmooth) {
 TEST(EditBody, TransformsKeepVolumeAndAttachments) {
   Project project = box();
   project.primitive = Primitive{};
+  project.touches.push_back({"slide", {0, 0, 25}, TouchPush{{0, 0, -1}, 0.3}, {}});
   const double before = volume(project.body);
   const Project moved = apply(TransformSolid{Translation{{1, 2, 3}}}, project).project;
   EXPECT_FALSE(moved.primitive);
@@ -200,6 +201,9 @@ TEST(EditBody, TransformsKeepVolumeAndAttachments) {
   EXPECT_LT((half.normal - Vector3d(0, -1, 0)).norm(), 1e-12);
   EXPECT_NEAR(half.below, -5.0, 1e-12);
   EXPECT_LT((std::get<Bump>(turned.loads[1].what).direction - Vector3d(0, 1, 0)).norm(), 1e-12);
+  const auto& push = std::get<TouchPush>(turned.touches[1].action);
+  EXPECT_LT((push.vector - Vector3d(0, 1, 0)).norm(), 1e-12);
+  EXPECT_EQ(push.friction, 0.3);
 
   const Project scaled = apply(TransformSolid{Scaling{{1, 2, 3}, {0, 0, 20}}}, project).project;
   EXPECT_NEAR(volume(scaled.body), 6 * before, 1e-6);

@@ -74,6 +74,7 @@ class RandomCommands {
         return oneIn(2) ? Command(SetLoad{name(), {name(), Bump{vector(9.0), 2.0, 0.1, direction}}})
                         : Command(RemoveLoad{name()});
       case 21:
+        if (oneIn(3)) return AddTouch{{name(), vector(20.0), TouchPush{direction, 0.3}, {}}};
         return oneIn(2) ? Command(AddTouch{{name(), vector(20.0), TouchForce{direction}, {}}})
                         : Command(RemoveTouch{name()});
       case 22:

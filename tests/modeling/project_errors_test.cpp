@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cmath>
+
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
 #include "modeling/shapes/primitives.h"
@@ -54,6 +56,62 @@ TEST(ProjectErrors, NamePathFoundAndExpected) {
             "box.json: material.youngs_modulus_MPa: found \"soft\", expected a number");
   EXPECT_EQ(errorWith("\"at_mm\": [0, 0, 20]", "\"at_mm\": [0, 0]"),
             "box.json: touches[0].at_mm: found a list of 2, expected 3 entries");
+}
+
+/// The error when the good text's touch is this object instead.
+std::string errorOfTouch(const std::string& touch) {
+  std::string text = goodText();
+  const std::string key = "\"touches\": [\n    ";
+  const std::size_t begin = text.find(key) + key.size();
+  return errorOf(text.replace(begin, text.find('\n', begin) - begin, touch));
+}
+
+TEST(ProjectErrors, EveryKindOfTouchHasItsKeys) {
+  const std::string at = R"("name": "t", "at_mm": [0, 0, 20])";
+  const std::string by = R"("displace_mm": [0, 0, -1])";
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "push", )" + by + R"(, "friction": 10})"),
+            "no error");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "pin"})"), "no error");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "squeeze"})"),
+            "box.json: touches[0].kind: found \"squeeze\", expected one of \"grab\", \"force\", "
+            "\"push\", \"probe\", \"pin\"");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "probe", )" + by + R"(, "friction": -0.1})"),
+            "box.json: touches[0].friction: found -0.1, expected at least 0");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "push", )" + by + R"(, "friction": 10.5})"),
+            "box.json: touches[0].friction: found 10.5, expected at most 10");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "probe"})"),
+            "box.json: touches[0].displace_mm: is missing");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "force", )" + by + "}"),
+            "box.json: touches[0].displace_mm: unknown key, expected one of \"at_mm\", "
+            "\"force_N\", \"kind\", \"name\", \"radius_mm\"");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "pin", "friction": 0.1})"),
+            "box.json: touches[0].friction: unknown key, expected one of \"at_mm\", "
+            "\"displace_mm\", \"kind\", \"name\", \"radius_mm\"");
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "probe", )" + by + R"(, "radius_mm": 0})"),
+            "box.json: touches[0].radius_mm: found 0, expected more than 0");
+}
+
+TEST(ProjectErrors, NumbersOfTouchesAreCheckedBeforeTheyAreSaved) {
+  Project project = parseProject(goodText(), "box.json");
+  const auto errorOfAction = [&](const auto& action) -> std::string {
+    project.touches[0].action = action;
+    try {
+      checkProject(project);
+    } catch (const ModelingError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const double nan = std::nan("");
+  EXPECT_EQ(errorOfAction(TouchPush{{0, 0, -1}, 0.5}), "no error");
+  EXPECT_EQ(errorOfAction(TouchPush{{0, 0, -1}, nan}),
+            "touches[0].friction: nan is outside the range 0 … 10");
+  EXPECT_EQ(errorOfAction(TouchProbe{{0, 0, -1}, -1.0}),
+            "touches[0].friction: -1 is outside the range 0 … 10");
+  EXPECT_EQ(errorOfAction(TouchProbe{{0, nan, -1}, 0.0}),
+            "touches[0].displace_mm[1]: must be finite");
+  EXPECT_EQ(errorOfAction(TouchPin{{0, nan, -1}}), "touches[0].displace_mm[1]: must be finite");
+  EXPECT_EQ(errorOfAction(TouchForce{{0, nan, -1}}), "touches[0].force_N[1]: must be finite");
 }
 
 TEST(ProjectErrors, RefuseUnknownMissingAndRepeatedKeys) {

@@ -31,7 +31,11 @@ Project example() {
                    {"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, -0.0, 1.0 / 3.0}}},
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
   project.touches = {{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, 3.0},
-                     {"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, std::nullopt}};
+                     {"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, std::nullopt},
+                     {"slide", {0, 25, 0}, TouchPush{{1, -2, 0.1}, 0.3}, 5.0},
+                     {"ball", {0, -25, 0}, TouchProbe{{0, 1.0 / 3.0, 0}, 0.0}, 7.5},
+                     {"needle", {-25, 0, 0}, TouchPin{}, std::nullopt},
+                     {"hook", {-20, 0, 15}, TouchPin{{0, 0, 1}}, 2.0}};
   project.mesh.edgeLength = 4.0;
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
@@ -79,6 +83,16 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(std::get<Bump>(after.loads[2].what).radius, 4.0);
   EXPECT_EQ(*after.touches[0].radius, 3.0);
   EXPECT_EQ(std::get<TouchForce>(after.touches[1].action).vector.x(), 0.5);
+  ASSERT_EQ(after.touches.size(), 6U);
+  const auto& push = std::get<TouchPush>(after.touches[2].action);
+  EXPECT_EQ(push.vector, Eigen::Vector3d(1, -2, 0.1));
+  EXPECT_EQ(push.friction, 0.3);
+  const auto& probe = std::get<TouchProbe>(after.touches[3].action);
+  EXPECT_EQ(probe.vector, Eigen::Vector3d(0, 1.0 / 3.0, 0));
+  EXPECT_EQ(probe.friction, 0.0);
+  EXPECT_EQ(after.touches[3].radius, 7.5);
+  EXPECT_EQ(std::get<TouchPin>(after.touches[4].action).vector, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(std::get<TouchPin>(after.touches[5].action).vector, Eigen::Vector3d(0, 0, 1));
   EXPECT_EQ(after.mesh.refinementLevels, 2);
   EXPECT_TRUE(after.mesh.refineAtSharpEdges && after.mesh.refineAtBorders);
   EXPECT_EQ(after.mesh.patchFactors, before.mesh.patchFactors);
@@ -92,6 +106,17 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   };
   EXPECT_EQ(smooth(after), smooth(before));
   EXPECT_EQ(after.view, before.view);
+}
+
+TEST_F(ProjectFile, AGrabWithAForceIsTheForceItWasCalledAtFirst) {
+  Project project = example();
+  project.touches = {{"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, 4.0}};
+  const std::string text = toJson(project);
+  std::string old = text;
+  const std::string kind = "\"kind\": \"force\"";
+  ASSERT_NE(old.find(kind), std::string::npos);
+  old.replace(old.find(kind), kind.size(), "\"kind\": \"grab\"");
+  EXPECT_EQ(toJson(parseProject(old, "old.json")), text);
 }
 
 /// A tetrahedron with two faces whose triangles alternate.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "app/view/arrow_labels.h"
 #include "app/view/arrow_mesh.h"
@@ -104,7 +105,7 @@ constexpr double kGap = 8;
 const Vector2d kPicture(400, 300);
 
 TEST(ArrowLabel, StandsBeyondTheEnd) {
-  const PixelBox box = placeArrowLabel({{200, 150}, {1, 0}, {60, 20}}, kPicture, kGap, {});
+  const PixelBox box = placeArrowLabel({{200, 150}, {1, 0}, {60, 20}}, kPicture, kGap, {}).box;
   EXPECT_DOUBLE_EQ(box.low.x(), 208);
   EXPECT_DOUBLE_EQ(box.low.y(), 140);
   EXPECT_DOUBLE_EQ(box.high.x(), 268);
@@ -113,21 +114,47 @@ TEST(ArrowLabel, StandsBeyondTheEnd) {
 TEST(ArrowLabel, GivesWay) {
   std::vector<PixelBox> taken;
   for (int i = 0; i < 6; ++i) {
-    const PixelBox box = placeArrowLabel({{200, 150}, {0, -1}, {60, 20}}, kPicture, kGap, taken);
+    const PixelBox box =
+        placeArrowLabel({{200, 150}, {0, -1}, {60, 20}}, kPicture, kGap, taken).box;
     for (const PixelBox& other : taken) EXPECT_EQ(box.overlap(other), 0) << i;
     taken.push_back(box);
   }
 }
 
+/// Something trembles at the border of a label's place.
+TEST(ArrowLabel, DoesNotJumpToAndFro) {
+  const ArrowLabelWish wish{{200, 150}, {1, 0}, {60, 20}};
+  const PixelBox ahead = placeArrowLabel(wish, kPicture, kGap, {}).box;
+  const auto other = [&](double gap) {
+    return std::vector<PixelBox>{{{ahead.high.x() + gap, 100}, {ahead.high.x() + gap + 50, 200}}};
+  };
+  int memoryless = 0, jumps = 0, last = 0;
+  std::optional<int> choice;
+  for (int frame = 0; frame < 40; ++frame) {
+    const auto taken = other(frame % 2 ? 1 : -1);
+    const int without = placeArrowLabel(wish, kPicture, kGap, taken).choice;
+    memoryless += without != last && frame > 0 ? 1 : 0;
+    last = without;
+    const int next = placeArrowLabel(wish, kPicture, kGap, taken, choice).choice;
+    jumps += choice && next != *choice ? 1 : 0;
+    choice = next;
+  }
+  EXPECT_GT(memoryless, 30);
+  EXPECT_LE(jumps, 1);
+  // Once there is room enough, the first choice is taken again.
+  EXPECT_EQ(placeArrowLabel(wish, kPicture, kGap, other(2 * kGap), choice).choice, 0);
+}
+
 TEST(ArrowLabel, StaysInThePictureAsLongAsTheEndDoes) {
   for (const Vector2d& end : {Vector2d(1, 1), Vector2d(399, 150), Vector2d(200, 299)}) {
     for (const Vector2d& along : {Vector2d(1, 0), Vector2d(-1, -1), Vector2d(0, 0)}) {
-      const PixelBox box = placeArrowLabel({end, along, {60, 20}}, kPicture, kGap, {});
+      const PixelBox box = placeArrowLabel({end, along, {60, 20}}, kPicture, kGap, {}).box;
       EXPECT_TRUE((box.low.array() >= 0).all());
       EXPECT_TRUE((box.high.array() <= kPicture.array()).all());
     }
   }
-  const PixelBox outside = placeArrowLabel({{-300, 150}, {-1, 0}, {60, 20}}, kPicture, kGap, {});
+  const PixelBox outside =
+      placeArrowLabel({{-300, 150}, {-1, 0}, {60, 20}}, kPicture, kGap, {}).box;
   EXPECT_LT(outside.high.x(), 0);
 }
 

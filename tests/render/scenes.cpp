@@ -45,6 +45,25 @@ Case sphereDisplacement() {
   return c;
 }
 
+/// Ratios are spread evenly over the colours, and the bar says that there is more.
+Case sphereStiffness() {
+  Case c{touchedSphere({0, 0, 25}, 30, {0, 0, 0})};
+  c.scene.displacements.clear();
+  ScalarField field;
+  field.name = "Stiffness";
+  field.unit = "N/mm";
+  for (const Vector3d& place : c.scene.positions) {
+    const double height = (place.z() + 25) / 50;
+    field.values.push_back(std::min(20.0, 0.45 / (height * height + 1e-6)));
+  }
+  field.range = {0.4, 20};
+  field.isLogarithmic = true;
+  field.isCapped = true;
+  c.scene.field = field;
+  c.scene.title = "Sphere, stiffness";
+  return c;
+}
+
 Case sphereGhostPull() {
   Case c{touchedSphere({22, -12, 0}, 24, {9, -5, 2})};
   c.scene.showUndeformed = true;
@@ -179,6 +198,7 @@ Case smallPicture() {
 
 std::map<std::string, Case> allCases() {
   return {{"sphere_displacement", sphereDisplacement()},
+          {"sphere_stiffness", sphereStiffness()},
           {"sphere_ghost_pull", sphereGhostPull()},
           {"sphere_contact_push", sphereContactPush()},
           {"sphere_hidden_arrow", sphereHiddenArrow()},

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "modeling/shapes/primitives.h"
+#include "tests/render/pressed_body.h"
 
 namespace palpa::render_tests {
 namespace {
@@ -20,95 +21,6 @@ using view::ViewportBody;
 using Anchor = ForceArrow::Anchor;
 using Role = ForceArrow::Role;
 using State = ContactRing::State;
-
-/// A smooth displacement: `peak` at `at`, fading out over `radius`.
-struct Dent {
-  Vector3d at, peak;
-  double radius;
-
-  Vector3d operator()(const Vector3d& place) const {
-    return std::exp(-(place - at).squaredNorm() / (radius * radius)) * peak;
-  }
-};
-
-/// A body pressed and pulled at some places.
-class Pressed {
- public:
-  Pressed(const modeling::Solid& solid, std::vector<Dent> dents, int piecesPerSpan = 10)
-      : rest(viewportBody(solid, piecesPerSpan)), moved(rest), dents_(std::move(dents)) {
-    for (Vector3d& position : moved.positions) position = at(position);
-    for (std::size_t i = 0; i < rest.normals.size(); ++i) {
-      // The area vector of two moved tangents.
-      const Vector3d first = rest.normals[i].unitOrthogonal();
-      const Vector3d second = rest.normals[i].cross(first);
-      const Vector3d& place = rest.positions[i];
-      constexpr double kStep = 1e-4;
-      const Vector3d a = at(place + kStep * first) - at(place - kStep * first);
-      const Vector3d b = at(place + kStep * second) - at(place - kStep * second);
-      moved.normals[i] = a.cross(b).normalized();
-    }
-  }
-
-  Vector3d at(const Vector3d& place) const {
-    Vector3d result = place;
-    for (const Dent& dent : dents_) result += dent(place);
-    return result;
-  }
-
-  ScalarField displacement(double full) const {
-    ScalarField field{"Displacement |u|", "mm", {}, ScalarField::Colours::kSequential, {{0, full}}};
-    for (const Vector3d& place : rest.positions) field.values.push_back((at(place) - place).norm());
-    return field;
-  }
-
-  /// How far the surface moved outwards, in the colours of a traction.
-  ScalarField traction() const {
-    ScalarField field{
-        "Normal traction", "MPa", {}, ScalarField::Colours::kDiverging, {{-0.05, 0.05}}};
-    for (std::size_t i = 0; i < rest.positions.size(); ++i) {
-      const Vector3d moving = at(rest.positions[i]) - rest.positions[i];
-      field.values.push_back(0.01 * moving.dot(rest.normals[i]));
-    }
-    return field;
-  }
-
-  /// The circle about `around`, a point of a sphere at the origin, on the moved surface.
-  std::vector<Vector3d> ring(const Vector3d& around, double radius) const {
-    const Vector3d first = around.unitOrthogonal();
-    const Vector3d second = around.normalized().cross(first);
-    std::vector<Vector3d> points;
-    for (int i = 0; i < 48; ++i) {
-      const double angle = 2 * std::numbers::pi * i / 48;
-      const Vector3d beside =
-          around + radius * (std::cos(angle) * first + std::sin(angle) * second);
-      points.push_back(at(around.norm() * beside.normalized()));
-    }
-    return points;
-  }
-
-  void show(Viewport& viewport) const {
-    viewport.setBody(rest);
-    viewport.setControlNet({});
-    viewport.fit();
-    viewport.moveBody(moved.positions, moved.normals);
-    std::vector<double> base;
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    for (const Vector3d& place : rest.positions) {
-      lowest = std::min(lowest, place.z());
-      highest = std::max(highest, place.z());
-    }
-    for (const Vector3d& place : rest.positions) {
-      base.push_back(place.z() - lowest - 0.15 * (highest - lowest));
-    }
-    viewport.setRegions(base, {});
-  }
-
-  ViewportBody rest, moved;
-
- private:
-  std::vector<Dent> dents_;
-};
 
 constexpr double kRadius = 25;  // mm
 
@@ -304,6 +216,40 @@ void tinyNumbers(Viewport& viewport) {
   viewport.setRegions({}, {});
 }
 
+/// Two balls, the nearer one given first: it is drawn over the other all the same.
+void twoProbes(Viewport& viewport) {
+  const Vector3d near = onSphere(0.65, -0.60, 0.45), far = onSphere(0.30, -0.25, 0.92);
+  const Pressed sphere(modeling::makeSphere(kRadius),
+                       {{near, -3 / kRadius * near, 9}, {far, -3 / kRadius * far, 9}});
+  sphere.show(viewport);
+  viewport.setField(sphere.displacement(5));
+  const double ball = 12;
+  const auto on = [&](const Vector3d& at) -> view::ProbeBall {
+    return {sphere.at(at) * (1 + ball / sphere.at(at).norm()), ball};
+  };
+  viewport.setProbeBalls({on(near), on(far)});
+  viewport.setContactRings(
+      {{sphere.ring(near, 4.5), State::kSticking}, {sphere.ring(far, 4.5), State::kSticking}});
+}
+
+/// A field over ratios that goes on beyond its end, partly unknown; shown as fit() does beside the
+/// bar.
+void stiffness(Viewport& viewport) {
+  const Pressed sphere(modeling::makeSphere(kRadius), {});
+  sphere.show(viewport);
+  ScalarField field{"Stiffness, 63 %", "N/mm", {}, ScalarField::Colours::kSequential, {{0.4, 20}}};
+  field.isLogarithmic = true;
+  field.isCapped = true;
+  for (const Vector3d& place : sphere.rest.positions) {
+    const double height = (place.z() + kRadius) / (2 * kRadius);
+    const bool isKnown = place.x() < 8 || place.z() < 0;
+    field.values.push_back(isKnown ? std::min(20.0, 0.45 / (height * height + 1e-6))
+                                   : std::numeric_limits<double>::quiet_NaN());
+  }
+  viewport.setField(field);
+  viewport.fit();
+}
+
 std::function<void(Viewport&)> dark(std::function<void(Viewport&)> light) {
   return [light = std::move(light)](Viewport& viewport) {
     light(viewport);
@@ -349,6 +295,9 @@ std::map<std::string, ViewportCase> simulateCases() {
       {"simulate_wire", {shaded(push, view::Shading::kWire)}},
       {"simulate_updated", {updated}},
       {"simulate_tiny_numbers", {tinyNumbers}},
+      {"simulate_two_probes", {twoProbes}},
+      {"simulate_stiffness", {stiffness}},
+      {"simulate_dark_stiffness", {dark(stiffness), 480, 400}},
       {"simulate_parallel", {parallel(probe), 640, 480}},
       {"simulate_narrow", {push, 320, 240}},
       {"simulate_high_dpi", {push, 1200, 900, 2}},

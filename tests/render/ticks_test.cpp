@@ -31,6 +31,17 @@ TEST(Ticks, AnEmptyOrBrokenRangeGivesOneTick) {
   EXPECT_EQ(niceTicks(0, std::numeric_limits<double>::infinity(), 5).values.size(), 1u);
 }
 
+TEST(LogarithmicTicks, AreFewAndSpreadEvenlyInRatios) {
+  EXPECT_EQ(logarithmicTicks(0.4, 20, 7).labels, (Labels{"0.5", "1", "2", "3", "5", "10", "20"}));
+  EXPECT_EQ(logarithmicTicks(0.4, 20, 6).labels, (Labels{"0.5", "1", "2", "5", "10", "20"}));
+  EXPECT_EQ(logarithmicTicks(0.4, 20, 4).labels, (Labels{"1", "3", "10"}));
+  EXPECT_EQ(logarithmicTicks(1, 1e6, 4).labels, (Labels{"1", "100", "10000", "1e+06"}));
+  EXPECT_EQ(logarithmicTicks(1, 2, 8).labels, (Labels{"1", "1.5", "2"}));
+  // No step lies between the ends.
+  EXPECT_EQ(logarithmicTicks(2.1, 2.9, 4).labels, (Labels{"2.2", "2.4", "2.6", "2.8"}));
+  EXPECT_EQ(logarithmicTicks(0, 1, 4).labels, niceTicks(0, 1, 4).labels);
+}
+
 TEST(ThreeDigits, KeepsThreeDigits) {
   EXPECT_EQ(threeDigits(0.13449), "0.134");
   EXPECT_EQ(threeDigits(12.345), "12.3");

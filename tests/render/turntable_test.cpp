@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace palpa::view {
@@ -40,6 +41,24 @@ INSTANTIATE_TEST_SUITE_P(Projections, TurntableTest, testing::Bool(), [](const a
 void expectNear(const Vector2d& a, const Vector2d& b, double tolerance = 1e-8) {
   EXPECT_NEAR(a.x(), b.x(), tolerance);
   EXPECT_NEAR(a.y(), b.y(), tolerance);
+}
+
+TEST_P(TurntableTest, FitLeavesRoomAtTheRight) {
+  constexpr double kReserve = 150;
+  camera.fit({corners.begin(), corners.end()}, 60, kReserve);
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  for (const Vector3d& corner : corners) {
+    const Vector2d pixel = camera.toPixel(corner);
+    left = std::min(left, pixel.x());
+    right = std::max(right, pixel.x());
+    top = std::min(top, pixel.y());
+    bottom = std::max(bottom, pixel.y());
+  }
+  // Perspective moves what is near a little further than what is far.
+  EXPECT_LT(right, 1280 - kReserve - 60 + 20);
+  EXPECT_NEAR((left + right) / 2, (1280 - kReserve) / 2, 25);
+  EXPECT_GE(top, 60 - 2);
+  EXPECT_LE(bottom, 740 + 2);
 }
 
 TEST_P(TurntableTest, FitShowsEverythingAndTouchesTwoMargins) {

@@ -32,6 +32,8 @@ class FileActions : public QObject {
   /// Asks for a name to write to, which gets `ending` when it has none, and before something is
   /// overwritten; empty when the person cancelled.
   QString askFileToWrite(const QString& title, const QString& filter, const QString& ending);
+  /// Asks for a file that exists and keeps its folder; empty when the person cancelled.
+  QString askFileToOpen(const QString& title, const QString& filter);
 
  private:
   void addImportAndExport();
@@ -43,8 +45,6 @@ class FileActions : public QObject {
   void exportBody();
   void savePicture();
   void editPrimitive();
-  /// Asks for a file that exists and keeps its folder; empty when the person cancelled.
-  QString askFileToOpen(const QString& title, const QString& filter);
 
   Workspace workspace_;
 };

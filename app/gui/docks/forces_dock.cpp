@@ -1,8 +1,11 @@
 #include "app/gui/docks/forces_dock.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
+#include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace palpa::gui {
@@ -10,6 +13,9 @@ namespace {
 
 constexpr int kInterval = 80;  // ms between two looks: numbers that change faster cannot be read
 constexpr int kDigits = 4;
+constexpr int kFewDigits = 3;  // where the column is narrow
+constexpr int kColumns = 4;
+constexpr int kContactRole = Qt::UserRole;
 
 using Kind = bem::ContactTool::Kind;
 using Status = app::TouchSnapshot::Status;
@@ -60,11 +66,24 @@ ForcesDock::ForcesDock(Simulation& simulation, const Settings& settings, QWidget
   list_->setAccessibleName(tr("Forces of contacts and supports"));
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
-  list_->setSelectionMode(QAbstractItemView::NoSelection);
-  list_->setHeaderLabels(
-      {tr("Contact"), tr("Force"), tr("Moved"), tr("Stiffness"), tr("Force along x, y, z")});
+  list_->setItemsExpandable(false);
+  list_->setIndentation(12);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->setHeaderLabels({tr("Contact"), tr("Force"), tr("Moved"), tr("Stiffness")});
+  // All of it is seen at once: components stand in a line of their own.
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list_->header()->setMinimumSectionSize(20);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setMinimumHeight(90);
+  list_->installEventFilter(this);
+  list_->setContextMenuPolicy(Qt::CustomContextMenu);
+  list_->setToolTip(tr("Delete lets go of the chosen contact"));
+  connect(list_, &QWidget::customContextMenuRequested, this, &ForcesDock::showMenu);
+  plot_->setPlaceholder(tr("Touch the solid: the force of each contact over the last %1 seconds is "
+                           "drawn here.")
+                            .arg(ForceHistory::kSeconds));
   summary_->setObjectName("forcesSummary");
   summary_->setWordWrap(true);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -112,19 +131,73 @@ QString ForcesDock::vectorText(const Eigen::Vector3d& vector, Quantity quantity)
   QStringList parts;
   for (int k = 0; k < 3; ++k) {
     const double value = vector[k] / unit.factor;
-    parts << QString::number(value + 0.0, 'f', decimals);
+    // What rounds to zero has no sign.
+    const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+    parts << QString::number(isZero ? 0.0 : value, 'f', decimals);
   }
-  return parts.join(", ");
+  return parts.join(", ") + " " + unit.symbol;
 }
 
-void ForcesDock::fillRow(int row, const QStringList& texts) {
+QString ForcesDock::details(int row) const {
+  const QTreeWidgetItem* item = list_->topLevelItem(row);
+  return item && item->childCount() > 0 ? item->child(0)->text(0) : QString();
+}
+
+void ForcesDock::fillRow(int row, const Row& filled) {
   while (list_->topLevelItemCount() <= row) {
     auto* item = new QTreeWidgetItem(list_);
-    for (int column = 1; column < 5; ++column) item->setTextAlignment(column, Qt::AlignRight);
+    for (int column = 1; column < kColumns; ++column)
+      item->setTextAlignment(column, Qt::AlignRight);
+    auto* below = new QTreeWidgetItem(item);
+    below->setFlags(Qt::ItemIsEnabled);
+    below->setFirstColumnSpanned(true);
+    below->setForeground(0, palette().color(QPalette::PlaceholderText));
+    item->setExpanded(true);
   }
   QTreeWidgetItem* item = list_->topLevelItem(row);
-  for (int column = 0; column < texts.size(); ++column)
-    if (item->text(column) != texts[column]) item->setText(column, texts[column]);
+  const auto set = [](QTreeWidgetItem* of, int column, const QString& text) {
+    if (of->text(column) == text) return;
+    of->setText(column, text);
+    of->setToolTip(column, text);  // where the column is too narrow
+  };
+  for (int column = 0; column < filled.cells.size(); ++column)
+    set(item, column, filled.cells[column]);
+  set(item->child(0), 0, filled.details);
+  item->child(0)->setHidden(filled.details.isEmpty());
+  item->setData(0, kContactRole, QVariant::fromValue<qulonglong>(filled.contact));
+  item->setFlags(filled.contact ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemIsEnabled);
+}
+
+void ForcesDock::letGoOfChosen() {
+  for (const QTreeWidgetItem* item : list_->selectedItems()) {
+    const auto contact = item->data(0, kContactRole).toULongLong();
+    if (contact) simulation_.letGo(contact);
+  }
+  list_->clearSelection();
+}
+
+bool ForcesDock::eventFilter(QObject* watched, QEvent* event) {
+  const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+  if (watched != list_ || !isKey || list_->selectedItems().isEmpty() ||
+      !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Delete))
+    return QDockWidget::eventFilter(watched, event);
+  // Before Edit > Delete, which is about the project.
+  if (event->type() == QEvent::KeyPress) letGoOfChosen();
+  event->accept();
+  return true;
+}
+
+void ForcesDock::showMenu(const QPoint& at) {
+  QTreeWidgetItem* item = list_->itemAt(at);
+  if (item && item->parent()) item = item->parent();
+  if (!simulation_.isActive() || !item || !item->data(0, kContactRole).toULongLong()) return;
+  list_->setCurrentItem(item);
+  auto* menu = new QMenu(list_);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addAction(tr("&Let go"), QKeySequence(QKeySequence::Delete), this,
+                  &ForcesDock::letGoOfChosen);
+  menu->addAction(tr("Let go of &all"), &simulation_, &Simulation::letGoOfAll);
+  menu->popup(list_->viewport()->mapToGlobal(at));
 }
 
 void ForcesDock::showPlot() {
@@ -172,24 +245,29 @@ void ForcesDock::showForces() {
     const int number = row + 1;
     const bool hasForce = contact.status != Status::kWaiting && contact.status != Status::kHeld;
     const double stiffness = contact.stiffness * length.factor / force.factor;
-    fillRow(row++,
-            {tr("%1 %2, %3")
-                 .arg(kindText(contact.tool.kind))
-                 .arg(number)
-                 .arg(statusText(contact.status)),
-             hasForce ? shownAs(contact.force.norm(), Quantity::kForce) : tr("–"),
-             hasForce ? shownAs(contact.displacement.norm(), Quantity::kLength) : QString(),
-             hasForce && stiffness > 0
-                 ? tr("%L1 %2/%3").arg(stiffness, 0, 'g', kDigits).arg(force.symbol, length.symbol)
-                 : QString(),
-             hasForce ? vectorText(contact.force, Quantity::kForce) : QString()});
+    Row filled;
+    filled.contact = contact.id;
+    filled.cells = {
+        tr("%1 %2").arg(kindText(contact.tool.kind)).arg(number),
+        hasForce ? shownAs(contact.force.norm(), Quantity::kForce) : tr("–"),
+        hasForce
+            ? shown(contact.displacement.norm(), Quantity::kLength, settings_.units(), kFewDigits)
+            : QString(),
+        hasForce && stiffness > 0
+            ? tr("%L1 %2/%3").arg(stiffness, 0, 'g', kFewDigits).arg(force.symbol, length.symbol)
+            : QString()};
+    filled.details = statusText(contact.status);
+    if (hasForce) filled.details += ": " + vectorText(contact.force, Quantity::kForce);
+    fillRow(row++, filled);
   }
   QString words;
   if (const auto state = simulation_.describe()) {
     for (const auto& support : state->supports)
-      fillRow(row++, {tr("Support %1").arg(QString::fromStdString(support.name)),
-                      shownAs(support.resultant.force.norm(), Quantity::kForce), QString(),
-                      QString(), vectorText(support.resultant.force, Quantity::kForce)});
+      fillRow(row++,
+              {{tr("Support %1").arg(QString::fromStdString(support.name)),
+                shownAs(support.resultant.force.norm(), Quantity::kForce), QString(), QString()},
+               tr("holds with") + ": " + vectorText(support.resultant.force, Quantity::kForce),
+               0});
     words = tr("Energy %L1 mJ · balance %L2 %")
                 .arg(state->energy, 0, 'g', kDigits)
                 .arg(100 * state->relativeBalance, 0, 'g', 2);

@@ -22,11 +22,24 @@ class ForcesDock : public QDockWidget {
 
   /// The words of a cell, as a person reads them; empty when there is none.
   QString text(int row, int column) const;
+  /// Those below the row: what the contact does, and the components of its force.
+  QString details(int row) const;
+
+ protected:
+  /// Delete lets go of the chosen contact.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void letGoOfChosen();
+  void showMenu(const QPoint& at);
   void showForces();
   void showPlot();
-  void fillRow(int row, const QStringList& texts);
+  struct Row {
+    QStringList cells;
+    QString details;
+    app::TouchId contact = 0;  ///< 0: not a contact
+  };
+  void fillRow(int row, const Row& filled);
   QString vectorText(const Eigen::Vector3d& vector, Quantity quantity) const;
   QString shownAs(double value, Quantity quantity) const;
 

@@ -301,7 +301,12 @@ ModelTree::Lines ModelTree::touchLines() const {
   for (const modeling::Touch& each : editor_.project().touches)
     lines.push_back(
         {QString::fromStdString(each.name),
-         std::holds_alternative<modeling::TouchForce>(each.action) ? tr("force") : tr("moved"),
+         std::visit(Overloaded{[](const modeling::TouchDisplacement&) { return tr("grab"); },
+                               [](const modeling::TouchForce&) { return tr("force"); },
+                               [](const modeling::TouchPush&) { return tr("push"); },
+                               [](const modeling::TouchProbe&) { return tr("probe"); },
+                               [](const modeling::TouchPin&) { return tr("pin"); }},
+                    each.action),
          "place-touch",
          {}});
   return lines;

@@ -21,6 +21,12 @@ bool isPushing(Kind kind) {
   return kind == Kind::kPush || kind == Kind::kProbe;
 }
 
+/// Drawn mm per mm of displacement; 1 where displacements are not drawn, so that the hand still can
+/// touch.
+double drawnScale(const Simulation& simulation) {
+  return simulation.scale() > 0 ? simulation.scale() : 1;
+}
+
 /// N per mm by which the arrow of a given force is pulled: about the stiffness of a half-space
 /// under a disc, so that the pull looks like what it does.
 double forcePerLength(const app::DrawnBody& body, double radius) {
@@ -100,6 +106,7 @@ bool HandTool::press(const PointerEvent& event) {
     hold_ = Hold{*pin,
                  contact.tool.kind,
                  gain,
+                 drawnScale(simulation_),
                  contact.value,
                  drawn,
                  mesh.normal(contact.point.triangle),
@@ -125,6 +132,7 @@ bool HandTool::press(const PointerEvent& event) {
   hold_ = Hold{*id,
                kind_,
                kind_ == Kind::kForce ? forcePerLength(*simulation_.drawn(), radius) : 1,
+               drawnScale(simulation_),
                start,
                place->drawn,
                place->normal,
@@ -151,7 +159,19 @@ void HandTool::pull(const Eigen::Vector2d& pixel, bool alongNormal) {
   const auto before = at(hold_->from), now = at(pixel);
   if (!before || !now || !now->allFinite()) return;
   hold_->motion = hold_->done + (*now - *before);
-  simulation_.move(hold_->id, hold_->start + hold_->gain * hold_->motion);
+  follow();
+}
+
+void HandTool::follow() {
+  // The motion is one in the picture. Displacements are drawn larger there, places on the surface
+  // are not: what presses goes along the surface as far as the hand, and into it by the part that
+  // is drawn as far.
+  Eigen::Vector3d moved = hold_->motion / hold_->scale;
+  if (isPushing(hold_->kind)) {
+    const Eigen::Vector3d inwards = hold_->normal * hold_->normal.dot(hold_->motion);
+    moved = hold_->motion - inwards + inwards / hold_->scale;
+  }
+  simulation_.move(hold_->id, hold_->start + hold_->gain * moved);
 }
 
 bool HandTool::move(const PointerEvent& event) {
@@ -195,10 +215,10 @@ bool HandTool::doubleClick(const PointerEvent& event) {
 bool HandTool::wheel(const PointerEvent&, double notches) {
   if (!hold_ || !simulation_.drawn()) return false;
   const Eigen::Vector3d step =
-      -notches * kNotch * options_.radius(*simulation_.drawn()) * hold_->normal;
+      -notches * kNotch * options_.radius(*simulation_.drawn()) * hold_->scale * hold_->normal;
   hold_->done += step;
   hold_->motion += step;
-  simulation_.move(hold_->id, hold_->start + hold_->gain * hold_->motion);
+  follow();
   return true;
 }
 

@@ -61,13 +61,16 @@ class HandTool : public Tool {
   std::optional<Place> placeAt(const Eigen::Vector2d& pixel) const;
   std::optional<app::TouchId> pinAt(const Eigen::Vector2d& pixel) const;
   void pull(const Eigen::Vector2d& pixel, bool alongNormal);
+  /// Gives the contact the value of the motion so far.
+  void follow();
   void drawHover(const Eigen::Vector2d& pixel);
 
   /// What is held.
   struct Hold {
     app::TouchId id = 0;
     Kind kind{};
-    double gain = 1;         // value per mm of motion
+    double gain = 1;         // value per mm that the place moves
+    double scale = 1;        // that displacements are drawn with
     Eigen::Vector3d start;   // value before any motion
     Eigen::Vector3d place;   // mm, where it is drawn: the plane of the motion
     Eigen::Vector3d normal;  // unit, outwards

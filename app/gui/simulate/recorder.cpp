@@ -31,7 +31,20 @@ void Recorder::stop() {
   if (!isRecording_) return;
   isRecording_ = false;
   app::TouchRecording recording = simulation_.loop().stopRecording();
-  if (!recording.entries.empty()) recording_ = std::move(recording);
+  if (!recording.entries.empty()) {
+    recording_ = std::move(recording);
+    recordedModel_ = {};
+    if (const auto body = simulation_.body())
+      recordedModel_ = app::recordedModelOf(body->model(), {});
+  }
+  Q_EMIT changed();
+}
+
+void Recorder::open(app::RecordingFile file) {
+  stop();
+  stopReplay();
+  recording_ = std::move(file.recording);
+  recordedModel_ = std::move(file.model);
   Q_EMIT changed();
 }
 

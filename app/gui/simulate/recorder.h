@@ -5,6 +5,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/core/touch_recording_file.h"
 #include "app/gui/simulate/simulation.h"
 
 namespace palpa::gui {
@@ -23,6 +24,10 @@ class Recorder : public QObject {
   void stop();
   /// None before the first.
   const std::optional<app::TouchRecording>& recording() const { return recording_; }
+  /// What recording() was made on; its name is empty until it was saved or opened.
+  const app::RecordedModel& recordedModel() const { return recordedModel_; }
+  /// Takes a recording from a file; what is being recorded or replayed ends.
+  void open(app::RecordingFile file);
 
   bool isReplaying() const { return isReplaying_; }
   /// Plays the recording to the touch loop, as fast as it was made.
@@ -47,6 +52,7 @@ class Recorder : public QObject {
   Simulation& simulation_;
   bool isRecording_ = false, isReplaying_ = false;
   std::optional<app::TouchRecording> recording_;
+  app::RecordedModel recordedModel_;
   std::jthread player_;
 };
 

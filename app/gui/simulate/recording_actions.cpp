@@ -10,6 +10,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
 #include "app/gui/simulate/animation.h"
+#include "modeling/error.h"
 
 namespace palpa::gui {
 namespace {
@@ -38,6 +39,15 @@ RecordingActions::RecordingActions(const Workspace& workspace, Simulation& simul
                         else
                           recorder_.replay();
                       });
+  save_ = menus.add(menus.simulate,
+                    {nullptr, tr("Sa&ve recording …"), {}, tr("Keep what was recorded in a file")},
+                    this, [this] { saveRecording(); });
+  open_ = menus.add(menus.simulate,
+                    {nullptr,
+                     tr("Ope&n recording …"),
+                     {},
+                     tr("Take a recording from a file, to be replayed and exported")},
+                    this, [this] { openRecording(); });
   table_ = menus.add(menus.simulate,
                      {nullptr,
                       tr("Export &forces …"),
@@ -65,6 +75,8 @@ void RecordingActions::update() {
   record_->setChecked(recorder_.isRecording());
   replay_->setEnabled(isActive && isThere);
   replay_->setText(recorder_.isReplaying() ? tr("Stop re&play") : tr("Re&play"));
+  save_->setEnabled(isThere);
+  open_->setEnabled(isActive && !recorder_.isRecording() && !recorder_.isReplaying());
   table_->setEnabled(isActive && isThere && !recorder_.isReplaying());
   animation_->setEnabled(isActive && isThere && !recorder_.isReplaying());
 }
@@ -85,6 +97,39 @@ void RecordingActions::toggleRecording(bool on) {
   if (recording.modelChanges > 0)
     words += tr("; the solid was edited meanwhile, and a replay uses it as it is then");
   Q_EMIT workspace_.editor.said(words);
+}
+
+void RecordingActions::saveRecording() {
+  const QString file = workspace_.window.files().askFileToWrite(tr("Save recording"),
+                                                                tr("Recordings (*.json)"), ".json");
+  if (file.isEmpty()) return;
+  app::RecordingFile kept{recorder_.recordedModel(), *recorder_.recording()};
+  if (kept.model.name.empty()) kept.model.name = workspace_.editor.project().name;
+  try {
+    app::writeRecording(kept, file.toStdString());
+    Q_EMIT workspace_.editor.said(tr("Recording saved to %1").arg(file));
+  } catch (const modeling::ModelingError& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+  }
+}
+
+void RecordingActions::openRecording() {
+  const QString file =
+      workspace_.window.files().askFileToOpen(tr("Open recording"), tr("Recordings (*.json)"));
+  if (file.isEmpty()) return;
+  try {
+    app::RecordingFile opened = app::readRecording(file.toStdString());
+    const std::string difference = app::differenceOf(
+        opened.model,
+        app::recordedModelOf(simulation_.body()->model(), workspace_.editor.project().name));
+    QString words = tr("Opened a recording of %L1 s")
+                        .arg(1e-3 * static_cast<double>(opened.recording.steps), 0, 'f', 1);
+    if (!difference.empty()) words += "; " + QString::fromStdString(difference);
+    recorder_.open(std::move(opened));
+    Q_EMIT workspace_.editor.said(words);
+  } catch (const modeling::ModelingError& error) {
+    Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
+  }
 }
 
 void RecordingActions::exportTable() {

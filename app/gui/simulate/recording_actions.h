@@ -20,6 +20,8 @@ class RecordingActions : public QObject {
  private:
   void update();
   void toggleRecording(bool on);
+  void saveRecording();
+  void openRecording();
   void exportTable();
   void exportAnimation();
   /// Draws the pictures of a replay; false when it was stopped.
@@ -30,6 +32,8 @@ class RecordingActions : public QObject {
   Recorder recorder_;
   QAction* record_;
   QAction* replay_;
+  QAction* save_;
+  QAction* open_;
   QAction* table_;
   QAction* animation_;
 };

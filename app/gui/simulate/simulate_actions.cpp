@@ -23,6 +23,9 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
   addPictures();
   recording_ = new RecordingActions(workspace, simulation);
   connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
+  connect(&hand_, &HandOptions::changed, this, [this] {
+    if (simulation_.drawn()) simulation_.setFingertip(hand_.radius(*simulation_.drawn()));
+  });
   show(false);
 }
 
@@ -84,6 +87,7 @@ void SimulateActions::addPictures() {
   add(SurfaceQuantity::kDisplacement, tr("&Displacement |u|"));
   add(SurfaceQuantity::kNormalTraction, tr("&Normal traction"));
   add(SurfaceQuantity::kVonMises, tr("&von Mises stress"));
+  add(SurfaceQuantity::kStiffness, tr("&Stiffness under a fingertip"));
   add(SurfaceQuantity::kNone, tr("&Plain"));
   menus.addToggle(menus.simulate,
                   {nullptr, tr("&Undeformed shape"), {}, tr("Show where the surface was")},

@@ -4,9 +4,11 @@
 #include <QMetaObject>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/core/priority.h"
 #include "app/core/release.h"
+#include "app/core/touch.h"
 #include "bem/error.h"
 
 namespace palpa::gui {
@@ -39,7 +41,14 @@ double roundUp(double value) {
 
 }  // namespace
 
-Simulation::Simulation(Editor& editor, QObject* parent) : QObject(parent), editor_(editor) {
+Simulation::Simulation(Editor& editor, QObject* parent)
+    : QObject(parent),
+      editor_(editor),
+      stiffnessWorker_([this](app::StiffnessWorker::Result result) {
+        QMetaObject::invokeMethod(
+            this, [this, result = std::move(result)] { receiveStiffness(result); },
+            Qt::QueuedConnection);
+      }) {
   timer_.setInterval(kFrame);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Simulation::frame);
@@ -55,6 +64,7 @@ void Simulation::setActive(bool active) {
   if (active == isActive()) return;
   if (active) {
     if (!loop_) loop_ = std::make_unique<app::TouchLoop>();
+    app::lowerPriorityOfRasteriser();
     timer_.start();
     followModel();
   } else {
@@ -64,6 +74,7 @@ void Simulation::setActive(bool active) {
     letGoOfAll();
     loop_->setModel(nullptr);
     maker_ = {};
+    stiffnessWorker_.stop();
     model_.reset();
     drawn_.reset();
     field_.reset();
@@ -103,6 +114,39 @@ void Simulation::setQuantity(app::SurfaceQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
   range_ = {0, 0};
+  isDirty_ = true;
+  computeStiffness();
+  Q_EMIT picturesChanged();
+}
+
+void Simulation::setFingertip(double radius) {
+  if (fingertip_ == radius) return;
+  fingertip_ = radius;
+  computeStiffness();
+}
+
+/// Anew, and only as long as it is looked at: it takes time from the columns.
+void Simulation::computeStiffness() {
+  stiffnessWorker_.stop();
+  stiffnesses_.clear();
+  stiffnessReady_ = 0;
+  isDirty_ = true;
+  if (quantity_ != app::SurfaceQuantity::kStiffness || !field_) return;
+  const app::TouchModel& model = field_->body()->model();
+  stiffnessWorker_.start(field_->body(),
+                         fingertip_.value_or(app::defaultTouchRadius(model.setup().mesh)));
+}
+
+void Simulation::receiveStiffness(const app::StiffnessWorker::Result& result) {
+  // What was on its way when another map was asked for.
+  if (!field_ || result.body != field_->body() || quantity_ != app::SurfaceQuantity::kStiffness ||
+      result.radius != fingertip_.value_or(result.radius))
+    return;
+  const app::BoundarySetup& setup = result.body->model().setup();
+  stiffnesses_ = drawn_->stiffnesses(result.compliances);
+  stiffnessColours_ = app::StiffnessColours::of(setup.mesh, setup.slots, result.compliances);
+  stiffnessColours_.cap(stiffnesses_);
+  stiffnessReady_ = result.ready;
   isDirty_ = true;
   Q_EMIT picturesChanged();
 }
@@ -208,6 +252,7 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
   drawnNumber_ = number;
   range_ = {0, 0};
   snapshot_ = incoming_;
+  computeStiffness();
   evaluate();
   Q_EMIT bodyChanged();
   Q_EMIT framed();
@@ -222,8 +267,14 @@ void Simulation::evaluate() {
     values_ = drawn_->values(quantity_, field);
   } else {
     displacements_ = field_->displacements(snapshot_).col(0);
-    values_ = quantity_ == app::SurfaceQuantity::kNone ? std::vector<double>()
-                                                       : drawn_->displacementSizes(displacements_);
+    values_.clear();
+    if (quantity_ == app::SurfaceQuantity::kDisplacement)
+      values_ = drawn_->displacementSizes(displacements_);
+    if (quantity_ == app::SurfaceQuantity::kStiffness) {
+      values_ = stiffnesses_;
+      // No colour where nothing is known yet.
+      values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
+    }
   }
   drawn_->deform(displacements_, scale_, shape_);
   updateRange();
@@ -239,8 +290,16 @@ double Simulation::leastRange() const {
 
 void Simulation::updateRange() {
   if (values_.empty()) return;
+  if (quantity_ == app::SurfaceQuantity::kStiffness) {
+    range_ = stiffnessColours_.range;
+    return;
+  }
   double largest = 0;
   for (const double value : values_) largest = std::max(largest, std::abs(value));
+  if (largest == 0) {
+    // Nothing is touched, and no load acts: the body as it is, not all of it in the colour of zero.
+    std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
+  }
   // Steady while one presses harder, and at rest: the person compares colours over time.
   const double present = range_[1];
   const double least = leastRange();

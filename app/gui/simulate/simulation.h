@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "app/core/drawn_body.h"
+#include "app/core/stiffness_colours.h"
+#include "app/core/stiffness_worker.h"
 #include "app/core/touch_field.h"
 #include "app/core/touch_loop.h"
 #include "app/gui/editor.h"
@@ -44,6 +46,13 @@ class Simulation : public QObject {
   // What is drawn.
   void setQuantity(app::SurfaceQuantity quantity);
   app::SurfaceQuantity quantity() const { return quantity_; }
+  /// mm, of the fingertip whose stiffness colours the surface; a fingertip's for the body when none
+  /// was set.
+  void setFingertip(double radius);
+  /// How much of the surface has its stiffness, 0 … 1.
+  double stiffnessReady() const { return stiffnessReady_; }
+  /// Its colours.
+  const app::StiffnessColours& stiffnessColours() const { return stiffnessColours_; }
   /// Factor of the displacements in the picture, 0 … 1000; forces do not know of it.
   void setScale(double scale);
   double scale() const { return scale_; }
@@ -82,7 +91,7 @@ class Simulation : public QObject {
   void bodyChanged();
   /// shape(), values() and snapshot() are new.
   void framed();
-  /// quantity() or scale() changed.
+  /// quantity(), scale() or the state of the stiffness map changed.
   void picturesChanged();
 
  private:
@@ -94,6 +103,8 @@ class Simulation : public QObject {
   void evaluate();
   void updateRange();
   double leastRange() const;
+  void computeStiffness();
+  void receiveStiffness(const app::StiffnessWorker::Result& result);
 
   Editor& editor_;
   std::unique_ptr<app::TouchLoop> loop_;
@@ -113,7 +124,12 @@ class Simulation : public QObject {
   std::array<double, 2> range_{0, 1};
   app::SurfaceQuantity quantity_ = app::SurfaceQuantity::kDisplacement;
   double scale_ = 1;
+  std::optional<double> fingertip_;
+  std::vector<double> stiffnesses_;  // one per point, in the range of the colours
+  app::StiffnessColours stiffnessColours_;
+  double stiffnessReady_ = 0;
   std::jthread maker_;  // of drawn bodies
+  app::StiffnessWorker stiffnessWorker_;
 };
 
 }  // namespace palpa::gui

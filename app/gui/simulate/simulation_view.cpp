@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace palpa::gui {
@@ -13,6 +15,7 @@ using app::SurfaceQuantity;
 
 constexpr int kRingPieces = 40;
 constexpr int kDigits = 3;
+constexpr double kClearlyAcross = 0.15;  // sine of a force's angle with the surface
 
 /// Below zero on held triangles, above on free ones, with the border along their common edges.
 std::vector<double> supportField(const app::DrawnBody& body) {
@@ -93,12 +96,22 @@ void SimulationView::enterOrLeave(bool active) {
   widget_.update();
 }
 
+Unit SimulationView::fieldUnit() const {
+  const Unit& length = settings_.units().of(Quantity::kLength);
+  const Unit& force = settings_.units().of(Quantity::kForce);
+  switch (simulation_.quantity()) {
+    case SurfaceQuantity::kDisplacement:
+      return length;
+    case SurfaceQuantity::kStiffness:
+      return {force.symbol + "/" + length.symbol, force.factor / length.factor};
+    default:
+      return settings_.units().of(Quantity::kStress);
+  }
+}
+
 view::ScalarField SimulationView::fieldLooks() const {
   view::ScalarField field;
-  const Quantity quantity = simulation_.quantity() == SurfaceQuantity::kDisplacement
-                                ? Quantity::kLength
-                                : Quantity::kStress;
-  field.unit = settings_.units().of(quantity).symbol.toStdString();
+  field.unit = fieldUnit().symbol.toStdString();
   switch (simulation_.quantity()) {
     case SurfaceQuantity::kDisplacement:
       field.name = tr("Displacement |u|").toStdString();
@@ -110,6 +123,15 @@ view::ScalarField SimulationView::fieldLooks() const {
     case SurfaceQuantity::kVonMises:
       field.name = tr("von Mises stress").toStdString();
       break;
+    case SurfaceQuantity::kStiffness: {
+      const double ready = simulation_.stiffnessReady();
+      field.name =
+          (ready < 1 ? tr("Stiffness, %1 %").arg(std::floor(100 * ready)) : tr("Stiffness"))
+              .toStdString();
+      field.isLogarithmic = true;
+      field.isCapped = simulation_.stiffnessColours().isCapped;
+      break;
+    }
     case SurfaceQuantity::kNone:
       break;
   }
@@ -136,8 +158,9 @@ void SimulationView::showField() {
   } else {
     view::ScalarField field = fieldLooks();
     // The next frame brings the numbers.
-    field.values.assign(simulation_.drawn()->mesh().positions.size(), 0.0);
-    field.range = std::array<double, 2>{0, 1};
+    field.values.assign(simulation_.drawn()->mesh().positions.size(),
+                        std::numeric_limits<double>::quiet_NaN());
+    field.range = std::array<double, 2>{1, 2};
     viewport.setField(field);
   }
 }
@@ -164,10 +187,7 @@ void SimulationView::showFrame() {
   view::Viewport& viewport = widget_.viewport();
   viewport.moveBody(simulation_.shape().positions, simulation_.shape().normals);
   if (simulation_.quantity() != SurfaceQuantity::kNone) {
-    const Quantity quantity = simulation_.quantity() == SurfaceQuantity::kDisplacement
-                                  ? Quantity::kLength
-                                  : Quantity::kStress;
-    const double factor = settings_.units().of(quantity).factor;
+    const double factor = fieldUnit().factor;
     std::vector<double> values = simulation_.values();
     for (double& value : values) value /= factor;
     viewport.setFieldValues(values,
@@ -198,6 +218,7 @@ void SimulationView::showContacts() {
   std::vector<view::ContactRing> rings;
   std::vector<view::ProbeBall> balls;
   double largest = 0;
+  std::erase_if(isPressing_, [&](const auto& known) { return !snapshot.find(known.first); });
   for (const auto& contact : snapshot.touched()) {
     const Eigen::Vector3d moved = simulation_.displacementAt(contact.point);
     const Eigen::Vector3d drawn = contact.point.position + simulation_.scale() * moved;
@@ -206,10 +227,13 @@ void SimulationView::showContacts() {
     if (force > 0) {
       const Eigen::Vector3d normal =
           simulation_.drawn()->model().setup().mesh.normal(contact.point.triangle);
+      // A force along the surface is now above it and now below: the arrow stays as it was.
+      const double outwards = contact.force.dot(normal) / force;
+      bool& isPressing = isPressing_.try_emplace(contact.id, outwards < 0).first->second;
+      if (std::abs(outwards) > kClearlyAcross) isPressing = outwards < 0;
       arrows.arrows.push_back(
           {drawn, contact.force,
-           contact.force.dot(normal) < 0 ? view::ForceArrow::Anchor::kTip
-                                         : view::ForceArrow::Anchor::kTail,
+           isPressing ? view::ForceArrow::Anchor::kTip : view::ForceArrow::Anchor::kTail,
            view::ForceArrow::Role::kApplied,
            shown(force, Quantity::kForce, settings_.units(), kDigits).toStdString()});
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <map>
 
 #include "app/gui/scene_controller.h"
 #include "app/gui/settings.h"
@@ -29,7 +30,9 @@ class SimulationView : public QObject {
   void showGhost();
   void showFrame();
   void showContacts();
+  /// Name, unit and colours of what the surface shows.
   view::ScalarField fieldLooks() const;
+  Unit fieldUnit() const;
   std::vector<Eigen::Vector3d> ring(const app::TouchSnapshot::Contact& contact,
                                     double radius) const;
 
@@ -39,7 +42,8 @@ class SimulationView : public QObject {
   ViewportWidget& widget_;
   bool isGhostShown_ = true;
   bool hasBody_ = false;
-  double fullForce_ = 0;  // N, of the longest arrow
+  double fullForce_ = 0;                     // N, of the longest arrow
+  std::map<app::TouchId, bool> isPressing_;  // is the arrow drawn onto the surface?
 };
 
 }  // namespace palpa::gui

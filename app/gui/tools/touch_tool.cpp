@@ -24,13 +24,33 @@ void TouchTool::setDepth(double depth) {
   Q_EMIT changed();
 }
 
+void TouchTool::setKind(Kind kind) {
+  kind_ = kind;
+  Q_EMIT changed();
+}
+
+decltype(modeling::Touch::action) TouchTool::action() const {
+  switch (kind_) {
+    case Kind::kPush:
+      return modeling::TouchPush{vector_, friction_};
+    case Kind::kProbe:
+      return modeling::TouchProbe{vector_, friction_};
+    case Kind::kPin:
+      return modeling::TouchPin{vector_};
+    case Kind::kGrab:
+      break;
+  }
+  return modeling::TouchDisplacement{vector_};
+}
+
 bool TouchTool::press(const PointerEvent& event) {
   if (event.button != Qt::LeftButton) return false;
   place_ = scene_.placeAt(event.pixel);
   isDragged_ = false;
   pressed_ = last_ = event.pixel;
   if (place_) {
-    vector_ = -depth() * place_->normal;
+    vector_ =
+        kind_ == Kind::kPin ? Eigen::Vector3d::Zero() : Eigen::Vector3d(-depth() * place_->normal);
     drawTouch(*place_, vector_);
   }
   return true;
@@ -78,7 +98,7 @@ bool TouchTool::release(const PointerEvent& event) {
   if (event.button != Qt::LeftButton || !place_) return false;
   const modeling::Touch touch{freeName(tr("touch").toStdString(), editor_.project().touches),
                               place_->position,
-                              modeling::TouchDisplacement{vector_},
+                              action(),
                               {}};
   place_.reset();
   draw({});
@@ -113,13 +133,34 @@ QString TouchTool::hint() const {
   return (alongNormal_ ? tr("Pulls along the normal (N while dragging: parallel to the screen). ")
                        : tr("Pulls parallel to the screen (Ctrl, or N while dragging: along the "
                             "normal). ")) +
-         tr("A click presses %1 inwards").arg(shownLength(depth()));
+         (kind_ == Kind::kPin ? tr("A click holds the place")
+                              : tr("A click presses %1 inwards").arg(shownLength(depth())));
 }
 
 QWidget* TouchTool::makeOptions(QWidget* parent) {
   auto* options = new QWidget(parent);
   auto* form = new QFormLayout(options);
   form->setContentsMargins(0, 0, 0, 0);
+  auto* kind = new QComboBox(options);
+  kind->addItems({tr("Grab"), tr("Push"), tr("Probe"), tr("Pin")});
+  kind->setCurrentIndex(static_cast<int>(kind_));
+  addRow(form, tr("&Kind"), kind, "touchKind",
+         tr("A grab moves the place; a fingertip pushes and a ball probes: they press, but do not "
+            "pull, and slide; a pin holds the place"));
+  auto* friction = new QuantityEdit(Quantity::kNumber, settings_, options);
+  friction->setRange(0, modeling::kMostFriction);
+  friction->setValue(friction_);
+  addRow(form, tr("&Friction"), friction, "touchFriction",
+         tr("Coulomb's coefficient of the fingertip or ball"));
+  const auto enable = [this, friction] {
+    friction->setEnabled(kind_ == Kind::kPush || kind_ == Kind::kProbe);
+  };
+  enable();
+  connect(kind, &QComboBox::activated, this, [this, enable](int chosen) {
+    setKind(static_cast<Kind>(chosen));
+    enable();
+  });
+  connect(friction, &QuantityEdit::edited, this, &TouchTool::setFriction);
   auto* depth = new QuantityEdit(Quantity::kLength, settings_, options);
   depth->setRange(1e-9, 1e9);
   depth->setValue(this->depth());

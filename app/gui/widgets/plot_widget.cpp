@@ -1,11 +1,17 @@
 #include "app/gui/widgets/plot_widget.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "app/gui/appearance.h"
 
 namespace palpa::gui {
+namespace {
+
+constexpr int kSpare = 16;  // pixels around words
+
+}  // namespace
 
 PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -18,9 +24,17 @@ PlotWidget::~PlotWidget() {
   plot_.reset();
 }
 
+void PlotWidget::setPlaceholder(const QString& words) {
+  placeholder_ = words;
+  setAccessibleDescription(words);
+  update();
+}
+
 void PlotWidget::setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin,
                            double end, const std::string& unit) {
   if (!plot_) return;
+  hasCurves_ = std::any_of(curves.begin(), curves.end(),
+                           [](const auto& curve) { return curve.times.size() > 1; });
   canvas_.makeCurrent();
   plot_->setCurves(curves, begin, end, unit);
   update();
@@ -28,8 +42,12 @@ void PlotWidget::setCurves(const std::vector<view::ForcePlot::Curve>& curves, do
 
 void PlotWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  if (!plot_) {
+  if (!plot_ || !hasCurves_) {
     painter.fillRect(rect(), palette().window());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(rect().adjusted(kSpare, kSpare, -kSpare, -kSpare),
+                     Qt::AlignCenter | Qt::TextWordWrap,
+                     plot_ ? placeholder_ : tr("Curves cannot be drawn without OpenGL 3.2."));
     return;
   }
   const double ratio = devicePixelRatioF();

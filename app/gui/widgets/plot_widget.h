@@ -16,7 +16,9 @@ class PlotWidget : public QWidget {
   explicit PlotWidget(QWidget* parent = nullptr);
   ~PlotWidget() override;
 
-  /// ForcePlot::setCurves().
+  /// Words that stand there as long as there are no curves.
+  void setPlaceholder(const QString& words);
+  /// ForcePlot::setCurves(). Curves of fewer than two points are none.
   void setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin, double end,
                  const std::string& unit);
 
@@ -26,6 +28,8 @@ class PlotWidget : public QWidget {
  private:
   Canvas canvas_;
   std::unique_ptr<view::ForcePlot> plot_;
+  QString placeholder_;
+  bool hasCurves_ = false;
 };
 
 }  // namespace palpa::gui

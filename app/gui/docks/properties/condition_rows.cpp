@@ -1,4 +1,5 @@
 #include <QCoreApplication>
+#include <array>
 
 #include "app/gui/docks/naming.h"
 #include "app/gui/docks/properties/pages.h"
@@ -80,8 +81,60 @@ auto writer(Editor& editor, Member What::*member) {
   };
 }
 
-Vector3d vectorOf(const Touch& touch) {
-  return std::visit([](const auto& action) { return action.vector; }, touch.action);
+using Action = decltype(Touch::action);
+
+/// The action of another kind that comes nearest: direction and friction stay. Millimetres are no
+/// newtons, so a length of one is begun with; a pin begins where it is.
+Action withKind(const Touch& touch, int kind) {
+  using namespace modeling;
+  const Vector3d& vector = vectorOf(touch);
+  const bool wasForce = std::holds_alternative<TouchForce>(touch.action);
+  const Vector3d moved = wasForce ? Vector3d(vector.stableNormalized()) : vector;
+  const double* friction = frictionOf(touch);
+  const double kept = friction ? *friction : 0.0;
+  const std::array<Action, std::variant_size_v<Action>> ofKind{
+      TouchDisplacement{moved}, TouchForce{vector.stableNormalized()}, TouchPush{moved, kept},
+      TouchProbe{moved, kept}, TouchPin{}};
+  return ofKind[kind];
+}
+
+/// What the displacement is measured from.
+QString displacementNote(const Touch& touch) {
+  using namespace modeling;
+  if (std::holds_alternative<TouchForce>(touch.action)) return {};
+  if (std::holds_alternative<TouchDisplacement>(touch.action))
+    return tr("From the unloaded shape.");
+  if (std::holds_alternative<TouchPin>(touch.action))
+    return tr("From where supports and loads alone leave the place.");
+  return tr("From where the tool first meets the surface.");
+}
+
+bool setFriction(Editor& editor, double friction) {
+  Touch touch = touchOf(editor);
+  if (auto* push = std::get_if<modeling::TouchPush>(&touch.action)) push->friction = friction;
+  if (auto* probe = std::get_if<modeling::TouchProbe>(&touch.action)) probe->friction = friction;
+  return put(editor, touch);
+}
+
+void addTouchRadius(PropertyPage& page) {
+  Editor& editor = page.editor();
+  page.addCheck(
+      tr("Radius of a &fingertip"), "usualRadius",
+      [&editor] { return !touchOf(editor).radius.has_value(); },
+      [&editor](bool isUsual) {
+        Touch touch = touchOf(editor);
+        touch.radius = isUsual ? std::nullopt : std::optional(5.0);
+        return put(editor, touch);
+      });
+  if (!touchOf(editor).radius) return;
+  page.addQuantity(
+      tr("&Radius"), "radius", Quantity::kLength,
+      [&editor] { return touchOf(editor).radius.value_or(0.0); },
+      [&editor](double radius) {
+        Touch touch = touchOf(editor);
+        touch.radius = radius;
+        return put(editor, touch);
+      });
 }
 
 }  // namespace
@@ -157,47 +210,38 @@ void addTouchRows(PropertyPage& page) {
         touch.at = at;
         return put(editor, touch);
       });
-  const bool isForce = std::holds_alternative<modeling::TouchForce>(touchOf(editor).action);
   page.addChoice(
-      tr("&Kind"), "kind", {tr("Moved by a displacement"), tr("Pulled with a force")},
-      [isForce] { return isForce ? 1 : 0; },
+      tr("&Kind"), "kind",
+      {tr("Grab: moved"), tr("Force: pulled"), tr("Push: a fingertip that slides"),
+       tr("Probe: a ball that slides"), tr("Pin: held in place")},
+      [&editor] { return static_cast<int>(touchOf(editor).action.index()); },
       [&editor](int kind) {
         Touch touch = touchOf(editor);
         if (kind == static_cast<int>(touch.action.index())) return true;
-        // Millimetres are no newtons: the direction stays, the length begins with one.
-        const Vector3d unit = vectorOf(touch).stableNormalized();
-        if (kind == 1)
-          touch.action = modeling::TouchForce{unit};
-        else
-          touch.action = modeling::TouchDisplacement{unit};
+        touch.action = withKind(touch, kind);
         return put(editor, touch);
       });
+  const bool isForce = std::holds_alternative<modeling::TouchForce>(touchOf(editor).action);
   page.addVector(
       isForce ? tr("&Force x, y, z") : tr("&Displacement x, y, z"), "vector",
       isForce ? Quantity::kForce : Quantity::kLength,
-      [&editor] { return vectorOf(touchOf(editor)); },
+      [&editor] { return modeling::vectorOf(touchOf(editor)); },
       [&editor](const Vector3d& vector) {
         Touch touch = touchOf(editor);
         std::visit([&](auto& action) { action.vector = vector; }, touch.action);
         return put(editor, touch);
       });
-  page.addCheck(
-      tr("Radius of a &fingertip"), "usualRadius",
-      [&editor] { return !touchOf(editor).radius.has_value(); },
-      [&editor](bool isUsual) {
-        Touch touch = touchOf(editor);
-        touch.radius = isUsual ? std::nullopt : std::optional(5.0);
-        return put(editor, touch);
-      });
-  if (touchOf(editor).radius)
+  if (const QString note = displacementNote(touchOf(editor)); !note.isEmpty()) page.addNote(note);
+  if (modeling::frictionOf(touchOf(editor)))
     page.addQuantity(
-        tr("&Radius"), "radius", Quantity::kLength,
-        [&editor] { return touchOf(editor).radius.value_or(0.0); },
-        [&editor](double radius) {
-          Touch touch = touchOf(editor);
-          touch.radius = radius;
-          return put(editor, touch);
-        });
+        tr("Fri&ction"), "friction", Quantity::kNumber,
+        [&editor] {
+          const Touch touch = touchOf(editor);
+          const double* friction = modeling::frictionOf(touch);
+          return friction ? *friction : 0.0;
+        },
+        [&editor](double friction) { return setFriction(editor, friction); });
+  addTouchRadius(page);
 }
 
 }  // namespace palpa::gui

@@ -1,0 +1,10 @@
+#pragma once
+#include "app/core/touch_loop.h"
+
+namespace palpa::bench {
+
+/// Prints from where to where the time between input and force goes: quantiles and a histogram, one
+/// column per part.
+void printLatencies(const app::TouchLoop::Latencies& latencies);
+
+}  // namespace palpa::bench

@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+#include "bem/contact_simulation.h"
+#include "bem/contact_solver.h"
+#include "bem/stiffness_map.h"
+#include "test_meshes.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+enum class Held { kFixed, kRoller };
+
+/// A box of 20 x 20 x 10 mm whose bottom is held; its edges are sharp.
+struct Box {
+  BoundaryMesh mesh;
+  TractionSlots slots;
+  std::shared_ptr<const ReferenceProblem> problem;
+  BoundaryField base;
+  std::unique_ptr<ContactSurface> surface;
+  std::unique_ptr<GreensColumns> columns;
+
+  explicit Box(Held bottom) : mesh(test::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4)), slots(mesh) {
+    constexpr int kLeft = 0, kBottom = 4;  // tags
+    std::vector<SlotCondition> conditions;
+    for (const auto& slot : slots.slots) {
+      // Rollers alone would let it slide: one side is fixed, too.
+      if (bottom == Held::kRoller)
+        conditions.push_back(slot.tag == kLeft     ? SlotCondition::kFixed
+                             : slot.tag == kBottom ? SlotCondition::kRoller
+                                                   : SlotCondition::kTraction);
+      else
+        conditions.push_back(slot.tag == kBottom ? SlotCondition::kFixed
+                                                 : SlotCondition::kTraction);
+    }
+    problem = makeDenseReferenceProblem(mesh, slots, conditions, {1.0, 0.3}, AssemblyOptions{},
+                                        Precision::kDouble, Job{});
+    base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
+    surface = std::make_unique<ContactSurface>(mesh, slots, problem->dofs());
+    columns = std::make_unique<GreensColumns>(problem);
+  }
+  void computeAll() {
+    std::vector<int> all(mesh.nodeCount());
+    std::iota(all.begin(), all.end(), 0);
+    columns->compute(all, Job{});
+  }
+  int slotNear(const Vector3d& at, const Vector3d& normal) const {
+    int best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (int slot = 0; slot < slots.count(); ++slot) {
+      const double off = (mesh.nodes[slots.slots[slot].node] - at).norm() +
+                         100 * (slots.slots[slot].normal - normal).norm();
+      if (off >= least) continue;
+      least = off;
+      best = slot;
+    }
+    return best;
+  }
+};
+
+constexpr double kRadius = 5;
+
+/// Force along the normal per displacement along it, sideways free: two solves with the exact
+/// solver, one grab at a time.
+double stiffnessByGrab(const Box& box, int node, const Vector3d& normal) {
+  ContactSolver solver(box.problem, box.slots, box.base);
+  const auto mask = makeContactMask(*box.surface, box.mesh.nodes[node], kRadius);
+  solver.addForce(mask, normal);
+  return 1 / solver.contacts(solver.forces()).front().displacement.dot(normal);
+}
+
+void expectGrabs(Box& box) {
+  box.computeAll();
+  StiffnessMap map(*box.surface, kRadius);
+  map.update(*box.columns, {});
+  ASSERT_TRUE(map.isComplete());
+  int compared = 0;
+  for (int slot = 0; slot < box.slots.count(); slot += 7) {
+    const int node = box.slots.slots[slot].node;
+    if (!box.problem->dofs().isFree(node)) {
+      EXPECT_EQ(map.compliances()[slot], 0) << slot;
+      continue;
+    }
+    const double wanted = stiffnessByGrab(box, node, box.slots.slots[slot].normal);
+    EXPECT_NEAR(1 / map.compliances()[slot], wanted, 2e-5 * wanted) << slot;
+    ++compared;
+  }
+  EXPECT_GT(compared, 15);
+}
+
+TEST(StiffnessMap, IsWhatGrabsMadeOneByOneFeel) {
+  Box box(Held::kFixed);
+  expectGrabs(box);
+}
+
+TEST(StiffnessMap, BesideRollersMeasuredNodesMoveOnlyAlongThem) {
+  Box box(Held::kRoller);
+  expectGrabs(box);
+}
+
+/// The loop's own contacts: a grab along the normal that is held sideways, too, is at least as
+/// stiff, and a finger without friction exactly as stiff.
+TEST(StiffnessMap, IsWhatAFingerWithoutFrictionFeels) {
+  Box box(Held::kFixed);
+  box.computeAll();
+  StiffnessMap map(*box.surface, kRadius);
+  map.update(*box.columns, {});
+  const int slot = box.slotNear({10, 10, 10}, Vector3d::UnitZ());
+  const double wanted = 1 / map.compliances()[slot];
+  const Vector3d at = box.mesh.nodes[box.slots.slots[slot].node];
+  ContactSimulation simulation(*box.surface, *box.columns, box.base);
+  constexpr double kDepth = 1e-3;
+  simulation.begin({ContactTool::Kind::kPush, kRadius, 0}, at, at - Vector3d(0, 0, kDepth));
+  simulation.step(1);
+  EXPECT_NEAR(simulation.contacts().front().force.norm() / kDepth, wanted, 1e-4 * wanted);
+  ContactSimulation grab(*box.surface, *box.columns, box.base);
+  grab.begin({ContactTool::Kind::kGrab, kRadius, 0}, at, {0, 0, -kDepth});
+  grab.step(1);
+  EXPECT_GE(-grab.contacts().front().force.z() / kDepth, wanted * (1 - 1e-6));
+}
+
+TEST(StiffnessMap, IsSofterFarFromTheSupport) {
+  Box box(Held::kFixed);
+  box.computeAll();
+  StiffnessMap map(*box.surface, kRadius);
+  map.update(*box.columns, {});
+  const Vector3d side(1, 0, 0);
+  const int high = box.slotNear({20, 10, 7.5}, side), low = box.slotNear({20, 10, 2.5}, side);
+  EXPECT_GT(map.compliances()[high], 1.5 * map.compliances()[low]);
+}
+
+TEST(StiffnessMap, GrowsWhileColumnsCome) {
+  Box box(Held::kFixed);
+  StiffnessMap map(*box.surface, kRadius);
+  EXPECT_EQ(map.update(*box.columns, {}), 0);
+  EXPECT_EQ(map.readyCount(), 0);
+  std::vector<int> order = box.columns->nodesNear(box.mesh, {10, 10, 10});
+  order.resize(order.size() / 2);
+  box.columns->compute(order, {});
+  const int first = map.update(*box.columns, {});
+  EXPECT_GT(first, 0);
+  EXPECT_FALSE(map.isComplete());
+  int unknown = 0;
+  for (const double compliance : map.compliances()) unknown += std::isnan(compliance) ? 1 : 0;
+  EXPECT_GT(unknown, 0);
+  box.computeAll();
+  EXPECT_EQ(map.update(*box.columns, {}), map.nodeCount() - first);
+  EXPECT_TRUE(map.isComplete());
+  // In two parts as at once, and on any number of threads.
+  Job alone;
+  alone.threads = 1;
+  StiffnessMap whole(*box.surface, kRadius);
+  whole.update(*box.columns, alone);
+  EXPECT_EQ(map.compliances(), whole.compliances());
+}
+
+TEST(StiffnessMap, CancelledKeepsWhatWasThere) {
+  Box box(Held::kFixed);
+  box.computeAll();
+  StiffnessMap map(*box.surface, kRadius);
+  std::stop_source stop;
+  Job job;
+  job.stop = stop.get_token();
+  job.progress = [&](std::string_view phase, double) {
+    EXPECT_EQ(phase, "stiffness");
+    stop.request_stop();
+  };
+  EXPECT_THROW(map.update(*box.columns, job), Cancelled);
+  EXPECT_EQ(map.readyCount(), 0);
+  map.update(*box.columns, {});
+  EXPECT_TRUE(map.isComplete());
+}
+
+}  // namespace
+}  // namespace palpa::bem
