@@ -8,8 +8,11 @@
 namespace palpa::bem {
 namespace {
 
-constexpr int kSamples = 9;      ///< per direction, to find where the border runs
-constexpr int kMostDepth = 6;    ///< halvings of a knot rectangle
+constexpr int kSamples = 9;    ///< per direction, to find where the border runs
+constexpr int kMostDepth = 6;  ///< halvings of a knot rectangle
+/// Slices along the side of a rectangle that are thinner, in parts of it, are not cut off: the
+/// border then runs along the side.
+constexpr double kThinnest = 1e-3;
 constexpr double kSteepest = 2;  ///< of a graph, in units of its rectangle
 /// Of a function's area on one side of the border below which it belongs to the other side: its
 /// equation would hardly differ from its neighbours'.
@@ -50,10 +53,11 @@ class Cutter {
   }
 
   void divide(const Rectangle& r, int depth) {
+    const auto inner = [](int k) { return kThinnest + (1 - 2 * kThinnest) * k / (kSamples - 1); };
     int inside = 0;
     for (int i = 0; i < kSamples; ++i)
       for (int j = 0; j < kSamples; ++j)
-        inside += level(r.at(0, i / (kSamples - 1.0)), r.at(1, j / (kSamples - 1.0))) < 0 ? 1 : 0;
+        inside += level(r.at(0, inner(i)), r.at(1, inner(j))) < 0 ? 1 : 0;
     if (inside == 0 || inside == kSamples * kSamples) {
       pieces_.push_back({r, {}, inside > 0});
       return;

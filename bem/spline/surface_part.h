@@ -16,7 +16,8 @@ using LevelFunction = std::function<double(const Eigen::Vector3d&)>;
 /// (SplineSurface::barelyReaches).
 ///
 /// The border may have any shape that is simple within a 64th of a knot rectangle; what is finer is
-/// taken as inside or outside by its middle.
+/// taken as inside or outside by its middle, and slices thinner than a thousandth of a rectangle
+/// are not cut off.
 SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag);
 
 }  // namespace palpa::bem

@@ -91,7 +91,7 @@ TEST(SurfacePart, TearsFunctionsOnlyAtTheBorder) {
   const SplineSurface held = withPart(
       box, [](const Vector3d& x) { return x.z() - 1e-6; }, 1);
   EXPECT_EQ(held.coefficientCount(), box.coefficientCount());
-  EXPECT_NEAR(areaWithTag(held, 1), 1200, 1e-9);
+  EXPECT_NEAR(areaWithTag(held, 1), 1200, 1e-9) << "the base alone";
 }
 
 /// With exact data on both sides, tearing does no harm: the border is free to be anywhere.
