@@ -1,15 +1,80 @@
 #include "bem/spline/spline_collocation.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
+#include "bem/spline/gauss_rule.h"
+
 namespace palpa::bem {
+namespace {
+
+bool carries(const SplineSurface& surface, int element, int coefficient) {
+  const std::vector<int>& list = surface.functions(element);
+  return std::find(list.begin(), list.end(), coefficient) != list.end();
+}
+
+/// For a torn function whose Greville point lies on the other side of the border: the middle of the
+/// function on its own side, weighted by its square, in the patch where it weighs most.
+std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
+  constexpr int kPoints = 4;
+  const GaussRule& rule = gaussRule(kPoints);
+  struct Middle {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double weight = 0;
+  };
+  std::map<int, Middle> middles;  // by patch
+  SplinePlace strongest{-1, 0, 0};
+  double most = 0;
+  std::vector<double> basis;
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    if (!carries(surface, e, coefficient)) continue;
+    const SplineElement& element = surface.elements()[e];
+    for (int i = 0; i < kPoints; ++i)
+      for (int j = 0; j < kPoints; ++j) {
+        const SplinePlace place{
+            e, element.lower[0] + rule.points[i] * (element.upper[0] - element.lower[0]),
+            element.lower[1] + rule.points[j] * (element.upper[1] - element.lower[1])};
+        surface.evaluateBasis(place, basis);
+        double value = 0;
+        for (std::size_t f = 0; f < basis.size(); ++f)
+          if (surface.functions(e)[f] == coefficient) value += basis[f];
+        const double weight = value * value * rule.weights[i] * rule.weights[j] *
+                              surface.evaluate(place).areaVector().norm();
+        middles[element.patch].sum += weight * surface.parameters(place).parameters;
+        middles[element.patch].weight += weight;
+        if (value > most) {
+          most = value;
+          strongest = place;
+        }
+      }
+  }
+  const auto heaviest = std::max_element(
+      middles.begin(), middles.end(),
+      [](const auto& a, const auto& b) { return a.second.weight < b.second.weight; });
+  const Eigen::Vector2d middle = heaviest->second.sum / heaviest->second.weight;
+  const auto places = placesInPatch(surface, heaviest->first, middle[0], middle[1]);
+  if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const SplinePlace& p) {
+        return carries(surface, p.element, coefficient);
+      }))
+    return places;
+  const Eigen::Vector2d at = surface.parameters(strongest).parameters;
+  return placesInPatch(surface, surface.elements()[strongest.element].patch, at[0], at[1]);
+}
+
+}  // namespace
+
 std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& surface) {
   std::vector<SplineCollocationPoint> points;
-  for (const auto& list : occurrences(surface)) {
+  const auto all = occurrences(surface);
+  for (int k = 0; k < surface.coefficientCount(); ++k) {
     SplineCollocationPoint point;
-    for (const SplineOccurrence& at : list)
+    for (const SplineOccurrence& at : all[k])
       for (const SplinePlace& place : grevillePlaces(surface, at)) point.places.push_back(place);
+    if (surface.isTorn(k) &&
+        !std::all_of(point.places.begin(), point.places.end(),
+                     [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
+      point.places = placesOnOwnSide(surface, k);
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;
@@ -42,7 +107,7 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
         span[d] += step;
         const bool isPatchEnd = span[d] < 0 || span[d] >= static_cast<int>(basis[d].spans().size());
         if (!isPatchEnd &&
-            surface.elements()[surface.elementAt(element.patch, span[0], span[1])].tag ==
+            surface.elements()[surface.elementsAt(element.patch, span[0], span[1]).front()].tag ==
                 wanted.tag)
           continue;
         const int next = std::clamp(function[d] - step, 0, basis[d].count() - 1);

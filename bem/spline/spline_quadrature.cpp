@@ -112,7 +112,7 @@ SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double toleranc
       work.v.clear();
       work.weight.clear();
       addCell(cellOf(shape), n, work);
-      place(element, work, points);
+      place(e, work, points);
     };
     placeRule(2 * kMost, work.points);
     const std::vector<double> exact = moments(element, work.points);
@@ -168,7 +168,15 @@ std::array<double, 2> SplineQuadrature::lengths(int element, const SplineCell& c
   return {(at(1, 0.5) - at(0, 0.5)).norm(), (at(0.5, 1) - at(0.5, 0)).norm()};
 }
 
-void SplineQuadrature::place(const Element& element, Workspace& work, SplinePoints& points) const {
+void SplineQuadrature::place(int index, Workspace& work, SplinePoints& points) const {
+  const Element& element = elements_[index];
+  if (surface_.isCut(index))
+    for (std::size_t k = 0; k < work.u.size(); ++k) {
+      const CutMap::Image image = surface_.parameters({index, work.u[k], work.v[k]});
+      work.u[k] = image.parameters[0];
+      work.v[k] = image.parameters[1];
+      work.weight[k] *= image.derivative.determinant();
+    }
   const auto given = work.u.size();
   const auto count = static_cast<std::size_t>(roundUpToLanes(static_cast<int>(given)));
   work.u.resize(count, work.u.front());
@@ -381,7 +389,7 @@ void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace
     addSingular(index, cell, x, *inside, 0, work);
   else
     addNear(index, cell, element.ball, x, 0, work);
-  place(element, work, work.points);
+  place(index, work, work.points);
   sum(element, work.points, x, work);
 }
 

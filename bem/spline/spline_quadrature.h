@@ -79,7 +79,7 @@ class SplineQuadrature {
   int pointsFor(const Element& element, double ratio) const;
   Ball ballAround(int element, const SplineCell& cell) const;
   std::array<double, 2> lengths(int element, const SplineCell& cell) const;
-  void place(const Element& element, Workspace& work, SplinePoints& points) const;
+  void place(int index, Workspace& work, SplinePoints& points) const;
   void addNear(int element, const SplineCell& cell, const Ball& ball, const Eigen::Vector3d& x,
                int depth, Workspace& work) const;
   void addSingular(int element, const SplineCell& cell, const Eigen::Vector3d& x,

@@ -1,5 +1,6 @@
 #include "bem/spline/spline_surface.h"
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
@@ -31,10 +32,11 @@ SplineSurface::SplineSurface(std::vector<Vector3d> controlPoints, std::vector<Sp
     for (const int point : patch.net)
       if (point < 0 || point >= coefficientCount())
         throw std::invalid_argument("SplineSurface: a net names a point that does not exist");
-    firstElement_.push_back(elementCount());
+    firstCell_.push_back(elementCount());
     for (std::size_t j = 0; j < v.spans().size(); ++j)
       for (std::size_t i = 0; i < u.spans().size(); ++i) {
         const auto &spanU = u.spans()[i], &spanV = v.spans()[j];
+        elementsOfCell_.push_back({elementCount()});
         elements_.push_back({static_cast<int>(p),
                              {static_cast<int>(i), static_cast<int>(j)},
                              {spanU.lower, spanV.lower},
@@ -45,6 +47,69 @@ SplineSurface::SplineSurface(std::vector<Vector3d> controlPoints, std::vector<Sp
             list.push_back(patch.net[spanU.first + a + (spanV.first + b) * u.count()]);
       }
   }
+  tornFrom_.resize(controlPoints_.size());
+  std::iota(tornFrom_.begin(), tornFrom_.end(), 0);
+  isTorn_.resize(controlPoints_.size(), false);
+  barelyReaches_.resize(controlPoints_.size(), false);
+}
+
+void SplineSurface::replaceElement(int element, const std::vector<SplineElement>& pieces,
+                                   const std::vector<std::optional<CutMap>>& maps) {
+  const auto& [u, v] = elements_[element].span;
+  const std::size_t cell =
+      firstCell_[elements_[element].patch] +
+      static_cast<std::size_t>(v) * patches_[elements_[element].patch].basis[0].spans().size() + u;
+  const std::vector<int> list = functions_[element];
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    SplineElement piece = pieces[k];
+    if (maps[k]) {
+      piece.cut = static_cast<int>(cuts_.size());
+      cuts_.push_back(*maps[k]);
+    }
+    if (k == 0) {
+      elements_[element] = piece;
+      continue;
+    }
+    elementsOfCell_[cell].push_back(elementCount());
+    elements_.push_back(piece);
+    functions_.push_back(list);
+  }
+}
+
+int SplineSurface::tear(int coefficient, int tag) {
+  const int other = coefficientCount();
+  controlPoints_.push_back(controlPoints_[coefficient]);
+  tornFrom_.push_back(tornFrom_[coefficient]);
+  isTorn_[coefficient] = true;
+  isTorn_.push_back(true);
+  barelyReaches_.push_back(false);
+  for (int e = 0; e < elementCount(); ++e)
+    if (elements_[e].tag == tag)
+      std::replace(functions_[e].begin(), functions_[e].end(), coefficient, other);
+  return other;
+}
+
+std::optional<SplinePlace> SplineSurface::placeIn(int index, double u, double v) const {
+  const SplineElement& element = elements_[index];
+  constexpr double kSlack = 1e-9;
+  if (element.cut >= 0) {
+    const auto local = cuts_[element.cut].invert(u, v, kSlack);
+    if (!local) return {};
+    return SplinePlace{index, (*local)[0], (*local)[1]};
+  }
+  const std::array<double, 2> parameter{u, v};
+  for (int d = 0; d < 2; ++d) {
+    const double slack = kSlack * (element.upper[d] - element.lower[d]);
+    if (parameter[d] < element.lower[d] - slack || parameter[d] > element.upper[d] + slack)
+      return {};
+  }
+  return SplinePlace{index, u, v};
+}
+
+CutMap::Image SplineSurface::parameters(const SplinePlace& place) const {
+  const int cut = elements_[place.element].cut;
+  if (cut >= 0) return cuts_[cut].at(place.u, place.v);
+  return {{place.u, place.v}, Eigen::Matrix2d::Identity()};
 }
 
 double SplineSurface::boundingSize() const {
@@ -74,7 +139,8 @@ int SplineSurface::closedSurfaceCount() const {
 void SplineSurface::evaluateBasis(const SplinePlace& place, std::vector<double>& values) const {
   const SplineElement& element = elements_[place.element];
   const auto& [u, v] = patches_[element.patch].basis;
-  const Basis1d a = basisAt(u, element.span[0], place.u), b = basisAt(v, element.span[1], place.v);
+  const Eigen::Vector2d at = parameters(place).parameters;
+  const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
   values.clear();
   for (int j = 0; j <= v.degree(); ++j)
     for (int i = 0; i <= u.degree(); ++i) values.push_back(a.value[i] * b.value[j]);
@@ -83,7 +149,8 @@ void SplineSurface::evaluateBasis(const SplinePlace& place, std::vector<double>&
 SplineJet SplineSurface::evaluate(const SplinePlace& place) const {
   const SplineElement& element = elements_[place.element];
   const auto& [u, v] = patches_[element.patch].basis;
-  const Basis1d a = basisAt(u, element.span[0], place.u), b = basisAt(v, element.span[1], place.v);
+  const auto [at, derivative] = parameters(place);
+  const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
   SplineJet jet{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   const int* function = functions_[place.element].data();
   for (int j = 0; j <= v.degree(); ++j)
@@ -93,6 +160,11 @@ SplineJet SplineSurface::evaluate(const SplinePlace& place) const {
       jet.du += a.derivative[i] * b.value[j] * point;
       jet.dv += a.value[i] * b.derivative[j] * point;
     }
+  if (element.cut >= 0) {
+    const Vector3d du = jet.du, dv = jet.dv;
+    jet.du = derivative(0, 0) * du + derivative(1, 0) * dv;
+    jet.dv = derivative(0, 1) * du + derivative(1, 1) * dv;
+  }
   return jet;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 #include <Eigen/Dense>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "bem/spline/bspline_basis.h"
+#include "bem/spline/cut_map.h"
 
 namespace palpa::bem {
 
@@ -16,21 +18,23 @@ struct SplinePatch {
   int smoothingGroup = 0;
 };
 
-/// A rectangle between knots of a patch. Tags as in BoundaryMesh.
+/// A rectangle between knots of a patch, or a piece of one that the border of a part bounds. Tags
+/// as in BoundaryMesh.
 struct SplineElement {
   int patch;
   std::array<int, 2> span;
-  std::array<double, 2> lower, upper;  ///< parameters
+  std::array<double, 2> lower, upper;  ///< local coordinates: parameters, or those of the CutMap
   int tag = 0;
+  int cut = -1;  ///< index of the CutMap; -1: none
 };
 
-/// A place on the surface by its parameters.
+/// A place on the surface by an element and its local coordinates.
 struct SplinePlace {
   int element;
   double u, v;
 };
 
-/// Position and first derivatives, mm per unit of the parameters.
+/// Position and first derivatives, mm per unit of the local coordinates.
 struct SplineJet {
   Eigen::Vector3d position, du, dv;
   /// Outward; its length is the area per unit of the parameters.
@@ -61,11 +65,29 @@ class SplineSurface {
     return patches_[elements_[element].patch].smoothingGroup;
   }
 
-  /// Indices of an element in its patch, u fastest.
-  int elementAt(int patch, int spanU, int spanV) const {
-    return firstElement_[patch] +
-           spanV * static_cast<int>(patches_[patch].basis[0].spans().size()) + spanU;
+  /// The elements between two knots in either direction: one, or the pieces of a cut one.
+  const std::vector<int>& elementsAt(int patch, int spanU, int spanV) const {
+    return elementsOfCell_[firstCell_[patch] +
+                           spanV * static_cast<int>(patches_[patch].basis[0].spans().size()) +
+                           spanU];
   }
+  /// The place in an element of parameters in its knot rectangle; none when they are not in it.
+  std::optional<SplinePlace> placeIn(int element, double u, double v) const;
+  /// Parameters of a place, and their derivatives by the local coordinates.
+  CutMap::Image parameters(const SplinePlace& place) const;
+  bool isCut(int element) const { return elements_[element].cut >= 0; }
+
+  /// Replaces an element by pieces of it; the first takes its index.
+  void replaceElement(int element, const std::vector<SplineElement>& pieces,
+                      const std::vector<std::optional<CutMap>>& maps);
+  /// Gives a function another coefficient on all elements with a tag; returns it.
+  int tear(int coefficient, int tag);
+  /// The coefficient of the net that stands for one: itself, or the one it was torn from.
+  int tornFrom(int coefficient) const { return tornFrom_[coefficient]; }
+  bool isTorn(int coefficient) const { return isTorn_[coefficient]; }
+  /// Marks a function that reaches into a part by so little that it is left outside.
+  void setBarelyReaches(int coefficient) { barelyReaches_[coefficient] = true; }
+  bool barelyReaches(int coefficient) const { return barelyReaches_[coefficient]; }
 
   /// Coefficients of the functions that are not zero on an element, (degree u + 1) (degree v + 1),
   /// u fastest. Some appear twice where an edge is collapsed.
@@ -80,8 +102,12 @@ class SplineSurface {
  private:
   std::vector<Eigen::Vector3d> controlPoints_;
   std::vector<SplinePatch> patches_;
-  std::vector<int> firstElement_;
+  std::vector<int> firstCell_;
+  std::vector<std::vector<int>> elementsOfCell_;
   std::vector<SplineElement> elements_;
+  std::vector<CutMap> cuts_;
+  std::vector<int> tornFrom_;
+  std::vector<bool> isTorn_, barelyReaches_;
   std::vector<std::vector<int>> functions_;
 };
 

@@ -16,6 +16,8 @@ std::vector<std::vector<SplineOccurrence>> occurrences(const SplineSurface& surf
       all[patch.net[k]].push_back(
           {static_cast<int>(p), static_cast<int>(k) % count, static_cast<int>(k) / count});
   }
+  for (int k = 0; k < surface.coefficientCount(); ++k)
+    if (surface.tornFrom(k) != k) all[k] = all[surface.tornFrom(k)];
   return all;
 }
 
@@ -32,7 +34,9 @@ std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, 
   }
   std::vector<SplinePlace> places;
   for (const int j : spans[1])
-    for (const int i : spans[0]) places.push_back({surface.elementAt(patch, i, j), u, v});
+    for (const int i : spans[0])
+      for (const int element : surface.elementsAt(patch, i, j))
+        if (const auto place = surface.placeIn(element, u, v)) places.push_back(*place);
   return places;
 }
 

@@ -39,7 +39,9 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
   const TractionSlots& slots = tractions.slots;
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
-    conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+    conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node)
+                             ? SlotCondition::kFixed
+                             : SlotCondition::kTraction);
   problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options,
                                       Precision::kDouble, Job{}, &times);
   BoundaryConditions given(surface.coefficientCount(), slots.count());

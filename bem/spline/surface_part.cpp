@@ -1,0 +1,233 @@
+#include "bem/spline/surface_part.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bem/spline/gauss_rule.h"
+
+namespace palpa::bem {
+namespace {
+
+constexpr int kSamples = 9;    ///< per direction, to find where the border runs
+constexpr int kMostDepth = 6;  ///< halvings of a knot rectangle
+/// Slices along the side of a rectangle that are thinner, in parts of it, are not cut off: the
+/// border then runs along the side.
+constexpr double kThinnest = 1e-3;
+constexpr double kSteepest = 2;  ///< of a graph, in units of its rectangle
+/// Of a function's area on one side of the border below which it belongs to the other side: its
+/// equation would hardly differ from its neighbours'.
+constexpr double kLeast = 0.1;
+
+struct Rectangle {
+  std::array<double, 2> lower, upper;
+  double at(int direction, double fraction) const {
+    return lower[direction] + fraction * (upper[direction] - lower[direction]);
+  }
+  double size(int direction) const { return upper[direction] - lower[direction]; }
+};
+
+/// Cuts the rectangle of one element.
+class Cutter {
+ public:
+  struct Piece {
+    Rectangle rectangle;
+    std::optional<CutMap> map;
+    bool isInside;
+  };
+
+  Cutter(const SplineSurface& surface, int element, const LevelFunction& level)
+      : surface_(surface), element_(element), level_(level) {}
+
+  std::vector<Piece> cut() {
+    const SplineElement& e = surface_.elements()[element_];
+    divide({e.lower, e.upper}, 0);
+    return std::move(pieces_);
+  }
+
+ private:
+  double level(double u, double v) const {
+    return level_(surface_.evaluate({element_, u, v}).position);
+  }
+  double level(int axis, double along, double across) const {
+    return axis == 0 ? level(along, across) : level(across, along);
+  }
+
+  void divide(const Rectangle& r, int depth) {
+    const auto inner = [](int k) { return kThinnest + (1 - 2 * kThinnest) * k / (kSamples - 1); };
+    int inside = 0;
+    for (int i = 0; i < kSamples; ++i)
+      for (int j = 0; j < kSamples; ++j)
+        inside += level(r.at(0, inner(i)), r.at(1, inner(j))) < 0 ? 1 : 0;
+    if (inside == 0 || inside == kSamples * kSamples) {
+      pieces_.push_back({r, {}, inside > 0});
+      return;
+    }
+    if (addGraph(r, 0) || addGraph(r, 1)) return;
+    if (depth == kMostDepth) {
+      pieces_.push_back({r, {}, level(r.at(0, 0.5), r.at(1, 0.5)) < 0});
+      return;
+    }
+    for (int k = 0; k < 4; ++k) {
+      Rectangle quarter = r;
+      for (int d = 0; d < 2; ++d) {
+        const bool isUpper = ((k >> d) & 1) != 0;
+        (isUpper ? quarter.lower : quarter.upper)[d] = r.at(d, 0.5);
+      }
+      divide(quarter, depth + 1);
+    }
+  }
+
+  /// Does the border cross the line at `along`, from end to end of the rectangle?
+  bool crosses(const Rectangle& r, int axis, double along) const {
+    return (level(axis, along, r.lower[1 - axis]) < 0) !=
+           (level(axis, along, r.upper[1 - axis]) < 0);
+  }
+
+  /// Adds pieces if the border is a graph over an interval of `axis` that begins or ends at an end
+  /// of the rectangle, and does not come back elsewhere.
+  bool addGraph(const Rectangle& r, int axis) {
+    std::array<bool, kSamples> has{};
+    for (int k = 0; k < kSamples; ++k) has[k] = crosses(r, axis, r.at(axis, k / (kSamples - 1.0)));
+    int changes = 0;
+    for (int k = 1; k < kSamples; ++k) changes += has[k] != has[k - 1] ? 1 : 0;
+    if (changes > 1 || (changes == 0 && !has[0])) return false;
+    Rectangle part = r, rest = r;
+    if (changes == 1) {
+      int k = 1;
+      while (has[k] == has[k - 1]) ++k;
+      double low = r.at(axis, (k - 1) / (kSamples - 1.0)), high = r.at(axis, k / (kSamples - 1.0));
+      for (int step = 0; step < 60; ++step) {
+        const double middle = (low + high) / 2;
+        (crosses(r, axis, middle) == has[0] ? low : high) = middle;
+      }
+      // A crossing at either end must be on the side of the graph.
+      const double border = has[0] ? low : high;
+      (has[0] ? part.upper : part.lower)[axis] = border;
+      (has[0] ? rest.lower : rest.upper)[axis] = border;
+      if (std::min(part.size(axis), rest.size(axis)) < 1e-6 * r.size(axis)) return false;
+    }
+    CutMap::Values border{}, lower{}, upper{};
+    for (int k = 0; k < CutMap::kPoints; ++k) {
+      const double along = part.at(axis, (1 + CutMap::node(k)) / 2);
+      const auto root = rootOn(part, axis, along);
+      if (!root) return false;
+      border[k] = *root;
+      lower[k] = part.lower[1 - axis];
+      upper[k] = part.upper[1 - axis];
+    }
+    for (int k = 1; k < CutMap::kPoints; ++k) {
+      const double step = (CutMap::node(k) - CutMap::node(k - 1)) / 2;
+      if (std::abs(border[k] - border[k - 1]) > kSteepest * step * r.size(1 - axis)) return false;
+    }
+    if (changes == 1 && !isOneSided(rest)) return false;
+    const bool lowerInside = level(axis, part.at(axis, 0.5), part.lower[1 - axis]) < 0;
+    const double begin = part.lower[axis], end = part.upper[axis];
+    pieces_.push_back({part, CutMap(axis, begin, end, lower, border), lowerInside});
+    pieces_.push_back({part, CutMap(axis, begin, end, border, upper), !lowerInside});
+    if (changes == 1) pieces_.push_back({rest, {}, level(rest.at(0, 0.5), rest.at(1, 0.5)) < 0});
+    return true;
+  }
+
+  bool isOneSided(const Rectangle& r) const {
+    const bool isInside = level(r.at(0, 0.5), r.at(1, 0.5)) < 0;
+    for (int i = 1; i < kSamples - 1; ++i)
+      for (int j = 1; j < kSamples - 1; ++j)
+        if ((level(r.at(0, i / (kSamples - 1.0)), r.at(1, j / (kSamples - 1.0))) < 0) != isInside)
+          return false;
+    return true;
+  }
+
+  /// Where the border crosses the line at `along`; none when it does so more than once.
+  std::optional<double> rootOn(const Rectangle& r, int axis, double along) const {
+    double low = r.lower[1 - axis], high = r.upper[1 - axis];
+    const bool first = level(axis, along, low) < 0, last = level(axis, along, high) < 0;
+    int changes = 0;
+    bool before = first;
+    for (int k = 1; k < kSamples; ++k) {
+      const bool here = level(axis, along, r.at(1 - axis, k / (kSamples - 1.0))) < 0;
+      changes += here != before ? 1 : 0;
+      before = here;
+    }
+    if (changes > 1) return {};
+    if (first == last) {  // at the end of the graph the border meets a corner of the rectangle
+      const double a = std::abs(level(axis, along, low)), b = std::abs(level(axis, along, high));
+      return a < b ? low : high;
+    }
+    for (int step = 0; step < 60; ++step) {
+      const double middle = (low + high) / 2;
+      ((level(axis, along, middle) < 0) == first ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+
+  const SplineSurface& surface_;
+  int element_;
+  const LevelFunction& level_;
+  std::vector<Piece> pieces_;
+};
+
+/// Area of the functions on elements with and without a tag: ∫ N_j dΓ.
+struct Areas {
+  std::vector<double> inside, outside;
+};
+
+Areas areasOf(const SplineSurface& surface, int tag) {
+  Areas areas{std::vector<double>(surface.controlPoints().size(), 0),
+              std::vector<double>(surface.controlPoints().size(), 0)};
+  const GaussRule& rule = gaussRule(4);
+  std::vector<double> basis;
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    const SplineElement& element = surface.elements()[e];
+    const Rectangle r{element.lower, element.upper};
+    auto& sums = element.tag == tag ? areas.inside : areas.outside;
+    for (std::size_t i = 0; i < rule.points.size(); ++i)
+      for (std::size_t j = 0; j < rule.points.size(); ++j) {
+        const SplinePlace place{e, r.at(0, rule.points[i]), r.at(1, rule.points[j])};
+        const double weight = rule.weights[i] * rule.weights[j] * r.size(0) * r.size(1) *
+                              surface.evaluate(place).areaVector().norm();
+        surface.evaluateBasis(place, basis);
+        for (std::size_t f = 0; f < basis.size(); ++f)
+          sums[surface.functions(e)[f]] += weight * basis[f];
+      }
+  }
+  return areas;
+}
+
+}  // namespace
+
+SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag) {
+  SplineSurface result = surface;
+  std::vector<bool> isCut(surface.controlPoints().size(), false);
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    std::vector<Cutter::Piece> pieces = Cutter(surface, e, level).cut();
+    if (pieces.size() == 1) {
+      if (pieces.front().isInside) result.setTag(e, tag);
+      continue;
+    }
+    for (const int function : surface.functions(e)) isCut[function] = true;
+    const int outsideTag = surface.elements()[e].tag;
+    std::vector<SplineElement> elements;
+    std::vector<std::optional<CutMap>> maps;
+    for (Cutter::Piece& piece : pieces) {
+      SplineElement element = surface.elements()[e];
+      element.tag = piece.isInside ? tag : outsideTag;
+      element.lower = piece.map ? std::array<double, 2>{0, 0} : piece.rectangle.lower;
+      element.upper = piece.map ? std::array<double, 2>{1, 1} : piece.rectangle.upper;
+      elements.push_back(element);
+      maps.push_back(std::move(piece.map));
+    }
+    result.replaceElement(e, elements, maps);
+  }
+  const Areas areas = areasOf(result, tag);
+  for (int k = 0; k < surface.coefficientCount(); ++k) {
+    if (!isCut[k]) continue;
+    const double share = areas.inside[k] / (areas.inside[k] + areas.outside[k]);
+    if (share < kLeast)
+      result.setBarelyReaches(k);
+    else if (share <= 1 - kLeast)
+      result.tear(k, tag);
+  }
+  return result;
+}
+
+}  // namespace palpa::bem
