@@ -274,8 +274,9 @@ void ForcesDock::showForces() {
   }
   rows(row);
   if (!snapshot.isConverged)
-    words += "\n" + tr("The laws of contact cannot be met here; these are the last forces that met "
-                       "them. Move back a little.");
+    words +=
+        "\n" + tr("The laws of contact cannot be met here, as where two touches share one place; "
+                  "these forces are a compromise. Move back a little.");
   const app::TouchWorker::Status status = simulation_.columns();
   if (!status.error.empty())
     words += "\n" + QString::fromStdString(status.error);
