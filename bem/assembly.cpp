@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 
 #include "bem/assembly_kernel.h"
 #include "bem/flat_triangle_integrals.h"
+#include "bem/lending_pool.h"
 #include "bem/parallel.h"
 
 namespace palpa::bem {
@@ -37,29 +37,6 @@ struct ElementTable {
       triangles.push_back(makeFlatTriangle(corners[t].position));
     }
   }
-};
-
-/// Scratch memory for the tiles, used again from call to call.
-class TilePool {
- public:
-  explicit TilePool(std::size_t size) : size_(size) {}
-
-  LargeMatrix<double> take() {
-    const std::scoped_lock lock(mutex_);
-    if (free_.empty()) return {static_cast<Eigen::Index>(size_), 1};
-    LargeMatrix<double> tile = std::move(free_.back());
-    free_.pop_back();
-    return tile;
-  }
-  void giveBack(LargeMatrix<double> tile) {
-    const std::scoped_lock lock(mutex_);
-    free_.push_back(std::move(tile));
-  }
-
- private:
-  std::size_t size_;
-  std::mutex mutex_;
-  std::vector<LargeMatrix<double>> free_;
 };
 
 }  // namespace
@@ -118,7 +95,8 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   // Tiles are lent from a stack, one per working thread.
   constexpr std::size_t kBlock = 9 * kTilePoints;
   const std::size_t tileSize = kBlock * (task.displacementCount + task.tractionCount);
-  TilePool pool(tileSize);
+  LendingPool<LargeMatrix<double>> pool(
+      [tileSize] { return LargeMatrix<double>(static_cast<Eigen::Index>(tileSize), 1); });
   parallelFor((m + kTilePoints - 1) / kTilePoints, job, "assemble", [&](std::ptrdiff_t index) {
     AssemblyTask<Scalar> part = task;
     part.pointBegin = index * kTilePoints;

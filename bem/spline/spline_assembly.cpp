@@ -1,9 +1,9 @@
 #include "bem/spline/spline_assembly.h"
 
 #include <algorithm>
-#include <mutex>
 #include <numbers>
 
+#include "bem/lending_pool.h"
 #include "bem/parallel.h"
 #include "bem/spline/spline_quadrature.h"
 
@@ -21,25 +21,6 @@ struct Scratch {
   std::vector<double> H, G;          ///< sums of one row, [coefficient][sum]
   std::vector<double> rowsH, rowsG;  ///< blocks of a task, [coefficient][3 x 3][point]
   std::vector<double> basis;
-};
-
-class ScratchPool {
- public:
-  Scratch take() {
-    const std::scoped_lock lock(mutex_);
-    if (free_.empty()) return {};
-    Scratch scratch = std::move(free_.back());
-    free_.pop_back();
-    return scratch;
-  }
-  void giveBack(Scratch scratch) {
-    const std::scoped_lock lock(mutex_);
-    free_.push_back(std::move(scratch));
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<Scratch> free_;
 };
 
 class Rows {
@@ -156,7 +137,7 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
       LargeMatrix<Scalar>(3 * m, 3 * static_cast<Eigen::Index>(tractions.slots.count()))};
   const SplineQuadrature quadrature(surface, options.tolerance);
   const Rows rows(surface, tractions, material, quadrature);
-  ScratchPool pool;
+  LendingPool<Scratch> pool([] { return Scratch{}; });
   parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble", [&](std::ptrdiff_t task) {
     const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
     Scratch scratch = pool.take();

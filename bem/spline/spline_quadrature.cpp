@@ -358,7 +358,6 @@ void SplineQuadrature::addPolar(const SplineCell& cell, const SplinePlace& place
 void SplineQuadrature::sum(const Element& element, const SplinePoints& points, const Vector3d& x,
                            Workspace& work) const {
   work.kernels.resize(static_cast<std::size_t>(kKernelSums) * points.count);
-  work.pointCount += points.used;
   kernel_.sumKernels(
       {x.data(),
        points.used,
@@ -376,8 +375,7 @@ void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace
                                  Workspace& work) const {
   const Element& element = elements_[index];
   work.sums.assign(static_cast<std::size_t>(kKernelSums) * element.stride, 0);
-  const double ratio = (x - element.ball.center).norm() / element.ball.radius;
-  if (const int count = inside ? 0 : pointsFor(element, ratio); count > 0) {
+  if (const int count = inside ? 0 : pointsFor(element, ratio(index, x)); count > 0) {
     sum(element, element.rules[count - kFewest], x, work);
     return;
   }

@@ -45,7 +45,6 @@ class SplineQuadrature {
     SplinePoints points;
     /// [kKernelSums][stride]: see spline_kernel.h; stride = stride(element).
     std::vector<double> sums;
-    long pointCount = 0;  ///< quadrature points used so far
   };
 
   /// Distance of a point from the middle of an element over the element's radius.

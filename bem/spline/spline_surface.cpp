@@ -137,9 +137,13 @@ int SplineSurface::closedSurfaceCount() const {
 }
 
 void SplineSurface::evaluateBasis(const SplinePlace& place, std::vector<double>& values) const {
-  const SplineElement& element = elements_[place.element];
+  evaluateBasis(place.element, parameters(place).parameters, values);
+}
+
+void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at,
+                                  std::vector<double>& values) const {
+  const SplineElement& element = elements_[index];
   const auto& [u, v] = patches_[element.patch].basis;
-  const Eigen::Vector2d at = parameters(place).parameters;
   const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
   values.clear();
   for (int j = 0; j <= v.degree(); ++j)

@@ -94,6 +94,9 @@ class SplineSurface {
   const std::vector<int>& functions(int element) const { return functions_[element]; }
   /// The values of these functions.
   void evaluateBasis(const SplinePlace& place, std::vector<double>& values) const;
+  /// The same by parameters of the patch, also outside of the element: its polynomials go on.
+  void evaluateBasis(int element, const Eigen::Vector2d& parameters,
+                     std::vector<double>& values) const;
 
   SplineJet evaluate(const SplinePlace& place) const;
   /// Unit outward normal; a little inside the element where the derivatives are parallel.

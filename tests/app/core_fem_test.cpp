@@ -2,30 +2,20 @@
 // the largest displacement) against the whole way from a project to probes and reactions.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/core/probe.h"
 #include "app/core/touch_model.h"
 #include "core_projects.h"
+#include "fem_case.h"
 
 namespace palpa::app {
 namespace {
 
 using Eigen::Vector3d;
 using nlohmann::json;
-
-json femCase(const std::string& id) {
-  std::ifstream file("data/fem.json");
-  const json all = json::parse(file);
-  for (const json& entry : all["cases"])
-    if (entry["id"] == id) return entry;
-  throw std::runtime_error("data/fem.json has no case " + id);
-}
-
-Vector3d vectorOf(const json& list) {
-  return Vector3d(list[0].get<double>(), list[1].get<double>(), list[2].get<double>());
-}
+using palpa::test::femCase;
+using palpa::test::vectorOf;
 
 double energyOf(const json& reference) {
   return reference["energy_mJ"].get<double>();

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/core/spline_surface_of.h"
 #include "bem/spline/spline_projection.h"
 #include "bem/spline/surface_part.h"
+#include "fem_case.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/knot_operations.h"
 #include "spline_body.h"
@@ -20,18 +20,8 @@ namespace {
 
 using Eigen::Vector3d;
 using nlohmann::json;
-
-json femCase(const std::string& id) {
-  std::ifstream file("data/fem.json");
-  const json all = json::parse(file);
-  for (const json& entry : all["cases"])
-    if (entry["id"] == id) return entry;
-  throw std::runtime_error("data/fem.json has no case " + id);
-}
-
-Vector3d vectorOf(const json& list) {
-  return Vector3d(list[0].get<double>(), list[1].get<double>(), list[2].get<double>());
-}
+using palpa::test::femCase;
+using palpa::test::vectorOf;
 
 /// Inserts knots at fractions of the range of one direction of a patch, from its lower or upper
 /// end.
@@ -107,7 +97,7 @@ struct FemErrors {
   int coefficients = 0;
 };
 
-/// `displacementOf(x)`: of held elements (tag 1).
+/// `given`: displacement of the held elements (tags 1 and 2) by control point; they take constants.
 FemErrors solve(const json& reference, const SplineSurface& surface,
                 const std::function<Vector3d(const Vector3d&)>& given, const SplineFunction& load,
                 double loadRadius) {
@@ -168,21 +158,24 @@ FemErrors solve(const json& reference, const SplineSurface& surface,
   return errors;
 }
 
+SplineFunction bumpOf(const json& reference) {
+  const json& load = reference["load"];
+  const Vector3d center = vectorOf(load["center"]), direction = vectorOf(load["direction"]);
+  const double radius = load["a"], peak = load["p0"];
+  return [=](const Vector3d& x, const Vector3d&) {
+    const double rest = 1 - (x - center).squaredNorm() / (radius * radius);
+    return Vector3d(direction * (rest > 0 ? peak * rest * rest : 0));
+  };
+}
+
 TEST(SplineFem, CylinderPushedAtItsSide) {
   const json reference = femCase("a_cyl_side");
   SplineSurface surface =
       app::splineSurfaceOf(cylinderWithKnotsAt({0.7, 2.5, 6, 11, 17, 22, 26, 30, 34, 38, 43, 51}));
   surface = heldWhere(std::move(surface), [](const Vector3d& x) { return x.z() < 1e-6; });
-  const json& load = reference["load"];
-  const Vector3d center = vectorOf(load["center"]), direction = vectorOf(load["direction"]);
-  const double radius = load["a"], peak = load["p0"];
   const FemErrors errors = solve(
       reference, surface, [](const Vector3d&) { return Vector3d::Zero().eval(); },
-      [&](const Vector3d& x, const Vector3d&) {
-        const double rest = 1 - (x - center).squaredNorm() / (radius * radius);
-        return Vector3d(direction * (rest > 0 ? peak * rest * rest : 0));
-      },
-      radius);
+      bumpOf(reference), reference["load"]["a"]);
   EXPECT_LE(errors.coefficients, 1200);
   EXPECT_LE(errors.atLoad, 5e-3);
   EXPECT_LE(errors.anywhere, 5e-3);
@@ -192,9 +185,6 @@ TEST(SplineFem, CylinderPushedAtItsSide) {
 
 TEST(SplineFem, SphereHeldInAHalfSpaceThatCutsItsPatches) {
   const json reference = femCase("c_sph_pole");
-  const json& load = reference["load"];
-  const Vector3d center = vectorOf(load["center"]), direction = vectorOf(load["direction"]);
-  const double radius = load["a"], peak = load["p0"];
   // Finer at the load and, in the bands around the bottom, where the border of the support runs.
   modeling::Solid solid = modeling::makeSphere(25, 9);
   for (const int d : {0, 1})
@@ -203,11 +193,7 @@ TEST(SplineFem, SphereHeldInAHalfSpaceThatCutsItsPatches) {
       app::splineSurfaceOf(solid), [](const Vector3d& x) { return x.z() + 20; }, 1);
   const FemErrors errors = solve(
       reference, surface, [](const Vector3d&) { return Vector3d::Zero().eval(); },
-      [&](const Vector3d& x, const Vector3d&) {
-        const double rest = 1 - (x - center).squaredNorm() / (radius * radius);
-        return Vector3d(direction * (rest > 0 ? peak * rest * rest : 0));
-      },
-      radius);
+      bumpOf(reference), reference["load"]["a"]);
   EXPECT_LE(errors.coefficients, 1200);
   EXPECT_LE(errors.atLoad, 6e-3);
   EXPECT_LE(errors.anywhere, 1e-2);

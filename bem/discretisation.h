@@ -1,0 +1,96 @@
+#pragma once
+#include <Eigen/Dense>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bem/reference_problem.h"
+#include "bem/results.h"
+
+namespace palpa::bem {
+
+class ContactSurface;
+
+/// How displacements and tractions on a body's surface are made of coefficients, and all that
+/// depends on it: the operators, and the results. Two kinds: linear functions on triangles
+/// (TriangleDiscretisation), whose coefficients are the values at nodes and slots, and splines on
+/// the patches of a solid (SplineDiscretisation).
+///
+/// Either has a triangle mesh: places on the surface are named by it, and results are shown on it.
+/// For splines it is the surface alone; how fine it is does not change what is computed.
+///
+/// Immutable; const use from several threads is safe.
+class Discretisation {
+ public:
+  virtual ~Discretisation() = default;
+
+  const BoundaryMesh& mesh() const { return mesh_; }
+  /// Of the mesh: sides of its nodes.
+  const TractionSlots& meshSlots() const { return meshSlots_; }
+
+  /// The coefficients: one displacement coefficient per "node" of these slots, one traction
+  /// coefficient per slot.
+  virtual const TractionSlots& slots() const = 0;
+  /// Where each displacement coefficient weighs most, mm.
+  virtual const std::vector<Eigen::Vector3d>& places() const = 0;
+  /// Elements that coefficients are integrated over: triangles, or elements of splines.
+  virtual int elementCount() const = 0;
+
+  int displacementCount() const { return static_cast<int>(places().size()); }
+
+  /// See makeDenseReferenceProblem() and readDenseReferenceProblem().
+  virtual std::unique_ptr<ReferenceProblem> makeProblem(
+      const std::vector<SlotCondition>& conditions, const Material& material,
+      const AssemblyOptions& options, Precision precision, const Job& job,
+      ReferenceProblemTimes* times = nullptr) const = 0;
+  virtual std::unique_ptr<ReferenceProblem> readProblem(
+      const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
+      const Job& job, const ByteSource& source) const = 0;
+  /// All that the operators depend on, for a hash.
+  virtual void write(const ByteSink& sink) const = 0;
+
+  /// Values at the nodes and slots of the mesh of a field in coefficients.
+  virtual BoundaryField valuesOnMesh(const BoundaryField& field) const = 0;
+  /// Displacements alone, into `ofNodes`, 3 per node.
+  virtual void displacementsOnMesh(const Eigen::MatrixXd& u, Eigen::MatrixXd& ofNodes) const = 0;
+
+  /// Of the traction coefficients `p` over some elements, on the body.
+  virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
+  /// Strain energy 1/2 ∫ p.u dΓ, mJ. With a ContactSurface of this discretisation faster.
+  virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                              const ContactSurface* surface = nullptr) const = 0;
+  /// Cauchy stress at the slots of the mesh, MPa.
+  virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
+                                                     const Eigen::VectorXd& p,
+                                                     const Material& material) const = 0;
+  /// As accurately as it is known, mm.
+  virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                         const Eigen::VectorXd& p,
+                                         const Material& material) const = 0;
+  virtual Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const = 0;
+  /// How far the displacement at a place misses the boundary integral equation there, mm: what one
+  /// more iterate would change it by. The residual between the collocation points, where it is not
+  /// zero by construction, so an estimate of the error of u.
+  virtual Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                             const Eigen::VectorXd& p,
+                                             const Material& material) const = 0;
+  /// Empty for a point outside of the body.
+  virtual std::optional<InteriorState> interiorState(const Eigen::VectorXd& u,
+                                                     const Eigen::VectorXd& p,
+                                                     const Material& material,
+                                                     const Eigen::Vector3d& point) const = 0;
+
+  /// What contacts need to know of the surface; this and `dofs` must outlive it.
+  virtual std::unique_ptr<ContactSurface> makeContactSurface(
+      const DegreesOfFreedom& dofs) const = 0;
+
+ protected:
+  explicit Discretisation(BoundaryMesh mesh) : mesh_(std::move(mesh)), meshSlots_(mesh_) {}
+
+ private:
+  BoundaryMesh mesh_;
+  TractionSlots meshSlots_;
+};
+
+}  // namespace palpa::bem
