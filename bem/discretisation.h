@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
 #include <span>
@@ -39,6 +40,11 @@ class Discretisation {
 
   int displacementCount() const { return static_cast<int>(places().size()); }
 
+  virtual DegreesOfFreedom degreesOfFreedom(const std::vector<SlotCondition>& conditions,
+                                            const Material& material) const = 0;
+  /// See bem::checkSolvable().
+  virtual void checkSolvable(const std::vector<SlotCondition>& conditions,
+                             const Material& material) const = 0;
   /// See makeDenseReferenceProblem() and readDenseReferenceProblem().
   virtual std::unique_ptr<ReferenceProblem> makeProblem(
       const std::vector<SlotCondition>& conditions, const Material& material,
@@ -52,8 +58,9 @@ class Discretisation {
 
   /// Values at the nodes and slots of the mesh of a field in coefficients.
   virtual BoundaryField valuesOnMesh(const BoundaryField& field) const = 0;
-  /// Displacements alone, into `ofNodes`, 3 per node.
-  virtual void displacementsOnMesh(const Eigen::MatrixXd& u, Eigen::MatrixXd& ofNodes) const = 0;
+  /// Weights of the displacement coefficients at places: one row each.
+  using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  virtual Weights displacementWeights(std::span<const SurfacePoint> places) const = 0;
 
   /// Of the traction coefficients `p` over some elements, on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
@@ -64,7 +71,10 @@ class Discretisation {
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& p,
                                                      const Material& material) const = 0;
-  /// As accurately as it is known, mm.
+  /// Σ N_j u_j at a place, mm.
+  virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
+                                      const Eigen::VectorXd& u) const = 0;
+  /// As accurately as it is known, mm: with triangles one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                          const Eigen::VectorXd& p,
                                          const Material& material) const = 0;

@@ -77,9 +77,10 @@ struct LargestDisplacement {
 LargestDisplacement largestDisplacement(const app::TouchModel& model,
                                         const app::TouchState& state) {
   LargestDisplacement largest;
-  for (int node = 0; node < model.setup().mesh.nodeCount(); ++node) {
-    const double length = state.field.u.col(0).segment<3>(3 * node).norm();
-    if (length > largest.length) largest = {length, model.setup().mesh.nodes[node]};
+  const Eigen::MatrixXd u = model.setup().discretisation->valuesOnMesh(state.field).u;
+  for (int node = 0; node < model.setup().mesh().nodeCount(); ++node) {
+    const double length = u.col(0).segment<3>(3 * node).norm();
+    if (length > largest.length) largest = {length, model.setup().mesh().nodes[node]};
   }
   return largest;
 }

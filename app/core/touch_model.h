@@ -39,7 +39,8 @@ struct BuildReport {
 /// what one solution of the static problem or of a touch is.
 struct TouchState {
   using Status = bem::ContactSimulation::Status;
-  bem::BoundaryField field;  ///< one column
+  /// One column, in the coefficients of the model's discretisation.
+  bem::BoundaryField field;
   struct Force {
     std::string name;
     bem::Resultant resultant;  ///< on the body, N and N mm about the origin
