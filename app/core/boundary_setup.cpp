@@ -177,6 +177,8 @@ BoundarySetup makeBoundarySetup(const modeling::Project& project,
   bem::BoundaryConditions conditions(discretisation->displacementCount(),
                                      discretisation->slots().count());
   BoundarySetup setup{std::move(discretisation),
+                      nullptr,
+                      nullptr,
                       {project.material.youngsModulus, project.material.poissonRatio},
                       std::move(conditions),
                       {},

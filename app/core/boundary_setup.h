@@ -8,11 +8,20 @@
 #include "bem/traction_projection.h"
 #include "modeling/project/project.h"
 
+namespace palpa::bem {
+class SplineDiscretisation;
+}
+
 namespace palpa::app {
 
 /// A project's surface, supports and loads in the terms of the boundary element method.
 struct BoundarySetup {
   std::shared_ptr<const bem::Discretisation> discretisation;
+  /// The same when it is one of splines, otherwise null.
+  std::shared_ptr<const bem::SplineDiscretisation> splines;
+  /// The solid whose control points the splines' coefficients belong to: the project's solid with
+  /// knots inserted. Null without splines.
+  std::shared_ptr<const modeling::Solid> analysisNet;
   bem::Material material;
   bem::BoundaryConditions conditions;  ///< of the coefficients
 
