@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Dense>
+#include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,6 +35,9 @@ class Discretisation {
   virtual const TractionSlots& slots() const = 0;
   /// Where each displacement coefficient weighs most, mm.
   virtual const std::vector<Eigen::Vector3d>& places() const = 0;
+  /// Weights of the displacement coefficients in the displacement at these places, a row for each.
+  /// The identity for triangles.
+  virtual const Eigen::SparseMatrix<double, Eigen::RowMajor>& placeWeights() const = 0;
   /// Elements that coefficients are integrated over: triangles, or elements of splines.
   virtual int elementCount() const = 0;
 
@@ -55,6 +59,8 @@ class Discretisation {
   /// Displacements alone, into `ofNodes`, 3 per node.
   virtual void displacementsOnMesh(const Eigen::MatrixXd& u, Eigen::MatrixXd& ofNodes) const = 0;
 
+  /// ∫ of the function of a displacement coefficient, mm^2: the force per unit of its traction.
+  virtual double area(int coefficient) const = 0;
   /// Of the traction coefficients `p` over some elements, on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
   /// Strain energy 1/2 ∫ p.u dΓ, mJ. With a ContactSurface of this discretisation faster.
