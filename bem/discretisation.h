@@ -35,14 +35,20 @@ class Discretisation {
   virtual const TractionSlots& slots() const = 0;
   /// Where each displacement coefficient weighs most, mm.
   virtual const std::vector<Eigen::Vector3d>& places() const = 0;
-  /// Weights of the displacement coefficients in the displacement at these places, a row for each.
-  /// The identity for triangles.
-  virtual const Eigen::SparseMatrix<double, Eigen::RowMajor>& placeWeights() const = 0;
+  /// Weights of the displacement coefficients at places: one row each.
+  using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  /// Those of the displacements at places(): the identity for triangles.
+  virtual Weights placeWeights() const = 0;
   /// Elements that coefficients are integrated over: triangles, or elements of splines.
   virtual int elementCount() const = 0;
 
   int displacementCount() const { return static_cast<int>(places().size()); }
 
+  virtual DegreesOfFreedom degreesOfFreedom(const std::vector<SlotCondition>& conditions,
+                                            const Material& material) const = 0;
+  /// See bem::checkSolvable().
+  virtual void checkSolvable(const std::vector<SlotCondition>& conditions,
+                             const Material& material) const = 0;
   /// See makeDenseReferenceProblem() and readDenseReferenceProblem().
   virtual std::unique_ptr<ReferenceProblem> makeProblem(
       const std::vector<SlotCondition>& conditions, const Material& material,
@@ -56,8 +62,8 @@ class Discretisation {
 
   /// Values at the nodes and slots of the mesh of a field in coefficients.
   virtual BoundaryField valuesOnMesh(const BoundaryField& field) const = 0;
-  /// Displacements alone, into `ofNodes`, 3 per node.
-  virtual void displacementsOnMesh(const Eigen::MatrixXd& u, Eigen::MatrixXd& ofNodes) const = 0;
+  /// Weights of the displacement coefficients at any places.
+  virtual Weights displacementWeights(std::span<const SurfacePoint> places) const = 0;
 
   /// ∫ of the function of a displacement coefficient, mm^2: the force per unit of its traction.
   virtual double area(int coefficient) const = 0;
@@ -70,7 +76,10 @@ class Discretisation {
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& p,
                                                      const Material& material) const = 0;
-  /// As accurately as it is known, mm.
+  /// Σ N_j u_j at a place, mm.
+  virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
+                                      const Eigen::VectorXd& u) const = 0;
+  /// As accurately as it is known, mm: with triangles one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                          const Eigen::VectorXd& p,
                                          const Material& material) const = 0;

@@ -51,8 +51,8 @@ class Bench {
 
   void run(int cells) {
     const app::BoundarySetup setup = sphereSetup(cells);
-    const int n = setup.mesh.nodeCount();
-    const double pairs = static_cast<double>(n) * setup.mesh.triangleCount();
+    const int n = setup.mesh().nodeCount();
+    const double pairs = static_cast<double>(n) * setup.mesh().triangleCount();
     rows_.clear();
     const double loose = plain(setup, bench::looseAccuracy());
     const double same = plain(setup, bench::sameAccuracy());
@@ -87,31 +87,32 @@ class Bench {
     if (n > 2000 && n < 3000)
       for (const auto& stopped : bench::measureCancel(sphereProject(cells), job_.threads, 5))
         add("stopped in \"" + stopped.phase + "\"", "%.0f ms", stopped.seconds * 1e3, "<= 100");
-    print(n, setup.mesh.triangleCount());
+    print(n, setup.mesh().triangleCount());
   }
 
  private:
   std::unique_ptr<bem::ReferenceProblem> build_(const app::BoundarySetup& setup,
                                                 bem::ReferenceProblemTimes& times) const {
-    return bem::makeDenseReferenceProblem(setup.mesh, setup.slots, setup.conditions.ofSlot,
+    return bem::makeDenseReferenceProblem(setup.mesh(), setup.meshSlots(), setup.conditions.ofSlot,
                                           setup.material, {}, bem::Precision::kAutomatic, job_,
                                           &times);
   }
 
   /// Times the plain assembly on a sample of the collocation points; ns per pair.
   double plain(const app::BoundarySetup& setup, const bench::PlainAccuracy& accuracy) const {
-    const int n = setup.mesh.nodeCount();
-    const double pairs = static_cast<double>(n) * setup.mesh.triangleCount();
+    const int n = setup.mesh().nodeCount();
+    const double pairs = static_cast<double>(n) * setup.mesh().triangleCount();
     const int sample = std::max(8, static_cast<int>(std::min(1.0, 1e6 / pairs) * n));
     std::vector<Vector3d> points;
     for (int k = 0; k < sample; ++k)
       points.push_back(
-          setup.mesh.nodes[static_cast<std::size_t>(static_cast<double>(k) * n / sample)]);
+          setup.mesh().nodes[static_cast<std::size_t>(static_cast<double>(k) * n / sample)]);
     Eigen::MatrixXd H, G;
     const double seconds = secondsFor([&] {
-      bench::assemblePlain(setup.mesh, setup.slots, points, setup.material, accuracy, H, G, job_);
+      bench::assemblePlain(setup.mesh(), setup.meshSlots(), points, setup.material, accuracy, H, G,
+                           job_);
     });
-    return seconds / (static_cast<double>(sample) * setup.mesh.triangleCount()) * 1e9;
+    return seconds / (static_cast<double>(sample) * setup.mesh().triangleCount()) * 1e9;
   }
 
   void touches(const app::BoundarySetup& setup,
@@ -119,7 +120,7 @@ class Bench {
                double cold, int n) {
     const auto& dofs = problem->dofs();
     const bem::BoundaryField zero{Eigen::VectorXd::Zero(3 * n),
-                                  Eigen::VectorXd::Zero(3 * setup.slots.count())};
+                                  Eigen::VectorXd::Zero(3 * setup.meshSlots().count())};
     const std::vector<int> nodeDofs{0, 1, 2};
     const double column = medianSecondsFor([&] { problem->greensColumns(nodeDofs); });
     add("3 columns of Xi (one node)", "%.1f ms", column * 1e3, "");
@@ -127,10 +128,10 @@ class Bench {
     add("mesh to touchable", "%.2f s", build + column, target);
     add("  with memory never used before", "%.2f s", cold + column, "");
     for (const int count : {10, 50}) {
-      bem::ContactSolver solver(problem, setup.slots, zero);
+      bem::ContactSolver solver(problem, setup.meshSlots(), zero);
       int last = 0;
       for (const Vector3d& at : pointsOnSphere(count))
-        last = solver.addGrab(bem::makeContactMask(setup.mesh, setup.slots, dofs, at, 3),
+        last = solver.addGrab(bem::makeContactMask(setup.mesh(), setup.meshSlots(), dofs, at, 3),
                               Vector3d(-0.02 * at));
       double depth = 0;
       const double update = medianSecondsFor([&] {

@@ -53,12 +53,12 @@ class Bench {
     const modeling::Project project = sphereProject(cells);
     const auto setup = app::makeBoundarySetup(
         project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
-    const auto problem = std::make_shared<MadeUp>(
-        bem::DegreesOfFreedom(setup.mesh, setup.slots, setup.conditions.ofSlot, setup.material));
-    const bem::ContactSurface surface(setup.mesh, setup.slots, problem->dofs());
+    const auto problem = std::make_shared<MadeUp>(bem::DegreesOfFreedom(
+        setup.mesh(), setup.meshSlots(), setup.conditions.ofSlot, setup.material));
+    const bem::ContactSurface surface(setup.mesh(), setup.meshSlots(), problem->dofs());
     bem::GreensColumns columns(problem);
-    const bem::BoundaryField base{Eigen::VectorXd::Zero(3 * setup.mesh.nodeCount()),
-                                  Eigen::VectorXd::Zero(3 * setup.slots.count())};
+    const bem::BoundaryField base{Eigen::VectorXd::Zero(3 * setup.mesh().nodeCount()),
+                                  Eigen::VectorXd::Zero(3 * setup.meshSlots().count())};
     std::vector<app::TouchSnapshot::Patch> patches;
     for (const Vector3d& at : bench::pointsOnSphere(10)) {
       const bem::ContactMask mask = bem::makeContactMask(surface, at, 3);
@@ -68,7 +68,7 @@ class Bench {
     bem::FieldEvaluator evaluator(surface, columns, base);
     bem::BoundaryField field = base;
     for (int k = 0; k < 2; ++k) evaluator.evaluate(patches, false, field);
-    bench.head(setup.mesh.nodeCount(), "columns made up");
+    bench.head(setup.mesh().nodeCount(), "columns made up");
     bench.add("displacements everywhere, 10 grabs", "kHz",
               1e-3 / medianSecondsFor([&] { evaluator.evaluate(patches, false, field); }), ">= 1");
     return bench.json();
@@ -83,7 +83,8 @@ class Bench {
   void forces() {
     for (const int count : {1, 10, 50}) {
       app::TouchPlayer player(body_);
-      bem::ContactSolver exact(model_->problem(), model_->setup().slots, model_->rest().field);
+      bem::ContactSolver exact(model_->problem(), model_->setup().meshSlots(),
+                               model_->rest().field);
       app::TouchId id = 0;
       int last = 0;
       for (const Vector3d& at : bench::pointsOnSphere(count)) {

@@ -78,13 +78,13 @@ class CheckCommand : public Command {
       const app::BoundarySetup setup = app::makeBoundarySetup(project, mesh);
       for (const modeling::Touch& touch : project.touches) {
         collect([&] {
-          app::checkNearSurface(setup.mesh, touch.at, "the touch \"" + touch.name + "\"");
+          app::checkNearSurface(setup.mesh(), touch.at, "the touch \"" + touch.name + "\"");
         });
       }
       const auto& conditions = setup.conditions.ofSlot;
-      const bem::DegreesOfFreedom dofs(setup.mesh, setup.slots, conditions, setup.material);
-      bem::checkSolvable(setup.mesh, conditions, dofs, setup.material);
-      bytes = bem::estimateBytes(setup.mesh.nodeCount(), setup.slots.count(),
+      const bem::Discretisation& on = *setup.discretisation;
+      on.checkSolvable(conditions, setup.material);
+      bytes = bem::estimateBytes(on.displacementCount(), on.slots().count(),
                                  bem::Precision::kAutomatic);
     });
     return bytes;

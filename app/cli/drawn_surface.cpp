@@ -28,7 +28,7 @@ ScalarField describe(app::SurfaceQuantity kind, std::vector<double> values) {
 ScalarField describeStiffness(const app::TouchModel& model, const app::DrawnBody& drawn,
                               const std::vector<double>& compliances) {
   const app::BoundarySetup& setup = model.setup();
-  const auto colours = app::StiffnessColours::of(setup.mesh, setup.slots, compliances);
+  const auto colours = app::StiffnessColours::of(setup.mesh(), setup.meshSlots(), compliances);
   ScalarField field;
   field.name = "Stiffness";
   field.unit = "N/mm";

@@ -107,7 +107,7 @@ class RenderCommand : public Command {
 
     const auto model = buildModel(project, context);
     if (sceneOptions.field == app::SurfaceQuantity::kStiffness) {
-      const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh)
+      const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh())
                                                : parsePositive("--fingertip", fingertip_);
       sceneOptions.compliances = app::stiffnessMap(model, radius, jobOf(context));
       context.progress.clear();

@@ -14,11 +14,11 @@ bool isJson(const std::string& path) {
 }
 
 /// Mean traction of each triangle: the traction jumps across edges, so it has no value at nodes.
-view::MeshData triangleTractions(const app::TouchModel& model, const app::TouchState& state) {
+view::MeshData triangleTractions(const app::TouchModel& model, const Eigen::MatrixXd& p) {
   view::MeshData data{"traction_MPa", 3, {}};
-  for (const auto& slots : model.setup().slots.ofCorner) {
+  for (const auto& slots : model.setup().meshSlots().ofCorner) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const int slot : slots) mean += state.field.p.col(0).segment<3>(3 * slot) / 3;
+    for (const int slot : slots) mean += p.col(0).segment<3>(3 * slot) / 3;
     data.values.insert(data.values.end(), mean.begin(), mean.end());
   }
   return data;
@@ -47,12 +47,13 @@ void writeResult(const app::TouchModel& model, const app::TouchState& state, con
     writeText(jsonText(report), path);
     return;
   }
-  const bem::BoundaryMesh& mesh = model.setup().mesh;
+  const bem::BoundaryMesh& mesh = model.setup().mesh();
   view::MeshFile file{mesh.nodes, mesh.triangles, {}, {}};
-  const auto u = state.field.u.col(0);
+  const bem::BoundaryField onMesh = model.setup().discretisation->valuesOnMesh(state.field);
+  const auto u = onMesh.u.col(0);
   if (std::filesystem::path(path).extension() == ".vtp") {
     file.pointData.push_back({"displacement_mm", 3, {u.begin(), u.end()}});
-    file.triangleData.push_back(triangleTractions(model, state));
+    file.triangleData.push_back(triangleTractions(model, onMesh.p));
   } else {
     for (int node = 0; node < mesh.nodeCount(); ++node) {
       file.positions[static_cast<std::size_t>(node)] += u.segment<3>(3 * node);

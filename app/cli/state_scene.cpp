@@ -28,15 +28,11 @@ struct DrawnPoint {
 
 DrawnPoint drawnPoint(const Vector3d& at, const app::TouchModel& model,
                       const app::TouchState& state, double scale) {
-  const bem::BoundaryMesh& mesh = model.setup().mesh;
+  const bem::BoundaryMesh& mesh = model.setup().mesh();
   const bem::SurfacePoint point = bem::nearestSurfacePoint(mesh, at);
-  DrawnPoint drawn{point.position, mesh.normal(point.triangle)};
-  for (int corner = 0; corner < 3; ++corner) {
-    const int node =
-        mesh.triangles[static_cast<std::size_t>(point.triangle)][static_cast<std::size_t>(corner)];
-    drawn.position += scale * point.weights[corner] * state.field.u.col(0).segment<3>(3 * node);
-  }
-  return drawn;
+  return {point.position +
+              scale * model.setup().discretisation->interpolate(point, state.field.u.col(0)),
+          mesh.normal(point.triangle)};
 }
 
 void addContacts(const app::TouchModel& model, const app::TouchState& state, double scale,
@@ -57,24 +53,11 @@ void addContacts(const app::TouchModel& model, const app::TouchState& state, dou
   }
 }
 
-/// Mean place of a load, weighted by its traction.
-Vector3d placeOf(const app::BoundarySetup::LoadPart& load, const app::BoundarySetup& setup) {
-  Vector3d sum = Vector3d::Zero();
-  double weights = 0;
-  for (int slot = 0; slot < setup.slots.count(); ++slot) {
-    const double weight = load.traction.segment<3>(3 * slot).norm();
-    const int node = setup.slots.slots[static_cast<std::size_t>(slot)].node;
-    sum += weight * setup.mesh.nodes[static_cast<std::size_t>(node)];
-    weights += weight;
-  }
-  return weights > 0 ? Vector3d(sum / weights) : sum;
-}
-
 void addLoads(const app::TouchModel& model, const app::TouchState& state, double scale,
               view::SurfaceScene& scene) {
   for (const auto& load : model.setup().loads) {
     const Vector3d force = load.resultant.force;
-    const DrawnPoint drawn = drawnPoint(placeOf(load, model.setup()), model, state, scale);
+    const DrawnPoint drawn = drawnPoint(load.place, model, state, scale);
     const bool presses = force.dot(drawn.normal) < 0;
     scene.arrows.push_back({drawn.position, force,
                             presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
@@ -89,8 +72,8 @@ void addReactions(const app::TouchModel& model, const app::TouchState& state,
     Vector3d center = Vector3d::Zero();
     double area = 0;
     for (const int triangle : setup.supports[i].triangles) {
-      const double part = setup.mesh.area(triangle);
-      center += part * setup.mesh.point(triangle, Vector3d::Constant(1.0 / 3));
+      const double part = setup.mesh().area(triangle);
+      center += part * setup.mesh().point(triangle, Vector3d::Constant(1.0 / 3));
       area += part;
     }
     if (area == 0) continue;
@@ -119,8 +102,8 @@ Vector3d bestDirection(const app::TouchModel& model, const view::SurfaceScene& s
       // Ties go to the usual view: from above, from the front.
       double score = (elevation < 0 ? 0.3 : 0) - 0.05 * i;
       for (const ForceArrow& arrow : scene.arrows) {
-        const bem::SurfacePoint at = bem::nearestSurfacePoint(model.setup().mesh, arrow.at);
-        const double facing = -direction.dot(model.setup().mesh.normal(at.triangle));
+        const bem::SurfacePoint at = bem::nearestSurfacePoint(model.setup().mesh(), arrow.at);
+        const double facing = -direction.dot(model.setup().mesh().normal(at.triangle));
         const Vector3d along = arrow.force.normalized();
         const double across = along.cross(direction).norm();
         score += std::min(facing, 0.4) + 0.5 * across;

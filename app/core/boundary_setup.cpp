@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "bem/error.h"
-#include "bem/results.h"
+#include "bem/triangle_discretisation.h"
 
 namespace palpa::app {
 namespace {
@@ -98,14 +98,14 @@ void applySupports(const modeling::Project& project, const std::vector<int>& own
   std::map<int, int> supportOfSlot;
   for (std::size_t t = 0; t < owner.size(); ++t)
     if (owner[t] >= 0)
-      for (const int slot : setup.slots.ofCorner[t]) supportOfSlot[slot] = owner[t];
+      for (const int slot : setup.meshSlots().ofCorner[t]) supportOfSlot[slot] = owner[t];
   std::map<int, PrescribedDisplacement> ofNode;
   for (const auto& [slot, index] : supportOfSlot) {
     const Support& support = project.supports[index];
-    const auto& place = setup.slots.slots[slot];
+    const auto& place = setup.meshSlots().slots[slot];
     if (support.kind == Support::Kind::fixed) {
       setup.conditions.ofSlot[slot] = bem::SlotCondition::kFixed;
-      ofNode[place.node].addFixed(support, setup.mesh.nodes[place.node]);
+      ofNode[place.node].addFixed(support, setup.mesh().nodes[place.node]);
     } else {
       setup.conditions.ofSlot[slot] = bem::SlotCondition::kRoller;
       ofNode[place.node].addRoller(support, place.normal);
@@ -138,19 +138,32 @@ bem::SurfaceLoad surfaceLoad(const modeling::Load& load, std::vector<int> region
           bump.radius};
 }
 
+/// Mean place of coefficients of traction, weighted by their size.
+Vector3d meanPlace(const bem::Discretisation& on, const Eigen::VectorXd& traction) {
+  Vector3d sum = Vector3d::Zero();
+  double weights = 0;
+  for (int slot = 0; slot < on.slots().count(); ++slot) {
+    const double weight = traction.segment<3>(3 * slot).norm();
+    sum += weight * on.places()[on.slots().slots[slot].node];
+    weights += weight;
+  }
+  return weights > 0 ? Vector3d(sum / weights) : sum;
+}
+
 void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& surface,
                 BoundarySetup& setup) {
-  std::vector<int> all(setup.mesh.triangles.size());
+  std::vector<int> all(setup.mesh().triangles.size());
   std::iota(all.begin(), all.end(), 0);
   std::size_t region = project.supports.size();
   for (const modeling::Load& load : project.loads) {
     std::vector<int> triangles;
     if (modeling::regionOf(load)) triangles = surface.trianglesOfRegion[region++];
-    BoundarySetup::LoadPart part{load.name, {}, {}};
+    BoundarySetup::LoadPart part{load.name, {}, {}, Vector3d::Zero()};
     part.traction =
-        bem::projectTraction(setup.mesh, setup.slots,
-                             surfaceLoad(load, std::move(triangles), setup.mesh.triangleCount()));
-    part.resultant = bem::tractionResultant(setup.mesh, setup.slots, part.traction, all);
+        bem::projectTraction(setup.mesh(), setup.meshSlots(),
+                             surfaceLoad(load, std::move(triangles), setup.mesh().triangleCount()));
+    part.resultant = setup.discretisation->resultant(part.traction, all);
+    part.place = meanPlace(*setup.discretisation, part.traction);
     setup.conditions.traction += part.traction;
     setup.loads.push_back(std::move(part));
   }
@@ -160,17 +173,20 @@ void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& s
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
                                 const modeling::SurfaceMesh& surface) {
-  bem::BoundaryMesh mesh = boundaryMesh(surface);
-  bem::TractionSlots slots(mesh);
-  bem::BoundaryConditions conditions(mesh, slots);
-  BoundarySetup setup{std::move(mesh),
-                      std::move(slots),
+  auto discretisation = std::make_shared<bem::TriangleDiscretisation>(boundaryMesh(surface));
+  bem::BoundaryConditions conditions(discretisation->displacementCount(),
+                                     discretisation->slots().count());
+  BoundarySetup setup{std::move(discretisation),
+                      nullptr,
+                      nullptr,
                       {project.material.youngsModulus, project.material.poissonRatio},
                       std::move(conditions),
                       {},
                       {}};
   for (std::size_t s = 0; s < project.supports.size(); ++s)
-    setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s]});
+    setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
+                              surface.trianglesOfRegion[s],
+                              project.supports[s].kind == Support::Kind::fixed});
   applySupports(project, supportOfTriangle(project, surface), setup);
   applyLoads(project, surface, setup);
   return setup;

@@ -1,30 +1,45 @@
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bem/boundary_conditions.h"
+#include "bem/discretisation.h"
 #include "bem/traction_projection.h"
 #include "modeling/project/project.h"
 
+namespace palpa::bem {
+class SplineDiscretisation;
+}
+
 namespace palpa::app {
 
-/// A project's mesh, supports and loads in the terms of the boundary element method.
+/// A project's surface, supports and loads in the terms of the boundary element method.
 struct BoundarySetup {
-  bem::BoundaryMesh mesh;
-  bem::TractionSlots slots;
+  std::shared_ptr<const bem::Discretisation> discretisation;
+  /// The same when it is one of splines, otherwise null.
+  std::shared_ptr<const bem::SplineDiscretisation> splines;
+  /// The solid whose control points the splines' coefficients belong to: the project's solid with
+  /// knots inserted. Null without splines.
+  std::shared_ptr<const modeling::Solid> analysisNet;
   bem::Material material;
-  bem::BoundaryConditions conditions;
+  bem::BoundaryConditions conditions;  ///< of the coefficients
 
-  /// A support's or load's name and the triangles it acts on.
+  const bem::BoundaryMesh& mesh() const { return discretisation->mesh(); }
+  const bem::TractionSlots& meshSlots() const { return discretisation->meshSlots(); }
+
+  /// A support's name, and the triangles of the mesh and the elements that it acts on.
   struct Part {
     std::string name;
-    std::vector<int> triangles;
+    std::vector<int> triangles, elements;  ///< ascending
+    bool isFixed = false;                  ///< holds the whole displacement
   };
   std::vector<Part> supports;
   struct LoadPart {
     std::string name;
     Eigen::VectorXd traction;  ///< its share of conditions.traction, 3 per slot, MPa
     bem::Resultant resultant;
+    Eigen::Vector3d place;  ///< mean of the places it acts on, weighted by its traction, mm
   };
   std::vector<LoadPart> loads;
 };

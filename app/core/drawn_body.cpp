@@ -25,6 +25,36 @@ modeling::DisplayMesh makeMesh(const TouchModel& model, const modeling::DisplayS
   }
 }
 
+std::vector<bem::SurfacePoint> placesOf(const modeling::DisplayMesh& mesh) {
+  std::vector<bem::SurfacePoint> places;
+  places.reserve(mesh.links.size());
+  for (std::size_t k = 0; k < mesh.links.size(); ++k)
+    places.push_back({mesh.links[k].triangle, mesh.links[k].weights, mesh.positions[k], 0.0});
+  return places;
+}
+
+std::vector<bem::SurfacePoint> nodePlaces(const bem::BoundaryMesh& mesh) {
+  std::vector<bem::SurfacePoint> places(mesh.nodes.size());
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+    for (int corner = 0; corner < 3; ++corner) {
+      const int node =
+          mesh.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(corner)];
+      places[static_cast<std::size_t>(node)] = {t, Vector3d::Unit(corner),
+                                                mesh.nodes[static_cast<std::size_t>(node)], 0.0};
+    }
+  return places;
+}
+
+/// Row `row` of weights of displacement coefficients.
+Vector3d combine(const bem::Discretisation::Weights& weights, std::size_t row,
+                 const Eigen::Ref<const VectorXd>& u) {
+  Vector3d sum = Vector3d::Zero();
+  for (bem::Discretisation::Weights::InnerIterator it(weights, static_cast<Eigen::Index>(row)); it;
+       ++it)
+    sum += it.value() * u.segment<3>(3 * it.col());
+  return sum;
+}
+
 }  // namespace
 
 DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model,
@@ -35,17 +65,18 @@ DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model,
   const auto side = [&](int node, int group) {
     return sides.emplace(std::pair(node, group), static_cast<int>(sides.size())).first->second;
   };
-  sideOfCorner_.resize(setup.mesh.triangles.size());
+  sideOfCorner_.resize(setup.mesh().triangles.size());
   for (std::size_t t = 0; t < sideOfCorner_.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
-      sideOfCorner_[t][k] = side(setup.mesh.triangles[t][k], setup.mesh.smoothingGroups[t]);
-  for (const auto& slot : setup.slots.slots)
+      sideOfCorner_[t][k] = side(setup.mesh().triangles[t][k], setup.mesh().smoothingGroups[t]);
+  for (const auto& slot : setup.meshSlots().slots)
     sideOfSlot_.push_back(side(slot.node, slot.smoothingGroup));
   sideCount_ = static_cast<int>(sides.size());
-  sideNormals(VectorXd::Zero(3 * static_cast<Eigen::Index>(setup.mesh.nodes.size())), 0,
-              normalsAtRest_);
+  atPoints_ = setup.discretisation->displacementWeights(placesOf(mesh_));
+  atNodes_ = setup.discretisation->displacementWeights(nodePlaces(setup.mesh()));
+  sideNormals(VectorXd::Zero(3 * static_cast<Eigen::Index>(atNodes_.cols())), 0, normalsAtRest_);
 
-  std::vector<bool> held(setup.mesh.triangles.size(), false);
+  std::vector<bool> held(setup.mesh().triangles.size(), false);
   for (const auto& support : setup.supports)
     for (const int triangle : support.triangles) held[static_cast<std::size_t>(triangle)] = true;
   for (const int triangle : mesh_.boundaryTriangle)
@@ -76,24 +107,17 @@ Value DrawnBody::atSides(std::size_t point, const std::vector<Value>& values) co
          link.weights[2] * values[static_cast<std::size_t>(sides[2])];
 }
 
-Vector3d DrawnBody::displacementAt(std::size_t point, const Eigen::Ref<const VectorXd>& u) const {
-  const modeling::DisplayMesh::Link& link = mesh_.links[point];
-  const auto& corners = model_->setup().mesh.triangles[static_cast<std::size_t>(link.triangle)];
-  return link.weights[0] * u.segment<3>(3 * corners[0]) +
-         link.weights[1] * u.segment<3>(3 * corners[1]) +
-         link.weights[2] * u.segment<3>(3 * corners[2]);
-}
-
 void DrawnBody::sideNormals(const Eigen::Ref<const VectorXd>& u, double scale,
                             std::vector<Vector3d>& normals) const {
-  const bem::BoundaryMesh& mesh = model_->setup().mesh;
+  const bem::BoundaryMesh& mesh = model_->setup().mesh();
+  thread_local std::vector<Vector3d> nodes;
+  nodes.resize(mesh.nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    nodes[k] = mesh.nodes[k] + scale * combine(atNodes_, k, u);
   normals.assign(static_cast<std::size_t>(sideCount_), Vector3d::Zero());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corners = mesh.triangles[t];
-    const auto at = [&](std::size_t k) -> Vector3d {
-      return mesh.nodes[static_cast<std::size_t>(corners[k])] +
-             scale * u.segment<3>(3 * corners[k]);
-    };
+    const auto at = [&](std::size_t k) { return nodes[static_cast<std::size_t>(corners[k])]; };
     const Vector3d area = (at(1) - at(0)).cross(at(2) - at(0));
     for (const int side : sideOfCorner_[t]) normals[static_cast<std::size_t>(side)] += area;
   }
@@ -101,15 +125,15 @@ void DrawnBody::sideNormals(const Eigen::Ref<const VectorXd>& u, double scale,
 }
 
 void DrawnBody::deform(const Eigen::Ref<const VectorXd>& u, double scale, Shape& shape) const {
-  // The displacement is linear on the boundary triangles; normals of the deformed surface would
-  // show that as facets. So the true surface's normals are turned as the mean normals at the nodes
+  // Linear displacements on the boundary triangles would show as facets in the normals of the
+  // deformed surface. So the true surface's normals are turned as the mean normals at the nodes
   // turn.
   thread_local std::vector<Vector3d> normals;
   sideNormals(u, scale, normals);
   shape.positions.resize(mesh_.positions.size());
   shape.normals.resize(mesh_.positions.size());
   for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
-    shape.positions[i] = mesh_.positions[i] + scale * displacementAt(i, u);
+    shape.positions[i] = mesh_.positions[i] + scale * combine(atPoints_, i, u);
     const auto turn =
         Eigen::Quaterniond::FromTwoVectors(atSides(i, normalsAtRest_), atSides(i, normals));
     shape.normals[i] = (turn * mesh_.normals[i]).normalized();
@@ -119,7 +143,8 @@ void DrawnBody::deform(const Eigen::Ref<const VectorXd>& u, double scale, Shape&
 std::vector<Vector3d> DrawnBody::displacements(const Eigen::Ref<const VectorXd>& u) const {
   std::vector<Vector3d> result;
   result.reserve(mesh_.positions.size());
-  for (std::size_t i = 0; i < mesh_.positions.size(); ++i) result.push_back(displacementAt(i, u));
+  for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
+    result.push_back(combine(atPoints_, i, u));
   return result;
 }
 
@@ -127,7 +152,7 @@ std::vector<double> DrawnBody::displacementSizes(const Eigen::Ref<const VectorXd
   std::vector<double> result;
   result.reserve(mesh_.positions.size());
   for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
-    result.push_back(displacementAt(i, u).norm());
+    result.push_back(combine(atPoints_, i, u).norm());
   return result;
 }
 
@@ -136,14 +161,16 @@ std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
   if (quantity == SurfaceQuantity::kNone || quantity == SurfaceQuantity::kStiffness) return {};
   if (quantity == SurfaceQuantity::kDisplacement) return displacementSizes(field.u.col(0));
   const BoundarySetup& setup = model_->setup();
+  const bem::Discretisation& on = *setup.discretisation;
   std::vector<double> ofSlot;
   if (quantity == SurfaceQuantity::kNormalTraction) {
-    for (int slot = 0; slot < setup.slots.count(); ++slot)
-      ofSlot.push_back(setup.slots.slots[static_cast<std::size_t>(slot)].normal.dot(
-          field.p.col(0).segment<3>(3 * slot)));
+    const bem::BoundaryField onMesh = on.valuesOnMesh(field);
+    for (int slot = 0; slot < setup.meshSlots().count(); ++slot)
+      ofSlot.push_back(setup.meshSlots().slots[static_cast<std::size_t>(slot)].normal.dot(
+          onMesh.p.col(0).segment<3>(3 * slot)));
   } else {
-    for (const Eigen::Matrix3d& stress : bem::surfaceStress(setup.mesh, setup.slots, field.u.col(0),
-                                                            field.p.col(0), setup.material))
+    for (const Eigen::Matrix3d& stress :
+         on.surfaceStress(field.u.col(0), field.p.col(0), setup.material))
       ofSlot.push_back(bem::vonMises(stress));
   }
   return fromSlots(ofSlot);

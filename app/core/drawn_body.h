@@ -38,8 +38,8 @@ class DrawnBody {
     std::vector<Eigen::Vector3d> positions;
     std::vector<Eigen::Vector3d> normals;  ///< unit
   };
-  /// Displaced by `scale` times `u`, 3 numbers per node in mm. Into a shape that is used again
-  /// nothing is allocated. About 0.2 µs per point.
+  /// Displaced by `scale` times `u`, the displacement coefficients of the model's discretisation,
+  /// mm. Into a shape that is used again nothing is allocated. About 0.2 µs per point.
   void deform(const Eigen::Ref<const Eigen::VectorXd>& u, double scale, Shape& shape) const;
   /// Displacement of each point, mm.
   std::vector<Eigen::Vector3d> displacements(const Eigen::Ref<const Eigen::VectorXd>& u) const;
@@ -62,14 +62,13 @@ class DrawnBody {
   /// Value at a point from one value per side.
   template <class Value>
   Value atSides(std::size_t point, const std::vector<Value>& values) const;
-  Eigen::Vector3d displacementAt(std::size_t point,
-                                 const Eigen::Ref<const Eigen::VectorXd>& u) const;
   /// Value at each point from one value per slot: the mean over the slots on its side.
   std::vector<double> fromSlots(const std::vector<double>& ofSlot) const;
   void findBorders();
 
   std::shared_ptr<const TouchModel> model_;
   modeling::DisplayMesh mesh_;
+  bem::Discretisation::Weights atPoints_, atNodes_;  // of the coefficients
   /// The sides of the nodes: one for every smoothing group that meets at a node. What jumps at
   /// sharp edges has one value per side.
   std::vector<std::array<int, 3>> sideOfCorner_;  // per boundary triangle

@@ -163,15 +163,13 @@ ModelCache::Key ModelCache::keyOf(const BoundarySetup& setup, const bem::Assembl
   const std::string instructions = bem::instructionSetName();
   hash.addValue(instructions.size());
   hash.add(instructions.data(), instructions.size());
-  hash.addList(setup.mesh.nodes);
-  hash.addList(setup.mesh.triangles);
-  hash.addList(setup.mesh.smoothingGroups);
-  hash.addList(setup.mesh.tags);
+  setup.discretisation->write(
+      [&](std::span<const std::byte> bytes) { hash.add(bytes.data(), bytes.size()); });
   hash.addList(setup.conditions.ofSlot);
   hash.addValue(setup.material.youngsModulus);
   hash.addValue(setup.material.poissonRatio);
   hash.addValue(assembly.tolerance);
-  hash.addValue(bem::choosePrecision(precision, setup.mesh.nodeCount()));
+  hash.addValue(bem::choosePrecision(precision, setup.discretisation->displacementCount()));
   const XXH128_hash_t value = hash.value();
   return {value.high64, value.low64};
 }
@@ -200,9 +198,8 @@ std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key, const Bo
       throw Damaged{};
     Hash hash;
     std::uint64_t done = 0;
-    auto problem = bem::readDenseReferenceProblem(
-        setup.mesh, setup.slots, setup.conditions.ofSlot, setup.material, precision, job,
-        [&](std::span<std::byte> bytes) {
+    auto problem = setup.discretisation->readProblem(
+        setup.conditions.ofSlot, setup.material, precision, job, [&](std::span<std::byte> bytes) {
           if (bytes.size() > header.bytes - done) throw Damaged{};
           inChunks(bytes, job, [&](std::span<std::byte> chunk) {
             file.read(chunk);

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "bem/error.h"
-#include "bem/results.h"
 
 namespace palpa::app {
 
@@ -27,25 +26,31 @@ void checkNearSurface(const bem::BoundaryMesh& mesh, const Eigen::Vector3d& poin
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, what + text);
 }
 
+namespace {
+
+/// Does a fixed support hold a place?
+bool isHeld(const BoundarySetup& setup, const bem::SurfacePoint& place) {
+  for (const auto& support : setup.supports) {
+    if (support.isFixed &&
+        std::binary_search(support.triangles.begin(), support.triangles.end(), place.triangle))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Probe probe(const TouchModel& model, const TouchState& state, const Eigen::Vector3d& at) {
   const BoundarySetup& setup = model.setup();
-  checkNearSurface(setup.mesh, at, "the probe");
-  const bem::SurfacePoint nearest = bem::nearestSurfacePoint(setup.mesh, at);
+  checkNearSurface(setup.mesh(), at, "the probe");
+  const bem::SurfacePoint nearest = bem::nearestSurfacePoint(setup.mesh(), at);
   const Eigen::VectorXd u = state.field.u.col(0), p = state.field.p.col(0);
-  Probe result{at, nearest.position, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  bool held = true;
-  for (int corner = 0; corner < 3; ++corner) {
-    const int node = setup.mesh.triangles[nearest.triangle][corner];
-    const int slot = setup.slots.ofCorner[nearest.triangle][corner];
-    held = held && setup.conditions.ofSlot[slot] == bem::SlotCondition::kFixed;
-    result.displacement += nearest.weights[corner] * u.segment<3>(3 * node);
-    result.traction += nearest.weights[corner] * p.segment<3>(3 * slot);
-  }
+  const bem::Discretisation& on = *setup.discretisation;
   // Where a support prescribes the displacement it is known exactly.
-  if (!held)
-    result.displacement =
-        bem::surfaceDisplacement(setup.mesh, setup.slots, u, p, setup.material, nearest);
-  return result;
+  const Eigen::Vector3d displacement = isHeld(setup, nearest)
+                                           ? on.interpolate(nearest, u)
+                                           : on.displacementAt(nearest, u, p, setup.material);
+  return {at, nearest.position, displacement, on.tractionAt(nearest, p)};
 }
 
 }  // namespace palpa::app

@@ -35,7 +35,7 @@ class Played {
     for (const modeling::Touch& touch : touches) {
       const double* friction = modeling::frictionOf(touch);
       const bem::ContactTool tool{toolKind(touch),
-                                  touch.radius.value_or(defaultTouchRadius(model.setup().mesh)),
+                                  touch.radius.value_or(defaultTouchRadius(model.setup().mesh())),
                                   friction ? *friction : 0.0};
       if (friction)
         tools_.push_back({tool, touch.at, modeling::vectorOf(touch)});
@@ -50,7 +50,8 @@ class Played {
 
   /// The state of all touches; `base`: the field of loads and of the tools that are at rest.
   TouchState describe(bem::BoundaryField base, const ToolsAtRest& tools) const {
-    bem::ContactSolver solver(model_.problem(), model_.setup().slots, std::move(base));
+    bem::ContactSolver solver(model_.problem(), model_.setup().discretisation->slots(),
+                              std::move(base));
     for (std::size_t k = 0; k < held_.size(); ++k) {
       if (held_[k].tool.kind == bem::ContactTool::Kind::kForce)
         solver.addForce(masks_[k], held_[k].value);
@@ -136,7 +137,7 @@ bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface&
   bem::BoundaryField field = model.rest().field;
   bem::BoundaryField known{Eigen::MatrixXd::Zero(field.u.rows(), 1),
                            Eigen::MatrixXd::Zero(field.p.rows(), 1)};
-  const std::vector<int>& firstSlot = model.setup().slots.firstOfNode;
+  const std::vector<int>& firstSlot = model.setup().discretisation->slots().firstOfNode;
   for (const auto& contact : tools.contacts)
     for (const auto& each : contact.patch) {
       const bem::ContactMask mask = bem::makeContactMask(surface, each.point.position, each.radius);
@@ -161,8 +162,9 @@ TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch>
                        const bem::Job& job) {
   const BoundarySetup& setup = model.setup();
   for (const modeling::Touch& touch : touches)
-    checkNearSurface(setup.mesh, touch.at, "the touch \"" + touch.name + "\"");
-  const bem::ContactSurface surface(setup.mesh, setup.slots, model.problem()->dofs());
+    checkNearSurface(setup.mesh(), touch.at, "the touch \"" + touch.name + "\"");
+  const auto shared = setup.discretisation->makeContactSurface(model.problem()->dofs());
+  const bem::ContactSurface& surface = *shared;
   const Played played(model, surface, touches);
   if (played.tools().empty()) return played.describe(model.rest().field, {});
   const ToolsAtRest tools = moveTools(model, surface, played.held(), played.tools(),
@@ -187,11 +189,11 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
   // Free nodes have the frame of space, so the values are the components of the displacement.
   auto solution = switching.solve(displacement);
   const Eigen::Vector3d force =
-      dofs.tractionScale() * bem::nodalArea(setup.mesh, node) * solution.switched;
+      dofs.tractionScale() * bem::nodalArea(setup.mesh(), node) * solution.switched;
   const Eigen::Vector3d moved = displacement - model.rest().field.u.col(0).segment<3>(3 * node);
   const double stiffness = moved.squaredNorm() > 0 ? force.dot(moved) / moved.squaredNorm() : 0.0;
   return model.describe(std::move(solution.field),
-                        {{setup.mesh.nodes[node], 0.0, force, displacement, stiffness, "node"}});
+                        {{setup.mesh().nodes[node], 0.0, force, displacement, stiffness, "node"}});
 }
 
 }  // namespace palpa::app

@@ -5,7 +5,7 @@ namespace palpa::app {
 TouchBody::TouchBody(std::shared_ptr<const TouchModel> model,
                      std::shared_ptr<bem::GreensColumns> columns)
     : model_(std::move(model)),
-      surface_(model_->setup().mesh, model_->setup().slots, model_->problem()->dofs()),
+      surface_(model_->setup().discretisation->makeContactSurface(model_->problem()->dofs())),
       columns_(columns ? std::move(columns)
                        : std::make_shared<bem::GreensColumns>(model_->problem())) {}
 

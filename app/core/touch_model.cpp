@@ -7,7 +7,6 @@
 #include <span>
 
 #include "app/core/memory.h"
-#include "bem/results.h"
 
 namespace palpa::app {
 namespace {
@@ -92,17 +91,16 @@ TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState
   // The tractions on a support are what it and any load there exert together.
   const Eigen::VectorXd reaction = state.field.p.col(0) - setup_.conditions.traction;
   for (const auto& support : setup_.supports) {
-    state.supports.push_back({support.name, bem::tractionResultant(setup_.mesh, setup_.slots,
-                                                                   reaction, support.triangles)});
+    state.supports.push_back(
+        {support.name, setup_.discretisation->resultant(reaction, support.elements)});
     count(state.supports.back().resultant.force);
   }
   for (const auto& load : setup_.loads) count(load.resultant.force);
   for (const auto& contact : state.contacts) count(contact.force);
   state.balance = sum.norm();
   state.relativeBalance = largest > 0 ? state.balance / largest : 0;
-  const auto u = state.field.u.col(0), p = state.field.p.col(0);
-  state.energy = surface ? bem::strainEnergy(*surface, u, p)
-                         : bem::strainEnergy(setup_.mesh, setup_.slots, u, p);
+  state.energy =
+      setup_.discretisation->strainEnergy(state.field.u.col(0), state.field.p.col(0), surface);
   return state;
 }
 
@@ -127,7 +125,7 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.triangles = static_cast<int>(surface.triangles.size());
   report.quality = modeling::measureQuality(surface);
   BoundarySetup setup = makeBoundarySetup(project, surface);
-  checkMemory(report.nodes, setup.slots.count(), settings.edgeLength, options);
+  checkMemory(report.nodes, setup.discretisation->slots().count(), settings.edgeLength, options);
   std::shared_ptr<TouchModel> model(
       new TouchModel(project.body, std::move(surface), std::move(setup)));
   report.meshSeconds += watch.lap();
@@ -141,9 +139,8 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
     report.readSeconds = watch.lap();
   } else {
     bem::ReferenceProblemTimes times;
-    model->problem_ = bem::makeDenseReferenceProblem(
-        parts.mesh, parts.slots, parts.conditions.ofSlot, parts.material, options.assembly,
-        options.precision, job, &times);
+    model->problem_ = parts.discretisation->makeProblem(
+        parts.conditions.ofSlot, parts.material, options.assembly, options.precision, job, &times);
     report.assembleSeconds = times.assemble;
     report.factoriseSeconds = times.factorise;
   }

@@ -39,7 +39,8 @@ struct BuildReport {
 /// what one solution of the static problem or of a touch is.
 struct TouchState {
   using Status = bem::ContactSimulation::Status;
-  bem::BoundaryField field;  ///< one column
+  /// One column, in the coefficients of the model's discretisation.
+  bem::BoundaryField field;
   struct Force {
     std::string name;
     bem::Resultant resultant;  ///< on the body, N and N mm about the origin
@@ -83,6 +84,9 @@ struct TouchState {
   double balance = 0;
   /// The same over the largest of these forces; 0 when there are none.
   double relativeBalance = 0;
+  /// Relative error of displacements and forces, estimated (see error_estimate.h); empty when it
+  /// was not asked for.
+  std::optional<double> errorEstimate;
 };
 
 /// What a project becomes: meshed, assembled, factorised, solved for its own supports and loads,

@@ -161,9 +161,9 @@ RecordedModel recordedModelOf(const TouchModel& model, const std::string& projec
   constexpr double kRounding = 1e-7;
   const BoundarySetup& setup = model.setup();
   Fingerprint print;
-  const double length = kRounding * std::max(setup.mesh.boundingSize(), 1e-300);
-  for (const Vector3d& node : setup.mesh.nodes) print.add(node, length);
-  for (const auto& triangle : setup.mesh.triangles)
+  const double length = kRounding * std::max(setup.mesh().boundingSize(), 1e-300);
+  for (const Vector3d& node : setup.mesh().nodes) print.add(node, length);
+  for (const auto& triangle : setup.mesh().triangles)
     for (const int corner : triangle) print.add(corner);
   for (const auto condition : setup.conditions.ofSlot)
     print.add(static_cast<std::int64_t>(condition));
@@ -171,7 +171,7 @@ RecordedModel recordedModelOf(const TouchModel& model, const std::string& projec
   print.add(std::array{std::log(modulus), setup.material.poissonRatio}, kRounding);
   print.add(setup.conditions.displacement, length);
   print.add(setup.conditions.traction, kRounding * modulus);
-  return {projectName, print.text(), setup.mesh.nodeCount()};
+  return {projectName, print.text(), setup.mesh().nodeCount()};
 }
 
 std::string differenceOf(const RecordedModel& recorded, const RecordedModel& present) {

@@ -16,19 +16,35 @@ SplineDiscretisation::SplineDiscretisation(BoundaryMesh mesh, SplineSurface surf
       surface_(std::move(surface)),
       tractions_(surface_),
       splineMesh_(surface_, tractions_, Discretisation::mesh(), meshSlots(), std::move(triangles)) {
-  std::vector<Eigen::Triplet<double>> weights;
-  std::vector<double> basis;
+  std::vector<Entry> entries;
   for (const SplineCollocationPoint& point : grevilleCollocation(surface_)) {
     const SplinePlace& place = point.places.front();
-    surface_.evaluateBasis(place, basis);
-    for (std::size_t f = 0; f < basis.size(); ++f)
-      if (basis[f] != 0)
-        weights.emplace_back(static_cast<int>(places_.size()), surface_.functions(place.element)[f],
-                             basis[f]);
+    addWeights({place.element, surface_.parameters(place).parameters},
+               static_cast<int>(places_.size()), entries);
     places_.push_back(point.position);
   }
   placeWeights_.resize(surface_.coefficientCount(), surface_.coefficientCount());
-  placeWeights_.setFromTriplets(weights.begin(), weights.end());
+  placeWeights_.setFromTriplets(entries.begin(), entries.end());
+}
+
+void SplineDiscretisation::addWeights(const SplineMesh::Point& at, int row,
+                                      std::vector<Entry>& entries) const {
+  std::vector<double> basis;
+  surface_.evaluateBasis(at.element, at.parameters, basis);
+  for (std::size_t f = 0; f < basis.size(); ++f)
+    if (basis[f] != 0) entries.emplace_back(row, surface_.functions(at.element)[f], basis[f]);
+}
+
+DegreesOfFreedom SplineDiscretisation::degreesOfFreedom(
+    const std::vector<SlotCondition>& conditions, const Material& material) const {
+  return {tractions_.slots, conditions, material, surface_.boundingSize()};
+}
+
+void SplineDiscretisation::checkSolvable(const std::vector<SlotCondition>& conditions,
+                                         const Material& material) const {
+  bem::checkSolvable(surface_.controlPoints(), surface_.boundingSize(),
+                     surface_.closedSurfaceCount(), conditions,
+                     degreesOfFreedom(conditions, material), material);
 }
 
 std::unique_ptr<ReferenceProblem> SplineDiscretisation::makeProblem(
@@ -53,9 +69,14 @@ BoundaryField SplineDiscretisation::valuesOnMesh(const BoundaryField& field) con
   return values;
 }
 
-void SplineDiscretisation::displacementsOnMesh(const Eigen::MatrixXd& u,
-                                               Eigen::MatrixXd& ofNodes) const {
-  splineMesh_.displacements(u, ofNodes);
+Discretisation::Weights SplineDiscretisation::displacementWeights(
+    std::span<const SurfacePoint> places) const {
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    addWeights(splineMesh_.at(places[k]), static_cast<int>(k), entries);
+  Weights weights(static_cast<Eigen::Index>(places.size()), displacementCount());
+  weights.setFromTriplets(entries.begin(), entries.end());
+  return weights;
 }
 
 Resultant SplineDiscretisation::resultant(const Eigen::VectorXd& p,
@@ -74,10 +95,15 @@ std::vector<Eigen::Matrix3d> SplineDiscretisation::surfaceStress(const Eigen::Ve
   return stress_.get(splineMesh_).stress(u, p, material);
 }
 
-Vector3d SplineDiscretisation::displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                              const Eigen::VectorXd&, const Material&) const {
+Vector3d SplineDiscretisation::interpolate(const SurfacePoint& place,
+                                           const Eigen::VectorXd& u) const {
   const SplineMesh::Point at = splineMesh_.at(place);
   return splineValue(surface_, at, surface_.functions(at.element), u);
+}
+
+Vector3d SplineDiscretisation::displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                              const Eigen::VectorXd&, const Material&) const {
+  return interpolate(place, u);
 }
 
 Vector3d SplineDiscretisation::tractionAt(const SurfacePoint& place,

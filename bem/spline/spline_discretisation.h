@@ -23,11 +23,13 @@ class SplineDiscretisation final : public Discretisation {
 
   const TractionSlots& slots() const override { return tractions_.slots; }
   const std::vector<Eigen::Vector3d>& places() const override { return places_; }
-  const Eigen::SparseMatrix<double, Eigen::RowMajor>& placeWeights() const override {
-    return placeWeights_;
-  }
+  Weights placeWeights() const override { return placeWeights_; }
   int elementCount() const override { return surface_.elementCount(); }
 
+  DegreesOfFreedom degreesOfFreedom(const std::vector<SlotCondition>& conditions,
+                                    const Material& material) const override;
+  void checkSolvable(const std::vector<SlotCondition>& conditions,
+                     const Material& material) const override;
   std::unique_ptr<ReferenceProblem> makeProblem(
       const std::vector<SlotCondition>& conditions, const Material& material,
       const AssemblyOptions& options, Precision precision, const Job& job,
@@ -39,7 +41,7 @@ class SplineDiscretisation final : public Discretisation {
   void write(const ByteSink& sink) const override { surface_.write(sink); }
 
   BoundaryField valuesOnMesh(const BoundaryField& field) const override;
-  void displacementsOnMesh(const Eigen::MatrixXd& u, Eigen::MatrixXd& ofNodes) const override;
+  Weights displacementWeights(std::span<const SurfacePoint> places) const override;
 
   double area(int coefficient) const override { return integrals().area(coefficient); }
   Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const override;
@@ -47,6 +49,7 @@ class SplineDiscretisation final : public Discretisation {
                       const ContactSurface* surface = nullptr) const override;
   std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material) const override;
+  Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;
   Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                  const Eigen::VectorXd& p, const Material& material) const override;
   Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const override;
@@ -59,6 +62,8 @@ class SplineDiscretisation final : public Discretisation {
   std::unique_ptr<ContactSurface> makeContactSurface(const DegreesOfFreedom& dofs) const override;
 
  private:
+  using Entry = Eigen::Triplet<double>;
+  void addWeights(const SplineMesh::Point& at, int row, std::vector<Entry>& entries) const;
   const SplineIntegrals& integrals() const { return integrals_.get(surface_, tractions_); }
   const SplineResults& results() const { return results_.get(surface_, tractions_); }
 
@@ -66,7 +71,7 @@ class SplineDiscretisation final : public Discretisation {
   SplineTractions tractions_;
   SplineMesh splineMesh_;
   std::vector<Eigen::Vector3d> places_;
-  Eigen::SparseMatrix<double, Eigen::RowMajor> placeWeights_;
+  Weights placeWeights_;
   MadeOnce<SplineIntegrals> integrals_;
   MadeOnce<SplineResults> results_;
   MadeOnce<SplineMeshStress> stress_;

@@ -123,7 +123,7 @@ TEST(Touch, PaintedSupportHoldsLikeTheSameCapOfAHalfSpace) {
 
 TEST(Touch, ANodeMovesExactlyAsTold) {
   const auto model = build(test::clampedSphere(5));
-  const int node = bem::nearestNode(model->setup().mesh, {0, 0, 25});
+  const int node = bem::nearestNode(model->setup().mesh(), {0, 0, 25});
   const TouchState state = touchNode(*model, node, {0, 0.1, -1});
   EXPECT_LE((state.field.u.col(0).segment<3>(3 * node) - Vector3d(0, 0.1, -1)).norm(), 1e-12);
   EXPECT_LE(state.relativeBalance, 0.01);
@@ -133,7 +133,7 @@ TEST(Touch, WithLoadsTheNodeIsMovedFromTheUnloadedShape) {
   modeling::Project project = test::clampedSphere(5);
   project.loads.push_back({"bump", modeling::Bump{{0, 0, 25}, 10, 0.002, {0, 0, -1}}});
   const auto model = build(project);
-  const int node = bem::nearestNode(model->setup().mesh, {0, 0, 25});
+  const int node = bem::nearestNode(model->setup().mesh(), {0, 0, 25});
   const Vector3d there = model->rest().field.u.col(0).segment<3>(3 * node);
   // Told to be where the load has put it, it takes no force.
   EXPECT_LE(touchNode(*model, node, there).contacts[0].force.norm(), 1e-8);

@@ -62,7 +62,7 @@ TEST(Stiffness, OfAPlaceIsThatOfATouchThere) {
 
 TEST(Stiffness, ColoursReachFromTheSoftestToNearlyAll) {
   const auto& setup = sphere()->setup();
-  const auto colours = StiffnessColours::of(setup.mesh, setup.slots, sphereMap());
+  const auto colours = StiffnessColours::of(setup.mesh(), setup.meshSlots(), sphereMap());
   EXPECT_TRUE(colours.isCapped);  // it is held
   double softest = 1e9;
   for (const double compliance : sphereMap())
@@ -84,9 +84,9 @@ TEST(Stiffness, ColoursReachFromTheSoftestToNearlyAll) {
 
 TEST(Stiffness, NothingKnownHasARangeAllTheSame) {
   const auto& setup = sphere()->setup();
-  const std::vector<double> unknown(static_cast<std::size_t>(setup.slots.count()),
+  const std::vector<double> unknown(static_cast<std::size_t>(setup.meshSlots().count()),
                                     std::numeric_limits<double>::quiet_NaN());
-  const auto colours = StiffnessColours::of(setup.mesh, setup.slots, unknown);
+  const auto colours = StiffnessColours::of(setup.mesh(), setup.meshSlots(), unknown);
   EXPECT_GT(colours.range[0], 0);
   EXPECT_GT(colours.range[1], colours.range[0]);
 }

@@ -36,8 +36,8 @@ std::shared_ptr<const TouchModel> loadedSphere() {
 /// The top of the sphere as contacts see it: smooth between the nodes.
 Vector3d top() {
   const BoundarySetup& setup = sphere()->setup();
-  const bem::ContactSurface surface(setup.mesh, setup.slots, sphere()->problem()->dofs());
-  return surface.smoothPosition(bem::nearestSurfacePoint(setup.mesh, kTop));
+  const bem::ContactSurface surface(setup.mesh(), setup.meshSlots(), sphere()->problem()->dofs());
+  return surface.smoothPosition(bem::nearestSurfacePoint(setup.mesh(), kTop));
 }
 
 TouchState play(const TouchModel& model, const std::vector<Touch>& touches, int steps = 0) {
@@ -123,7 +123,7 @@ TEST(TouchKinds, ABallPressesFromItsCentreOverItsPatch) {
   EXPECT_EQ(contact.kind, "probe");
   ASSERT_GE(contact.patch.size(), 1u);
   Vector3d sum = Vector3d::Zero();
-  const bem::ContactSurface surface(sphere()->setup().mesh, sphere()->setup().slots,
+  const bem::ContactSurface surface(sphere()->setup().mesh(), sphere()->setup().meshSlots(),
                                     sphere()->problem()->dofs());
   for (const auto& mask : contact.patch) {
     sum += mask.force;

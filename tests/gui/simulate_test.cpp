@@ -125,7 +125,7 @@ TEST_F(Simulate, TheSurfaceIsColouredByItsStiffness) {
   EXPECT_GT(stiffness, simulation().range()[0]);
   EXPECT_LT(stiffness, simulation().range()[1]);
   const Eigen::Vector3d at = body.mesh().positions[top];
-  const double radius = app::defaultTouchRadius(body.model().setup().mesh);
+  const double radius = app::defaultTouchRadius(body.model().setup().mesh());
   const auto id = simulation().begin({bem::ContactTool::Kind::kPush, radius, 0}, at,
                                      at - Eigen::Vector3d(0, 0, 0.5));
   ASSERT_TRUE(id);
@@ -323,7 +323,7 @@ TEST_F(Simulate, ThePointerMovesWhileAnotherMeshTakesOver) {
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         moveTo(at + QPoint(35, 5));
-        const auto& mesh = simulation().drawn()->model().setup().mesh;
+        const auto& mesh = simulation().drawn()->model().setup().mesh();
         EXPECT_LT(contact()->point.triangle, static_cast<int>(mesh.triangles.size()));
         return simulation().snapshot().model > model;
       },

@@ -36,7 +36,7 @@ double forcePerLength(const app::DrawnBody& body, double radius) {
 }  // namespace
 
 double HandOptions::radius(const app::DrawnBody& body) const {
-  return radius_.value_or(app::defaultTouchRadius(body.model().setup().mesh));
+  return radius_.value_or(app::defaultTouchRadius(body.model().setup().mesh()));
 }
 
 void HandOptions::setRadius(double radius) {
@@ -99,7 +99,7 @@ bool HandTool::press(const PointerEvent& event) {
     const auto& contact = *simulation_.snapshot().find(*pin);
     const Eigen::Vector3d drawn =
         contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
-    const bem::BoundaryMesh& mesh = simulation_.drawn()->model().setup().mesh;
+    const bem::BoundaryMesh& mesh = simulation_.drawn()->model().setup().mesh();
     const double gain = contact.tool.kind == Kind::kForce
                             ? forcePerLength(*simulation_.drawn(), contact.tool.radius)
                             : 1;

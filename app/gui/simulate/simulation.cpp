@@ -134,7 +134,7 @@ void Simulation::computeStiffness() {
   if (quantity_ != app::SurfaceQuantity::kStiffness || !field_) return;
   const app::TouchModel& model = field_->body()->model();
   stiffnessWorker_.start(field_->body(),
-                         fingertip_.value_or(app::defaultTouchRadius(model.setup().mesh)));
+                         fingertip_.value_or(app::defaultTouchRadius(model.setup().mesh())));
 }
 
 void Simulation::receiveStiffness(const app::StiffnessWorker::Result& result) {
@@ -144,7 +144,8 @@ void Simulation::receiveStiffness(const app::StiffnessWorker::Result& result) {
     return;
   const app::BoundarySetup& setup = result.body->model().setup();
   stiffnesses_ = drawn_->stiffnesses(result.compliances);
-  stiffnessColours_ = app::StiffnessColours::of(setup.mesh, setup.slots, result.compliances);
+  stiffnessColours_ =
+      app::StiffnessColours::of(setup.mesh(), setup.meshSlots(), result.compliances);
   stiffnessColours_.cap(stiffnesses_);
   stiffnessReady_ = result.ready;
   isDirty_ = true;
@@ -173,13 +174,8 @@ std::optional<app::TouchState> Simulation::describe() {
 }
 
 Eigen::Vector3d Simulation::displacementAt(const bem::SurfacePoint& point) const {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  if (!drawn_ || displacements_.size() == 0) return sum;
-  const auto& corners =
-      drawn_->model().setup().mesh.triangles[static_cast<std::size_t>(point.triangle)];
-  for (int k = 0; k < 3; ++k)
-    sum += point.weights[k] * displacements_.segment<3>(3 * corners[static_cast<std::size_t>(k)]);
-  return sum;
+  if (!drawn_ || displacements_.size() == 0) return Eigen::Vector3d::Zero();
+  return drawn_->model().setup().discretisation->interpolate(point, displacements_);
 }
 
 void Simulation::show(const app::TouchSnapshot& snapshot) {
@@ -284,7 +280,7 @@ double Simulation::leastRange() const {
   if (quantity_ != app::SurfaceQuantity::kDisplacement)
     return kLeastShare * drawn_->model().setup().material.youngsModulus;
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& node : drawn_->model().setup().mesh.nodes) box.extend(node);
+  for (const Eigen::Vector3d& node : drawn_->model().setup().mesh().nodes) box.extend(node);
   return kLeastShare * box.diagonal().norm();
 }
 

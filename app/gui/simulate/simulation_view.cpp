@@ -201,7 +201,7 @@ std::vector<Eigen::Vector3d> SimulationView::ring(const app::TouchSnapshot::Cont
                                                   double radius) const {
   std::vector<Eigen::Vector3d> points;
   const auto body = simulation_.body();
-  const Eigen::Vector3d normal = body->model().setup().mesh.normal(contact.point.triangle);
+  const Eigen::Vector3d normal = body->model().setup().mesh().normal(contact.point.triangle);
   const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
   for (int i = 0; i < kRingPieces; ++i) {
     const double angle = 2 * std::numbers::pi * i / kRingPieces;
@@ -226,7 +226,7 @@ void SimulationView::showContacts() {
     largest = std::max(largest, force);
     if (force > 0) {
       const Eigen::Vector3d normal =
-          simulation_.drawn()->model().setup().mesh.normal(contact.point.triangle);
+          simulation_.drawn()->model().setup().mesh().normal(contact.point.triangle);
       // A force along the surface is now above it and now below: the arrow stays as it was.
       const double outwards = contact.force.dot(normal) / force;
       bool& isPressing = isPressing_.try_emplace(contact.id, outwards < 0).first->second;

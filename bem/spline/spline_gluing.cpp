@@ -1,0 +1,73 @@
+#include "bem/spline/spline_gluing.h"
+
+#include <Eigen/SparseCholesky>
+#include <limits>
+#include <vector>
+
+#include "bem/error.h"
+#include "bem/spline/spline_projection.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kPoints = 6;  // per direction: exact for products of two functions of degree 5
+
+}  // namespace
+
+Eigen::VectorXd gluedCoefficients(const SplineSurface& surface, const Eigen::VectorXd& u) {
+  int netSize = surface.coefficientCount();
+  std::vector<int> unknownOf(static_cast<std::size_t>(netSize),
+                             -1);  // of control points of the net
+  int count = 0;
+  for (int k = 0; k < surface.coefficientCount(); ++k) {
+    const int origin = surface.tornFrom(k);
+    if (origin == k) continue;
+    netSize = std::min(netSize, k);
+    if (unknownOf[origin] < 0) unknownOf[origin] = count++;
+  }
+  Eigen::VectorXd glued = u.head(3 * static_cast<Eigen::Index>(netSize));
+  if (count == 0) return glued;
+
+  std::vector<int> elements;
+  for (int e = 0; e < surface.elementCount(); ++e)
+    for (const int k : surface.functions(e))
+      if (unknownOf[surface.tornFrom(k)] >= 0) {
+        elements.push_back(e);
+        break;
+      }
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
+  std::vector<double> basis;
+  visitSplinePoints(surface, elements, kPoints, std::numeric_limits<double>::infinity(),
+                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      surface.evaluateBasis(place, basis);
+                      const std::vector<int>& functions = surface.functions(place.element);
+                      Vector3d torn = Vector3d::Zero();  // their part of the displacement
+                      for (std::size_t f = 0; f < basis.size(); ++f)
+                        if (unknownOf[surface.tornFrom(functions[f])] >= 0)
+                          torn += basis[f] * u.segment<3>(3 * functions[f]);
+                      for (std::size_t a = 0; a < basis.size(); ++a) {
+                        const int row = unknownOf[surface.tornFrom(functions[a])];
+                        if (row < 0) continue;
+                        right.row(row) += weight * basis[a] * torn.transpose();
+                        for (std::size_t b = 0; b < basis.size(); ++b) {
+                          const int column = unknownOf[surface.tornFrom(functions[b])];
+                          if (column >= 0)
+                            entries.emplace_back(row, column, weight * basis[a] * basis[b]);
+                        }
+                      }
+                    });
+  Eigen::SparseMatrix<double> mass(count, count);
+  mass.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(mass);
+  if (solver.info() != Eigen::Success)
+    throw SolverError(SolverError::Kind::kBadMesh, "a patch of the solid has no area");
+  const Eigen::MatrixXd x = solver.solve(right);
+  for (int k = 0; k < netSize; ++k)
+    if (unknownOf[k] >= 0) glued.segment<3>(3 * k) = x.row(unknownOf[k]).transpose();
+  return glued;
+}
+
+}  // namespace palpa::bem
