@@ -35,6 +35,10 @@ class Discretisation {
   virtual const TractionSlots& slots() const = 0;
   /// Where each displacement coefficient weighs most, mm.
   virtual const std::vector<Eigen::Vector3d>& places() const = 0;
+  /// Weights of the displacement coefficients at places: one row each.
+  using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  /// Those of the displacements at places(): the identity for triangles.
+  virtual Weights placeWeights() const = 0;
   /// Elements that coefficients are integrated over: triangles, or elements of splines.
   virtual int elementCount() const = 0;
 
@@ -58,10 +62,11 @@ class Discretisation {
 
   /// Values at the nodes and slots of the mesh of a field in coefficients.
   virtual BoundaryField valuesOnMesh(const BoundaryField& field) const = 0;
-  /// Weights of the displacement coefficients at places: one row each.
-  using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  /// Weights of the displacement coefficients at any places.
   virtual Weights displacementWeights(std::span<const SurfacePoint> places) const = 0;
 
+  /// ∫ of the function of a displacement coefficient, mm^2: the force per unit of its traction.
+  virtual double area(int coefficient) const = 0;
   /// Of the traction coefficients `p` over some elements, on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
   /// Strain energy 1/2 ∫ p.u dΓ, mJ. With a ContactSurface of this discretisation faster.

@@ -88,10 +88,14 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times = nullptr);
 
-/// What write() wrote of a problem made from the same mesh, slots, conditions, material and
-/// precision: the caller vouches for that. Throws what the source throws, std::bad_alloc.
+/// What write() wrote of a problem made from the same geometry, slots, conditions, material
+/// and precision: the caller vouches for that. Throws what the source throws, std::bad_alloc.
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
+    const Job& job, const ByteSource& source);
+std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
+    const SplineSurface& surface, const SplineTractions& tractions,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
     const Job& job, const ByteSource& source);
 

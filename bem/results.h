@@ -35,6 +35,12 @@ std::vector<Eigen::Matrix3d> surfaceStress(const BoundaryMesh& mesh, const Tract
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                            const Material& material);
 
+/// The same at one place: `frame` has two tangents and the normal as columns, `slopes` are the
+/// derivatives of the displacement along the tangents.
+Eigen::Matrix3d surfaceStress(const Eigen::Matrix3d& frame,
+                              const Eigen::Matrix<double, 3, 2>& slopes,
+                              const Eigen::Vector3d& traction, const Material& material);
+
 /// sqrt(3/2 s:s) with s the deviator of `stress`.
 double vonMises(const Eigen::Matrix3d& stress);
 

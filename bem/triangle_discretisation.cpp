@@ -7,6 +7,12 @@ namespace palpa::bem {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+Discretisation::Weights TriangleDiscretisation::placeWeights() const {
+  Weights weights(displacementCount(), displacementCount());
+  weights.setIdentity();
+  return weights;
+}
+
 DegreesOfFreedom TriangleDiscretisation::degreesOfFreedom(
     const std::vector<SlotCondition>& conditions, const Material& material) const {
   return {mesh(), slots(), conditions, material};
@@ -32,15 +38,10 @@ std::unique_ptr<ReferenceProblem> TriangleDiscretisation::readProblem(
 }
 
 void TriangleDiscretisation::write(const ByteSink& sink) const {
-  const auto writeList = [&](const auto& list) {
-    const std::size_t count = list.size();
-    sink(std::as_bytes(std::span(&count, 1)));
-    sink(std::as_bytes(std::span(list)));
-  };
-  writeList(mesh().nodes);
-  writeList(mesh().triangles);
-  writeList(mesh().smoothingGroups);
-  writeList(mesh().tags);
+  writeList(sink, mesh().nodes);
+  writeList(sink, mesh().triangles);
+  writeList(sink, mesh().smoothingGroups);
+  writeList(sink, mesh().tags);
 }
 
 Discretisation::Weights TriangleDiscretisation::displacementWeights(

@@ -150,6 +150,19 @@ void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at,
     for (int i = 0; i <= u.degree(); ++i) values.push_back(a.value[i] * b.value[j]);
 }
 
+void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at, BasisJet& jet) const {
+  const SplineElement& element = elements_[index];
+  const auto& [u, v] = patches_[element.patch].basis;
+  const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
+  for (auto* list : {&jet.values, &jet.du, &jet.dv}) list->clear();
+  for (int j = 0; j <= v.degree(); ++j)
+    for (int i = 0; i <= u.degree(); ++i) {
+      jet.values.push_back(a.value[i] * b.value[j]);
+      jet.du.push_back(a.derivative[i] * b.value[j]);
+      jet.dv.push_back(a.value[i] * b.derivative[j]);
+    }
+}
+
 SplineJet SplineSurface::evaluate(const SplinePlace& place) const {
   const SplineElement& element = elements_[place.element];
   const auto& [u, v] = patches_[element.patch].basis;
@@ -183,6 +196,35 @@ Vector3d SplineSurface::normal(const SplinePlace& place) const {
     if (area.norm() > 1e-9 * jet.du.norm() * jet.dv.norm()) return area.normalized();
   }
   return Vector3d::Zero();
+}
+
+void SplineSurface::write(const ByteSink& sink) const {
+  writeList(sink, controlPoints_);
+  writeCount(sink, patches_.size());
+  for (const SplinePatch& patch : patches_) {
+    for (const BsplineBasis& basis : patch.basis) {
+      writeValue(sink, basis.degree());
+      writeList(sink, basis.knots());
+    }
+    writeList(sink, patch.net);
+    writeValue(sink, patch.smoothingGroup);
+  }
+  writeCount(sink, elements_.size());
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const SplineElement& element = elements_[e];
+    writeValue(sink, element.patch);
+    writeValue(sink, element.span);
+    writeValue(sink, element.lower);
+    writeValue(sink, element.upper);
+    writeValue(sink, element.tag);
+    writeValue(sink, element.cut);
+    writeList(sink, functions_[e]);
+  }
+  writeCount(sink, cuts_.size());
+  for (const CutMap& cut : cuts_) cut.write(sink);
+  writeList(sink, tornFrom_);
+  writeList(sink, std::vector<char>(isTorn_.begin(), isTorn_.end()));
+  writeList(sink, std::vector<char>(barelyReaches_.begin(), barelyReaches_.end()));
 }
 
 }  // namespace palpa::bem

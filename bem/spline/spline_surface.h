@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "bem/byte_stream.h"
 #include "bem/spline/bspline_basis.h"
 #include "bem/spline/cut_map.h"
 
@@ -97,10 +98,18 @@ class SplineSurface {
   /// The same by parameters of the patch, also outside of the element: its polynomials go on.
   void evaluateBasis(int element, const Eigen::Vector2d& parameters,
                      std::vector<double>& values) const;
+  /// Values, and derivatives by the parameters of the patch.
+  struct BasisJet {
+    std::vector<double> values, du, dv;
+  };
+  void evaluateBasis(int element, const Eigen::Vector2d& parameters, BasisJet& jet) const;
 
   SplineJet evaluate(const SplinePlace& place) const;
   /// Unit outward normal; a little inside the element where the derivatives are parallel.
   Eigen::Vector3d normal(const SplinePlace& place) const;
+
+  /// All of it, byte by byte, for a hash.
+  void write(const ByteSink& sink) const;
 
  private:
   std::vector<Eigen::Vector3d> controlPoints_;
