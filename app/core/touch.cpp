@@ -7,6 +7,7 @@
 #include "app/core/touch_snapshot.h"
 #include "bem/contact_solver.h"
 #include "bem/nodal_switching.h"
+#include "bem/triangle_contact_surface.h"
 
 namespace palpa::app {
 namespace {
@@ -50,7 +51,7 @@ class Played {
 
   /// The state of all touches; `base`: the field of loads and of the tools that are at rest.
   TouchState describe(bem::BoundaryField base, const ToolsAtRest& tools) const {
-    bem::ContactSolver solver(model_.problem(), model_.setup().slots, std::move(base));
+    bem::ContactSolver solver(model_.problem(), surface_.slots(), std::move(base));
     for (std::size_t k = 0; k < held_.size(); ++k) {
       if (held_[k].tool.kind == bem::ContactTool::Kind::kForce)
         solver.addForce(masks_[k], held_[k].value);
@@ -136,7 +137,7 @@ bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface&
   bem::BoundaryField field = model.rest().field;
   bem::BoundaryField known{Eigen::MatrixXd::Zero(field.u.rows(), 1),
                            Eigen::MatrixXd::Zero(field.p.rows(), 1)};
-  const std::vector<int>& firstSlot = model.setup().slots.firstOfNode;
+  const std::vector<int>& firstSlot = surface.slots().firstOfNode;
   for (const auto& contact : tools.contacts)
     for (const auto& each : contact.patch) {
       const bem::ContactMask mask = bem::makeContactMask(surface, each.point.position, each.radius);
@@ -162,7 +163,7 @@ TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch>
   const BoundarySetup& setup = model.setup();
   for (const modeling::Touch& touch : touches)
     checkNearSurface(setup.mesh, touch.at, "the touch \"" + touch.name + "\"");
-  const bem::ContactSurface surface(setup.mesh, setup.slots, model.problem()->dofs());
+  const bem::TriangleContactSurface surface(setup.mesh, setup.slots, model.problem()->dofs());
   const Played played(model, surface, touches);
   if (played.tools().empty()) return played.describe(model.rest().field, {});
   const ToolsAtRest tools = moveTools(model, surface, played.held(), played.tools(),

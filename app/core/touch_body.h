@@ -21,16 +21,16 @@ class TouchBody {
 
   const TouchModel& model() const { return *model_; }
   const std::shared_ptr<const TouchModel>& sharedModel() const { return model_; }
-  const bem::ContactSurface& surface() const { return surface_; }
+  const bem::ContactSurface& surface() const { return *surface_; }
   const std::shared_ptr<bem::GreensColumns>& columns() const { return columns_; }
   /// The field without contacts.
   const bem::BoundaryField& base() const { return model_->rest().field; }
 
-  bem::ContactSimulation simulate() const { return {surface_, *columns_, base()}; }
+  bem::ContactSimulation simulate() const { return {surface(), *columns_, base()}; }
 
  private:
   std::shared_ptr<const TouchModel> model_;
-  bem::ContactSurface surface_;
+  std::unique_ptr<const bem::ContactSurface> surface_;
   std::shared_ptr<bem::GreensColumns> columns_;
 };
 

@@ -101,8 +101,8 @@ TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState
   state.balance = sum.norm();
   state.relativeBalance = largest > 0 ? state.balance / largest : 0;
   const auto u = state.field.u.col(0), p = state.field.p.col(0);
-  state.energy = surface ? bem::strainEnergy(*surface, u, p)
-                         : bem::strainEnergy(setup_.mesh, setup_.slots, u, p);
+  state.energy =
+      surface ? surface->strainEnergy(u, p) : bem::strainEnergy(setup_.mesh, setup_.slots, u, p);
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include "app/core/touch.h"
 #include "bem/contact_surface.h"
 #include "bem/error.h"
+#include "bem/triangle_contact_surface.h"
 #include "core_projects.h"
 #include "modeling/shapes/primitives.h"
 
@@ -36,7 +37,7 @@ std::shared_ptr<const TouchModel> loadedSphere() {
 /// The top of the sphere as contacts see it: smooth between the nodes.
 Vector3d top() {
   const BoundarySetup& setup = sphere()->setup();
-  const bem::ContactSurface surface(setup.mesh, setup.slots, sphere()->problem()->dofs());
+  const bem::TriangleContactSurface surface(setup.mesh, setup.slots, sphere()->problem()->dofs());
   return surface.smoothPosition(bem::nearestSurfacePoint(setup.mesh, kTop));
 }
 
@@ -123,8 +124,8 @@ TEST(TouchKinds, ABallPressesFromItsCentreOverItsPatch) {
   EXPECT_EQ(contact.kind, "probe");
   ASSERT_GE(contact.patch.size(), 1u);
   Vector3d sum = Vector3d::Zero();
-  const bem::ContactSurface surface(sphere()->setup().mesh, sphere()->setup().slots,
-                                    sphere()->problem()->dofs());
+  const bem::TriangleContactSurface surface(sphere()->setup().mesh, sphere()->setup().slots,
+                                            sphere()->problem()->dofs());
   for (const auto& mask : contact.patch) {
     sum += mask.force;
     // What is pressed lies on the ball in the mean; the middles of these wide masks lie deeper.
