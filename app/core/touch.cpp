@@ -6,6 +6,7 @@
 #include "app/core/tool_path.h"
 #include "app/core/touch_snapshot.h"
 #include "bem/contact_solver.h"
+#include "bem/contact_surface.h"
 #include "bem/nodal_switching.h"
 
 namespace palpa::app {

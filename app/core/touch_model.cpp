@@ -99,8 +99,9 @@ TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState
   for (const auto& contact : state.contacts) count(contact.force);
   state.balance = sum.norm();
   state.relativeBalance = largest > 0 ? state.balance / largest : 0;
+  const auto u = state.field.u.col(0), p = state.field.p.col(0);
   state.energy =
-      setup_.discretisation->strainEnergy(state.field.u.col(0), state.field.p.col(0), surface);
+      surface ? surface->strainEnergy(u, p) : setup_.discretisation->strainEnergy(u, p);
   return state;
 }
 

@@ -84,8 +84,8 @@ Resultant SplineDiscretisation::resultant(const Eigen::VectorXd& p,
   return integrals().resultant(p, elements);
 }
 
-double SplineDiscretisation::strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                          const ContactSurface*) const {
+double SplineDiscretisation::strainEnergy(const Eigen::VectorXd& u,
+                                          const Eigen::VectorXd& p) const {
   return integrals().strainEnergy(u, p);
 }
 
