@@ -1,97 +1,22 @@
 #include "app/core/boundary_setup.h"
 
-#include <cstdio>
-#include <limits>
 #include <map>
 #include <numeric>
 
-#include "bem/error.h"
+#include "app/core/region_conditions.h"
 #include "bem/results.h"
 
 namespace palpa::app {
 namespace {
 
-using Eigen::Vector3d;
 using modeling::Support;
-
-std::string formatPoint(const Vector3d& p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g) mm", p[0], p[1], p[2]);
-  return text;
-}
-
-[[noreturn]] void badCondition(const std::string& message) {
-  throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
-}
-
-/// Which support holds each triangle; -1 for none.
-std::vector<int> supportOfTriangle(const modeling::Project& project,
-                                   const modeling::SurfaceMesh& surface) {
-  std::vector<int> owner(surface.triangles.size(), -1);
-  for (std::size_t s = 0; s < project.supports.size(); ++s)
-    for (const int t : surface.trianglesOfRegion[s]) {
-      if (owner[t] >= 0) {
-        const auto& c = surface.triangles[t];
-        badCondition("supports \"" + project.supports[owner[t]].name + "\" and \"" +
-                     project.supports[s].name + "\" both hold the surface near " +
-                     formatPoint(surface.positions[c[0]]) +
-                     "; change their regions so that they do not overlap");
-      }
-      owner[t] = static_cast<int>(s);
-    }
-  return owner;
-}
-
-/// One tag per combination of support and load regions that occurs.
-std::vector<int> tagTriangles(const modeling::SurfaceMesh& surface) {
-  std::vector<std::vector<int>> regions(surface.triangles.size());
-  for (std::size_t r = 0; r < surface.trianglesOfRegion.size(); ++r)
-    for (const int t : surface.trianglesOfRegion[r]) regions[t].push_back(static_cast<int>(r));
-  std::map<std::vector<int>, int> tagOf{{{}, 0}};
-  std::vector<int> tags;
-  for (const auto& combination : regions)
-    tags.push_back(tagOf.try_emplace(combination, static_cast<int>(tagOf.size())).first->second);
-  return tags;
-}
 
 bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface) {
   bem::BoundaryMesh mesh{surface.positions, surface.triangles, surface.smoothingGroupOfTriangle,
-                         tagTriangles(surface)};
+                         RegionTags(surface).ofTriangle()};
   mesh.validate();
   return mesh;
 }
-
-/// The displacement that the supports meeting at a node prescribe: that of a fixed one, otherwise
-/// the shortest vector with all the rollers' normal components.
-class PrescribedDisplacement {
- public:
-  void addFixed(const Support& support, const Vector3d& position) {
-    if (fixed_ && (fixed_->displacement - support.displacement).norm() >
-                      1e-12 * (1 + support.displacement.norm()))
-      badCondition(
-          "supports \"" + fixed_->name + "\" and \"" + support.name + "\" meet at " +
-          formatPoint(position) +
-          " and prescribe different displacements there; separate them or make them agree");
-    fixed_ = &support;
-  }
-  void addRoller(const Support& support, const Vector3d& normal) {
-    rows_.emplace_back(normal, normal.dot(support.displacement));
-  }
-  Vector3d value() const {
-    if (fixed_) return fixed_->displacement;
-    Eigen::MatrixXd normals(rows_.size(), 3);
-    Eigen::VectorXd components(rows_.size());
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      normals.row(static_cast<Eigen::Index>(k)) = rows_[k].first.transpose();
-      components[static_cast<Eigen::Index>(k)] = rows_[k].second;
-    }
-    return normals.completeOrthogonalDecomposition().solve(components);
-  }
-
- private:
-  const Support* fixed_ = nullptr;
-  std::vector<std::pair<Vector3d, double>> rows_;
-};
 
 void applySupports(const modeling::Project& project, const std::vector<int>& owner,
                    BoundarySetup& setup) {
@@ -117,25 +42,12 @@ void applySupports(const modeling::Project& project, const std::vector<int>& own
 
 bem::SurfaceLoad surfaceLoad(const modeling::Load& load, std::vector<int> regionTriangles,
                              int triangleCount) {
-  constexpr double kSmooth = std::numeric_limits<double>::infinity();
-  if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what))
-    return {
-        std::move(regionTriangles),
-        [p = pressure->pressure](const Vector3d&, const Vector3d& n) { return Vector3d(-p * n); },
-        kSmooth};
-  if (const auto* uniform = std::get_if<modeling::UniformTraction>(&load.what))
-    return {std::move(regionTriangles),
-            [t = uniform->traction](const Vector3d&, const Vector3d&) { return t; }, kSmooth};
-  const auto bump = std::get<modeling::Bump>(load.what);
-  std::vector<int> all(triangleCount);
-  std::iota(all.begin(), all.end(), 0);
-  return {std::move(all),
-          [bump](const Vector3d& x, const Vector3d&) {
-            const double s = (x - bump.center).squaredNorm() / (bump.radius * bump.radius);
-            return s < 1 ? Vector3d(bump.direction * bump.peak * (1 - s) * (1 - s))
-                         : Vector3d(Vector3d::Zero());
-          },
-          bump.radius};
+  if (!modeling::regionOf(load)) {
+    regionTriangles.resize(triangleCount);
+    std::iota(regionTriangles.begin(), regionTriangles.end(), 0);
+  }
+  LoadTraction what = loadTraction(load);
+  return {std::move(regionTriangles), std::move(what.traction), what.featureLength};
 }
 
 void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& surface,
