@@ -12,9 +12,6 @@
 namespace palpa::app {
 namespace {
 
-/// Half the width of a thumb's contact under a firm press, mm.
-constexpr double kFingertipRadius = 6.0;
-
 [[noreturn]] void badTouch(const std::string& message) {
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
 }
@@ -156,7 +153,7 @@ bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface&
 }  // namespace
 
 double defaultTouchRadius(const bem::BoundaryMesh& mesh) {
-  return std::min(kFingertipRadius, 0.2 * mesh.boundingSize() / std::sqrt(3.0));
+  return defaultTouchRadius(mesh.boundingSize());
 }
 
 TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches, int steps,
