@@ -79,7 +79,7 @@ class Discretisation {
   /// Σ N_j u_j at a place, mm.
   virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
                                       const Eigen::VectorXd& u) const = 0;
-  /// As accurately as it is known, mm: with triangles one more iterate.
+  /// As accurately as it is known, mm: one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                          const Eigen::VectorXd& p,
                                          const Material& material) const = 0;

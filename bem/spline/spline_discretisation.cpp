@@ -102,8 +102,9 @@ Vector3d SplineDiscretisation::interpolate(const SurfacePoint& place,
 }
 
 Vector3d SplineDiscretisation::displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                              const Eigen::VectorXd&, const Material&) const {
-  return interpolate(place, u);
+                                              const Eigen::VectorXd& p,
+                                              const Material& material) const {
+  return interpolate(place, u) + displacementDefect(place, u, p, material);
 }
 
 Vector3d SplineDiscretisation::tractionAt(const SurfacePoint& place,
