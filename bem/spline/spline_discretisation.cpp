@@ -120,6 +120,12 @@ Vector3d SplineDiscretisation::displacementDefect(const SurfacePoint& place,
   return results().displacementDefect(splineMesh_.at(place), u, p, material);
 }
 
+BoundaryField SplineDiscretisation::estimatedError(const ReferenceProblem& problem,
+                                                   const BoundaryField& field,
+                                                   const Material& material, const Job& job) const {
+  return bem::estimatedError(results(), problem, field, material, job);
+}
+
 std::optional<InteriorState> SplineDiscretisation::interiorState(const Eigen::VectorXd& u,
                                                                  const Eigen::VectorXd& p,
                                                                  const Material& material,
