@@ -113,18 +113,10 @@ class DenseReferenceProblem final : public ReferenceProblem {
     BoundaryField field = known;
     double previous = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
-      // Each column is scaled to 1 so that single precision neither overflows nor loses small
-      // states.
-      MatrixXd r = residual(field, job);
-      const Eigen::RowVectorXd scale =
-          r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
-      Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
-          (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
-      factors_.solveInPlace(step);
-      const MatrixXd correction = step.template cast<double>() * scale.asDiagonal();
-      const double change = correction.norm();
+      const MatrixXd step = correction(residual(field, job));
+      const double change = step.norm();
       if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
-      v += correction;
+      v += step;
       previous = change;
       if (change <= kConverged * v.norm() || round + 1 == rounds) break;
       field = dofs().expand(v, MatrixXd());
@@ -132,6 +124,16 @@ class DenseReferenceProblem final : public ReferenceProblem {
       field.p += known.p;
     }
     return v;
+  }
+
+  MatrixXd correction(const MatrixXd& r) const override {
+    // Each column is scaled to 1 so that single precision neither overflows nor loses small states.
+    const Eigen::RowVectorXd scale =
+        r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
+    Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
+        (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
+    factors_.solveInPlace(step);
+    return step.template cast<double>() * scale.asDiagonal();
   }
 
   double relativeResidual(const BoundaryField& field) const override {

@@ -78,7 +78,7 @@ class Discretisation {
   /// Σ N_j u_j at a place, mm.
   virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
                                       const Eigen::VectorXd& u) const = 0;
-  /// As accurately as it is known, mm: with triangles one more iterate.
+  /// As accurately as it is known, mm: one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                          const Eigen::VectorXd& p,
                                          const Material& material) const = 0;
@@ -89,6 +89,13 @@ class Discretisation {
   virtual Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
                                              const Eigen::VectorXd& p,
                                              const Material& material) const = 0;
+  /// Estimated error of a field that solves a problem of this discretisation, exact less computed,
+  /// as far as functions can carry it: the unknowns that the residual between the collocation
+  /// points calls for. With displacementDefect(), which tells what varies within elements, an
+  /// estimate of the whole error, also of the soft modes of slender bodies (bending), which leave
+  /// almost no residual. A column per state. Zero for triangles. Throws Cancelled.
+  virtual BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
+                                       const Material& material, const Job& job) const = 0;
   /// Empty for a point outside of the body.
   virtual std::optional<InteriorState> interiorState(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& p,

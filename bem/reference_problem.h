@@ -27,6 +27,10 @@ class ReferenceProblem {
   virtual Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
                                 const Job& job = {}) const = 0;
 
+  /// The unknowns that take away a residual G p - H u: A0 v = residual, whose rows are those of the
+  /// operators, with the factorisation as it is.
+  virtual Eigen::MatrixXd correction(const Eigen::MatrixXd& residual) const = 0;
+
   /// The whole field: known plus unknown part.
   BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,
                            const Job& job = {}) const;

@@ -96,6 +96,13 @@ Vector3d TriangleDiscretisation::displacementDefect(const SurfacePoint& place, c
   return surfaceDisplacement(mesh(), slots(), u, p, material, place) - interpolate(place, u);
 }
 
+BoundaryField TriangleDiscretisation::estimatedError(const ReferenceProblem&,
+                                                     const BoundaryField& field, const Material&,
+                                                     const Job&) const {
+  return {Eigen::MatrixXd::Zero(field.u.rows(), field.u.cols()),
+          Eigen::MatrixXd::Zero(field.p.rows(), field.p.cols())};
+}
+
 std::optional<InteriorState> TriangleDiscretisation::interiorState(const VectorXd& u,
                                                                    const VectorXd& p,
                                                                    const Material& material,

@@ -180,18 +180,21 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
   if (!dofs.isFree(node))
     badTouch("node " + std::to_string(node) + " is held by a support; touch a free one");
   auto greens = std::make_shared<bem::GreensFunction>(model.problem());
+  const bem::Discretisation& on = *setup.discretisation;
   const Eigen::VectorXd unknown = model.problem()->solve(dofs.knownField(setup.conditions)).col(0);
+  const bem::Discretisation::Weights weights = on.placeWeights();
   bem::NodalSwitching switching(greens, Eigen::VectorXd::Zero(dofs.nodalCount()), unknown,
-                                model.rest().field);
+                                model.rest().field, weights);
   switching.add(node);
   // Free nodes have the frame of space, so the values are the components of the displacement.
   auto solution = switching.solve(displacement);
-  const Eigen::Vector3d force =
-      dofs.tractionScale() * bem::nodalArea(setup.mesh(), node) * solution.switched;
-  const Eigen::Vector3d moved = displacement - model.rest().field.u.col(0).segment<3>(3 * node);
+  const Eigen::Vector3d force = dofs.tractionScale() * on.area(node) * solution.switched;
+  Eigen::Vector3d moved = displacement;
+  for (bem::Discretisation::Weights::InnerIterator it(weights, node); it; ++it)
+    moved -= it.value() * model.rest().field.u.col(0).segment<3>(3 * it.col());
   const double stiffness = moved.squaredNorm() > 0 ? force.dot(moved) / moved.squaredNorm() : 0.0;
   return model.describe(std::move(solution.field),
-                        {{setup.mesh().nodes[node], 0.0, force, displacement, stiffness, "node"}});
+                        {{on.places()[node], 0.0, force, displacement, stiffness, "node"}});
 }
 
 }  // namespace palpa::app

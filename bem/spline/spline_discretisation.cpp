@@ -102,8 +102,9 @@ Vector3d SplineDiscretisation::interpolate(const SurfacePoint& place,
 }
 
 Vector3d SplineDiscretisation::displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                              const Eigen::VectorXd&, const Material&) const {
-  return interpolate(place, u);
+                                              const Eigen::VectorXd& p,
+                                              const Material& material) const {
+  return interpolate(place, u) + displacementDefect(place, u, p, material);
 }
 
 Vector3d SplineDiscretisation::tractionAt(const SurfacePoint& place,
@@ -117,6 +118,12 @@ Vector3d SplineDiscretisation::displacementDefect(const SurfacePoint& place,
                                                   const Eigen::VectorXd& p,
                                                   const Material& material) const {
   return results().displacementDefect(splineMesh_.at(place), u, p, material);
+}
+
+BoundaryField SplineDiscretisation::estimatedError(const ReferenceProblem& problem,
+                                                   const BoundaryField& field,
+                                                   const Material& material, const Job& job) const {
+  return bem::estimatedError(results(), problem, field, material, job);
 }
 
 std::optional<InteriorState> SplineDiscretisation::interiorState(const Eigen::VectorXd& u,

@@ -55,6 +55,8 @@ class SplineDiscretisation final : public Discretisation {
   Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
                                      const Eigen::VectorXd& p,
                                      const Material& material) const override;
+  BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
+                               const Material& material, const Job& job) const override;
   std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material,
                                              const Eigen::Vector3d& point) const override;

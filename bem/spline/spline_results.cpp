@@ -7,7 +7,10 @@
 #include <numeric>
 
 #include "bem/kelvin.h"
+#include "bem/lending_pool.h"
+#include "bem/parallel.h"
 #include "bem/spline/spline_nearest.h"
+#include "bem/spline/spline_projection.h"
 #include "bem/spline/spline_rows.h"
 #include "bem/spline/spline_state.h"
 
@@ -61,20 +64,55 @@ Vector3d SplineResults::displacementDefect(const SplineMesh::Point& at, const Ei
   const SplineRows rows(surface_, tractions_, material, quadrature_);
   SplineRows::Sums sums;
   rows.integrate(surfacePlaces(surface_, at), sums, Job{});
-  Vector3d residual = Vector3d::Zero();
-  for (int j = 0; j < surface_.coefficientCount(); ++j)
-    for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c)
-        residual[i] -=
-            rows.blockT(&sums.T[static_cast<std::size_t>(SplineRows::kSumsT) * j], i, c) *
-            u[3 * static_cast<Index>(j) + c];
-  for (int s = 0; s < tractions_.slots.count(); ++s)
-    for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c)
-        residual[i] +=
-            rows.blockU(&sums.U[static_cast<std::size_t>(SplineRows::kSumsU) * s], i, c) *
-            p[3 * static_cast<Index>(s) + c];
-  return rows.freeTerm(sums).partialPivLu().solve(residual);
+  return rows.freeTerm(sums).partialPivLu().solve(rows.residual(sums, u, p));
+}
+
+Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const Material& material,
+                                               const Job& job) const {
+  // Two points per direction lie off the collocation points of any degree.
+  constexpr int kPoints = 2;
+  constexpr std::ptrdiff_t kElementsPerTask = 4;
+  struct Sample {
+    SplinePlace place;
+    double weight;
+    Matrix3Xd residual;
+  };
+  std::vector<Sample> samples;
+  std::vector<int> all(surface_.elements().size());
+  std::iota(all.begin(), all.end(), 0);
+  visitSplinePoints(surface_, all, kPoints, std::numeric_limits<double>::infinity(),
+                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      samples.push_back({place, weight, {}});
+                    });
+  const SplineRows rows(surface_, tractions_, material, quadrature_);
+  LendingPool<SplineRows::Sums> pool([] { return SplineRows::Sums{}; });
+  const auto count = static_cast<std::ptrdiff_t>(samples.size());
+  constexpr std::ptrdiff_t kPerTask = kElementsPerTask * kPoints * kPoints;
+  parallelFor((count + kPerTask - 1) / kPerTask, job, "estimate errors", [&](std::ptrdiff_t task) {
+    SplineRows::Sums sums = pool.take();
+    for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
+      Sample& sample = samples[k];
+      rows.integrate({surface_.evaluate(sample.place).position, {sample.place}}, sums, job);
+      sample.residual = rows.residual(sums, field.u, field.p);
+    }
+    pool.giveBack(std::move(sums));
+  });
+
+  const Index functions = surface_.coefficientCount();
+  Eigen::MatrixXd average = Eigen::MatrixXd::Zero(3 * functions, field.u.cols());
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(functions);
+  std::vector<double> basis;
+  for (const Sample& sample : samples) {
+    surface_.evaluateBasis(sample.place, basis);
+    for (std::size_t f = 0; f < basis.size(); ++f) {
+      const Index k = surface_.functions(sample.place.element)[f];
+      average.middleRows<3>(3 * k) += sample.weight * basis[f] * sample.residual;
+      areas[k] += sample.weight * basis[f];
+    }
+  }
+  for (Index k = 0; k < functions; ++k)
+    if (areas[k] > 0) average.middleRows<3>(3 * k) /= areas[k];
+  return average;
 }
 
 std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd& u,
@@ -117,6 +155,17 @@ std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd&
   }
   if (solidAngle < 2 * std::numbers::pi) return std::nullopt;
   return state;
+}
+
+BoundaryField estimatedError(const SplineResults& results, const ReferenceProblem& problem,
+                             const BoundaryField& field, const Material& material, const Job& job) {
+  const Eigen::MatrixXd average = results.averageResidual(field, material, job);
+  const DegreesOfFreedom& dofs = problem.dofs();
+  const Index points = dofs.count() / 3;
+  Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(dofs.count(), average.cols());
+  for (Index k = 0; k < dofs.nodeCount(); ++k)
+    for (int c = 0; c < 3; ++c) residual.row(c * points + k) = average.row(3 * k + c);
+  return dofs.expand(problem.correction(residual), Eigen::MatrixXd());
 }
 
 }  // namespace palpa::bem

@@ -51,6 +51,23 @@ void SplineRows::subtractTranslation(const SplineCollocationPoint& point, Sums& 
           sums.basis[f] * sums.total[k];
 }
 
+Eigen::Matrix3Xd SplineRows::residual(const Sums& sums, const Eigen::MatrixXd& u,
+                                      const Eigen::MatrixXd& p) const {
+  Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, u.cols());
+  Eigen::Matrix3d block;
+  for (Eigen::Index j = 0; 3 * j < u.rows(); ++j) {
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) block(i, c) = blockT(&sums.T[kSumsT * j], i, c);
+    sum -= block * u.middleRows<3>(3 * j);
+  }
+  for (Eigen::Index s = 0; 3 * s < p.rows(); ++s) {
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) block(i, c) = blockU(&sums.U[kSumsU * s], i, c);
+    sum += block * p.middleRows<3>(3 * s);
+  }
+  return sum;
+}
+
 Eigen::Matrix3d SplineRows::freeTerm(const Sums& sums) const {
   double symmetric[kSumsT] = {};
   std::copy_n(sums.total, kSumsU, symmetric);

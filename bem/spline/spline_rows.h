@@ -43,6 +43,10 @@ class SplineRows {
     return weightU_ * (i == c ? value + diagonalU_ * (sum[0] + sum[2] + sum[5]) : value);
   }
 
+  /// r(x) = ∫ U p - ∫ T [u(y) - u(x)] of fields in coefficients: 3 rows, a column for each.
+  Eigen::Matrix3Xd residual(const Sums& sums, const Eigen::MatrixXd& u,
+                            const Eigen::MatrixXd& p) const;
+
   /// C in C u(x) = ∫ U p - ⨍ T u, 1/2 at smooth points: what T integrates to around x. Its
   /// antisymmetric part, -∮ dl / R along a closed line around x by Stokes's theorem, is zero.
   Eigen::Matrix3d freeTerm(const Sums& sums) const;

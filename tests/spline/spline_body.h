@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bem/reference_problem.h"
+#include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
 #include "exact_fields.h"
 #include "modeling/solid/solid.h"
@@ -31,6 +32,16 @@ struct SplineBody {
   /// The same of the tractions, with the surface's true normals.
   double tractionError(const ExactField& exact) const;
 };
+
+/// The discretisation of a solid whose elements have the tags that `tagOf` gives for their middles,
+/// with a mesh of edges of some length on it, mm. Tags should change at borders of patches only:
+/// triangles take that of the element under their middle.
+std::unique_ptr<SplineDiscretisation> discretised(
+    const modeling::Solid& solid, double edgeLength,
+    const std::function<int(const Eigen::Vector3d&)>& tagOf);
+
+/// Held where the tag is 1.
+std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots);
 
 /// Elements whose middle fulfils `held` get the tag 1.
 SplineSurface heldWhere(SplineSurface surface,
