@@ -16,6 +16,10 @@ namespace {
 using Eigen::Vector3d;
 using modeling::Support;
 
+/// The narrowest mask that cubic elements of one size can carry, in these
+/// (bem::SplineContactSurface::narrowestMask()).
+constexpr double kElementsPerMask = 1.75;
+
 /// Half the width of a thumb's contact under a firm press, mm.
 constexpr double kFingertipRadius = 6.0;
 
@@ -126,6 +130,10 @@ BoundarySetup splineSetup(const modeling::Project& project, const modeling::Surf
 
 }  // namespace
 
+AnalysisNet analysisNet(const modeling::Project& project) {
+  return analysisNet(project, fingertipRadius(project) / kElementsPerMask);
+}
+
 bool usesSplines(const modeling::Project& project) {
   return std::holds_alternative<modeling::Solid>(project.body) &&
          project.mesh.engine != modeling::Engine::triangles;
@@ -146,8 +154,7 @@ double fingertipRadius(const modeling::Project& project) {
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
                                 const modeling::SurfaceMesh& surface) {
-  if (usesSplines(project))
-    return splineSetup(project, surface, analysisNet(project, fingertipRadius(project)));
+  if (usesSplines(project)) return splineSetup(project, surface, analysisNet(project));
   BoundarySetup setup =
       emptySetup(project, std::make_shared<bem::TriangleDiscretisation>(
                               boundaryMesh(surface, RegionTags(surface).ofTriangle())));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/analysis_net.h"
 #include "bem/boundary_conditions.h"
 #include "bem/discretisation.h"
 #include "bem/traction_projection.h"
@@ -54,6 +55,10 @@ double fingertipRadius(const modeling::Project& project);
 /// Is the project's body computed with splines? So are all solids unless the project asks for
 /// triangles; mesh bodies have no patches.
 bool usesSplines(const modeling::Project& project);
+
+/// The analysis net of a project whose body is a solid: fine enough for all of its touches and for
+/// fingertips.
+AnalysisNet analysisNet(const modeling::Project& project);
 
 /// Translates a meshed project (`surface` made with meshRegions(project)) for its engine. Where
 /// supports and loads begin, the traction may jump. Throws SolverError (kBadCondition) when two

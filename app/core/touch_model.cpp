@@ -144,7 +144,7 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   const bool hasSplines = usesSplines(project);
   if (hasSplines) {
     // Half again as many traction coefficients is what bodies with many sharp edges have.
-    const double expected = analysisNet(project, fingertipRadius(project)).coefficients;
+    const double expected = analysisNet(project).coefficients;
     checkMemory(expected, 1.5 * expected, options, splineAdvice(project));
   } else {
     const double expected = modeling::estimateNodeCount(project.body, settings, regions);
@@ -169,7 +169,9 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.meshSeconds += watch.lap();
 
   const BoundarySetup& parts = model->setup_;
-  model->key_ = ModelCache::keyOf(parts, options.assembly, options.precision);
+  const bem::AssemblyOptions assembly = options.assembly.value_or(
+      hasSplines ? bem::AssemblyOptions{1e-3 * project.mesh.accuracy} : bem::AssemblyOptions{});
+  model->key_ = ModelCache::keyOf(parts, assembly, options.precision);
   if (options.cache)
     model->problem_ =
         options.cache->read(model->key_, parts, options.precision, job, report.notice);
@@ -177,8 +179,8 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
     report.readSeconds = watch.lap();
   } else {
     bem::ReferenceProblemTimes times;
-    model->problem_ = parts.discretisation->makeProblem(
-        parts.conditions.ofSlot, parts.material, options.assembly, options.precision, job, &times);
+    model->problem_ = parts.discretisation->makeProblem(parts.conditions.ofSlot, parts.material,
+                                                        assembly, options.precision, job, &times);
     report.assembleSeconds = times.assemble;
     report.factoriseSeconds = times.factorise;
   }

@@ -17,7 +17,8 @@ namespace palpa::app {
 struct BuildOptions {
   std::optional<double> edgeLength;  ///< mm; replaces that of the project
   bem::Precision precision = bem::Precision::kAutomatic;
-  bem::AssemblyOptions assembly;
+  /// When absent, what the engine needs: for splines a thousandth of the accuracy wished for.
+  std::optional<bem::AssemblyOptions> assembly;
   /// Bytes the model may take; 0: 85 % of what is available now.
   double memoryLimit = 0;
   /// Where solved models are looked for; null: nowhere. Nothing is written there.

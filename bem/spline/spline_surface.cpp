@@ -135,7 +135,9 @@ int SplineSurface::closedSurfaceCount() const {
     while (parent[point] != point) point = parent[point] = parent[parent[point]];
     return point;
   };
-  int count = coefficientCount();
+  // The nets know nothing of torn functions' other sides.
+  int count = 0;
+  for (int k = 0; k < coefficientCount(); ++k) count += tornFrom_[k] == k ? 1 : 0;
   for (const SplinePatch& patch : patches_)
     for (const int point : patch.net) {
       const int a = root(point), b = root(patch.net.front());
