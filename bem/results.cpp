@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/contact_surface.h"
 #include "bem/displacement_recovery.h"
 #include "bem/flat_triangle_integrals.h"
 #include "bem/kelvin.h"
+#include "bem/triangle_contact_surface.h"
 
 namespace palpa::bem {
 namespace {
@@ -170,15 +170,14 @@ double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const 
   });
 }
 
-double strainEnergy(const ContactSurface& surface, const Eigen::VectorXd& u,
-                    const Eigen::VectorXd& p) {
-  return energyOf(surface.mesh(), surface.slots(), u, p,
-                  [&](int t, int a, const Vector3d& traction) {
-                    double sum = 0;
-                    for (const auto& [node, weight] : surface.bulge(t, a))
-                      sum += weight * u.segment<3>(3 * node).dot(traction);
-                    return sum;
-                  });
+double TriangleContactSurface::strainEnergy(const Eigen::VectorXd& u,
+                                            const Eigen::VectorXd& p) const {
+  return energyOf(mesh(), slots(), u, p, [&](int t, int a, const Vector3d& traction) {
+    double sum = 0;
+    for (const auto& [node, weight] : bulge(t, a))
+      sum += weight * u.segment<3>(3 * node).dot(traction);
+    return sum;
+  });
 }
 
 std::vector<Matrix3d> surfaceStress(const BoundaryMesh& mesh, const TractionSlots& slots,

@@ -1,6 +1,6 @@
 #include "bem/triangle_discretisation.h"
 
-#include "bem/contact_surface.h"
+#include "bem/triangle_contact_surface.h"
 
 namespace palpa::bem {
 
@@ -61,9 +61,8 @@ Resultant TriangleDiscretisation::resultant(const VectorXd& p,
   return tractionResultant(mesh(), slots(), p, elements);
 }
 
-double TriangleDiscretisation::strainEnergy(const VectorXd& u, const VectorXd& p,
-                                            const ContactSurface* surface) const {
-  return surface ? bem::strainEnergy(*surface, u, p) : bem::strainEnergy(mesh(), slots(), u, p);
+double TriangleDiscretisation::strainEnergy(const VectorXd& u, const VectorXd& p) const {
+  return bem::strainEnergy(mesh(), slots(), u, p);
 }
 
 std::vector<Eigen::Matrix3d> TriangleDiscretisation::surfaceStress(const VectorXd& u,
@@ -113,7 +112,7 @@ std::optional<InteriorState> TriangleDiscretisation::interiorState(const VectorX
 
 std::unique_ptr<ContactSurface> TriangleDiscretisation::makeContactSurface(
     const DegreesOfFreedom& dofs) const {
-  return std::make_unique<ContactSurface>(mesh(), slots(), dofs);
+  return std::make_unique<TriangleContactSurface>(mesh(), slots(), dofs);
 }
 
 }  // namespace palpa::bem

@@ -28,7 +28,7 @@ class SolveCommand : public Command {
     const modeling::Project project = input_.read();
     const auto model = buildModel(project, context);
     app::TouchState state = model->rest();
-    state.errorEstimate = app::estimateError(*model, state);
+    state.errorEstimate = app::estimateError(*model, state, jobOf(context));
     const StateReport report{*model, state, probes_.read(*model, state)};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
     deformed_.write(project, *model, state, context);

@@ -166,7 +166,7 @@ std::string StateReport::text() const {
   text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);
   if (state.errorEstimate)
-    text += format("accuracy   displacements and forces are good to about %.1g %% (estimated)\n",
+    text += format("accuracy   displacements and forces are good to about %.2g %% (estimated)\n",
                    100 * *state.errorEstimate);
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";

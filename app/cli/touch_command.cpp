@@ -69,7 +69,7 @@ class TouchCommand : public Command {
     const auto start = std::chrono::steady_clock::now();
     app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    state.errorEstimate = app::estimateError(*model, state);
+    state.errorEstimate = app::estimateError(*model, state, jobOf(context));
     const StateReport report{*model, state, probes_.read(*model, state), seconds.count()};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
     deformed_.write(project, *model, state, context);

@@ -44,9 +44,20 @@ struct BoundarySetup {
   std::vector<LoadPart> loads;
 };
 
-/// Translates a meshed project (`surface` made with meshRegions(project)). Where supports and loads
-/// begin, the traction may jump. Throws SolverError (kBadCondition) when two supports claim the
-/// same place or prescribe different displacements where they meet.
+/// Radius of a touch that does not name one, mm: that of a fingertip, but at most a fifth of the
+/// body's size (the diagonal of its box, mm).
+double defaultTouchRadius(double bodySize);
+
+/// The narrowest touch that a project's model is to resolve, mm: of its touches and a fingertip.
+double fingertipRadius(const modeling::Project& project);
+
+/// Is the project's body computed with splines? So are all solids unless the project asks for
+/// triangles; mesh bodies have no patches.
+bool usesSplines(const modeling::Project& project);
+
+/// Translates a meshed project (`surface` made with meshRegions(project)) for its engine. Where
+/// supports and loads begin, the traction may jump. Throws SolverError (kBadCondition) when two
+/// supports claim the same place or prescribe different displacements where they meet.
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
                                 const modeling::SurfaceMesh& surface);
 

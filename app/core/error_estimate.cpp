@@ -17,36 +17,46 @@ constexpr int kPresses = 6;
 /// Of a press, in parts of the fingertip's radius; the body is linear, so any would do.
 constexpr double kDepth = 0.1;
 
-/// Mean squares of the defect and of the displacement over some places.
-class Defects {
+/// The error of a field: what the functions can carry of it, and what varies within elements. Both
+/// are estimates of parts of the same error, which they overlap in, so the larger counts.
+class EstimatedError {
  public:
-  Defects(const TouchModel& model, const bem::BoundaryField& field)
-      : setup_(model.setup()), u_(field.u.col(0)), p_(field.p.col(0)) {}
+  EstimatedError(const TouchModel& model, const bem::BoundaryField& field, const bem::Job& job)
+      : setup_(model.setup()),
+        u_(field.u.col(0)),
+        p_(field.p.col(0)),
+        error_(setup_.discretisation->estimatedError(*model.problem(), field, setup_.material, job)
+                   .u.col(0)) {}
 
-  void add(const bem::SurfacePoint& place) {
+  /// Mean squares over some places.
+  struct Mean {
+    double carried = 0, defects = 0, moved = 0;
+    double relative() const {
+      return moved > 0 ? std::sqrt(std::max(carried, defects) / moved) : 0;
+    }
+  };
+  void add(const bem::SurfacePoint& place, Mean& mean) const {
     const bem::Discretisation& on = *setup_.discretisation;
-    defects_ += on.displacementDefect(place, u_, p_, setup_.material).squaredNorm();
-    moved_ += on.interpolate(place, u_).squaredNorm();
+    mean.carried += on.interpolate(place, error_).squaredNorm();
+    mean.defects += on.displacementDefect(place, u_, p_, setup_.material).squaredNorm();
+    mean.moved += on.interpolate(place, u_).squaredNorm();
   }
-  double relative() const { return moved_ > 0 ? std::sqrt(defects_ / moved_) : 0.0; }
 
  private:
   const BoundarySetup& setup_;
-  const Eigen::VectorXd u_, p_;
-  double defects_ = 0, moved_ = 0;
+  const Eigen::VectorXd u_, p_, error_;
 };
 
 /// The middle of a contact and four places half-way to its border.
-double errorAtContact(const TouchModel& model, const TouchState& state,
+double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error,
                       const TouchState::Contact& contact) {
-  const bem::BoundaryMesh& mesh = model.setup().mesh();
-  Defects defects(model, state.field);
+  EstimatedError::Mean mean;
   const double reach = contact.kind == "probe" ? contact.patchRadius() : contact.radius;
   const Vector3d along = contact.normal.unitOrthogonal(), across = contact.normal.cross(along);
   for (const Vector3d& direction :
        std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
-    defects.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction));
-  return defects.relative();
+    error.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction), mean);
+  return mean.relative();
 }
 
 /// Every so many triangles one. Triangles with close numbers are close in space.
@@ -60,13 +70,20 @@ void spread(const bem::BoundaryMesh& mesh, int samples, const Visit& visit) {
 
 }  // namespace
 
-double estimateError(const TouchModel& model, const TouchState& state, int samples) {
-  Defects defects(model, state.field);
-  spread(model.setup().mesh(), samples,
-         [&](const bem::SurfacePoint& place) { defects.add(place); });
-  double estimate = defects.relative();
+double estimateError(const TouchModel& model, const TouchState& state, const bem::Job& job,
+                     int samples) {
+  bem::Job quiet = job;
+  quiet.progress = nullptr;
+  const bem::BoundaryMesh& mesh = model.setup().mesh();
+  const EstimatedError error(model, state.field, quiet);
+  EstimatedError::Mean mean;
+  spread(mesh, samples, [&](const bem::SurfacePoint& place) {
+    job.throwIfCancelled();
+    error.add(place, mean);
+  });
+  double estimate = mean.relative();
   for (const TouchState::Contact& contact : state.contacts)
-    estimate = std::max(estimate, errorAtContact(model, state, contact));
+    estimate = std::max(estimate, errorAtContact(mesh, error, contact));
   return estimate;
 }
 
@@ -90,7 +107,8 @@ double estimateTouchError(const TouchModel& model, const bem::Job& job) {
       TouchState touched = state;
       touched.field.u -= model.rest().field.u;
       touched.field.p -= model.rest().field.p;
-      largest = std::max(largest, errorAtContact(model, touched, touched.contacts.front()));
+      const EstimatedError error(model, touched.field, quiet);
+      largest = std::max(largest, errorAtContact(setup.mesh(), error, touched.contacts.front()));
     } catch (const bem::SolverError&) {
       // A support holds the place.
     }

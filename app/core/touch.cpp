@@ -6,13 +6,11 @@
 #include "app/core/tool_path.h"
 #include "app/core/touch_snapshot.h"
 #include "bem/contact_solver.h"
+#include "bem/contact_surface.h"
 #include "bem/nodal_switching.h"
 
 namespace palpa::app {
 namespace {
-
-/// Half the width of a thumb's contact under a firm press, mm.
-constexpr double kFingertipRadius = 6.0;
 
 [[noreturn]] void badTouch(const std::string& message) {
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
@@ -155,7 +153,7 @@ bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface&
 }  // namespace
 
 double defaultTouchRadius(const bem::BoundaryMesh& mesh) {
-  return std::min(kFingertipRadius, 0.2 * mesh.boundingSize() / std::sqrt(3.0));
+  return defaultTouchRadius(mesh.boundingSize());
 }
 
 TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches, int steps,

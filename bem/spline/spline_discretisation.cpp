@@ -1,9 +1,8 @@
 #include "bem/spline/spline_discretisation.h"
 
-#include <stdexcept>
 #include <utility>
 
-#include "bem/contact_surface.h"
+#include "bem/spline/spline_contact_surface.h"
 #include "bem/spline/spline_state.h"
 
 namespace palpa::bem {
@@ -84,8 +83,8 @@ Resultant SplineDiscretisation::resultant(const Eigen::VectorXd& p,
   return integrals().resultant(p, elements);
 }
 
-double SplineDiscretisation::strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                          const ContactSurface*) const {
+double SplineDiscretisation::strainEnergy(const Eigen::VectorXd& u,
+                                          const Eigen::VectorXd& p) const {
   return integrals().strainEnergy(u, p);
 }
 
@@ -134,8 +133,8 @@ std::optional<InteriorState> SplineDiscretisation::interiorState(const Eigen::Ve
 }
 
 std::unique_ptr<ContactSurface> SplineDiscretisation::makeContactSurface(
-    const DegreesOfFreedom&) const {
-  throw std::logic_error("SplineDiscretisation: contacts are not there yet");
+    const DegreesOfFreedom& dofs) const {
+  return std::make_unique<SplineContactSurface>(splineMesh_, dofs);
 }
 
 }  // namespace palpa::bem

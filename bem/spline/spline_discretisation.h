@@ -45,8 +45,7 @@ class SplineDiscretisation final : public Discretisation {
 
   double area(int coefficient) const override { return integrals().area(coefficient); }
   Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const override;
-  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                      const ContactSurface* surface = nullptr) const override;
+  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
   std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material) const override;
   Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;

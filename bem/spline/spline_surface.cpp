@@ -50,7 +50,6 @@ SplineSurface::SplineSurface(std::vector<Vector3d> controlPoints, std::vector<Sp
   tornFrom_.resize(controlPoints_.size());
   std::iota(tornFrom_.begin(), tornFrom_.end(), 0);
   isTorn_.resize(controlPoints_.size(), false);
-  barelyReaches_.resize(controlPoints_.size(), false);
 }
 
 void SplineSurface::replaceElement(int element, const std::vector<SplineElement>& pieces,
@@ -63,8 +62,9 @@ void SplineSurface::replaceElement(int element, const std::vector<SplineElement>
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     SplineElement piece = pieces[k];
     if (maps[k]) {
+      const int inside = piece.cut;
       piece.cut = static_cast<int>(cuts_.size());
-      cuts_.push_back(*maps[k]);
+      cuts_.push_back({*maps[k], inside});
     }
     if (k == 0) {
       elements_[element] = piece;
@@ -76,40 +76,50 @@ void SplineSurface::replaceElement(int element, const std::vector<SplineElement>
   }
 }
 
-int SplineSurface::tear(int coefficient, int tag) {
+int SplineSurface::tear(int coefficient, const std::vector<bool>& elements) {
   const int other = coefficientCount();
   controlPoints_.push_back(controlPoints_[coefficient]);
   tornFrom_.push_back(tornFrom_[coefficient]);
   isTorn_[coefficient] = true;
   isTorn_.push_back(true);
-  barelyReaches_.push_back(false);
   for (int e = 0; e < elementCount(); ++e)
-    if (elements_[e].tag == tag)
-      std::replace(functions_[e].begin(), functions_[e].end(), coefficient, other);
+    if (elements[e]) std::replace(functions_[e].begin(), functions_[e].end(), coefficient, other);
   return other;
+}
+
+std::optional<Eigen::Vector2d> SplineSurface::invert(int cut, double u, double v,
+                                                     double slack) const {
+  const Cut& at = cuts_[cut];
+  if (at.inside < 0) return at.map.invert(u, v, slack);
+  const auto outer = invert(at.inside, u, v, slack);
+  if (!outer) return {};
+  return at.map.invert((*outer)[0], (*outer)[1], slack);
 }
 
 std::optional<SplinePlace> SplineSurface::placeIn(int index, double u, double v) const {
   const SplineElement& element = elements_[index];
   constexpr double kSlack = 1e-9;
+  std::array<double, 2> parameter{u, v};
   if (element.cut >= 0) {
-    const auto local = cuts_[element.cut].invert(u, v, kSlack);
+    const auto local = invert(element.cut, u, v, kSlack);
     if (!local) return {};
-    return SplinePlace{index, (*local)[0], (*local)[1]};
+    parameter = {(*local)[0], (*local)[1]};
   }
-  const std::array<double, 2> parameter{u, v};
   for (int d = 0; d < 2; ++d) {
     const double slack = kSlack * (element.upper[d] - element.lower[d]);
     if (parameter[d] < element.lower[d] - slack || parameter[d] > element.upper[d] + slack)
       return {};
   }
-  return SplinePlace{index, u, v};
+  return SplinePlace{index, parameter[0], parameter[1]};
 }
 
 CutMap::Image SplineSurface::parameters(const SplinePlace& place) const {
-  const int cut = elements_[place.element].cut;
-  if (cut >= 0) return cuts_[cut].at(place.u, place.v);
-  return {{place.u, place.v}, Eigen::Matrix2d::Identity()};
+  CutMap::Image image{{place.u, place.v}, Eigen::Matrix2d::Identity()};
+  for (int cut = elements_[place.element].cut; cut >= 0; cut = cuts_[cut].inside) {
+    const CutMap::Image outer = cuts_[cut].map.at(image.parameters[0], image.parameters[1]);
+    image = {outer.parameters, outer.derivative * image.derivative};
+  }
+  return image;
 }
 
 double SplineSurface::boundingSize() const {
@@ -221,10 +231,17 @@ void SplineSurface::write(const ByteSink& sink) const {
     writeList(sink, functions_[e]);
   }
   writeCount(sink, cuts_.size());
-  for (const CutMap& cut : cuts_) cut.write(sink);
+  for (const Cut& cut : cuts_) {
+    cut.map.write(sink);
+    writeValue(sink, cut.inside);
+  }
   writeList(sink, tornFrom_);
   writeList(sink, std::vector<char>(isTorn_.begin(), isTorn_.end()));
-  writeList(sink, std::vector<char>(barelyReaches_.begin(), barelyReaches_.end()));
+  writeCount(sink, barelyReaches_.size());
+  for (const auto& [coefficient, tag] : barelyReaches_) {
+    writeValue(sink, coefficient);
+    writeValue(sink, tag);
+  }
 }
 
 }  // namespace palpa::bem

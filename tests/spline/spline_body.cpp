@@ -1,5 +1,6 @@
 #include "spline_body.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -49,7 +50,7 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
   const TractionSlots& slots = tractions.slots;
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
-    conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node)
+    conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node, slot.tag)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
   problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options,
@@ -94,6 +95,42 @@ double SplineBody::tractionError(const ExactField& exact) const {
       [&](const SplineJet& jet) {
         return Vector3d(exact.stress(jet.position) * jet.areaVector().normalized());
       });
+}
+
+SplinePlace nearestPlace(const SplineSurface& surface, const Vector3d& point) {
+  SplinePlace best{0, 0, 0};
+  double least = INFINITY;
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    const SplineElement& element = surface.elements()[e];
+    std::array<double, 2> center, half;
+    for (int d = 0; d < 2; ++d) {
+      center[d] = (element.lower[d] + element.upper[d]) / 2;
+      half[d] = (element.upper[d] - element.lower[d]) / 2;
+    }
+    for (int level = 0; level < 12; ++level) {
+      std::array<double, 2> next = center;
+      double found = INFINITY;
+      for (int i = -3; i <= 3; ++i)
+        for (int j = -3; j <= 3; ++j) {
+          const double u =
+              std::clamp(center[0] + half[0] * i / 3, element.lower[0], element.upper[0]);
+          const double v =
+              std::clamp(center[1] + half[1] * j / 3, element.lower[1], element.upper[1]);
+          const double distance = (surface.evaluate({e, u, v}).position - point).norm();
+          if (distance >= found) continue;
+          found = distance;
+          next = {u, v};
+        }
+      center = next;
+      for (double& size : half) size *= 0.5;
+      if (found < least) {
+        least = found;
+        best = {e, next[0], next[1]};
+      }
+      if (level == 0 && found > 25) break;
+    }
+  }
+  return best;
 }
 
 std::unique_ptr<SplineDiscretisation> discretised(

@@ -47,6 +47,9 @@ std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots);
 SplineSurface heldWhere(SplineSurface surface,
                         const std::function<bool(const Eigen::Vector3d&)>& held);
 
+/// The place nearest to a point, by ever finer sampling of every element.
+SplinePlace nearestPlace(const SplineSurface& surface, const Eigen::Vector3d& point);
+
 /// Every knot span of every patch halved.
 modeling::Solid halved(const modeling::Solid& solid);
 

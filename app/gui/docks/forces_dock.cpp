@@ -275,7 +275,7 @@ void ForcesDock::showForces() {
                 .arg(100 * state->relativeBalance, 0, 'g', 2);
     const double error = simulation_.isBehind() ? 0 : editor_.rebuildStatus().touchError;
     if (error > 0)
-      words += "\n" + tr("Forces are good to about %L1 % (estimated)").arg(100 * error, 0, 'g', 1);
+      words += "\n" + tr("Forces are good to about %L1 % (estimated)").arg(100 * error, 0, 'g', 2);
   }
   rows(row);
   if (!snapshot.isConverged)

@@ -250,7 +250,7 @@ void RebuildDock::showFacts(const app::RebuildStatus& status) {
   coefficients_.value->setText(tr("%L1").arg(model->setup().discretisation->displacementCount()));
   elements_.value->setText(tr("%L1").arg(model->setup().discretisation->elementCount()));
   error_.value->setText(status.touchError > 0
-                            ? tr("about %L1 %").arg(100 * status.touchError, 0, 'g', 1)
+                            ? tr("about %L1 %").arg(100 * status.touchError, 0, 'g', 2)
                             : QString("…"));
   const app::TouchState& rest = model->rest();
   balance_.value->setText(rest.relativeBalance > 0
