@@ -6,6 +6,7 @@
 
 #include "app/core/spline_surface_of.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/shapes/make_primitive.h"
 #include "modeling/solid/knot_operations.h"
 
 namespace palpa::bem::test {
@@ -13,12 +14,6 @@ namespace palpa::bem::test {
 using Eigen::Vector3d;
 
 namespace {
-
-std::vector<int> allElements(const SplineSurface& surface) {
-  std::vector<int> list;
-  for (int e = 0; e < surface.elementCount(); ++e) list.push_back(e);
-  return list;
-}
 
 Vector3d middleOf(const SplineSurface& surface, int index) {
   const SplineElement& element = surface.elements()[index];
@@ -158,6 +153,22 @@ std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots) {
   for (const auto& slot : slots.slots)
     conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
   return conditions;
+}
+
+std::vector<int> allElements(const SplineSurface& surface) {
+  std::vector<int> list;
+  for (int e = 0; e < surface.elementCount(); ++e) list.push_back(e);
+  return list;
+}
+
+bool isBelow(const Vector3d& x) {
+  return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
+}
+
+modeling::Solid makeTorus(double ring, double tube) {
+  modeling::Primitive primitive;
+  primitive.shape = modeling::TorusShape{ring, tube};
+  return modeling::makePrimitive(primitive);
 }
 
 SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Vector3d&)>& held) {

@@ -43,6 +43,12 @@ std::unique_ptr<SplineDiscretisation> discretised(
 /// Held where the tag is 1.
 std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots);
 
+std::vector<int> allElements(const SplineSurface& surface);
+
+/// The lower one of the six patches of a sphere.
+bool isBelow(const Eigen::Vector3d& x);
+modeling::Solid makeTorus(double ring, double tube);
+
 /// Elements whose middle fulfils `held` get the tag 1.
 SplineSurface heldWhere(SplineSurface surface,
                         const std::function<bool(const Eigen::Vector3d&)>& held);

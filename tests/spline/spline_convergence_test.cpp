@@ -35,10 +35,6 @@ std::vector<Step> converge(const char* name, const std::vector<SplineSurface>& s
   return steps;
 }
 
-bool isBelow(const Vector3d& x) {
-  return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
-}
-
 TEST(SplineConvergence, SphereWithAKelvinSourceOutside) {
   const Material material{0.1, 0.3};
   const ExactField exact = kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, material);

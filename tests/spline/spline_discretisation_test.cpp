@@ -6,7 +6,6 @@
 
 #include "app/core/spline_surface_of.h"
 #include "bem/spline/surface_part.h"
-#include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
@@ -19,29 +18,13 @@ using Eigen::VectorXd;
 
 const Material kMaterial{0.1, 0.3};
 
-bool isBelow(const Vector3d& x) {
-  return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
-}
-
-modeling::Solid torus() {
-  modeling::Primitive primitive;
-  primitive.shape = modeling::TorusShape{30, 10};
-  return modeling::makePrimitive(primitive);
-}
-
-std::vector<int> allElements(const Discretisation& on) {
-  std::vector<int> list;
-  for (int e = 0; e < on.elementCount(); ++e) list.push_back(e);
-  return list;
-}
-
 /// The coefficients of a linear field.
 BoundaryField linearCoefficients(const SplineDiscretisation& on, const ExactField& exact) {
   BoundaryField field{Eigen::MatrixXd(3 * on.displacementCount(), 1), {}};
   for (int k = 0; k < on.displacementCount(); ++k)
     field.u.middleRows<3>(3 * k) = exact.displacement(on.surface().controlPoints()[k]);
   field.p = projectTraction(
-      on.surface(), on.tractions(), allElements(on),
+      on.surface(), on.tractions(), allElements(on.surface()),
       [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
       INFINITY);
   return field;
@@ -54,7 +37,7 @@ TEST(SplineDiscretisation, StressAtTheSlotsOfALinearField) {
   for (const auto& [solid, tolerance] : {std::pair(modeling::makeBox({40, 30, 20}), 1e-9),
                                          {modeling::makeSphere(25, 9), 3e-3},
                                          {modeling::makeCylinder(20, 60), 3e-2},
-                                         {torus(), 2e-3}}) {
+                                         {makeTorus(30, 10), 2e-3}}) {
     const auto on = discretised(solid, 5, [](const Vector3d&) { return 0; });
     const BoundaryField field = linearCoefficients(*on, exact);
     const auto found = on->surfaceStress(field.u.col(0), field.p.col(0), kMaterial);

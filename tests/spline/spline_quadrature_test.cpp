@@ -9,7 +9,6 @@
 #include "bem/spline/spline_assembly.h"
 #include "bem/spline/spline_projection.h"
 #include "exact_fields.h"
-#include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
@@ -74,12 +73,6 @@ WorstError measure(const SplineSurface& surface, double tolerance, bool skipCorn
   return worst;
 }
 
-modeling::Solid torus() {
-  modeling::Primitive primitive;
-  primitive.shape = modeling::TorusShape{30, 10};
-  return modeling::makePrimitive(primitive);
-}
-
 class QuadratureTolerance : public testing::TestWithParam<double> {};
 
 TEST_P(QuadratureTolerance, IsKeptOnAllBodies) {
@@ -89,7 +82,7 @@ TEST_P(QuadratureTolerance, IsKeptOnAllBodies) {
       {"sphere", modeling::makeSphere(25)},
       {"coarse sphere", modeling::makeSphere(25, 5)},
       {"plate", modeling::makeBox({60, 60, 3})},
-      {"torus", torus()}};
+      {"torus", makeTorus(30, 10)}};
   for (const auto& [name, solid] : bodies) {
     const WorstError worst = measure(app::splineSurfaceOf(solid), tolerance);
     EXPECT_LT(worst.apart, 3 * tolerance) << name;

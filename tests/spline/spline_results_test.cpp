@@ -6,14 +6,10 @@
 #include <numeric>
 
 #include "app/core/spline_surface_of.h"
-#include "bem/spline/spline_assembly.h"
 #include "bem/spline/spline_integrals.h"
 #include "bem/spline/spline_state.h"
-#include "bem/spline/surface_part.h"
-#include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_body.h"
-#include "written_out.h"
 
 namespace palpa::bem::test {
 namespace {
@@ -23,33 +19,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 const Vector3d kForce(0.03, -0.02, 0.06);
-
-modeling::Solid torus() {
-  modeling::Primitive primitive;
-  primitive.shape = modeling::TorusShape{30, 10};
-  return modeling::makePrimitive(primitive);
-}
-
-std::vector<int> elementsWhere(const SplineSurface& surface,
-                               const std::function<bool(const Vector3d&)>& wanted) {
-  std::vector<int> list;
-  for (int e = 0; e < surface.elementCount(); ++e) {
-    const SplineElement& element = surface.elements()[e];
-    if (wanted(surface
-                   .evaluate({e, (element.lower[0] + element.upper[0]) / 2,
-                              (element.lower[1] + element.upper[1]) / 2})
-                   .position))
-      list.push_back(e);
-  }
-  return list;
-}
-
-bool anywhere(const Vector3d&) {
-  return true;
-}
-bool isBelow(const Vector3d& x) {
-  return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
-}
 
 /// A linear field: its displacements are splines, its tractions are projected.
 struct LinearBody {
@@ -65,7 +34,7 @@ struct LinearBody {
         tractions(surface),
         u(3 * surface.coefficientCount()),
         p(projectTraction(
-            surface, tractions, elementsWhere(surface, anywhere),
+            surface, tractions, allElements(surface),
             [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
             INFINITY)) {
     for (int k = 0; k < surface.coefficientCount(); ++k)
@@ -75,11 +44,11 @@ struct LinearBody {
 
 TEST(SplineIntegrals, LinearFieldsAreBalancedAndHaveTheEnergyOfTheirStress) {
   for (const modeling::Solid& solid :
-       {modeling::makeBox({40, 30, 20}), modeling::makeSphere(25, 7), torus()}) {
+       {modeling::makeBox({40, 30, 20}), modeling::makeSphere(25, 7), makeTorus(30, 10)}) {
     const LinearBody body(solid);
     const SplineIntegrals integrals(body.surface, body.tractions);
     double volume = 0, area = 0;
-    const std::vector<int> all = elementsWhere(body.surface, anywhere);
+    const std::vector<int> all = allElements(body.surface);
     visitSplinePoints(body.surface, all, 8, INFINITY,
                       [&](const SplinePlace&, const SplineJet& jet, double weight) {
                         volume += weight * jet.position.dot(jet.areaVector().normalized()) / 3;
@@ -108,7 +77,11 @@ TEST(SplineIntegrals, LinearFieldsAreBalancedAndHaveTheEnergyOfTheirStress) {
 TEST(SplineIntegrals, AFaceCarriesStressTimesArea) {
   const LinearBody body(modeling::makeBox({40, 30, 20}));
   const SplineIntegrals integrals(body.surface, body.tractions);
-  const auto top = elementsWhere(body.surface, [](const Vector3d& x) { return x.z() > 20 - 1e-9; });
+  const SplineSurface tagged =
+      heldWhere(body.surface, [](const Vector3d& x) { return x.z() > 20 - 1e-9; });
+  std::vector<int> top;
+  for (const int e : allElements(tagged))
+    if (tagged.elements()[e].tag == 1) top.push_back(e);
   const Vector3d force = body.exact.stress(Vector3d::Zero()) * Vector3d(0, 0, 40 * 30);
   const Resultant sum = integrals.resultant(body.p, top);
   EXPECT_LE((sum.force - force).norm(), 1e-10 * force.norm());
@@ -118,8 +91,8 @@ TEST(SplineIntegrals, AFaceCarriesStressTimesArea) {
 TEST(SplineSurfaceState, IsThatOfALinearField) {
   // On bent faces the projected tractions err, which the stress takes over.
   for (const auto& [solid, tolerance] : {std::pair(modeling::makeBox({40, 30, 20}), 1e-9),
-                                         {modeling::makeSphere(25, 9), 2e-3},
-                                         {torus(), 2e-3}}) {
+                                         {modeling::makeSphere(25, 9), 3e-3},
+                                         {makeTorus(30, 10), 2e-3}}) {
     const LinearBody body(solid);
     const Matrix3d stress = body.exact.stress(Vector3d::Zero());
     double worst = 0;
@@ -179,139 +152,67 @@ TEST(SplineInteriorState, IsThatOfAPointForceUpToTheSurface) {
     const ExactField exact = kelvinField({20, 15, 40}, kForce, material);
     const SplineBody body(heldWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)), isBelow),
                           material, exact, {1e-6});
-    for (const double depth : {2.0, 0.5, 0.1, 0.01, 1e-4}) {
+    // Farther in errors are smaller; at the surface that of its tractions is all there is.
+    for (const auto& [depth, displacement, stress] : {std::tuple(2.0, 5e-4, 1e-3),
+                                                      {0.5, 1e-3, 8e-3},
+                                                      {0.1, 1e-3, 1.2e-2},
+                                                      {1e-4, 1e-3, 1.2e-2}}) {
       const InteriorError error = interiorError(body, exact, depth);
       std::printf("nu %.1f, %g elements below the surface: u %.1e, stress %.1e\n", nu, depth,
                   error.displacement, error.stress);
+      EXPECT_LE(error.displacement, displacement);
+      EXPECT_LE(error.stress, stress);
     }
   }
 }
 
-/// Defect and true error at points all over the surface.
-struct Estimate {
-  double defect = 0, error = 0, iterate = 0;              // root mean squares
-  double largestDefect = 0, largestError = 0, scale = 0;  // mm
-};
-[[maybe_unused]] Estimate estimate(const SplineBody& body, const ExactField& exact) {
+TEST(SplineInteriorState, OfALinearFieldIsExactHoweverNearTheSurface) {
+  const LinearBody body(modeling::makeBox({40, 30, 20}));
   const SplineResults results(body.surface, body.tractions);
-  const VectorXd u = body.field.u.col(0), p = body.field.p.col(0);
-  Estimate sum;
-  visitSplinePoints(
-      body.surface, elementsWhere(body.surface, anywhere), 2, INFINITY,
-      [&](const SplinePlace& place, const SplineJet& jet, double weight) {
-        const Vector3d error = exact.displacement(jet.position) - body.displacement(place);
-        const Vector3d defect = results.displacementDefect(
-            {place.element, body.surface.parameters(place).parameters}, u, p, body.material);
-        sum.defect += weight * defect.squaredNorm();
-        sum.error += weight * error.squaredNorm();
-        sum.iterate += weight * (error - defect).squaredNorm();
-        sum.scale += weight * exact.displacement(jet.position).squaredNorm();
-        sum.largestDefect = std::max(sum.largestDefect, defect.norm());
-        sum.largestError = std::max(sum.largestError, error.norm());
-      });
-  for (double* value : {&sum.defect, &sum.error, &sum.iterate})
-    *value = std::sqrt(*value / sum.scale);
-  return sum;
+  const Matrix3d stress = body.exact.stress(Vector3d::Zero());
+  for (const Vector3d& x : {Vector3d(1, 2, 11), Vector3d(3, 4, 20 - 1e-3), Vector3d(3, 4, 1e-7),
+                            Vector3d(20 - 1e-4, 15 - 1e-4, 10), Vector3d(-19.99, -14.9, 0.02)}) {
+    const auto state = results.interiorState(body.u, body.p, body.material, x);
+    ASSERT_TRUE(state);
+    EXPECT_LE((state->displacement - body.exact.displacement(x)).norm(), 1e-9);
+    EXPECT_LE((state->stress - stress).norm(), 1e-8 * stress.norm());
+  }
 }
 
-[[maybe_unused]] void tell(const char* name, const SplineBody& body, const Estimate& estimate) {
-  std::printf(
-      "%-14s n %4d  error %.2e  defect %.2e (%.2f)  iterate %.2e  largest: defect/error %.2f\n",
-      name, body.surface.coefficientCount(), estimate.error, estimate.defect,
-      estimate.defect / estimate.error, estimate.iterate,
-      estimate.largestDefect / estimate.largestError);
-}
-
-void correct(const char* name, const SplineBody& body, const ExactField& exact, int perDirection) {
-  const SplineResults results(body.surface, body.tractions);
-  const VectorXd u = body.field.u.col(0), p = body.field.p.col(0);
-  const DegreesOfFreedom& dofs = body.problem->dofs();
-  auto points = grevilleCollocation(body.surface);
-  for (const int slot : dofs.extraSlots())
-    points.push_back(shiftedCollocation(body.surface, body.tractions, slot));
-  const WrittenOut written(
-      assemble<double>(body.surface, body.tractions, points, body.material, {1e-6}, Job{}), dofs);
-  const int n = body.surface.coefficientCount(), m = static_cast<int>(points.size());
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(n, 3);
-  VectorXd areas = VectorXd::Zero(n);
-  std::vector<double> basis;
-  std::vector<std::pair<SplinePlace, Vector3d>> defects;
-  visitSplinePoints(body.surface, elementsWhere(body.surface, anywhere), perDirection, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
-                      const Vector3d defect = results.displacementDefect(
-                          {place.element, body.surface.parameters(place).parameters}, u, p,
-                          body.material);
-                      defects.push_back({place, defect});
-                      body.surface.evaluateBasis(place, basis);
-                      for (std::size_t f = 0; f < basis.size(); ++f) {
-                        const int k = body.surface.functions(place.element)[f];
-                        sums.row(k) += weight * basis[f] * 0.5 * defect.transpose();
-                        areas[k] += weight * basis[f];
-                      }
-                    });
-  VectorXd r = VectorXd::Zero(3 * m);
-  for (int k = 0; k < n; ++k)
-    for (int c = 0; c < 3; ++c) r[c * m + k] = sums(k, c) / areas[k];
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(written.A);
-  const BoundaryField delta = dofs.expand(lu.solve(r), Eigen::MatrixXd());
-  double error = 0, found = 0, left = 0, both = 0, scale = 0;
-  std::size_t next = 0;
-  visitSplinePoints(
-      body.surface, elementsWhere(body.surface, anywhere), perDirection, INFINITY,
-      [&](const SplinePlace& place, const SplineJet& jet, double weight) {
-        const Vector3d true_ = exact.displacement(jet.position) - body.displacement(place);
-        body.surface.evaluateBasis(place, basis);
-        Vector3d change = Vector3d::Zero();
-        for (std::size_t f = 0; f < basis.size(); ++f)
-          change +=
-              basis[f] * delta.u.col(0).segment<3>(3 * body.surface.functions(place.element)[f]);
-        error += weight * true_.squaredNorm();
-        found += weight * change.squaredNorm();
-        left += weight * (true_ - change).squaredNorm();
-        both += weight * (change + defects[next++].second).squaredNorm();
-        scale += weight * exact.displacement(jet.position).squaredNorm();
-      });
-  std::printf(
-      "%-14s n %4d error %.2e  correction/error %.2f  left/error %.2f correction+defect/error "
-      "%.2f\n",
-      name, n, std::sqrt(error / scale), std::sqrt(found / error), std::sqrt(left / error),
-      std::sqrt(both / error));
-}
-
-TEST(SplineDefect, Explore) {
-  for (const double nu : {0.3}) {
-    const Material material{0.1, nu};
-    const auto series = [&](const char* name, modeling::Solid fine, int count, const auto& held,
-                            const ExactField& field) {
-      for (int k = 0; k < count; ++k) {
-        const SplineBody body(heldWhere(app::splineSurfaceOf(fine), held), material, field, {1e-6});
-        for (int q : {2, 3})
-          if (q == 2 || k < 3) correct(name, body, field, q);
-        fine = halved(fine);
-      }
-    };
-    const ExactField exact = kelvinField({20, 15, 40}, kForce, material);
-    series("sphere5", modeling::makeSphere(25, 5), 1, isBelow, exact);
-    series("sphere7", modeling::makeSphere(25, 7), 1, isBelow, exact);
-    series("sphere9", modeling::makeSphere(25, 9), 1, isBelow, exact);
-    const auto bottom = [](const Vector3d& x) { return x.z() < 1e-6; };
-    series("box", modeling::makeBox({40, 30, 20}), 3, bottom,
-           kelvinField({10, 5, 35}, kForce, material));
-    series(
-        "box3", modeling::makeBox({40, 30, 20}), 3,
-        [](const Vector3d& x) { return x.z() < 1e-6 || x.x() < -20 + 1e-6 || x.y() < -15 + 1e-6; },
-        kelvinField({10, 5, 35}, kForce, material));
-    series("cylinder", modeling::makeCylinder(20, 60), 2, bottom,
-           kelvinField({35, 10, 40}, {0.03, 0.02, -0.05}, material));
-    const auto base = [](const Vector3d& x) { return x.x() < -50 + 1e-6; };
-    series("rod tip", modeling::makeBox({100, 10, 10}), 4, base,
-           kelvinField({40, 3, 25}, kForce, material));
-    series("rod root", modeling::makeBox({100, 10, 10}), 3, base,
-           kelvinField({-45, 3, 25}, kForce, material));
-    series(
-        "plate", modeling::makeBox({60, 60, 4}), 4,
-        [](const Vector3d& x) { return x.x() < -30 + 1e-6; },
-        kelvinField({20, 3, 15}, kForce, material));
+/// With no linear field to take away but a quadratic one: pure bending, which cubics carry exactly.
+TEST(SplineInteriorState, OfBendingKeepsTheToleranceOfTheQuadrature) {
+  const Material material{0.1, 0.3};
+  const double curvature = 0.01, nu = material.poissonRatio;
+  const ExactField exact{
+      [=](const Vector3d& x) {
+        return Vector3d(-curvature * x.x() * x.z(), nu * curvature * x.y() * x.z(),
+                        curvature / 2 * (x.x() * x.x() + nu * (x.z() * x.z() - x.y() * x.y())));
+      },
+      [=](const Vector3d& x) {
+        Matrix3d stress = Matrix3d::Zero();
+        stress(0, 0) = -material.youngsModulus * curvature * x.z();
+        return stress;
+      }};
+  SplineSurface surface = app::splineSurfaceOf(modeling::makeBox({40, 30, 20}));
+  const SplineTractions tractions(surface);
+  const auto all = allElements(surface);
+  const VectorXd u = projectDisplacement(
+                     surface,
+                     [&](const Vector3d&x, const Vector3d&) { return exact.displacement(x); }),
+                 p = projectTraction(
+                     surface, tractions, all,
+                     [&](const Vector3d&x, const Vector3d&n) {
+                       return Vector3d(exact.stress(x) * n);
+                     },
+                     INFINITY);
+  const SplineResults results(surface, tractions);
+  const double largest = material.youngsModulus * curvature * 20;
+  for (const Vector3d& x : {Vector3d(1, 2, 11), Vector3d(3, 4, 19.9), Vector3d(3, 4, 1e-3),
+                            Vector3d(19.99, 14.99, 10), Vector3d(-19.99, -14.9, 0.02)}) {
+    const auto state = results.interiorState(u, p, material, x);
+    ASSERT_TRUE(state);
+    EXPECT_LE((state->displacement - exact.displacement(x)).norm(), 1e-5);
+    EXPECT_LE((state->stress - exact.stress(x)).norm(), 1e-5 * largest);
   }
 }
 
