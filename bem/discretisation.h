@@ -69,7 +69,8 @@ class Discretisation {
   virtual double area(int coefficient) const = 0;
   /// Of the traction coefficients `p` over some elements, on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
-  /// Strain energy 1/2 ∫ p.u dΓ, mJ. ContactSurface has it, too, for triangles twenty times as fast.
+  /// Strain energy 1/2 ∫ p.u dΓ, mJ. ContactSurface has it, too, for triangles twenty times as
+  /// fast.
   virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const = 0;
   /// Cauchy stress at the slots of the mesh, MPa.
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,

@@ -17,46 +17,46 @@ constexpr int kPresses = 6;
 /// Of a press, in parts of the fingertip's radius; the body is linear, so any would do.
 constexpr double kDepth = 0.1;
 
-/// The error of a field: what the functions can carry of it, and what varies within elements. Both
-/// are estimates of parts of the same error, which they overlap in, so the larger counts.
+/// The error of a field: what the functions can carry of it, which the soft modes of slender bodies
+/// dominate, and what varies within elements.
 class EstimatedError {
  public:
   EstimatedError(const TouchModel& model, const bem::BoundaryField& field, const bem::Job& job)
       : setup_(model.setup()),
         u_(field.u.col(0)),
         p_(field.p.col(0)),
-        error_(setup_.discretisation->estimatedError(*model.problem(), field, setup_.material, job)
-                   .u.col(0)) {}
+        carried_(
+            setup_.discretisation->estimatedError(*model.problem(), field, setup_.material, job)
+                .u.col(0)) {}
 
-  /// Mean squares over some places.
-  struct Mean {
-    double carried = 0, defects = 0, moved = 0;
-    double relative() const {
-      return moved > 0 ? std::sqrt(std::max(carried, defects) / moved) : 0;
-    }
+  /// Sums of squares over some places.
+  struct Sum {
+    double error = 0, moved = 0;
+    double relative() const { return moved > 0 ? std::sqrt(error / moved) : 0; }
   };
-  void add(const bem::SurfacePoint& place, Mean& mean) const {
+  void add(const bem::SurfacePoint& place, Sum& sum) const {
     const bem::Discretisation& on = *setup_.discretisation;
-    mean.carried += on.interpolate(place, error_).squaredNorm();
-    mean.defects += on.displacementDefect(place, u_, p_, setup_.material).squaredNorm();
-    mean.moved += on.interpolate(place, u_).squaredNorm();
+    sum.error +=
+        (on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, setup_.material))
+            .squaredNorm();
+    sum.moved += on.interpolate(place, u_).squaredNorm();
   }
 
  private:
   const BoundarySetup& setup_;
-  const Eigen::VectorXd u_, p_, error_;
+  const Eigen::VectorXd u_, p_, carried_;
 };
 
 /// The middle of a contact and four places half-way to its border.
 double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error,
                       const TouchState::Contact& contact) {
-  EstimatedError::Mean mean;
+  EstimatedError::Sum sum;
   const double reach = contact.kind == "probe" ? contact.patchRadius() : contact.radius;
   const Vector3d along = contact.normal.unitOrthogonal(), across = contact.normal.cross(along);
   for (const Vector3d& direction :
        std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
-    error.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction), mean);
-  return mean.relative();
+    error.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction), sum);
+  return sum.relative();
 }
 
 /// Every so many triangles one. Triangles with close numbers are close in space.
@@ -76,12 +76,12 @@ double estimateError(const TouchModel& model, const TouchState& state, const bem
   quiet.progress = nullptr;
   const bem::BoundaryMesh& mesh = model.setup().mesh();
   const EstimatedError error(model, state.field, quiet);
-  EstimatedError::Mean mean;
+  EstimatedError::Sum sum;
   spread(mesh, samples, [&](const bem::SurfacePoint& place) {
     job.throwIfCancelled();
-    error.add(place, mean);
+    error.add(place, sum);
   });
-  double estimate = mean.relative();
+  double estimate = sum.relative();
   for (const TouchState::Contact& contact : state.contacts)
     estimate = std::max(estimate, errorAtContact(mesh, error, contact));
   return estimate;
