@@ -34,7 +34,7 @@ constexpr double kLift = 0.2;
 /// E* a^3 / R. So a mask that stands for a circle x = a / r must meet the ball when that has come
 /// nearer by (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4 c / 3; up to where this is the mean gap
 /// r^2 / 8 R of a mask that is pressed all over.
-constexpr double kNarrow = 1.022, kNarrowContact = 0.5126;
+constexpr double kNarrow = 1.022, kNarrowContact = 0.51212;
 
 /// Points of a hexagonal lattice with spacing 1 around the origin, ring by ring.
 const std::array<Vector2d, kLattice>& lattice() {
@@ -119,7 +119,8 @@ void ContactSimulation::placeProbe(Contact& contact) {
     const Vector2d at = spacing * lattice()[k];
     const Vector3d wanted =
         contact.point.position + at[0] * along + at[1] * across + kLift * spacing * normal;
-    const SurfacePoint point = k == 0 ? contact.point : surface_.nearest(wanted);
+    const SurfacePoint point =
+        k == 0 ? contact.point : surface_.facing(surface_.nearest(wanted), normal);
     const Vector3d off = point.position - wanted;
     const double aside = (off - normal * normal.dot(off)).norm();
     const bool isInside = (point.position - ball).norm() < radius || k == 0;

@@ -42,6 +42,10 @@ class ContactSurface {
   /// point's surface only, so that at a sharp edge the foot stays where the face ends.
   virtual SurfacePoint foot(const Eigen::Vector3d& tool, const SurfacePoint& start) const = 0;
 
+  /// The same point, by a name in that of the faces that meet there in a sharp edge whose normal is
+  /// most along `direction`.
+  SurfacePoint facing(const SurfacePoint& point, const Eigen::Vector3d& direction) const;
+
   /// Outward unit normal, continuous along smooth faces.
   virtual Eigen::Vector3d normal(const SurfacePoint& point) const = 0;
   /// Where the body's true surface is at a point, mm.
@@ -73,8 +77,7 @@ class ContactSurface {
 
  protected:
   ContactSurface(const BoundaryMesh& mesh, const TractionSlots& meshSlots,
-                 const TractionSlots& slots, const DegreesOfFreedom& dofs)
-      : mesh_(mesh), meshSlots_(meshSlots), slots_(slots), dofs_(dofs), tree_(mesh) {}
+                 const TractionSlots& slots, const DegreesOfFreedom& dofs);
 
  private:
   const BoundaryMesh& mesh_;
@@ -82,6 +85,8 @@ class ContactSurface {
   const TractionSlots& slots_;
   const DegreesOfFreedom& dofs_;
   TriangleTree tree_;
+  std::vector<int>
+      acrossSharpEdge_;  // per triangle and corner: of the edge to the next; -1: smooth
 };
 
 }  // namespace palpa::bem

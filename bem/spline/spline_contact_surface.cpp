@@ -3,85 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bem/contact_foot.h"
 #include "bem/spline/spline_collocation.h"
 
 namespace palpa::bem {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// What masks of a lattice overlap by, radius over spacing: so they are never narrower than the
-/// splines can carry.
-constexpr double kOverlap = 1.7;
 /// Where less than this part of the bump falls on free coefficients, a support holds the place.
 constexpr double kLeastPart = 0.02;
-constexpr double kSingular = 1e-6;
-
-struct Basis1d {
-  double value[kMostSplineDegree + 1], slope[kMostSplineDegree + 1], bend[kMostSplineDegree + 1];
-
-  Basis1d(const SpanPolynomials& span, double parameter) {
-    const double s = (parameter - span.lower) * span.scale - 1;
-    const int size = span.degree + 1;
-    for (int f = 0; f < size; ++f) {
-      double v = 0, first = 0, second = 0;  // the last one half of the second derivative
-      for (int m = span.degree; m >= 0; --m) {
-        second = second * s + first;
-        first = first * s + v;
-        v = v * s + span.coefficients[m * size + f];
-      }
-      value[f] = v;
-      slope[f] = first * span.scale;
-      bend[f] = 2 * second * span.scale * span.scale;
-    }
-  }
-};
-
-struct Jet2 {
-  Vector3d position = Vector3d::Zero(), u = Vector3d::Zero(), v = Vector3d::Zero(),
-           uu = Vector3d::Zero(), uv = Vector3d::Zero(), vv = Vector3d::Zero();
-};
-
-/// By parameters of the patch.
-Jet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) {
-  const SplineElement& element = surface.elements()[at.element];
-  const auto& basis = surface.patches()[element.patch].basis;
-  const Basis1d a(basis[0].polynomials(element.span[0]), at.parameters[0]);
-  const Basis1d b(basis[1].polynomials(element.span[1]), at.parameters[1]);
-  Jet2 jet;
-  const int* function = surface.functions(at.element).data();
-  for (int j = 0; j <= basis[1].degree(); ++j)
-    for (int i = 0; i <= basis[0].degree(); ++i) {
-      const Vector3d& point = surface.controlPoints()[*function++];
-      jet.position += a.value[i] * b.value[j] * point;
-      jet.u += a.slope[i] * b.value[j] * point;
-      jet.v += a.value[i] * b.slope[j] * point;
-      jet.uu += a.bend[i] * b.value[j] * point;
-      jet.uv += a.slope[i] * b.slope[j] * point;
-      jet.vv += a.value[i] * b.bend[j] * point;
-    }
-  return jet;
-}
-
-/// Newton's step towards (tool - x) . x_u = (tool - x) . x_v = 0; where the tool is beyond the
-/// centre of curvature, without what depends on curvature.
-Vector2d stepToFoot(const Jet2& jet, const Vector3d& tool) {
-  const Vector3d off = tool - jet.position;
-  const Vector2d right(off.dot(jet.u), off.dot(jet.v));
-  Matrix2d metric, bend;
-  metric << jet.u.squaredNorm(), jet.u.dot(jet.v), jet.u.dot(jet.v), jet.v.squaredNorm();
-  bend << off.dot(jet.uu), off.dot(jet.uv), off.dot(jet.uv), off.dot(jet.vv);
-  const auto isDefinite = [&](const Matrix2d& matrix) {
-    return matrix.trace() > 0 && matrix.determinant() > kSingular * metric(0, 0) * metric(1, 1);
-  };
-  if (isDefinite(metric - bend)) return (metric - bend).inverse() * right;
-  if (isDefinite(metric)) return metric.inverse() * right;
-  return Vector2d::Zero();
-}
 
 std::vector<double> narrowestOf(const SplineSurface& surface) {
   std::vector<double> widths = functionSpreads(surface);
@@ -136,7 +67,7 @@ SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const Degrees
       const SplineMesh::Point at = mesh.at(t, Vector3d::Unit(corner));
       mesh.surface().evaluateBasis(at.element, at.parameters, basis);
       const std::vector<int>& functions = mesh.surface().functions(at.element);
-      double most = kSingular;  // what is less is rounding
+      double most = 1e-6;  // what is less is rounding
       int best = -1;
       for (std::size_t f = 0; f < basis.size(); ++f) {
         if (basis[f] <= most || !dofs.isFree(functions[f])) continue;
@@ -145,71 +76,6 @@ SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const Degrees
       }
       coefficient = best;
     }
-}
-
-SurfacePoint SplineContactSurface::at(int triangle, const Vector3d& weights) const {
-  SurfacePoint point{triangle, weights, Vector3d::Zero(), 0.0};
-  point.position = smoothPosition(point);
-  return point;
-}
-
-SurfacePoint SplineContactSurface::nearest(const Vector3d& x) const {
-  const SurfacePoint onMesh = tree().nearest(x);
-  SurfacePoint start = at(onMesh.triangle, onMesh.weights);
-  start.distance = (start.position - x).norm();
-  const SurfacePoint found = foot(x, start);
-  return found.distance < start.distance ? found : start;
-}
-
-SurfacePoint SplineContactSurface::foot(const Vector3d& tool, const SurfacePoint& start) const {
-  const BoundaryMesh& triangles = mesh();
-  SurfacePoint onMesh = start;
-  onMesh.position = triangles.point(start.triangle, start.weights);
-  // No step is longer than the narrowest mask: more than the nearest point of the mesh can be off.
-  onMesh =
-      walkToFoot(triangles, tree(), onMesh, narrowestMask(start), [&](const SurfacePoint& from) {
-        const Jet2 jet = evaluate(mesh_.surface(), mesh_.at(from));
-        const auto& corners = mesh_.triangle(from.triangle).corners;
-        Matrix2d edges;
-        edges << corners[1] - corners[0], corners[2] - corners[0];
-        return Vector2d(edges.inverse() * stepToFoot(jet, tool));
-      });
-  SurfacePoint found = at(onMesh.triangle, onMesh.weights);
-  found.distance = (found.position - tool).norm();
-  return found;
-}
-
-Vector3d SplineContactSurface::normal(const SurfacePoint& point) const {
-  // A little inside the triangle where the derivatives are parallel.
-  for (const double inwards : {0.0, 1e-3, 1e-2}) {
-    const Vector3d weights = (1 - inwards) * point.weights + Vector3d::Constant(inwards / 3);
-    const Jet2 jet = evaluate(mesh_.surface(), mesh_.at(point.triangle, weights));
-    const Vector3d area = jet.u.cross(jet.v);
-    if (area.norm() > 1e-9 * jet.u.norm() * jet.v.norm()) return area.normalized();
-  }
-  return mesh().normal(point.triangle);
-}
-
-Vector3d SplineContactSurface::smoothPosition(const SurfacePoint& point) const {
-  return evaluate(mesh_.surface(), mesh_.at(point)).position;
-}
-
-double SplineContactSurface::narrowestMask(const SurfacePoint& point) const {
-  const SplineMesh::Point at = mesh_.at(point);
-  const SplineElement& element = mesh_.surface().elements()[at.element];
-  const auto& basis = mesh_.surface().patches()[element.patch].basis;
-  const Basis1d a(basis[0].polynomials(element.span[0]), at.parameters[0]);
-  const Basis1d b(basis[1].polynomials(element.span[1]), at.parameters[1]);
-  const int* function = mesh_.surface().functions(at.element).data();
-  double width = 0;
-  for (int j = 0; j <= basis[1].degree(); ++j)
-    for (int i = 0; i <= basis[0].degree(); ++i)
-      width += a.value[i] * b.value[j] * widths_[*function++];
-  return width;
-}
-
-double SplineContactSurface::maskSpacing(const SurfacePoint& point) const {
-  return narrowestMask(point) / kOverlap;
 }
 
 std::unique_ptr<ContactSurface::Workspace> SplineContactSurface::makeWorkspace() const {

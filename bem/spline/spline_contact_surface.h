@@ -16,9 +16,9 @@ namespace palpa::bem {
 /// the bump: a function that the bump just reaches begins with zero, so that the force of a sliding
 /// contact has no steps. An L2 projection onto the functions that the bump reaches needs them faded
 /// in, which costs up to 30 % of the mean ρ^2 at r = 1.7 elements; here that is kept to about 10 %,
-/// from 2 elements on to 3 %.
+/// from 2.2 elements on to 4 %.
 ///
-/// Costs about 0.2 ms and 20 kB per cubic element to make and to keep.
+/// Costs about 0.1 ms and 10 kB per cubic element to make and to keep.
 class SplineContactSurface final : public ContactSurface {
  public:
   /// Both must outlive it.
@@ -36,8 +36,8 @@ class SplineContactSurface final : public ContactSurface {
 
   /// kNarrowest times how far basis functions there spread: the standard deviation of a function in
   /// the direction in which it is widest, interpolated by the splines themselves. Of uniform cubic
-  /// elements h that is 1.73 h, of quadratic ones 1.5 h. The middle of such a mask is up to 6 % (16
-  /// %) lower or higher than that of the bump, the mask as a whole 9 % (17 %) off in the L2 norm.
+  /// elements h that is 1.73 h, of quadratic ones 1.5 h. The middle of such a mask is up to 6 % (19
+  /// %) off the height of the bump, the mask as a whole about 13 % (17 %) in the L2 norm.
   static constexpr double kNarrowest = 3;
   double narrowestMask(const SurfacePoint& point) const override;
   double maskSpacing(const SurfacePoint& point) const override;

@@ -82,6 +82,10 @@ TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
   expectAgreement(box, triangles, {Kind::kGrab, 9}, rim, {0.3, 0.2, -1}, 0.03);
   expectAgreement(box, triangles, {Kind::kPush, 9, 0}, side, side - Vector3d(1, 0, 0), 0.015);
   expectAgreement(box, triangles, {Kind::kProbe, 100, 0}, top, top + Vector3d(0, 0, 99), 0.03);
+  // Masks beyond the sharp edge are those of the edge, pressed from above. Only two of them side by
+  // side are narrower than the contact.
+  const Vector3d beside(11, 2, 20);
+  expectAgreement(box, triangles, {Kind::kProbe, 60, 0}, beside, beside + Vector3d(0, 0, 59), 0.06);
 }
 
 TEST(SplineContact, ComplianceIsSymmetric) {
@@ -111,24 +115,24 @@ TEST(SplineContact, SupportsBalanceIt) {
                                         3 * sphere().tractions.ofFunction[place.element][f]);
                     });
   std::printf("out of balance by %.2f %%\n", 100 * (reaction + forces).norm() / forces.norm());
-  EXPECT_LE((reaction + forces).norm(), 5e-3 * forces.norm());
+  EXPECT_LE((reaction + forces).norm(), 2e-3 * forces.norm());
 }
 
-/// As for triangles (ContactSimulation.TheForceHasNoStepsWhenSliding, 0.2 %), over edges of
-/// patches.
+/// Half of what is allowed to triangles (ContactSimulation.TheForceHasNoStepsWhenSliding), over an
+/// edge of patches.
 TEST(SplineContact, TheForceHasNoStepsWhenSliding) {
   for (const Kind kind : {Kind::kPush, Kind::kProbe}) {
     ContactSimulation simulation = sphere().simulation();
     const double radius = kind == Kind::kProbe ? 12 : 8;
     const double distance = kind == Kind::kProbe ? 25 + 12 - 1.5 : 23.5;
     const auto tool = [&](int k) -> Vector3d {
-      const double angle = 0.5 + 0.0002 * k;
+      const double angle = 0.6 + 0.0002 * k;
       return distance * Vector3d(std::sin(angle), 0.1, std::cos(angle)).normalized();
     };
     const auto id = simulation.begin({kind, radius, 0}, kRadius * tool(0).normalized(), tool(0));
     simulation.step(10);
     double last = simulation.find(id)->force.norm(), least = last, largest = last, jump = 0;
-    for (int k = 0; k <= 3000; ++k) {
+    for (int k = 0; k <= 1500; ++k) {
       simulation.set(id, tool(k));
       simulation.step();
       const double force = simulation.find(id)->force.norm();
@@ -139,7 +143,7 @@ TEST(SplineContact, TheForceHasNoStepsWhenSliding) {
     }
     std::printf("%s: force %.4f … %.4f N, largest jump %.3f %%\n",
                 kind == Kind::kPush ? "finger" : "ball", least, largest, 100 * jump / largest);
-    EXPECT_LE(jump, 0.002 * largest);
+    EXPECT_LE(jump, 0.001 * largest);
   }
 }
 

@@ -66,11 +66,14 @@ double farCompliance(TouchedBody& body, double radius) {
   return -simulation.find(id)->displacement[2] - halfSpace;
 }
 
-/// F = 4/3 E* √R δ^1.5, as in the test of triangles, with their tolerances.
+/// F = 4/3 E* √R δ^1.5, as in the test of triangles. Masks are 1.25 mm apart; contacts from 1.8 to
+/// 4 times that wide. What is left comes in waves with the number of masks that fit into the
+/// circle; with masks half as far apart (n = 2,098) it is 1.5 % at a = 1.2 mm and at most 0.6 %
+/// from 1.7 on.
 TEST(SplineHertz, ARigidBallOnASphere) {
   modeling::Solid solid = modeling::makeSphere(kRadius, 7);
   const int patch = topPatch(solid);
-  for (const double part : {0.5, 0.25, 0.25, 0.15}) solid = refinedAround(solid, patch, part);
+  for (const double part : {0.5, 0.4, 0.3}) solid = refinedAround(solid, patch, part);
   SplineTouched body(solid, -20, kMaterial, 3, Precision::kAutomatic);
   const SurfacePoint top = body.surface().nearest(kTop);
   std::printf("n = %d, narrowest mask %.2f mm\n", body.splines.coefficientCount(),
@@ -81,7 +84,7 @@ TEST(SplineHertz, ARigidBallOnASphere) {
     ContactSimulation simulation = body.simulation();
     const auto id = simulation.begin({Kind::kProbe, ball, 0}, kTop, kTop + Vector3d(0, 0, ball));
     std::vector<double> forces, approaches;
-    for (const double a : {1.2, 1.7, 2.2, 2.7, 3.2, 3.7, 4.2}) {
+    for (const double a : {2.2, 2.7, 3.2, 3.7, 4.2, 5.0}) {
       SCOPED_TRACE(testing::Message() << "ball " << ball << " mm, a = " << a << " mm");
       const double approach = a * a / effective;
       const double far = farCompliance(body, std::sqrt(1.6) * a);
@@ -92,7 +95,7 @@ TEST(SplineHertz, ARigidBallOnASphere) {
       const Vector3d force = simulation.find(id)->force;
       std::printf("ball %g, a %.1f mm: %zu masks, force %.3f %% off\n", ball, a,
                   simulation.find(id)->patch.size(), 100 * (-force[2] / expected - 1));
-      EXPECT_NEAR(-force[2], expected, (a < 2 ? 0.04 : 0.015) * expected);
+      EXPECT_NEAR(-force[2], expected, (a < 3 ? 0.035 : 0.012) * expected);
       EXPECT_LE(force.head<2>().norm(), 0.005 * force.norm());
       forces.push_back(-force[2]);
       approaches.push_back(approach);
@@ -106,7 +109,7 @@ TEST(SplineHertz, ARigidBallOnASphere) {
       sxx += x * x;
       sxy += x * y;
     }
-    EXPECT_NEAR((count * sxy - sx * sy) / (count * sxx - sx * sx), 1.5, 0.02);
+    EXPECT_NEAR((count * sxy - sx * sy) / (count * sxx - sx * sx), 1.5, 0.01);
   }
 }
 
