@@ -12,6 +12,7 @@ namespace palpa::app {
 /// A project's solid, supports and loads in the terms of the spline discretisation, with the mesh
 /// that shows it. What BoundarySetup is for triangles.
 struct SplineSetup {
+  modeling::Solid solid;  ///< the project's, with the net's knots
   /// Elements have the tags of the mesh's triangles: equal ones are the same combination of
   /// regions.
   bem::SplineSurface surface;

@@ -1,6 +1,8 @@
 #include "bem/spline/spline_collocation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -14,9 +16,11 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
   return std::find(list.begin(), list.end(), coefficient) != list.end();
 }
 
-/// For a torn function whose Greville point lies on the other side of the border: the middle of the
-/// function on its own side, weighted by its square, in the patch where it weighs most.
-std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
+/// For a function whose Greville point lies on the other side of a border: its middle on the
+/// elements of its own side, weighted by a power of it, in the patch where it weighs most.
+std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient,
+                                         const std::function<bool(int element)>& isOwn,
+                                         double power) {
   constexpr int kPoints = 4;
   const GaussRule& rule = gaussRule(kPoints);
   struct Middle {
@@ -28,7 +32,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
   double most = 0;
   std::vector<double> basis;
   for (int e = 0; e < surface.elementCount(); ++e) {
-    if (!carries(surface, e, coefficient)) continue;
+    if (!isOwn(e) || !carries(surface, e, coefficient)) continue;
     const SplineElement& element = surface.elements()[e];
     for (int i = 0; i < kPoints; ++i)
       for (int j = 0; j < kPoints; ++j) {
@@ -39,8 +43,8 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
         double value = 0;
         for (std::size_t f = 0; f < basis.size(); ++f)
           if (surface.functions(e)[f] == coefficient) value += basis[f];
-        const double weight = value * value * rule.weights[i] * rule.weights[j] *
-                              surface.evaluate(place).areaVector().norm();
+        const double weight = std::pow(std::max(value, 0.0), power) * rule.weights[i] *
+                              rule.weights[j] * surface.evaluate(place).areaVector().norm();
         middles[element.patch].sum += weight * surface.parameters(place).parameters;
         middles[element.patch].weight += weight;
         if (value > most) {
@@ -55,7 +59,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
   const Eigen::Vector2d middle = heaviest->second.sum / heaviest->second.weight;
   const auto places = placesInPatch(surface, heaviest->first, middle[0], middle[1]);
   if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const SplinePlace& p) {
-        return carries(surface, p.element, coefficient);
+        return isOwn(p.element) && carries(surface, p.element, coefficient);
       }))
     return places;
   const Eigen::Vector2d at = surface.parameters(strongest).parameters;
@@ -74,7 +78,8 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
     if (surface.isTorn(k) &&
         !std::all_of(point.places.begin(), point.places.end(),
                      [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
-      point.places = placesOnOwnSide(surface, k);
+      point.places = placesOnOwnSide(
+          surface, k, [](int) { return true; }, 2);
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;
@@ -118,7 +123,18 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
       point.position = surface.evaluate(point.places.front()).position;
       return point;
     }
-  throw std::invalid_argument("shiftedCollocation: the Greville point lies outside of the slot");
+  // The border of a part lies between the slot and the Greville point. A flatter weight than that
+  // of the function's own point, which may lie in the same face, leads farther away from the edge.
+  SplineCollocationPoint point;
+  point.places = placesOnOwnSide(
+      surface, wanted.node,
+      [&](int e) {
+        return surface.smoothingGroup(e) == wanted.smoothingGroup &&
+               surface.elements()[e].tag == wanted.tag;
+      },
+      0.5);
+  point.position = surface.evaluate(point.places.front()).position;
+  return point;
 }
 
 }  // namespace palpa::bem
