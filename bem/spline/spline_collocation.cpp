@@ -1,8 +1,8 @@
 #include "bem/spline/spline_collocation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -17,10 +17,15 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
 }
 
 /// For a function whose Greville point lies on the other side of a border: its middle on the
-/// elements of its own side, weighted by a power of it, in the patch where it weighs most.
+/// elements of its own side, weighted by its square, in the patch where it weighs most. Of faces
+/// that meet sharply in the first: the others may ask for points of their own.
 std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient,
-                                         const std::function<bool(int element)>& isOwn,
-                                         double power) {
+                                         const std::function<bool(int element)>& isAsked) {
+  int group = std::numeric_limits<int>::max();
+  for (int e = 0; e < surface.elementCount(); ++e)
+    if (isAsked(e) && carries(surface, e, coefficient))
+      group = std::min(group, surface.smoothingGroup(e));
+  const auto isOwn = [&](int e) { return isAsked(e) && surface.smoothingGroup(e) == group; };
   constexpr int kPoints = 4;
   const GaussRule& rule = gaussRule(kPoints);
   struct Middle {
@@ -43,8 +48,8 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
         double value = 0;
         for (std::size_t f = 0; f < basis.size(); ++f)
           if (surface.functions(e)[f] == coefficient) value += basis[f];
-        const double weight = std::pow(std::max(value, 0.0), power) * rule.weights[i] *
-                              rule.weights[j] * surface.evaluate(place).areaVector().norm();
+        const double weight = value * value * rule.weights[i] * rule.weights[j] *
+                              surface.evaluate(place).areaVector().norm();
         middles[element.patch].sum += weight * surface.parameters(place).parameters;
         middles[element.patch].weight += weight;
         if (value > most) {
@@ -78,8 +83,7 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
     if (surface.isTorn(k) &&
         !std::all_of(point.places.begin(), point.places.end(),
                      [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
-      point.places = placesOnOwnSide(
-          surface, k, [](int) { return true; }, 2);
+      point.places = placesOnOwnSide(surface, k, [](int) { return true; });
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;
@@ -100,11 +104,11 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
           element.tag != wanted.tag)
         continue;
       const auto& basis = surface.patches()[element.patch].basis;
-      std::array<double, 2> parameter{place.u, place.v};
+      Eigen::Vector2d parameter = surface.parameters(place).parameters;
       const std::array<int, 2> function{at.i, at.j};
       for (int d = 0; d < 2; ++d) {
-        const double middle = (element.lower[d] + element.upper[d]) / 2;
-        const double size = element.upper[d] - element.lower[d];
+        const auto& own = basis[d].spans()[element.span[d]];
+        const double middle = (own.lower + own.upper) / 2, size = own.upper - own.lower;
         if (std::abs(std::abs(parameter[d] - middle) - size / 2) > 1e-9 * size) continue;
         // Only off borders across which the part ends.
         std::array<int, 2> span = element.span;
@@ -120,19 +124,18 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
       }
       SplineCollocationPoint point;
       point.places = placesInPatch(surface, element.patch, parameter[0], parameter[1]);
+      if (point.places.empty() ||
+          surface.elements()[point.places.front().element].tag != wanted.tag)
+        continue;
       point.position = surface.evaluate(point.places.front()).position;
       return point;
     }
-  // The border of a part lies between the slot and the Greville point. A flatter weight than that
-  // of the function's own point, which may lie in the same face, leads farther away from the edge.
+  // The border of a part lies between the slot and the Greville point.
   SplineCollocationPoint point;
-  point.places = placesOnOwnSide(
-      surface, wanted.node,
-      [&](int e) {
-        return surface.smoothingGroup(e) == wanted.smoothingGroup &&
-               surface.elements()[e].tag == wanted.tag;
-      },
-      0.5);
+  point.places = placesOnOwnSide(surface, wanted.node, [&](int e) {
+    return surface.smoothingGroup(e) == wanted.smoothingGroup &&
+           surface.elements()[e].tag == wanted.tag;
+  });
   point.position = surface.evaluate(point.places.front()).position;
   return point;
 }

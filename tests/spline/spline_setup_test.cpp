@@ -15,6 +15,7 @@
 #include "app/core/boundary_setup.h"
 #include "bem/error.h"
 #include "bem/reference_problem.h"
+#include "bem/results.h"
 #include "bem/spline/spline_projection.h"
 #include "fem_case.h"
 #include "modeling/project/project_file.h"
@@ -277,6 +278,8 @@ TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
   const Vector3d given(0.1, -0.2, 0.3);
   for (const int mode : {0, 1, 2}) for (const double length : {6.0, 4.0, 3.0}) {
   project.mesh.elementLength = length;
+  const auto [low, high] = modeling::boundingBox(project.body);
+  std::printf("low %g %g %g\n", low.x(), low.y(), low.z());
   project.supports = {{"foot", Support::Kind::fixed, mode == 0 ? Region::below({0, 0.2, 1}, 7) : mode == 1 ? Region::ofPatches({"bottom"}) : Region{{modeling::Stroke{{{20, 15, 0}}, 8}}}, given},
                       {"lid", Support::Kind::fixed, Region::ofPatches({"top"}), {0, 0, 0}}};
   const Solved solved(
@@ -287,6 +290,25 @@ TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
                          [&](const auto& place, const auto&, double) {
                            most = std::max(most, (solved.u(place) - given).norm());
                          });
+  { const auto mesh = modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)); double a=0; for (int tt : mesh.trianglesOfRegion[0]) a += 0.5*(mesh.positions[mesh.triangles[tt][1]]-mesh.positions[mesh.triangles[tt][0]]).cross(mesh.positions[mesh.triangles[tt][2]]-mesh.positions[mesh.triangles[tt][0]]).norm();
+    std::printf("mode %d %g area %.3f of %.3f, cut %d\n", mode, length, areaOf(solved.setup.surface, solved.setup.supports[0].elements), a, 0);
+    std::map<int, double> worst;
+    for (int e : solved.setup.supports[0].elements) { const auto& el = solved.setup.surface.elements()[e]; for (double a1 : {0.1, 0.5, 0.9}) for (double a2 : {0.1,0.5,0.9}) { const bem::SplinePlace pl{e, el.lower[0]+a1*(el.upper[0]-el.lower[0]), el.lower[1]+a2*(el.upper[1]-el.lower[1])}; worst[el.patch]=std::max(worst[el.patch], solved.p(pl).norm()); } }
+    for (auto& [pp, w] : worst) std::printf("mode %d patch %d largest p %.4f\n", mode, pp, w);
+    int top = 0; for (std::size_t k = 0; k < solved.setup.conditions.ofSlot.size(); ++k) { const auto& sl = solved.setup.tractions.slots.slots[k]; if (solved.setup.conditions.ofSlot[k] == bem::SlotCondition::kFixed && sl.tag == solved.setup.surface.elements()[solved.setup.supports[0].elements[0]].tag && solved.setup.surface.controlPoints()[sl.node].z() > 14) { ++top; } } std::printf("mode %d fixed slots far up: %d\n", mode, top);
+  }
+  if (length == 3) {
+    for (const double edge : {3.0, 2.0}) {
+      project.mesh.edgeLength = edge;
+      const auto mesh = modeling::mesh(project.body, project.mesh, modeling::meshRegions(project));
+      const BoundarySetup setup = makeBoundarySetup(project, mesh);
+      const auto problem = bem::makeDenseReferenceProblem(setup.mesh, setup.slots, setup.conditions.ofSlot, setup.material, {1e-4}, bem::Precision::kMixed, bem::Job{});
+      const auto field = problem->solveField(problem->dofs().knownField(setup.conditions));
+      const auto r = bem::tractionResultant(setup.mesh, setup.slots, field.p.col(0), setup.supports[0].triangles);
+      std::printf("mode %d triangles n %d: %.4f\n", mode, setup.mesh.nodeCount(), r.force.norm());
+    }
+    project.mesh.edgeLength = 5;
+  }
   const Vector3d foot = solved.reaction(0), balance = foot + solved.reaction(1);
   std::printf("mode %d %g n %d prescribed: u is off by up to %.1e of %.1e, reactions %.4f by %.1e\n", mode, length, solved.setup.surface.coefficientCount(), most,
               given.norm(), foot.norm(), balance.norm() / foot.norm());
