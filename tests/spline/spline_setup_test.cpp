@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <numbers>
@@ -145,8 +144,7 @@ TEST(SplineSetup, FiniteElementCasesWithAutomaticKnots) {
     EXPECT_LE(coarse.coefficients, 800);
     EXPECT_LE(coarse.atLoad, 1e-2);
     EXPECT_LE(coarse.reaction, 1e-2);
-    const FemErrors errors =
-        femErrors(id, std::getenv("WISH") ? std::atof(std::getenv("WISH")) : 3e-3);
+    const FemErrors errors = femErrors(id, 3e-3);
     EXPECT_LE(errors.coefficients, 1200);
     EXPECT_LE(errors.atLoad, 5e-3);
     EXPECT_LE(errors.anywhere, 7e-3);
@@ -272,16 +270,14 @@ TEST(SplineSetup, SupportsThatDisagreeAreNamed) {
   EXPECT_EQ(faultOf(project), "");
 }
 
-/// The lower part of a box, prescribed: known up to the border, free beyond it.
+/// The lower part of a box, prescribed across its sharp edges, against triangles.
 TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
   Project project = heldBox();
   const Vector3d given(0.1, -0.2, 0.3);
-  for (const int mode : {0, 1, 2}) for (const double length : {6.0, 4.0, 3.0}) {
-  project.mesh.elementLength = length;
-  const auto [low, high] = modeling::boundingBox(project.body);
-  std::printf("low %g %g %g\n", low.x(), low.y(), low.z());
-  project.supports = {{"foot", Support::Kind::fixed, mode == 0 ? Region::below({0, 0.2, 1}, 7) : mode == 1 ? Region::ofPatches({"bottom"}) : Region{{modeling::Stroke{{{20, 15, 0}}, 8}}}, given},
+  project.supports = {{"foot", Support::Kind::fixed, Region::below({0, 0, 1}, 7.1), given},
                       {"lid", Support::Kind::fixed, Region::ofPatches({"top"}), {0, 0, 0}}};
+  project.mesh.elementLength = 6;
+  project.mesh.edgeLength = 3;
   const Solved solved(
       setupOf(project, analysisNet(project, ElementSizes::of(project.mesh, kFingertip))),
       project.material);
@@ -290,31 +286,22 @@ TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
                          [&](const auto& place, const auto&, double) {
                            most = std::max(most, (solved.u(place) - given).norm());
                          });
-  { const auto mesh = modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)); double a=0; for (int tt : mesh.trianglesOfRegion[0]) a += 0.5*(mesh.positions[mesh.triangles[tt][1]]-mesh.positions[mesh.triangles[tt][0]]).cross(mesh.positions[mesh.triangles[tt][2]]-mesh.positions[mesh.triangles[tt][0]]).norm();
-    std::printf("mode %d %g area %.3f of %.3f, cut %d\n", mode, length, areaOf(solved.setup.surface, solved.setup.supports[0].elements), a, 0);
-    std::map<int, double> worst;
-    for (int e : solved.setup.supports[0].elements) { const auto& el = solved.setup.surface.elements()[e]; for (double a1 : {0.1, 0.5, 0.9}) for (double a2 : {0.1,0.5,0.9}) { const bem::SplinePlace pl{e, el.lower[0]+a1*(el.upper[0]-el.lower[0]), el.lower[1]+a2*(el.upper[1]-el.lower[1])}; worst[el.patch]=std::max(worst[el.patch], solved.p(pl).norm()); } }
-    for (auto& [pp, w] : worst) std::printf("mode %d patch %d largest p %.4f\n", mode, pp, w);
-    int top = 0; for (std::size_t k = 0; k < solved.setup.conditions.ofSlot.size(); ++k) { const auto& sl = solved.setup.tractions.slots.slots[k]; if (solved.setup.conditions.ofSlot[k] == bem::SlotCondition::kFixed && sl.tag == solved.setup.surface.elements()[solved.setup.supports[0].elements[0]].tag && solved.setup.surface.controlPoints()[sl.node].z() > 14) { ++top; } } std::printf("mode %d fixed slots far up: %d\n", mode, top);
-  }
-  if (length == 3) {
-    for (const double edge : {3.0, 2.0}) {
-      project.mesh.edgeLength = edge;
-      const auto mesh = modeling::mesh(project.body, project.mesh, modeling::meshRegions(project));
-      const BoundarySetup setup = makeBoundarySetup(project, mesh);
-      const auto problem = bem::makeDenseReferenceProblem(setup.mesh, setup.slots, setup.conditions.ofSlot, setup.material, {1e-4}, bem::Precision::kMixed, bem::Job{});
-      const auto field = problem->solveField(problem->dofs().knownField(setup.conditions));
-      const auto r = bem::tractionResultant(setup.mesh, setup.slots, field.p.col(0), setup.supports[0].triangles);
-      std::printf("mode %d triangles n %d: %.4f\n", mode, setup.mesh.nodeCount(), r.force.norm());
-    }
-    project.mesh.edgeLength = 5;
-  }
   const Vector3d foot = solved.reaction(0), balance = foot + solved.reaction(1);
-  std::printf("mode %d %g n %d prescribed: u is off by up to %.1e of %.1e, reactions %.4f by %.1e\n", mode, length, solved.setup.surface.coefficientCount(), most,
-              given.norm(), foot.norm(), balance.norm() / foot.norm());
-  EXPECT_LT(most, 0.05 * given.norm());
+  // Functions that barely reach into the part are not held.
+  EXPECT_LT(most, 0.03 * given.norm());
   EXPECT_LT(balance.norm(), 2e-3 * foot.norm());
-  }
+  const BoundarySetup triangles = makeBoundarySetup(
+      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+  const auto problem = bem::makeDenseReferenceProblem(
+      triangles.mesh, triangles.slots, triangles.conditions.ofSlot, triangles.material, {1e-4},
+      bem::Precision::kDouble, bem::Job{});
+  const auto field = problem->solveField(problem->dofs().knownField(triangles.conditions));
+  const Vector3d expected = bem::tractionResultant(triangles.mesh, triangles.slots, field.p.col(0),
+                                                   triangles.supports[0].triangles)
+                                .force;
+  // 2.49 and 2.56 N; finer triangles give 2.55, finer splines 2.50: the traction is singular along
+  // the border, and nothing is graded towards it.
+  EXPECT_LT((foot - expected).norm(), 0.04 * expected.norm());
 }
 
 /// Rollers on three sides and pressure: the stress is uniform, displacements are linear.
@@ -342,8 +329,8 @@ TEST(SplineSetup, FlatRollersAreExact) {
 }
 
 /// A cylinder in a smooth sleeve, twisted by a bump that pushes its end sideways: the sleeve holds
-/// u.n at Greville points only. Between them it slips by 4e-4 of the largest displacement with 4
-/// elements per quarter of a circle.
+/// u.n at Greville points only. Between them it slips by 0.5 % of the largest sliding with elements
+/// of 8 mm (22 degrees of the circle), by 0.4 % with 5 mm.
 TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
   Project project;
   project.material = {"", 0.1, 0.3};
@@ -358,7 +345,7 @@ TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
     const Solved solved(
         setupOf(project, analysisNet(project, ElementSizes::of(project.mesh, kFingertip))),
         project.material);
-    double slip = 0, largest = 0, sliding = 0;
+    double slip = 0, sliding = 0;
     bem::visitSplinePoints(solved.setup.surface, solved.setup.supports[0].elements, 4, INFINITY,
                            [&](const bem::SplinePlace& place, const bem::SplineJet& jet, double) {
                              const Vector3d u = solved.u(place),
@@ -366,16 +353,8 @@ TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
                              slip = std::max(slip, std::abs(u.dot(normal)));
                              sliding = std::max(sliding, u.norm());
                            });
-    for (int e = 0; e < solved.setup.surface.elementCount(); ++e) {
-      const auto& element = solved.setup.surface.elements()[e];
-      largest = std::max(largest, solved.u({e, element.lower[0], element.lower[1]}).norm());
-    }
-    const Vector3d end = solved.u(bem::test::nearestPlace(solved.setup.surface, {10, 0, 20}));
-    std::printf(
-        "sleeve, elements of %g mm, n %d: slips %.2e of the sliding %.3e, largest %.3e, "
-        "at the load %.6f\n",
-        length, solved.setup.surface.coefficientCount(), slip / sliding, sliding, largest,
-        end.norm());
+    std::printf("sleeve, elements of %g mm, n %d: slips by %.2e of the sliding\n", length,
+                solved.setup.surface.coefficientCount(), slip / sliding);
     EXPECT_LT(slip, 1e-2 * sliding);
   }
 }
