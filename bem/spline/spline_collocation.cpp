@@ -16,28 +16,10 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
   return std::find(list.begin(), list.end(), coefficient) != list.end();
 }
 
-/// The Greville point of a function whose knots end where its own side of a border does, in the
-/// parameters of a patch: with these, functions that reach into a narrow side get points that are
-/// as far apart there as they can be.
-Eigen::Vector2d clippedGreville(const SplinePatch& patch, const SplineOccurrence& at,
-                                const Eigen::AlignedBox2d& side) {
-  Eigen::Vector2d point;
-  const std::array<int, 2> function{at.i, at.j};
-  for (int d = 0; d < 2; ++d) {
-    const BsplineBasis& basis = patch.basis[d];
-    point[d] = 0;
-    for (int k = 1; k <= basis.degree(); ++k)
-      point[d] +=
-          std::clamp(basis.knots()[function[d] + k], side.min()[d], side.max()[d]) / basis.degree();
-  }
-  return point;
-}
-
-/// For a function whose Greville point lies on the other side of a border: a point of its own side,
-/// in the patch where it weighs most there, between its middle and the point above. Of faces that
-/// meet sharply in the first: the others may ask for points of their own.
+/// For a function whose Greville point lies on the other side of a border: its middle on the
+/// elements of its own side, weighted by its square, in the patch where it weighs most. Of faces
+/// that meet sharply in the first: the others may ask for points of their own.
 std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient,
-                                         const std::vector<SplineOccurrence>& occurrences,
                                          const std::function<bool(int element)>& isAsked) {
   int group = std::numeric_limits<int>::max();
   for (int e = 0; e < surface.elementCount(); ++e)
@@ -49,7 +31,6 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
   struct Middle {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     double weight = 0;
-    Eigen::AlignedBox2d side;
   };
   std::map<int, Middle> middles;  // by patch
   SplinePlace strongest{-1, 0, 0};
@@ -58,13 +39,6 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
   for (int e = 0; e < surface.elementCount(); ++e) {
     if (!isOwn(e) || !carries(surface, e, coefficient)) continue;
     const SplineElement& element = surface.elements()[e];
-    for (const double s : {0.0, 0.5, 1.0})
-      for (const double t : {0.0, 0.5, 1.0})
-        middles[element.patch].side.extend(
-            surface
-                .parameters({e, element.lower[0] + s * (element.upper[0] - element.lower[0]),
-                             element.lower[1] + t * (element.upper[1] - element.lower[1])})
-                .parameters);
     for (int i = 0; i < kPoints; ++i)
       for (int j = 0; j < kPoints; ++j) {
         const SplinePlace place{
@@ -88,19 +62,11 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
       middles.begin(), middles.end(),
       [](const auto& a, const auto& b) { return a.second.weight < b.second.weight; });
   const Eigen::Vector2d middle = heaviest->second.sum / heaviest->second.weight;
-  Eigen::Vector2d aim = middle;
-  for (const SplineOccurrence& at : occurrences)
-    if (at.patch == heaviest->first)
-      aim = clippedGreville(surface.patches()[at.patch], at, heaviest->second.side);
-  constexpr int kSteps = 16;
-  for (int step = kSteps / 4; step <= kSteps; ++step) {
-    const Eigen::Vector2d point = aim + (middle - aim) * step / kSteps;
-    auto places = placesInPatch(surface, heaviest->first, point[0], point[1]);
-    if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const SplinePlace& p) {
-          return isOwn(p.element) && carries(surface, p.element, coefficient);
-        }))
-      return places;
-  }
+  const auto places = placesInPatch(surface, heaviest->first, middle[0], middle[1]);
+  if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const SplinePlace& p) {
+        return isOwn(p.element) && carries(surface, p.element, coefficient);
+      }))
+    return places;
   const Eigen::Vector2d at = surface.parameters(strongest).parameters;
   return placesInPatch(surface, surface.elements()[strongest.element].patch, at[0], at[1]);
 }
@@ -117,7 +83,7 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
     if (surface.isTorn(k) &&
         !std::all_of(point.places.begin(), point.places.end(),
                      [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
-      point.places = placesOnOwnSide(surface, k, all[k], [](int) { return true; });
+      point.places = placesOnOwnSide(surface, k, [](int) { return true; });
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;
@@ -166,7 +132,7 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
     }
   // The border of a part lies between the slot and the Greville point.
   SplineCollocationPoint point;
-  point.places = placesOnOwnSide(surface, wanted.node, all[wanted.node], [&](int e) {
+  point.places = placesOnOwnSide(surface, wanted.node, [&](int e) {
     return surface.smoothingGroup(e) == wanted.smoothingGroup &&
            surface.elements()[e].tag == wanted.tag;
   });
