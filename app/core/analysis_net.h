@@ -17,6 +17,9 @@ struct ElementSizes {
   /// Of the elements along edges where a support ends, in those they replace, (0, 1].
   double rim = 1;
   double border = 0;  ///< mm, > 0: across the border of a support that cuts elements
+  double bump = 1;    ///< under a load that is a bump, in its radius
+  /// Displacement coefficients beyond which `interior` grows.
+  double budget = 0;
 
   /// The sizes for a project's wish (MeshSettings::accuracy, elementLength) and the radius (mm) of
   /// the fingertip that shall touch it.
@@ -31,26 +34,25 @@ struct AnalysisNet {
     std::vector<double> knots;       ///< to insert, in the parameters of `first`, ascending
   };
   std::vector<Chain> chains;
-  /// Displacement coefficients; borders of supports that cut elements add some to them.
+  /// Displacement coefficients: exact but for those that are torn at borders of supports, of which
+  /// it contains an estimate.
   double coefficients = 0;
+  double interior = 0;  ///< mm: the size of the elements after the budget was looked at
 };
 
-/// The net for a solid that is held in some regions. `settings`: its patchFactors multiply sizes on
-/// patches and their strips.
+/// The net for a project whose body is a solid; its patchFactors multiply sizes on patches and
+/// their strips.
 ///
 /// Every strip of patches between two rows of glued sides gets one list of knots. Each of its
 /// knot spans is divided evenly, as often as its longest part on any patch needs; the outermost
 /// element along an edge where a support ends is divided again, by sizes that grow by at most
-/// kMostGrowth; elements across the border of a half space or stroke are halved until they are
-/// small enough. All are fractions of spans by whole numbers, so that a small change of the
-/// shape changes nothing in most cases, and few knots in the others.
+/// kMostGrowth; elements across the border of a half space or stroke, and those under a bump, are
+/// halved until they are small enough. All are fractions of spans by whole numbers, so that a small
+/// change of the shape changes nothing in most cases, and few knots in the others.
 ///
 /// Cost: about 60 µs per knot span of a patch, more where borders of supports cross patches.
-/// @throws ModelingError (tooLarge) when a strip would need more than kMostNetRows rows
-AnalysisNet analysisNet(const modeling::Solid& solid, std::span<const modeling::Region> supports,
-                        const ElementSizes& sizes, const modeling::MeshSettings& settings);
-/// The net for a project whose body is a solid.
-AnalysisNet analysisNet(const modeling::Project& project, double fingertipRadius);
+/// @throws ModelingError (tooLarge) when a strip would need too many rows
+AnalysisNet analysisNet(const modeling::Project& project, const ElementSizes& sizes);
 
 /// The same surface with the net's degrees and knots.
 modeling::Solid refined(const modeling::Solid& solid, const AnalysisNet& net);

@@ -16,10 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using modeling::Support;
 
-/// The narrowest mask that cubic elements of one size can carry, in these
-/// (bem::SplineContactSurface::narrowestMask()).
-constexpr double kElementsPerMask = 1.75;
-
 /// Half the width of a thumb's contact under a firm press, mm.
 constexpr double kFingertipRadius = 6.0;
 
@@ -114,8 +110,7 @@ BoundarySetup splineSetup(const modeling::Project& project, const modeling::Surf
       std::move(parts.triangles));
   BoundarySetup setup = emptySetup(project, splines);
   setup.splines = splines;
-  setup.analysisNet = std::make_shared<const modeling::Solid>(
-      refined(std::get<modeling::Solid>(project.body), net));
+  setup.analysisNet = std::make_shared<const modeling::Solid>(std::move(parts.solid));
   setup.conditions = std::move(parts.conditions);
   for (std::size_t s = 0; s < project.supports.size(); ++s)
     setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
@@ -131,12 +126,20 @@ BoundarySetup splineSetup(const modeling::Project& project, const modeling::Surf
 }  // namespace
 
 AnalysisNet analysisNet(const modeling::Project& project) {
-  return analysisNet(project, fingertipRadius(project) / kElementsPerMask);
+  return analysisNet(project, ElementSizes::of(project.mesh, fingertipRadius(project)));
 }
 
 bool usesSplines(const modeling::Project& project) {
-  return std::holds_alternative<modeling::Solid>(project.body) &&
-         project.mesh.engine != modeling::Engine::triangles;
+  if (!std::holds_alternative<modeling::Solid>(project.body)) return false;
+  if (project.mesh.engine != modeling::Engine::automatic)
+    return project.mesh.engine == modeling::Engine::splines;
+  const auto endsAtPatchEdges = [](const modeling::MeshRegion& region) {
+    return std::all_of(region.where.parts.begin(), region.where.parts.end(), [](const auto& part) {
+      return std::holds_alternative<modeling::PatchSet>(part);
+    });
+  };
+  const auto regions = modeling::meshRegions(project);
+  return std::all_of(regions.begin(), regions.end(), endsAtPatchEdges);
 }
 
 double defaultTouchRadius(double bodySize) {

@@ -52,8 +52,9 @@ double defaultTouchRadius(double bodySize);
 /// The narrowest touch that a project's model is to resolve, mm: of its touches and a fingertip.
 double fingertipRadius(const modeling::Project& project);
 
-/// Is the project's body computed with splines? So are all solids unless the project asks for
-/// triangles; mesh bodies have no patches.
+/// Is the project's body computed with splines? So are, unless the project says otherwise, solids
+/// whose supports and loads end where patches end: borders that cut patches obliquely are not yet
+/// as reliable with splines (decision 021). Mesh bodies have no patches.
 bool usesSplines(const modeling::Project& project);
 
 /// The analysis net of a project whose body is a solid: fine enough for all of its touches and for

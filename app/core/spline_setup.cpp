@@ -115,12 +115,13 @@ SplineSetup makeSplineSetup(const modeling::Project& project, const modeling::Su
                             const AnalysisNet& net) {
   checkSupports(project, mesh);
   const auto& design = std::get<modeling::Solid>(project.body);
-  const modeling::Solid solid = refined(design, net);
+  modeling::Solid solid = refined(design, net);
   RegionTags tags(mesh);
   bem::SplineSurface surface = taggedSurface(project, solid, tags);
   bem::SplineTractions tractions(surface);
   bem::BoundaryConditions conditions(surface.coefficientCount(), tractions.slots.count());
-  SplineSetup setup{std::move(surface),
+  SplineSetup setup{std::move(solid),
+                    std::move(surface),
                     std::move(tractions),
                     tags.ofTriangle(),
                     splineTriangles(design, mesh),

@@ -1,6 +1,8 @@
 #include "bem/spline/spline_collocation.h"
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -14,9 +16,16 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
   return std::find(list.begin(), list.end(), coefficient) != list.end();
 }
 
-/// For a torn function whose Greville point lies on the other side of the border: the middle of the
-/// function on its own side, weighted by its square, in the patch where it weighs most.
-std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
+/// For a function whose Greville point lies on the other side of a border: its middle on the
+/// elements of its own side, weighted by its square, in the patch where it weighs most. Of faces
+/// that meet sharply in the first: the others may ask for points of their own.
+std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient,
+                                         const std::function<bool(int element)>& isAsked) {
+  int group = std::numeric_limits<int>::max();
+  for (int e = 0; e < surface.elementCount(); ++e)
+    if (isAsked(e) && carries(surface, e, coefficient))
+      group = std::min(group, surface.smoothingGroup(e));
+  const auto isOwn = [&](int e) { return isAsked(e) && surface.smoothingGroup(e) == group; };
   constexpr int kPoints = 4;
   const GaussRule& rule = gaussRule(kPoints);
   struct Middle {
@@ -28,7 +37,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
   double most = 0;
   std::vector<double> basis;
   for (int e = 0; e < surface.elementCount(); ++e) {
-    if (!carries(surface, e, coefficient)) continue;
+    if (!isOwn(e) || !carries(surface, e, coefficient)) continue;
     const SplineElement& element = surface.elements()[e];
     for (int i = 0; i < kPoints; ++i)
       for (int j = 0; j < kPoints; ++j) {
@@ -55,7 +64,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
   const Eigen::Vector2d middle = heaviest->second.sum / heaviest->second.weight;
   const auto places = placesInPatch(surface, heaviest->first, middle[0], middle[1]);
   if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const SplinePlace& p) {
-        return carries(surface, p.element, coefficient);
+        return isOwn(p.element) && carries(surface, p.element, coefficient);
       }))
     return places;
   const Eigen::Vector2d at = surface.parameters(strongest).parameters;
@@ -74,7 +83,7 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
     if (surface.isTorn(k) &&
         !std::all_of(point.places.begin(), point.places.end(),
                      [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
-      point.places = placesOnOwnSide(surface, k);
+      point.places = placesOnOwnSide(surface, k, [](int) { return true; });
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;
@@ -95,11 +104,11 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
           element.tag != wanted.tag)
         continue;
       const auto& basis = surface.patches()[element.patch].basis;
-      std::array<double, 2> parameter{place.u, place.v};
+      Eigen::Vector2d parameter = surface.parameters(place).parameters;
       const std::array<int, 2> function{at.i, at.j};
       for (int d = 0; d < 2; ++d) {
-        const double middle = (element.lower[d] + element.upper[d]) / 2;
-        const double size = element.upper[d] - element.lower[d];
+        const auto& own = basis[d].spans()[element.span[d]];
+        const double middle = (own.lower + own.upper) / 2, size = own.upper - own.lower;
         if (std::abs(std::abs(parameter[d] - middle) - size / 2) > 1e-9 * size) continue;
         // Only off borders across which the part ends.
         std::array<int, 2> span = element.span;
@@ -115,10 +124,20 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
       }
       SplineCollocationPoint point;
       point.places = placesInPatch(surface, element.patch, parameter[0], parameter[1]);
+      if (point.places.empty() ||
+          surface.elements()[point.places.front().element].tag != wanted.tag)
+        continue;
       point.position = surface.evaluate(point.places.front()).position;
       return point;
     }
-  throw std::invalid_argument("shiftedCollocation: the Greville point lies outside of the slot");
+  // The border of a part lies between the slot and the Greville point.
+  SplineCollocationPoint point;
+  point.places = placesOnOwnSide(surface, wanted.node, [&](int e) {
+    return surface.smoothingGroup(e) == wanted.smoothingGroup &&
+           surface.elements()[e].tag == wanted.tag;
+  });
+  point.position = surface.evaluate(point.places.front()).position;
+  return point;
 }
 
 }  // namespace palpa::bem

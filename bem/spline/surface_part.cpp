@@ -15,8 +15,10 @@ constexpr int kMostDepth = 6;  ///< halvings of a knot rectangle
 constexpr double kThinnest = 1e-3;
 constexpr double kSteepest = 2;  ///< of a graph, in units of its rectangle
 /// Of a function's area on one side of the border below which it belongs to the other side: its
-/// equation would hardly differ from its neighbours'.
-constexpr double kLeast = 0.1;
+/// equation would hardly differ from its neighbours'. With 0.1 what is left out shows: on a sphere
+/// held below a plane, n = 1,230, the displacement at a load was wrong by 4.9e-3, with 0.02 by
+/// 7e-4, n = 1,270; below 0.003 nothing changes any more.
+constexpr double kLeast = 0.01;
 
 struct Rectangle {
   std::array<double, 2> lower, upper;

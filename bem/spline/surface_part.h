@@ -28,7 +28,7 @@ enum class Tearing {
 ///
 /// What is known inside of a support, the displacement, must not reach across the border by the
 /// width of a function: functions that the border cuts are torn, each side gets a coefficient of
-/// its own (SplineSurface::tornFrom). A function with less than a tenth of its area on one side is
+/// its own (SplineSurface::tornFrom). A function with less than 1 % of its area on one side is
 /// not torn but belongs to the other side (SplineSurface::barelyReaches). Loads cut without
 /// tearing: their tractions jump, displacements do not.
 ///

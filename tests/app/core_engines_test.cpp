@@ -89,9 +89,12 @@ INSTANTIATE_TEST_SUITE_P(Projects, Example, testing::ValuesIn(examples()),
                            return name;
                          });
 
-TEST(Engines, AutomaticMeansSplinesForSolids) {
-  EXPECT_TRUE(build(test::clampedSphere(5), Engine::automatic)->setup().splines);
-  EXPECT_FALSE(build(test::clampedSphere(5), Engine::triangles)->setup().splines);
+TEST(Engines, AutomaticMeansSplinesWhereSupportsEndWithPatches) {
+  EXPECT_TRUE(build(test::clampedCylinder(6), Engine::automatic)->setup().splines);
+  EXPECT_FALSE(build(test::clampedCylinder(6), Engine::triangles)->setup().splines);
+  // Below z = -20 mm: the border cuts patches.
+  EXPECT_FALSE(build(test::clampedSphere(6), Engine::automatic)->setup().splines);
+  EXPECT_TRUE(build(test::clampedSphere(6), Engine::splines)->setup().splines);
 }
 
 /// The sphere held at the bottom and pulled up at its top by 3 mm.

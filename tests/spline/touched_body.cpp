@@ -94,7 +94,7 @@ SplineTouched::SplineTouched(const modeling::Solid& solid, Held held, const Mate
                                         app::splineTriangles(solid, triangles));
   std::vector<SlotCondition> conditions;
   for (const auto& slot : tractions.slots.slots)
-    conditions.push_back(slot.tag == 1 && !splines.barelyReaches(slot.node)
+    conditions.push_back(slot.tag == 1 && !splines.barelyReaches(slot.node, slot.tag)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
   std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(

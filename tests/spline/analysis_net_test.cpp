@@ -1,0 +1,184 @@
+// The analysis net: which knots are inserted for the spline discretisation.
+#include "app/core/analysis_net.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "modeling/error.h"
+#include "modeling/project/project_file.h"
+#include "modeling/shapes/primitives.h"
+#include "modeling/solid/surface_properties.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+using modeling::Project;
+using modeling::Region;
+using modeling::Support;
+
+Project projectOf(modeling::Solid solid) {
+  Project project;
+  project.material = {"", 0.1, 0.45};
+  project.body = std::move(solid);
+  project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
+  return project;
+}
+
+AnalysisNet netOf(const Project& project) {
+  return analysisNet(project, ElementSizes::of(project.mesh, 6));
+}
+
+const modeling::Solid& solidOf(const Project& project) {
+  return std::get<modeling::Solid>(project.body);
+}
+
+const AnalysisNet::Chain& chainWith(const AnalysisNet& net, const modeling::Solid& solid,
+                                    const char* patch, int direction) {
+  for (const AnalysisNet::Chain& chain : net.chains)
+    for (const modeling::ChainLink& link : modeling::chainOf(solid, chain.first))
+      if (link.at.patch == *solid.findPatch(patch) && link.at.direction == direction) return chain;
+  throw std::logic_error("no chain");
+}
+
+TEST(AnalysisNet, IsTheSameSurfaceWithTheCoefficientsForeseen) {
+  for (const Project& project :
+       {projectOf(modeling::makeBox({40, 30, 20})), projectOf(modeling::makeCylinder(20, 60)),
+        projectOf(modeling::makeSphere(25))}) {
+    const auto start = std::chrono::steady_clock::now();
+    const AnalysisNet net = netOf(project);
+    const auto made = std::chrono::steady_clock::now();
+    const modeling::Solid fine = refined(solidOf(project), net);
+    const auto inserted = std::chrono::steady_clock::now();
+    const auto milliseconds = [](auto a, auto b) {
+      return std::chrono::duration<double, std::milli>(b - a).count();
+    };
+    std::printf("%zu points to %zu: net %.1f ms, insertion %.1f ms\n",
+                solidOf(project).controlPoints().size(), fine.controlPoints().size(),
+                milliseconds(start, made), milliseconds(made, inserted));
+    EXPECT_EQ(static_cast<double>(fine.controlPoints().size()), net.coefficients);
+    EXPECT_LT(modeling::sampledDistance(solidOf(project), fine), 1e-11);
+  }
+}
+
+TEST(AnalysisNet, RaisesLowDegreesToThree) {
+  Project project;
+  project.body = modeling::makeBox({40, 30, 20});
+  // A box with degree 1: eight points.
+  std::vector<modeling::Patch> patches = solidOf(project).patches();
+  for (modeling::Patch& patch : patches) {
+    patch.degree = {1, 1};
+    for (auto& knots : patch.knots) knots = {0, 0, 1, 1};
+    const auto& net = patch.net;
+    patch.net = {{net[0][0], net[0].back()}, {net.back()[0], net.back().back()}};
+  }
+  std::vector<int> used;
+  for (modeling::Patch& patch : patches)
+    for (auto& row : patch.net)
+      for (int& point : row) used.push_back(point);
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<Vector3d> points;
+  for (const int point : used) points.push_back(solidOf(project).controlPoints()[point]);
+  for (modeling::Patch& patch : patches)
+    for (auto& row : patch.net)
+      for (int& point : row)
+        point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
+  project.body = modeling::Solid(points, patches);
+  const AnalysisNet net = netOf(project);
+  const modeling::Solid fine = refined(solidOf(project), net);
+  EXPECT_EQ(fine.patches()[0].degree[0], 3);
+  EXPECT_EQ(static_cast<double>(fine.controlPoints().size()), net.coefficients);
+  EXPECT_LT(modeling::sampledDistance(solidOf(project), fine), 1e-11);
+}
+
+TEST(AnalysisNet, GradesTowardsTheEdgesOfSupports) {
+  Project project = projectOf(modeling::makeBox({40, 30, 20}));
+  project.mesh.elementLength = 5;
+  const auto gaps = [&](const char* patch, int direction) {
+    const AnalysisNet net = netOf(project);
+    std::vector<double> knots = chainWith(net, solidOf(project), patch, direction).knots;
+    knots.insert(knots.begin(), 0.0);
+    knots.push_back(1.0);
+    std::vector<double> result;
+    for (std::size_t k = 1; k < knots.size(); ++k) result.push_back(knots[k] - knots[k - 1]);
+    return result;
+  };
+  // The base is held: its own directions are graded at both ends, evenly in between.
+  const std::vector<double> across = gaps("bottom", 0);
+  EXPECT_LT(across.front(), 0.6 * across[across.size() / 2]);
+  EXPECT_NEAR(across.front(), across.back(), 1e-12);
+  for (std::size_t k = 1; k < across.size(); ++k)
+    EXPECT_LT(std::max(across[k] / across[k - 1], across[k - 1] / across[k]), 2.6);
+  project.mesh.accuracy = 1e-3;
+  EXPECT_LT(gaps("bottom", 0).front(), 0.5 * across.front());
+  project.supports.clear();
+  const std::vector<double> even = gaps("bottom", 0);
+  EXPECT_NEAR(*std::min_element(even.begin(), even.end()),
+              *std::max_element(even.begin(), even.end()), 1e-12);
+}
+
+TEST(AnalysisNet, PutsSmallElementsAcrossBordersAndUnderBumps) {
+  Project project = projectOf(modeling::makeBox({40, 30, 20}));
+  project.mesh.elementLength = 5;
+  project.supports.clear();
+  const double plain = netOf(project).coefficients;
+  project.supports = {
+      {"dab", Support::Kind::fixed, Region{{modeling::Stroke{{{20, 15, 20}}, 2.0}}}, {0, 0, 0}}};
+  const auto [low, high] = modeling::boundingBox(project.body);
+  std::get<modeling::Stroke>(project.supports[0].where.parts[0]).points[0] =
+      Vector3d((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, high.z());
+  const AnalysisNet dab = netOf(project);
+  EXPECT_GT(dab.coefficients, plain + 50);
+  const auto& knots = chainWith(dab, solidOf(project), "top", 0).knots;
+  double least = 1;
+  for (std::size_t k = 1; k < knots.size(); ++k) least = std::min(least, knots[k] - knots[k - 1]);
+  EXPECT_LE(least * 40, 2.0);
+  project.supports.clear();
+  project.loads = {
+      {"poke", modeling::Bump{{(low + high) / 2 + Vector3d(0, 0, 10)}, 3, 1, {0, 0, -1}}}};
+  EXPECT_GT(netOf(project).coefficients, plain + 50);
+}
+
+TEST(AnalysisNet, FollowsTheWishFactorsAndTheBudget) {
+  Project project = projectOf(modeling::makeCylinder(20, 60));
+  std::vector<double> counts;
+  for (const double accuracy : {3e-2, 1e-2, 3e-3, 1e-3}) {
+    project.mesh.accuracy = accuracy;
+    const ElementSizes sizes = ElementSizes::of(project.mesh, 6);
+    counts.push_back(analysisNet(project, sizes).coefficients);
+    EXPECT_LE(counts.back(), sizes.budget);
+    if (counts.size() > 1) {
+      EXPECT_GT(counts.back(), 1.1 * counts[counts.size() - 2]);
+    }
+  }
+  project.mesh.elementLength = 4;
+  const AnalysisNet even = netOf(project);
+  EXPECT_EQ(even.interior, 4);
+  project.mesh.patchFactors = {{"side_xmax", 0.5}};
+  EXPECT_GT(netOf(project).coefficients, 1.2 * even.coefficients);
+  project.mesh.patchFactors.clear();
+  project.mesh.elementLength = 1e-4;
+  EXPECT_THROW(netOf(project), modeling::ModelingError);
+}
+
+/// Moving a control point a little leaves the knots as they are.
+TEST(AnalysisNet, StaysWhenAControlPointMovesALittle) {
+  Project project = projectOf(modeling::makeSphere(25));
+  project.supports = {{"base", Support::Kind::fixed, Region::below({0, 0, 1}, -20), {0, 0, 0}}};
+  const AnalysisNet before = netOf(project);
+  std::vector<Vector3d> points = solidOf(project).controlPoints();
+  points[points.size() / 2] *= 1.002;
+  project.body = solidOf(project).withControlPoints(points);
+  const AnalysisNet after = netOf(project);
+  ASSERT_EQ(after.chains.size(), before.chains.size());
+  for (std::size_t c = 0; c < before.chains.size(); ++c)
+    EXPECT_EQ(after.chains[c].knots, before.chains[c].knots);
+}
+
+}  // namespace
+}  // namespace palpa::app
