@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bem/triangle_contact_surface.h"
+
 namespace palpa::bem {
 namespace {
 
@@ -9,15 +11,12 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kMostSteps = 16;
-/// Of a step, over the narrowest mask: the first is far below what can be felt, the second is more
-/// than the nearest point of a smooth surface can be off.
-constexpr double kEnough = 1e-12, kLongest = 1.0;
 constexpr double kSingular = 1e-6;
 
 /// Newton's step for the points of one triangle's plane: x + c1 ab + c2 ac, where the smooth normal
 /// changes by c1 (n_b - n_a) + c2 (n_c - n_a), shall have its offset to the tool along the normal.
-Vector2d newtonStep(const ContactSurface& surface, const Vector3d& tool, const SurfacePoint& at) {
+Vector2d newtonStep(const TriangleContactSurface& surface, const Vector3d& tool,
+                    const SurfacePoint& at) {
   const auto& c = surface.mesh().triangles[at.triangle];
   const auto& slots = surface.slots().ofCorner[at.triangle];
   Vector3d corner[3], normal[3], sum = Vector3d::Zero();
@@ -45,28 +44,12 @@ Vector2d newtonStep(const ContactSurface& surface, const Vector3d& tool, const S
 
 }  // namespace
 
-SurfacePoint smoothFoot(const ContactSurface& surface, const Vector3d& tool,
-                        const SurfacePoint& start) {
-  SurfacePoint at = start;
-  const double scale = surface.narrowestMask(start);
-  for (int step = 0; step < kMostSteps; ++step) {
-    const auto& c = surface.mesh().triangles[at.triangle];
-    Vector2d by = newtonStep(surface, tool, at);
-    const Vector3d& origin = surface.mesh().nodes[c[0]];
-    const Vector3d ab = surface.mesh().nodes[c[1]] - origin;
-    const Vector3d ac = surface.mesh().nodes[c[2]] - origin;
-    const double length = (by[0] * ab + by[1] * ac).norm();
-    if (length > kLongest * scale) by *= kLongest * scale / length;
-    const Vector3d before = at.position;
-    const Vector3d weights = at.weights + Vector3d(-by[0] - by[1], by[0], by[1]);
-    if (weights.minCoeff() >= 0) {
-      at.weights = weights;
-      at.position = surface.mesh().point(at.triangle, weights);
-    } else {
-      at = surface.tree().nearest(before + by[0] * ab + by[1] * ac);
-    }
-    if ((at.position - before).norm() <= kEnough * scale) break;
-  }
+SurfacePoint TriangleContactSurface::foot(const Vector3d& tool, const SurfacePoint& start) const {
+  // No step is longer than the narrowest mask: more than the nearest point of a smooth surface can
+  // be off.
+  SurfacePoint at =
+      walkToFoot(mesh(), tree(), start, narrowestMask(start),
+                 [&](const SurfacePoint& from) { return newtonStep(*this, tool, from); });
   at.distance = (at.position - tool).norm();
   return at;
 }

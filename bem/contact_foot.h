@@ -1,14 +1,37 @@
 #pragma once
-#include "bem/contact_surface.h"
+#include "bem/triangle_tree.h"
 
 namespace palpa::bem {
 
-/// The surface point below a tool: where the line along the surface's smooth normal goes through
-/// `tool`. The nearest point of the triangles would stay at an edge while the tool moves by its
-/// height times the angle between them, and then hurry on. Newton's method from `start`, a point
-/// near it such as the nearest one; that point's surface only, so that at a sharp edge the foot
-/// stays where the face ends.
-SurfacePoint smoothFoot(const ContactSurface& surface, const Eigen::Vector3d& tool,
-                        const SurfacePoint& start);
+/// Newton's method over the points of a mesh: from `start`, each time by what `stepFrom(point)`
+/// says, changes of the weights of the triangle's second and third corner; no step is longer than
+/// `scale` mm. Where a step leaves its triangle it goes on at the nearest point of the mesh. Ends
+/// when steps are 1e-12 of the scale: far below what can be felt.
+template <class StepFrom>
+SurfacePoint walkToFoot(const BoundaryMesh& mesh, const TriangleTree& tree,
+                        const SurfacePoint& start, double scale, const StepFrom& stepFrom) {
+  constexpr int kMostSteps = 16;
+  constexpr double kEnough = 1e-12;
+  SurfacePoint at = start;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const auto& c = mesh.triangles[at.triangle];
+    Eigen::Vector2d by = stepFrom(at);
+    const Eigen::Vector3d& origin = mesh.nodes[c[0]];
+    const Eigen::Vector3d ab = mesh.nodes[c[1]] - origin;
+    const Eigen::Vector3d ac = mesh.nodes[c[2]] - origin;
+    const double length = (by[0] * ab + by[1] * ac).norm();
+    if (length > scale) by *= scale / length;
+    const Eigen::Vector3d before = at.position;
+    const Eigen::Vector3d weights = at.weights + Eigen::Vector3d(-by[0] - by[1], by[0], by[1]);
+    if (weights.minCoeff() >= 0) {
+      at.weights = weights;
+      at.position = mesh.point(at.triangle, weights);
+    } else {
+      at = tree.nearest(before + by[0] * ab + by[1] * ac);
+    }
+    if ((at.position - before).norm() <= kEnough * scale) break;
+  }
+  return at;
+}
 
 }  // namespace palpa::bem

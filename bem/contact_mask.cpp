@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "bem/contact_surface.h"
 #include "bem/error.h"
+#include "bem/triangle_contact_surface.h"
 
 namespace palpa::bem {
 
@@ -17,8 +17,8 @@ Eigen::MatrixXd ContactMask::displacement(const Eigen::MatrixXd& u) const {
 ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d& at,
                             double radius) {
   ContactMask mask;
-  ContactSurface::Workspace workspace(surface);
-  if (surface.makeMask(surface.tree().nearest(at), radius, workspace, mask)) return mask;
+  const auto workspace = surface.makeWorkspace();
+  if (surface.makeMask(surface.nearest(at), radius, *workspace, mask)) return mask;
   const Eigen::Vector3d& p = mask.point.position;
   char text[160];
   std::snprintf(text, sizeof text,
@@ -31,7 +31,7 @@ ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d
 ContactMask makeContactMask(const BoundaryMesh& mesh, const TractionSlots& slots,
                             const DegreesOfFreedom& dofs, const Eigen::Vector3d& at,
                             double radius) {
-  return makeContactMask(ContactSurface(mesh, slots, dofs), at, radius);
+  return makeContactMask(TriangleContactSurface(mesh, slots, dofs), at, radius);
 }
 
 }  // namespace palpa::bem

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/contact_foot.h"
 #include "bem/contact_simulation.h"
 
 // Where masks are, and how far from a ball: what ContactSimulation knows of geometry.
@@ -21,8 +20,9 @@ static_assert(kLattice == ContactSimulation::kProbeMasks);
 /// The lattice reaches this much farther than the contact between two balls would (H. Hertz).
 constexpr double kMargin = 1.3;
 /// Masks of the lattice overlap: radius over spacing, where the spacing is at least that of the
-/// nodes. The narrowest that the mesh can carry (1.25) would do, but how wide these are in effect
-/// depends on where they lie among the nodes: by up to a third of their mean ρ^2, which is felt.
+/// coefficients. The narrowest that the mesh can carry (1.25) would do, but how wide these are in
+/// effect depends on where they lie among the nodes: by up to a third of their mean ρ^2, which is
+/// felt.
 constexpr double kOverlap = 1.7;
 /// A lattice point that lies farther than this part of the spacing from the surface point it falls
 /// on (beyond an edge of the body) is left out.
@@ -83,7 +83,7 @@ SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
   const double height = normal.dot(contact.reference - contact.point.position);
   const double wanted = kLift * surface_.narrowestMask(contact.point);
   const Vector3d from = contact.reference + std::max(wanted - height, 0.0) * normal;
-  return smoothFoot(surface_, contact.reference, surface_.tree().nearest(from));
+  return surface_.foot(contact.reference, surface_.tree().nearest(from));
 }
 
 /// Of the surface around a contact, from normals at a distance (mm); positive where it bulges.
@@ -93,8 +93,8 @@ double ContactSimulation::meanCurvature(const Contact& contact, double distance)
   double sum = 0;
   for (const Vector3d& direction :
        {contact.across, Vector3d(-contact.across), across, Vector3d(-across)}) {
-    const SurfacePoint point = surface_.tree().nearest(
-        contact.point.position + distance * direction + kLift * distance * normal);
+    const SurfacePoint point =
+        surface_.nearest(contact.point.position + distance * direction + kLift * distance * normal);
     const double apart = (point.position - contact.point.position).dot(direction);
     if (apart > 0) sum += (surface_.normal(point) - normal).dot(direction) / apart;
   }
@@ -110,7 +110,7 @@ void ContactSimulation::placeProbe(Contact& contact) {
   const Vector3d ball = contact.value - contact.lifted;  // as the surface without it sees it
   const double depth =
       std::clamp(radius - (ball - contact.point.position).dot(normal), 0.0, 2 * radius);
-  const double finest = surface_.narrowestMask(contact.point) / ContactSurface::kNarrowest;
+  const double finest = surface_.maskSpacing(contact.point);
   const double curvature = 1 / radius + meanCurvature(contact, finest);
   const double reach = curvature * radius * radius > depth ? std::sqrt(depth / curvature) : radius;
   const double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
@@ -119,7 +119,7 @@ void ContactSimulation::placeProbe(Contact& contact) {
     const Vector2d at = spacing * lattice()[k];
     const Vector3d wanted =
         contact.point.position + at[0] * along + at[1] * across + kLift * spacing * normal;
-    const SurfacePoint point = k == 0 ? contact.point : surface_.tree().nearest(wanted);
+    const SurfacePoint point = k == 0 ? contact.point : surface_.nearest(wanted);
     const Vector3d off = point.position - wanted;
     const double aside = (off - normal * normal.dot(off)).norm();
     const bool isInside = (point.position - ball).norm() < radius || k == 0;
@@ -132,10 +132,9 @@ void ContactSimulation::placeProbe(Contact& contact) {
 
 /// How far a mask of the unloaded surface is from a ball along the direction `m` of its pressure,
 /// in the mean: ∫ Φ [m . (x - c) - √(R^2 - t^2)] dΓ with t what lies across m, for which the
-/// surface is taken where it is now. That is what the mask's mean displacement must make up for. At
-/// nodes the mesh lies on the true surface, and between them Ψ recovers it as it does
-/// displacements. (At the middle alone the gap would be smaller by the mask's radius squared over 8
-/// radii of curvature.)
+/// surface is taken where it is now. That is what the mask's mean displacement must make up for.
+/// (At the middle alone the gap would be smaller by the mask's radius squared over 8 radii of
+/// curvature.)
 double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vector3d& m) const {
   const double radius = contact.tool.radius;
   const Vector3d now = displacementOf(mask);
@@ -147,8 +146,8 @@ double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vect
   };
   const ContactMask& on = set_.mask(mask);
   double gap = 0;
-  for (std::size_t k = 0; k < on.measureNodes.size(); ++k)
-    gap += on.measure[k] * gapAt(surface_.mesh().nodes[on.measureNodes[k]]);
+  for (std::size_t k = 0; k < on.points.size(); ++k)
+    gap += on.pointWeights[k] * gapAt(on.points[k]);
   if (mask != contact.firstMask) return gap;
   // A contact much narrower than its one mask.
   const double middle = gapAt(surface_.smoothPosition(on.point));

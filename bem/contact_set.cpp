@@ -17,9 +17,9 @@ ContactSet::ContactSet(const ContactSurface& surface, const GreensColumns& colum
     : surface_(surface),
       columns_(columns),
       base_(base),
-      workspace_(surface),
-      rowStamp_(surface.mesh().nodes.size(), 0),
-      rowOfNode_(surface.mesh().nodes.size(), 0) {}
+      workspace_(surface.makeWorkspace()),
+      rowStamp_(surface.dofs().nodeCount(), 0),
+      rowOfNode_(surface.dofs().nodeCount(), 0) {}
 
 void ContactSet::resize(int count) {
   const auto kept = 3 * std::min<Index>(count, size());
@@ -60,7 +60,7 @@ bool ContactSet::place(int index, const SurfacePoint& point, double radius) {
     misses(entry.mask);
     return true;
   }
-  const bool isPlaced = surface_.makeMask(point, radius, workspace_, spare_);
+  const bool isPlaced = surface_.makeMask(point, radius, *workspace_, spare_);
   if (isPlaced && misses(spare_) && entry.isPlaced && columns_.hasAll(entry.mask.nodes))
     return true;  // stays where it is
   std::swap(entry.mask, spare_);

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "bem/contact_surface.h"
@@ -30,7 +31,8 @@ class ContactSet {
   bool isPlaced(int index) const { return masks_[index].isPlaced; }
   /// Were the columns there that the mask needs, at the last update()? Only then was it included.
   bool isReady(int index) const { return masks_[index].isReady; }
-  /// Nodes whose columns place() has missed since the last forgetMissing(); some appear twice.
+  /// Displacement coefficients whose columns place() has missed since the last forgetMissing();
+  /// some appear twice.
   const std::vector<int>& missing() const { return missing_; }
   void forgetMissing() { missing_.clear(); }
   const ContactMask& mask(int index) const { return masks_[index].mask; }
@@ -66,7 +68,7 @@ class ContactSet {
   const ContactSurface& surface_;
   const GreensColumns& columns_;
   const BoundaryField& base_;
-  ContactSurface::Workspace workspace_;
+  std::unique_ptr<ContactSurface::Workspace> workspace_;
   std::vector<Entry> masks_;
   ContactMask spare_;
   std::vector<int> missing_;
@@ -74,8 +76,8 @@ class ContactSet {
   Eigen::VectorXd free_;
   double defect_ = 0;
   bool isStale_ = true;             // compliance_ does not belong to raw_
-  std::vector<int> rows_;           // nodes
-  std::vector<unsigned> rowStamp_;  // per node
+  std::vector<int> rows_;           // displacement coefficients
+  std::vector<unsigned> rowStamp_;  // per displacement coefficient
   std::vector<int> rowOfNode_;
   unsigned stamp_ = 0;
   Eigen::Matrix<float, Eigen::Dynamic, 3>

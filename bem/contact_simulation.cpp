@@ -26,7 +26,7 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   contact.id = next_++;
   contact.tool = tool;
   contact.value = value;
-  contact.point = surface_.tree().nearest(at);
+  contact.point = surface_.nearest(at);
   contact.reference = tool.isPushing() ? value : at;
   contact.firstMask = set_.size();
   contact.maskCount = tool.kind == Kind::kProbe ? kProbeMasks : 1;
@@ -81,9 +81,9 @@ void ContactSimulation::takeOver(const ContactSimulation& other) {
     contact.patch.reserve(contact.maskCount);
     SurfacePoint& point = contact.point;
     if (sameTriangles)
-      point.position = surface_.mesh().point(point.triangle, point.weights);
+      point = surface_.at(point.triangle, point.weights);
     else
-      point = surface_.tree().nearest(point.position);
+      point = surface_.nearest(point.position);
   }
   set_.resize(other.set_.size());
   conditions_.resize(other.conditions_.size());

@@ -59,8 +59,8 @@ class ContactSimulation {
   /// equal body the next step gives the forces that the other would have given.
   void takeOver(const ContactSimulation& other);
 
-  /// Places the masks as step() will and returns the nodes whose columns it would miss, some of
-  /// them twice. Valid until the next call of anything else.
+  /// Places the masks as step() will and returns the coefficients whose columns it would miss, some
+  /// of them twice. Valid until the next call of anything else.
   const std::vector<int>& missing();
   /// The same of the last step().
   const std::vector<int>& missed() const { return set_.missing(); }
@@ -122,8 +122,8 @@ class ContactSimulation {
   double residual() const { return forces_.residual; }
   double reciprocityDefect() const { return set_.reciprocityDefect(); }
 
-  /// The traction coefficients of all contacts: 3 numbers (MPa) for each of `nodes`, which appear
-  /// once. With GreensColumns they give the field.
+  /// The tractions of all contacts: 3 numbers (MPa) for each of `nodes`, displacement coefficients
+  /// that appear once. With GreensColumns they give the field.
   void tractions(std::vector<int>& nodes, std::vector<Eigen::Vector3d>& values) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "bem/boundary_conditions.h"
@@ -9,87 +9,79 @@
 namespace palpa::bem {
 
 /// What contacts need to know of a body's surface, made once per model so that masks can be made a
-/// thousand times a second: neighbours, the search tree, the recovery weights. Immutable; const use
-/// from several threads is safe, each with a Workspace of its own. Mesh, slots and degrees of
-/// freedom must outlive it.
-///
-/// Costs about 20 µs per triangle to make, 600 bytes per triangle to keep.
+/// thousand times a second. Two kinds: TriangleContactSurface and SplineContactSurface. Places are
+/// named by points of a triangle mesh; masks and fields are in the displacement coefficients of the
+/// problem, which are nodes of that mesh or control points of splines. Immutable; const use from
+/// several threads is safe, each with a Workspace of its own. What it was made of must outlive it.
 class ContactSurface {
  public:
-  ContactSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
-                 const DegreesOfFreedom& dofs);
+  virtual ~ContactSurface() = default;
+  ContactSurface(const ContactSurface&) = delete;
+  ContactSurface& operator=(const ContactSurface&) = delete;
 
   const BoundaryMesh& mesh() const { return mesh_; }
-  const TractionSlots& slots() const { return slots_; }
-  const DegreesOfFreedom& dofs() const { return dofs_; }
+  /// Of the mesh.
+  const TractionSlots& meshSlots() const { return meshSlots_; }
   const TriangleTree& tree() const { return tree_; }
 
-  /// Outward unit normal interpolated from the corners' slots: continuous along smooth faces.
-  Eigen::Vector3d normal(const SurfacePoint& point) const;
+  /// Of the problem: the traction coefficients of each displacement coefficient.
+  const TractionSlots& slots() const { return slots_; }
+  const DegreesOfFreedom& dofs() const { return dofs_; }
+  /// Where each displacement coefficient weighs most, mm.
+  virtual const std::vector<Eigen::Vector3d>& places() const = 0;
+  /// The displacement coefficient that weighs most at a node of the mesh; -1 where a support holds
+  /// it.
+  virtual int coefficientAt(int meshNode) const = 0;
 
-  /// Where the body's true surface is at a point of a triangle: its edges become cubics as in
-  /// DisplacementRecovery, so that smooth faces lie third instead of second order near it.
-  Eigen::Vector3d smoothPosition(const SurfacePoint& point) const;
+  /// A point of the surface by its name in the mesh.
+  virtual SurfacePoint at(int triangle, const Eigen::Vector3d& weights) const = 0;
+  /// The point of the surface nearest to `x`.
+  virtual SurfacePoint nearest(const Eigen::Vector3d& x) const = 0;
+  /// The surface point below a tool: where the line along the surface's normal goes through `tool`.
+  /// Newton's method from `start`, a point near it such as the nearest one of the mesh; that
+  /// point's surface only, so that at a sharp edge the foot stays where the face ends.
+  virtual SurfacePoint foot(const Eigen::Vector3d& tool, const SurfacePoint& start) const = 0;
 
-  /// The narrowest mask the mesh can carry at a point, mm: kNarrowest times the longest edges
-  /// there, at which half the bump's height is as wide as that of a nodal basis function;
-  /// continuous along the surface.
-  static constexpr double kNarrowest = 1.25;
-  double narrowestMask(const SurfacePoint& point) const;
+  /// Outward unit normal, continuous along smooth faces.
+  virtual Eigen::Vector3d normal(const SurfacePoint& point) const = 0;
+  /// Where the body's true surface is at a point, mm.
+  virtual Eigen::Vector3d smoothPosition(const SurfacePoint& point) const = 0;
 
-  struct Weight {
-    int node;
-    double weight;
-  };
-  /// DisplacementRecovery::bulge() of the edge from a corner of a triangle to the next.
-  std::span<const Weight> bulge(int triangle, int corner) const {
-    const int edge = 3 * triangle + corner;
-    return std::span(bulges_).subspan(
-        static_cast<std::size_t>(firstBulge_[edge]),
-        static_cast<std::size_t>(firstBulge_[edge + 1] - firstBulge_[edge]));
-  }
+  /// The narrowest mask that the coefficients can carry at a point, mm; continuous along the
+  /// surface.
+  virtual double narrowestMask(const SurfacePoint& point) const = 0;
+  /// How close masks beside each other may be placed there, mm: as the coefficients.
+  virtual double maskSpacing(const SurfacePoint& point) const = 0;
 
   /// Memory that making masks needs; reused, so that nothing is allocated after the first few.
   class Workspace {
    public:
-    explicit Workspace(const ContactSurface& surface);
+    virtual ~Workspace() = default;
 
-   private:
-    friend class ContactSurface;
-    std::vector<unsigned> triangleStamp_, aroundStamp_, nodeStamp_, measureStamp_;
-    unsigned stamp_ = 0;
-    std::vector<int> touched_, around_, nodeIndex_, measureIndex_;
-    std::vector<double> coefficients_;  // of the measure
-    Eigen::Index count_ = 0;            // nodes of the mask
-    // One number per node of the mask; longer than needed, so that they seldom grow.
-    Eigen::VectorXd right_, residual_, search_, image_, diagonal_, fade_;
+   protected:
+    Workspace() = default;
   };
+  virtual std::unique_ptr<Workspace> makeWorkspace() const = 0;
 
-  /// As makeContactMask(), into `mask`. False, with an empty mask, when supports hold all of the
-  /// touched place. Cost: about 1 µs per node of the mask and some tens of µs.
-  bool makeMask(const SurfacePoint& point, double radius, Workspace& workspace,
-                ContactMask& mask) const;
+  /// As makeContactMask(), into `mask`, with a workspace of this surface. False, with an empty
+  /// mask, when supports hold all of the touched place.
+  virtual bool makeMask(const SurfacePoint& point, double radius, Workspace& workspace,
+                        ContactMask& mask) const = 0;
+
+  /// Strain energy 1/2 ∫ p.u dΓ, mJ, of a field in coefficients.
+  virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const = 0;
+
+ protected:
+  ContactSurface(const BoundaryMesh& mesh, const TractionSlots& meshSlots,
+                 const TractionSlots& slots, const DegreesOfFreedom& dofs)
+      : mesh_(mesh), meshSlots_(meshSlots), slots_(slots), dofs_(dofs), tree_(mesh) {}
 
  private:
-  struct Triangle {
-    double area;
-    double longestEdge;
-  };
-  void collectTriangles(const SurfacePoint& point, double radius, Workspace& work) const;
-  void collectNodes(Workspace& work, std::vector<int>& nodes) const;
-  double integrateBump(const SurfacePoint& point, double radius, Workspace& work) const;
-  void project(Workspace& work, std::vector<double>& coefficients) const;
-  void measure(Workspace& work, ContactMask& mask) const;
-
   const BoundaryMesh& mesh_;
+  const TractionSlots& meshSlots_;
   const TractionSlots& slots_;
   const DegreesOfFreedom& dofs_;
   TriangleTree tree_;
-  std::vector<Triangle> triangles_;
-  std::vector<int> firstOfNode_, ofNode_;  // triangles around each node
-  std::vector<double> longestAt_;          // per node: longest edge of these
-  std::vector<int> firstBulge_;            // per triangle and corner, into bulges_
-  std::vector<Weight> bulges_;
 };
 
 }  // namespace palpa::bem

@@ -113,18 +113,10 @@ class DenseReferenceProblem final : public ReferenceProblem {
     BoundaryField field = known;
     double previous = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
-      // Each column is scaled to 1 so that single precision neither overflows nor loses small
-      // states.
-      MatrixXd r = residual(field, job);
-      const Eigen::RowVectorXd scale =
-          r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
-      Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
-          (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
-      factors_.solveInPlace(step);
-      const MatrixXd correction = step.template cast<double>() * scale.asDiagonal();
-      const double change = correction.norm();
+      const MatrixXd step = correction(residual(field, job));
+      const double change = step.norm();
       if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
-      v += correction;
+      v += step;
       previous = change;
       if (change <= kConverged * v.norm() || round + 1 == rounds) break;
       field = dofs().expand(v, MatrixXd());
@@ -132,6 +124,16 @@ class DenseReferenceProblem final : public ReferenceProblem {
       field.p += known.p;
     }
     return v;
+  }
+
+  MatrixXd correction(const MatrixXd& r) const override {
+    // Each column is scaled to 1 so that single precision neither overflows nor loses small states.
+    const Eigen::RowVectorXd scale =
+        r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
+    Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
+        (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
+    factors_.solveInPlace(step);
+    return step.template cast<double>() * scale.asDiagonal();
   }
 
   double relativeResidual(const BoundaryField& field) const override {
@@ -171,17 +173,19 @@ class DenseReferenceProblem final : public ReferenceProblem {
   LuFactorisation<Factor> factors_;
 };
 
-template <class Stored, class Factor, class Assemble>
-std::unique_ptr<ReferenceProblem> make(DegreesOfFreedom dofs, const Assemble& assembleOperators,
-                                       const Job& job, ReferenceProblemTimes* times) {
-  const auto start = std::chrono::steady_clock::now();
-  BoundaryOperators<Stored> operators = assembleOperators(Stored{});
-  if (times) times->assemble = secondsSince(start);
-  const auto assembled = std::chrono::steady_clock::now();
-  auto problem = std::make_unique<DenseReferenceProblem<Stored, Factor>>(std::move(dofs),
-                                                                         std::move(operators), job);
-  if (times) times->factorise = secondsSince(assembled);
-  return problem;
+/// Calls make(Stored{}, Factor{}) for the scalars of a precision.
+template <class Make>
+std::unique_ptr<ReferenceProblem> inPrecision(Precision precision, const DegreesOfFreedom& dofs,
+                                              const Job& job, const Make& make) {
+  setBlasThreads(workerCount(job));
+  switch (choosePrecision(precision, dofs.nodeCount())) {
+    case Precision::kMixed:
+      return make(double{}, float{});
+    case Precision::kSingle:
+      return make(float{}, float{});
+    default:
+      return make(double{}, double{});
+  }
 }
 
 /// `assembleOperators(Scalar{})` yields the operators in the precision of a Scalar.
@@ -189,15 +193,44 @@ template <class Assemble>
 std::unique_ptr<ReferenceProblem> make(Precision precision, DegreesOfFreedom dofs,
                                        const Assemble& assembleOperators, const Job& job,
                                        ReferenceProblemTimes* times) {
-  setBlasThreads(workerCount(job));
-  switch (choosePrecision(precision, dofs.nodeCount())) {
-    case Precision::kMixed:
-      return make<double, float>(std::move(dofs), assembleOperators, job, times);
-    case Precision::kSingle:
-      return make<float, float>(std::move(dofs), assembleOperators, job, times);
-    default:
-      return make<double, double>(std::move(dofs), assembleOperators, job, times);
-  }
+  return inPrecision(precision, dofs, job, [&](auto stored, auto factor) {
+    const auto start = std::chrono::steady_clock::now();
+    auto operators = assembleOperators(stored);
+    if (times) times->assemble = secondsSince(start);
+    const auto assembled = std::chrono::steady_clock::now();
+    auto problem = std::make_unique<DenseReferenceProblem<decltype(stored), decltype(factor)>>(
+        std::move(dofs), std::move(operators), job);
+    if (times) times->factorise = secondsSince(assembled);
+    return problem;
+  });
+}
+
+std::unique_ptr<ReferenceProblem> read(Precision precision, DegreesOfFreedom dofs, const Job& job,
+                                       const ByteSource& source) {
+  return inPrecision(precision, dofs, job, [&](auto stored, auto factor) {
+    return std::make_unique<DenseReferenceProblem<decltype(stored), decltype(factor)>>(
+        std::move(dofs), source);
+  });
+}
+
+DegreesOfFreedom solvableDofs(const BoundaryMesh& mesh, const TractionSlots& slots,
+                              const std::vector<SlotCondition>& conditions,
+                              const Material& material) {
+  material.validate();
+  DegreesOfFreedom dofs(mesh, slots, conditions, material);
+  checkSolvable(mesh, conditions, dofs, material);
+  return dofs;
+}
+
+DegreesOfFreedom solvableDofs(const SplineSurface& surface, const SplineTractions& tractions,
+                              const std::vector<SlotCondition>& conditions,
+                              const Material& material) {
+  material.validate();
+  const double size = surface.boundingSize();
+  DegreesOfFreedom dofs(tractions.slots, conditions, material, size);
+  checkSolvable(surface.controlPoints(), size, surface.closedSurfaceCount(), conditions, dofs,
+                material);
+  return dofs;
 }
 
 }  // namespace
@@ -207,9 +240,7 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const std::vector<SlotCondition>& conditions, const Material& material,
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times) {
-  material.validate();
-  DegreesOfFreedom dofs(mesh, slots, conditions, material);
-  checkSolvable(mesh, conditions, dofs, material);
+  DegreesOfFreedom dofs = solvableDofs(mesh, slots, conditions, material);
   const auto points = dofs.collocationPoints(mesh, slots);
   return make(
       precision, std::move(dofs),
@@ -224,11 +255,7 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const std::vector<SlotCondition>& conditions, const Material& material,
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times) {
-  material.validate();
-  const double size = surface.boundingSize();
-  DegreesOfFreedom dofs(tractions.slots, conditions, material, size);
-  checkSolvable(surface.controlPoints(), size, surface.closedSurfaceCount(), conditions, dofs,
-                material);
+  DegreesOfFreedom dofs = solvableDofs(surface, tractions, conditions, material);
   auto points = grevilleCollocation(surface);
   for (const int slot : dofs.extraSlots())
     points.push_back(shiftedCollocation(surface, tractions, slot));
@@ -244,18 +271,14 @@ std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const BoundaryMesh& mesh, const TractionSlots& slots,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
     const Job& job, const ByteSource& source) {
-  material.validate();
-  DegreesOfFreedom dofs(mesh, slots, conditions, material);
-  checkSolvable(mesh, conditions, dofs, material);
-  setBlasThreads(workerCount(job));
-  switch (choosePrecision(precision, mesh.nodeCount())) {
-    case Precision::kMixed:
-      return std::make_unique<DenseReferenceProblem<double, float>>(std::move(dofs), source);
-    case Precision::kSingle:
-      return std::make_unique<DenseReferenceProblem<float, float>>(std::move(dofs), source);
-    default:
-      return std::make_unique<DenseReferenceProblem<double, double>>(std::move(dofs), source);
-  }
+  return read(precision, solvableDofs(mesh, slots, conditions, material), job, source);
+}
+
+std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
+    const SplineSurface& surface, const SplineTractions& tractions,
+    const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
+    const Job& job, const ByteSource& source) {
+  return read(precision, solvableDofs(surface, tractions, conditions, material), job, source);
 }
 
 }  // namespace palpa::bem

@@ -35,6 +35,10 @@ class Discretisation {
   virtual const TractionSlots& slots() const = 0;
   /// Where each displacement coefficient weighs most, mm.
   virtual const std::vector<Eigen::Vector3d>& places() const = 0;
+  /// Weights of the displacement coefficients at places: one row each.
+  using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  /// Those of the displacements at places(): the identity for triangles.
+  virtual Weights placeWeights() const = 0;
   /// Elements that coefficients are integrated over: triangles, or elements of splines.
   virtual int elementCount() const = 0;
 
@@ -58,15 +62,15 @@ class Discretisation {
 
   /// Values at the nodes and slots of the mesh of a field in coefficients.
   virtual BoundaryField valuesOnMesh(const BoundaryField& field) const = 0;
-  /// Weights of the displacement coefficients at places: one row each.
-  using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  /// Weights of the displacement coefficients at any places.
   virtual Weights displacementWeights(std::span<const SurfacePoint> places) const = 0;
 
+  /// ∫ of the function of a displacement coefficient, mm^2: the force per unit of its traction.
+  virtual double area(int coefficient) const = 0;
   /// Of the traction coefficients `p` over some elements, on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
-  /// Strain energy 1/2 ∫ p.u dΓ, mJ. With a ContactSurface of this discretisation faster.
-  virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                              const ContactSurface* surface = nullptr) const = 0;
+  /// Strain energy 1/2 ∫ p.u dΓ, mJ. ContactSurface has it, too, for triangles twenty times as fast.
+  virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const = 0;
   /// Cauchy stress at the slots of the mesh, MPa.
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& p,
@@ -74,7 +78,7 @@ class Discretisation {
   /// Σ N_j u_j at a place, mm.
   virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
                                       const Eigen::VectorXd& u) const = 0;
-  /// As accurately as it is known, mm: with triangles one more iterate.
+  /// As accurately as it is known, mm: one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                          const Eigen::VectorXd& p,
                                          const Material& material) const = 0;
@@ -85,6 +89,13 @@ class Discretisation {
   virtual Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
                                              const Eigen::VectorXd& p,
                                              const Material& material) const = 0;
+  /// Estimated error of a field that solves a problem of this discretisation, exact less computed,
+  /// as far as functions can carry it: the unknowns that the residual between the collocation
+  /// points calls for. With displacementDefect(), which tells what varies within elements, an
+  /// estimate of the whole error, also of the soft modes of slender bodies (bending), which leave
+  /// almost no residual. A column per state. Zero for triangles. Throws Cancelled.
+  virtual BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
+                                       const Material& material, const Job& job) const = 0;
   /// Empty for a point outside of the body.
   virtual std::optional<InteriorState> interiorState(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& p,

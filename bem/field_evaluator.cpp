@@ -18,11 +18,11 @@ FieldEvaluator::FieldEvaluator(const ContactSurface& surface, const GreensColumn
     : surface_(surface),
       columns_(columns),
       base_(base),
-      workspace_(surface),
+      workspace_(surface.makeWorkspace()),
       unknowns_(columns.rows()),
-      traction_(surface.mesh().nodes.size(), Vector3d::Zero()),
-      direct_(surface.mesh().nodes.size(), Vector3d::Zero()),
-      isLoaded_(surface.mesh().nodes.size(), 0) {
+      traction_(surface.dofs().nodeCount(), Vector3d::Zero()),
+      direct_(surface.dofs().nodeCount(), Vector3d::Zero()),
+      isLoaded_(surface.dofs().nodeCount(), 0) {
   const DegreesOfFreedom& dofs = surface.dofs();
   for (int dof = 0; dof < dofs.count(); ++dof) {
     if (dof < dofs.nodalCount() && !dofs.isConstrained(dof)) continue;
@@ -77,7 +77,7 @@ FieldEvaluator::Kept* FieldEvaluator::find(const PatchForce& patch) {
 void FieldEvaluator::addMask(const PatchForce& patch) {
   Kept kept;
   kept.asked = patch.radius;
-  if (!surface_.makeMask(patch.point, patch.radius, workspace_, kept.mask) ||
+  if (!surface_.makeMask(patch.point, patch.radius, *workspace_, kept.mask) ||
       !columns_.hasAll(kept.mask.nodes))
     return;
   addTraction(kept.mask, patch.force);

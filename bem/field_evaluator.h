@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -44,12 +45,12 @@ class FieldEvaluator {
   const ContactSurface& surface_;
   const GreensColumns& columns_;
   const BoundaryField& base_;
-  ContactSurface::Workspace workspace_;
+  std::unique_ptr<ContactSurface::Workspace> workspace_;
   std::vector<Kept> kept_;
 
   // Of one evaluation.
   Eigen::VectorXf unknowns_;
-  std::vector<Eigen::Vector3d> traction_;  // per node, MPa, of all contacts
+  std::vector<Eigen::Vector3d> traction_;  // per coefficient, MPa, of all contacts
   std::vector<int> loaded_;                // nodes whose traction_ is not zero
   std::vector<Eigen::Vector3d> direct_;    // per node: that of masks that are not kept
   std::vector<unsigned char> isLoaded_;    // per node

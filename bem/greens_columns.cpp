@@ -58,11 +58,11 @@ void GreensColumns::compute(std::span<const int> nodes, const Job& job,
   }
 }
 
-std::vector<int> GreensColumns::nodesNear(const BoundaryMesh& mesh,
+std::vector<int> GreensColumns::nodesNear(const std::vector<Eigen::Vector3d>& places,
                                           const Eigen::Vector3d& point) const {
   std::vector<int> order = nodes_;
   std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return (mesh.nodes[a] - point).squaredNorm() < (mesh.nodes[b] - point).squaredNorm();
+    return (places[a] - point).squaredNorm() < (places[b] - point).squaredNorm();
   });
   return order;
 }

@@ -9,10 +9,10 @@
 
 namespace palpa::bem {
 
-/// The columns of Xi that belong to free nodes, filled in while they are already used: one writer
-/// at a time computes blocks of columns, any number of readers use those that are there. In single
-/// precision (unrefined: about 1e-5 relative). Memory: 12 n rows() bytes, n the free nodes,
-/// reserved at once but taken from the system only as columns come.
+/// The columns of Xi that belong to free nodes (displacement coefficients), filled in while they
+/// are already used: one writer at a time computes blocks of columns, any number of readers use
+/// those that are there. In single precision (unrefined: about 1e-5 relative). Memory: 12 n rows()
+/// bytes, n the free nodes, reserved at once but taken from the system only as columns come.
 class GreensColumns {
  public:
   /// Throws SolverError (kTooLarge) when the memory cannot be reserved.
@@ -46,8 +46,9 @@ class GreensColumns {
                ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFast);
 
   /// The free nodes in the order in which they had best be computed when the hand is at a point:
-  /// nearest first.
-  std::vector<int> nodesNear(const BoundaryMesh& mesh, const Eigen::Vector3d& point) const;
+  /// nearest first. `places`: of all nodes (ContactSurface::places()).
+  std::vector<int> nodesNear(const std::vector<Eigen::Vector3d>& places,
+                             const Eigen::Vector3d& point) const;
 
   std::size_t bytes() const { return columns_.bytes(); }
   /// Of one block.

@@ -27,6 +27,10 @@ class ReferenceProblem {
   virtual Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
                                 const Job& job = {}) const = 0;
 
+  /// The unknowns that take away a residual G p - H u: A0 v = residual, whose rows are those of the
+  /// operators, with the factorisation as it is.
+  virtual Eigen::MatrixXd correction(const Eigen::MatrixXd& residual) const = 0;
+
   /// The whole field: known plus unknown part.
   BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,
                            const Job& job = {}) const;
@@ -88,10 +92,14 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times = nullptr);
 
-/// What write() wrote of a problem made from the same mesh, slots, conditions, material and
-/// precision: the caller vouches for that. Throws what the source throws, std::bad_alloc.
+/// What write() wrote of a problem made from the same geometry, slots, conditions, material
+/// and precision: the caller vouches for that. Throws what the source throws, std::bad_alloc.
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
+    const Job& job, const ByteSource& source);
+std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
+    const SplineSurface& surface, const SplineTractions& tractions,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
     const Job& job, const ByteSource& source);
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/contact_surface.h"
 #include "bem/displacement_recovery.h"
 #include "bem/flat_triangle_integrals.h"
 #include "bem/kelvin.h"
+#include "bem/triangle_contact_surface.h"
 
 namespace palpa::bem {
 namespace {
@@ -170,22 +170,19 @@ double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const 
   });
 }
 
-double strainEnergy(const ContactSurface& surface, const Eigen::VectorXd& u,
-                    const Eigen::VectorXd& p) {
-  return energyOf(surface.mesh(), surface.slots(), u, p,
-                  [&](int t, int a, const Vector3d& traction) {
-                    double sum = 0;
-                    for (const auto& [node, weight] : surface.bulge(t, a))
-                      sum += weight * u.segment<3>(3 * node).dot(traction);
-                    return sum;
-                  });
+double TriangleContactSurface::strainEnergy(const Eigen::VectorXd& u,
+                                            const Eigen::VectorXd& p) const {
+  return energyOf(mesh(), slots(), u, p, [&](int t, int a, const Vector3d& traction) {
+    double sum = 0;
+    for (const auto& [node, weight] : bulge(t, a))
+      sum += weight * u.segment<3>(3 * node).dot(traction);
+    return sum;
+  });
 }
 
 std::vector<Matrix3d> surfaceStress(const BoundaryMesh& mesh, const TractionSlots& slots,
                                     const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                     const Material& material) {
-  const double nu = material.poissonRatio, shear = material.shear();
-  const double coupling = nu / (1 - nu);
   std::vector<Matrix3d> stress(slots.slots.size(), Matrix3d::Zero());
   std::vector<double> weight(slots.slots.size(), 0.0);
   for (int t = 0; t < mesh.triangleCount(); ++t) {
@@ -197,23 +194,29 @@ std::vector<Matrix3d> surfaceStress(const BoundaryMesh& mesh, const TractionSlot
     for (int a = 0; a < 3; ++a)
       gradient +=
           displacements.col(a) * Eigen::RowVector2d(flat.gradient[a][0], flat.gradient[a][1]);
-    const Eigen::Matrix2d tangential = frame.leftCols<2>().transpose() * gradient;
-    const Eigen::Matrix2d strain = (tangential + tangential.transpose()) / 2;
     for (int a = 0; a < 3; ++a) {
       const int slot = slots.ofCorner[t][a];
-      const Vector3d traction = frame.transpose() * p.segment<3>(3 * slot);
-      Matrix3d local;
-      local.topLeftCorner<2, 2>() =
-          2 * shear * (strain + coupling * strain.trace() * Eigen::Matrix2d::Identity()) +
-          coupling * traction[2] * Eigen::Matrix2d::Identity();
-      local.col(2) = traction;
-      local.row(2) = traction.transpose();
-      stress[slot] += flat.area * (frame * local * frame.transpose());
+      stress[slot] += flat.area * surfaceStress(frame, gradient, p.segment<3>(3 * slot), material);
       weight[slot] += flat.area;
     }
   }
   for (std::size_t s = 0; s < stress.size(); ++s) stress[s] /= weight[s];
   return stress;
+}
+
+Matrix3d surfaceStress(const Matrix3d& frame, const Eigen::Matrix<double, 3, 2>& slopes,
+                       const Vector3d& traction, const Material& material) {
+  const double nu = material.poissonRatio, coupling = nu / (1 - nu);
+  const Eigen::Matrix2d tangential = frame.leftCols<2>().transpose() * slopes;
+  const Eigen::Matrix2d strain = (tangential + tangential.transpose()) / 2;
+  const Vector3d inFrame = frame.transpose() * traction;
+  Matrix3d local;
+  local.topLeftCorner<2, 2>() =
+      2 * material.shear() * (strain + coupling * strain.trace() * Eigen::Matrix2d::Identity()) +
+      coupling * inFrame[2] * Eigen::Matrix2d::Identity();
+  local.col(2) = inFrame;
+  local.row(2) = inFrame.transpose();
+  return frame * local * frame.transpose();
 }
 
 double vonMises(const Matrix3d& stress) {

@@ -42,18 +42,18 @@ Matrix3d complianceOf(const ContactMask& mask, const GreensColumns& columns,
 StiffnessMap::StiffnessMap(const ContactSurface& surface, double radius)
     : surface_(surface),
       radius_(radius),
-      compliances_(static_cast<std::size_t>(surface.slots().count()), 0.0) {
+      compliances_(static_cast<std::size_t>(surface.meshSlots().count()), 0.0) {
   const BoundaryMesh& mesh = surface.mesh();
   std::vector<bool> isListed(mesh.nodes.size(), false);
   for (int t = 0; t < mesh.triangleCount(); ++t)
     for (int corner = 0; corner < 3; ++corner) {
       const int node = mesh.triangles[t][corner];
-      if (isListed[node] || !surface.dofs().isFree(node)) continue;
+      const int coefficient = surface.coefficientAt(node);
+      if (isListed[node] || coefficient < 0) continue;
       isListed[node] = true;
-      nodes_.push_back({t, Vector3d::Unit(corner), mesh.nodes[node], 0.0});
-      nodeAt_.push_back(node);
-      for (int slot = surface.slots().firstOfNode[node];
-           slot < surface.slots().firstOfNode[node + 1]; ++slot)
+      nodes_.push_back({surface.at(t, Vector3d::Unit(corner)), node, coefficient});
+      for (int slot = surface.meshSlots().firstOfNode[node];
+           slot < surface.meshSlots().firstOfNode[node + 1]; ++slot)
         compliances_[slot] = std::numeric_limits<double>::quiet_NaN();
     }
   isReady_.assign(nodes_.size(), 0);
@@ -62,25 +62,25 @@ StiffnessMap::StiffnessMap(const ContactSurface& surface, double radius)
 int StiffnessMap::update(const GreensColumns& columns, const Job& job) {
   std::vector<std::size_t> wanted;
   for (std::size_t k = 0; k < nodes_.size(); ++k)
-    if (isReady_[k] == 0 && columns.has(nodeAt_[k])) wanted.push_back(k);
+    if (isReady_[k] == 0 && columns.has(nodes_[k].coefficient)) wanted.push_back(k);
   // A copy: what was cancelled leaves no trace.
   std::vector<double> compliances = compliances_;
   std::vector<char> isReady = isReady_;
   const auto count = static_cast<std::ptrdiff_t>(wanted.size());
   parallelFor((count + kPiece - 1) / kPiece, job, "stiffness", [&](std::ptrdiff_t piece) {
-    ContactSurface::Workspace workspace(surface_);
+    const auto workspace = surface_.makeWorkspace();
     ContactMask mask;
     for (std::ptrdiff_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) {
       job.throwIfCancelled();
       const std::size_t k = wanted[static_cast<std::size_t>(i)];
-      const bool isPlaced = surface_.makeMask(nodes_[k], radius_, workspace, mask);
+      const bool isPlaced = surface_.makeMask(nodes_[k].point, radius_, *workspace, mask);
       if (isPlaced && !columns.hasAll(mask.nodes)) continue;
       const Matrix3d compliance =
           isPlaced ? complianceOf(mask, columns, surface_.dofs()) : Matrix3d(Matrix3d::Zero());
-      const int node = nodeAt_[k];
-      for (int slot = surface_.slots().firstOfNode[node];
-           slot < surface_.slots().firstOfNode[node + 1]; ++slot) {
-        const Vector3d& normal = surface_.slots().slots[slot].normal;
+      const int node = nodes_[k].node;
+      for (int slot = surface_.meshSlots().firstOfNode[node];
+           slot < surface_.meshSlots().firstOfNode[node + 1]; ++slot) {
+        const Vector3d& normal = surface_.meshSlots().slots[slot].normal;
         // Positive for the exact problem; beside a support a coarse mesh may miss that.
         compliances[slot] = std::max(0.0, normal.dot(compliance * normal));
       }

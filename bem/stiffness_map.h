@@ -6,10 +6,10 @@
 
 namespace palpa::bem {
 
-/// How stiff the surface is under a fingertip: at each node, the force along the normal (N) that a
-/// contact with a mask of one radius needs per mm that it moves along the normal, while it is free
-/// to move sideways. With C = Ψ^T Xi Φ the compliance of the mask at the node (mm/N, 3 x 3, the
-/// same mask and columns as a grab) and n the outward normal:
+/// How stiff the surface is under a fingertip: at each node of the mesh, the force along the normal
+/// (N) that a contact with a mask of one radius needs per mm that it moves along the normal, while
+/// it is free to move sideways. With C = Ψ^T Xi Φ the compliance of the mask at the node (mm/N, 3 x
+/// 3, the same mask and columns as a grab) and n the outward normal:
 ///   stiffness = 1 / (n · C n).
 /// A property of the body and its supports alone: loads and other touches do not change it, as the
 /// body is linear. At sharp edges each side has a value, of its own normal.
@@ -33,15 +33,19 @@ class StiffnessMap {
   int nodeCount() const { return static_cast<int>(nodes_.size()); }
   bool isComplete() const { return readyCount_ == nodeCount(); }
 
-  /// n · C n by traction slot, mm/N: the inverse of the stiffness, so that it can be interpolated
-  /// up to supports. 0 where a support holds the node, NaN where it is not known yet.
+  /// n · C n by slot of the mesh, mm/N: the inverse of the stiffness, so that it can be
+  /// interpolated up to supports. 0 where a support holds the node, NaN where it is not known yet.
   const std::vector<double>& compliances() const { return compliances_; }
 
  private:
   const ContactSurface& surface_;
   double radius_;
-  std::vector<SurfacePoint> nodes_;  // the free ones
-  std::vector<int> nodeAt_;          // of each of these
+  struct Node {
+    SurfacePoint point;
+    int node;         // of the mesh
+    int coefficient;  // ContactSurface::coefficientAt() it
+  };
+  std::vector<Node> nodes_;  // the free ones
   std::vector<char> isReady_;
   int readyCount_ = 0;
   std::vector<double> compliances_;

@@ -1,11 +1,17 @@
 #include "bem/triangle_discretisation.h"
 
-#include "bem/contact_surface.h"
+#include "bem/triangle_contact_surface.h"
 
 namespace palpa::bem {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+Discretisation::Weights TriangleDiscretisation::placeWeights() const {
+  Weights weights(displacementCount(), displacementCount());
+  weights.setIdentity();
+  return weights;
+}
 
 DegreesOfFreedom TriangleDiscretisation::degreesOfFreedom(
     const std::vector<SlotCondition>& conditions, const Material& material) const {
@@ -32,15 +38,10 @@ std::unique_ptr<ReferenceProblem> TriangleDiscretisation::readProblem(
 }
 
 void TriangleDiscretisation::write(const ByteSink& sink) const {
-  const auto writeList = [&](const auto& list) {
-    const std::size_t count = list.size();
-    sink(std::as_bytes(std::span(&count, 1)));
-    sink(std::as_bytes(std::span(list)));
-  };
-  writeList(mesh().nodes);
-  writeList(mesh().triangles);
-  writeList(mesh().smoothingGroups);
-  writeList(mesh().tags);
+  writeList(sink, mesh().nodes);
+  writeList(sink, mesh().triangles);
+  writeList(sink, mesh().smoothingGroups);
+  writeList(sink, mesh().tags);
 }
 
 Discretisation::Weights TriangleDiscretisation::displacementWeights(
@@ -60,9 +61,8 @@ Resultant TriangleDiscretisation::resultant(const VectorXd& p,
   return tractionResultant(mesh(), slots(), p, elements);
 }
 
-double TriangleDiscretisation::strainEnergy(const VectorXd& u, const VectorXd& p,
-                                            const ContactSurface* surface) const {
-  return surface ? bem::strainEnergy(*surface, u, p) : bem::strainEnergy(mesh(), slots(), u, p);
+double TriangleDiscretisation::strainEnergy(const VectorXd& u, const VectorXd& p) const {
+  return bem::strainEnergy(mesh(), slots(), u, p);
 }
 
 std::vector<Eigen::Matrix3d> TriangleDiscretisation::surfaceStress(const VectorXd& u,
@@ -96,6 +96,13 @@ Vector3d TriangleDiscretisation::displacementDefect(const SurfacePoint& place, c
   return surfaceDisplacement(mesh(), slots(), u, p, material, place) - interpolate(place, u);
 }
 
+BoundaryField TriangleDiscretisation::estimatedError(const ReferenceProblem&,
+                                                     const BoundaryField& field, const Material&,
+                                                     const Job&) const {
+  return {Eigen::MatrixXd::Zero(field.u.rows(), field.u.cols()),
+          Eigen::MatrixXd::Zero(field.p.rows(), field.p.cols())};
+}
+
 std::optional<InteriorState> TriangleDiscretisation::interiorState(const VectorXd& u,
                                                                    const VectorXd& p,
                                                                    const Material& material,
@@ -105,7 +112,7 @@ std::optional<InteriorState> TriangleDiscretisation::interiorState(const VectorX
 
 std::unique_ptr<ContactSurface> TriangleDiscretisation::makeContactSurface(
     const DegreesOfFreedom& dofs) const {
-  return std::make_unique<ContactSurface>(mesh(), slots(), dofs);
+  return std::make_unique<TriangleContactSurface>(mesh(), slots(), dofs);
 }
 
 }  // namespace palpa::bem

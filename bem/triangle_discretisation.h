@@ -1,5 +1,6 @@
 #pragma once
 #include "bem/discretisation.h"
+#include "bem/nodal_switching.h"
 
 namespace palpa::bem {
 
@@ -11,6 +12,7 @@ class TriangleDiscretisation final : public Discretisation {
 
   const TractionSlots& slots() const override { return meshSlots(); }
   const std::vector<Eigen::Vector3d>& places() const override { return mesh().nodes; }
+  Weights placeWeights() const override;
   int elementCount() const override { return mesh().triangleCount(); }
 
   DegreesOfFreedom degreesOfFreedom(const std::vector<SlotCondition>& conditions,
@@ -30,9 +32,9 @@ class TriangleDiscretisation final : public Discretisation {
   BoundaryField valuesOnMesh(const BoundaryField& field) const override { return field; }
   Weights displacementWeights(std::span<const SurfacePoint> places) const override;
 
+  double area(int coefficient) const override { return nodalArea(mesh(), coefficient); }
   Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const override;
-  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                      const ContactSurface* surface = nullptr) const override;
+  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
   std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material) const override;
   Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;
@@ -42,6 +44,8 @@ class TriangleDiscretisation final : public Discretisation {
   Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
                                      const Eigen::VectorXd& p,
                                      const Material& material) const override;
+  BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
+                               const Material& material, const Job& job) const override;
   std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material,
                                              const Eigen::Vector3d& point) const override;

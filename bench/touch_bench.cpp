@@ -15,6 +15,7 @@
 #include "app/core/touch_field.h"
 #include "app/core/touch_player.h"
 #include "bem/contact_solver.h"
+#include "bem/triangle_contact_surface.h"
 #include "bench/latency_table.h"
 #include "bench/sphere.h"
 #include "bench/timing.h"
@@ -55,7 +56,7 @@ class Bench {
         project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
     const auto problem = std::make_shared<MadeUp>(bem::DegreesOfFreedom(
         setup.mesh(), setup.meshSlots(), setup.conditions.ofSlot, setup.material));
-    const bem::ContactSurface surface(setup.mesh(), setup.meshSlots(), problem->dofs());
+    const bem::TriangleContactSurface surface(setup.mesh(), setup.meshSlots(), problem->dofs());
     bem::GreensColumns columns(problem);
     const bem::BoundaryField base{Eigen::VectorXd::Zero(3 * setup.mesh().nodeCount()),
                                   Eigen::VectorXd::Zero(3 * setup.meshSlots().count())};

@@ -1,5 +1,6 @@
 #include "app/cli/project_input.h"
 
+#include "app/cli/errors.h"
 #include "app/cli/values.h"
 #include "modeling/project/project_file.h"
 
@@ -11,13 +12,48 @@ void ProjectInput::declare(CLI::App& options) {
       .add_option("--edge-length", edgeLength_,
                   "Target length of mesh edges in mm, instead of the project's")
       ->type_name("LENGTH");
+  options
+      .add_option("--engine", engine_,
+                  "What the body is computed with: spline (on its own patches), triangles, or "
+                  "automatic; instead of the project's")
+      ->type_name("ENGINE");
+  options
+      .add_option("--accuracy", accuracy_,
+                  "Relative error wished for with splines, 0.0001 to 0.1: how fine their elements "
+                  "are; instead of the project's")
+      ->type_name("NUMBER");
+  options
+      .add_option("--element-length", elementLength_,
+                  "Size of the spline elements in mm, instead of an accuracy")
+      ->type_name("LENGTH");
 }
+
+namespace {
+
+modeling::Engine parseEngine(const std::string& text) {
+  if (text == "spline" || text == "splines") return modeling::Engine::splines;
+  if (text == "triangles") return modeling::Engine::triangles;
+  if (text == "automatic") return modeling::Engine::automatic;
+  throw UsageError("--engine: expected spline, triangles or automatic, found '" + text + "'");
+}
+
+}  // namespace
 
 modeling::Project ProjectInput::read() const {
   modeling::Project project = modeling::readProject(file_);
   if (!edgeLength_.empty()) {
     project.mesh.edgeLength = parsePositive("--edge-length", edgeLength_);
   }
+  if (!accuracy_.empty() && !elementLength_.empty())
+    throw UsageError("give either --accuracy or --element-length");
+  if (!engine_.empty()) project.mesh.engine = parseEngine(engine_);
+  if (!accuracy_.empty()) {
+    project.mesh.accuracy = parsePositive("--accuracy", accuracy_);
+    project.mesh.elementLength.reset();
+  }
+  if (!elementLength_.empty())
+    project.mesh.elementLength = parsePositive("--element-length", elementLength_);
+  modeling::checkProject(project);
   return project;
 }
 

@@ -10,7 +10,7 @@ namespace palpa::cli {
 /// The project a command works on, and the options that change it for this run.
 class ProjectInput {
  public:
-  /// Adds FILE and --edge-length.
+  /// Adds FILE, --edge-length, and what chooses the engine and how fine its elements are.
   void declare(CLI::App& options);
 
   /// Reads the file and applies the options. Errors as readProject(), and UsageError.
@@ -23,7 +23,7 @@ class ProjectInput {
 
  private:
   std::string file_;
-  std::string edgeLength_;
+  std::string edgeLength_, engine_, accuracy_, elementLength_;
 };
 
 }  // namespace palpa::cli

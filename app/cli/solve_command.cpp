@@ -1,7 +1,9 @@
 #include "app/cli/commands.h"
+#include "app/cli/deformed_file.h"
 #include "app/cli/result_file.h"
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
+#include "app/core/error_estimate.h"
 
 namespace palpa::cli {
 namespace {
@@ -16,16 +18,20 @@ class SolveCommand : public Command {
     input_.declare(options);
     probes_.declare(options);
     options.add_option("-o,--output", output_, kResultFileHelp)->type_name("FILE");
+    deformed_.declare(options);
   }
 
   void run(const Context& context) override {
     probes_.validate();
     if (!output_.empty()) requireResultFileName(output_);
+    deformed_.validate();
     const modeling::Project project = input_.read();
     const auto model = buildModel(project, context);
-    const app::TouchState& state = model->rest();
+    app::TouchState state = model->rest();
+    state.errorEstimate = app::estimateError(*model, state, jobOf(context));
     const StateReport report{*model, state, probes_.read(*model, state)};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
+    deformed_.write(project, *model, state, context);
     context.print(report.json(), report.text());
   }
 
@@ -33,6 +39,7 @@ class SolveCommand : public Command {
   ProjectInput input_;
   ProbeInput probes_;
   std::string output_;
+  DeformedFile deformed_;
 };
 
 }  // namespace

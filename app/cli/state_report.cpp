@@ -68,6 +68,16 @@ std::string toText(const app::TouchState::Contact& contact) {
   return text;
 }
 
+std::string engineText(const app::TouchModel& model) {
+  const app::BuildReport& build = model.report();
+  const bem::Discretisation& on = *model.setup().discretisation;
+  if (!model.setup().splines)
+    return format("mesh       %d nodes, %d triangles, smallest angle %.1f°\n", build.nodes,
+                  build.triangles, build.quality.smallestAngle);
+  return format("splines    %d coefficients on %d elements; shown on %d nodes\n",
+                on.displacementCount(), on.elementCount(), build.nodes);
+}
+
 /// Largest displacement of a node and where it is.
 struct LargestDisplacement {
   double length = 0;  ///< mm
@@ -91,6 +101,10 @@ Json StateReport::json() const {
   const app::BuildReport& build = model.report();
   const LargestDisplacement largest = largestDisplacement(model, state);
   Json report{{"nodes", build.nodes}, {"triangles", build.triangles}};
+  report["engine"] = model.setup().splines ? "splines" : "triangles";
+  report["elements"] = model.setup().discretisation->elementCount();
+  report["coefficients"] = model.setup().discretisation->displacementCount();
+  report["error_estimate"] = state.errorEstimate ? Json(*state.errorEstimate) : Json();
   report["supports"] = Json::array();
   for (const auto& support : state.supports) {
     report["supports"].push_back(toJson(support.name, support.resultant));
@@ -135,8 +149,7 @@ Json StateReport::json() const {
 std::string StateReport::text() const {
   const app::BuildReport& build = model.report();
   const LargestDisplacement largest = largestDisplacement(model, state);
-  std::string text = format("mesh       %d nodes, %d triangles, smallest angle %.1f°\n",
-                            build.nodes, build.triangles, build.quality.smallestAngle);
+  std::string text = engineText(model);
   for (const auto& contact : state.contacts) {
     text += toText(contact);
   }
@@ -152,6 +165,9 @@ std::string StateReport::text() const {
   }
   text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);
+  if (state.errorEstimate)
+    text += format("accuracy   displacements and forces are good to about %.2g %% (estimated)\n",
+                   100 * *state.errorEstimate);
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";
   for (const app::Probe& probe : probes) {

@@ -3,11 +3,13 @@
 #include <sstream>
 
 #include "app/cli/commands.h"
+#include "app/cli/deformed_file.h"
 #include "app/cli/errors.h"
 #include "app/cli/replay_report.h"
 #include "app/cli/result_file.h"
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
+#include "app/core/error_estimate.h"
 #include "app/core/touch_replay.h"
 #include "app/core/touch_table.h"
 #include "modeling/error.h"
@@ -45,6 +47,7 @@ class TouchCommand : public Command {
                     std::string(kResultFileHelp) +
                         "; with --recording .json or .csv (the forces of every step)")
         ->type_name("FILE");
+    deformed_.declare(options);
   }
 
   void run(const Context& context) override {
@@ -55,6 +58,7 @@ class TouchCommand : public Command {
       return;
     }
     if (!output_.empty()) requireResultFileName(output_);
+    deformed_.validate();
     const modeling::Project project = input_.read();
     if (!touch_.isGiven() && project.touches.empty()) {
       throw modeling::ModelingError(input_.file() +
@@ -63,10 +67,12 @@ class TouchCommand : public Command {
     }
     const auto model = buildModel(project, context);
     const auto start = std::chrono::steady_clock::now();
-    const app::TouchState state = touch_.play(*model, project, context);
+    app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    state.errorEstimate = app::estimateError(*model, state, jobOf(context));
     const StateReport report{*model, state, probes_.read(*model, state), seconds.count()};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
+    deformed_.write(project, *model, state, context);
     context.print(report.json(), report.text());
   }
 
@@ -102,6 +108,7 @@ class TouchCommand : public Command {
   ProbeInput probes_;
   std::string recording_;
   std::string output_;
+  DeformedFile deformed_;
 };
 
 }  // namespace

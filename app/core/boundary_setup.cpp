@@ -1,11 +1,13 @@
 #include "app/core/boundary_setup.h"
 
-#include <cstdio>
-#include <limits>
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
-#include "bem/error.h"
+#include "app/core/region_conditions.h"
+#include "app/core/spline_setup.h"
+#include "bem/spline/spline_discretisation.h"
 #include "bem/triangle_discretisation.h"
 
 namespace palpa::app {
@@ -14,84 +16,28 @@ namespace {
 using Eigen::Vector3d;
 using modeling::Support;
 
-std::string formatPoint(const Vector3d& p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g) mm", p[0], p[1], p[2]);
-  return text;
-}
+/// Half the width of a thumb's contact under a firm press, mm.
+constexpr double kFingertipRadius = 6.0;
 
-[[noreturn]] void badCondition(const std::string& message) {
-  throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
-}
-
-/// Which support holds each triangle; -1 for none.
-std::vector<int> supportOfTriangle(const modeling::Project& project,
-                                   const modeling::SurfaceMesh& surface) {
-  std::vector<int> owner(surface.triangles.size(), -1);
-  for (std::size_t s = 0; s < project.supports.size(); ++s)
-    for (const int t : surface.trianglesOfRegion[s]) {
-      if (owner[t] >= 0) {
-        const auto& c = surface.triangles[t];
-        badCondition("supports \"" + project.supports[owner[t]].name + "\" and \"" +
-                     project.supports[s].name + "\" both hold the surface near " +
-                     formatPoint(surface.positions[c[0]]) +
-                     "; change their regions so that they do not overlap");
-      }
-      owner[t] = static_cast<int>(s);
-    }
-  return owner;
-}
-
-/// One tag per combination of support and load regions that occurs.
-std::vector<int> tagTriangles(const modeling::SurfaceMesh& surface) {
-  std::vector<std::vector<int>> regions(surface.triangles.size());
-  for (std::size_t r = 0; r < surface.trianglesOfRegion.size(); ++r)
-    for (const int t : surface.trianglesOfRegion[r]) regions[t].push_back(static_cast<int>(r));
-  std::map<std::vector<int>, int> tagOf{{{}, 0}};
-  std::vector<int> tags;
-  for (const auto& combination : regions)
-    tags.push_back(tagOf.try_emplace(combination, static_cast<int>(tagOf.size())).first->second);
-  return tags;
-}
-
-bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface) {
+bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags) {
   bem::BoundaryMesh mesh{surface.positions, surface.triangles, surface.smoothingGroupOfTriangle,
-                         tagTriangles(surface)};
+                         std::move(tags)};
   mesh.validate();
   return mesh;
 }
 
-/// The displacement that the supports meeting at a node prescribe: that of a fixed one, otherwise
-/// the shortest vector with all the rollers' normal components.
-class PrescribedDisplacement {
- public:
-  void addFixed(const Support& support, const Vector3d& position) {
-    if (fixed_ && (fixed_->displacement - support.displacement).norm() >
-                      1e-12 * (1 + support.displacement.norm()))
-      badCondition(
-          "supports \"" + fixed_->name + "\" and \"" + support.name + "\" meet at " +
-          formatPoint(position) +
-          " and prescribe different displacements there; separate them or make them agree");
-    fixed_ = &support;
-  }
-  void addRoller(const Support& support, const Vector3d& normal) {
-    rows_.emplace_back(normal, normal.dot(support.displacement));
-  }
-  Vector3d value() const {
-    if (fixed_) return fixed_->displacement;
-    Eigen::MatrixXd normals(rows_.size(), 3);
-    Eigen::VectorXd components(rows_.size());
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      normals.row(static_cast<Eigen::Index>(k)) = rows_[k].first.transpose();
-      components[static_cast<Eigen::Index>(k)] = rows_[k].second;
-    }
-    return normals.completeOrthogonalDecomposition().solve(components);
-  }
-
- private:
-  const Support* fixed_ = nullptr;
-  std::vector<std::pair<Vector3d, double>> rows_;
-};
+BoundarySetup emptySetup(const modeling::Project& project,
+                         std::shared_ptr<const bem::Discretisation> discretisation) {
+  bem::BoundaryConditions conditions(discretisation->displacementCount(),
+                                     discretisation->slots().count());
+  return {std::move(discretisation),
+          nullptr,
+          nullptr,
+          {project.material.youngsModulus, project.material.poissonRatio},
+          std::move(conditions),
+          {},
+          {}};
+}
 
 void applySupports(const modeling::Project& project, const std::vector<int>& owner,
                    BoundarySetup& setup) {
@@ -117,25 +63,12 @@ void applySupports(const modeling::Project& project, const std::vector<int>& own
 
 bem::SurfaceLoad surfaceLoad(const modeling::Load& load, std::vector<int> regionTriangles,
                              int triangleCount) {
-  constexpr double kSmooth = std::numeric_limits<double>::infinity();
-  if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what))
-    return {
-        std::move(regionTriangles),
-        [p = pressure->pressure](const Vector3d&, const Vector3d& n) { return Vector3d(-p * n); },
-        kSmooth};
-  if (const auto* uniform = std::get_if<modeling::UniformTraction>(&load.what))
-    return {std::move(regionTriangles),
-            [t = uniform->traction](const Vector3d&, const Vector3d&) { return t; }, kSmooth};
-  const auto bump = std::get<modeling::Bump>(load.what);
-  std::vector<int> all(triangleCount);
-  std::iota(all.begin(), all.end(), 0);
-  return {std::move(all),
-          [bump](const Vector3d& x, const Vector3d&) {
-            const double s = (x - bump.center).squaredNorm() / (bump.radius * bump.radius);
-            return s < 1 ? Vector3d(bump.direction * bump.peak * (1 - s) * (1 - s))
-                         : Vector3d(Vector3d::Zero());
-          },
-          bump.radius};
+  if (!modeling::regionOf(load)) {
+    regionTriangles.resize(triangleCount);
+    std::iota(regionTriangles.begin(), regionTriangles.end(), 0);
+  }
+  LoadTraction what = loadTraction(load);
+  return {std::move(regionTriangles), std::move(what.traction), what.featureLength};
 }
 
 /// Mean place of coefficients of traction, weighted by their size.
@@ -169,18 +102,55 @@ void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& s
   }
 }
 
+BoundarySetup splineSetup(const modeling::Project& project, const modeling::SurfaceMesh& surface,
+                          const AnalysisNet& net) {
+  SplineSetup parts = makeSplineSetup(project, surface, net);
+  auto splines = std::make_shared<const bem::SplineDiscretisation>(
+      boundaryMesh(surface, std::move(parts.tagOfTriangle)), std::move(parts.surface),
+      std::move(parts.triangles));
+  BoundarySetup setup = emptySetup(project, splines);
+  setup.splines = splines;
+  setup.analysisNet = std::make_shared<const modeling::Solid>(
+      refined(std::get<modeling::Solid>(project.body), net));
+  setup.conditions = std::move(parts.conditions);
+  for (std::size_t s = 0; s < project.supports.size(); ++s)
+    setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
+                              std::move(parts.supports[s].elements),
+                              project.supports[s].kind == Support::Kind::fixed});
+  for (SplineSetup::LoadPart& load : parts.loads) {
+    const Vector3d place = meanPlace(*splines, load.traction);
+    setup.loads.push_back({std::move(load.name), std::move(load.traction), load.resultant, place});
+  }
+  return setup;
+}
+
 }  // namespace
+
+bool usesSplines(const modeling::Project& project) {
+  return std::holds_alternative<modeling::Solid>(project.body) &&
+         project.mesh.engine != modeling::Engine::triangles;
+}
+
+double defaultTouchRadius(double bodySize) {
+  return std::min(kFingertipRadius, 0.2 * bodySize / std::sqrt(3.0));
+}
+
+double fingertipRadius(const modeling::Project& project) {
+  const auto [low, high] = modeling::boundingBox(project.body);
+  double radius = defaultTouchRadius((high - low).norm());
+  for (const modeling::Touch& touch : project.touches)
+    if (touch.radius && !std::holds_alternative<modeling::TouchProbe>(touch.action))
+      radius = std::min(radius, *touch.radius);
+  return radius;
+}
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
                                 const modeling::SurfaceMesh& surface) {
-  auto discretisation = std::make_shared<bem::TriangleDiscretisation>(boundaryMesh(surface));
-  bem::BoundaryConditions conditions(discretisation->displacementCount(),
-                                     discretisation->slots().count());
-  BoundarySetup setup{std::move(discretisation),
-                      {project.material.youngsModulus, project.material.poissonRatio},
-                      std::move(conditions),
-                      {},
-                      {}};
+  if (usesSplines(project))
+    return splineSetup(project, surface, analysisNet(project, fingertipRadius(project)));
+  BoundarySetup setup =
+      emptySetup(project, std::make_shared<bem::TriangleDiscretisation>(
+                              boundaryMesh(surface, RegionTags(surface).ofTriangle())));
   for (std::size_t s = 0; s < project.supports.size(); ++s)
     setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
                               surface.trianglesOfRegion[s],

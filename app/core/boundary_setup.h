@@ -8,11 +8,20 @@
 #include "bem/traction_projection.h"
 #include "modeling/project/project.h"
 
+namespace palpa::bem {
+class SplineDiscretisation;
+}
+
 namespace palpa::app {
 
 /// A project's surface, supports and loads in the terms of the boundary element method.
 struct BoundarySetup {
   std::shared_ptr<const bem::Discretisation> discretisation;
+  /// The same when it is one of splines, otherwise null.
+  std::shared_ptr<const bem::SplineDiscretisation> splines;
+  /// The solid whose control points the splines' coefficients belong to: the project's solid with
+  /// knots inserted. Null without splines.
+  std::shared_ptr<const modeling::Solid> analysisNet;
   bem::Material material;
   bem::BoundaryConditions conditions;  ///< of the coefficients
 
@@ -35,9 +44,20 @@ struct BoundarySetup {
   std::vector<LoadPart> loads;
 };
 
-/// Translates a meshed project (`surface` made with meshRegions(project)). Where supports and loads
-/// begin, the traction may jump. Throws SolverError (kBadCondition) when two supports claim the
-/// same place or prescribe different displacements where they meet.
+/// Radius of a touch that does not name one, mm: that of a fingertip, but at most a fifth of the
+/// body's size (the diagonal of its box, mm).
+double defaultTouchRadius(double bodySize);
+
+/// The narrowest touch that a project's model is to resolve, mm: of its touches and a fingertip.
+double fingertipRadius(const modeling::Project& project);
+
+/// Is the project's body computed with splines? So are all solids unless the project asks for
+/// triangles; mesh bodies have no patches.
+bool usesSplines(const modeling::Project& project);
+
+/// Translates a meshed project (`surface` made with meshRegions(project)) for its engine. Where
+/// supports and loads begin, the traction may jump. Throws SolverError (kBadCondition) when two
+/// supports claim the same place or prescribe different displacements where they meet.
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
                                 const modeling::SurfaceMesh& surface);
 

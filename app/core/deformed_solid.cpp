@@ -1,5 +1,6 @@
 #include "app/core/deformed_solid.h"
 
+#include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_gluing.h"
 #include "modeling/error.h"
 

@@ -5,8 +5,8 @@ namespace palpa::app {
 
 /// The displaced body as a solid of patches: the control points of the analysis net, moved by
 /// `scale` times the displacement coefficients of a field of the model. As exact as the field: no
-/// surface is fitted. Throws ModelingError when the model is one of triangles, or when the displaced
-/// surface does not bound a body (turned inside out by a large scale).
+/// surface is fitted. Throws ModelingError when the model is one of triangles, or when the
+/// displaced surface does not bound a body (turned inside out by a large scale).
 modeling::Solid deformedSolid(const TouchModel& model, const bem::BoundaryField& field,
                               double scale = 1);
 

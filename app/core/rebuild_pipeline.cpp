@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/core/error_estimate.h"
 #include "app/core/priority.h"
 #include "app/core/release.h"
 #include "bem/error.h"
@@ -178,6 +179,13 @@ void RebuildPipeline::estimate(const TouchModel& model, const bem::Job& job) {
     status_.condition = condition;
   }
   notify();
+  const double touchError = estimateTouchError(model, job);
+  {
+    const std::lock_guard lock(mutex_);
+    if (model_.get() != &model) return;
+    status_.touchError = touchError;
+  }
+  notify();
 }
 
 void RebuildPipeline::work(const std::stop_token& stop) {
@@ -273,6 +281,7 @@ void RebuildPipeline::finish(std::uint64_t revision, RebuildStatus::State state,
       status_.stages.back().fraction = 1;
       status_.progress = 1;
       status_.condition = 0;
+      status_.touchError = 0;
       estimateDue_ = true;
     }
   }

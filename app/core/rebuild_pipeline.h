@@ -44,6 +44,9 @@ struct RebuildStatus {
   /// Condition number of the equations of model(), estimated when nothing else is to be done; 0
   /// before.
   double condition = 0;
+  /// Estimated relative error of the force under a fingertip on model() (estimateTouchError()),
+  /// found like the condition number; 0 before.
+  double touchError = 0;
 };
 
 /// Turns edits into models on a thread of its own: a snapshot of the project goes in, an immutable

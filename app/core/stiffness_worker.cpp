@@ -21,7 +21,7 @@ constexpr std::chrono::milliseconds kLook{300};
 std::vector<double> stiffnessMap(const std::shared_ptr<const TouchModel>& model, double radius,
                                  const bem::Job& job) {
   const TouchBody body(model);
-  std::vector<int> all(static_cast<std::size_t>(body.surface().mesh().nodeCount()));
+  std::vector<int> all(static_cast<std::size_t>(body.surface().dofs().nodeCount()));
   std::iota(all.begin(), all.end(), 0);
   body.columns()->compute(all, job);
   bem::StiffnessMap map(body.surface(), radius);

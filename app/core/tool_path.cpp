@@ -48,7 +48,7 @@ struct FirstContact {
 
 FirstContact firstContact(const bem::ContactSurface& surface, const MovingTool& tool,
                           const bem::BoundaryField& field) {
-  const bem::SurfacePoint foot = surface.tree().nearest(tool.at);
+  const bem::SurfacePoint foot = surface.nearest(tool.at);
   const bool isBall = tool.tool.kind == bem::ContactTool::Kind::kProbe;
   // A ball meets the surface in a point: as narrow a mask as the mesh can carry.
   const double radius = isBall ? 0 : tool.tool.radius;

@@ -6,13 +6,11 @@
 #include "app/core/tool_path.h"
 #include "app/core/touch_snapshot.h"
 #include "bem/contact_solver.h"
+#include "bem/contact_surface.h"
 #include "bem/nodal_switching.h"
 
 namespace palpa::app {
 namespace {
-
-/// Half the width of a thumb's contact under a firm press, mm.
-constexpr double kFingertipRadius = 6.0;
 
 [[noreturn]] void badTouch(const std::string& message) {
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
@@ -155,7 +153,7 @@ bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface&
 }  // namespace
 
 double defaultTouchRadius(const bem::BoundaryMesh& mesh) {
-  return std::min(kFingertipRadius, 0.2 * mesh.boundingSize() / std::sqrt(3.0));
+  return defaultTouchRadius(mesh.boundingSize());
 }
 
 TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches, int steps,
@@ -182,18 +180,21 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
   if (!dofs.isFree(node))
     badTouch("node " + std::to_string(node) + " is held by a support; touch a free one");
   auto greens = std::make_shared<bem::GreensFunction>(model.problem());
+  const bem::Discretisation& on = *setup.discretisation;
   const Eigen::VectorXd unknown = model.problem()->solve(dofs.knownField(setup.conditions)).col(0);
+  const bem::Discretisation::Weights weights = on.placeWeights();
   bem::NodalSwitching switching(greens, Eigen::VectorXd::Zero(dofs.nodalCount()), unknown,
-                                model.rest().field);
+                                model.rest().field, weights);
   switching.add(node);
   // Free nodes have the frame of space, so the values are the components of the displacement.
   auto solution = switching.solve(displacement);
-  const Eigen::Vector3d force =
-      dofs.tractionScale() * bem::nodalArea(setup.mesh(), node) * solution.switched;
-  const Eigen::Vector3d moved = displacement - model.rest().field.u.col(0).segment<3>(3 * node);
+  const Eigen::Vector3d force = dofs.tractionScale() * on.area(node) * solution.switched;
+  Eigen::Vector3d moved = displacement;
+  for (bem::Discretisation::Weights::InnerIterator it(weights, node); it; ++it)
+    moved -= it.value() * model.rest().field.u.col(0).segment<3>(3 * it.col());
   const double stiffness = moved.squaredNorm() > 0 ? force.dot(moved) / moved.squaredNorm() : 0.0;
   return model.describe(std::move(solution.field),
-                        {{setup.mesh().nodes[node], 0.0, force, displacement, stiffness, "node"}});
+                        {{on.places()[node], 0.0, force, displacement, stiffness, "node"}});
 }
 
 }  // namespace palpa::app

@@ -7,8 +7,7 @@
 
 namespace palpa::app {
 
-/// Radius of a touch that does not name one, mm: that of a fingertip, but at most a fifth of the
-/// body's size.
+/// Radius of a touch that does not name one, mm: that for the mesh's size.
 double defaultTouchRadius(const bem::BoundaryMesh& mesh);
 
 /// Plays touches, all at the same time, on a model. Grabs, forces and pins are exact; pushes and

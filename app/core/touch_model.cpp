@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <span>
 
+#include "app/core/analysis_net.h"
 #include "app/core/memory.h"
 
 namespace palpa::app {
@@ -24,9 +26,43 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Refuses a model that does not fit into memory, with the numbers and with an edge length that
-/// would.
-void checkMemory(double nodes, double slots, double edgeLength, const BuildOptions& options) {
+/// What to say of a model that would need so many times the memory there is.
+using Advice = std::function<std::string(double excess, double count)>;
+
+/// Memory grows with the square of the number of unknowns, which grows with 1 / length squared.
+double fittingLength(double length, double excess) {
+  return length * std::pow(excess, 0.25) * 1.05;
+}
+
+Advice edgeLengthAdvice(const modeling::MeshSettings& settings) {
+  return [length = settings.edgeLength](double excess, double count) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "an edge length of %.4g mm needs about %.3g nodes; take %.2g mm or more", length,
+                  count, fittingLength(length, excess));
+    return std::string(text);
+  };
+}
+
+Advice splineAdvice(const modeling::Project& project) {
+  return [mesh = project.mesh](double excess, double count) {
+    char text[200];
+    if (mesh.elementLength)
+      std::snprintf(text, sizeof text,
+                    "spline elements of %.4g mm need about %.3g coefficients; take %.2g mm or more",
+                    *mesh.elementLength, count, fittingLength(*mesh.elementLength, excess));
+    else
+      std::snprintf(
+          text, sizeof text,
+          "an accuracy of %.2g %% needs about %.3g spline coefficients; wish for less, or "
+          "set the size of the elements",
+          100 * mesh.accuracy, count);
+    return std::string(text);
+  };
+}
+
+/// Refuses a model that does not fit into memory, with the numbers and what would.
+void checkMemory(double nodes, double slots, const BuildOptions& options, const Advice& advice) {
   const double limit = options.memoryLimit > 0 ? options.memoryLimit : 0.85 * availableMemory();
   if (limit <= 0) return;
   // Numbers beyond the range of int are still to be reported.
@@ -35,15 +71,9 @@ void checkMemory(double nodes, double slots, double edgeLength, const BuildOptio
                                           static_cast<int>(chosenSlots), options.precision) *
                        (nodes / chosenNodes) * (nodes / chosenNodes);
   if (bytes <= limit) return;
-  // Memory grows with the square of the number of nodes, which grows with 1 / edge length squared.
-  const double fitting = edgeLength * std::pow(bytes / limit, 0.25) * 1.05;
-  char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "an edge length of %.4g mm needs about %.3g nodes and %s of memory; %s can be used. "
-      "Take an edge length of %.2g mm or more",
-      edgeLength, nodes, formatBytes(bytes).c_str(), formatBytes(limit).c_str(), fitting);
-  throw bem::SolverError(bem::SolverError::Kind::kTooLarge, text);
+  throw bem::SolverError(bem::SolverError::Kind::kTooLarge,
+                         "the model needs " + formatBytes(bytes) + " of memory, and " +
+                             formatBytes(limit) + " can be used: " + advice(bytes / limit, nodes));
 }
 
 /// Work of modeling under a job of bem: the same stop token and progress, the same Cancelled.
@@ -99,8 +129,8 @@ TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState
   for (const auto& contact : state.contacts) count(contact.force);
   state.balance = sum.norm();
   state.relativeBalance = largest > 0 ? state.balance / largest : 0;
-  state.energy =
-      setup_.discretisation->strainEnergy(state.field.u.col(0), state.field.p.col(0), surface);
+  const auto u = state.field.u.col(0), p = state.field.p.col(0);
+  state.energy = surface ? surface->strainEnergy(u, p) : setup_.discretisation->strainEnergy(u, p);
   return state;
 }
 
@@ -111,8 +141,15 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   if (options.edgeLength) settings.edgeLength = *options.edgeLength;
   Stopwatch watch;
   const auto regions = modeling::meshRegions(project);
-  const double expected = modeling::estimateNodeCount(project.body, settings, regions);
-  checkMemory(expected, expected, settings.edgeLength, options);
+  const bool hasSplines = usesSplines(project);
+  if (hasSplines) {
+    // Half again as many traction coefficients is what bodies with many sharp edges have.
+    const double expected = analysisNet(project, fingertipRadius(project)).coefficients;
+    checkMemory(expected, 1.5 * expected, options, splineAdvice(project));
+  } else {
+    const double expected = modeling::estimateNodeCount(project.body, settings, regions);
+    checkMemory(expected, expected, options, edgeLengthAdvice(settings));
+  }
   modeling::SurfaceMesh surface = underJob(job, [&](const modeling::Job& inner) {
     return modeling::mesh(project.body, settings, regions, inner);
   });
@@ -125,7 +162,8 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.triangles = static_cast<int>(surface.triangles.size());
   report.quality = modeling::measureQuality(surface);
   BoundarySetup setup = makeBoundarySetup(project, surface);
-  checkMemory(report.nodes, setup.discretisation->slots().count(), settings.edgeLength, options);
+  checkMemory(setup.discretisation->displacementCount(), setup.discretisation->slots().count(),
+              options, hasSplines ? splineAdvice(project) : edgeLengthAdvice(settings));
   std::shared_ptr<TouchModel> model(
       new TouchModel(project.body, std::move(surface), std::move(setup)));
   report.meshSeconds += watch.lap();

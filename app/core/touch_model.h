@@ -84,6 +84,9 @@ struct TouchState {
   double balance = 0;
   /// The same over the largest of these forces; 0 when there are none.
   double relativeBalance = 0;
+  /// Relative error of displacements and forces, estimated (see error_estimate.h); empty when it
+  /// was not asked for.
+  std::optional<double> errorEstimate;
 };
 
 /// What a project becomes: meshed, assembled, factorised, solved for its own supports and loads,

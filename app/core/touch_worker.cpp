@@ -31,15 +31,15 @@ void addNearest(const TouchBody& body, const std::vector<Vector3d>& points,
     double distance;
     int node;
   };
-  const bem::BoundaryMesh& mesh = body.surface().mesh();
+  const std::vector<Vector3d>& places = body.surface().places();
   std::vector<Candidate> others;
-  for (int node = 0; node < mesh.nodeCount(); ++node) {
+  for (int node = 0; node < static_cast<int>(places.size()); ++node) {
     if (!body.surface().dofs().isFree(node) || body.columns()->has(node) ||
         std::find(block.begin(), block.end(), node) != block.end())
       continue;
     double distance = points.empty() ? 0 : std::numeric_limits<double>::infinity();
     for (const Vector3d& point : points)
-      distance = std::min(distance, (mesh.nodes[node] - point).squaredNorm());
+      distance = std::min(distance, (places[node] - point).squaredNorm());
     others.push_back({distance, node});
   }
   const std::size_t room = std::min(kBlock - block.size(), others.size());

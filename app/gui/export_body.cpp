@@ -7,6 +7,7 @@
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/cad_format.h"
 #include "modeling/mesh/display_mesh.h"
+#include "modeling/project/project_file.h"
 
 namespace palpa::gui {
 namespace {
@@ -31,6 +32,10 @@ view::MeshFile welded(const modeling::DisplayMesh& drawn) {
 
 void exportBody(const modeling::Project& project, const std::filesystem::path& path,
                 ExportedSurface surface, const modeling::Job& job) {
+  if (path.extension() == ".json") {
+    modeling::writeProject(project, path);
+    return;
+  }
   if (modeling::cadFormatOf(path)) {
     modeling::exportCad(project.body, path, project.name, job);
     return;

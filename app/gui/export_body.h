@@ -15,8 +15,8 @@ enum class ExportedSurface {
 };
 
 /// Writes the body of a project: the solid to .step, .stp, .iges, .igs and .brep, triangles to
-/// .stl, .obj, .ply and .vtp. `surface` matters for the latter only; kOwnTriangles is taken as
-/// kModelMesh for a solid. @throws ModelingError, ViewError, Cancelled
+/// .stl, .obj, .ply and .vtp, the whole project to .json. `surface` matters for triangles only;
+/// kOwnTriangles is taken as kModelMesh for a solid. @throws ModelingError, ViewError, Cancelled
 void exportBody(const modeling::Project& project, const std::filesystem::path& path,
                 ExportedSurface surface, const modeling::Job& job);
 

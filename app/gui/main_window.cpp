@@ -95,7 +95,7 @@ void MainWindow::addTools() {
 void MainWindow::addDocks() {
   docks_ = {new ModelDock(workspace_), new HistoryDock(editor_, this),
             new PropertiesDock(workspace_), new RebuildDock(editor_, this),
-            new ForcesDock(simulation_, settings_, this)};
+            new ForcesDock(simulation_, editor_, settings_, this)};
   connect(&simulation_, &Simulation::activeChanged, this, [this](bool active) {
     if (active) docks_[4]->show();
     docks_[active ? 4 : 0]->raise();

@@ -67,4 +67,12 @@ std::optional<Eigen::Vector2d> CutMap::invert(double u, double v, double slack) 
   return axis_ == 0 ? Eigen::Vector2d(along, across) : Eigen::Vector2d(across, along);
 }
 
+void CutMap::write(const ByteSink& sink) const {
+  writeValue(sink, axis_);
+  writeValue(sink, begin_);
+  writeValue(sink, end_);
+  writeValue(sink, lower_);
+  writeValue(sink, upper_);
+}
+
 }  // namespace palpa::bem

@@ -3,6 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "bem/byte_stream.h"
+
 namespace palpa::bem {
 
 /// A part of a knot rectangle that a curve bounds: in (u, v), or (v, u), the points between two
@@ -25,6 +27,9 @@ class CutMap {
   Image at(double s, double t) const;
   /// Local coordinates of (u, v), none outside of the part (beyond `slack` of the unit square).
   std::optional<Eigen::Vector2d> invert(double u, double v, double slack) const;
+
+  /// All of it, byte by byte, for a hash.
+  void write(const ByteSink& sink) const;
 
  private:
   struct Value {

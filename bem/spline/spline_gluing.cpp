@@ -18,7 +18,8 @@ constexpr int kPoints = 6;  // per direction: exact for products of two function
 
 Eigen::VectorXd gluedCoefficients(const SplineSurface& surface, const Eigen::VectorXd& u) {
   int netSize = surface.coefficientCount();
-  std::vector<int> unknownOf(static_cast<std::size_t>(netSize), -1);  // of control points of the net
+  std::vector<int> unknownOf(static_cast<std::size_t>(netSize),
+                             -1);  // of control points of the net
   int count = 0;
   for (int k = 0; k < surface.coefficientCount(); ++k) {
     const int origin = surface.tornFrom(k);

@@ -30,6 +30,7 @@ class SplineMesh {
   const SplineTractions& tractions() const { return tractions_; }
   const BoundaryMesh& mesh() const { return mesh_; }
   const TractionSlots& meshSlots() const { return meshSlots_; }
+  const Triangle& triangle(int index) const { return triangles_[index]; }
 
   /// A point of the true surface: an element of the triangle's part, and parameters in its patch,
   /// which may lie a little outside of the element where a border was cut.

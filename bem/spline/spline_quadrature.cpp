@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "bem/lending_pool.h"
+#include "bem/parallel.h"
 #include "bem/spline/gauss_rule.h"
 
 namespace palpa::bem {
@@ -21,10 +23,6 @@ constexpr double kMostAspect = 1.7;
 /// Far more halvings than distances of 1e-6 element sizes need.
 constexpr int kMostDepth = 40;
 
-SplineCell cellOf(const SplineElement& element) {
-  return {element.lower, element.upper};
-}
-
 std::array<SplineCell, 2> halves(const SplineCell& cell, int direction) {
   std::array<SplineCell, 2> both{cell, cell};
   both[0].upper[direction] = both[1].lower[direction] =
@@ -39,18 +37,6 @@ bool contains(const SplineCell& cell, const SplinePlace& place) {
     if (parameter[d] < cell.lower[d] - slack || parameter[d] > cell.upper[d] + slack) return false;
   }
   return true;
-}
-
-/// Adds the points of a tensor rule.
-void addCell(const SplineCell& cell, int count, SplineQuadrature::Workspace& work) {
-  const GaussRule& rule = gaussRule(count);
-  const double du = cell.upper[0] - cell.lower[0], dv = cell.upper[1] - cell.lower[1];
-  for (int j = 0; j < count; ++j)
-    for (int i = 0; i < count; ++i) {
-      work.u.push_back(cell.lower[0] + du * rule.points[i]);
-      work.v.push_back(cell.lower[1] + dv * rule.points[j]);
-      work.weight.push_back(du * dv * rule.weights[i] * rule.weights[j]);
-    }
 }
 
 /// Gauss points on an interval for a function whose nearest poles lie at `center` ± i pi/2: the
@@ -86,54 +72,57 @@ double largestDifference(const std::vector<double>& values, const std::vector<do
 
 }  // namespace
 
-SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double tolerance)
+SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double tolerance, const Job& job)
     : surface_(surface),
+      placement_(surface),
       kernel_(splineKernelForThisProcessor()),
       error_(std::clamp(tolerance, 1e-12, 1e-2)),
       radial_(std::max(3, static_cast<int>(std::lround(-std::log10(error_))))),
       // What is left has an area like the third power of its size, kernels like the first.
       cornerLevels_(2 + static_cast<int>(std::ceil(-std::log2(error_) / 2))) {
-  elements_.resize(surface.elements().size());
-  Workspace work;
-  for (int e = 0; e < surface.elementCount(); ++e) {
-    Element& element = elements_[e];
-    const SplineElement& shape = surface.elements()[e];
-    for (int d = 0; d < 2; ++d) {
-      const BsplineBasis& basis = surface.patches()[shape.patch].basis[d];
-      element.direction[d] = basis.polynomials(shape.span[d]);
-    }
-    for (const int k : surface.functions(e))
-      for (int c = 0; c < 3; ++c) element.controlPoints.push_back(surface.controlPoints()[k][c]);
-    element.functions = static_cast<int>(surface.functions(e).size());
-    element.stride = roundUpToLanes(element.functions);
-    element.ball = ballAround(e, cellOf(shape));
-    const auto placeRule = [&](int n, SplinePoints& points) {
-      work.u.clear();
-      work.v.clear();
-      work.weight.clear();
-      addCell(cellOf(shape), n, work);
-      place(e, work, points);
-    };
-    placeRule(2 * kMost, work.points);
-    const std::vector<double> exact = moments(element, work.points);
-    const int degree = std::max(element.direction[0].degree, element.direction[1].degree);
-    for (int n = kFewest; n <= kMost; ++n) {
-      SplinePoints& rule = element.rules[n - kFewest];
-      placeRule(n, rule);
-      const bool isEnough =
-          n == kMost || largestDifference(moments(element, rule), exact) <= error_;
-      element.ratio[n] = isEnough ? ratioFor(n, degree, error_) : INFINITY;
-    }
+  constexpr std::ptrdiff_t kElementsPerTask = 16;
+  const std::ptrdiff_t count = surface.elementCount();
+  elements_.resize(count);
+  LendingPool<Workspace> pool([] { return Workspace{}; });
+  parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, "", [&](std::ptrdiff_t task) {
+    Workspace work = pool.take();
+    const std::ptrdiff_t end = std::min(count, (task + 1) * kElementsPerTask);
+    for (std::ptrdiff_t e = task * kElementsPerTask; e < end; ++e)
+      prepare(static_cast<int>(e), work);
+    pool.giveBack(std::move(work));
+  });
+}
+
+void SplineQuadrature::prepare(int index, Workspace& work) {
+  Element& element = elements_[index];
+  const SplineCell cell = cellOf(surface_.elements()[index]);
+  element.ball = ballAround(index, cell);
+  const auto placeRule = [&](int n, SplinePoints& points) {
+    work.rule.clear();
+    work.rule.addTensor(cell, n);
+    placement_.place(index, work.rule, points);
+  };
+  placeRule(2 * kMost, work.points);
+  const std::vector<double> exact = moments(index, work.points);
+  const int degree = placement_.degree(index);
+  for (int n = kFewest; n <= kMost; ++n) {
+    SplinePoints& rule = element.rules[n - kFewest];
+    placeRule(n, rule);
+    const bool isEnough = n == kMost || largestDifference(moments(index, rule), exact) <= error_;
+    element.ratio[n] = isEnough ? ratioFor(n, degree, error_) : INFINITY;
   }
 }
 
-std::vector<double> SplineQuadrature::moments(const Element& element,
-                                              const SplinePoints& points) const {
-  std::vector<double> sums(static_cast<std::size_t>(3) * element.stride, 0);
+std::vector<double> SplineQuadrature::moments(int index, const SplinePoints& points) const {
+  const int stride = placement_.stride(index);
+  std::vector<double> sums(static_cast<std::size_t>(3) * stride, 0);
   for (int p = 0; p < points.used; ++p)
-    for (int f = 0; f < element.functions; ++f)
-      for (int c = 0; c < 3; ++c)
-        sums[c * element.stride + f] += points.basis[p * element.stride + f] * points.area[c][p];
+    for (int c = 0; c < 3; ++c) {
+      const double area = points.area[c][p];
+      const double* basis = points.basis.data() + static_cast<std::ptrdiff_t>(p) * stride;
+      double* sum = sums.data() + static_cast<std::ptrdiff_t>(c) * stride;
+      for (int f = 0; f < stride; ++f) sum[f] += basis[f] * area;
+    }
   return sums;
 }
 
@@ -168,45 +157,11 @@ std::array<double, 2> SplineQuadrature::lengths(int element, const SplineCell& c
   return {(at(1, 0.5) - at(0, 0.5)).norm(), (at(0.5, 1) - at(0.5, 0)).norm()};
 }
 
-void SplineQuadrature::place(int index, Workspace& work, SplinePoints& points) const {
-  const Element& element = elements_[index];
-  if (surface_.isCut(index))
-    for (std::size_t k = 0; k < work.u.size(); ++k) {
-      const CutMap::Image image = surface_.parameters({index, work.u[k], work.v[k]});
-      work.u[k] = image.parameters[0];
-      work.v[k] = image.parameters[1];
-      work.weight[k] *= image.derivative.determinant();
-    }
-  const auto given = work.u.size();
-  const auto count = static_cast<std::size_t>(roundUpToLanes(static_cast<int>(given)));
-  work.u.resize(count, work.u.front());
-  work.v.resize(count, work.v.front());
-  work.weight.resize(count, 0);
-  points.used = static_cast<int>(given);
-  points.count = static_cast<int>(count);
-  for (auto* list : {&points.position, &points.area})
-    for (auto& component : *list) component.resize(count);
-  points.areaSize.resize(count);
-  points.basis.assign(count * static_cast<std::size_t>(element.stride), 0);
-  kernel_.placePoints(
-      {{element.direction[0], element.direction[1]},
-       element.controlPoints.data(),
-       points.count,
-       work.u.data(),
-       work.v.data(),
-       work.weight.data(),
-       {points.position[0].data(), points.position[1].data(), points.position[2].data()},
-       {points.area[0].data(), points.area[1].data(), points.area[2].data()},
-       points.areaSize.data(),
-       points.basis.data(),
-       element.stride});
-}
-
 void SplineQuadrature::addNear(int element, const SplineCell& cell, const Ball& ball,
                                const Vector3d& x, int depth, Workspace& work) const {
   const int count = pointsFor(elements_[element], (x - ball.center).norm() / ball.radius);
   if (count > 0 || depth >= kMostDepth) {
-    addCell(cell, count > 0 ? count : kMost, work);
+    work.rule.addTensor(cell, count > 0 ? count : kMost);
     return;
   }
   const std::array<double, 2> length = lengths(element, cell);
@@ -304,10 +259,9 @@ void SplineQuadrature::addFoldedCorner(const SplineCell& cell, const SplinePlace
       for (int k = 0; k < count; ++k) {
         const double w = from + angular.points[k] * (to - from);
         const SplinePlace point = at(s, flat + height * std::sinh(w));
-        work.u.push_back(point.u);
-        work.v.push_back(point.v);
-        work.weight.push_back(std::abs(size[0] * size[1]) * s * radial.weights[m] *
-                              angular.weights[k] * (to - from) * height * std::cosh(w));
+        work.rule.add(point.u, point.v,
+                      std::abs(size[0] * size[1]) * s * radial.weights[m] * angular.weights[k] *
+                          (to - from) * height * std::cosh(w));
       }
     }
   }
@@ -347,48 +301,44 @@ void SplineQuadrature::addPolar(const SplineCell& cell, const SplinePlace& place
       const Vector2d reach = a + along * (b - a);
       for (int m = 0; m < radial_; ++m) {
         const double s = radial.points[m];
-        work.u.push_back(place.u + s * reach[0]);
-        work.v.push_back(place.v + s * reach[1]);
-        work.weight.push_back(weight * s * radial.weights[m]);
+        work.rule.add(place.u + s * reach[0], place.v + s * reach[1],
+                      weight * s * radial.weights[m]);
       }
     }
   }
 }
 
-void SplineQuadrature::sum(const Element& element, const SplinePoints& points, const Vector3d& x,
-                           Workspace& work) const {
-  work.kernels.resize(static_cast<std::size_t>(kKernelSums) * points.count);
-  kernel_.sumKernels(
-      {x.data(),
-       points.used,
-       points.count,
-       {points.position[0].data(), points.position[1].data(), points.position[2].data()},
-       {points.area[0].data(), points.area[1].data(), points.area[2].data()},
-       points.areaSize.data(),
-       points.basis.data(),
-       element.stride,
-       work.kernels.data(),
-       work.sums.data()});
-}
-
-void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace* inside,
-                                 Workspace& work) const {
+const SplinePoints& SplineQuadrature::points(int index, const Vector3d& x,
+                                             const SplinePlace* inside, Workspace& work) const {
   const Element& element = elements_[index];
-  work.sums.assign(static_cast<std::size_t>(kKernelSums) * element.stride, 0);
-  if (const int count = inside ? 0 : pointsFor(element, ratio(index, x)); count > 0) {
-    sum(element, element.rules[count - kFewest], x, work);
-    return;
-  }
-  work.u.clear();
-  work.v.clear();
-  work.weight.clear();
+  if (const int count = inside ? 0 : pointsFor(element, ratio(index, x)); count > 0)
+    return element.rules[count - kFewest];
+  work.rule.clear();
   const SplineCell cell = cellOf(surface_.elements()[index]);
   if (inside)
     addSingular(index, cell, x, *inside, 0, work);
   else
     addNear(index, cell, element.ball, x, 0, work);
-  place(index, work, work.points);
-  sum(element, work.points, x, work);
+  placement_.place(index, work.rule, work.points);
+  return work.points;
+}
+
+void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace* inside,
+                                 Workspace& work) const {
+  const int stride = placement_.stride(index);
+  work.sums.assign(static_cast<std::size_t>(kKernelSums) * stride, 0);
+  const SplinePoints& at = points(index, x, inside, work);
+  work.kernels.resize(static_cast<std::size_t>(kKernelSums) * at.count);
+  kernel_.sumKernels({x.data(),
+                      at.used,
+                      at.count,
+                      {at.position[0].data(), at.position[1].data(), at.position[2].data()},
+                      {at.area[0].data(), at.area[1].data(), at.area[2].data()},
+                      at.areaSize.data(),
+                      at.basis.data(),
+                      stride,
+                      work.kernels.data(),
+                      work.sums.data()});
 }
 
 }  // namespace palpa::bem

@@ -2,24 +2,11 @@
 #include <array>
 #include <vector>
 
+#include "bem/job.h"
 #include "bem/spline/spline_collocation.h"
-#include "bem/spline/spline_kernel.h"
+#include "bem/spline/spline_points.h"
 
 namespace palpa::bem {
-
-/// Quadrature points on one element with the values of its functions, in the layout of
-/// spline_kernel.h.
-struct SplinePoints {
-  int used = 0;   ///< that have a weight
-  int count = 0;  ///< with those that fill up
-  std::array<std::vector<double>, 3> position, area;
-  std::vector<double> areaSize, basis;
-};
-
-/// A rectangle in an element, in parameters.
-struct SplineCell {
-  std::array<double, 2> lower, upper;
-};
 
 /// Integrates Kelvin's kernels times the functions of spline elements, from any collocation point.
 /// Far elements take a tensor Gauss rule of 3 to 6 points per direction by their distance over
@@ -36,13 +23,15 @@ class SplineQuadrature {
   static constexpr int kFewest = 3, kMost = 6;  ///< points per direction of the tensor rules
 
   /// `tolerance`: relative error allowed in the integrals over one element, [1e-12, 1e-2]. The
-  /// surface must outlive it.
-  SplineQuadrature(const SplineSurface& surface, double tolerance);
+  /// surface must outlive it. About 20 µs per element and core; does not depend on the number of
+  /// threads. Throws Cancelled.
+  SplineQuadrature(const SplineSurface& surface, double tolerance, const Job& job = {});
 
   /// Memory of one thread, and what integrate() leaves behind.
   struct Workspace {
-    std::vector<double> u, v, weight, kernels;
+    SplineRule rule;
     SplinePoints points;
+    std::vector<double> kernels;
     /// [kKernelSums][stride]: see spline_kernel.h; stride = stride(element).
     std::vector<double> sums;
   };
@@ -51,7 +40,15 @@ class SplineQuadrature {
   double ratio(int element, const Eigen::Vector3d& x) const {
     return (x - elements_[element].ball.center).norm() / elements_[element].ball.radius;
   }
-  int stride(int element) const { return elements_[element].stride; }
+  /// mm from an element, at least; less where the element leaves its ball.
+  double distance(int element, const Eigen::Vector3d& x) const {
+    return (x - elements_[element].ball.center).norm() - elements_[element].ball.radius;
+  }
+  int stride(int element) const { return placement_.stride(element); }
+
+  /// The points at which integrate() sums: valid until the workspace is used again.
+  const SplinePoints& points(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
+                             Workspace& work) const;
 
   /// Sums of one element from x, into work.sums. `inside`: the place of x in the element, null when
   /// the element does not contain it.
@@ -64,21 +61,18 @@ class SplineQuadrature {
     double radius;
   };
   struct Element {
-    SpanPolynomials direction[2];
-    std::vector<double> controlPoints;
-    int functions, stride;
     Ball ball;
     /// From how many radii on so many points per direction do.
     std::array<double, kMost + 1> ratio;
     std::array<SplinePoints, kMost - kFewest + 1> rules;
   };
 
+  void prepare(int element, Workspace& work);
   /// Integrals of the functions times the area vectors: what a rule must do, however far the point.
-  std::vector<double> moments(const Element& element, const SplinePoints& points) const;
+  std::vector<double> moments(int element, const SplinePoints& points) const;
   int pointsFor(const Element& element, double ratio) const;
   Ball ballAround(int element, const SplineCell& cell) const;
   std::array<double, 2> lengths(int element, const SplineCell& cell) const;
-  void place(int index, Workspace& work, SplinePoints& points) const;
   void addNear(int element, const SplineCell& cell, const Ball& ball, const Eigen::Vector3d& x,
                int depth, Workspace& work) const;
   void addSingular(int element, const SplineCell& cell, const Eigen::Vector3d& x,
@@ -88,10 +82,9 @@ class SplineQuadrature {
   bool isFoldedCorner(const SplineCell& cell, const SplinePlace& place) const;
   void addFoldedCorner(const SplineCell& cell, const SplinePlace& place, Workspace& work) const;
   void addPolar(const SplineCell& cell, const SplinePlace& place, Workspace& work) const;
-  void sum(const Element& element, const SplinePoints& points, const Eigen::Vector3d& x,
-           Workspace& work) const;
 
   const SplineSurface& surface_;
+  SplinePlacement placement_;
   SplineKernel kernel_;
   double error_;
   int radial_;        ///< points of the polar rule towards the cell's border

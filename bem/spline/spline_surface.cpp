@@ -50,7 +50,6 @@ SplineSurface::SplineSurface(std::vector<Vector3d> controlPoints, std::vector<Sp
   tornFrom_.resize(controlPoints_.size());
   std::iota(tornFrom_.begin(), tornFrom_.end(), 0);
   isTorn_.resize(controlPoints_.size(), false);
-  barelyReaches_.resize(controlPoints_.size(), false);
 }
 
 void SplineSurface::replaceElement(int element, const std::vector<SplineElement>& pieces,
@@ -63,8 +62,9 @@ void SplineSurface::replaceElement(int element, const std::vector<SplineElement>
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     SplineElement piece = pieces[k];
     if (maps[k]) {
+      const int inside = piece.cut;
       piece.cut = static_cast<int>(cuts_.size());
-      cuts_.push_back(*maps[k]);
+      cuts_.push_back({*maps[k], inside});
     }
     if (k == 0) {
       elements_[element] = piece;
@@ -76,40 +76,50 @@ void SplineSurface::replaceElement(int element, const std::vector<SplineElement>
   }
 }
 
-int SplineSurface::tear(int coefficient, int tag) {
+int SplineSurface::tear(int coefficient, const std::vector<bool>& elements) {
   const int other = coefficientCount();
   controlPoints_.push_back(controlPoints_[coefficient]);
   tornFrom_.push_back(tornFrom_[coefficient]);
   isTorn_[coefficient] = true;
   isTorn_.push_back(true);
-  barelyReaches_.push_back(false);
   for (int e = 0; e < elementCount(); ++e)
-    if (elements_[e].tag == tag)
-      std::replace(functions_[e].begin(), functions_[e].end(), coefficient, other);
+    if (elements[e]) std::replace(functions_[e].begin(), functions_[e].end(), coefficient, other);
   return other;
+}
+
+std::optional<Eigen::Vector2d> SplineSurface::invert(int cut, double u, double v,
+                                                     double slack) const {
+  const Cut& at = cuts_[cut];
+  if (at.inside < 0) return at.map.invert(u, v, slack);
+  const auto outer = invert(at.inside, u, v, slack);
+  if (!outer) return {};
+  return at.map.invert((*outer)[0], (*outer)[1], slack);
 }
 
 std::optional<SplinePlace> SplineSurface::placeIn(int index, double u, double v) const {
   const SplineElement& element = elements_[index];
   constexpr double kSlack = 1e-9;
+  std::array<double, 2> parameter{u, v};
   if (element.cut >= 0) {
-    const auto local = cuts_[element.cut].invert(u, v, kSlack);
+    const auto local = invert(element.cut, u, v, kSlack);
     if (!local) return {};
-    return SplinePlace{index, (*local)[0], (*local)[1]};
+    parameter = {(*local)[0], (*local)[1]};
   }
-  const std::array<double, 2> parameter{u, v};
   for (int d = 0; d < 2; ++d) {
     const double slack = kSlack * (element.upper[d] - element.lower[d]);
     if (parameter[d] < element.lower[d] - slack || parameter[d] > element.upper[d] + slack)
       return {};
   }
-  return SplinePlace{index, u, v};
+  return SplinePlace{index, parameter[0], parameter[1]};
 }
 
 CutMap::Image SplineSurface::parameters(const SplinePlace& place) const {
-  const int cut = elements_[place.element].cut;
-  if (cut >= 0) return cuts_[cut].at(place.u, place.v);
-  return {{place.u, place.v}, Eigen::Matrix2d::Identity()};
+  CutMap::Image image{{place.u, place.v}, Eigen::Matrix2d::Identity()};
+  for (int cut = elements_[place.element].cut; cut >= 0; cut = cuts_[cut].inside) {
+    const CutMap::Image outer = cuts_[cut].map.at(image.parameters[0], image.parameters[1]);
+    image = {outer.parameters, outer.derivative * image.derivative};
+  }
+  return image;
 }
 
 double SplineSurface::boundingSize() const {
@@ -150,6 +160,19 @@ void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at,
     for (int i = 0; i <= u.degree(); ++i) values.push_back(a.value[i] * b.value[j]);
 }
 
+void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at, BasisJet& jet) const {
+  const SplineElement& element = elements_[index];
+  const auto& [u, v] = patches_[element.patch].basis;
+  const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
+  for (auto* list : {&jet.values, &jet.du, &jet.dv}) list->clear();
+  for (int j = 0; j <= v.degree(); ++j)
+    for (int i = 0; i <= u.degree(); ++i) {
+      jet.values.push_back(a.value[i] * b.value[j]);
+      jet.du.push_back(a.derivative[i] * b.value[j]);
+      jet.dv.push_back(a.value[i] * b.derivative[j]);
+    }
+}
+
 SplineJet SplineSurface::evaluate(const SplinePlace& place) const {
   const SplineElement& element = elements_[place.element];
   const auto& [u, v] = patches_[element.patch].basis;
@@ -183,6 +206,42 @@ Vector3d SplineSurface::normal(const SplinePlace& place) const {
     if (area.norm() > 1e-9 * jet.du.norm() * jet.dv.norm()) return area.normalized();
   }
   return Vector3d::Zero();
+}
+
+void SplineSurface::write(const ByteSink& sink) const {
+  writeList(sink, controlPoints_);
+  writeCount(sink, patches_.size());
+  for (const SplinePatch& patch : patches_) {
+    for (const BsplineBasis& basis : patch.basis) {
+      writeValue(sink, basis.degree());
+      writeList(sink, basis.knots());
+    }
+    writeList(sink, patch.net);
+    writeValue(sink, patch.smoothingGroup);
+  }
+  writeCount(sink, elements_.size());
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    const SplineElement& element = elements_[e];
+    writeValue(sink, element.patch);
+    writeValue(sink, element.span);
+    writeValue(sink, element.lower);
+    writeValue(sink, element.upper);
+    writeValue(sink, element.tag);
+    writeValue(sink, element.cut);
+    writeList(sink, functions_[e]);
+  }
+  writeCount(sink, cuts_.size());
+  for (const Cut& cut : cuts_) {
+    cut.map.write(sink);
+    writeValue(sink, cut.inside);
+  }
+  writeList(sink, tornFrom_);
+  writeList(sink, std::vector<char>(isTorn_.begin(), isTorn_.end()));
+  writeCount(sink, barelyReaches_.size());
+  for (const auto& [coefficient, tag] : barelyReaches_) {
+    writeValue(sink, coefficient);
+    writeValue(sink, tag);
+  }
 }
 
 }  // namespace palpa::bem

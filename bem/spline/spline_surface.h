@@ -2,8 +2,11 @@
 #include <Eigen/Dense>
 #include <array>
 #include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "bem/byte_stream.h"
 #include "bem/spline/bspline_basis.h"
 #include "bem/spline/cut_map.h"
 
@@ -77,17 +80,20 @@ class SplineSurface {
   CutMap::Image parameters(const SplinePlace& place) const;
   bool isCut(int element) const { return elements_[element].cut >= 0; }
 
-  /// Replaces an element by pieces of it; the first takes its index.
+  /// Replaces an element by pieces of it, in its local coordinates where they have no map and by
+  /// maps into them; the first takes its index.
   void replaceElement(int element, const std::vector<SplineElement>& pieces,
                       const std::vector<std::optional<CutMap>>& maps);
-  /// Gives a function another coefficient on all elements with a tag; returns it.
-  int tear(int coefficient, int tag);
+  /// Gives a function another coefficient on some elements, one flag per element; returns it.
+  int tear(int coefficient, const std::vector<bool>& elements);
   /// The coefficient of the net that stands for one: itself, or the one it was torn from.
   int tornFrom(int coefficient) const { return tornFrom_[coefficient]; }
   bool isTorn(int coefficient) const { return isTorn_[coefficient]; }
-  /// Marks a function that reaches into a part by so little that it is left outside.
-  void setBarelyReaches(int coefficient) { barelyReaches_[coefficient] = true; }
-  bool barelyReaches(int coefficient) const { return barelyReaches_[coefficient]; }
+  /// Marks a function that reaches into the part with a tag by so little that it is left outside.
+  void setBarelyReaches(int coefficient, int tag) { barelyReaches_.insert({coefficient, tag}); }
+  bool barelyReaches(int coefficient, int tag) const {
+    return barelyReaches_.contains({coefficient, tag});
+  }
 
   /// Coefficients of the functions that are not zero on an element, (degree u + 1) (degree v + 1),
   /// u fastest. Some appear twice where an edge is collapsed.
@@ -97,10 +103,18 @@ class SplineSurface {
   /// The same by parameters of the patch, also outside of the element: its polynomials go on.
   void evaluateBasis(int element, const Eigen::Vector2d& parameters,
                      std::vector<double>& values) const;
+  /// Values, and derivatives by the parameters of the patch.
+  struct BasisJet {
+    std::vector<double> values, du, dv;
+  };
+  void evaluateBasis(int element, const Eigen::Vector2d& parameters, BasisJet& jet) const;
 
   SplineJet evaluate(const SplinePlace& place) const;
   /// Unit outward normal; a little inside the element where the derivatives are parallel.
   Eigen::Vector3d normal(const SplinePlace& place) const;
+
+  /// All of it, byte by byte, for a hash.
+  void write(const ByteSink& sink) const;
 
  private:
   std::vector<Eigen::Vector3d> controlPoints_;
@@ -108,9 +122,17 @@ class SplineSurface {
   std::vector<int> firstCell_;
   std::vector<std::vector<int>> elementsOfCell_;
   std::vector<SplineElement> elements_;
-  std::vector<CutMap> cuts_;
+  /// Inside the coordinates of another cut when the piece was cut before; -1: of the patch.
+  struct Cut {
+    CutMap map;
+    int inside;
+  };
+  std::optional<Eigen::Vector2d> invert(int cut, double u, double v, double slack) const;
+
+  std::vector<Cut> cuts_;
   std::vector<int> tornFrom_;
-  std::vector<bool> isTorn_, barelyReaches_;
+  std::vector<bool> isTorn_;
+  std::set<std::pair<int, int>> barelyReaches_;  ///< coefficient, tag
   std::vector<std::vector<int>> functions_;
 };
 

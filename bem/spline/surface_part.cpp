@@ -166,12 +166,12 @@ class Cutter {
   std::vector<Piece> pieces_;
 };
 
-/// Area of the functions on elements with and without a tag: ∫ N_j dΓ.
+/// Area of the functions on elements inside and outside of a part: ∫ N_j dΓ.
 struct Areas {
   std::vector<double> inside, outside;
 };
 
-Areas areasOf(const SplineSurface& surface, int tag) {
+Areas areasOf(const SplineSurface& surface, const std::vector<bool>& isInside) {
   Areas areas{std::vector<double>(surface.controlPoints().size(), 0),
               std::vector<double>(surface.controlPoints().size(), 0)};
   const GaussRule& rule = gaussRule(4);
@@ -179,7 +179,7 @@ Areas areasOf(const SplineSurface& surface, int tag) {
   for (int e = 0; e < surface.elementCount(); ++e) {
     const SplineElement& element = surface.elements()[e];
     const Rectangle r{element.lower, element.upper};
-    auto& sums = element.tag == tag ? areas.inside : areas.outside;
+    auto& sums = isInside[e] ? areas.inside : areas.outside;
     for (std::size_t i = 0; i < rule.points.size(); ++i)
       for (std::size_t j = 0; j < rule.points.size(); ++j) {
         const SplinePlace place{e, r.at(0, rule.points[i]), r.at(1, rule.points[j])};
@@ -193,41 +193,86 @@ Areas areasOf(const SplineSurface& surface, int tag) {
   return areas;
 }
 
+/// The pieces of an element, none when the border of the part leaves it whole; `isInside`: whether
+/// the whole is.
+std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
+                                    const SurfacePart& part, bool& isInside) {
+  isInside = part.hasPatch(surface.elements()[element].patch);
+  if (isInside || !part.level) return {};
+  const SplineElement& e = surface.elements()[element];
+  const Eigen::Vector3d middle =
+      surface.evaluate({element, (e.lower[0] + e.upper[0]) / 2, (e.lower[1] + e.upper[1]) / 2})
+          .position;
+  // The element lies in the hull of its control points.
+  double radius = 0;
+  for (const int point : surface.functions(element))
+    radius = std::max(radius, (surface.controlPoints()[point] - middle).norm());
+  const double level = part.level(middle);
+  isInside = level < 0;
+  if (std::abs(level) > radius) return {};
+  std::vector<Cutter::Piece> pieces = Cutter(surface, element, part.level).cut();
+  if (pieces.size() > 1) return pieces;
+  isInside = pieces.front().isInside;
+  return {};
+}
+
+/// The functions that the border of a part cuts get a coefficient for each side.
+void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isCut,
+                  const std::vector<bool>& isInside) {
+  const Areas areas = areasOf(surface, isInside);
+  for (std::size_t k = 0; k < isCut.size(); ++k) {
+    if (!isCut[k]) continue;
+    const auto coefficient = static_cast<int>(k);
+    const double share = areas.inside[k] / (areas.inside[k] + areas.outside[k]);
+    if (share >= kLeast && share <= 1 - kLeast) surface.tear(coefficient, isInside);
+    if (share >= kLeast) continue;
+    for (int e = 0; e < surface.elementCount(); ++e)
+      if (isInside[e] &&
+          std::count(surface.functions(e).begin(), surface.functions(e).end(), coefficient) > 0)
+        surface.setBarelyReaches(coefficient, surface.elements()[e].tag);
+  }
+}
+
 }  // namespace
 
-SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag) {
+SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
+                       const std::function<int(int)>& tagInside, Tearing tearing) {
   SplineSurface result = surface;
   std::vector<bool> isCut(surface.controlPoints().size(), false);
+  std::vector<bool> isInside(surface.elements().size(), false);
   for (int e = 0; e < surface.elementCount(); ++e) {
-    std::vector<Cutter::Piece> pieces = Cutter(surface, e, level).cut();
-    if (pieces.size() == 1) {
-      if (pieces.front().isInside) result.setTag(e, tag);
-      continue;
-    }
+    bool isWholeInside = false;
+    std::vector<Cutter::Piece> pieces = piecesOf(surface, e, part, isWholeInside);
+    isInside[e] = isWholeInside;
+    if (pieces.empty()) continue;
     for (const int function : surface.functions(e)) isCut[function] = true;
-    const int outsideTag = surface.elements()[e].tag;
+    isInside[e] = pieces.front().isInside;
     std::vector<SplineElement> elements;
     std::vector<std::optional<CutMap>> maps;
     for (Cutter::Piece& piece : pieces) {
       SplineElement element = surface.elements()[e];
-      element.tag = piece.isInside ? tag : outsideTag;
       element.lower = piece.map ? std::array<double, 2>{0, 0} : piece.rectangle.lower;
       element.upper = piece.map ? std::array<double, 2>{1, 1} : piece.rectangle.upper;
+      if (!elements.empty()) isInside.push_back(piece.isInside);
       elements.push_back(element);
       maps.push_back(std::move(piece.map));
     }
     result.replaceElement(e, elements, maps);
   }
-  const Areas areas = areasOf(result, tag);
-  for (int k = 0; k < surface.coefficientCount(); ++k) {
-    if (!isCut[k]) continue;
-    const double share = areas.inside[k] / (areas.inside[k] + areas.outside[k]);
-    if (share < kLeast)
-      result.setBarelyReaches(k);
-    else if (share <= 1 - kLeast)
-      result.tear(k, tag);
+  for (int e = 0; e < result.elementCount(); ++e) {
+    if (!isInside[e]) continue;
+    const int before = result.elements()[e].tag, after = tagInside(before);
+    result.setTag(e, after);
+    for (const int function : result.functions(e))
+      if (result.barelyReaches(function, before)) result.setBarelyReaches(function, after);
   }
+  if (tearing == Tearing::kTorn) tearAtBorder(result, isCut, isInside);
   return result;
+}
+
+SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag) {
+  return withPart(
+      surface, SurfacePart{{}, level}, [tag](int) { return tag; }, Tearing::kTorn);
 }
 
 }  // namespace palpa::bem

@@ -23,6 +23,8 @@ namespace {
 
 constexpr int kMostLevels = 6;
 constexpr double kBorderError = 0.1;  // of the edge length, where a border meets a patch edge
+constexpr double kFinestAccuracy = 1e-4;
+constexpr double kCoarsestAccuracy = 0.1;
 constexpr double kSmallestFactor = 0.05;
 constexpr double kLargestFactor = 20.0;
 
@@ -139,6 +141,12 @@ void refine(MeshEditor& editor, const MeshSettings& settings, std::uint64_t bord
 void MeshSettings::validate(const std::string& path) const {
   if (!std::isfinite(edgeLength) || edgeLength <= 0.0)
     throw ModelingError(path + ".edge_length_mm: " + numberText(edgeLength) +
+                        " must be finite and greater than 0");
+  if (!(accuracy >= kFinestAccuracy && accuracy <= kCoarsestAccuracy))
+    throw ModelingError(path + ".accuracy: " + numberText(accuracy) + " is outside " +
+                        numberText(kFinestAccuracy) + " … " + numberText(kCoarsestAccuracy));
+  if (elementLength && !(std::isfinite(*elementLength) && *elementLength > 0.0))
+    throw ModelingError(path + ".element_length_mm: " + numberText(*elementLength) +
                         " must be finite and greater than 0");
   if (refinementLevels < 0 || refinementLevels > kMostLevels)
     throw ModelingError(path + ".refinement.levels: " + std::to_string(refinementLevels) +

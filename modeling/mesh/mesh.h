@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,14 +17,23 @@
 
 namespace palpa::modeling {
 
+/// Which boundary elements a body is computed with: splines on its patches, or flat triangles.
+enum class Engine { automatic, splines, triangles };
+
 struct MeshSettings {
   double edgeLength = 5.0;   ///< target length of triangle legs in mm, > 0
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
-  /// Patches on which the edge length is multiplied by a factor, 0.05 … 20; 1 for those not named.
-  /// Patches around them get as many pieces as needed to fit.
+  /// Patches on which edge and element lengths are multiplied by a factor, 0.05 … 20; 1 for those
+  /// not named. Patches around them get as many pieces as needed to fit.
   std::map<std::string, double> patchFactors{};
+  Engine engine = Engine::automatic;
+  /// Relative error wished for in displacements and reactions with splines, 1e-4 … 0.1: how fine
+  /// their elements are, unless elementLength says it.
+  double accuracy = 0.01;
+  /// Size of the spline elements away from borders in mm, > 0; patchFactors multiply it.
+  std::optional<double> elementLength{};
 
   /// Everything but the names in patchFactors. @throws ModelingError that begins with `path` and
   /// names the field

@@ -89,6 +89,12 @@ MeshSettings meshFrom(const json& value) {
   settings.edgeLength = value["edge_length_mm"];
   if (value.contains("patch_factors"))
     settings.patchFactors = value["patch_factors"].get<std::map<std::string, double>>();
+  const std::string engine = value.value("engine", "automatic");
+  if (engine != "automatic")
+    settings.engine = engine == "splines" ? Engine::splines : Engine::triangles;
+  settings.accuracy = value.value("accuracy", settings.accuracy);
+  if (value.contains("element_length_mm"))
+    settings.elementLength = value["element_length_mm"].get<double>();
   if (!value.contains("refinement")) return settings;
   settings.refinementLevels = value["refinement"]["levels"];
   for (const json& at : value["refinement"]["at"])

@@ -96,6 +96,12 @@ std::string meshText(const MeshSettings& mesh) {
       factors += (factors.empty() ? "" : ", ") + quoted(patch) + ": " + numberText(factor);
     text += ", \"patch_factors\": {" + factors + "}";
   }
+  if (mesh.engine != Engine::automatic)
+    text += std::string(", \"engine\": ") +
+            (mesh.engine == Engine::splines ? "\"splines\"" : "\"triangles\"");
+  if (mesh.accuracy != MeshSettings{}.accuracy)
+    text += ", \"accuracy\": " + numberText(mesh.accuracy);
+  if (mesh.elementLength) text += ", \"element_length_mm\": " + numberText(*mesh.elementLength);
   if (mesh.refinementLevels > 0 || mesh.refineAtSharpEdges || mesh.refineAtBorders) {
     std::vector<std::string> at;
     if (mesh.refineAtSharpEdges) at.push_back("sharp_edges");

@@ -10,7 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Version 2 added mesh bodies, primitives, smooth edges and patch factors; nothing moved.
+/// Version 2 added mesh bodies, primitives, smooth edges, patch factors and spline elements;
+/// nothing moved.
 void fromVersion1(json& document) {
   const auto refuse = [](const json& object, const char* key, const std::string& path) {
     if (object.is_object() && object.contains(key))
@@ -19,7 +20,9 @@ void fromVersion1(json& document) {
   refuse(document, "mesh_body", "");
   refuse(document, "primitive", "");
   if (document.contains("solid")) refuse(document["solid"], "smooth_edges", "solid.");
-  if (document.contains("mesh")) refuse(document["mesh"], "patch_factors", "mesh.");
+  if (document.contains("mesh"))
+    for (const char* key : {"patch_factors", "engine", "accuracy", "element_length_mm"})
+      refuse(document["mesh"], key, "mesh.");
   document["version"] = 2;
 }
 

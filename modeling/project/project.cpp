@@ -119,6 +119,9 @@ void checkProject(const Project& project) {
       throw ModelingError("mesh.patch_factors." + patch +
                           ": no patch has this name; the body has " +
                           quotedPatchNames(project.body));
+  if (project.mesh.engine == Engine::splines && !std::holds_alternative<Solid>(project.body))
+    throw ModelingError(
+        "mesh.engine: a mesh body has no spline patches; leave it automatic or take triangles");
   if (project.primitive && !std::holds_alternative<Solid>(project.body))
     throw ModelingError("primitive: a mesh body is not made from a primitive");
 }

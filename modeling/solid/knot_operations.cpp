@@ -83,6 +83,50 @@ Solid changed(
   return weld(solid, nets);
 }
 
+/// @throws ModelingError when a parameter between knots is too close to one of them
+void requireDistance(const Solid& solid, PatchDirection at, double parameter,
+                     const KnotPlace& place) {
+  const std::vector<double> values = distinct(solid.patches()[at.patch].knots[at.direction]);
+  const double nearest = kNearestKnot * (values.back() - values.front());
+  for (double value : {values[place.span], values[place.span + 1]})
+    if (std::abs(parameter - value) < nearest)
+      throw ModelingError("at: " + numberText(parameter) + " is too close to the knot " +
+                          numberText(value) + "; give exactly that knot, or one farther than " +
+                          numberText(nearest) + " from it");
+}
+
+/// Inserts a knot at each of these different places, in all links of the chain.
+Solid withKnots(const Solid& solid, PatchDirection at, const std::vector<KnotPlace>& places,
+                int times) {
+  const Patch& patch = solid.patches()[at.patch];
+  const auto rows = patch.knots[at.direction].size() - patch.degree[at.direction] - 1;
+  if (rows + places.size() * times > static_cast<std::size_t>(kMostNetRows))
+    throw ModelingError("at: " + directionName(solid, at) + " would get more than " +
+                            std::to_string(kMostNetRows) + " rows of control points",
+                        ModelingError::Kind::tooLarge);
+  return changed(
+      solid, at, [&](const ChainLink& link, Geom_BSplineSurface& surface, PatchNet& net) {
+        auto& own = net.knots[link.at.direction];
+        const std::vector<double> before = distinct(own);
+        std::vector<double> values;
+        for (const KnotPlace& place : places)
+          values.push_back(parameterAt(place, before, link.reversed));
+        std::sort(values.begin(), values.end());
+        const auto count = static_cast<int>(values.size());
+        TColStd_Array1OfReal added(1, count);
+        TColStd_Array1OfInteger multiplicities(1, count);
+        for (int k = 0; k < count; ++k) {
+          own.insert(std::upper_bound(own.begin(), own.end(), values[k]), times, values[k]);
+          added.SetValue(k + 1, values[k]);
+          multiplicities.SetValue(k + 1, times);
+        }
+        if (link.at.direction == 0)
+          surface.InsertUKnots(added, multiplicities);
+        else
+          surface.InsertVKnots(added, multiplicities);
+      });
+}
+
 }  // namespace
 
 std::vector<ChainLink> chainOf(const Solid& solid, PatchDirection at) {
@@ -114,10 +158,9 @@ Solid insertKnot(const Solid& solid, PatchDirection at, double parameter, int ti
     throw ModelingError("times: " + std::to_string(times) + " is outside 1 … " +
                         std::to_string(degree) + ", the degree in " + directionName(solid, at));
   const KnotPlace place = placeOf(solid, at, parameter);
-  const std::vector<double>& knots = patch.knots[at.direction];
-  const std::vector<double> values = distinct(knots);
-  const double length = values.back() - values.front();
   if (place.fraction == 0.0) {
+    const std::vector<double>& knots = patch.knots[at.direction];
+    const std::vector<double> values = distinct(knots);
     const auto present = std::count(knots.begin(), knots.end(), values[place.span]);
     if (present + times > degree)
       throw ModelingError("at: the knot " + numberText(values[place.span]) + " occurs " +
@@ -125,30 +168,28 @@ Solid insertKnot(const Solid& solid, PatchDirection at, double parameter, int ti
                           "; with degree " + std::to_string(degree) +
                           " it may occur at most that often");
   } else {
-    for (double value : {values[place.span], values[place.span + 1]})
-      if (std::abs(parameter - value) < kNearestKnot * length)
-        throw ModelingError("at: " + numberText(parameter) + " is too close to the knot " +
-                            numberText(value) + "; give exactly that knot, or one farther than " +
-                            numberText(kNearestKnot * length) + " from it");
+    requireDistance(solid, at, parameter, place);
   }
-  if (static_cast<int>(knots.size()) - degree - 1 + times > kMostNetRows)
-    throw ModelingError("at: " + directionName(solid, at) + " would get more than " +
-                            std::to_string(kMostNetRows) + " rows of control points",
-                        ModelingError::Kind::tooLarge);
-  return changed(solid, at,
-                 [&](const ChainLink& link, Geom_BSplineSurface& surface, PatchNet& net) {
-                   auto& own = net.knots[link.at.direction];
-                   const double value = parameterAt(place, distinct(own), link.reversed);
-                   own.insert(std::upper_bound(own.begin(), own.end(), value), times, value);
-                   TColStd_Array1OfReal added(1, 1);
-                   TColStd_Array1OfInteger multiplicity(1, 1);
-                   added.SetValue(1, value);
-                   multiplicity.SetValue(1, times);
-                   if (link.at.direction == 0)
-                     surface.InsertUKnots(added, multiplicity);
-                   else
-                     surface.InsertVKnots(added, multiplicity);
-                 });
+  return withKnots(solid, at, {place}, times);
+}
+
+Solid insertKnots(const Solid& solid, PatchDirection at, std::vector<double> parameters) {
+  if (parameters.empty()) return solid;
+  std::sort(parameters.begin(), parameters.end());
+  const auto [low, high] = solid.patches().at(at.patch).range(at.direction);
+  std::vector<KnotPlace> places;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    places.push_back(placeOf(solid, at, parameters[k]));
+    if (places.back().fraction == 0.0)
+      throw ModelingError("at: " + numberText(parameters[k]) + " is already a knot of " +
+                          directionName(solid, at));
+    requireDistance(solid, at, parameters[k], places.back());
+    if (k > 0 && parameters[k] - parameters[k - 1] < kNearestKnot * (high - low))
+      throw ModelingError("at: " + numberText(parameters[k - 1]) + " and " +
+                          numberText(parameters[k]) + " are too close to each other in " +
+                          directionName(solid, at));
+  }
+  return withKnots(solid, at, places, 1);
 }
 
 KnotRemoval removeKnot(const Solid& solid, PatchDirection at, double parameter, int times,

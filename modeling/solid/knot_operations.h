@@ -33,6 +33,12 @@ std::vector<ChainLink> chainOf(const Solid& solid, PatchDirection at);
 ///         1e-6 of the range to another knot; repeated more often than the degree; too many rows
 Solid insertKnot(const Solid& solid, PatchDirection at, double parameter, int times = 1);
 
+/// Inserts several knots at once, each where no knot is yet: as many insertKnot() would, in the
+/// time of one.
+/// @throws ModelingError that begins with "at: ": outside the inner range; closer than 1e-6 of the
+///         range to a knot or to each other; too many rows
+Solid insertKnots(const Solid& solid, PatchDirection at, std::vector<double> parameters);
+
 struct KnotRemoval {
   Solid solid;
   double deviation = 0.0;  ///< mm: largest distance of points with equal parameters, by sampling

@@ -113,7 +113,7 @@ TEST(Stiffness, ComesInTheBackgroundWhileColumnsDo) {
   };
   worker.start(body, kRadius);
   EXPECT_EQ(await(0).ready, 0);  // it says at once that there is nothing yet
-  std::vector<int> near = body->columns()->nodesNear(body->surface().mesh(), {0, 0, 25});
+  std::vector<int> near = body->columns()->nodesNear(body->surface().places(), {0, 0, 25});
   near.resize(near.size() / 2);
   body->columns()->compute(near, {});
   EXPECT_LT(await(0.1).ready, 0.6);

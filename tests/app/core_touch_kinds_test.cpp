@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "app/core/touch.h"
-#include "bem/contact_surface.h"
+#include "bem/triangle_contact_surface.h"
 #include "bem/error.h"
+#include "bem/triangle_contact_surface.h"
 #include "core_projects.h"
 #include "modeling/shapes/primitives.h"
 
@@ -36,7 +37,7 @@ std::shared_ptr<const TouchModel> loadedSphere() {
 /// The top of the sphere as contacts see it: smooth between the nodes.
 Vector3d top() {
   const BoundarySetup& setup = sphere()->setup();
-  const bem::ContactSurface surface(setup.mesh(), setup.meshSlots(), sphere()->problem()->dofs());
+  const bem::TriangleContactSurface surface(setup.mesh(), setup.meshSlots(), sphere()->problem()->dofs());
   return surface.smoothPosition(bem::nearestSurfacePoint(setup.mesh(), kTop));
 }
 
@@ -123,7 +124,7 @@ TEST(TouchKinds, ABallPressesFromItsCentreOverItsPatch) {
   EXPECT_EQ(contact.kind, "probe");
   ASSERT_GE(contact.patch.size(), 1u);
   Vector3d sum = Vector3d::Zero();
-  const bem::ContactSurface surface(sphere()->setup().mesh(), sphere()->setup().meshSlots(),
+  const bem::TriangleContactSurface surface(sphere()->setup().mesh(), sphere()->setup().meshSlots(),
                                     sphere()->problem()->dofs());
   for (const auto& mask : contact.patch) {
     sum += mask.force;

@@ -21,7 +21,7 @@ const Vector3d kNone = Vector3d::Zero(), kTop(0, 0, 25);
 
 std::shared_ptr<const TouchBody> wholeBody(double edgeLength) {
   auto body = std::make_shared<TouchBody>(buildTouchModel(test::clampedSphere(edgeLength), {}, {}));
-  body->columns()->compute(body->columns()->nodesNear(body->surface().mesh(), kTop), {});
+  body->columns()->compute(body->columns()->nodesNear(body->surface().places(), kTop), {});
   return body;
 }
 

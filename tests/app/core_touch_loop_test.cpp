@@ -179,7 +179,7 @@ TEST(TouchLoop, ColumnsComeNearestToTheExpectedTouchFirst) {
   const auto body = loop.body(number);
   ASSERT_NE(body, nullptr);
   const auto& nodes = body->surface().mesh().nodes;
-  const std::vector<int> order = body->columns()->nodesNear(body->surface().mesh(), kSide);
+  const std::vector<int> order = body->columns()->nodesNear(body->surface().places(), kSide);
   // Looked at from far to near: behind a node that is there all nearer ones are.
   double farthest = 0;
   for (auto node = order.rbegin(); node != order.rend(); ++node) {

@@ -69,7 +69,8 @@ TEST(TouchReplay, IsTheSameOnAnyNumberOfThreads) {
 TEST(TouchReplay, DoesNotDependOnTheOrderOfTheColumns) {
   const auto model = build(6);
   const auto whole = std::make_shared<TouchBody>(model);
-  whole->columns()->compute(whole->columns()->nodesNear(whole->surface().mesh(), {0, 0, -25}), {});
+  whole->columns()->compute(whole->columns()->nodesNear(whole->surface().places(), {0, 0, -25}),
+                            {});
   EXPECT_EQ(forcesOf(whole, touches(), 2),
             forcesOf(std::make_shared<TouchBody>(model), touches(), 2));
 }

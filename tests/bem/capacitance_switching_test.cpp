@@ -6,48 +6,12 @@
 #include "bem/nodal_switching.h"
 #include "bem/surface_point.h"
 #include "test_meshes.h"
+#include "written_out.h"
 
 namespace palpa::bem {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// The two matrices of A v + Ā v̄ = 0, written out column by column from H and G: the definition
-/// against which the capacitance method is checked.
-struct WrittenOut {
-  MatrixXd A, ABar;
-
-  WrittenOut(const BoundaryMesh& mesh, const TractionSlots& slots, const DegreesOfFreedom& dofs,
-             const Material& material) {
-    const auto operators = assemble<double>(mesh, slots, dofs.collocationPoints(mesh, slots),
-                                            material, AssemblyOptions{}, Job{});
-    A.resize(dofs.count(), dofs.count());
-    ABar = MatrixXd::Zero(dofs.count(), dofs.nodalCount());
-    for (int dof = 0; dof < dofs.count(); ++dof) {
-      VectorXd traction = VectorXd::Zero(dofs.count());
-      for (const auto& w : dofs.tractionOf(dof))
-        for (int i = 0; i < 3; ++i)
-          traction -= w.traction[i] * operators.G.view().col(3 * w.slot + i);
-      if (dof >= dofs.nodalCount()) {
-        A.col(dof) = traction;
-        continue;
-      }
-      VectorXd displacement = VectorXd::Zero(dofs.count());
-      for (int i = 0; i < 3; ++i)
-        displacement += dofs.frame(dof / 3)(i, dof % 3) * operators.H.view().col(3 * (dof / 3) + i);
-      A.col(dof) = dofs.isConstrained(dof) ? traction : displacement;
-      ABar.col(dof) = dofs.isConstrained(dof) ? displacement : traction;
-    }
-  }
-
-  VectorXd solveSwitched(const std::vector<int>& nodes, const VectorXd& known) const {
-    MatrixXd a = A, aBar = ABar;
-    for (const int node : nodes)
-      for (int k = 0; k < 3; ++k) a.col(3 * node + k).swap(aBar.col(3 * node + k));
-    return a.partialPivLu().solve(-aBar * known);
-  }
-};
 
 using Conditions = std::function<SlotCondition(int tag)>;
 
@@ -60,7 +24,9 @@ void expectSwitchingEqualsFreshSolve(const BoundaryMesh& mesh, const Conditions&
   const std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
       mesh, slots, conditions, material, AssemblyOptions{}, Precision::kDouble, Job{});
   const DegreesOfFreedom& dofs = problem->dofs();
-  const WrittenOut written(mesh, slots, dofs, material);
+  const test::WrittenOut written(assemble<double>(mesh, slots, dofs.collocationPoints(mesh, slots),
+                                                  material, AssemblyOptions{}, Job{}),
+                                 dofs);
 
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;

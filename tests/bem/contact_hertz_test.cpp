@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bem/contact_simulation.h"
+#include "bem/triangle_contact_surface.h"
 #include "test_meshes.h"
 
 namespace palpa::bem {
@@ -41,7 +42,7 @@ struct Body {
   TractionSlots slots;
   std::shared_ptr<const ReferenceProblem> problem;
   BoundaryField base;
-  ContactSurface surface;
+  TriangleContactSurface surface;
   GreensColumns columns;
 
   explicit Body(BoundaryMesh made)

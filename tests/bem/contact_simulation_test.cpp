@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bem/contact_solver.h"
+#include "bem/triangle_contact_surface.h"
 #include "test_meshes.h"
 
 namespace palpa::bem {
@@ -22,7 +23,7 @@ struct Sphere {
   TractionSlots slots;
   std::shared_ptr<const ReferenceProblem> problem;
   BoundaryField base;
-  std::unique_ptr<ContactSurface> surface;
+  std::unique_ptr<TriangleContactSurface> surface;
   std::unique_ptr<GreensColumns> columns;
 
   explicit Sphere(int n) : mesh(tagged(n)), slots(mesh) {
@@ -32,7 +33,7 @@ struct Sphere {
     problem = makeDenseReferenceProblem(mesh, slots, conditions, {0.1, 0.45}, AssemblyOptions{},
                                         Precision::kDouble, Job{});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
-    surface = std::make_unique<ContactSurface>(mesh, slots, problem->dofs());
+    surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
     std::vector<int> all(mesh.nodeCount());
     std::iota(all.begin(), all.end(), 0);

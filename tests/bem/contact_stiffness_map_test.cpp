@@ -8,6 +8,7 @@
 #include "bem/contact_simulation.h"
 #include "bem/contact_solver.h"
 #include "bem/stiffness_map.h"
+#include "bem/triangle_contact_surface.h"
 #include "test_meshes.h"
 
 namespace palpa::bem {
@@ -24,7 +25,7 @@ struct Box {
   TractionSlots slots;
   std::shared_ptr<const ReferenceProblem> problem;
   BoundaryField base;
-  std::unique_ptr<ContactSurface> surface;
+  std::unique_ptr<TriangleContactSurface> surface;
   std::unique_ptr<GreensColumns> columns;
 
   explicit Box(Held bottom) : mesh(test::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4)), slots(mesh) {
@@ -43,7 +44,7 @@ struct Box {
     problem = makeDenseReferenceProblem(mesh, slots, conditions, {1.0, 0.3}, AssemblyOptions{},
                                         Precision::kDouble, Job{});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
-    surface = std::make_unique<ContactSurface>(mesh, slots, problem->dofs());
+    surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
   }
   void computeAll() {
@@ -141,7 +142,7 @@ TEST(StiffnessMap, GrowsWhileColumnsCome) {
   StiffnessMap map(*box.surface, kRadius);
   EXPECT_EQ(map.update(*box.columns, {}), 0);
   EXPECT_EQ(map.readyCount(), 0);
-  std::vector<int> order = box.columns->nodesNear(box.mesh, {10, 10, 10});
+  std::vector<int> order = box.columns->nodesNear(box.mesh.nodes, {10, 10, 10});
   order.resize(order.size() / 2);
   box.columns->compute(order, {});
   const int first = map.update(*box.columns, {});

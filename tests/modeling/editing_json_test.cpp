@@ -22,6 +22,9 @@ std::vector<Command> oneOfEach() {
   MeshSettings mesh;
   mesh.edgeLength = 3.0;
   mesh.patchFactors = {{"top", 0.5}};
+  mesh.engine = Engine::triangles;
+  mesh.accuracy = 0.003;
+  mesh.elementLength = 1.5;
   return {MovePoints{some, MoveBy{{1, 2, 3}}, reach},
           MovePoints{PointSelection::of({1}), MoveTo{{{1, 2, 0.1}}}, {}},
           MovePoints{PointSelection::of({1}), MoveAlongNormal{-0.7}, {}},

@@ -109,6 +109,35 @@ TEST(KnotOperations, InsertionFollowsReversedAndRescaledParameters) {
     }
 }
 
+TEST(KnotOperations, ManyKnotsAtOnceAreThoseInsertedOneByOne) {
+  const std::vector<double> parameters{0.8, 0.1, 0.3, 0.6};
+  for (const Solid& solid : examples())
+    for (int direction = 0; direction < 2; ++direction) {
+      Solid oneByOne = solid;
+      for (double at : parameters) oneByOne = insertKnot(oneByOne, {1, direction}, at);
+      const Solid atOnce = insertKnots(solid, {1, direction}, parameters);
+      expectSameTopology(solid, atOnce);
+      ASSERT_EQ(atOnce.controlPoints().size(), oneByOne.controlPoints().size());
+      for (std::size_t p = 0; p < solid.patches().size(); ++p)
+        EXPECT_EQ(atOnce.patches()[p].net, oneByOne.patches()[p].net);
+      for (std::size_t k = 0; k < atOnce.controlPoints().size(); ++k)
+        EXPECT_LT((atOnce.controlPoints()[k] - oneByOne.controlPoints()[k]).norm(),
+                  1e-12 * sizeOf(solid));
+    }
+  const Solid box = makeBox({40, 30, 20});
+  EXPECT_EQ(insertKnots(box, {0, 0}, {}).controlPoints().size(), box.controlPoints().size());
+  EXPECT_EQ(faultOf([&] {
+              insertKnots(box, {0, 0}, {0.5, 0.5 + 1e-8});
+            }).find("at: 0.5 and 0.50000001 are too close to each other in u of patch"),
+            0U);
+  const Solid once = insertKnot(box, {0, 0}, 0.5);
+  EXPECT_EQ(faultOf([&] {
+              insertKnots(once, {0, 0}, {0.3, 0.5});
+            }).find("at: 0.5 is already a knot of u of patch"),
+            0U);
+  EXPECT_EQ(faultOf([&] { insertKnots(box, {0, 0}, {1.5}); }).find("at: 1.5 is not inside"), 0U);
+}
+
 TEST(KnotOperations, AnInsertedKnotCanBeRemovedAgain) {
   for (const Solid& solid : examples()) {
     const Solid refined = insertKnot(solid, {2, 0}, 0.4);

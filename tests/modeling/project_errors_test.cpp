@@ -167,6 +167,27 @@ TEST(ProjectErrors, PointIntoBrokenText) {
   EXPECT_NE(errorWith("rubber", "rub\xff").find("not valid JSON"), std::string::npos);
 }
 
+TEST(ProjectErrors, CheckHowSplineElementsAreChosen) {
+  const auto error = [](const std::string& more) {
+    return errorWith("\"edge_length_mm\": 4", "\"edge_length_mm\": 4, " + more);
+  };
+  EXPECT_EQ(error(R"("engine": "splines", "accuracy": 1e-4, "element_length_mm": 3)"), "no error");
+  EXPECT_EQ(error(R"("engine": "cubes")"),
+            "box.json: mesh.engine: found \"cubes\", expected one of \"automatic\", \"splines\", "
+            "\"triangles\"");
+  EXPECT_EQ(error(R"("accuracy": 0.2)"),
+            "box.json: mesh.accuracy: found 0.2, expected at most 0.1");
+  EXPECT_EQ(error(R"("element_length_mm": 0)"),
+            "box.json: mesh.element_length_mm: found 0, expected more than 0");
+  // What the schema would find, for settings that come from elsewhere.
+  MeshSettings settings;
+  settings.accuracy = 0.2;
+  EXPECT_THROW(settings.validate(), ModelingError);
+  settings = {};
+  settings.elementLength = -1.0;
+  EXPECT_THROW(settings.validate(), ModelingError);
+}
+
 TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
   EXPECT_EQ(errorWith("\"patches\": [\n      {",
                       "\"smooth_edges\": [{\"patch\": \"lid\", \"side\": "
@@ -193,9 +214,10 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
       "\"loft\"");
 
   const auto meshError = [](const std::string& triangles, const std::string& faces,
-                            const std::string& more = "") {
+                            const std::string& more = "", const std::string& engine = "") {
     return errorOf(
-        R"({"format": "palpa-project", "version": 2, "mesh": {"edge_length_mm": 1}, "material": )"
+        R"({"format": "palpa-project", "version": 2, "mesh": {"edge_length_mm": 1)" + engine +
+        R"(}, "material": )"
         R"({"youngs_modulus_MPa": 1, "poisson_ratio": 0}, "mesh_body": {"vertices_mm": [[0, 0, 0], )"
         R"([1, 0, 0], [0, 1, 0], [0, 0, 1]], "triangles": [[0, 2, 1], [3, 0, 1], [2, 3, 1], )" +
         triangles + "], \"faces\": [" + faces + "]}" + more + "}");
@@ -214,6 +236,10 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
             "box.json: mesh_body.triangles[3]: an index is out of range; there are 4 vertices");
   EXPECT_EQ(meshError("[0, 3, 2]", all, R"(, "primitive": {"kind": "sphere", "radius_mm": 1})"),
             "box.json: primitive: a mesh body is not made from a primitive");
+  EXPECT_EQ(meshError("[0, 3, 2]", all, "", R"(, "engine": "triangles")"), "no error");
+  EXPECT_EQ(meshError("[0, 3, 2]", all, "", R"(, "engine": "splines")"),
+            "box.json: mesh.engine: a mesh body has no spline patches; leave it automatic or take "
+            "triangles");
   EXPECT_EQ(meshError("[0, 3, 2]", all, R"(, "solid": {"control_points_mm": [], "patches": []})")
                 .find("box.json: solid.control_points_mm: "),
             0U);

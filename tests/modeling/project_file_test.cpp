@@ -40,6 +40,9 @@ Project example() {
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
   project.mesh.patchFactors = {{"bottom", 1.0 / 3.0}, {"top", 0.5}};
+  project.mesh.engine = Engine::splines;
+  project.mesh.accuracy = 1.0 / 300;
+  project.mesh.elementLength = 2.5;
   project.view = R"({"zoom":1.5,"camera":[1,2,3],"about":{"b":1,"a":null}})";
   return project;
 }
@@ -96,6 +99,9 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(after.mesh.refinementLevels, 2);
   EXPECT_TRUE(after.mesh.refineAtSharpEdges && after.mesh.refineAtBorders);
   EXPECT_EQ(after.mesh.patchFactors, before.mesh.patchFactors);
+  EXPECT_EQ(after.mesh.engine, Engine::splines);
+  EXPECT_EQ(after.mesh.accuracy, 1.0 / 300);
+  EXPECT_EQ(after.mesh.elementLength, 2.5);
   EXPECT_EQ(std::get<SphereShape>(after.primitive->shape).radius, 25.0);
   EXPECT_EQ(after.primitive->controlPoints, 7);
   const auto smooth = [](const Project& project) {

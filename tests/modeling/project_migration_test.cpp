@@ -95,6 +95,8 @@ TEST(ProjectMigration, RefusesNewKeysInOldFilesAndNewVersions) {
             "old.json: solid.smooth_edges: unknown key in a file of version 1 (new in version 2)");
   EXPECT_EQ(errorOf(head + R"(1, "mesh": {"patch_factors": {}}})"),
             "old.json: mesh.patch_factors: unknown key in a file of version 1 (new in version 2)");
+  EXPECT_EQ(errorOf(head + R"(1, "mesh": {"edge_length_mm": 1, "accuracy": 0.1}})"),
+            "old.json: mesh.accuracy: unknown key in a file of version 1 (new in version 2)");
   EXPECT_EQ(errorOf(head + "7}"),
             "old.json: version: found 7; this program reads up to version 2; a newer Palpa is "
             "needed");

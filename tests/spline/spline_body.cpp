@@ -1,8 +1,11 @@
 #include "spline_body.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "app/core/spline_surface_of.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/solid/knot_operations.h"
 
 namespace palpa::bem::test {
@@ -15,6 +18,14 @@ std::vector<int> allElements(const SplineSurface& surface) {
   std::vector<int> list;
   for (int e = 0; e < surface.elementCount(); ++e) list.push_back(e);
   return list;
+}
+
+Vector3d middleOf(const SplineSurface& surface, int index) {
+  const SplineElement& element = surface.elements()[index];
+  return surface
+      .evaluate({index, (element.lower[0] + element.upper[0]) / 2,
+                 (element.lower[1] + element.upper[1]) / 2})
+      .position;
 }
 
 /// sqrt of ∫ |value - exact|^2 over ∫ |exact|^2.
@@ -51,7 +62,7 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
   const TractionSlots& slots = tractions.slots;
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
-    conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node)
+    conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node, slot.tag)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
   problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options, precision,
@@ -117,13 +128,72 @@ Vector3d SplineBody::reaction() const {
   return sum;
 }
 
-SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Vector3d&)>& held) {
+SplinePlace nearestPlace(const SplineSurface& surface, const Vector3d& point) {
+  SplinePlace best{0, 0, 0};
+  double least = INFINITY;
   for (int e = 0; e < surface.elementCount(); ++e) {
     const SplineElement& element = surface.elements()[e];
-    const SplineJet middle = surface.evaluate(
-        {e, (element.lower[0] + element.upper[0]) / 2, (element.lower[1] + element.upper[1]) / 2});
-    if (held(middle.position)) surface.setTag(e, 1);
+    std::array<double, 2> center, half;
+    for (int d = 0; d < 2; ++d) {
+      center[d] = (element.lower[d] + element.upper[d]) / 2;
+      half[d] = (element.upper[d] - element.lower[d]) / 2;
+    }
+    for (int level = 0; level < 12; ++level) {
+      std::array<double, 2> next = center;
+      double found = INFINITY;
+      for (int i = -3; i <= 3; ++i)
+        for (int j = -3; j <= 3; ++j) {
+          const double u =
+              std::clamp(center[0] + half[0] * i / 3, element.lower[0], element.upper[0]);
+          const double v =
+              std::clamp(center[1] + half[1] * j / 3, element.lower[1], element.upper[1]);
+          const double distance = (surface.evaluate({e, u, v}).position - point).norm();
+          if (distance >= found) continue;
+          found = distance;
+          next = {u, v};
+        }
+      center = next;
+      for (double& size : half) size *= 0.5;
+      if (found < least) {
+        least = found;
+        best = {e, next[0], next[1]};
+      }
+      if (level == 0 && found > 25) break;
+    }
   }
+  return best;
+}
+
+std::unique_ptr<SplineDiscretisation> discretised(
+    const modeling::Solid& solid, double edgeLength,
+    const std::function<int(const Vector3d&)>& tagOf) {
+  SplineSurface surface = app::splineSurfaceOf(solid);
+  for (int e = 0; e < surface.elementCount(); ++e) surface.setTag(e, tagOf(middleOf(surface, e)));
+  modeling::MeshSettings settings;
+  settings.edgeLength = edgeLength;
+  const modeling::SurfaceMesh from = modeling::mesh(solid, settings);
+  BoundaryMesh mesh{from.positions, from.triangles, from.smoothingGroupOfTriangle, {}};
+  std::vector<SplineMesh::Triangle> triangles = app::splineTriangles(solid, from);
+  for (const SplineMesh::Triangle& triangle : triangles) {
+    const Eigen::Vector2d middle =
+        (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3;
+    const auto places = placesInPatch(surface, triangle.patch, middle[0], middle[1]);
+    mesh.tags.push_back(surface.elements()[places.front().element].tag);
+  }
+  return std::make_unique<SplineDiscretisation>(std::move(mesh), std::move(surface),
+                                                std::move(triangles));
+}
+
+std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots) {
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : slots.slots)
+    conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+  return conditions;
+}
+
+SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Vector3d&)>& held) {
+  for (int e = 0; e < surface.elementCount(); ++e)
+    if (held(middleOf(surface, e))) surface.setTag(e, 1);
   return surface;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bem/reference_problem.h"
+#include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
 #include "exact_fields.h"
 #include "modeling/solid/solid.h"
@@ -35,11 +36,27 @@ struct SplineBody {
   Eigen::Vector3d reaction() const;
 };
 
+/// The discretisation of a solid whose elements have the tags that `tagOf` gives for their middles,
+/// with a mesh of edges of some length on it, mm. Tags should change at borders of patches only:
+/// triangles take that of the element under their middle.
+std::unique_ptr<SplineDiscretisation> discretised(
+    const modeling::Solid& solid, double edgeLength,
+    const std::function<int(const Eigen::Vector3d&)>& tagOf);
+
+/// Held where the tag is 1.
+std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots);
+
 /// Elements whose middle fulfils `held` get the tag 1.
 SplineSurface heldWhere(SplineSurface surface,
                         const std::function<bool(const Eigen::Vector3d&)>& held);
 
+/// The place nearest to a point, by ever finer sampling of every element.
+SplinePlace nearestPlace(const SplineSurface& surface, const Eigen::Vector3d& point);
+
 /// Every knot span of every patch divided into equal parts.
 modeling::Solid divided(const modeling::Solid& solid, int parts);
+inline modeling::Solid halved(const modeling::Solid& solid) {
+  return divided(solid, 2);
+}
 
 }  // namespace palpa::bem::test

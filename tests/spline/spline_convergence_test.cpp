@@ -62,7 +62,7 @@ TEST(SplineConvergence, OtherBodies) {
     for (int k = 0;; ++k) {
       surfaces.push_back(heldWhere(app::splineSurfaceOf(fine), held));
       if (k == refinements) break;
-      fine = divided(fine, 2);
+      fine = halved(fine);
     }
     return converge(name, surfaces, exact, material);
   };

@@ -19,43 +19,6 @@ namespace {
 
 constexpr double kHeight = 60;  ///< mm, of the cylinder
 
-/// The place nearest to a point, by ever finer sampling of every element.
-SplinePlace nearestPlace(const SplineSurface& surface, const Vector3d& point) {
-  SplinePlace best{0, 0, 0};
-  double least = INFINITY;
-  for (int e = 0; e < surface.elementCount(); ++e) {
-    const SplineElement& element = surface.elements()[e];
-    std::array<double, 2> center, half;
-    for (int d = 0; d < 2; ++d) {
-      center[d] = (element.lower[d] + element.upper[d]) / 2;
-      half[d] = (element.upper[d] - element.lower[d]) / 2;
-    }
-    for (int level = 0; level < 12; ++level) {
-      std::array<double, 2> next = center;
-      double found = INFINITY;
-      for (int i = -3; i <= 3; ++i)
-        for (int j = -3; j <= 3; ++j) {
-          const double u =
-              std::clamp(center[0] + half[0] * i / 3, element.lower[0], element.upper[0]);
-          const double v =
-              std::clamp(center[1] + half[1] * j / 3, element.lower[1], element.upper[1]);
-          const double distance = (surface.evaluate({e, u, v}).position - point).norm();
-          if (distance >= found) continue;
-          found = distance;
-          next = {u, v};
-        }
-      center = next;
-      for (double& size : half) size *= 0.5;
-      if (found < least) {
-        least = found;
-        best = {e, next[0], next[1]};
-      }
-      if (level == 0 && found > 25) break;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 FemErrors::FemErrors(const json& reference, const std::vector<Vector3d>& displacements,
@@ -142,7 +105,8 @@ FemSolution solveFem(const json& reference, const SplineSurface& surface,
   const SplineTractions tractions(surface);
   BoundaryConditions conditions(surface.coefficientCount(), tractions.slots.count());
   for (int s = 0; s < tractions.slots.count(); ++s)
-    if (tractions.slots.slots[s].tag != 0 && !surface.barelyReaches(tractions.slots.slots[s].node))
+    if (tractions.slots.slots[s].tag != 0 &&
+        !surface.barelyReaches(tractions.slots.slots[s].node, tractions.slots.slots[s].tag))
       conditions.ofSlot[s] = SlotCondition::kFixed;
   for (int k = 0; k < surface.coefficientCount(); ++k)
     conditions.displacement.segment<3>(3 * k) = given(surface.controlPoints()[k]);

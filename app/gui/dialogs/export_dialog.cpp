@@ -5,6 +5,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardItemModel>
+#include <algorithm>
+#include <string_view>
 
 namespace palpa::gui {
 namespace {
@@ -15,23 +17,26 @@ struct Format {
   bool isCad;
 };
 
-constexpr Format kFormats[] = {{".step", QT_TR_NOOP("STEP: exact patches, for CAD"), true},
-                               {".iges", QT_TR_NOOP("IGES: exact patches, for older CAD"), true},
-                               {".brep", QT_TR_NOOP("BREP: exact patches, OpenCASCADE"), true},
-                               {".stl", QT_TR_NOOP("STL: triangles, for 3D printing"), false},
-                               {".obj", QT_TR_NOOP("OBJ: triangles, for rendering"), false},
-                               {".ply", QT_TR_NOOP("PLY: triangles"), false},
-                               {".vtp", QT_TR_NOOP("VTP: triangles, for ParaView"), false}};
+constexpr Format kFormats[] = {
+    {".json", QT_TR_NOOP("Palpa project: patches to go on modelling"), true},
+    {".step", QT_TR_NOOP("STEP: exact patches, for CAD"), true},
+    {".iges", QT_TR_NOOP("IGES: exact patches, for older CAD"), true},
+    {".brep", QT_TR_NOOP("BREP: exact patches, OpenCASCADE"), true},
+    {".stl", QT_TR_NOOP("STL: triangles, for 3D printing"), false},
+    {".obj", QT_TR_NOOP("OBJ: triangles, for rendering"), false},
+    {".ply", QT_TR_NOOP("PLY: triangles"), false},
+    {".vtp", QT_TR_NOOP("VTP: triangles, for ParaView"), false}};
 
 }  // namespace
 
-ExportDialog::ExportDialog(const modeling::Project& project, QWidget* parent)
+ExportDialog::ExportDialog(const modeling::Project& project, QWidget* parent, What what)
     : QDialog(parent), format_(new QComboBox(this)), surface_(new QComboBox(this)) {
   setObjectName("export");
-  setWindowTitle(tr("Export"));
+  setWindowTitle(what == What::kBody ? tr("Export") : tr("Export deformed solid"));
   const bool isSolid = std::holds_alternative<modeling::Solid>(project.body);
   format_->setObjectName("format");
   for (const Format& format : kFormats) {
+    if (std::string_view(format.ending) == ".json" && what == What::kBody) continue;
     format_->addItem(tr(format.name), QString(format.ending));
     auto* items = qobject_cast<QStandardItemModel*>(format_->model());
     items->item(format_->count() - 1)->setEnabled(isSolid || !format.isCad);
@@ -81,7 +86,9 @@ ExportedSurface ExportDialog::surface() const {
 }
 
 void ExportDialog::update() {
-  surface_->setEnabled(!kFormats[format_->currentIndex()].isCad);
+  const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                    [this](const Format& each) { return ending() == each.ending; });
+  surface_->setEnabled(!format->isCad);
 }
 
 }  // namespace palpa::gui

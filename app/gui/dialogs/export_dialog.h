@@ -13,7 +13,9 @@ class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit ExportDialog(const modeling::Project& project, QWidget* parent);
+  /// The body of the open project, or one that is not: a project file can hold that, too.
+  enum class What { kBody, kDeformedSolid };
+  ExportDialog(const modeling::Project& project, QWidget* parent, What what = What::kBody);
 
   /// ".step", …
   QString ending() const;

@@ -54,9 +54,11 @@ QString statusText(Status status) {
 
 }  // namespace
 
-ForcesDock::ForcesDock(Simulation& simulation, const Settings& settings, QWidget* parent)
+ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Settings& settings,
+                       QWidget* parent)
     : QDockWidget(tr("Forces"), parent),
       simulation_(simulation),
+      editor_(editor),
       settings_(settings),
       list_(new QTreeWidget(this)),
       summary_(new QLabel(this)),
@@ -271,6 +273,9 @@ void ForcesDock::showForces() {
     words = tr("Energy %L1 mJ · balance %L2 %")
                 .arg(state->energy, 0, 'g', kDigits)
                 .arg(100 * state->relativeBalance, 0, 'g', 2);
+    const double error = simulation_.isBehind() ? 0 : editor_.rebuildStatus().touchError;
+    if (error > 0)
+      words += "\n" + tr("Forces are good to about %L1 % (estimated)").arg(100 * error, 0, 'g', 2);
   }
   rows(row);
   if (!snapshot.isConverged)

@@ -18,7 +18,8 @@ class ForcesDock : public QDockWidget {
   Q_OBJECT
 
  public:
-  ForcesDock(Simulation& simulation, const Settings& settings, QWidget* parent);
+  ForcesDock(Simulation& simulation, const Editor& editor, const Settings& settings,
+             QWidget* parent);
 
   /// The words of a cell, as a person reads them; empty when there is none.
   QString text(int row, int column) const;
@@ -44,6 +45,7 @@ class ForcesDock : public QDockWidget {
   QString shownAs(double value, Quantity quantity) const;
 
   Simulation& simulation_;
+  const Editor& editor_;
   const Settings& settings_;
   QTreeWidget* list_;
   QLabel* summary_;

@@ -148,18 +148,25 @@ void RebuildDock::makeStages(QGridLayout& grid) {
 }
 
 void RebuildDock::makeFacts(QGridLayout& grid) {
+  coefficients_ = addRow(grid, tr("Spline coefficients"), "modelCoefficients");
+  elements_ = addRow(grid, tr("Spline elements"), "modelElements");
   nodes_ = addRow(grid, tr("Nodes"), "modelNodes");
   triangles_ = addRow(grid, tr("Triangles"), "modelTriangles");
   angle_ = addRow(grid, tr("Smallest angle"), "modelAngle");
   memory_ = addRow(grid, tr("Memory"), "modelMemory");
   condition_ = addRow(grid, tr("Condition number"), "modelCondition");
   balance_ = addRow(grid, tr("Balance of forces"), "modelBalance");
+  error_ = addRow(grid, tr("Error of touches"), "modelError");
   const QString condition =
       tr("How much rounding errors can grow in the solution, at most; estimated");
   const QString balance =
       tr("Sum of all forces at rest, over the largest of them: an indicator of the error");
   for (QLabel* label : {condition_.name, condition_.value}) label->setToolTip(condition);
   for (QLabel* label : {balance_.name, balance_.value}) label->setToolTip(balance);
+  const QString error = tr(
+      "Relative error of the force under a fingertip, estimated from how well the equations hold "
+      "between the points where they are demanded");
+  for (QLabel* label : {error_.name, error_.value}) label->setToolTip(error);
 }
 
 void RebuildDock::showStatus() {
@@ -224,9 +231,13 @@ void RebuildDock::showFacts(const app::RebuildStatus& status) {
   modelTitle_->setText(!model                                    ? tr("No model yet")
                        : status.modelRevision != status.revision ? tr("Model of the previous shape")
                                                                  : tr("Model"));
-  for (const Row& row : {nodes_, triangles_, angle_, memory_, condition_, balance_}) {
+  for (const Row& row : {nodes_, triangles_, angle_, memory_, condition_, balance_, error_}) {
     row.name->setVisible(model != nullptr);
     row.value->setVisible(model != nullptr);
+  }
+  for (const Row& row : {coefficients_, elements_}) {
+    row.name->setVisible(model && model->setup().splines);
+    row.value->setVisible(model && model->setup().splines);
   }
   if (!model) return;
   const app::BuildReport& report = model->report();
@@ -236,6 +247,11 @@ void RebuildDock::showFacts(const app::RebuildStatus& status) {
   memory_.value->setText(QString::fromStdString(app::formatBytes(report.memory)));
   condition_.value->setText(status.condition > 0 ? tr("%L1").arg(status.condition, 0, 'e', 1)
                                                  : QString("…"));
+  coefficients_.value->setText(tr("%L1").arg(model->setup().discretisation->displacementCount()));
+  elements_.value->setText(tr("%L1").arg(model->setup().discretisation->elementCount()));
+  error_.value->setText(status.touchError > 0
+                            ? tr("about %L1 %").arg(100 * status.touchError, 0, 'g', 2)
+                            : QString("…"));
   const app::TouchState& rest = model->rest();
   balance_.value->setText(rest.relativeBalance > 0
                               ? tr("%L1 %").arg(100 * rest.relativeBalance, 0, 'g', 2)

@@ -42,7 +42,8 @@ class RebuildDock : public QDockWidget {
   std::vector<Row> stages_;
   Row total_{};
   QLabel* modelTitle_;
-  Row nodes_{}, triangles_{}, angle_{}, memory_{}, condition_{}, balance_{};
+  Row nodes_{}, triangles_{}, angle_{}, memory_{}, condition_{}, balance_{}, error_{};
+  Row coefficients_{}, elements_{};
 };
 
 /// "Up to date", "Building the model 40 %", …: for the dock and the status bar.

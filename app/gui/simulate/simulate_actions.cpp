@@ -5,6 +5,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
+#include "app/gui/simulate/deformed_export.h"
 #include "app/gui/tools/tool_box.h"
 
 namespace palpa::gui {
@@ -22,6 +23,14 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
   addTools();
   addPictures();
   recording_ = new RecordingActions(workspace, simulation);
+  onlySimulating_.push_back(workspace.menus.add(
+      workspace.menus.simulate,
+      {nullptr,
+       tr("Export &deformed solid …"),
+       {},
+       tr("Write the solid as it is touched now as patches, for CAD or to go on "
+          "modelling")},
+      this, [this] { exportDeformed(workspace_, simulation_); }));
   connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
   connect(&hand_, &HandOptions::changed, this, [this] {
     if (simulation_.drawn()) simulation_.setFingertip(hand_.radius(*simulation_.drawn()));

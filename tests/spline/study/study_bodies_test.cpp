@@ -20,7 +20,7 @@ const Material kMaterial{0.1, 0.3};
 struct Body {
   const char* name;
   ExactField exact;
-  Held held;
+  HeldPlaces held;
 };
 
 StudySeries splineSeries(const Body& body, const char* engine,

@@ -35,7 +35,7 @@ BoundaryMesh triangleMesh(const modeling::Solid& solid, double edgeLength,
   return mesh;
 }
 
-std::unique_ptr<SolvedBody> solveTriangles(const BoundaryMesh& mesh, const Held& held,
+std::unique_ptr<SolvedBody> solveTriangles(const BoundaryMesh& mesh, const HeldPlaces& held,
                                            const Material& material, const ExactField& exact) {
   const BoundaryMesh withSupport = retagged(mesh, 1, held);
   return fastest([&] {

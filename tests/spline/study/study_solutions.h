@@ -9,7 +9,7 @@
 namespace palpa::bem::test {
 
 /// Which places of the surface are held.
-using Held = std::function<bool(const Eigen::Vector3d&)>;
+using HeldPlaces = std::function<bool(const Eigen::Vector3d&)>;
 
 /// Names of the engines in tables and plots.
 inline constexpr const char* kTriangles = "triangles";
@@ -41,7 +41,7 @@ auto fastest(const Solve& solve) {
 std::unique_ptr<SplineBody> solveSplines(const SplineSurface& surface, const Material& material,
                                          const ExactField& exact);
 /// The same with flat triangles, held where the middle of a triangle is.
-std::unique_ptr<SolvedBody> solveTriangles(const BoundaryMesh& mesh, const Held& held,
+std::unique_ptr<SolvedBody> solveTriangles(const BoundaryMesh& mesh, const HeldPlaces& held,
                                            const Material& material, const ExactField& exact);
 
 /// Size, error of u against `exact` and seconds of a solution.

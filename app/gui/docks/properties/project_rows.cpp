@@ -67,15 +67,48 @@ QString nodesText(const Editor& editor) {
   }
 }
 
+using ChangeMesh = std::function<bool(const std::function<void(modeling::MeshSettings&)>&)>;
+
+/// What a solid is computed with, and how fine.
+void addEngine(PropertyPage& page, const ChangeMesh& change) {
+  Editor& editor = page.editor();
+  page.addChoice(
+      tr("Compu&ted with"), "engine", {tr("Automatic"), tr("Splines"), tr("Triangles")},
+      [&editor] { return static_cast<int>(editor.project().mesh.engine); },
+      [change](int engine) {
+        return change([&](auto& mesh) { mesh.engine = static_cast<modeling::Engine>(engine); });
+      });
+  page.addQuantity(
+          tr("Accuracy &wish, %"), "accuracy", Quantity::kNumber,
+          [&editor] { return 100 * editor.project().mesh.accuracy; },
+          [change](double percent) {
+            return change([&](auto& mesh) {
+              mesh.accuracy = percent / 100;
+              mesh.elementLength.reset();
+            });
+          })
+      ->setRange(0.01, 10);
+  page.addSlowFact(tr("Spline elements"), "splineElements", [&editor] {
+    const auto model = editor.model();
+    if (!model) return QString("…");
+    const app::BoundarySetup& setup = model->setup();
+    if (!setup.splines) return tr("none: triangles");
+    return tr("%L1, %L2 coefficients")
+        .arg(setup.discretisation->elementCount())
+        .arg(setup.discretisation->displacementCount());
+  });
+}
+
 void addMesh(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Mesh"));
   // One setting changed, the others as they are.
-  const auto change = [&editor](const std::function<void(modeling::MeshSettings&)>& edit) {
+  const ChangeMesh change = [&editor](const std::function<void(modeling::MeshSettings&)>& edit) {
     modeling::MeshSettings mesh = editor.project().mesh;
     edit(mesh);
     return editor.perform(modeling::SetMesh{mesh});
   };
+  if (editor.solid()) addEngine(page, change);
   page.addQuantity(
       tr("&Edge length"), "edgeLength", Quantity::kLength,
       [&editor] { return editor.project().mesh.edgeLength; },

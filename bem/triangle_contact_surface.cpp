@@ -1,4 +1,4 @@
-#include "bem/contact_surface.h"
+#include "bem/triangle_contact_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ constexpr int kMostIterations = 200;
 
 }  // namespace
 
-ContactSurface::ContactSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
-                               const DegreesOfFreedom& dofs)
-    : mesh_(mesh), slots_(slots), dofs_(dofs), tree_(mesh) {
+TriangleContactSurface::TriangleContactSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                               const DegreesOfFreedom& dofs)
+    : ContactSurface(mesh, slots, slots, dofs) {
   const int count = mesh.triangleCount();
   triangles_.reserve(count);
   longestAt_.assign(mesh.nodeCount(), 0.0);
@@ -60,47 +60,69 @@ ContactSurface::ContactSurface(const BoundaryMesh& mesh, const TractionSlots& sl
   firstBulge_.push_back(static_cast<int>(bulges_.size()));
 }
 
-ContactSurface::Workspace::Workspace(const ContactSurface& surface)
-    : triangleStamp_(surface.mesh_.triangles.size(), 0),
-      aroundStamp_(surface.mesh_.triangles.size(), 0),
-      nodeStamp_(surface.mesh_.nodes.size(), 0),
-      measureStamp_(surface.mesh_.nodes.size(), 0),
-      nodeIndex_(surface.mesh_.nodes.size(), 0),
-      measureIndex_(surface.mesh_.nodes.size(), 0) {}
+class TriangleContactSurface::Workspace final : public ContactSurface::Workspace {
+ public:
+  explicit Workspace(const TriangleContactSurface& surface)
+      : triangleStamp_(surface.mesh().triangles.size(), 0),
+        aroundStamp_(surface.mesh().triangles.size(), 0),
+        nodeStamp_(surface.mesh().nodes.size(), 0),
+        measureStamp_(surface.mesh().nodes.size(), 0),
+        nodeIndex_(surface.mesh().nodes.size(), 0),
+        measureIndex_(surface.mesh().nodes.size(), 0) {}
 
-Vector3d ContactSurface::normal(const SurfacePoint& point) const {
-  Vector3d normal = Vector3d::Zero();
-  for (int corner = 0; corner < 3; ++corner)
-    normal += point.weights[corner] * slots_.slots[slots_.ofCorner[point.triangle][corner]].normal;
-  const double length = normal.norm();
-  return length > 0 ? Vector3d(normal / length) : mesh_.normal(point.triangle);
+ private:
+  friend class TriangleContactSurface;
+  std::vector<unsigned> triangleStamp_, aroundStamp_, nodeStamp_, measureStamp_;
+  unsigned stamp_ = 0;
+  std::vector<int> touched_, around_, nodeIndex_, measureIndex_;
+  std::vector<double> coefficients_;  // of the measure
+  Eigen::Index count_ = 0;            // nodes of the mask
+  // One number per node of the mask; longer than needed, so that they seldom grow.
+  Eigen::VectorXd right_, residual_, search_, image_, diagonal_, fade_;
+};
+
+std::unique_ptr<ContactSurface::Workspace> TriangleContactSurface::makeWorkspace() const {
+  return std::make_unique<Workspace>(*this);
 }
 
-Vector3d ContactSurface::smoothPosition(const SurfacePoint& point) const {
+Vector3d TriangleContactSurface::normal(const SurfacePoint& point) const {
+  Vector3d normal = Vector3d::Zero();
+  for (int corner = 0; corner < 3; ++corner)
+    normal +=
+        point.weights[corner] * slots().slots[slots().ofCorner[point.triangle][corner]].normal;
+  const double length = normal.norm();
+  return length > 0 ? Vector3d(normal / length) : mesh().normal(point.triangle);
+}
+
+Vector3d TriangleContactSurface::smoothPosition(const SurfacePoint& point) const {
   Vector3d position = point.position;
   for (int a = 0; a < 3; ++a) {
     const double both = point.weights[a] * point.weights[(a + 1) % 3];
     for (const Weight& weight : bulge(point.triangle, a))
-      position += both * weight.weight * mesh_.nodes[weight.node];
+      position += both * weight.weight * mesh().nodes[weight.node];
   }
   return position;
 }
 
-double ContactSurface::narrowestMask(const SurfacePoint& point) const {
+double TriangleContactSurface::narrowestMask(const SurfacePoint& point) const {
   double length = 0;
   for (int corner = 0; corner < 3; ++corner)
-    length += point.weights[corner] * longestAt_[mesh_.triangles[point.triangle][corner]];
+    length += point.weights[corner] * longestAt_[mesh().triangles[point.triangle][corner]];
   return kNarrowest * length;
 }
 
-bool ContactSurface::makeMask(const SurfacePoint& point, double radius, Workspace& work,
-                              ContactMask& mask) const {
+bool TriangleContactSurface::makeMask(const SurfacePoint& point, double radius,
+                                      ContactSurface::Workspace& workspace,
+                                      ContactMask& mask) const {
+  auto& work = static_cast<Workspace&>(workspace);
   mask.point = point;
   mask.radius = std::max(radius, narrowestMask(point));
   ++work.stamp_;
   collectTriangles(point, mask.radius, work);
   collectNodes(work, mask.nodes);
   mask.measureNodes.clear();
+  mask.points.clear();
+  mask.pointWeights.clear();
   if (mask.nodes.empty() || integrateBump(point, mask.radius, work) <= 0) {
     mask.nodes.clear();
     mask.traction.clear();
@@ -114,14 +136,14 @@ bool ContactSurface::makeMask(const SurfacePoint& point, double radius, Workspac
 
 /// Triangles that reach into the ball and hang together with the touched one: the far side of a
 /// thin body must not be touched as well.
-void ContactSurface::collectTriangles(const SurfacePoint& point, double radius,
-                                      Workspace& work) const {
+void TriangleContactSurface::collectTriangles(const SurfacePoint& point, double radius,
+                                              Workspace& work) const {
   work.touched_.clear();
   work.touched_.push_back(point.triangle);
   work.triangleStamp_[point.triangle] = work.stamp_;
   for (std::size_t k = 0; k < work.touched_.size(); ++k) {
-    for (const int node : mesh_.triangles[work.touched_[k]]) {
-      if ((mesh_.nodes[node] - point.position).squaredNorm() >= radius * radius) continue;
+    for (const int node : mesh().triangles[work.touched_[k]]) {
+      if ((mesh().nodes[node] - point.position).squaredNorm() >= radius * radius) continue;
       for (int i = firstOfNode_[node]; i < firstOfNode_[node + 1]; ++i) {
         const int neighbour = ofNode_[i];
         if (work.triangleStamp_[neighbour] == work.stamp_) continue;
@@ -133,12 +155,12 @@ void ContactSurface::collectTriangles(const SurfacePoint& point, double radius,
 }
 
 /// The free nodes of the touched triangles, and all triangles around these.
-void ContactSurface::collectNodes(Workspace& work, std::vector<int>& nodes) const {
+void TriangleContactSurface::collectNodes(Workspace& work, std::vector<int>& nodes) const {
   nodes.clear();
   work.around_.clear();
   for (const int t : work.touched_)
-    for (const int node : mesh_.triangles[t]) {
-      if (work.nodeStamp_[node] == work.stamp_ || !dofs_.isFree(node)) continue;
+    for (const int node : mesh().triangles[t]) {
+      if (work.nodeStamp_[node] == work.stamp_ || !dofs().isFree(node)) continue;
       work.nodeStamp_[node] = work.stamp_;
       work.nodeIndex_[node] = static_cast<int>(nodes.size());
       nodes.push_back(node);
@@ -159,14 +181,14 @@ void ContactSurface::collectNodes(Workspace& work, std::vector<int>& nodes) cons
 
 /// ∫ N_k (1 - (ρ/radius)^2)^2 dΓ over the touched triangles, by a rule of degree 5 on congruent
 /// cells; returns the sum.
-double ContactSurface::integrateBump(const SurfacePoint& point, double radius,
-                                     Workspace& work) const {
+double TriangleContactSurface::integrateBump(const SurfacePoint& point, double radius,
+                                             Workspace& work) const {
   const double inverse = 1.0 / (radius * radius);
   for (const int t : work.touched_) {
-    const auto& c = mesh_.triangles[t];
-    const Vector3d origin = mesh_.nodes[c[0]] - point.position;
-    const Vector3d ab = mesh_.nodes[c[1]] - mesh_.nodes[c[0]];
-    const Vector3d ac = mesh_.nodes[c[2]] - mesh_.nodes[c[0]];
+    const auto& c = mesh().triangles[t];
+    const Vector3d origin = mesh().nodes[c[0]] - point.position;
+    const Vector3d ab = mesh().nodes[c[1]] - mesh().nodes[c[0]];
+    const Vector3d ac = mesh().nodes[c[2]] - mesh().nodes[c[0]];
     const int cells = static_cast<int>(
         std::clamp(std::ceil(triangles_[t].longestEdge / (kCell * radius)), 1.0, 32.0));
     const double weight = triangles_[t].area / (cells * cells);
@@ -194,7 +216,7 @@ double ContactSurface::integrateBump(const SurfacePoint& point, double radius,
 /// nodes over the whole surface, F = m_k (kFade / mean of b at k)^2 on the diagonal, m_k = ∫ N_k.
 /// Conjugate gradients with the diagonal, which leaves a condition number below 20 whatever the
 /// size of the elements (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
-void ContactSurface::project(Workspace& work, std::vector<double>& coefficients) const {
+void TriangleContactSurface::project(Workspace& work, std::vector<double>& coefficients) const {
   const Eigen::Index count = work.count_;
   auto right = work.right_.head(count), residual = work.residual_.head(count);
   auto search = work.search_.head(count), image = work.image_.head(count);
@@ -204,7 +226,7 @@ void ContactSurface::project(Workspace& work, std::vector<double>& coefficients)
   };
   diagonal.setZero();
   for (const int t : work.around_)
-    for (const int node : mesh_.triangles[t])
+    for (const int node : mesh().triangles[t])
       if (const int k = indexOf(node); k >= 0) diagonal[k] += triangles_[t].area / 6.0;
   // The diagonal of M is half of m_k.
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -219,7 +241,7 @@ void ContactSurface::project(Workspace& work, std::vector<double>& coefficients)
       int index[3];
       double value[3], sum = 0;
       for (int a = 0; a < 3; ++a) {
-        index[a] = indexOf(mesh_.triangles[t][a]);
+        index[a] = indexOf(mesh().triangles[t][a]);
         value[a] = index[a] >= 0 ? search[index[a]] : 0.0;
         sum += value[a];
       }
@@ -247,7 +269,7 @@ void ContactSurface::project(Workspace& work, std::vector<double>& coefficients)
 
 /// Ψ: ∫ Φ u dΓ as weights of nodal displacements, u between the nodes recovered to third order.
 /// Also normalises the traction to ∫ Φ dΓ = 1.
-void ContactSurface::measure(Workspace& work, ContactMask& mask) const {
+void TriangleContactSurface::measure(Workspace& work, ContactMask& mask) const {
   work.coefficients_.clear();
   const auto add = [&](int node, double weight) {
     if (work.measureStamp_[node] != work.stamp_) {
@@ -259,7 +281,7 @@ void ContactSurface::measure(Workspace& work, ContactMask& mask) const {
     work.coefficients_[work.measureIndex_[node]] += weight;
   };
   for (const int t : work.around_) {
-    const auto& c = mesh_.triangles[t];
+    const auto& c = mesh().triangles[t];
     double phi[3];
     for (int a = 0; a < 3; ++a)
       phi[a] = work.nodeStamp_[c[a]] == work.stamp_ ? mask.traction[work.nodeIndex_[c[a]]] : 0.0;
@@ -278,6 +300,9 @@ void ContactSurface::measure(Workspace& work, ContactMask& mask) const {
   mask.measure.resize(work.coefficients_.size());
   for (std::size_t k = 0; k < mask.measure.size(); ++k)
     mask.measure[k] = work.coefficients_[k] / integral;
+  // At nodes the mesh lies on the true surface, and between them Ψ recovers it.
+  for (const int node : mask.measureNodes) mask.points.push_back(mesh().nodes[node]);
+  mask.pointWeights = mask.measure;
 }
 
 }  // namespace palpa::bem

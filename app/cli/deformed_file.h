@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/core/touch_model.h"
+#include "modeling/project/project.h"
+
+namespace palpa::cli {
+
+/// The option --deformed: the displaced body as a file of its own.
+class DeformedFile {
+ public:
+  void declare(CLI::App& options);
+  /// Throws OutputError when the name has no known ending. To be called before the work.
+  void validate() const;
+  /// Does nothing when the option was not given. Throws ModelingError for models of triangles.
+  void write(const modeling::Project& project, const app::TouchModel& model,
+             const app::TouchState& state, const Context& context) const;
+
+ private:
+  std::string path_;
+};
+
+}  // namespace palpa::cli

@@ -1,0 +1,119 @@
+#include "app/core/error_estimate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/core/touch.h"
+#include "bem/error.h"
+#include "bem/surface_point.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kPresses = 6;
+/// Of a press, in parts of the fingertip's radius; the body is linear, so any would do.
+constexpr double kDepth = 0.1;
+
+/// The error of a field: what the functions can carry of it, and what varies within elements. Both
+/// are estimates of parts of the same error, which they overlap in, so the larger counts.
+class EstimatedError {
+ public:
+  EstimatedError(const TouchModel& model, const bem::BoundaryField& field, const bem::Job& job)
+      : setup_(model.setup()),
+        u_(field.u.col(0)),
+        p_(field.p.col(0)),
+        error_(setup_.discretisation->estimatedError(*model.problem(), field, setup_.material, job)
+                   .u.col(0)) {}
+
+  /// Mean squares over some places.
+  struct Mean {
+    double carried = 0, defects = 0, moved = 0;
+    double relative() const {
+      return moved > 0 ? std::sqrt(std::max(carried, defects) / moved) : 0;
+    }
+  };
+  void add(const bem::SurfacePoint& place, Mean& mean) const {
+    const bem::Discretisation& on = *setup_.discretisation;
+    mean.carried += on.interpolate(place, error_).squaredNorm();
+    mean.defects += on.displacementDefect(place, u_, p_, setup_.material).squaredNorm();
+    mean.moved += on.interpolate(place, u_).squaredNorm();
+  }
+
+ private:
+  const BoundarySetup& setup_;
+  const Eigen::VectorXd u_, p_, error_;
+};
+
+/// The middle of a contact and four places half-way to its border.
+double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error,
+                      const TouchState::Contact& contact) {
+  EstimatedError::Mean mean;
+  const double reach = contact.kind == "probe" ? contact.patchRadius() : contact.radius;
+  const Vector3d along = contact.normal.unitOrthogonal(), across = contact.normal.cross(along);
+  for (const Vector3d& direction :
+       std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
+    error.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction), mean);
+  return mean.relative();
+}
+
+/// Every so many triangles one. Triangles with close numbers are close in space.
+template <class Visit>
+void spread(const bem::BoundaryMesh& mesh, int samples, const Visit& visit) {
+  const int step = std::max(1, mesh.triangleCount() / std::max(samples, 1));
+  const Vector3d middle = Vector3d::Constant(1.0 / 3);
+  for (int triangle = step / 2; triangle < mesh.triangleCount(); triangle += step)
+    visit(bem::SurfacePoint{triangle, middle, mesh.point(triangle, middle), 0.0});
+}
+
+}  // namespace
+
+double estimateError(const TouchModel& model, const TouchState& state, const bem::Job& job,
+                     int samples) {
+  bem::Job quiet = job;
+  quiet.progress = nullptr;
+  const bem::BoundaryMesh& mesh = model.setup().mesh();
+  const EstimatedError error(model, state.field, quiet);
+  EstimatedError::Mean mean;
+  spread(mesh, samples, [&](const bem::SurfacePoint& place) {
+    job.throwIfCancelled();
+    error.add(place, mean);
+  });
+  double estimate = mean.relative();
+  for (const TouchState::Contact& contact : state.contacts)
+    estimate = std::max(estimate, errorAtContact(mesh, error, contact));
+  return estimate;
+}
+
+double estimateTouchError(const TouchModel& model, const bem::Job& job) {
+  const BoundarySetup& setup = model.setup();
+  const double radius = defaultTouchRadius(setup.mesh());
+  bem::Job quiet = job;
+  quiet.progress = nullptr;
+  double largest = 0;
+  spread(setup.mesh(), kPresses, [&](const bem::SurfacePoint& place) {
+    job.throwIfCancelled();
+    modeling::Touch press;
+    press.name = "press";
+    press.at = place.position;
+    press.radius = radius;
+    press.action =
+        modeling::TouchDisplacement{-kDepth * radius * setup.mesh().normal(place.triangle)};
+    try {
+      const TouchState state = playTouches(model, std::span(&press, 1), 0, quiet);
+      // What loads alone do is not the press.
+      TouchState touched = state;
+      touched.field.u -= model.rest().field.u;
+      touched.field.p -= model.rest().field.p;
+      const EstimatedError error(model, touched.field, quiet);
+      largest = std::max(largest, errorAtContact(setup.mesh(), error, touched.contacts.front()));
+    } catch (const bem::SolverError&) {
+      // A support holds the place.
+    }
+  });
+  return largest;
+}
+
+}  // namespace palpa::app

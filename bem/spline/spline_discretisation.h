@@ -1,0 +1,81 @@
+#pragma once
+#include "bem/discretisation.h"
+#include "bem/made_once.h"
+#include "bem/spline/spline_integrals.h"
+#include "bem/spline/spline_mesh_stress.h"
+#include "bem/spline/spline_results.h"
+
+namespace palpa::bem {
+
+/// Splines on the patches of a solid. Elements are those of the spline surface.
+class SplineDiscretisation final : public Discretisation {
+ public:
+  /// `triangles`: the place on the patches of each triangle of the mesh. Equal tags of triangles
+  /// and elements mean the same part of the surface.
+  SplineDiscretisation(BoundaryMesh mesh, SplineSurface surface,
+                       std::vector<SplineMesh::Triangle> triangles);
+  SplineDiscretisation(const SplineDiscretisation&) = delete;
+  SplineDiscretisation& operator=(const SplineDiscretisation&) = delete;
+
+  const SplineSurface& surface() const { return surface_; }
+  const SplineTractions& tractions() const { return tractions_; }
+  const SplineMesh& splineMesh() const { return splineMesh_; }
+
+  const TractionSlots& slots() const override { return tractions_.slots; }
+  const std::vector<Eigen::Vector3d>& places() const override { return places_; }
+  Weights placeWeights() const override { return placeWeights_; }
+  int elementCount() const override { return surface_.elementCount(); }
+
+  DegreesOfFreedom degreesOfFreedom(const std::vector<SlotCondition>& conditions,
+                                    const Material& material) const override;
+  void checkSolvable(const std::vector<SlotCondition>& conditions,
+                     const Material& material) const override;
+  std::unique_ptr<ReferenceProblem> makeProblem(
+      const std::vector<SlotCondition>& conditions, const Material& material,
+      const AssemblyOptions& options, Precision precision, const Job& job,
+      ReferenceProblemTimes* times = nullptr) const override;
+  std::unique_ptr<ReferenceProblem> readProblem(const std::vector<SlotCondition>& conditions,
+                                                const Material& material, Precision precision,
+                                                const Job& job,
+                                                const ByteSource& source) const override;
+  void write(const ByteSink& sink) const override { surface_.write(sink); }
+
+  BoundaryField valuesOnMesh(const BoundaryField& field) const override;
+  Weights displacementWeights(std::span<const SurfacePoint> places) const override;
+
+  double area(int coefficient) const override { return integrals().area(coefficient); }
+  Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const override;
+  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
+  std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                             const Material& material) const override;
+  Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;
+  Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& p, const Material& material) const override;
+  Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const override;
+  Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                     const Eigen::VectorXd& p,
+                                     const Material& material) const override;
+  BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
+                               const Material& material, const Job& job) const override;
+  std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                             const Material& material,
+                                             const Eigen::Vector3d& point) const override;
+  std::unique_ptr<ContactSurface> makeContactSurface(const DegreesOfFreedom& dofs) const override;
+
+ private:
+  using Entry = Eigen::Triplet<double>;
+  void addWeights(const SplineMesh::Point& at, int row, std::vector<Entry>& entries) const;
+  const SplineIntegrals& integrals() const { return integrals_.get(surface_, tractions_); }
+  const SplineResults& results() const { return results_.get(surface_, tractions_); }
+
+  SplineSurface surface_;
+  SplineTractions tractions_;
+  SplineMesh splineMesh_;
+  std::vector<Eigen::Vector3d> places_;
+  Weights placeWeights_;
+  MadeOnce<SplineIntegrals> integrals_;
+  MadeOnce<SplineResults> results_;
+  MadeOnce<SplineMeshStress> stress_;
+};
+
+}  // namespace palpa::bem

@@ -1,0 +1,41 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "bem/job.h"
+#include "bem/spline/spline_tractions.h"
+#include "bem/traction_projection.h"
+
+namespace palpa::bem {
+
+/// Integrals over the elements of the functions, of these times the position, and of their
+/// products: what resultants and energies of any fields need, within a tenth of a millisecond or
+/// two at 1,000 coefficients. Made at about 5 µs per element and core, taken with degree + 4 Gauss
+/// points per direction. Const use from several threads is safe; surface and tractions must outlive
+/// it.
+class SplineIntegrals {
+ public:
+  SplineIntegrals(const SplineSurface& surface, const SplineTractions& tractions,
+                  const Job& job = {});
+
+  /// Force and moment about the origin that the traction coefficients `p` exert on the body over
+  /// some elements.
+  Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const;
+  /// 1/2 ∫ p.u dΓ, mJ, of a field without body forces.
+  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const;
+  /// ∫ of the function of a displacement coefficient, mm^2: the force of a unit of its traction.
+  double area(int coefficient) const { return areas_[coefficient]; }
+
+ private:
+  struct Element {
+    Eigen::Matrix4Xd moments;  ///< per function: ∫ N (y, 1)
+    Eigen::MatrixXd products;  ///< ∫ N_a N_b
+  };
+
+  const SplineSurface& surface_;
+  const SplineTractions& tractions_;
+  std::vector<Element> elements_;
+  std::vector<double> areas_;
+};
+
+}  // namespace palpa::bem

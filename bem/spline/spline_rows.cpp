@@ -1,0 +1,80 @@
+#include "bem/spline/spline_rows.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace palpa::bem {
+
+SplineRows::SplineRows(const SplineSurface& surface, const SplineTractions& tractions,
+                       const Material& material, const SplineQuadrature& quadrature)
+    : surface_(surface), tractions_(tractions), quadrature_(quadrature) {
+  const double nu = material.poissonRatio;
+  weightU_ = 1.0 / (16 * std::numbers::pi * material.shear() * (1 - nu));
+  weightT_ = -1.0 / (8 * std::numbers::pi * (1 - nu));
+  diagonalU_ = 3 - 4 * nu;
+  diagonalT_ = 1 - 2 * nu;
+}
+
+void SplineRows::integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const {
+  sums.T.assign(static_cast<std::size_t>(kSumsT) * surface_.coefficientCount(), 0);
+  sums.U.assign(static_cast<std::size_t>(kSumsU) * tractions_.slots.count(), 0);
+  for (int e = 0; e < surface_.elementCount(); ++e) {
+    if (e % 64 == 0) job.throwIfCancelled();
+    const auto inside = std::find_if(point.places.begin(), point.places.end(),
+                                     [e](const SplinePlace& p) { return p.element == e; });
+    quadrature_.integrate(e, point.position, inside == point.places.end() ? nullptr : &*inside,
+                          sums.quadrature);
+    const double* ofElement = sums.quadrature.sums.data();
+    const int stride = quadrature_.stride(e);
+    const std::vector<int>&coefficients = surface_.functions(e), &slots = tractions_.ofFunction[e];
+    for (std::size_t f = 0; f < coefficients.size(); ++f) {
+      double* t = sums.T.data() + static_cast<std::ptrdiff_t>(kSumsT) * coefficients[f];
+      double* u = sums.U.data() + static_cast<std::ptrdiff_t>(kSumsU) * slots[f];
+      for (int k = 0; k < kSumsU; ++k) u[k] += ofElement[k * stride + f];
+      for (int k = 0; k < kSumsT; ++k) t[k] += ofElement[(kSumsU + k) * stride + f];
+    }
+  }
+  subtractTranslation(point, sums);
+}
+
+void SplineRows::subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const {
+  std::fill(std::begin(sums.total), std::end(sums.total), 0);
+  for (int j = 0; j < surface_.coefficientCount(); ++j)
+    for (int k = 0; k < kSumsT; ++k)
+      sums.total[k] += sums.T[static_cast<std::size_t>(kSumsT) * j + k];
+  const SplinePlace& place = point.places.front();
+  surface_.evaluateBasis(place, sums.basis);
+  const std::vector<int>& coefficients = surface_.functions(place.element);
+  for (std::size_t f = 0; f < coefficients.size(); ++f)
+    for (int k = 0; k < kSumsT; ++k)
+      sums.T[static_cast<std::size_t>(kSumsT) * coefficients[f] + k] -=
+          sums.basis[f] * sums.total[k];
+}
+
+Eigen::Matrix3Xd SplineRows::residual(const Sums& sums, const Eigen::MatrixXd& u,
+                                      const Eigen::MatrixXd& p) const {
+  Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, u.cols());
+  Eigen::Matrix3d block;
+  for (Eigen::Index j = 0; 3 * j < u.rows(); ++j) {
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) block(i, c) = blockT(&sums.T[kSumsT * j], i, c);
+    sum -= block * u.middleRows<3>(3 * j);
+  }
+  for (Eigen::Index s = 0; 3 * s < p.rows(); ++s) {
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c) block(i, c) = blockU(&sums.U[kSumsU * s], i, c);
+    sum += block * p.middleRows<3>(3 * s);
+  }
+  return sum;
+}
+
+Eigen::Matrix3d SplineRows::freeTerm(const Sums& sums) const {
+  double symmetric[kSumsT] = {};
+  std::copy_n(sums.total, kSumsU, symmetric);
+  Eigen::Matrix3d C;
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) C(i, c) = -blockT(symmetric, i, c);
+  return C;
+}
+
+}  // namespace palpa::bem

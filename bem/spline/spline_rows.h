@@ -1,0 +1,64 @@
+#pragma once
+#include <vector>
+
+#include "bem/material.h"
+#include "bem/spline/spline_quadrature.h"
+#include "bem/spline/spline_tractions.h"
+
+namespace palpa::bem {
+
+/// The regularised identity at one point x of the surface: Kelvin's kernels times every function,
+/// integrated over all elements,
+///   T_j = ∫ T(x, y) [N_j(y) - N_j(x)] dΓ,  U_s = ∫ U(x, y) N_s(y) dΓ.
+/// At a collocation point these are its three rows of the operators. All references must outlive
+/// it; const use from several threads is safe.
+class SplineRows {
+ public:
+  /// Sums per displacement and per traction coefficient, see spline_kernel.h.
+  static constexpr int kSumsT = 9, kSumsU = 6;
+
+  SplineRows(const SplineSurface& surface, const SplineTractions& tractions,
+             const Material& material, const SplineQuadrature& quadrature);
+
+  /// The sums of a point; used again from point to point.
+  struct Sums {
+    std::vector<double> T, U;  ///< [coefficient][sum]
+    double total[kSumsT];      ///< of T before N_j(x) was subtracted
+    SplineQuadrature::Workspace quadrature;
+    std::vector<double> basis;
+  };
+  void integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const;
+
+  /// Component (i, c) of the block (see kelvin.h) with these sums.
+  double blockT(const double* sum, int i, int c) const {
+    double value = 3 * sum[kPacked[i][c]];
+    if (i == c) return weightT_ * (value + diagonalT_ * (sum[0] + sum[2] + sum[5]));
+    // e_i n_j - e_j n_i is the component of r × n across i and j.
+    const double turn = sum[6 + 3 - i - c];
+    value -= diagonalT_ * ((c - i + 3) % 3 == 1 ? turn : -turn);
+    return weightT_ * value;
+  }
+  double blockU(const double* sum, int i, int c) const {
+    const double value = sum[kPacked[i][c]];
+    return weightU_ * (i == c ? value + diagonalU_ * (sum[0] + sum[2] + sum[5]) : value);
+  }
+
+  /// r(x) = ∫ U p - ∫ T [u(y) - u(x)] of fields in coefficients: 3 rows, a column for each.
+  Eigen::Matrix3Xd residual(const Sums& sums, const Eigen::MatrixXd& u,
+                            const Eigen::MatrixXd& p) const;
+
+  /// C in C u(x) = ∫ U p - ⨍ T u, 1/2 at smooth points: what T integrates to around x. Its
+  /// antisymmetric part, -∮ dl / R along a closed line around x by Stokes's theorem, is zero.
+  Eigen::Matrix3d freeTerm(const Sums& sums) const;
+
+ private:
+  static constexpr int kPacked[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};
+  void subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const;
+
+  const SplineSurface& surface_;
+  const SplineTractions& tractions_;
+  const SplineQuadrature& quadrature_;
+  double weightU_, weightT_, diagonalU_, diagonalT_;
+};
+
+}  // namespace palpa::bem

@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "allocation_counter.h"
+#include "bem/contact_solver.h"
+#include "bem/spline/spline_projection.h"
+#include "bem/stiffness_map.h"
+#include "modeling/shapes/primitives.h"
+#include "spline_body.h"
+#include "touched_body.h"
+
+namespace palpa::bem::test {
+namespace {
+
+using Eigen::Vector3d;
+using Kind = ContactTool::Kind;
+
+constexpr Material kMaterial{0.1, 0.45};
+constexpr double kRadius = 25;
+const Vector3d kTop(0, 0, kRadius), kSide(kRadius, 0, 0);
+
+/// Cubic splines with elements of 4.9 mm, n = 602, fixed on the lowest of six patches.
+SplineTouched& sphere() {
+  static auto* shared = [] {
+    auto* body = new SplineTouched(modeling::makeSphere(kRadius, 11), Held{}, kMaterial, 5);
+    body->computeAll();
+    return body;
+  }();
+  return *shared;
+}
+
+/// The same sphere of fine triangles.
+TriangleTouched& fineSphere() {
+  static auto* shared =
+      new TriangleTouched(fittedMesh(modeling::makeSphere(kRadius, 11), Held{}, 3.3, 1), kMaterial);
+  return *shared;
+}
+
+Vector3d forceOf(TouchedBody& body, const ContactTool& tool, const Vector3d& at,
+                 const Vector3d& value) {
+  ContactSimulation simulation = body.simulation();
+  const auto id = simulation.begin(tool, at, value);
+  body.settle(simulation);
+  EXPECT_TRUE(simulation.converged());
+  return simulation.find(id)->force;
+}
+
+void expectAgreement(TouchedBody& splines, TouchedBody& triangles, const ContactTool& tool,
+                     const Vector3d& at, const Vector3d& value, double tolerance) {
+  const Vector3d a = forceOf(splines, tool, at, value), b = forceOf(triangles, tool, at, value);
+  std::printf("kind %d at (%g, %g, %g): %.5f and %.5f N, differ by %.2f %%\n",
+              static_cast<int>(tool.kind), at[0], at[1], at[2], a.norm(), b.norm(),
+              100 * (a - b).norm() / b.norm());
+  EXPECT_GT(b.norm(), 0);
+  EXPECT_LE((a - b).norm(), tolerance * b.norm());
+}
+
+TEST(SplineContact, AgreesWithFineTrianglesOnASphere) {
+  for (const Vector3d& at : {kTop, Vector3d(kRadius * Vector3d(1, 0.3, 0.2).normalized())}) {
+    const Vector3d outward = at.normalized();
+    expectAgreement(sphere(), fineSphere(), {Kind::kGrab, 10}, at,
+                    -1.5 * outward + Vector3d(0.3, 0.5, 0), 0.01);
+    expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0}, at, at - outward, 0.01);
+    expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0.5}, at, at - outward, 0.01);
+    expectAgreement(sphere(), fineSphere(), {Kind::kProbe, 60, 0}, at, at + 58.5 * outward, 0.03);
+  }
+}
+
+TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
+  const modeling::Solid solid = modeling::makeBox({40, 30, 20});
+  SplineTouched box(halved(halved(halved(solid))), Held{}, kMaterial, 5);
+  TriangleTouched triangles(fittedMesh(solid, Held{}, 3.5, 1), kMaterial);
+  std::printf("n = %d splines, %d triangle nodes, narrowest %.2f\n", box.splines.coefficientCount(),
+              triangles.mesh.nodeCount(),
+              box.surface().narrowestMask(box.surface().nearest({3, 2, 20})));
+  const Vector3d top(3, 2, 20), rim(19, 2, 20), side(20, 1, 13);
+  expectAgreement(box, triangles, {Kind::kGrab, 9}, top, {0.3, 0.2, -1}, 0.015);
+  expectAgreement(box, triangles, {Kind::kGrab, 9}, rim, {0.3, 0.2, -1}, 0.03);
+  expectAgreement(box, triangles, {Kind::kPush, 9, 0}, side, side - Vector3d(1, 0, 0), 0.015);
+  expectAgreement(box, triangles, {Kind::kProbe, 100, 0}, top, top + Vector3d(0, 0, 99), 0.03);
+}
+
+TEST(SplineContact, ComplianceIsSymmetric) {
+  ContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
+  for (const Vector3d& at : {kTop, kSide, Vector3d(0, -18, 17), Vector3d(5, 3, 24)})
+    solver.addForce(makeContactMask(sphere().surface(), at, 8), {0, 0, 0.1});
+  std::printf("reciprocity defect %.1e\n", solver.reciprocityDefect());
+  EXPECT_LE(solver.reciprocityDefect(), 1e-3);
+}
+
+TEST(SplineContact, SupportsBalanceIt) {
+  ContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
+  solver.addGrab(makeContactMask(sphere().surface(), kTop, 10), Vector3d(0.5, 0.2, -1));
+  const Eigen::VectorXd forces = solver.forces();
+  const BoundaryField field = solver.field(forces);
+  std::vector<int> held;
+  for (int e = 0; e < sphere().splines.elementCount(); ++e)
+    if (sphere().splines.elements()[e].tag == 1) held.push_back(e);
+  Vector3d reaction = Vector3d::Zero();
+  std::vector<double> basis;
+  visitSplinePoints(sphere().splines, held, 6, INFINITY,
+                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      sphere().splines.evaluateBasis(place, basis);
+                      for (std::size_t f = 0; f < basis.size(); ++f)
+                        reaction += weight * basis[f] *
+                                    field.p.col(0).segment<3>(
+                                        3 * sphere().tractions.ofFunction[place.element][f]);
+                    });
+  std::printf("out of balance by %.2f %%\n", 100 * (reaction + forces).norm() / forces.norm());
+  EXPECT_LE((reaction + forces).norm(), 5e-3 * forces.norm());
+}
+
+/// As for triangles (ContactSimulation.TheForceHasNoStepsWhenSliding, 0.2 %), over edges of
+/// patches.
+TEST(SplineContact, TheForceHasNoStepsWhenSliding) {
+  for (const Kind kind : {Kind::kPush, Kind::kProbe}) {
+    ContactSimulation simulation = sphere().simulation();
+    const double radius = kind == Kind::kProbe ? 12 : 8;
+    const double distance = kind == Kind::kProbe ? 25 + 12 - 1.5 : 23.5;
+    const auto tool = [&](int k) -> Vector3d {
+      const double angle = 0.5 + 0.0002 * k;
+      return distance * Vector3d(std::sin(angle), 0.1, std::cos(angle)).normalized();
+    };
+    const auto id = simulation.begin({kind, radius, 0}, kRadius * tool(0).normalized(), tool(0));
+    simulation.step(10);
+    double last = simulation.find(id)->force.norm(), least = last, largest = last, jump = 0;
+    for (int k = 0; k <= 3000; ++k) {
+      simulation.set(id, tool(k));
+      simulation.step();
+      const double force = simulation.find(id)->force.norm();
+      jump = std::max(jump, std::abs(force - last));
+      largest = std::max(largest, force);
+      least = std::min(least, force);
+      last = force;
+    }
+    std::printf("%s: force %.4f … %.4f N, largest jump %.3f %%\n",
+                kind == Kind::kPush ? "finger" : "ball", least, largest, 100 * jump / largest);
+    EXPECT_LE(jump, 0.002 * largest);
+  }
+}
+
+TEST(SplineContact, StepsDoNotAllocate) {
+  ContactSimulation simulation = sphere().simulation();
+  const auto push = simulation.begin({Kind::kPush, 8, 0.3}, kTop, 24 * Vector3d::UnitZ());
+  const auto probe = simulation.begin({Kind::kProbe, 10, 0.2}, -kSide, {-34, 0, 0});
+  simulation.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0});
+  const auto move = [&] {
+    for (int k = 0; k <= 60; ++k) {
+      const double t = std::sin(2 * std::numbers::pi * k / 60);
+      simulation.set(push, 23 * Vector3d(std::sin(0.3 * t), 0, std::cos(0.3 * t)));
+      simulation.set(probe, Vector3d(-(34 - t) * std::cos(0.2 * t), 34 * std::sin(0.2 * t), 0));
+      simulation.step();
+    }
+  };
+  move();
+  move();
+  app::test::watchAllocations(::gettid());
+  move();
+  const long allocations = app::test::allocations();
+  app::test::watchAllocations(0);
+  EXPECT_EQ(allocations, 0);
+}
+
+/// By slots of the mesh, as with triangles, and the same numbers.
+TEST(SplineContact, StiffnessMapAgreesWithTriangles) {
+  const auto mapped = [](TouchedBody& body, const BoundaryMesh& mesh, double radius) {
+    body.computeAll();
+    StiffnessMap map(body.surface(), radius);
+    map.update(body.columns(), Job{});
+    EXPECT_TRUE(map.isComplete());
+    const TractionSlots& slots = body.surface().meshSlots();
+    // Mean stiffness of a belt around the sphere, which is the same all around.
+    double sum = 0, count = 0;
+    for (int slot = 0; slot < slots.count(); ++slot) {
+      const Vector3d& x = mesh.nodes[slots.slots[slot].node];
+      if (x.z() < -20) {
+        EXPECT_EQ(map.compliances()[slot], 0);
+      }
+      if (std::abs(x.z()) > 4) continue;
+      EXPECT_GT(map.compliances()[slot], 0);
+      sum += 1 / map.compliances()[slot];
+      ++count;
+    }
+    EXPECT_GT(count, 0);
+    return sum / count;
+  };
+  const double a = mapped(sphere(), sphere().mesh, 10);
+  const double b = mapped(fineSphere(), fineSphere().mesh, 10);
+  std::printf("stiffness %.5f and %.5f N/mm\n", a, b);
+  EXPECT_NEAR(a, b, 0.015 * b);
+}
+
+}  // namespace
+}  // namespace palpa::bem::test
