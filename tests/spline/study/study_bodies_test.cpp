@@ -83,8 +83,8 @@ double leastError(const StudySeries& series, int mostCoefficients) {
   return least;
 }
 
-/// The lower sixth of a sphere made from a cube.
-bool isBelow(const Vector3d& x) {
+/// The lowest of the six patches of a sphere.
+bool isInLowestPatch(const Vector3d& x) {
   return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
 }
 
@@ -92,7 +92,7 @@ const modeling::SphereShape kSphere{25};
 
 TEST(SplineStudy, SphereWithASource47mmFromItsMiddle) {
   const Body body{"sphere, source at 47 mm",
-                  kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, kMaterial), isBelow};
+                  kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, kMaterial), isInLowestPatch};
   const auto coarse = modeling::makePrimitive({kSphere, 3, 7});
   const Engines engines{triangleSeries(body, coarse, {9, 6, 4.2, 3, 2.1}),
                         splineSeries(body, kQuadratic, withNets(kSphere, 2, {4, 6, 8, 10, 12})),
@@ -104,7 +104,7 @@ TEST(SplineStudy, SphereWithASource47mmFromItsMiddle) {
 
 TEST(SplineStudy, SphereWithASource36mmFromItsMiddle) {
   const Body body{"sphere, source at 36 mm",
-                  kelvinField({12, 16, 30}, {0.02, -0.03, 0.05}, kMaterial), isBelow};
+                  kelvinField({12, 16, 30}, {0.02, -0.03, 0.05}, kMaterial), isInLowestPatch};
   const auto coarse = modeling::makePrimitive({kSphere, 3, 7});
   const Engines engines{triangleSeries(body, coarse, {9, 6, 4.2, 3, 2.1}),
                         splineSeries(body, kQuadratic, withNets(kSphere, 2, {4, 6, 8, 10, 12})),
