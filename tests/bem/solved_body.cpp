@@ -45,8 +45,23 @@ SolvedBody::SolvedBody(BoundaryMesh bodyMesh, const Material& bodyMaterial, cons
        [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
        std::numeric_limits<double>::infinity()});
   problem = makeDenseReferenceProblem(mesh, slots, conditions, material, options.assembly,
-                                      options.precision, Job{});
+                                      options.precision, Job{}, &times);
   field = problem->solveField(problem->dofs().knownField(given));
+}
+
+double SolvedBody::displacementError(const ExactField& exact) const {
+  double error = 0, scale = 0;
+  visitQuadraturePoints(mesh, allTriangles(mesh), std::numeric_limits<double>::infinity(),
+                        [&](int t, const Vector3d& weights, double weight) {
+                          Vector3d found = Vector3d::Zero();
+                          for (int k = 0; k < 3; ++k)
+                            found +=
+                                weights[k] * field.u.col(0).segment<3>(3 * mesh.triangles[t][k]);
+                          const Vector3d expected = exact.displacement(mesh.point(t, weights));
+                          error += weight * (found - expected).squaredNorm();
+                          scale += weight * expected.squaredNorm();
+                        });
+  return std::sqrt(error / scale);
 }
 
 double SolvedBody::maxDisplacementError(const ExactField& exact) const {

@@ -25,6 +25,7 @@ struct SolvedBody {
   TractionSlots slots;
   Material material;
   std::vector<SlotCondition> conditions;
+  ReferenceProblemTimes times;
   std::unique_ptr<ReferenceProblem> problem;
   BoundaryField field;
 
@@ -38,6 +39,8 @@ struct SolvedBody {
              const ConditionOfTag& conditionOfTag)
       : SolvedBody(std::move(bodyMesh), bodyMaterial, exact, conditionOfTag, Options{}) {}
 
+  /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the mesh.
+  double displacementError(const ExactField& exact) const;
   /// Largest error of a nodal displacement, over the largest exact one.
   double maxDisplacementError(const ExactField& exact) const;
   /// Root mean square of the errors of the nodal displacements, over that of the exact ones.

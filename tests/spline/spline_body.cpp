@@ -37,10 +37,22 @@ double relativeError(const SplineSurface& surface,
   return std::sqrt(error / scale);
 }
 
+/// sum of N_j times the coefficient that belongs to it.
+Vector3d sumAt(const SplineSurface& surface, const SplinePlace& place,
+               const Eigen::Ref<const Eigen::VectorXd>& coefficients,
+               const std::vector<int>& ofFunction) {
+  std::vector<double> basis;
+  surface.evaluateBasis(place, basis);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t f = 0; f < basis.size(); ++f)
+    sum += basis[f] * coefficients.segment<3>(3 * ofFunction[f]);
+  return sum;
+}
+
 }  // namespace
 
 SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
-                       const ExactField& exact, const AssemblyOptions& options)
+                       const ExactField& exact, const AssemblyOptions& options, Precision precision)
     : surface(std::move(bodySurface)), tractions(surface), material(bodyMaterial) {
   const TractionSlots& slots = tractions.slots;
   std::vector<SlotCondition> conditions;
@@ -48,8 +60,8 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
     conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node, slot.tag)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
-  problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options,
-                                      Precision::kDouble, Job{}, &times);
+  problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options, precision,
+                                      Job{}, &times);
   BoundaryConditions given(surface.coefficientCount(), slots.count());
   given.ofSlot = conditions;
   given.displacement = projectDisplacement(
@@ -62,12 +74,11 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
 }
 
 Vector3d SplineBody::displacement(const SplinePlace& place) const {
-  std::vector<double> basis;
-  surface.evaluateBasis(place, basis);
-  Vector3d sum = Vector3d::Zero();
-  for (std::size_t f = 0; f < basis.size(); ++f)
-    sum += basis[f] * field.u.col(0).segment<3>(3 * surface.functions(place.element)[f]);
-  return sum;
+  return sumAt(surface, place, field.u.col(0), surface.functions(place.element));
+}
+
+Vector3d SplineBody::traction(const SplinePlace& place) const {
+  return sumAt(surface, place, field.p.col(0), tractions.ofFunction[place.element]);
 }
 
 double SplineBody::displacementError(const ExactField& exact) const {
@@ -76,20 +87,40 @@ double SplineBody::displacementError(const ExactField& exact) const {
       [&](const SplineJet& jet) { return exact.displacement(jet.position); });
 }
 
-double SplineBody::tractionError(const ExactField& exact) const {
-  std::vector<double> basis;
+double SplineBody::leastDisplacementError(const ExactField& exact) const {
+  const Eigen::VectorXd nearest = projectDisplacement(
+      surface, [&](const Vector3d& x, const Vector3d&) { return exact.displacement(x); });
   return relativeError(
       surface,
       [&](const SplinePlace& place, const SplineJet&) {
-        surface.evaluateBasis(place, basis);
-        Vector3d sum = Vector3d::Zero();
-        for (std::size_t f = 0; f < basis.size(); ++f)
-          sum += basis[f] * field.p.col(0).segment<3>(3 * tractions.ofFunction[place.element][f]);
-        return sum;
+        return sumAt(surface, place, nearest, surface.functions(place.element));
       },
+      [&](const SplineJet& jet) { return exact.displacement(jet.position); });
+}
+
+double SplineBody::tractionError(const ExactField& exact) const {
+  return relativeError(
+      surface, [&](const SplinePlace& place, const SplineJet&) { return traction(place); },
       [&](const SplineJet& jet) {
         return Vector3d(exact.stress(jet.position) * jet.areaVector().normalized());
       });
+}
+
+double SplineBody::area() const {
+  double sum = 0;
+  visitSplinePoints(surface, allElements(surface), 4, INFINITY,
+                    [&](const SplinePlace&, const SplineJet&, double weight) { sum += weight; });
+  return sum;
+}
+
+Vector3d SplineBody::reaction() const {
+  Vector3d sum = Vector3d::Zero();
+  visitSplinePoints(surface, allElements(surface), 4, INFINITY,
+                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      if (surface.elements()[place.element].tag == 1)
+                        sum += weight * traction(place);
+                    });
+  return sum;
 }
 
 SplinePlace nearestPlace(const SplineSurface& surface, const Vector3d& point) {
@@ -177,7 +208,7 @@ SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Ve
   return surface;
 }
 
-modeling::Solid halved(const modeling::Solid& solid) {
+modeling::Solid divided(const modeling::Solid& solid, int parts) {
   modeling::Solid fine = solid;
   std::set<std::pair<int, int>> done;
   for (int p = 0; p < static_cast<int>(solid.patches().size()); ++p)
@@ -187,8 +218,9 @@ modeling::Solid halved(const modeling::Solid& solid) {
         done.insert({link.at.patch, link.at.direction});
       const std::vector<double>& knots = solid.patches()[p].knots[d];
       for (std::size_t k = 0; k + 1 < knots.size(); ++k)
-        if (knots[k] < knots[k + 1])
-          fine = modeling::insertKnot(fine, {p, d}, (knots[k] + knots[k + 1]) / 2);
+        for (int part = 1; part < parts && knots[k] < knots[k + 1]; ++part)
+          fine = modeling::insertKnot(fine, {p, d},
+                                      knots[k] + part * (knots[k + 1] - knots[k]) / parts);
     }
   return fine;
 }

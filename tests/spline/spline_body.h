@@ -10,9 +10,6 @@
 
 namespace palpa::bem::test {
 
-/// Which tag an element with this midpoint and normal gets.
-using TagOfPlace = std::function<int(const Eigen::Vector3d& middle, const Eigen::Vector3d& normal)>;
-
 /// A spline body whose boundary data were taken from an exact field, and its numerical solution:
 /// displacements given where the tag is 1, tractions elsewhere, both L2-projected.
 struct SplineBody {
@@ -24,13 +21,19 @@ struct SplineBody {
   BoundaryField field;
 
   SplineBody(SplineSurface bodySurface, const Material& bodyMaterial, const ExactField& exact,
-             const AssemblyOptions& options = {});
+             const AssemblyOptions& options = {}, Precision precision = Precision::kDouble);
 
   Eigen::Vector3d displacement(const SplinePlace& place) const;
+  Eigen::Vector3d traction(const SplinePlace& place) const;
   /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the surface.
   double displacementError(const ExactField& exact) const;
+  /// The same of the exact field's L2 projection: no other function of the space is nearer.
+  double leastDisplacementError(const ExactField& exact) const;
   /// The same of the tractions, with the surface's true normals.
   double tractionError(const ExactField& exact) const;
+  double area() const;  ///< mm^2
+  /// Force (N) of the tractions on the held elements.
+  Eigen::Vector3d reaction() const;
 };
 
 /// The discretisation of a solid whose elements have the tags that `tagOf` gives for their middles,
@@ -56,7 +59,10 @@ SplineSurface heldWhere(SplineSurface surface,
 /// The place nearest to a point, by ever finer sampling of every element.
 SplinePlace nearestPlace(const SplineSurface& surface, const Eigen::Vector3d& point);
 
-/// Every knot span of every patch halved.
-modeling::Solid halved(const modeling::Solid& solid);
+/// Every knot span of every patch divided into equal parts.
+modeling::Solid divided(const modeling::Solid& solid, int parts);
+inline modeling::Solid halved(const modeling::Solid& solid) {
+  return divided(solid, 2);
+}
 
 }  // namespace palpa::bem::test

@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "spline_body.h"
+
+/// The finite element solutions of data/fem.json with splines.
+namespace palpa::bem::test {
+
+/// Relative errors of a solution of one of the cases.
+struct FemErrors {
+  double atLoad = 0;    ///< displacement at the first point, in the middle of the load
+  double anywhere = 0;  ///< largest at any point, over the largest displacement
+  double points = 0;    ///< root mean square over all points, over that of the displacements
+  double reaction = 0, energy = 0;
+
+  /// `displacements`: one per point of the case.
+  FemErrors(const nlohmann::json& reference, const std::vector<Eigen::Vector3d>& displacements,
+            const Eigen::Vector3d& reactionForce, double energyFound);
+  FemErrors() = default;
+};
+
+struct FemSolution {
+  FemErrors errors;
+  int coefficients = 0, elements = 0;
+  double size = 0;  ///< mm, root of the mean area of an element
+  ReferenceProblemTimes times;
+};
+
+/// Solves a case on a surface whose held elements have the tag 1 or 2. `given`: their displacement
+/// by control point; they take constants.
+FemSolution solveFem(const nlohmann::json& reference, const SplineSurface& surface,
+                     const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& given,
+                     const SplineFunction& load, double loadRadius);
+
+/// The traction of a case's load.
+SplineFunction bumpOf(const nlohmann::json& reference);
+
+/// Inserts knots at fractions of the range of one direction of a patch, except where there are
+/// some.
+modeling::Solid withKnots(modeling::Solid solid, const std::string& patch, int direction,
+                          const std::vector<double>& fractions);
+
+/// The cylinder of the cases, R = 20 mm and 60 mm high, with knots of the sides at these heights
+/// (mm) and, around and in the caps, at fractions of a quarter.
+modeling::Solid cylinderWithKnots(const std::vector<double>& heights,
+                                  const std::vector<double>& fractions);
+/// The same, held at its base (tag 1) and, if asked for, at its top (tag 2).
+SplineSurface heldCylinder(const modeling::Solid& cylinder, bool atTop);
+
+/// The sphere of the cases, R = 25 mm, held below z = -20 mm, with a net of this size and knots at
+/// fractions of its top and along the bands that begin there.
+SplineSurface heldSphere(int controlPoints, const std::vector<double>& fractions);
+
+}  // namespace palpa::bem::test
