@@ -147,12 +147,12 @@ double defaultTouchRadius(double bodySize) {
 }
 
 double fingertipRadius(const modeling::Project& project) {
-  const auto [low, high] = modeling::boundingBox(project.body);
-  double radius = defaultTouchRadius((high - low).norm());
+  std::optional<double> narrowest;
   for (const modeling::Touch& touch : project.touches)
     if (touch.radius && !std::holds_alternative<modeling::TouchProbe>(touch.action))
-      radius = std::min(radius, *touch.radius);
-  return radius;
+      narrowest = std::min(narrowest.value_or(*touch.radius), *touch.radius);
+  const auto [low, high] = modeling::boundingBox(project.body);
+  return narrowest ? *narrowest : defaultTouchRadius((high - low).norm());
 }
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,

@@ -49,7 +49,8 @@ struct BoundarySetup {
 /// body's size (the diagonal of its box, mm).
 double defaultTouchRadius(double bodySize);
 
-/// The narrowest touch that a project's model is to resolve, mm: of its touches and a fingertip.
+/// The narrowest touch that a project's model is to resolve, mm: that of its touches, or a
+/// fingertip's when it has none with a radius.
 double fingertipRadius(const modeling::Project& project);
 
 /// Is the project's body computed with splines? So are, unless the project says otherwise, solids
