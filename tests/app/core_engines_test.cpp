@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "app/core/deformed_solid.h"
@@ -28,12 +29,12 @@ std::shared_ptr<const TouchModel> build(modeling::Project project, Engine engine
   return buildTouchModel(project, {}, {});
 }
 
-std::vector<fs::path> examples() {
-  std::vector<fs::path> files;
+std::vector<std::string> examples() {
+  std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(PALPA_PROJECTS))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 struct Played {
@@ -49,7 +50,7 @@ Played play(const modeling::Project& project, Engine engine) {
   return played;
 }
 
-class Example : public testing::TestWithParam<fs::path> {};
+class Example : public testing::TestWithParam<std::string> {};
 
 /// Largest displacement of a node of either mesh; both engines share the mesh.
 Eigen::MatrixXd onNodes(const Played& played) {
@@ -57,7 +58,8 @@ Eigen::MatrixXd onNodes(const Played& played) {
 }
 
 TEST_P(Example, BothEnginesAgreeWithinTheirStatedErrors) {
-  const modeling::Project project = modeling::readProject(GetParam());
+  const modeling::Project project =
+      modeling::readProject(fs::path(PALPA_PROJECTS) / (GetParam() + ".json"));
   const Played splines = play(project, Engine::splines);
   const Played triangles = play(project, Engine::triangles);
   ASSERT_TRUE(splines.model->setup().splines);
@@ -83,8 +85,8 @@ TEST_P(Example, BothEnginesAgreeWithinTheirStatedErrors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Projects, Example, testing::ValuesIn(examples()),
-                         [](const testing::TestParamInfo<fs::path>& info) {
-                           std::string name = info.param.stem();
+                         [](const testing::TestParamInfo<std::string>& tested) {
+                           std::string name = tested.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
