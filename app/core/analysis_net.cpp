@@ -390,7 +390,7 @@ ElementSizes ElementSizes::of(const modeling::MeshSettings& settings, double fin
   sizes.rim = std::min(0.5, 0.5 * std::pow(wish, 0.45));
   sizes.border = sizes.interior;
   sizes.budget = settings.elementLength ? std::numeric_limits<double>::infinity()
-                                        : 1600 * std::pow(wish, -0.1);
+                                        : 1600 * std::pow(wish, -0.25);
   return sizes;
 }
 

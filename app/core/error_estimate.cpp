@@ -84,7 +84,7 @@ double estimateError(const TouchModel& model, const TouchState& state, const bem
   double estimate = sum.relative();
   for (const TouchState::Contact& contact : state.contacts)
     estimate = std::max(estimate, errorAtContact(mesh, error, contact));
-  return estimate;
+  return std::max(estimate, state.relativeBalance);
 }
 
 double estimateTouchError(const TouchModel& model, const bem::Job& job) {

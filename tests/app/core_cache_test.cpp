@@ -132,7 +132,8 @@ TEST_F(ModelCacheTest, EverythingThatTheSolutionDependsOnIsInTheKey) {
   EXPECT_NE(keyAfter([](Project& p, BuildOptions&) { p.material.poissonRatio = 0.44; }),
             base->key());
   EXPECT_NE(keyAfter([](Project& p, BuildOptions&) { p.mesh.edgeLength = 11; }), base->key());
-  EXPECT_NE(keyAfter([](Project&, BuildOptions& o) { o.assembly = bem::AssemblyOptions{1e-6}; }), base->key());
+  EXPECT_NE(keyAfter([](Project&, BuildOptions& o) { o.assembly = bem::AssemblyOptions{1e-6}; }),
+            base->key());
   EXPECT_NE(keyAfter([](Project&, BuildOptions& o) { o.precision = bem::Precision::kSingle; }),
             base->key());
   EXPECT_NE(keyAfter([](Project& p, BuildOptions&) {

@@ -17,7 +17,7 @@ using Kind = bem::ContactTool::Kind;
 
 std::shared_ptr<const TouchBody> bodyOf(const modeling::Project& project) {
   auto body = std::make_shared<const TouchBody>(buildTouchModel(project, {}, {}));
-  std::vector<int> all(body->surface().mesh().nodes.size());
+  std::vector<int> all(body->surface().places().size());
   std::iota(all.begin(), all.end(), 0);
   body->columns()->compute(all, {});
   return body;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/core/touch.h"
-#include "bem/triangle_contact_surface.h"
 #include "bem/error.h"
 #include "bem/triangle_contact_surface.h"
 #include "core_projects.h"
@@ -37,7 +36,8 @@ std::shared_ptr<const TouchModel> loadedSphere() {
 /// The top of the sphere as contacts see it: smooth between the nodes.
 Vector3d top() {
   const BoundarySetup& setup = sphere()->setup();
-  const bem::TriangleContactSurface surface(setup.mesh(), setup.meshSlots(), sphere()->problem()->dofs());
+  const bem::TriangleContactSurface surface(setup.mesh(), setup.meshSlots(),
+                                            sphere()->problem()->dofs());
   return surface.smoothPosition(bem::nearestSurfacePoint(setup.mesh(), kTop));
 }
 
@@ -125,7 +125,7 @@ TEST(TouchKinds, ABallPressesFromItsCentreOverItsPatch) {
   ASSERT_GE(contact.patch.size(), 1u);
   Vector3d sum = Vector3d::Zero();
   const bem::TriangleContactSurface surface(sphere()->setup().mesh(), sphere()->setup().meshSlots(),
-                                    sphere()->problem()->dofs());
+                                            sphere()->problem()->dofs());
   for (const auto& mask : contact.patch) {
     sum += mask.force;
     // What is pressed lies on the ball in the mean; the middles of these wide masks lie deeper.
