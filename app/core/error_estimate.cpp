@@ -16,18 +16,20 @@ using Eigen::Vector3d;
 constexpr int kPresses = 6;
 /// Of a press, in parts of the fingertip's radius; the body is linear, so any would do.
 constexpr double kDepth = 0.1;
+/// Displacements below this part of the body's size are none.
+constexpr double kStill = 1e-9;
 
-/// The error of a field: what the functions can carry of it, which the soft modes of slender bodies
-/// dominate, and what varies within elements.
+/// The error of one of several fields: what the functions can carry of it, which the soft modes of
+/// slender bodies dominate, and what varies within elements.
 class EstimatedError {
  public:
-  EstimatedError(const TouchModel& model, const bem::BoundaryField& field, const bem::Job& job)
-      : setup_(model.setup()),
-        u_(field.u.col(0)),
-        p_(field.p.col(0)),
-        carried_(
-            setup_.discretisation->estimatedError(*model.problem(), field, setup_.material, job)
-                .u.col(0)) {}
+  /// `carried`: bem::Discretisation::estimatedError() of `fields`.
+  EstimatedError(const BoundarySetup& setup, const bem::BoundaryField& fields,
+                 const bem::BoundaryField& carried, Eigen::Index column)
+      : setup_(setup),
+        u_(fields.u.col(column)),
+        p_(fields.p.col(column)),
+        carried_(carried.u.col(column)) {}
 
   /// Sums of squares over some places.
   struct Sum {
@@ -47,7 +49,14 @@ class EstimatedError {
   const Eigen::VectorXd u_, p_, carried_;
 };
 
-/// The middle of a contact and four places half-way to its border.
+bem::BoundaryField carriedError(const TouchModel& model, const bem::BoundaryField& fields,
+                                const bem::Job& job) {
+  const BoundarySetup& setup = model.setup();
+  return setup.discretisation->estimatedError(*model.problem(), fields, setup.material, job);
+}
+
+/// Of the middle of a contact and four places half-way to its border, relative to the displacement
+/// of the contact; 0 for one that holds a place where it was.
 double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error,
                       const TouchState::Contact& contact) {
   EstimatedError::Sum sum;
@@ -56,7 +65,8 @@ double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error
   for (const Vector3d& direction :
        std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
     error.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction), sum);
-  return sum.relative();
+  const double moved = contact.displacement.norm();
+  return moved > kStill * mesh.boundingSize() ? std::sqrt(sum.error / 5) / moved : 0;
 }
 
 /// Every so many triangles one. Triangles with close numbers are close in space.
@@ -75,7 +85,8 @@ double estimateError(const TouchModel& model, const TouchState& state, const bem
   bem::Job quiet = job;
   quiet.progress = nullptr;
   const bem::BoundaryMesh& mesh = model.setup().mesh();
-  const EstimatedError error(model, state.field, quiet);
+  const EstimatedError error(model.setup(), state.field, carriedError(model, state.field, quiet),
+                             0);
   EstimatedError::Sum sum;
   spread(mesh, samples, [&](const bem::SurfacePoint& place) {
     job.throwIfCancelled();
@@ -92,7 +103,7 @@ double estimateTouchError(const TouchModel& model, const bem::Job& job) {
   const double radius = defaultTouchRadius(setup.mesh());
   bem::Job quiet = job;
   quiet.progress = nullptr;
-  double largest = 0;
+  std::vector<TouchState> presses;
   spread(setup.mesh(), kPresses, [&](const bem::SurfacePoint& place) {
     job.throwIfCancelled();
     modeling::Touch press;
@@ -102,17 +113,30 @@ double estimateTouchError(const TouchModel& model, const bem::Job& job) {
     press.action =
         modeling::TouchDisplacement{-kDepth * radius * setup.mesh().normal(place.triangle)};
     try {
-      const TouchState state = playTouches(model, std::span(&press, 1), 0, quiet);
-      // What loads alone do is not the press.
-      TouchState touched = state;
-      touched.field.u -= model.rest().field.u;
-      touched.field.p -= model.rest().field.p;
-      const EstimatedError error(model, touched.field, quiet);
-      largest = std::max(largest, errorAtContact(setup.mesh(), error, touched.contacts.front()));
+      presses.push_back(playTouches(model, std::span(&press, 1), 0, quiet));
     } catch (const bem::SolverError&) {
       // A support holds the place.
     }
   });
+  // All at once: the residual of several fields costs little more than that of one.
+  const auto count = static_cast<Eigen::Index>(presses.size());
+  const bem::BoundaryField& rest = model.rest().field;
+  bem::BoundaryField fields{Eigen::MatrixXd(rest.u.rows(), count),
+                            Eigen::MatrixXd(rest.p.rows(), count)};
+  for (Eigen::Index k = 0; k < count; ++k) {
+    // What loads alone do is not the press.
+    fields.u.col(k) = presses[static_cast<std::size_t>(k)].field.u - rest.u;
+    fields.p.col(k) = presses[static_cast<std::size_t>(k)].field.p - rest.p;
+  }
+  if (count == 0) return 0;
+  const bem::BoundaryField carried = carriedError(model, fields, quiet);
+  double largest = 0;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    job.throwIfCancelled();
+    largest =
+        std::max(largest, errorAtContact(setup.mesh(), EstimatedError(setup, fields, carried, k),
+                                         presses[static_cast<std::size_t>(k)].contacts.front()));
+  }
   return largest;
 }
 
