@@ -126,6 +126,7 @@ Json StateReport::json() const {
                       {"last_change", state.path->change},
                       {"residual", state.path->residual}};
   }
+  if (!build.notice.empty()) report["notice"] = build.notice;
   report["balance_N"] = state.balance;
   report["relative_balance"] = state.relativeBalance;
   report["energy_mJ"] = state.energy;
@@ -150,6 +151,7 @@ std::string StateReport::text() const {
   const app::BuildReport& build = model.report();
   const LargestDisplacement largest = largestDisplacement(model, state);
   std::string text = engineText(model);
+  if (!build.notice.empty()) text += "note       " + build.notice + "\n";
   for (const auto& contact : state.contacts) {
     text += toText(contact);
   }

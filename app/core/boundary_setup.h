@@ -53,6 +53,9 @@ double defaultTouchRadius(double bodySize);
 /// fingertip's when it has none with a radius.
 double fingertipRadius(const modeling::Project& project);
 
+/// Do all supports and loads with a region end where patches end?
+bool endsWithPatches(const modeling::Project& project);
+
 /// Is the project's body computed with splines? So are, unless the project says otherwise, solids
 /// whose supports and loads end where patches end: borders that cut patches obliquely are not yet
 /// as reliable with splines (decision 021). Mesh bodies have no patches.

@@ -110,7 +110,10 @@ TEST(Engines, AutomaticMeansSplinesWhereSupportsEndWithPatches) {
   EXPECT_FALSE(build(test::clampedCylinder(6), Engine::triangles)->setup().splines);
   // Below z = -20 mm: the border cuts patches.
   EXPECT_FALSE(build(test::clampedSphere(6), Engine::automatic)->setup().splines);
-  EXPECT_TRUE(build(test::clampedSphere(6), Engine::splines)->setup().splines);
+  const auto asked = build(test::clampedSphere(6), Engine::splines);
+  EXPECT_TRUE(asked->setup().splines);
+  EXPECT_NE(asked->report().notice.find("cut patches"), std::string::npos);
+  EXPECT_EQ(build(test::clampedCylinder(6), Engine::splines)->report().notice, "");
 }
 
 /// A body held at the bottom and pulled up at its top by 3 mm.
