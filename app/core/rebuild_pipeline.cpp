@@ -215,7 +215,8 @@ void RebuildPipeline::work(const std::stop_token& stop) {
       if (stop.stop_requested()) return;
       job.stop = current_.get_token();
     }
-    job.threads = threads_;
+    // What nobody waits for leaves the other cores to the hand and the window.
+    job.threads = task == Task::kEstimate ? 1 : threads_;
     if (task == Task::kBuild) {
       job.progress = [this, revision](std::string_view phase, double fraction) {
         advance(revision, phase, fraction);
