@@ -1,6 +1,7 @@
 #include "bem/spline/spline_assembly.h"
 
 #include <algorithm>
+#include <array>
 
 #include "bem/lending_pool.h"
 #include "bem/parallel.h"
@@ -9,41 +10,36 @@
 namespace palpa::bem {
 namespace {
 
-constexpr std::ptrdiff_t kPointsPerTask = 16;
+constexpr int kMostPointsPerTask = 16;
+/// Few points are shared out more evenly in smaller tasks.
+std::ptrdiff_t pointsPerTask(std::ptrdiff_t points) {
+  return points < 512 ? 8 : kMostPointsPerTask;
+}
 
 /// What a thread needs; used again from task to task.
 struct Scratch {
-  SplineRows::Sums sums;
-  std::vector<double> rowsH, rowsG;  ///< blocks of a task, [coefficient][3 x 3][point]
+  SplineRows::Sums sums;                                     ///< of one point
+  std::array<std::vector<double>, kMostPointsPerTask> T, U;  ///< of the points of a task
 };
 
-/// Copies the blocks of one point into those of a task.
-void storeBlocks(const SplineRows& rows, std::ptrdiff_t place, Scratch& scratch) {
-  const auto store = [place](const std::vector<double>& sums, int size, std::vector<double>& to,
-                             const auto& block) {
-    double* out = to.data() + place;
-    for (std::size_t k = 0; k < sums.size(); k += size, out += 9 * kPointsPerTask)
+/// Copies the blocks that some points' sums make to their rows of a matrix.
+template <int kSums, class Scalar, class Block>
+void copyRows(const std::array<std::vector<double>, kMostPointsPerTask>& sums, std::ptrdiff_t begin,
+              std::ptrdiff_t end, std::ptrdiff_t pointCount, const Block& block,
+              LargeMatrix<Scalar>& matrix) {
+  const std::ptrdiff_t coefficients = matrix.cols() / 3, rows = matrix.rows();
+  Scalar blocks[3][3][kMostPointsPerTask];
+  for (std::ptrdiff_t j = 0; j < coefficients; ++j) {
+    for (std::ptrdiff_t k = 0; k < end - begin; ++k) {
+      const double* sum = &sums[k][kSums * j];
       for (int i = 0; i < 3; ++i)
-        for (int c = 0; c < 3; ++c) out[(3 * i + c) * kPointsPerTask] = block(&sums[k], i, c);
-  };
-  store(scratch.sums.T, SplineRows::kSumsT, scratch.rowsH,
-        [&](const double* sum, int i, int c) { return rows.blockT(sum, i, c); });
-  store(scratch.sums.U, SplineRows::kSumsU, scratch.rowsG,
-        [&](const double* sum, int i, int c) { return rows.blockU(sum, i, c); });
-}
-
-/// Copies the blocks of a task to its rows of a matrix.
-template <class Scalar>
-void copyRows(const std::vector<double>& rows, std::ptrdiff_t begin, std::ptrdiff_t end,
-              std::ptrdiff_t pointCount, LargeMatrix<Scalar>& matrix) {
-  const std::ptrdiff_t coefficients = matrix.cols() / 3;
-  for (std::ptrdiff_t j = 0; j < coefficients; ++j)
-    for (int c = 0; c < 3; ++c)
-      for (int i = 0; i < 3; ++i) {
-        const double* from = rows.data() + (9 * j + 3 * i + c) * kPointsPerTask;
-        Scalar* to = matrix.data() + (3 * j + c) * matrix.rows() + i * pointCount + begin;
-        for (std::ptrdiff_t k = 0; k < end - begin; ++k) to[k] = static_cast<Scalar>(from[k]);
-      }
+        for (int c = 0; c < 3; ++c) blocks[i][c][k] = static_cast<Scalar>(block(sum, i, c));
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c)
+        std::copy_n(blocks[i][c], end - begin,
+                    matrix.data() + (3 * j + c) * rows + i * pointCount + begin);
+  }
 }
 
 }  // namespace
@@ -61,17 +57,21 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
   const SplineQuadrature quadrature(surface, options.tolerance, job);
   const SplineRows rows(surface, tractions, material, quadrature);
   LendingPool<Scratch> pool([] { return Scratch{}; });
-  parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble", [&](std::ptrdiff_t task) {
-    const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
+  const std::ptrdiff_t perTask = pointsPerTask(m);
+  parallelFor((m + perTask - 1) / perTask, job, "assemble", [&](std::ptrdiff_t task) {
+    const std::ptrdiff_t begin = task * perTask, end = std::min(m, begin + perTask);
     Scratch scratch = pool.take();
-    scratch.rowsH.resize(static_cast<std::size_t>(9 * kPointsPerTask) * surface.coefficientCount());
-    scratch.rowsG.resize(static_cast<std::size_t>(9 * kPointsPerTask) * tractions.slots.count());
     for (std::ptrdiff_t k = begin; k < end; ++k) {
       rows.integrate(points[k], scratch.sums, job);
-      storeBlocks(rows, k - begin, scratch);
+      scratch.sums.T.swap(scratch.T[k - begin]);
+      scratch.sums.U.swap(scratch.U[k - begin]);
     }
-    copyRows(scratch.rowsH, begin, end, m, result.H);
-    copyRows(scratch.rowsG, begin, end, m, result.G);
+    copyRows<SplineRows::kSumsT>(
+        scratch.T, begin, end, m,
+        [&](const double* sum, int i, int c) { return rows.blockT(sum, i, c); }, result.H);
+    copyRows<SplineRows::kSumsU>(
+        scratch.U, begin, end, m,
+        [&](const double* sum, int i, int c) { return rows.blockU(sum, i, c); }, result.G);
     pool.giveBack(std::move(scratch));
   });
   return result;

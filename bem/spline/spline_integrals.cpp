@@ -48,14 +48,14 @@ SplineIntegrals::SplineIntegrals(const SplineSurface& surface, const SplineTract
       const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> basis(
           points.basis.data(), placement.functionCount(e), points.used,
           Eigen::OuterStride<>(placement.stride(e)));
-      const Eigen::Map<const Eigen::VectorXd> weights(points.areaSize.data(), points.used);
+      const Eigen::Map<const Eigen::VectorXd> weights(points.areaSize(), points.used);
       const Eigen::MatrixXd weighted = basis * weights.asDiagonal();
       Element& element = elements_[e];
       element.products = weighted * basis.transpose();
       element.moments.resize(4, basis.rows());
       for (int c = 0; c < 3; ++c)
         element.moments.row(c) =
-            weighted * Eigen::Map<const Eigen::VectorXd>(points.position[c].data(), points.used);
+            weighted * Eigen::Map<const Eigen::VectorXd>(points.position(c), points.used);
       element.moments.row(3) = weighted.rowwise().sum();
     }
     pool.giveBack(std::move(work));

@@ -3,8 +3,9 @@
 
 #include "bem/spline/bspline_basis.h"
 
-/// The two inner loops of the spline discretisation, compiled once per instruction set: placing
-/// quadrature points on an element, and summing Kelvin's kernels over them.
+/// The inner loops of the spline discretisation, compiled once per instruction set: placing
+/// quadrature points on an element, summing Kelvin's kernels over them, and adding the sums to
+/// those of the whole surface.
 namespace palpa::bem {
 
 /// Points and functions come in multiples of this; what is added to fill up has weight zero.
@@ -22,43 +23,76 @@ struct PlacePointsTask {
   const double *u, *v;   ///< their parameters
   const double* weight;  ///< their weights in the plane of the parameters
   // Results:
-  double* position[3];  ///< mm
-  double* area[3];      ///< outward area vectors times weights, mm^2
-  double* areaSize;     ///< their lengths
-  double* basis;        ///< [point][functionStride]
-  int functionStride;   ///< a multiple of kSplineLanes; what is beyond the functions stays
+  double* geometry;  ///< [kPointValues][count], see SplinePoints
+  /// Products of the functions, [point][functionStride], what is beyond them stays; null: not
+  /// wanted.
+  double* basis;
+  int functionStride;  ///< a multiple of kSplineLanes
+};
+
+/// Position (mm), outward area vector times weight (mm^2), and the length of that.
+inline constexpr int kPointValues = 7;
+
+/// Values of the functions of a span: values[point][function].
+struct TabulateTask {
+  SpanPolynomials polynomials;
+  const double* points;  ///< parameters
+  int count;             ///< at most kSplineLanes
+  double* values;
 };
 
 /// Sums of Kelvin's kernels at one collocation point, before the constants of the material. With
-/// r = y - x, per function N:
+/// r = y - x, for one function N:
 ///   0 … 5:   ∫ N r r / R^3, in the order 00, 01, 11, 02, 12, 22
 ///   6 … 11:  ∫ N (r.n) r r / R^5, in the same order
 ///   12 … 14: ∫ N r × n / R^3
-inline constexpr int kKernelSums = 15;
+inline constexpr int kKernelSums = 15, kKernelSumsU = 6, kKernelSumsT = 9;
+inline constexpr int kKernelStride = 16;
+struct alignas(64) KernelSums {
+  double of[kKernelStride];  ///< the last one means nothing
+};
+
 struct SumKernelsTask {
   const double* x;  ///< collocation point, 3 coordinates in mm; not one of the quadrature points
   int used;         ///< quadrature points that have a weight
   int count;        ///< with those that fill up, a multiple of kSplineLanes
-  const double* position[3];
-  const double* area[3];
-  const double* areaSize;
-  const double* basis;
+  const double* geometry;  ///< as above
+  /// Points per direction of a tensor rule, at most kSplineLanes, with the functions along u and v
+  /// in basis[0] and [1], [point][function]; 0: any points, with all functions in basis[0],
+  /// [point][functionStride].
+  int perDirection;
+  const double* basis[2];
+  int functions[2];  ///< their numbers; without a tensor rule the first is that of all
   int functionStride;
-  double* kernels;  ///< scratch: kKernelSums * count
-  double* sums;     ///< [kKernelSums][functionStride], added to
+  KernelSums* sums;  ///< per function, added to
+};
+
+/// Adds the sums of an element's functions to those of their coefficients.
+struct AddSumsTask {
+  const KernelSums* sums;
+  int functions;
+  const int *coefficients, *slots;  ///< of each function
+  double *T, *U;                    ///< [coefficient][kKernelSumsT], [slot][kKernelSumsU]
 };
 
 void placePointsBaseline(const PlacePointsTask&);
+void tabulateBaseline(const TabulateTask&);
 void sumKernelsBaseline(const SumKernelsTask&);
+void addSumsBaseline(const AddSumsTask&);
 void placePointsAvx2(const PlacePointsTask&);
+void tabulateAvx2(const TabulateTask&);
 void sumKernelsAvx2(const SumKernelsTask&);
+void addSumsAvx2(const AddSumsTask&);
 void placePointsAvx512(const PlacePointsTask&);
+void tabulateAvx512(const TabulateTask&);
 void sumKernelsAvx512(const SumKernelsTask&);
 
 /// The fastest variants this processor can run.
 struct SplineKernel {
   void (*placePoints)(const PlacePointsTask&);
+  void (*tabulate)(const TabulateTask&);
   void (*sumKernels)(const SumKernelsTask&);
+  void (*addSums)(const AddSumsTask&);
 };
 SplineKernel splineKernelForThisProcessor();
 

@@ -5,8 +5,14 @@ namespace palpa::bem {
 void placePointsAvx2(const PlacePointsTask& task) {
   detail::placePoints<xsimd::fma3<xsimd::avx2>>(task);
 }
+void tabulateAvx2(const TabulateTask& task) {
+  detail::tabulate<xsimd::fma3<xsimd::avx2>>(task);
+}
 void sumKernelsAvx2(const SumKernelsTask& task) {
   detail::sumKernels<xsimd::fma3<xsimd::avx2>>(task);
+}
+void addSumsAvx2(const AddSumsTask& task) {
+  detail::addSums<xsimd::fma3<xsimd::avx2>>(task);
 }
 
 }  // namespace palpa::bem

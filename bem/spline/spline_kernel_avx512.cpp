@@ -5,6 +5,9 @@ namespace palpa::bem {
 void placePointsAvx512(const PlacePointsTask& task) {
   detail::placePoints<xsimd::avx512f>(task);
 }
+void tabulateAvx512(const TabulateTask& task) {
+  detail::tabulate<xsimd::avx512f>(task);
+}
 void sumKernelsAvx512(const SumKernelsTask& task) {
   detail::sumKernels<xsimd::avx512f>(task);
 }

@@ -5,8 +5,14 @@ namespace palpa::bem {
 void placePointsBaseline(const PlacePointsTask& task) {
   detail::placePoints<xsimd::default_arch>(task);
 }
+void tabulateBaseline(const TabulateTask& task) {
+  detail::tabulate<xsimd::default_arch>(task);
+}
 void sumKernelsBaseline(const SumKernelsTask& task) {
   detail::sumKernels<xsimd::default_arch>(task);
+}
+void addSumsBaseline(const AddSumsTask& task) {
+  detail::addSums<xsimd::default_arch>(task);
 }
 
 }  // namespace palpa::bem

@@ -7,14 +7,15 @@ SplineKernel splineKernelForThisProcessor() {
 #ifdef PALPA_X86_VARIANTS
   switch (instructionSet()) {
     case InstructionSet::kAvx512:
-      return {placePointsAvx512, sumKernelsAvx512};
+      // Six and nine sums fit batches of four better than those of eight.
+      return {placePointsAvx512, tabulateAvx512, sumKernelsAvx512, addSumsAvx2};
     case InstructionSet::kAvx2:
-      return {placePointsAvx2, sumKernelsAvx2};
+      return {placePointsAvx2, tabulateAvx2, sumKernelsAvx2, addSumsAvx2};
     case InstructionSet::kBaseline:
       break;
   }
 #endif
-  return {placePointsBaseline, sumKernelsBaseline};
+  return {placePointsBaseline, tabulateBaseline, sumKernelsBaseline, addSumsBaseline};
 }
 
 }  // namespace palpa::bem

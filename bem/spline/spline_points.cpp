@@ -21,10 +21,15 @@ void SplineRule::add(double atU, double atV, double ofWeight) {
 void SplineRule::addTensor(const SplineCell& cell, int pointsPerDirection) {
   const GaussRule& rule = gaussRule(pointsPerDirection);
   const double du = cell.upper[0] - cell.lower[0], dv = cell.upper[1] - cell.lower[1];
-  for (int j = 0; j < pointsPerDirection; ++j)
-    for (int i = 0; i < pointsPerDirection; ++i)
-      add(cell.lower[0] + du * rule.points[i], cell.lower[1] + dv * rule.points[j],
-          du * dv * rule.weights[i] * rule.weights[j]);
+  const auto n = static_cast<std::size_t>(pointsPerDirection);
+  std::size_t k = u.size();
+  for (auto* list : {&u, &v, &weight}) list->resize(k + n * n);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i, ++k) {
+      u[k] = cell.lower[0] + du * rule.points[i];
+      v[k] = cell.lower[1] + dv * rule.points[j];
+      weight[k] = du * dv * rule.weights[i] * rule.weights[j];
+    }
 }
 
 SplinePlacement::SplinePlacement(const SplineSurface& surface)
@@ -48,6 +53,11 @@ int SplinePlacement::degree(int element) const {
 }
 
 void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points) const {
+  place(index, rule, points, true);
+}
+
+void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points,
+                            bool withBasis) const {
   const Element& element = elements_[index];
   if (surface_.isCut(index))
     for (std::size_t k = 0; k < rule.u.size(); ++k) {
@@ -63,22 +73,37 @@ void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points) c
   rule.weight.resize(count, 0);
   points.used = static_cast<int>(given);
   points.count = static_cast<int>(count);
-  for (auto* list : {&points.position, &points.area})
-    for (auto& component : *list) component.resize(count);
-  points.areaSize.resize(count);
-  points.basis.assign(count * static_cast<std::size_t>(stride(index)), 0);
-  kernel_.placePoints(
-      {{element.direction[0], element.direction[1]},
-       element.controlPoints.data(),
-       points.count,
-       rule.u.data(),
-       rule.v.data(),
-       rule.weight.data(),
-       {points.position[0].data(), points.position[1].data(), points.position[2].data()},
-       {points.area[0].data(), points.area[1].data(), points.area[2].data()},
-       points.areaSize.data(),
-       points.basis.data(),
-       stride(index)});
+  points.perDirection = 0;
+  points.geometry.resize(kPointValues * count);
+  if (withBasis) points.basis.assign(count * static_cast<std::size_t>(stride(index)), 0);
+  kernel_.placePoints({{element.direction[0], element.direction[1]},
+                       element.controlPoints.data(),
+                       points.count,
+                       rule.u.data(),
+                       rule.v.data(),
+                       rule.weight.data(),
+                       points.geometry.data(),
+                       withBasis ? points.basis.data() : nullptr,
+                       stride(index)});
+}
+
+void SplinePlacement::placeTensor(int index, const SplineCell& cell, int pointsPerDirection,
+                                  SplineRule& rule, SplinePoints& points) const {
+  rule.clear();
+  rule.addTensor(cell, pointsPerDirection);
+  const bool isCut = surface_.isCut(index);
+  place(index, rule, points, isCut);
+  if (isCut) return;
+  points.perDirection = pointsPerDirection;
+  const auto& direction = elements_[index].direction;
+  const int inU = pointsPerDirection * functionsAlong(index, 0);
+  points.basis.resize(inU +
+                      static_cast<std::size_t>(pointsPerDirection) * functionsAlong(index, 1));
+  kernel_.tabulate({direction[0], rule.u.data(), pointsPerDirection, points.basis.data()});
+  double along[kSplineLanes];
+  for (int j = 0; j < pointsPerDirection; ++j)
+    along[j] = rule.v[static_cast<std::size_t>(j) * pointsPerDirection];
+  kernel_.tabulate({direction[1], along, pointsPerDirection, points.basis.data() + inU});
 }
 
 }  // namespace palpa::bem

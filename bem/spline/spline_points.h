@@ -28,10 +28,22 @@ struct SplineRule {
 /// Quadrature points on one element with the values of its functions, in the layout of
 /// spline_kernel.h.
 struct SplinePoints {
-  int used = 0;   ///< that have a weight
-  int count = 0;  ///< with those that fill up
-  std::array<std::vector<double>, 3> position, area;
-  std::vector<double> areaSize, basis;
+  int used = 0;                  ///< that have a weight
+  int count = 0;                 ///< with those that fill up
+  std::vector<double> geometry;  ///< [kPointValues][count]
+  /// Points per direction of a tensor rule whose functions are given along u and v; 0: `basis` is a
+  /// table of their products, [point][stride].
+  int perDirection = 0;
+  std::vector<double> basis;  ///< of a tensor rule: [point along u][function], then the same for v
+
+  const double* position(int component) const { return at(component); }
+  const double* area(int component) const { return at(3 + component); }
+  const double* areaSize() const { return at(6); }
+
+ private:
+  const double* at(int value) const {
+    return geometry.data() + static_cast<std::ptrdiff_t>(value) * count;
+  }
 };
 
 /// Places quadrature points on the elements of a surface, many at once. Const use from several
@@ -48,10 +60,25 @@ class SplinePlacement {
   /// The larger of both directions.
   int degree(int element) const;
 
-  /// `rule` is left as parameters of the patch and filled up.
+  /// Of functions along u (0) or v (1).
+  int functionsAlong(int element, int direction) const {
+    return elements_[element].direction[direction].degree + 1;
+  }
+
+  /// With a table of products. `rule` is left as parameters of the patch and filled up.
   void place(int element, SplineRule& rule, SplinePoints& points) const;
+  /// The points of a tensor Gauss rule with at most kSplineLanes points per direction, with the
+  /// functions along u and v unless the element is cut. `rule` is scratch.
+  void placeTensor(int element, const SplineCell& cell, int pointsPerDirection, SplineRule& rule,
+                   SplinePoints& points) const;
+  /// Where the points lie and how large area vectors are, without the functions.
+  void placeGeometry(int element, SplineRule& rule, SplinePoints& points) const {
+    place(element, rule, points, false);
+  }
 
  private:
+  void place(int element, SplineRule& rule, SplinePoints& points, bool withBasis) const;
+
   struct Element {
     SpanPolynomials direction[2];
     std::vector<double> controlPoints;

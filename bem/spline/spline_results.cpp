@@ -136,10 +136,10 @@ std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd&
                     tractions = gather(p, tractions_.ofFunction[e]);
     const SplinePoints& points = quadrature_.points(e, x, nullptr, work);
     for (int k = 0; k < points.used; ++k) {
-      const double size = points.areaSize[k];
+      const double size = points.areaSize()[k];
       if (!(size > 0)) continue;  // where the surface has no metric
-      const Vector3d y(points.position[0][k], points.position[1][k], points.position[2][k]);
-      const Vector3d area(points.area[0][k], points.area[1][k], points.area[2][k]);
+      const Vector3d y(points.position(0)[k], points.position(1)[k], points.position(2)[k]);
+      const Vector3d area(points.area(0)[k], points.area(1)[k], points.area(2)[k]);
       const Vector3d normal = area / size;
       const Eigen::Map<const Eigen::VectorXd> basis(
           points.basis.data() + static_cast<std::ptrdiff_t>(k) * quadrature_.stride(e),

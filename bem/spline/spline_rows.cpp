@@ -24,15 +24,8 @@ void SplineRows::integrate(const SplineCollocationPoint& point, Sums& sums, cons
                                      [e](const SplinePlace& p) { return p.element == e; });
     quadrature_.integrate(e, point.position, inside == point.places.end() ? nullptr : &*inside,
                           sums.quadrature);
-    const double* ofElement = sums.quadrature.sums.data();
-    const int stride = quadrature_.stride(e);
-    const std::vector<int>&coefficients = surface_.functions(e), &slots = tractions_.ofFunction[e];
-    for (std::size_t f = 0; f < coefficients.size(); ++f) {
-      double* t = sums.T.data() + static_cast<std::ptrdiff_t>(kSumsT) * coefficients[f];
-      double* u = sums.U.data() + static_cast<std::ptrdiff_t>(kSumsU) * slots[f];
-      for (int k = 0; k < kSumsU; ++k) u[k] += ofElement[k * stride + f];
-      for (int k = 0; k < kSumsT; ++k) t[k] += ofElement[(kSumsU + k) * stride + f];
-    }
+    quadrature_.addTo(surface_.functions(e), tractions_.ofFunction[e], sums.quadrature,
+                      sums.T.data(), sums.U.data());
   }
   subtractTranslation(point, sums);
 }

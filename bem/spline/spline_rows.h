@@ -15,7 +15,7 @@ namespace palpa::bem {
 class SplineRows {
  public:
   /// Sums per displacement and per traction coefficient, see spline_kernel.h.
-  static constexpr int kSumsT = 9, kSumsU = 6;
+  static constexpr int kSumsT = kKernelSumsT, kSumsU = kKernelSumsU;
 
   SplineRows(const SplineSurface& surface, const SplineTractions& tractions,
              const Material& material, const SplineQuadrature& quadrature);

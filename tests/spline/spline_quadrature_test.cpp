@@ -28,15 +28,14 @@ std::vector<double> reduced(const SplineSurface& surface, const SplineQuadrature
                             int element, const SplineCollocationPoint& point,
                             const SplinePlace* inside, SplineQuadrature::Workspace& work) {
   quadrature.integrate(element, point.position, inside, work);
-  const int stride = quadrature.stride(element);
   const auto count = surface.functions(element).size();
   std::vector<double> basis(count, 0), result;
   if (inside) surface.evaluateBasis(*inside, basis);
   for (int k = 0; k < kKernelSums; ++k) {
     double total = 0;
-    for (std::size_t f = 0; f < count; ++f) total += work.sums[k * stride + f];
+    for (std::size_t f = 0; f < count; ++f) total += work.sums[f].of[k];
     for (std::size_t f = 0; f < count; ++f)
-      result.push_back(work.sums[k * stride + f] - (k >= 6 ? basis[f] * total : 0));
+      result.push_back(work.sums[f].of[k] - (k >= 6 ? basis[f] * total : 0));
   }
   return result;
 }
