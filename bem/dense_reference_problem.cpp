@@ -113,7 +113,7 @@ class DenseReferenceProblem final : public ReferenceProblem {
     BoundaryField field = known;
     double previous = std::numeric_limits<double>::infinity();
     for (int round = 0; round < rounds; ++round) {
-      const MatrixXd step = correction(residual(field, job));
+      const MatrixXd step = correction(residual(field, job), job);
       const double change = step.norm();
       if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
       v += step;
@@ -126,15 +126,7 @@ class DenseReferenceProblem final : public ReferenceProblem {
     return v;
   }
 
-  MatrixXd correction(const MatrixXd& r) const override {
-    // Each column is scaled to 1 so that single precision neither overflows nor loses small states.
-    const Eigen::RowVectorXd scale =
-        r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
-    Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
-        (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
-    factors_.solveInPlace(step);
-    return step.template cast<double>() * scale.asDiagonal();
-  }
+  MatrixXd correction(const MatrixXd& r) const override { return correction(r, Job{}); }
 
   double relativeResidual(const BoundaryField& field) const override {
     MatrixXd fromTraction = MatrixXd::Zero(operators_.G.rows(), field.p.cols());
@@ -153,6 +145,16 @@ class DenseReferenceProblem final : public ReferenceProblem {
   }
 
  private:
+  MatrixXd correction(const MatrixXd& r, const Job& job) const {
+    // Each column is scaled to 1 so that single precision neither overflows nor loses small states.
+    const Eigen::RowVectorXd scale =
+        r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
+    Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
+        (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
+    factors_.solveInPlace(step, job);
+    return step.template cast<double>() * scale.asDiagonal();
+  }
+
   static BoundaryOperators<Stored> readOperators(const DegreesOfFreedom& dofs,
                                                  const ByteSource& source) {
     BoundaryOperators<Stored> operators{{dofs.count(), dofs.nodalCount()},
@@ -176,8 +178,7 @@ class DenseReferenceProblem final : public ReferenceProblem {
 /// Calls make(Stored{}, Factor{}) for the scalars of a precision.
 template <class Make>
 std::unique_ptr<ReferenceProblem> inPrecision(Precision precision, const DegreesOfFreedom& dofs,
-                                              const Job& job, const Make& make) {
-  setBlasThreads(workerCount(job));
+                                              const Make& make) {
   switch (choosePrecision(precision, dofs.nodeCount())) {
     case Precision::kMixed:
       return make(double{}, float{});
@@ -193,7 +194,7 @@ template <class Assemble>
 std::unique_ptr<ReferenceProblem> make(Precision precision, DegreesOfFreedom dofs,
                                        const Assemble& assembleOperators, const Job& job,
                                        ReferenceProblemTimes* times) {
-  return inPrecision(precision, dofs, job, [&](auto stored, auto factor) {
+  return inPrecision(precision, dofs, [&](auto stored, auto factor) {
     const auto start = std::chrono::steady_clock::now();
     auto operators = assembleOperators(stored);
     if (times) times->assemble = secondsSince(start);
@@ -205,9 +206,9 @@ std::unique_ptr<ReferenceProblem> make(Precision precision, DegreesOfFreedom dof
   });
 }
 
-std::unique_ptr<ReferenceProblem> read(Precision precision, DegreesOfFreedom dofs, const Job& job,
+std::unique_ptr<ReferenceProblem> read(Precision precision, DegreesOfFreedom dofs,
                                        const ByteSource& source) {
-  return inPrecision(precision, dofs, job, [&](auto stored, auto factor) {
+  return inPrecision(precision, dofs, [&](auto stored, auto factor) {
     return std::make_unique<DenseReferenceProblem<decltype(stored), decltype(factor)>>(
         std::move(dofs), source);
   });
@@ -270,15 +271,15 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const BoundaryMesh& mesh, const TractionSlots& slots,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const Job& job, const ByteSource& source) {
-  return read(precision, solvableDofs(mesh, slots, conditions, material), job, source);
+    const ByteSource& source) {
+  return read(precision, solvableDofs(mesh, slots, conditions, material), source);
 }
 
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const SplineSurface& surface, const SplineTractions& tractions,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const Job& job, const ByteSource& source) {
-  return read(precision, solvableDofs(surface, tractions, conditions, material), job, source);
+    const ByteSource& source) {
+  return read(precision, solvableDofs(surface, tractions, conditions, material), source);
 }
 
 }  // namespace palpa::bem

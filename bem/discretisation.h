@@ -56,7 +56,7 @@ class Discretisation {
       ReferenceProblemTimes* times = nullptr) const = 0;
   virtual std::unique_ptr<ReferenceProblem> readProblem(
       const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-      const Job& job, const ByteSource& source) const = 0;
+      const ByteSource& source) const = 0;
   /// All that the operators depend on, for a hash.
   virtual void write(const ByteSink& sink) const = 0;
 

@@ -6,20 +6,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <condition_variable>
 #include <limits>
+#include <mutex>
 #include <span>
 #include <string>
+
+#include "bem/parallel.h"
+
+extern "C" void openblas_set_num_threads(int threads);
 
 namespace palpa::bem {
 namespace {
 
-/// Columns per panel: wide enough for the speed of the matrix products, narrow enough that a stop
-/// request waits no longer than one trailing update.
-constexpr lapack_int kPanel = 192;
+/// The threads are ours: see BlockedLu. Process-wide.
+void useOneBlasThread() {
+  static const bool once = (openblas_set_num_threads(1), true);
+  static_cast<void>(once);
+}
 
-/// Work of one block of a trailing update, between two looks at the stop token: 20 ms at
-/// 75 GFLOP/s.
-constexpr double kBlockFlops = 1.5e9;
+/// Columns per block. Narrow blocks share out small matrices evenly; wide ones make matrix products
+/// fast, and no block of an update takes longer than 20 ms up to 40,000 unknowns.
+Eigen::Index blockWidth(Eigen::Index n) {
+  return n <= 600 ? 48 : n <= 1500 ? 96 : n <= 4000 ? 128 : 192;
+}
 
 // One name for both precisions.
 lapack_int getrf(lapack_int m, lapack_int n, float* a, lapack_int lda, lapack_int* pivots) {
@@ -69,46 +79,138 @@ void lacn2(lapack_int n, double* v, double* x, lapack_int* signs, double* estima
   LAPACKE_dlacn2(n, v, x, signs, estimate, next, saved);
 }
 
+/// The factorisation by blocks of columns that threads share: updates of blocks by a panel of
+/// factors are handed out one by one, in the order of the panels, and whoever has updated the next
+/// panel factors it while the others go on. Each block sees the same operations on any number of
+/// threads. OpenBLAS's own threads wait for each other in busy loops: with another program on one
+/// of two cores they took ten times as long as one thread.
+template <class Scalar>
+class BlockedLu {
+ public:
+  BlockedLu(LargeMatrix<Scalar>& matrix, std::vector<int>& pivots, const Job& job)
+      : a_(matrix.data()),
+        n_(matrix.rows()),
+        width_(blockWidth(n_)),
+        blocks_((n_ + width_ - 1) / width_),
+        pivots_(pivots),
+        job_(job),
+        updates_(blocks_, 0) {}
+
+  void run() {
+    factorPanel(0);
+    // Panel k updates the blocks k + 1 … blocks - 1.
+    const std::ptrdiff_t workers = std::min<std::ptrdiff_t>(workerCount(job_), blocks_);
+    parallelFor(workers, job_, "", [&](std::ptrdiff_t) { work(); });
+    parallelFor(blocks_ - 1, job_, "",
+                [&](std::ptrdiff_t block) { swapRows(block, (block + 1) * width_, n_); });
+  }
+
+ private:
+  Scalar* at(Eigen::Index row, Eigen::Index column) { return a_ + column * n_ + row; }
+  Eigen::Index endOf(Eigen::Index block) const { return std::min(n_, (block + 1) * width_); }
+
+  void work() {
+    Eigen::Index panel = 0, block = 0;
+    try {
+      while (next(panel, block)) {
+        update(panel, block);
+        if (block == panel + 1) factorPanel(block);
+        const std::scoped_lock lock(mutex_);
+        updates_[block] = panel + 1;
+        if (block == panel + 1) {
+          const double left = 1.0 - static_cast<double>(endOf(block)) / static_cast<double>(n_);
+          job_.report("factorise", 1.0 - left * left * left);
+        }
+        changed_.notify_all();
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      isStopped_ = true;
+      changed_.notify_all();
+      throw;
+    }
+  }
+
+  /// The next update, once what it needs is there; false when there is none.
+  bool next(Eigen::Index& panel, Eigen::Index& block) {
+    std::unique_lock lock(mutex_);
+    if (nextBlock_ == blocks_) nextBlock_ = ++nextPanel_ + 1;
+    if (nextBlock_ >= blocks_) return false;
+    panel = nextPanel_;
+    block = nextBlock_++;
+    // A panel is factored before its own block's update counts as done. Whatever is waited for was
+    // handed out earlier, so somebody is at it.
+    changed_.wait(
+        lock, [&] { return isStopped_ || (updates_[panel] == panel && updates_[block] == panel); });
+    return !isStopped_;
+  }
+
+  void factorPanel(Eigen::Index block) {
+    job_.throwIfCancelled();
+    const Eigen::Index first = block * width_;
+    const auto width = static_cast<lapack_int>(endOf(block) - first);
+    const lapack_int info = getrf(static_cast<lapack_int>(n_ - first), width, at(first, first),
+                                  static_cast<lapack_int>(n_), &pivots_[first]);
+    if (info != 0)
+      throw SolverError(SolverError::Kind::kSingular,
+                        "the system of equations is singular at unknown " +
+                            std::to_string(first + info) + " of " + std::to_string(n_) +
+                            "; check the supports and the mesh for degenerate places");
+    for (Eigen::Index k = first; k < first + width; ++k) pivots_[k] += static_cast<int>(first);
+  }
+
+  void swapRows(Eigen::Index block, Eigen::Index first, Eigen::Index end) {
+    const Eigen::Index column = block * width_;
+    laswp(static_cast<lapack_int>(endOf(block) - column), at(0, column),
+          static_cast<lapack_int>(n_), static_cast<lapack_int>(first + 1),
+          static_cast<lapack_int>(end), pivots_.data());
+  }
+
+  void update(Eigen::Index panel, Eigen::Index block) {
+    job_.throwIfCancelled();
+    const Eigen::Index first = panel * width_, end = endOf(panel), column = block * width_;
+    const auto n = static_cast<int>(n_), width = static_cast<int>(end - first),
+               columns = static_cast<int>(endOf(block) - column);
+    swapRows(block, first, end);
+    solveUnitLower(width, columns, at(first, first), n, at(first, column));
+    subtractProduct(n - static_cast<int>(end), columns, width, at(end, first), at(first, column),
+                    at(end, column), n);
+  }
+
+  Scalar* const a_;
+  const Eigen::Index n_, width_, blocks_;
+  std::vector<int>& pivots_;
+  const Job& job_;
+
+  std::mutex mutex_;  // guards what follows, and the progress sink
+  std::condition_variable changed_;
+  Eigen::Index nextPanel_ = 0, nextBlock_ = 1;
+  std::vector<Eigen::Index> updates_;  ///< per block: panels that have updated it
+  bool isStopped_ = false;
+};
+
 }  // namespace
 
 template <class Scalar>
 LuFactorisation<Scalar>::LuFactorisation(LargeMatrix<Scalar> matrix, const Job& job)
     : matrix_(std::move(matrix)), pivots_(matrix_.rows()) {
-  const auto n = static_cast<lapack_int>(matrix_.rows());
+  useOneBlasThread();
   norm1_ = matrix_.view().cwiseAbs().colwise().sum().maxCoeff();
-  Scalar* const a = matrix_.data();
-  const auto at = [a, n](lapack_int row, lapack_int column) {
-    return a + static_cast<std::ptrdiff_t>(column) * n + row;
-  };
-  for (lapack_int first = 0; first < n; first += kPanel) {
-    job.throwIfCancelled();
-    const lapack_int width = std::min(kPanel, n - first), end = first + width;
-    const lapack_int info = getrf(n - first, width, at(first, first), n, &pivots_[first]);
-    if (info != 0)
-      throw SolverError(SolverError::Kind::kSingular,
-                        "the system of equations is singular at unknown " +
-                            std::to_string(first + info) + " of " + std::to_string(n) +
-                            "; check the supports and the mesh for degenerate places");
-    for (lapack_int k = first; k < end; ++k) pivots_[k] += first;
-    laswp(first, a, n, first + 1, end, pivots_.data());
-    const auto most = static_cast<lapack_int>(kBlockFlops / (2.0 * width * std::max(n - end, 1)));
-    for (lapack_int left = end; left < n;) {
-      job.throwIfCancelled();
-      const lapack_int columns = std::min(std::max(most, kPanel), n - left);
-      laswp(columns, at(0, left), n, first + 1, end, pivots_.data());
-      solveUnitLower(width, columns, at(first, first), n, at(first, left));
-      subtractProduct(n - end, columns, width, at(end, first), at(first, left), at(end, left), n);
-      left += columns;
-    }
-    job.report("factorise", 1.0 - std::pow(1.0 - static_cast<double>(end) / n, 3));
-  }
+  if (size() > 0) BlockedLu<Scalar>(matrix_, pivots_, job).run();
 }
 
 template <class Scalar>
 void LuFactorisation<Scalar>::solveInPlace(
-    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides) const {
-  getrs('N', static_cast<lapack_int>(size()), static_cast<lapack_int>(rightHandSides.cols()),
-        matrix_.data(), pivots_.data(), rightHandSides.data());
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides, const Job& job) const {
+  constexpr Eigen::Index kColumnsPerTask = 24;
+  useOneBlasThread();
+  const Eigen::Index columns = rightHandSides.cols();
+  parallelFor((columns + kColumnsPerTask - 1) / kColumnsPerTask, job, "", [&](std::ptrdiff_t k) {
+    const Eigen::Index first = k * kColumnsPerTask;
+    getrs('N', static_cast<lapack_int>(size()),
+          static_cast<lapack_int>(std::min(kColumnsPerTask, columns - first)), matrix_.data(),
+          pivots_.data(), rightHandSides.col(first).data());
+  });
 }
 
 template <class Scalar>

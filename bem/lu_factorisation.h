@@ -7,8 +7,8 @@
 
 namespace palpa::bem {
 
-/// P A = L U with partial pivoting, in place, through LAPACK and BLAS (float or double). Panel by
-/// panel, so that it can be cancelled and show its progress.
+/// P A = L U with partial pivoting, in place, through LAPACK and BLAS (float or double). By blocks
+/// of columns on the job's threads; the factors do not depend on their number.
 template <class Scalar>
 class LuFactorisation {
  public:
@@ -23,8 +23,9 @@ class LuFactorisation {
   std::size_t bytes() const { return matrix_.bytes(); }
 
   /// Overwrites the columns of `rightHandSides` (size() rows) with the solutions. Safe to call from
-  /// several threads.
-  void solveInPlace(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides) const;
+  /// several threads. Throws Cancelled.
+  void solveInPlace(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides,
+                    const Job& job = {}) const;
 
   /// LAPACK's estimate of the condition number in the 1-norm: about five solutions. Throws
   /// Cancelled between two of them.

@@ -7,8 +7,6 @@
 #include <thread>
 #include <vector>
 
-extern "C" void openblas_set_num_threads(int threads);
-
 namespace palpa::bem {
 
 int workerCount(const Job& job) {
@@ -49,10 +47,6 @@ void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
   }
   if (firstError) std::rethrow_exception(firstError);
   job.throwIfCancelled();
-}
-
-void setBlasThreads(int threads) {
-  openblas_set_num_threads(threads);
 }
 
 }  // namespace palpa::bem

@@ -18,7 +18,4 @@ int workerCount(const Job& job);
 void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
                  const std::function<void(std::ptrdiff_t)>& body);
 
-/// Sets the number of threads that BLAS and LAPACK use (process-wide).
-void setBlasThreads(int threads);
-
 }  // namespace palpa::bem

@@ -97,10 +97,10 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const BoundaryMesh& mesh, const TractionSlots& slots,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const Job& job, const ByteSource& source);
+    const ByteSource& source);
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(
     const SplineSurface& surface, const SplineTractions& tractions,
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const Job& job, const ByteSource& source);
+    const ByteSource& source);
 
 }  // namespace palpa::bem

@@ -33,8 +33,8 @@ std::unique_ptr<ReferenceProblem> TriangleDiscretisation::makeProblem(
 
 std::unique_ptr<ReferenceProblem> TriangleDiscretisation::readProblem(
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const Job& job, const ByteSource& source) const {
-  return readDenseReferenceProblem(mesh(), slots(), conditions, material, precision, job, source);
+    const ByteSource& source) const {
+  return readDenseReferenceProblem(mesh(), slots(), conditions, material, precision, source);
 }
 
 void TriangleDiscretisation::write(const ByteSink& sink) const {

@@ -199,7 +199,7 @@ std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key, const Bo
     Hash hash;
     std::uint64_t done = 0;
     auto problem = setup.discretisation->readProblem(
-        setup.conditions.ofSlot, setup.material, precision, job, [&](std::span<std::byte> bytes) {
+        setup.conditions.ofSlot, setup.material, precision, [&](std::span<std::byte> bytes) {
           if (bytes.size() > header.bytes - done) throw Damaged{};
           inChunks(bytes, job, [&](std::span<std::byte> chunk) {
             file.read(chunk);

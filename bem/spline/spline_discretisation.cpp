@@ -56,9 +56,8 @@ std::unique_ptr<ReferenceProblem> SplineDiscretisation::makeProblem(
 
 std::unique_ptr<ReferenceProblem> SplineDiscretisation::readProblem(
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const Job& job, const ByteSource& source) const {
-  return readDenseReferenceProblem(surface_, tractions_, conditions, material, precision, job,
-                                   source);
+    const ByteSource& source) const {
+  return readDenseReferenceProblem(surface_, tractions_, conditions, material, precision, source);
 }
 
 BoundaryField SplineDiscretisation::valuesOnMesh(const BoundaryField& field) const {

@@ -36,7 +36,6 @@ class SplineDiscretisation final : public Discretisation {
       ReferenceProblemTimes* times = nullptr) const override;
   std::unique_ptr<ReferenceProblem> readProblem(const std::vector<SlotCondition>& conditions,
                                                 const Material& material, Precision precision,
-                                                const Job& job,
                                                 const ByteSource& source) const override;
   void write(const ByteSink& sink) const override { surface_.write(sink); }
 

@@ -44,14 +44,12 @@ TouchRecording touches() {
 
 std::vector<Vector3d> forcesOf(const std::shared_ptr<const TouchBody>& body,
                                const TouchRecording& recording, int threads) {
-  bem::setBlasThreads(threads);
   bem::Job job;
   job.threads = threads;
   std::vector<Vector3d> forces;
   replay(body, recording, job, [&](const TouchSnapshot& snapshot) {
     for (const auto& contact : snapshot.touched()) forces.push_back(contact.force);
   });
-  bem::setBlasThreads(bem::workerCount({}));
   return forces;
 }
 

@@ -97,7 +97,7 @@ TEST(SplineDiscretisation, AProblemIsReadBackBitForBit) {
     });
     std::size_t at = 0;
     const auto read =
-        on->readProblem(conditions, kMaterial, precision, Job{}, [&](std::span<std::byte> bytes) {
+        on->readProblem(conditions, kMaterial, precision, [&](std::span<std::byte> bytes) {
           ASSERT_LE(at + bytes.size(), stored.size());
           std::memcpy(bytes.data(), &stored[at], bytes.size());
           at += bytes.size();
