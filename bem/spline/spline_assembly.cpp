@@ -10,35 +10,37 @@
 namespace palpa::bem {
 namespace {
 
-constexpr int kMostPointsPerTask = 16;
-/// Few points are shared out more evenly in smaller tasks.
-std::ptrdiff_t pointsPerTask(std::ptrdiff_t points) {
-  return points < 512 ? 8 : kMostPointsPerTask;
-}
+constexpr int kPointsPerTask = 8;
 
 /// What a thread needs; used again from task to task.
 struct Scratch {
-  SplineRows::Sums sums;                                     ///< of one point
-  std::array<std::vector<double>, kMostPointsPerTask> T, U;  ///< of the points of a task
+  SplineRows::Sums sums;                                 ///< of one point
+  std::array<std::vector<double>, kPointsPerTask> T, U;  ///< of the points of a task
 };
 
-/// Copies the blocks that some points' sums make to their rows of a matrix.
+/// Copies the blocks that the sums of a task's points make to their rows of a matrix.
 template <int kSums, class Scalar, class Block>
-void copyRows(const std::array<std::vector<double>, kMostPointsPerTask>& sums, std::ptrdiff_t begin,
+void copyRows(const std::array<std::vector<double>, kPointsPerTask>& sums, std::ptrdiff_t begin,
               std::ptrdiff_t end, std::ptrdiff_t pointCount, const Block& block,
               LargeMatrix<Scalar>& matrix) {
   const std::ptrdiff_t coefficients = matrix.cols() / 3, rows = matrix.rows();
-  Scalar blocks[3][3][kMostPointsPerTask];
+  const bool isFull = end - begin == kPointsPerTask;
+  double transposed[kSums][kPointsPerTask] = {};
+  Scalar values[kPointsPerTask];
   for (std::ptrdiff_t j = 0; j < coefficients; ++j) {
-    for (std::ptrdiff_t k = 0; k < end - begin; ++k) {
-      const double* sum = &sums[k][kSums * j];
-      for (int i = 0; i < 3; ++i)
-        for (int c = 0; c < 3; ++c) blocks[i][c][k] = static_cast<Scalar>(block(sum, i, c));
-    }
-    for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c)
-        std::copy_n(blocks[i][c], end - begin,
-                    matrix.data() + (3 * j + c) * rows + i * pointCount + begin);
+    for (std::ptrdiff_t k = 0; k < end - begin; ++k)
+      for (int s = 0; s < kSums; ++s) transposed[s][k] = sums[k][kSums * j + s];
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < kPointsPerTask; ++k)
+          values[k] = static_cast<Scalar>(block(&transposed[0][k], i, c));
+        Scalar* to = matrix.data() + (3 * j + c) * rows + i * pointCount + begin;
+        // A length known beforehand is copied without a call.
+        if (isFull)
+          std::copy_n(values, kPointsPerTask, to);
+        else
+          std::copy_n(values, end - begin, to);
+      }
   }
 }
 
@@ -57,9 +59,8 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
   const SplineQuadrature quadrature(surface, options.tolerance, job);
   const SplineRows rows(surface, tractions, material, quadrature);
   LendingPool<Scratch> pool([] { return Scratch{}; });
-  const std::ptrdiff_t perTask = pointsPerTask(m);
-  parallelFor((m + perTask - 1) / perTask, job, "assemble", [&](std::ptrdiff_t task) {
-    const std::ptrdiff_t begin = task * perTask, end = std::min(m, begin + perTask);
+  parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble", [&](std::ptrdiff_t task) {
+    const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
     Scratch scratch = pool.take();
     for (std::ptrdiff_t k = begin; k < end; ++k) {
       rows.integrate(points[k], scratch.sums, job);
@@ -68,10 +69,12 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
     }
     copyRows<SplineRows::kSumsT>(
         scratch.T, begin, end, m,
-        [&](const double* sum, int i, int c) { return rows.blockT(sum, i, c); }, result.H);
+        [&](const double* sum, int i, int c) { return rows.blockT(sum, i, c, kPointsPerTask); },
+        result.H);
     copyRows<SplineRows::kSumsU>(
         scratch.U, begin, end, m,
-        [&](const double* sum, int i, int c) { return rows.blockU(sum, i, c); }, result.G);
+        [&](const double* sum, int i, int c) { return rows.blockU(sum, i, c, kPointsPerTask); },
+        result.G);
     pool.giveBack(std::move(scratch));
   });
   return result;

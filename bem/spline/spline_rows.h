@@ -29,18 +29,18 @@ class SplineRows {
   };
   void integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const;
 
-  /// Component (i, c) of the block (see kelvin.h) with these sums.
-  double blockT(const double* sum, int i, int c) const {
-    double value = 3 * sum[kPacked[i][c]];
-    if (i == c) return weightT_ * (value + diagonalT_ * (sum[0] + sum[2] + sum[5]));
+  /// Component (i, c) of the block (see kelvin.h) with these sums, `stride` apart.
+  double blockT(const double* sum, int i, int c, std::ptrdiff_t stride = 1) const {
+    double value = 3 * sum[kPacked[i][c] * stride];
+    if (i == c) return weightT_ * (value + diagonalT_ * trace(sum, stride));
     // e_i n_j - e_j n_i is the component of r × n across i and j.
-    const double turn = sum[6 + 3 - i - c];
+    const double turn = sum[(6 + 3 - i - c) * stride];
     value -= diagonalT_ * ((c - i + 3) % 3 == 1 ? turn : -turn);
     return weightT_ * value;
   }
-  double blockU(const double* sum, int i, int c) const {
-    const double value = sum[kPacked[i][c]];
-    return weightU_ * (i == c ? value + diagonalU_ * (sum[0] + sum[2] + sum[5]) : value);
+  double blockU(const double* sum, int i, int c, std::ptrdiff_t stride = 1) const {
+    const double value = sum[kPacked[i][c] * stride];
+    return weightU_ * (i == c ? value + diagonalU_ * trace(sum, stride) : value);
   }
 
   /// r(x) = ∫ U p - ∫ T [u(y) - u(x)] of fields in coefficients: 3 rows, a column for each.
@@ -53,6 +53,9 @@ class SplineRows {
 
  private:
   static constexpr int kPacked[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};
+  static double trace(const double* sum, std::ptrdiff_t stride) {
+    return sum[0] + sum[2 * stride] + sum[5 * stride];
+  }
   void subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const;
 
   const SplineSurface& surface_;
