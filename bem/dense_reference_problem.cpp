@@ -257,13 +257,11 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times) {
   DegreesOfFreedom dofs = solvableDofs(surface, tractions, conditions, material);
-  auto points = grevilleCollocation(surface);
-  for (const int slot : dofs.extraSlots())
-    points.push_back(shiftedCollocation(surface, tractions, slot));
+  const SplineEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
   return make(
       precision, std::move(dofs),
       [&](auto scalar) {
-        return assemble<decltype(scalar)>(surface, tractions, points, material, options, job);
+        return assemble<decltype(scalar)>(surface, tractions, equations, material, options, job);
       },
       job, times);
 }

@@ -129,20 +129,9 @@ AnalysisNet analysisNet(const modeling::Project& project) {
   return analysisNet(project, ElementSizes::of(project.mesh, fingertipRadius(project)));
 }
 
-bool endsWithPatches(const modeling::Project& project) {
-  const auto isWhole = [](const modeling::MeshRegion& region) {
-    return std::all_of(region.where.parts.begin(), region.where.parts.end(), [](const auto& part) {
-      return std::holds_alternative<modeling::PatchSet>(part);
-    });
-  };
-  const auto regions = modeling::meshRegions(project);
-  return std::all_of(regions.begin(), regions.end(), isWhole);
-}
-
 bool usesSplines(const modeling::Project& project) {
-  if (!std::holds_alternative<modeling::Solid>(project.body)) return false;
-  if (project.mesh.engine == modeling::Engine::automatic) return endsWithPatches(project);
-  return project.mesh.engine == modeling::Engine::splines;
+  return std::holds_alternative<modeling::Solid>(project.body) &&
+         project.mesh.engine != modeling::Engine::triangles;
 }
 
 double defaultTouchRadius(double bodySize) {

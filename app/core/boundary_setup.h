@@ -53,12 +53,8 @@ double defaultTouchRadius(double bodySize);
 /// fingertip's when it has none with a radius.
 double fingertipRadius(const modeling::Project& project);
 
-/// Do all supports and loads with a region end where patches end?
-bool endsWithPatches(const modeling::Project& project);
-
-/// Is the project's body computed with splines? So are, unless the project says otherwise, solids
-/// whose supports and loads end where patches end: borders that cut patches obliquely are not yet
-/// as reliable with splines (decision 021). Mesh bodies have no patches.
+/// Is the project's body computed with splines? Solids are, unless the project says otherwise; mesh
+/// bodies have no patches.
 bool usesSplines(const modeling::Project& project);
 
 /// The analysis net of a project whose body is a solid: fine enough for all of its touches and for

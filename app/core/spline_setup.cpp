@@ -54,7 +54,7 @@ void applySupports(const modeling::Project& project, const RegionTags& tags, Spl
     const auto& regions = tags.regions(slots[s].tag);
     const auto supportCount = static_cast<int>(project.supports.size());
     if (regions.empty() || regions.front() >= supportCount ||
-        setup.surface.barelyReaches(slots[s].node, slots[s].tag))
+        setup.surface.barelyReaches(slots[s].node, slots[s].tag, slots[s].smoothingGroup))
       continue;
     const Support& support = project.supports[regions.front()];
     if (support.kind == Support::Kind::fixed) {

@@ -43,9 +43,6 @@ struct SplineSetup {
 /// point: exact on flat faces; on curved ones it slips between these by about 0.5 % of the sliding
 /// with elements that turn by 22 degrees. Loads are L2-projected.
 ///
-/// Half spaces and strokes whose borders cross knot rectangles aslant on coarse elements can make
-/// reactions wrong by some 10 %; the balance of forces then misses by some per cent.
-///
 /// Throws SolverError (kBadCondition) as makeBoundarySetup(), ModelingError as refined().
 SplineSetup makeSplineSetup(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
                             const AnalysisNet& net);

@@ -195,12 +195,6 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
                       {});
   report.solveSeconds = watch.lap();
   job.report("solve", 1);
-  if (hasSplines && !endsWithPatches(project)) {
-    if (!report.notice.empty()) report.notice += ". ";
-    report.notice +=
-        "borders of supports or loads cut patches: with splines forces can then be off by several "
-        "per cent; compare with the engine \"triangles\"";
-  }
   model->report_ = report;
   return model;
 }

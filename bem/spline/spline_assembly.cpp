@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "bem/lending_pool.h"
 #include "bem/parallel.h"
@@ -44,20 +45,14 @@ void copyRows(const std::array<std::vector<double>, kPointsPerTask>& sums, std::
   }
 }
 
-}  // namespace
-
+/// Rows of points, [i * count + point], all of H and G.
 template <class Scalar>
-BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
-                                   const std::vector<SplineCollocationPoint>& points,
-                                   const Material& material, const AssemblyOptions& options,
-                                   const Job& job) {
-  material.validate();
+BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, Eigen::Index coefficients,
+                                 Eigen::Index slots, std::span<const SplineCollocationPoint> points,
+                                 const Job& job) {
   const auto m = static_cast<std::ptrdiff_t>(points.size());
-  BoundaryOperators<Scalar> result{
-      LargeMatrix<Scalar>(3 * m, 3 * static_cast<Eigen::Index>(surface.coefficientCount())),
-      LargeMatrix<Scalar>(3 * m, 3 * static_cast<Eigen::Index>(tractions.slots.count()))};
-  const SplineQuadrature quadrature(surface, options.tolerance, job);
-  const SplineRows rows(surface, tractions, material, quadrature);
+  BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, 3 * coefficients),
+                                   LargeMatrix<Scalar>(3 * m, 3 * slots)};
   LendingPool<Scratch> pool([] { return Scratch{}; });
   parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, "assemble", [&](std::ptrdiff_t task) {
     const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
@@ -80,11 +75,84 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
   return result;
 }
 
+/// Points whose rows are held at once before they are added to those of equations.
+constexpr std::size_t kPointsAtOnce = 128;
+constexpr Eigen::Index kColumnsPerTask = 64;
+
+/// Adds the rows of the points from `first` on, times their weights, to those of the equations.
+template <class Scalar>
+void addWeighted(const LargeMatrix<Scalar>& ofPoints, const Eigen::SparseMatrix<double>& weights,
+                 Eigen::Index first, LargeMatrix<Scalar>& ofEquations, const Job& job) {
+  const Eigen::Index count = ofPoints.rows() / 3, columns = ofPoints.cols();
+  const auto from = ofPoints.view();
+  auto to = ofEquations.view();
+  const auto tasks = static_cast<std::ptrdiff_t>((columns + kColumnsPerTask - 1) / kColumnsPerTask);
+  parallelFor(tasks, job, "", [&](std::ptrdiff_t task) {
+    const Eigen::Index end = std::min<Eigen::Index>(columns, (task + 1) * kColumnsPerTask);
+    for (Eigen::Index column = task * kColumnsPerTask; column < end; ++column)
+      for (int i = 0; i < 3; ++i)
+        for (Eigen::Index k = 0; k < count; ++k)
+          for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + k); w; ++w)
+            to(i * weights.rows() + w.row(), column) +=
+                static_cast<Scalar>(w.value()) * from(i * count + k, column);
+  });
+}
+
+}  // namespace
+
+template <class Scalar>
+BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
+                                   const std::vector<SplineCollocationPoint>& points,
+                                   const Material& material, const AssemblyOptions& options,
+                                   const Job& job) {
+  material.validate();
+  const SplineQuadrature quadrature(surface, options.tolerance, job);
+  const SplineRows rows(surface, tractions, material, quadrature);
+  return rowsOf<Scalar>(rows, surface.coefficientCount(), tractions.slots.count(), points, job);
+}
+
+template <class Scalar>
+BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
+                                   const SplineEquations& equations, const Material& material,
+                                   const AssemblyOptions& options, const Job& job) {
+  const std::span points(equations.points);
+  if (equations.isCollocation())
+    return assemble<Scalar>(surface, tractions, equations.points, material, options, job);
+  material.validate();
+  const SplineQuadrature quadrature(surface, options.tolerance, job);
+  const SplineRows rows(surface, tractions, material, quadrature);
+  const Eigen::Index coefficients = surface.coefficientCount(), slots = tractions.slots.count();
+  BoundaryOperators<Scalar> result{
+      LargeMatrix<Scalar>(3 * equations.weights.rows(), 3 * coefficients),
+      LargeMatrix<Scalar>(3 * equations.weights.rows(), 3 * slots)};
+  const auto count = static_cast<double>(points.size());
+  for (std::size_t first = 0; first < points.size(); first += kPointsAtOnce) {
+    const auto some = points.subspan(first, std::min(kPointsAtOnce, points.size() - first));
+    Job ofSome = job;
+    if (job.progress)
+      ofSome.progress = [&](std::string_view phase, double fraction) {
+        job.progress(
+            phase,
+            (static_cast<double>(first) + fraction * static_cast<double>(some.size())) / count);
+      };
+    const auto ofPoints = rowsOf<Scalar>(rows, coefficients, slots, some, ofSome);
+    addWeighted(ofPoints.H, equations.weights, static_cast<Eigen::Index>(first), result.H, job);
+    addWeighted(ofPoints.G, equations.weights, static_cast<Eigen::Index>(first), result.G, job);
+  }
+  return result;
+}
+
 template BoundaryOperators<double> assemble(const SplineSurface&, const SplineTractions&,
                                             const std::vector<SplineCollocationPoint>&,
                                             const Material&, const AssemblyOptions&, const Job&);
 template BoundaryOperators<float> assemble(const SplineSurface&, const SplineTractions&,
                                            const std::vector<SplineCollocationPoint>&,
                                            const Material&, const AssemblyOptions&, const Job&);
+template BoundaryOperators<double> assemble(const SplineSurface&, const SplineTractions&,
+                                            const SplineEquations&, const Material&,
+                                            const AssemblyOptions&, const Job&);
+template BoundaryOperators<float> assemble(const SplineSurface&, const SplineTractions&,
+                                           const SplineEquations&, const Material&,
+                                           const AssemblyOptions&, const Job&);
 
 }  // namespace palpa::bem

@@ -1,6 +1,6 @@
 #pragma once
 #include "bem/assembly.h"
-#include "bem/spline/spline_collocation.h"
+#include "bem/spline/spline_equations.h"
 
 namespace palpa::bem {
 
@@ -16,5 +16,10 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
                                    const std::vector<SplineCollocationPoint>& points,
                                    const Material& material, const AssemblyOptions& options,
                                    const Job& job);
+/// The rows of equations: weighted sums of those of points.
+template <class Scalar>
+BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
+                                   const SplineEquations& equations, const Material& material,
+                                   const AssemblyOptions& options, const Job& job);
 
 }  // namespace palpa::bem

@@ -1,7 +1,6 @@
 #include "bem/spline/spline_collocation.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -17,15 +16,13 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
 }
 
 /// For a function whose Greville point lies on the other side of a border: its middle on the
-/// elements of its own side, weighted by its square, in the patch where it weighs most. Of faces
-/// that meet sharply in the first: the others may ask for points of their own.
-std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient,
-                                         const std::function<bool(int element)>& isAsked) {
+/// elements of its own side, weighted by its square, in the patch where it weighs most, of faces
+/// that meet sharply in the first.
+std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
   int group = std::numeric_limits<int>::max();
   for (int e = 0; e < surface.elementCount(); ++e)
-    if (isAsked(e) && carries(surface, e, coefficient))
-      group = std::min(group, surface.smoothingGroup(e));
-  const auto isOwn = [&](int e) { return isAsked(e) && surface.smoothingGroup(e) == group; };
+    if (carries(surface, e, coefficient)) group = std::min(group, surface.smoothingGroup(e));
+  const auto isOwn = [&](int e) { return surface.smoothingGroup(e) == group; };
   constexpr int kPoints = 4;
   const GaussRule& rule = gaussRule(kPoints);
   struct Middle {
@@ -83,7 +80,7 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
     if (surface.isTorn(k) &&
         !std::all_of(point.places.begin(), point.places.end(),
                      [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
-      point.places = placesOnOwnSide(surface, k, [](int) { return true; });
+      point.places = placesOnOwnSide(surface, k);
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;
@@ -92,9 +89,9 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
   return points;
 }
 
-SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
-                                          const SplineTractions& tractions, int slot,
-                                          double shift) {
+std::optional<SplineCollocationPoint> shiftedCollocation(const SplineSurface& surface,
+                                                         const SplineTractions& tractions, int slot,
+                                                         double shift) {
   const auto& wanted = tractions.slots.slots[slot];
   const auto all = occurrences(surface);
   for (const SplineOccurrence& at : all[wanted.node])
@@ -130,14 +127,7 @@ SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
       point.position = surface.evaluate(point.places.front()).position;
       return point;
     }
-  // The border of a part lies between the slot and the Greville point.
-  SplineCollocationPoint point;
-  point.places = placesOnOwnSide(surface, wanted.node, [&](int e) {
-    return surface.smoothingGroup(e) == wanted.smoothingGroup &&
-           surface.elements()[e].tag == wanted.tag;
-  });
-  point.position = surface.evaluate(point.places.front()).position;
-  return point;
+  return {};
 }
 
 }  // namespace palpa::bem

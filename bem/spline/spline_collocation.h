@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "bem/spline/spline_surface.h"
@@ -12,14 +13,16 @@ struct SplineCollocationPoint {
   std::vector<SplinePlace> places;  ///< in all elements that contain it
 };
 
-/// One point per displacement coefficient: its Greville point.
+/// One point per displacement coefficient: its Greville point; of torn ones, whose Greville point
+/// may lie on the other side, a point in the middle of their own.
 std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& surface);
 
 /// A point inside the part of the surface that a traction slot lies in, `shift` (in (0, 1)) of the
 /// way from the Greville point of its function to that of the next: an equation for the further
-/// traction of a coefficient where faces with prescribed displacement meet in a sharp edge.
-SplineCollocationPoint shiftedCollocation(const SplineSurface& surface,
-                                          const SplineTractions& tractions, int slot,
-                                          double shift = 0.4);
+/// traction of a coefficient where faces with prescribed displacement meet in a sharp edge. None
+/// where the border of the part lies between.
+std::optional<SplineCollocationPoint> shiftedCollocation(const SplineSurface& surface,
+                                                         const SplineTractions& tractions, int slot,
+                                                         double shift = 0.4);
 
 }  // namespace palpa::bem

@@ -240,10 +240,7 @@ void SplineSurface::write(const ByteSink& sink) const {
   writeList(sink, tornFrom_);
   writeList(sink, std::vector<char>(isTorn_.begin(), isTorn_.end()));
   writeCount(sink, barelyReaches_.size());
-  for (const auto& [coefficient, tag] : barelyReaches_) {
-    writeValue(sink, coefficient);
-    writeValue(sink, tag);
-  }
+  for (const auto& mark : barelyReaches_) writeValue(sink, mark);
 }
 
 }  // namespace palpa::bem

@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "bem/byte_stream.h"
@@ -89,10 +88,13 @@ class SplineSurface {
   /// The coefficient of the net that stands for one: itself, or the one it was torn from.
   int tornFrom(int coefficient) const { return tornFrom_[coefficient]; }
   bool isTorn(int coefficient) const { return isTorn_[coefficient]; }
-  /// Marks a function that reaches into the part with a tag by so little that it is left outside.
-  void setBarelyReaches(int coefficient, int tag) { barelyReaches_.insert({coefficient, tag}); }
-  bool barelyReaches(int coefficient, int tag) const {
-    return barelyReaches_.contains({coefficient, tag});
+  /// Marks a function that reaches into the part with a tag, on the faces of a smoothing group, by
+  /// so little that the part does not count there.
+  void setBarelyReaches(int coefficient, int tag, int group) {
+    barelyReaches_.insert({coefficient, tag, group});
+  }
+  bool barelyReaches(int coefficient, int tag, int group) const {
+    return barelyReaches_.contains({coefficient, tag, group});
   }
 
   /// Coefficients of the functions that are not zero on an element, (degree u + 1) (degree v + 1),
@@ -132,7 +134,7 @@ class SplineSurface {
   std::vector<Cut> cuts_;
   std::vector<int> tornFrom_;
   std::vector<bool> isTorn_;
-  std::set<std::pair<int, int>> barelyReaches_;  ///< coefficient, tag
+  std::set<std::array<int, 3>> barelyReaches_;  ///< coefficient, tag, smoothing group
   std::vector<std::vector<int>> functions_;
 };
 

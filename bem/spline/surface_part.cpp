@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
 
-#include "bem/spline/gauss_rule.h"
+#include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {
 namespace {
@@ -14,11 +17,11 @@ constexpr int kMostDepth = 6;  ///< halvings of a knot rectangle
 /// border then runs along the side.
 constexpr double kThinnest = 1e-3;
 constexpr double kSteepest = 2;  ///< of a graph, in units of its rectangle
-/// Of a function's area on one side of the border below which it belongs to the other side: its
-/// equation would hardly differ from its neighbours'. With 0.1 what is left out shows: on a sphere
-/// held below a plane, n = 1,230, the displacement at a load was wrong by 4.9e-3, with 0.02 by
-/// 7e-4, n = 1,270; below 0.003 nothing changes any more.
-constexpr double kLeast = 0.01;
+/// Of a function's area on one side of the border, or of that on one face there, below which it
+/// counts for the other side: so little that the rounding of the factorisation, which grows like
+/// the inverse of the share, would cost more digits than the function brings. In single precision
+/// four digits are left.
+constexpr double kLeast = 1e-3;
 
 struct Rectangle {
   std::array<double, 2> lower, upper;
@@ -168,30 +171,30 @@ class Cutter {
   std::vector<Piece> pieces_;
 };
 
-/// Area of the functions on elements inside and outside of a part: ∫ N_j dΓ.
+/// Area of the functions, ∫ N_j dΓ, on elements inside and outside of a part.
 struct Areas {
   std::vector<double> inside, outside;
+  std::vector<std::map<int, double>> insideOfGroup;  ///< by smoothing group
 };
 
 Areas areasOf(const SplineSurface& surface, const std::vector<bool>& isInside) {
-  Areas areas{std::vector<double>(surface.controlPoints().size(), 0),
-              std::vector<double>(surface.controlPoints().size(), 0)};
-  const GaussRule& rule = gaussRule(4);
+  const std::size_t count = surface.controlPoints().size();
+  Areas areas{std::vector<double>(count, 0), std::vector<double>(count, 0),
+              std::vector<std::map<int, double>>(count)};
+  std::vector<int> all(surface.elements().size());
+  std::iota(all.begin(), all.end(), 0);
   std::vector<double> basis;
-  for (int e = 0; e < surface.elementCount(); ++e) {
-    const SplineElement& element = surface.elements()[e];
-    const Rectangle r{element.lower, element.upper};
-    auto& sums = isInside[e] ? areas.inside : areas.outside;
-    for (std::size_t i = 0; i < rule.points.size(); ++i)
-      for (std::size_t j = 0; j < rule.points.size(); ++j) {
-        const SplinePlace place{e, r.at(0, rule.points[i]), r.at(1, rule.points[j])};
-        const double weight = rule.weights[i] * rule.weights[j] * r.size(0) * r.size(1) *
-                              surface.evaluate(place).areaVector().norm();
-        surface.evaluateBasis(place, basis);
-        for (std::size_t f = 0; f < basis.size(); ++f)
-          sums[surface.functions(e)[f]] += weight * basis[f];
-      }
-  }
+  visitSplinePoints(surface, all, 4, std::numeric_limits<double>::infinity(),
+                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      surface.evaluateBasis(place, basis);
+                      for (std::size_t f = 0; f < basis.size(); ++f) {
+                        const int k = surface.functions(place.element)[f];
+                        const double area = weight * basis[f];
+                        (isInside[place.element] ? areas.inside : areas.outside)[k] += area;
+                        if (isInside[place.element])
+                          areas.insideOfGroup[k][surface.smoothingGroup(place.element)] += area;
+                      }
+                    });
   return areas;
 }
 
@@ -218,20 +221,37 @@ std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
   return {};
 }
 
+/// Functions whose elements in one patch lie on both sides of the border, whether it cuts elements
+/// or runs along knots. Along an edge of a patch nothing needs to be torn: functions do not reach
+/// across it.
+std::vector<bool> cutFunctions(const SplineSurface& surface, const std::vector<bool>& isInside) {
+  std::vector<std::map<int, bool>> sideInPatch(surface.controlPoints().size());
+  std::vector<bool> isCut(surface.controlPoints().size(), false);
+  for (int e = 0; e < surface.elementCount(); ++e)
+    for (const int k : surface.functions(e)) {
+      const auto [side, isFirst] =
+          sideInPatch[k].try_emplace(surface.elements()[e].patch, isInside[e]);
+      if (side->second != isInside[e]) isCut[k] = true;
+    }
+  return isCut;
+}
+
 /// The functions that the border of a part cuts get a coefficient for each side.
-void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isCut,
-                  const std::vector<bool>& isInside) {
+void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isInside) {
+  const std::vector<bool> isCut = cutFunctions(surface, isInside);
   const Areas areas = areasOf(surface, isInside);
   for (std::size_t k = 0; k < isCut.size(); ++k) {
     if (!isCut[k]) continue;
-    const auto coefficient = static_cast<int>(k);
-    const double share = areas.inside[k] / (areas.inside[k] + areas.outside[k]);
-    if (share >= kLeast && share <= 1 - kLeast) surface.tear(coefficient, isInside);
-    if (share >= kLeast) continue;
-    for (int e = 0; e < surface.elementCount(); ++e)
-      if (isInside[e] &&
-          std::count(surface.functions(e).begin(), surface.functions(e).end(), coefficient) > 0)
-        surface.setBarelyReaches(coefficient, surface.elements()[e].tag);
+    int coefficient = static_cast<int>(k);
+    const double whole = areas.inside[k] + areas.outside[k], share = areas.inside[k] / whole;
+    if (share >= kLeast && share <= 1 - kLeast) coefficient = surface.tear(coefficient, isInside);
+    for (const auto& [group, area] : areas.insideOfGroup[k]) {
+      if (area >= kLeast * whole) continue;
+      for (int e = 0; e < surface.elementCount(); ++e)
+        if (isInside[e] && surface.smoothingGroup(e) == group &&
+            std::count(surface.functions(e).begin(), surface.functions(e).end(), coefficient) > 0)
+          surface.setBarelyReaches(coefficient, surface.elements()[e].tag, group);
+    }
   }
 }
 
@@ -240,14 +260,12 @@ void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isCut,
 SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
                        const std::function<int(int)>& tagInside, Tearing tearing) {
   SplineSurface result = surface;
-  std::vector<bool> isCut(surface.controlPoints().size(), false);
   std::vector<bool> isInside(surface.elements().size(), false);
   for (int e = 0; e < surface.elementCount(); ++e) {
     bool isWholeInside = false;
     std::vector<Cutter::Piece> pieces = piecesOf(surface, e, part, isWholeInside);
     isInside[e] = isWholeInside;
     if (pieces.empty()) continue;
-    for (const int function : surface.functions(e)) isCut[function] = true;
     isInside[e] = pieces.front().isInside;
     std::vector<SplineElement> elements;
     std::vector<std::optional<CutMap>> maps;
@@ -265,10 +283,12 @@ SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
     if (!isInside[e]) continue;
     const int before = result.elements()[e].tag, after = tagInside(before);
     result.setTag(e, after);
+    const int group = result.smoothingGroup(e);
     for (const int function : result.functions(e))
-      if (result.barelyReaches(function, before)) result.setBarelyReaches(function, after);
+      if (result.barelyReaches(function, before, group))
+        result.setBarelyReaches(function, after, group);
   }
-  if (tearing == Tearing::kTorn) tearAtBorder(result, isCut, isInside);
+  if (tearing == Tearing::kTorn) tearAtBorder(result, isInside);
   return result;
 }
 

@@ -28,8 +28,8 @@ enum class Tearing {
 ///
 /// What is known inside of a support, the displacement, must not reach across the border by the
 /// width of a function: functions that the border cuts are torn, each side gets a coefficient of
-/// its own (SplineSurface::tornFrom). A function with less than 1 % of its area on one side is
-/// not torn but belongs to the other side (SplineSurface::barelyReaches). Loads cut without
+/// its own (SplineSurface::tornFrom). A function with less than a thousandth of its area on one
+/// side is not torn but belongs to the other side (SplineSurface::barelyReaches). Loads cut without
 /// tearing: their tractions jump, displacements do not.
 ///
 /// The border may have any shape that is simple within a 64th of a knot rectangle; what is finer is

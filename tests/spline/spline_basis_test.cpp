@@ -129,7 +129,9 @@ TEST(SplineCollocation, FurtherPointsLieInsideTheFaceTheyStandFor) {
   SplineSurface box = app::splineSurfaceOf(modeling::makeBox({40, 30, 20}));
   const SplineTractions tractions(box);
   for (int s = 0; s < tractions.slots.count(); ++s) {
-    const SplineCollocationPoint point = shiftedCollocation(box, tractions, s);
+    const auto shifted = shiftedCollocation(box, tractions, s);
+    ASSERT_TRUE(shifted);
+    const SplineCollocationPoint& point = *shifted;
     int sides = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double low = axis == 2 ? 0 : axis == 1 ? -15 : -20, high = axis == 2 ? 20 : -low;

@@ -57,7 +57,8 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
   const TractionSlots& slots = tractions.slots;
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
-    conditions.push_back(slot.tag == 1 && !surface.barelyReaches(slot.node, slot.tag)
+    conditions.push_back(slot.tag == 1 &&
+                                 !surface.barelyReaches(slot.node, slot.tag, slot.smoothingGroup)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
   problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options, precision,

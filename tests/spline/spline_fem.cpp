@@ -105,8 +105,8 @@ FemSolution solveFem(const json& reference, const SplineSurface& surface,
   const SplineTractions tractions(surface);
   BoundaryConditions conditions(surface.coefficientCount(), tractions.slots.count());
   for (int s = 0; s < tractions.slots.count(); ++s)
-    if (tractions.slots.slots[s].tag != 0 &&
-        !surface.barelyReaches(tractions.slots.slots[s].node, tractions.slots.slots[s].tag))
+    if (const auto& slot = tractions.slots.slots[s];
+        slot.tag != 0 && !surface.barelyReaches(slot.node, slot.tag, slot.smoothingGroup))
       conditions.ofSlot[s] = SlotCondition::kFixed;
   for (int k = 0; k < surface.coefficientCount(); ++k)
     conditions.displacement.segment<3>(3 * k) = given(surface.controlPoints()[k]);
