@@ -10,7 +10,8 @@ namespace palpa::bem {
 /// the regularised identity: no free term, no principal value, valid at edges and corners. The
 /// subtraction is done on the sums over all elements, so that a translation gives zero whatever the
 /// quadrature errs. Rows and columns as in BoundaryOperators. About 0.4 µs per (point, element) and
-/// core with cubic splines and a tolerance of 1e-5. The result does not depend on the number of threads. Throws Cancelled.
+/// core with cubic splines and a tolerance of 1e-5. The result does not depend on the number of
+/// threads. Throws Cancelled.
 template <class Scalar>
 BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
                                    const std::vector<SplineCollocationPoint>& points,
