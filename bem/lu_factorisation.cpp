@@ -98,6 +98,7 @@ class BlockedLu {
 
   void run() {
     factorPanel(0);
+    reportFactored(0);
     // Panel k updates the blocks k + 1 … blocks - 1.
     const std::ptrdiff_t workers = std::min<std::ptrdiff_t>(workerCount(job_), blocks_);
     parallelFor(workers, job_, "", [&](std::ptrdiff_t) { work(); });
@@ -117,10 +118,7 @@ class BlockedLu {
         if (block == panel + 1) factorPanel(block);
         const std::scoped_lock lock(mutex_);
         updates_[block] = panel + 1;
-        if (block == panel + 1) {
-          const double left = 1.0 - static_cast<double>(endOf(block)) / static_cast<double>(n_);
-          job_.report("factorise", 1.0 - left * left * left);
-        }
+        if (block == panel + 1) reportFactored(block);
         changed_.notify_all();
       }
     } catch (...) {
@@ -129,6 +127,11 @@ class BlockedLu {
       changed_.notify_all();
       throw;
     }
+  }
+
+  void reportFactored(Eigen::Index block) const {
+    const double left = 1.0 - static_cast<double>(endOf(block)) / static_cast<double>(n_);
+    job_.report("factorise", 1.0 - left * left * left);
   }
 
   /// The next update, once what it needs is there; false when there is none.

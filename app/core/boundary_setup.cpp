@@ -107,7 +107,7 @@ BoundarySetup splineSetup(const modeling::Project& project, const modeling::Surf
   SplineSetup parts = makeSplineSetup(project, surface, net);
   auto splines = std::make_shared<const bem::SplineDiscretisation>(
       boundaryMesh(surface, std::move(parts.tagOfTriangle)), std::move(parts.surface),
-      std::move(parts.triangles));
+      std::move(parts.tractions), std::move(parts.triangles));
   BoundarySetup setup = emptySetup(project, splines);
   setup.splines = splines;
   setup.analysisNet = std::make_shared<const modeling::Solid>(std::move(parts.solid));
@@ -148,8 +148,8 @@ double fingertipRadius(const modeling::Project& project) {
 }
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
-                                const modeling::SurfaceMesh& surface) {
-  if (usesSplines(project)) return splineSetup(project, surface, analysisNet(project));
+                                const modeling::SurfaceMesh& surface, const AnalysisNet* net) {
+  if (usesSplines(project)) return splineSetup(project, surface, net ? *net : analysisNet(project));
   BoundarySetup setup =
       emptySetup(project, std::make_shared<bem::TriangleDiscretisation>(
                               boundaryMesh(surface, RegionTags(surface).ofTriangle())));

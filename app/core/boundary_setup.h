@@ -63,8 +63,10 @@ AnalysisNet analysisNet(const modeling::Project& project);
 
 /// Translates a meshed project (`surface` made with meshRegions(project)) for its engine. Where
 /// supports and loads begin, the traction may jump. Throws SolverError (kBadCondition) when two
-/// supports claim the same place or prescribe different displacements where they meet.
+/// supports claim the same place or prescribe different displacements where they meet. `net`: the
+/// analysis net of the project when it is known already, null: made where splines need it.
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
-                                const modeling::SurfaceMesh& surface);
+                                const modeling::SurfaceMesh& surface,
+                                const AnalysisNet* net = nullptr);
 
 }  // namespace palpa::app

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <span>
 
 #include "app/core/analysis_net.h"
@@ -142,9 +143,11 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   Stopwatch watch;
   const auto regions = modeling::meshRegions(project);
   const bool hasSplines = usesSplines(project);
+  std::optional<AnalysisNet> net;
   if (hasSplines) {
     // Half again as many traction coefficients is what bodies with many sharp edges have.
-    const double expected = analysisNet(project).coefficients;
+    net = analysisNet(project);
+    const double expected = net->coefficients;
     checkMemory(expected, 1.5 * expected, options, splineAdvice(project));
   } else {
     const double expected = modeling::estimateNodeCount(project.body, settings, regions);
@@ -161,7 +164,7 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.nodes = static_cast<int>(surface.positions.size());
   report.triangles = static_cast<int>(surface.triangles.size());
   report.quality = modeling::measureQuality(surface);
-  BoundarySetup setup = makeBoundarySetup(project, surface);
+  BoundarySetup setup = makeBoundarySetup(project, surface, net ? &*net : nullptr);
   checkMemory(setup.discretisation->displacementCount(), setup.discretisation->slots().count(),
               options, hasSplines ? splineAdvice(project) : edgeLengthAdvice(settings));
   std::shared_ptr<TouchModel> model(

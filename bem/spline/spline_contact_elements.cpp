@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "bem/parallel.h"
 #include "bem/spline/gauss_rule.h"
 #include "bem/spline/spline_projection.h"
 
@@ -136,9 +137,15 @@ SplineContactElements::SplineContactElements(const SplineSurface& surface,
                                              const std::vector<double>& narrowest)
     : elements_(surface.elements().size()), around_(surface.controlPoints().size()) {
   connectCells(surface);
+  constexpr int kElementsPerTask = 8;
+  parallelFor((count() + kElementsPerTask - 1) / kElementsPerTask, {}, "",
+              [&](std::ptrdiff_t task) {
+                const auto begin = static_cast<int>(task) * kElementsPerTask;
+                for (int e = begin; e < std::min(count(), begin + kElementsPerTask); ++e)
+                  fill(surface, tractions, e, narrowest);
+              });
   VectorXd integrals = VectorXd::Zero(surface.coefficientCount());
   for (int e = 0; e < count(); ++e) {
-    fill(surface, tractions, e, narrowest);
     const Element& element = elements_[e];
     for (std::size_t a = 0; a < element.coefficients.size(); ++a) {
       around_[element.coefficients[a]].push_back(e);

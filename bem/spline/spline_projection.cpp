@@ -3,7 +3,6 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "bem/error.h"
 #include "bem/spline/gauss_rule.h"
@@ -20,18 +19,23 @@ constexpr int kMostCells = 64;
 Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vector<int>>& unknowns,
                         int count, const std::vector<int>& elements, const SplineFunction& function,
                         double featureLength) {
-  std::vector<int> all(surface.elements().size());
-  std::iota(all.begin(), all.end(), 0);
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> basis;
-  visitSplinePoints(surface, all, kPoints, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
-                      surface.evaluateBasis(place, basis);
-                      const std::vector<int>& list = unknowns[place.element];
-                      for (std::size_t a = 0; a < list.size(); ++a)
-                        for (std::size_t b = 0; b < list.size(); ++b)
-                          entries.emplace_back(list[a], list[b], weight * basis[a] * basis[b]);
-                    });
+  Eigen::MatrixXd ofElement;
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    const std::vector<int>& list = unknowns[e];
+    const auto size = static_cast<Eigen::Index>(list.size());
+    ofElement.setZero(size, size);
+    visitSplinePoints(surface, {e}, kPoints, INFINITY,
+                      [&](const SplinePlace& place, const SplineJet&, double weight) {
+                        surface.evaluateBasis(place, basis);
+                        const Eigen::Map<const Eigen::VectorXd> values(basis.data(), size);
+                        ofElement.noalias() += weight * values * values.transpose();
+                      });
+    for (Eigen::Index b = 0; b < size; ++b)
+      for (Eigen::Index a = 0; a < size; ++a)
+        entries.emplace_back(list[a], list[b], ofElement(a, b));
+  }
   Eigen::SparseMatrix<double> mass(count, count);
   mass.setFromTriplets(entries.begin(), entries.end());
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
