@@ -60,12 +60,6 @@ Vector3d inPlane(const Vector3d& direction, const Vector3d& normal) {
   return flat.norm() > 1e-6 ? flat.normalized() : normal.unitOrthogonal();
 }
 
-/// Four directions in the tangential plane, the first one `along`.
-std::array<Vector3d, 4> aside(const Vector3d& normal, const Vector3d& along) {
-  const Vector3d across = normal.cross(along);
-  return {along, -along, across, -across};
-}
-
 }  // namespace
 
 void ContactSimulation::placeMasks(Contact& contact) {
@@ -95,8 +89,10 @@ SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
 /// Of the surface around a contact, from normals at a distance (mm); positive where it bulges.
 double ContactSimulation::meanCurvature(const Contact& contact, double distance) const {
   const Vector3d normal = surface_.normal(contact.point);
+  const Vector3d across = normal.cross(contact.across);
   double sum = 0;
-  for (const Vector3d& direction : aside(normal, contact.across)) {
+  for (const Vector3d& direction :
+       {contact.across, Vector3d(-contact.across), across, Vector3d(-across)}) {
     const SurfacePoint point =
         surface_.nearest(contact.point.position + distance * direction + kLift * distance * normal);
     const double apart = (point.position - contact.point.position).dot(direction);
@@ -106,9 +102,7 @@ double ContactSimulation::meanCurvature(const Contact& contact, double distance)
 }
 
 /// The masks of a ball: wherever the surface without it reaches into it, the contact lies within
-/// that part. The lattice is as fine as the coefficients are anywhere under the contact, or wide
-/// enough to cover it: where these are graded, masks as fine as in the middle would be wider than
-/// their spacing further out, and hold the surface there that the ball does not touch.
+/// that part. The lattice is as fine as the mesh, or wide enough to cover the contact.
 void ContactSimulation::placeProbe(Contact& contact) {
   const double radius = contact.tool.radius;
   const Vector3d normal = surface_.normal(contact.point);
@@ -119,10 +113,7 @@ void ContactSimulation::placeProbe(Contact& contact) {
   const double finest = surface_.maskSpacing(contact.point);
   const double curvature = 1 / radius + meanCurvature(contact, finest);
   const double reach = curvature * radius * radius > depth ? std::sqrt(depth / curvature) : radius;
-  double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
-  for (const Vector3d& direction : aside(normal, along))
-    spacing = std::max(spacing, surface_.maskSpacing(
-                                    surface_.nearest(contact.point.position + reach * direction)));
+  const double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
   for (int k = 0; k < contact.maskCount; ++k) {
     const int mask = contact.firstMask + k;
     const Vector2d at = spacing * lattice()[k];

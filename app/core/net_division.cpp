@@ -14,7 +14,7 @@ constexpr double kGrowthPerLength = 0.8;
 constexpr int kMostHalvings = 6;
 /// Of a function's width that may be too much: a body that is a little longer than a whole number
 /// of elements shall not take one more in each span.
-constexpr double kSlack = 0.15;
+constexpr double kSlack = 0.1;
 /// Longest element over the largest that is allowed side by side with its like, and the steps in
 /// which less is tried.
 constexpr double kLongest = 1.45, kStep = 0.03;
