@@ -144,7 +144,7 @@ double fingertipRadius(const modeling::Project& project) {
     if (touch.radius && !std::holds_alternative<modeling::TouchProbe>(touch.action))
       narrowest = std::min(narrowest.value_or(*touch.radius), *touch.radius);
   const auto [low, high] = modeling::boundingBox(project.body);
-  return narrowest ? *narrowest : defaultTouchRadius((high - low).norm());
+  return std::max(narrowest.value_or(0), defaultTouchRadius((high - low).norm()));
 }
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,

@@ -49,8 +49,8 @@ struct BoundarySetup {
 /// body's size (the diagonal of its box, mm).
 double defaultTouchRadius(double bodySize);
 
-/// The narrowest touch that a project's model is to resolve, mm: that of its touches, or a
-/// fingertip's when it has none with a radius.
+/// The narrowest touch that a project's model is to resolve anywhere, mm: a fingertip's, or the
+/// narrowest of the project's touches when that is wider.
 double fingertipRadius(const modeling::Project& project);
 
 /// Is the project's body computed with splines? Solids are, unless the project says otherwise; mesh

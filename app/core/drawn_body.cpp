@@ -45,17 +45,28 @@ std::vector<bem::SurfacePoint> nodePlaces(const bem::BoundaryMesh& mesh) {
   return places;
 }
 
-/// Row `row` of weights of displacement coefficients.
-Vector3d combine(const bem::Discretisation::Weights& weights, std::size_t row,
-                 const Eigen::Ref<const VectorXd>& u) {
-  Vector3d sum = Vector3d::Zero();
-  for (bem::Discretisation::Weights::InnerIterator it(weights, static_cast<Eigen::Index>(row)); it;
-       ++it)
-    sum += it.value() * u.segment<3>(3 * it.col());
-  return sum;
+}  // namespace
+
+DrawnBody::Weights::Weights(const bem::Discretisation::Weights& weights) {
+  first_.reserve(static_cast<std::size_t>(weights.rows()) + 1);
+  for (Eigen::Index row = 0; row < weights.rows(); ++row) {
+    for (bem::Discretisation::Weights::InnerIterator it(weights, row); it; ++it) {
+      if (it.value() == 0) continue;
+      column_.push_back(static_cast<int>(it.col()));
+      value_.push_back(static_cast<float>(it.value()));
+    }
+    first_.push_back(static_cast<int>(column_.size()));
+  }
 }
 
-}  // namespace
+const DrawnBody::Weights::Coefficients& DrawnBody::coefficients(
+    const Eigen::Ref<const VectorXd>& u) {
+  thread_local Weights::Coefficients padded;
+  padded.resize(4, u.size() / 3);
+  for (Eigen::Index k = 0; k < padded.cols(); ++k)
+    padded.col(k) << u.segment<3>(3 * k).cast<float>(), 0.0F;
+  return padded;
+}
 
 DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model,
                      const modeling::DisplaySettings& settings, const bem::Job& job)
@@ -72,9 +83,11 @@ DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model,
   for (const auto& slot : setup.meshSlots().slots)
     sideOfSlot_.push_back(side(slot.node, slot.smoothingGroup));
   sideCount_ = static_cast<int>(sides.size());
-  atPoints_ = setup.discretisation->displacementWeights(placesOf(mesh_));
-  atNodes_ = setup.discretisation->displacementWeights(nodePlaces(setup.mesh()));
-  sideNormals(VectorXd::Zero(3 * static_cast<Eigen::Index>(atNodes_.cols())), 0, normalsAtRest_);
+  atPoints_ = Weights(setup.discretisation->displacementWeights(placesOf(mesh_)));
+  atNodes_ = Weights(setup.discretisation->displacementWeights(nodePlaces(setup.mesh())));
+  sideNormals(coefficients(VectorXd::Zero(
+                  3 * static_cast<Eigen::Index>(setup.discretisation->displacementCount()))),
+              0, normalsAtRest_);
 
   std::vector<bool> held(setup.mesh().triangles.size(), false);
   for (const auto& support : setup.supports)
@@ -107,13 +120,13 @@ Value DrawnBody::atSides(std::size_t point, const std::vector<Value>& values) co
          link.weights[2] * values[static_cast<std::size_t>(sides[2])];
 }
 
-void DrawnBody::sideNormals(const Eigen::Ref<const VectorXd>& u, double scale,
+void DrawnBody::sideNormals(const Weights::Coefficients& u, double scale,
                             std::vector<Vector3d>& normals) const {
   const bem::BoundaryMesh& mesh = model_->setup().mesh();
   thread_local std::vector<Vector3d> nodes;
   nodes.resize(mesh.nodes.size());
   for (std::size_t k = 0; k < nodes.size(); ++k)
-    nodes[k] = mesh.nodes[k] + scale * combine(atNodes_, k, u);
+    nodes[k] = mesh.nodes[k] + scale * atNodes_.at(k, u);
   normals.assign(static_cast<std::size_t>(sideCount_), Vector3d::Zero());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corners = mesh.triangles[t];
@@ -129,11 +142,15 @@ void DrawnBody::deform(const Eigen::Ref<const VectorXd>& u, double scale, Shape&
   // deformed surface. So the true surface's normals are turned as the mean normals at the nodes
   // turn.
   thread_local std::vector<Vector3d> normals;
-  sideNormals(u, scale, normals);
+  const Weights::Coefficients& padded = coefficients(u);
+  sideNormals(padded, scale, normals);
   shape.positions.resize(mesh_.positions.size());
   shape.normals.resize(mesh_.positions.size());
+  shape.sizes.resize(mesh_.positions.size());
   for (std::size_t i = 0; i < mesh_.positions.size(); ++i) {
-    shape.positions[i] = mesh_.positions[i] + scale * combine(atPoints_, i, u);
+    const Vector3d moved = atPoints_.at(i, padded);
+    shape.sizes[i] = moved.norm();
+    shape.positions[i] = mesh_.positions[i] + scale * moved;
     const auto turn =
         Eigen::Quaterniond::FromTwoVectors(atSides(i, normalsAtRest_), atSides(i, normals));
     shape.normals[i] = (turn * mesh_.normals[i]).normalized();
@@ -141,18 +158,18 @@ void DrawnBody::deform(const Eigen::Ref<const VectorXd>& u, double scale, Shape&
 }
 
 std::vector<Vector3d> DrawnBody::displacements(const Eigen::Ref<const VectorXd>& u) const {
+  const Weights::Coefficients& padded = coefficients(u);
   std::vector<Vector3d> result;
   result.reserve(mesh_.positions.size());
   for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
-    result.push_back(combine(atPoints_, i, u));
+    result.push_back(atPoints_.at(i, padded));
   return result;
 }
 
 std::vector<double> DrawnBody::displacementSizes(const Eigen::Ref<const VectorXd>& u) const {
   std::vector<double> result;
   result.reserve(mesh_.positions.size());
-  for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
-    result.push_back(combine(atPoints_, i, u).norm());
+  for (const Vector3d& moved : displacements(u)) result.push_back(moved.norm());
   return result;
 }
 

@@ -195,7 +195,7 @@ TEST(SplineSetup, ExamplesHaveThePartsThatTrianglesHave) {
                 setup.surface.elementCount(), setup.tractions.slots.count(), net.interior);
     EXPECT_NEAR(setup.surface.coefficientCount(), net.coefficients, 0.05 * net.coefficients);
     EXPECT_LE(setup.surface.coefficientCount(),
-              1.05 * ElementSizes::of(project.mesh, kFingertip).budget);
+              1.05 * 1.4 * ElementSizes::of(project.mesh, kFingertip).budget);
     // Flat triangles lose some of the area of curved faces, and of painted discs, of which they
     // make polygons with some twelve corners.
     const auto tolerance = [](const std::string& name) { return name == "blow" ? 0.03 : 0.01; };

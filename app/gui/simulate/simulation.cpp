@@ -257,22 +257,17 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
 void Simulation::evaluate() {
   const bool needsTractions = quantity_ == app::SurfaceQuantity::kNormalTraction ||
                               quantity_ == app::SurfaceQuantity::kVonMises;
-  if (needsTractions) {
-    const bem::BoundaryField& field = field_->field(snapshot_);
-    displacements_ = field.u.col(0);
-    values_ = drawn_->values(quantity_, field);
-  } else {
-    displacements_ = field_->displacements(snapshot_).col(0);
-    values_.clear();
-    if (quantity_ == app::SurfaceQuantity::kDisplacement)
-      values_ = drawn_->displacementSizes(displacements_);
-    if (quantity_ == app::SurfaceQuantity::kStiffness) {
-      values_ = stiffnesses_;
-      // No colour where nothing is known yet.
-      values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
-    }
-  }
+  const bem::BoundaryField* field = needsTractions ? &field_->field(snapshot_) : nullptr;
+  displacements_ = field ? field->u.col(0) : field_->displacements(snapshot_).col(0);
   drawn_->deform(displacements_, scale_, shape_);
+  values_.clear();
+  if (field) values_ = drawn_->values(quantity_, *field);
+  if (quantity_ == app::SurfaceQuantity::kDisplacement) values_ = shape_.sizes;
+  if (quantity_ == app::SurfaceQuantity::kStiffness) {
+    values_ = stiffnesses_;
+    // No colour where nothing is known yet.
+    values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
+  }
   updateRange();
 }
 
