@@ -32,9 +32,9 @@ constexpr double kLift = 0.2;
 /// A mask of radius r on a half-space yields to the force F of a ball by c F / (E* r), c =
 /// 0.7665 (the mean under (1 - ρ^2 / r^2)^2), a circle of contact a by Hertz's a^2 / R with F = 4/3
 /// E* a^3 / R. So a mask that stands for a circle x = a / r must meet the ball when that has come
-/// nearer by (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4 c / 3; up to where this is the mean gap
-/// r^2 / 8 R of a mask that is pressed all over.
-constexpr double kNarrow = 1.022, kNarrowContact = 0.51212;
+/// nearer by (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4 c / 3; up to the larger x at which this
+/// is the mean gap r^2 / 8 R of a mask that is pressed all over. Other masks begin to press there.
+constexpr double kNarrow = 1.022, kNarrowContact = 0.77466, kWideContact = 1;
 
 /// Points of a hexagonal lattice with spacing 1 around the origin, ring by ring.
 const std::array<Vector2d, kLattice>& lattice() {
@@ -136,27 +136,40 @@ void ContactSimulation::placeProbe(Contact& contact) {
 /// surface is taken where it is now. That is what the mask's mean displacement must make up for.
 /// (At the middle alone the gap would be smaller by the mask's radius squared over 8 radii of
 /// curvature.)
+///
+/// A projected bump has tails with small weights of either sign. Two things keep them from being
+/// felt as waves of the force while the ball slides: where it is steeper than 45 degrees the ball
+/// goes on as the paraboloid that touches it there; and a contact narrower than its mask meets what
+/// a bump of exactly the mask's radius would, by its ∫ Φ ρ^2 dΓ = r^2 / 4.
 double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vector3d& m) const {
-  const double radius = contact.tool.radius;
+  const double radius = contact.tool.radius, square = radius * radius;
   const Vector3d now = displacementOf(mask);
   const auto gapAt = [&](const Vector3d& x) {
     const Vector3d from = x - contact.value;
     const double along = m.dot(from);
     const double across = (from + now - (along + m.dot(now)) * m).squaredNorm();
-    return along - std::sqrt(std::max(radius * radius - across, 0.0));
+    const double height = across < square / 2
+                              ? std::sqrt(square - across)
+                              : (1.5 * square - across) / (std::numbers::sqrt2 * radius);
+    return along - height;
   };
   const ContactMask& on = set_.mask(mask);
-  double gap = 0;
-  for (std::size_t k = 0; k < on.points.size(); ++k)
+  double gap = 0, spread = 0;
+  for (std::size_t k = 0; k < on.points.size(); ++k) {
     gap += on.pointWeights[k] * gapAt(on.points[k]);
+    spread += on.pointWeights[k] * (on.points[k] - on.point.position).squaredNorm();
+  }
   if (mask != contact.firstMask) return gap;
   // A contact much narrower than its one mask.
   const double middle = gapAt(surface_.smoothPosition(on.point));
-  const double offset = gap - middle, approach = -middle - m.dot(contact.lifted);
-  if (approach <= 0 || offset <= 0) return offset > 0 ? middle : gap;
+  const double all = gap - middle, approach = -middle - m.dot(contact.lifted);
+  if (approach <= 0 || all <= 0) return all > 0 ? middle : gap;
+  const double offset = all * on.radius * on.radius / (4 * spread);
   const double part = std::sqrt(approach / (8 * offset));
-  if (part >= kNarrowContact) return gap;
-  return middle + 8 * offset * part * part * (1 - kNarrow * part);
+  if (part < kNarrowContact) return middle + 8 * offset * part * part * (1 - kNarrow * part);
+  // From there on, gradually, the mean over the mask as it is, as over all others.
+  const double wide = std::min((part - kNarrowContact) / (kWideContact - kNarrowContact), 1.0);
+  return middle + offset + wide * (all - offset);
 }
 
 }  // namespace palpa::bem

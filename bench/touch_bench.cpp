@@ -76,8 +76,9 @@ class Bench {
     return bench.json();
   }
 
-  explicit Bench(int cells) : model_(app::buildTouchModel(sphereProject(cells), {}, {})) {
-    head(model_->report().nodes, "E = 0.1 MPa, nu = 0.45");
+  explicit Bench(const modeling::Project& project) : model_(app::buildTouchModel(project, {}, {})) {
+    head(model_->setup().discretisation->displacementCount(),
+         model_->setup().splines ? "splines, E = 0.1 MPa, nu = 0.45" : "E = 0.1 MPa, nu = 0.45");
     add("surface for contacts, made once", "ms",
         1e3 * secondsFor([&] { body_ = std::make_shared<app::TouchBody>(model_); }));
   }
@@ -228,12 +229,17 @@ int main(int argc, char** argv) {
   int large = 45;
   std::string csv, json;
   bool onlySlides = false;
+  double elementLength = 0;
   options.add_option("--cells", cells,
                      "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
   options.add_option("--large", large, "cells for the field of a large mesh; 0: none");
   options.add_option("--seconds", seconds, "how long the loop runs; 0: not at all")
       ->check(CLI::Range(0.0, 3600.0));
   options.add_option("--csv", csv, "the forces of the slides around the sphere, of the last mesh");
+  options
+      .add_option("--splines", elementLength,
+                  "slides around the sphere with splines, too, of elements of this length, mm")
+      ->check(CLI::PositiveNumber);
   options.add_flag("--only-slides", onlySlides, "nothing but the slides around the sphere");
   options.add_option("--json", json, "all rows as JSON");
   CLI11_PARSE(options, argc, argv);
@@ -242,10 +248,18 @@ int main(int argc, char** argv) {
   app::reuseFreedMemory();
   nlohmann::json all = nlohmann::json::array();
   for (const int count : cells) {
-    Bench bench(count);
+    Bench bench(sphereProject(count));
     if (!onlySlides) bench.forces();
     bench.slides(csv);
     if (seconds > 0 && !onlySlides) bench.loop(seconds);
+    all.push_back(bench.json());
+  }
+  if (elementLength > 0) {
+    modeling::Project project = sphereProject(cells.empty() ? 10 : cells.back());
+    project.mesh.engine = modeling::Engine::splines;
+    project.mesh.elementLength = elementLength;
+    Bench bench(project);
+    bench.slides("");
     all.push_back(bench.json());
   }
   if (large > 0 && !onlySlides) all.push_back(Bench::largeField(large));

@@ -30,9 +30,18 @@ class CliSimulation : public testing::Test {
   Runner cli_;
 };
 
-TEST_F(CliSimulation, SolveFulfilsItsContractAndAnExactSolution) {
+/// What must hold with either engine.
+class CliEngine : public CliSimulation, public testing::WithParamInterface<std::string> {
+ protected:
+  static std::string engine() { return "--engine " + GetParam(); }
+};
+INSTANTIATE_TEST_SUITE_P(Engines, CliEngine, testing::Values("spline", "triangles"),
+                         [](const auto& tested) { return tested.param; });
+
+TEST_P(CliEngine, SolveFulfilsItsContractAndAnExactSolution) {
   writeOedometer();
-  const Json report = cli_.runJson("solve p.json --probe 0,0,20 --probe 20,-3,10");
+  const Json report = cli_.runJson("solve p.json --probe 0,0,20 --probe 20,-3,10 " + engine());
+  EXPECT_EQ(report.at("engine"), GetParam() == "spline" ? "splines" : "triangles");
   EXPECT_GT(report.at("nodes").get<int>(), 50);
   EXPECT_GT(report.at("triangles").get<int>(), 100);
   for (const char* phase : {"mesh", "assemble", "factorise", "solve"}) {
@@ -71,11 +80,11 @@ TEST_F(CliSimulation, ThreadsDoNotChangeTheAnswer) {
               two.at("probes")[0].at("u_mm")[2].get<double>(), 1e-10);
 }
 
-TEST_F(CliSimulation, TouchGivesForceAndStiffness) {
+TEST_P(CliEngine, TouchGivesForceAndStiffness) {
   cli_.run("new sphere --radius 25 -o p.json");
   // Leading minus signs are values, not options.
-  const Json report =
-      cli_.runJson("touch p.json --at -25,0,0 --displace -2,0,0 --radius 8 --kind grab");
+  const Json report = cli_.runJson(
+      "touch p.json --at -25,0,0 --displace -2,0,0 --radius 8 --kind grab " + engine());
   ASSERT_EQ(report.at("contacts").size(), 1u);
   const Json& contact = report.at("contacts")[0];
   EXPECT_NEAR(contact.at("displacement_mm")[0].get<double>(), -2, 1e-9);
@@ -90,23 +99,24 @@ TEST_F(CliSimulation, TouchGivesForceAndStiffness) {
   EXPECT_LE(report.at("balance_N").get<double>(), 0.01 * force);
 }
 
-TEST_F(CliSimulation, TouchIsLinear) {
+TEST_P(CliEngine, TouchIsLinear) {
   cli_.run("new cylinder --edge-length 6 -o p.json");
-  const Json once = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-1,0.5");
-  const Json twice = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-2,1");
+  const Json once = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-1,0.5 " + engine());
+  const Json twice = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-2,1 " + engine());
   EXPECT_NEAR(2 * norm(once.at("contacts")[0].at("force_N")),
               norm(twice.at("contacts")[0].at("force_N")), 1e-8);
 }
 
-TEST_F(CliSimulation, ForceAndDisplacementAreInverseOfEachOther) {
+TEST_P(CliEngine, ForceAndDisplacementAreInverseOfEachOther) {
   cli_.run("new box --edge-length 5 -o p.json");
-  const Json moved = cli_.runJson("touch p.json --at 5,0,20 --displace 0.1,0.2,-1 --radius 10");
+  const Json moved =
+      cli_.runJson("touch p.json --at 5,0,20 --displace 0.1,0.2,-1 --radius 10 " + engine());
   const Json f = moved.at("contacts")[0].at("force_N");
   char force[100];
   std::snprintf(force, sizeof force, "%.17g,%.17g,%.17g", f[0].get<double>(), f[1].get<double>(),
                 f[2].get<double>());
   const Json pulled =
-      cli_.runJson(std::string("touch p.json --at 5,0,20 --radius 10 --force ") + force);
+      cli_.runJson("touch p.json --at 5,0,20 --radius 10 " + engine() + " --force " + force);
   const Json& u = pulled.at("contacts")[0].at("displacement_mm");
   EXPECT_NEAR(u[0].get<double>(), 0.1, 1e-8);
   EXPECT_NEAR(u[1].get<double>(), 0.2, 1e-8);

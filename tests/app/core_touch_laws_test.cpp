@@ -1,126 +1,72 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <numbers>
 #include <random>
 
-#include "app/core/touch_field.h"
-#include "app/core/touch_player.h"
+#include "contact_laws.h"
 #include "core_projects.h"
 
 namespace palpa::app {
 namespace {
 
-using bem::ContactStatus;
 using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 using Command = TouchCommand::Kind;
-using Demand = bem::ContactCondition::Kind;
 using Status = TouchSnapshot::Status;
 
-const Vector3d kNone = Vector3d::Zero(), kTop(0, 0, 25);
+constexpr double kRadius = 25;  // mm
+const Vector3d kNone = Vector3d::Zero(), kTop(0, 0, kRadius);
 
-std::shared_ptr<const TouchBody> wholeBody(double edgeLength) {
-  auto body = std::make_shared<TouchBody>(buildTouchModel(test::clampedSphere(edgeLength), {}, {}));
-  body->columns()->compute(body->columns()->nodesNear(body->surface().places(), kTop), {});
-  return body;
+/// A sphere that can be touched everywhere, and how well its field may be known.
+struct Sphere {
+  const char* name;
+  modeling::Project project;
+  unsigned histories;
+  /// Largest errors; the moment's over force times radius, the others relative.
+  double force, moment, position, mirror, compliance;
+};
+
+modeling::Project sphereOf(modeling::Engine engine, double elementLength) {
+  modeling::Project project = test::clampedSphere(4.5);
+  project.mesh.engine = engine;
+  project.mesh.elementLength = elementLength;
+  return project;
 }
 
-/// n = 386.
-const std::shared_ptr<const TouchBody>& sphere() {
-  static const auto shared = wholeBody(4.5);
-  return shared;
+modeling::Project splinesHeldByAPatch() {
+  modeling::Project project = sphereOf(modeling::Engine::splines, 7);
+  project.supports[0].where = modeling::Region::ofPatches({"bottom"});
+  return project;
 }
 
-/// Signorini's and Coulomb's laws at every mask of the last step, written out. Tolerances: the
-/// solver's 1e-9 of the largest force, in mm by the stiffness of the softest place (0.5 N/mm).
-void expectLaws(const bem::ContactSimulation& simulation) {
-  double largest = 1e-3;
-  for (int k = 0; k < simulation.maskCount(); ++k)
-    largest = std::max(largest, simulation.maskState(k).force.norm());
-  const double force = 1e-7 * largest, length = 1e-6 * largest;
-  for (const auto& contact : simulation.contacts()) {
-    SCOPED_TRACE(testing::Message() << "contact " << contact.id);
-    Vector3d sum = Vector3d::Zero();
-    bool isPressing = false;
-    for (int k = contact.firstMask; k < contact.firstMask + contact.maskCount; ++k) {
-      const auto mask = simulation.maskState(k);
-      sum += mask.force;
-      isPressing = isPressing || !mask.force.isZero(0);
-      const auto& law = mask.condition;
-      const Vector3d off = mask.displacement - law.value;
-      if (law.kind == Demand::kForce) {
-        EXPECT_EQ(mask.force, law.value);
-      } else if (law.kind == Demand::kHold) {
-        EXPECT_LE(off.norm(), length);
-      } else {
-        const double pressing = mask.force.dot(law.normal), gap = off.dot(law.normal);
-        const Vector3d friction = mask.force - pressing * law.normal;
-        const Vector3d slip = off - gap * law.normal;
-        const double bound = law.friction * pressing;
-        EXPECT_GE(pressing, 0);
-        EXPECT_GE(gap, -length);
-        EXPECT_LE(friction.norm(), bound + force);
-        if (mask.status == ContactStatus::kOpen) {
-          EXPECT_TRUE(mask.force.isZero(0));
-          continue;
-        }
-        EXPECT_LE(gap, length);
-        if (mask.status == ContactStatus::kSticking) {
-          EXPECT_LE(slip.norm(), length);
-        } else {
-          ASSERT_EQ(mask.status, ContactStatus::kSlipping);
-          EXPECT_NEAR(friction.norm(), bound, force);
-          EXPECT_LE(friction.dot(slip) + friction.norm() * slip.norm(),
-                    force * slip.norm() + 1e-12);
-        }
-      }
+/// n = 386, 818 and 670: on coarser splines a finger's mask is so wide that it never slips on its
+/// way. Limits are about twice what is measured.
+const Sphere kSpheres[] = {
+    {"Triangles", sphereOf(modeling::Engine::triangles, 7), 15, 0.01, 0.015, 0.015, 0.02, 0.005},
+    {"Splines", splinesHeldByAPatch(), 8, 0.003, 0.005, 0.001, 1e-4, 5e-4},
+    {"SplinesCutByTheSupport", sphereOf(modeling::Engine::splines, 7), 6, 0.003, 0.006, 0.005, 2e-3,
+     1e-3}};
+
+class TouchLaws : public testing::TestWithParam<int> {
+ protected:
+  static const Sphere& limits() { return kSpheres[GetParam()]; }
+  static const std::shared_ptr<const TouchBody>& sphere() {
+    static std::shared_ptr<const TouchBody> bodies[std::size(kSpheres)];
+    auto& body = bodies[GetParam()];
+    if (!body) {
+      const auto made = std::make_shared<TouchBody>(buildTouchModel(limits().project, {}, {}));
+      made->columns()->compute(made->columns()->nodesNear(made->surface().places(), kTop), {});
+      std::printf("%s: n = %d\n", limits().name, made->surface().dofs().nodeCount());
+      body = made;
     }
-    EXPECT_LE((contact.force - sum).norm(), force);
-    if (contact.status == Status::kOpen) {
-      EXPECT_FALSE(isPressing);
-    }
+    return body;
   }
-}
+};
 
-/// The whole field from the tractions alone: supports and contacts balance, and masks are where the
-/// laws have them. Collocation at n = 386 is off by up to 1 %, and so is the symmetrised
-/// compliance.
-void expectEquilibrium(const TouchPlayer& player, TouchField& field) {
-  TouchSnapshot snapshot;
-  player.describe(snapshot);
-  const TouchState state = field.describe(snapshot);
-  Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
-  double size = 1e-3;
-  const auto& simulation = player.simulation();
-  for (int k = 0; k < simulation.maskCount(); ++k) {
-    const auto mask = simulation.maskState(k);
-    if (mask.force.isZero(0)) continue;
-    Vector3d middle = Vector3d::Zero();
-    for (std::size_t i = 0; i < mask.mask.measureNodes.size(); ++i)
-      middle += mask.mask.measure[i] * sphere()->surface().mesh().nodes[mask.mask.measureNodes[i]];
-    force += mask.force;
-    moment += middle.cross(mask.force);
-    size += mask.force.norm();
-  }
-  for (const auto& support : state.supports) {
-    force += support.resultant.force;
-    moment += support.resultant.moment;
-  }
-  EXPECT_LE(force.norm(), 0.01 * size);
-  EXPECT_LE(moment.norm(), 0.015 * size * 25);
-  double largest = 0.1;
-  for (int k = 0; k < simulation.maskCount(); ++k)
-    largest = std::max(largest, simulation.maskState(k).displacement.norm());
-  for (const auto& contact : simulation.contacts())
-    for (int k = contact.firstMask; k < contact.firstMask + contact.maskCount; ++k) {
-      const auto mask = simulation.maskState(k);
-      if (mask.mask.nodes.empty() || mask.status == ContactStatus::kOpen ||
-          (mask.force.isZero(0) && mask.condition.kind == Demand::kForce))
-        continue;
-      EXPECT_LE((mask.mask.displacement(state.field.u) - mask.displacement).norm(),
-                0.015 * largest);
-    }
-}
+INSTANTIATE_TEST_SUITE_P(Engines, TouchLaws,
+                         testing::Range(0, static_cast<int>(std::size(kSpheres))),
+                         [](const auto& tested) { return kSpheres[tested.param].name; });
 
 /// A tool that wanders about over one part of the sphere, up to some millimetres in and out of it.
 struct Wanderer {
@@ -151,12 +97,13 @@ struct Wanderer {
   }
 };
 
-TEST(TouchLaws, HoldAtEveryStepOfRandomHistories) {
+TEST_P(TouchLaws, HoldAtEveryStepOfRandomHistories) {
   const Vector3d middles[] = {Vector3d(0, 0, 1), Vector3d(1, 0, 0.1).normalized(),
                               Vector3d(-0.5, 0.8, 0).normalized(),
                               Vector3d(-0.6, -0.7, 0.2).normalized()};
   int slipping = 0, sticking = 0, open = 0;
-  for (unsigned seed = 1; seed <= 15; ++seed) {
+  test::Equilibrium largest;
+  for (unsigned seed = 1; seed <= limits().histories; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
     auto player = std::make_unique<TouchPlayer>(sphere());
@@ -185,8 +132,8 @@ TEST(TouchLaws, HoldAtEveryStepOfRandomHistories) {
       }
       player->step();
       ASSERT_TRUE(player->simulation().converged()) << player->simulation().residual();
-      expectLaws(player->simulation());
-      if (step % 10 == 9) expectEquilibrium(*player, field);
+      test::expectLaws(player->simulation());
+      if (step % 10 == 9) test::measureEquilibrium(*player, field, kRadius, largest);
       for (const auto& contact : player->simulation().contacts()) {
         slipping += contact.status == Status::kSlipping;
         sticking += contact.status == Status::kSticking;
@@ -195,6 +142,11 @@ TEST(TouchLaws, HoldAtEveryStepOfRandomHistories) {
       if (HasFailure()) return;
     }
   }
+  std::printf("forces off by %.2f %%, moments by %.2f %%, places by %.2f %%\n", 100 * largest.force,
+              100 * largest.moment, 100 * largest.position);
+  EXPECT_LE(largest.force, limits().force);
+  EXPECT_LE(largest.moment, limits().moment);
+  EXPECT_LE(largest.position, limits().position);
   // All that can happen did.
   EXPECT_GT(slipping, 100);
   EXPECT_GT(sticking, 20);
@@ -202,7 +154,7 @@ TEST(TouchLaws, HoldAtEveryStepOfRandomHistories) {
 }
 
 /// Work of the hands around a closed way: what friction takes, never less than nothing.
-TEST(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
+TEST_P(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
   for (const Kind kind : {Kind::kPush, Kind::kProbe})
     for (const double friction : {0.0, 0.2, 0.6}) {
       SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind) << ", mu " << friction);
@@ -230,6 +182,8 @@ TEST(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
       }
       // Without friction the way leads back to the same energy, but for the time a mask takes to
       // follow the tool: one step.
+      std::printf("kind %d, mu %.1f: work %.4f of %.4f mJ\n", static_cast<int>(kind), friction,
+                  work, sliding);
       if (friction == 0)
         EXPECT_NEAR(work, 0, 0.02 * sliding);
       else
@@ -239,7 +193,7 @@ TEST(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
 
 /// The body and all touches mirrored give the mirrored forces. The body is its own mirror image but
 /// for its mesh, so agreement is that of the discretisation.
-TEST(TouchLaws, MirrorImagesGiveMirrorImages) {
+TEST_P(TouchLaws, MirrorImagesGiveMirrorImages) {
   const Vector3d mirror(1, -1, 1);
   const auto play = [&](bool isMirrored) {
     const auto image = [&](const Vector3d& v) -> Vector3d {
@@ -266,11 +220,12 @@ TEST(TouchLaws, MirrorImagesGiveMirrorImages) {
     largest = std::max(largest, here[k].norm());
     off = std::max(off, (here[k] - there[k]).norm());
   }
-  EXPECT_LE(off, 0.02 * largest);
+  std::printf("mirror images differ by %.1e\n", off / largest);
+  EXPECT_LE(off, limits().mirror * largest);
 }
 
-/// Betti: what a force here does there is what the same force there does here; to 0.5 % at n = 386.
-TEST(TouchLaws, ComplianceIsSymmetric) {
+/// Betti: what a force here does there is what the same force there does here.
+TEST_P(TouchLaws, ComplianceIsSymmetric) {
   const Vector3d places[] = {kTop, {25, 0, 0}};
   const Vector3d forces[] = {{0.05, 0.02, -0.2}, {-0.15, 0.1, 0.05}};
   double work[2];
@@ -284,12 +239,13 @@ TEST(TouchLaws, ComplianceIsSymmetric) {
     const auto mask = bem::makeContactMask(sphere()->surface(), places[1 - loaded], 8);
     work[loaded] = forces[1 - loaded].dot(mask.displacement(field.displacements(snapshot)).col(0));
   }
-  EXPECT_NEAR(work[0], work[1], 0.005 * std::abs(work[0]));
+  std::printf("works differ by %.1e\n", std::abs(work[0] / work[1] - 1));
+  EXPECT_NEAR(work[0], work[1], limits().compliance * std::abs(work[0]));
 }
 
 /// Two tools at one place that want different things: the forces stay bounded, the laws hold for
 /// all others, and a touch that begins meanwhile has its force at once.
-TEST(TouchLaws, ATouchBeginsWhileOthersContradictEachOther) {
+TEST_P(TouchLaws, ATouchBeginsWhileOthersContradictEachOther) {
   TouchPlayer player(sphere());
   player.apply({Command::kBegin, 1, {Kind::kGrab, 8}, kTop, {0, 0, -1}});
   player.step();

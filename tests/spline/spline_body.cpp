@@ -198,9 +198,7 @@ bool isBelow(const Vector3d& x) {
 }
 
 modeling::Solid makeTorus(double ring, double tube) {
-  modeling::Primitive primitive;
-  primitive.shape = modeling::TorusShape{ring, tube};
-  return modeling::makePrimitive(primitive);
+  return modeling::makePrimitive({modeling::TorusShape{ring, tube}});
 }
 
 SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Vector3d&)>& held) {

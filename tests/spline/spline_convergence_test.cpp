@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "app/core/spline_surface_of.h"
-#include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
 #include "solved_body.h"
 #include "spline_body.h"
@@ -81,13 +80,10 @@ TEST(SplineConvergence, OtherBodies) {
     return x.z() < 1e-6 || x.x() < -20 + 1e-6 || x.y() < -15 + 1e-6;
   };
   expectLast(series("box, 3 sides", box, 3, corner, above), 5e-4, 4);
-  modeling::Primitive torus;
-  torus.shape = modeling::TorusShape{30, 10};
-  expectLast(
-      series(
-          "torus", modeling::makePrimitive(torus), 0, [](const Vector3d& x) { return x.z() < -7; },
-          kelvinField({3, -2, 6}, {0.04, 0.03, 0.05}, material)),
-      5e-4, 0);
+  expectLast(series(
+                 "torus", makeTorus(30, 10), 0, [](const Vector3d& x) { return x.z() < -7; },
+                 kelvinField({3, -2, 6}, {0.04, 0.03, 0.05}, material)),
+             5e-4, 0);
 }
 
 }  // namespace

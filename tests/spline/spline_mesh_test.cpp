@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "app/core/spline_surface_of.h"
-#include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
@@ -13,11 +12,8 @@ using Eigen::Vector3d;
 /// The nodes of a solid's mesh lie where the splines say, also at seams and poles, and after knots
 /// were inserted.
 TEST(SplineMesh, NodesLieOnTheSplines) {
-  modeling::Primitive torus;
-  torus.shape = modeling::TorusShape{30, 10};
-  for (const modeling::Solid& solid :
-       {modeling::makeSphere(25, 7), modeling::makeBox({40, 30, 20}),
-        modeling::makeCylinder(20, 60), modeling::makePrimitive(torus)}) {
+  for (const modeling::Solid& solid : {modeling::makeSphere(25, 7), modeling::makeBox({40, 30, 20}),
+                                       modeling::makeCylinder(20, 60), makeTorus(30, 10)}) {
     modeling::MeshSettings settings;
     settings.edgeLength = 7;
     const modeling::SurfaceMesh triangles = modeling::mesh(solid, settings);

@@ -1,0 +1,54 @@
+// Tools dragged once around the sphere: what a person feels of the discretisation.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "bench/touch_slide.h"
+#include "core_projects.h"
+
+namespace palpa::app {
+namespace {
+
+using Kind = bem::ContactTool::Kind;
+using modeling::Engine;
+
+/// Largest changes over 0.1 mm, relative to the largest force.
+struct Jumps {
+  double finger, ball;
+};
+
+/// The direction turns by 0.23 degrees per step, which is 0.4 % of a force.
+class TouchSlide : public testing::TestWithParam<std::pair<Engine, Jumps>> {};
+
+TEST_P(TouchSlide, TheForceHasNoStepsAroundTheSphere) {
+  const auto& [engine, limits] = GetParam();
+  modeling::Project project = test::clampedSphere(3);
+  project.mesh.engine = engine;
+  project.mesh.elementLength = 7;
+  const auto body = std::make_shared<TouchBody>(buildTouchModel(project, {}, {}));
+  body->columns()->compute(
+      body->columns()->nodesNear(body->surface().places(), Eigen::Vector3d::Zero()), {});
+  std::printf("n = %d\n", body->surface().dofs().nodeCount());
+  // As it came out with friction, too (palpa-touch-bench).
+  for (const bool isBall : {false, true}) {
+    const bem::ContactTool tool{isBall ? Kind::kProbe : Kind::kPush, isBall ? 10.0 : 6.0, 0};
+    const bench::Slide slide = bench::dragAround(body, tool, 1.5);
+    const double largest = slide.largestForce();
+    std::printf("%s: jumps of %.2f %%, of its magnitude %.2f %%\n", isBall ? "ball" : "finger",
+                100 * slide.largestJump() / largest, 100 * slide.largestMagnitudeJump() / largest);
+    EXPECT_LE(slide.largestJump(), (isBall ? limits.ball : limits.finger) * largest);
+    for (const auto& sample : slide.samples) ASSERT_TRUE(sample.isConverged);
+  }
+}
+
+// The solid's own faces meet at an angle of 0.12 degrees beside the corners of the cube that its
+// patches come from; triangles with their averaged normals smooth that away.
+INSTANTIATE_TEST_SUITE_P(Engines, TouchSlide,
+                         testing::Values(std::pair(Engine::triangles, Jumps{0.005, 0.006}),
+                                         std::pair(Engine::splines, Jumps{0.007, 0.009})),
+                         [](const auto& tested) {
+                           return tested.param.first == Engine::splines ? "Splines" : "Triangles";
+                         });
+
+}  // namespace
+}  // namespace palpa::app

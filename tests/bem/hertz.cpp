@@ -1,0 +1,86 @@
+#include "hertz.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace palpa::bem::test {
+namespace {
+
+using Eigen::Vector3d;
+using Kind = ContactTool::Kind;
+
+const double kPlane = kHertzMaterial.youngsModulus /
+                      (1 - kHertzMaterial.poissonRatio * kHertzMaterial.poissonRatio);  // E*
+const Vector3d kTop(0, 0, kHertzRadius);
+
+void settle(const HertzBody& body, ContactSimulation& simulation) {
+  for (int round = 0; round < 4; ++round) {
+    while (!simulation.missing().empty()) body.columns.compute(simulation.missing(), Job{});
+    simulation.step(5);
+  }
+}
+
+/// What a load on the top moves it by beyond a half-space, mm/N: the compliance of the whole sphere
+/// and its support. Of a fingertip with a given force, so from masks and columns alone.
+///
+/// The mean displacement under (1 - ρ^2 / r^2)^2 on a half-space is that of its transform 48 J_3(k)
+/// / k^3 with Boussinesq's 2 / (E* k): d = F / (π E* r) ∫ (48 J_3 / k^3)^2 dk, with Weber's and
+/// Schafheitlin's ∫ J_3^2 k^-6 dk = Γ(6) Γ(1/2) / (2^6 Γ(7/2)^2 Γ(13/2)).
+double farCompliance(const HertzBody& body, double radius) {
+  ContactSimulation simulation(body.surface, body.columns, body.base);
+  const auto id = simulation.begin({Kind::kForce, radius}, kTop, {0, 0, -1});
+  settle(body, simulation);
+  const double used = simulation.find(id)->patch[0].radius;
+  const double integral =
+      std::tgamma(6.0) * std::tgamma(0.5) / (64 * std::pow(std::tgamma(3.5), 2) * std::tgamma(6.5));
+  const double halfSpace = 48 * 48 * integral / (std::numbers::pi * kPlane * used);
+  return -simulation.find(id)->displacement[2] - halfSpace;
+}
+
+/// Slope of a line through points, by least squares.
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    sx += x[k];
+    sy += y[k];
+    sxx += x[k] * x[k];
+    sxy += x[k] * y[k];
+  }
+  const auto count = static_cast<double>(x.size());
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+}  // namespace
+
+void expectHertz(const HertzBody& body, const std::vector<double>& circles,
+                 const std::function<double(double)>& tolerance, double exponentTolerance) {
+  for (const double ball : {25.0, 100.0}) {
+    const double effective = 1 / (1 / kHertzRadius + 1 / ball);
+    const double factor = 4.0 / 3 * kPlane * std::sqrt(effective);
+    ContactSimulation simulation(body.surface, body.columns, body.base);
+    const auto id = simulation.begin({Kind::kProbe, ball, 0}, kTop, kTop + Vector3d(0, 0, ball));
+    std::vector<double> forces, approaches;
+    for (const double a : circles) {
+      SCOPED_TRACE(testing::Message() << "ball " << ball << " mm, a = " << a << " mm");
+      const double approach = a * a / effective;
+      const double far = farCompliance(body, std::sqrt(1.6) * a);
+      const double expected = factor * std::pow(approach, 1.5);
+      simulation.set(id, {0, 0, kHertzRadius + ball - approach - far * expected});
+      settle(body, simulation);
+      ASSERT_TRUE(simulation.converged());
+      const Vector3d force = simulation.find(id)->force;
+      std::printf("ball %g, a %.1f mm: %zu masks, force %.2f %% off\n", ball, a,
+                  simulation.find(id)->patch.size(), 100 * (-force[2] / expected - 1));
+      EXPECT_NEAR(-force[2], expected, tolerance(a) * expected);
+      EXPECT_LE(force.head<2>().norm(), 0.005 * force.norm());
+      forces.push_back(std::log(-force[2]));
+      approaches.push_back(std::log(approach));
+    }
+    EXPECT_NEAR(slope(approaches, forces), 1.5, exponentTolerance);
+  }
+}
+
+}  // namespace palpa::bem::test

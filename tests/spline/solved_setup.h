@@ -1,0 +1,30 @@
+#pragma once
+#include "app/core/spline_setup.h"
+#include "bem/reference_problem.h"
+
+/// Projects as spline problems, without the cache and the triangles of a model.
+namespace palpa::app::test {
+
+SplineSetup setupOf(const modeling::Project& project, const AnalysisNet& net);
+/// With the net of the project for fingertips of 6 mm.
+SplineSetup setupOf(const modeling::Project& project);
+
+/// A setup and its solution without contacts.
+struct SolvedSetup {
+  SplineSetup setup;
+  bem::ReferenceProblemTimes times;
+  bem::BoundaryField field;
+
+  SolvedSetup(SplineSetup made, const modeling::Material& material);
+  explicit SolvedSetup(const modeling::Project& project)
+      : SolvedSetup(setupOf(project), project.material) {}
+
+  Eigen::Vector3d u(const bem::SplinePlace& place) const;  ///< mm
+  Eigen::Vector3d p(const bem::SplinePlace& place) const;  ///< MPa
+  Eigen::Vector3d reaction(int support) const;             ///< N
+};
+
+/// Box 40 x 30 x 20 mm without supports, nu = 0.3.
+modeling::Project boxOfSplines();
+
+}  // namespace palpa::app::test
