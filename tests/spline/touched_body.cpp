@@ -94,7 +94,8 @@ SplineTouched::SplineTouched(const modeling::Solid& solid, Held held, const Mate
                                         app::splineTriangles(solid, triangles));
   std::vector<SlotCondition> conditions;
   for (const auto& slot : tractions.slots.slots)
-    conditions.push_back(slot.tag == 1 && !splines.barelyReaches(slot.node, slot.tag)
+    conditions.push_back(slot.tag == 1 &&
+                                 !splines.barelyReaches(slot.node, slot.tag, slot.smoothingGroup)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
   std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
