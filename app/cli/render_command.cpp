@@ -105,7 +105,7 @@ class RenderCommand : public Command {
     const modeling::Project project = input_.read();
     view::requireDisplay();
 
-    const auto model = buildModel(project, context);
+    const auto model = buildModel(touch_.touched(project), context);
     if (sceneOptions.field == app::SurfaceQuantity::kStiffness) {
       const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh())
                                                : parsePositive("--fingertip", fingertip_);

@@ -174,6 +174,11 @@ std::vector<modeling::Touch> TouchInput::touches() const {
   return touches;
 }
 
+modeling::Project TouchInput::touched(modeling::Project project) const {
+  if (option(kAt).isGiven()) project.touches = touches();
+  return project;
+}
+
 int TouchInput::steps() const {
   if (steps_.empty()) return 0;
   int steps = 0;
@@ -191,8 +196,8 @@ app::TouchState TouchInput::play(const app::TouchModel& model, const modeling::P
     return app::touchNode(model, parseNode(node_),
                           parseVector("--displace", option(kDisplace).values.front()));
   }
-  app::TouchState state = app::playTouches(
-      model, option(kAt).isGiven() ? touches() : project.touches, steps(), jobOf(context));
+  app::TouchState state =
+      app::playTouches(model, touched(project).touches, steps(), jobOf(context));
   context.progress.clear();
   return state;
 }

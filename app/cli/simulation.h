@@ -34,6 +34,10 @@ class TouchInput {
 
   bool hasSteps() const { return !steps_.empty(); }
 
+  /// The project with the touches of the command line, if it has any, in place of its own: what the
+  /// model is to be built for, as its elements follow the touches.
+  modeling::Project touched(modeling::Project project) const;
+
   /// Throws SolverError, Cancelled.
   app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
                        const Context& context) const;

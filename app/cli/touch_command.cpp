@@ -65,7 +65,7 @@ class TouchCommand : public Command {
                                     ": the project has no recorded touches; give one with --at "
                                     "x,y,z --displace x,y,z");
     }
-    const auto model = buildModel(project, context);
+    const auto model = buildModel(touch_.touched(project), context);
     const auto start = std::chrono::steady_clock::now();
     app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

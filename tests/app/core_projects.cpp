@@ -27,6 +27,8 @@ Project clampedSphere(double edgeLength, double poissonRatio) {
   result.supports.push_back({"base", Support::Kind::fixed,
                              Region::below(Eigen::Vector3d::UnitZ(), -20),
                              Eigen::Vector3d::Zero()});
+  // The edge length says how fine it is, unless a test asks for splines.
+  result.mesh.engine = modeling::Engine::triangles;
   return result;
 }
 

@@ -157,6 +157,7 @@ TEST(TouchKinds, ABallOfManyMasksPullsWithItsFriction) {
                        {{modeling::HalfSpace{Vector3d::UnitZ(), 0.001}}},
                        Vector3d::Zero()}};
   project.mesh.edgeLength = 4.5;
+  project.mesh.engine = modeling::Engine::triangles;  // the edges make the masks
   const auto block = buildTouchModel(project, {}, {});
   const auto drag = [&](double friction, int steps) {
     return playTouches(*block,
