@@ -115,10 +115,13 @@ TEST(CliBadInput, AnEdgeLengthThatWouldNeedTooMuchMemoryIsRefusedWithTheNumber) 
   const Runner cli;
   cli.run("new sphere --radius 25 -o p.json");
   // About 60,000 nodes: (3n)² numbers of 4 bytes are over 100 GB.
-  const Outcome outcome = cli.run("solve p.json --edge-length 0.4");
-  EXPECT_EQ(outcome.exitCode, 4);
-  EXPECT_NE(outcome.err.find("GiB"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("nodes"), std::string::npos) << outcome.err;
+  const Outcome triangles = cli.run("solve p.json --engine triangles --edge-length 0.4");
+  EXPECT_EQ(triangles.exitCode, 4);
+  EXPECT_NE(triangles.err.find("GiB"), std::string::npos) << triangles.err;
+  EXPECT_NE(triangles.err.find("nodes"), std::string::npos) << triangles.err;
+  const Outcome splines = cli.run("solve p.json --engine spline --element-length 0.4");
+  EXPECT_EQ(splines.exitCode, 4);
+  EXPECT_NE(splines.err.find("GiB"), std::string::npos) << splines.err;
 }
 
 }  // namespace

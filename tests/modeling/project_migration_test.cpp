@@ -45,10 +45,12 @@ TEST(ProjectMigration, EveryOldFileLoadsAndIsSavedInThePresentVersion) {
 }
 
 TEST(ProjectMigration, TheExamplesAreTheirOldFilesBroughtUpToDate) {
-  for (const char* name : {"sphere.json", "cylinder.json", "box.json"})
-    EXPECT_EQ(toJson(readProject(kVersion1 / name)),
-              toJson(readProject(std::filesystem::path("../projects") / name)))
-        << name;
+  for (const char* name : {"sphere.json", "cylinder.json", "box.json"}) {
+    Project old = readProject(kVersion1 / name);
+    const Project example = readProject(std::filesystem::path("../projects") / name);
+    old.mesh.engine = example.mesh.engine;  // which version 1 did not know
+    EXPECT_EQ(toJson(old), toJson(example)) << name;
+  }
 }
 
 TEST(ProjectMigration, KeepsTheValuesOfVersion1) {
