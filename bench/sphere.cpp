@@ -17,6 +17,7 @@ modeling::Project sphereProject(int cellsPerCubeEdge) {
   project.supports.push_back({"base", modeling::Support::Kind::fixed,
                               modeling::Region::below(Vector3d::UnitZ(), -20), Vector3d::Zero()});
   project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
+  project.mesh.engine = modeling::Engine::triangles;  // of which the cells say how many
   return project;
 }
 
