@@ -167,7 +167,8 @@ std::string StateReport::text() const {
   }
   text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);
-  if (state.errorEstimate)
+  // A body at rest has no error to speak of.
+  if (state.errorEstimate && *state.errorEstimate > 0)
     text += format("accuracy   displacements and forces are good to about %.2g %% (estimated)\n",
                    100 * *state.errorEstimate);
   text += format("energy     %.4g mJ\n", state.energy);
