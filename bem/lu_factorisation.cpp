@@ -206,7 +206,6 @@ template <class Scalar>
 void LuFactorisation<Scalar>::solveInPlace(
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides, const Job& job) const {
   constexpr Eigen::Index kColumnsPerTask = 24;
-  useOneBlasThread();
   const Eigen::Index columns = rightHandSides.cols();
   parallelFor((columns + kColumnsPerTask - 1) / kColumnsPerTask, job, "", [&](std::ptrdiff_t k) {
     const Eigen::Index first = k * kColumnsPerTask;
@@ -246,6 +245,7 @@ void LuFactorisation<Scalar>::write(const ByteSink& sink) const {
 template <class Scalar>
 LuFactorisation<Scalar>::LuFactorisation(Eigen::Index size, const ByteSource& source)
     : matrix_(size, size), pivots_(size) {
+  useOneBlasThread();
   source(std::as_writable_bytes(std::span(matrix_.data(), matrix_.bytes() / sizeof(Scalar))));
   source(std::as_writable_bytes(std::span(pivots_)));
   source(std::as_writable_bytes(std::span(&norm1_, 1)));

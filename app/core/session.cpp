@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/core/boundary_setup.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::app {
@@ -11,9 +12,11 @@ namespace {
 /// While a motion lasts, its build waits until the hand rests for this long.
 constexpr std::chrono::milliseconds kQuiet{100};
 
-/// Does the model depend on what changed? Touches and names do not need a new one.
-bool concernsModel(const modeling::Change& change) {
-  return change.body() || change.material || change.supports || change.loads || change.mesh;
+/// Does the model of a project depend on what changed? Names do not need a new one, touches only
+/// with splines, whose elements follow them.
+bool concernsModel(const modeling::Change& change, const modeling::Project& project) {
+  return change.body() || change.material || change.supports || change.loads || change.mesh ||
+         (change.touches && usesSplines(project));
 }
 
 Session::Options withCache(Session::Options options) {
@@ -86,7 +89,7 @@ void Session::endGroup() {
 void Session::follow(const modeling::Change& change, std::chrono::milliseconds quiet) {
   if (!change.any()) return;
   ++edits_;
-  if (concernsModel(change)) pipeline_->submit(project(), quiet);
+  if (concernsModel(change, project())) pipeline_->submit(project(), quiet);
 }
 
 void Session::save() {

@@ -71,6 +71,22 @@ TEST_F(SessionTest, WhatDoesNotConcernTheModelStartsNoRebuild) {
   EXPECT_EQ(session.pipeline().status().revision, revision + 1);
 }
 
+TEST_F(SessionTest, ElementsOfSplinesFollowTouches) {
+  Session session(test::clampedCylinder(8), options());
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  const auto count = [&] {
+    return session.pipeline().model()->setup().discretisation->displacementCount();
+  };
+  const int before = count();
+  session.perform(
+      modeling::AddTouch{{"poke", {20, 0, 30}, modeling::TouchDisplacement{{-1, 0, 0}}, 3.0}});
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  EXPECT_GT(count(), before);
+  session.undo();
+  ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
+  EXPECT_EQ(count(), before);
+}
+
 TEST_F(SessionTest, ARefusedCommandChangesNothing) {
   Session session(test::clampedSphere(12), options());
   const std::string before = modeling::toJson(session.project());
