@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "bem/assembly_kernel.h"
 #include "bem/flat_triangle_integrals.h"
@@ -23,58 +24,97 @@ QuadratureRange quadratureRange(double tolerance) {
 
 /// Element data in the form the assembly loop reads.
 struct ElementTable {
-  std::vector<FlatTriangle> triangles;
   struct Corners {
     double position[3][3];
   };
+  std::vector<FlatTriangle> triangles;
   std::vector<Corners> corners;
+  std::vector<std::array<int, 3>> coefficients, slots;  ///< of the corners
+  int coefficientCount = 0, slotCount = 0;
 
-  explicit ElementTable(const BoundaryMesh& mesh) : corners(mesh.triangles.size()) {
-    triangles.reserve(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (int k = 0; k < 3; ++k)
-        for (int i = 0; i < 3; ++i) corners[t].position[k][i] = mesh.nodes[mesh.triangles[t][k]][i];
-      triangles.push_back(makeFlatTriangle(corners[t].position));
+  ElementTable(const BoundaryMesh& mesh, const TractionSlots& tractions)
+      : coefficients(mesh.triangles),
+        slots(tractions.ofCorner),
+        coefficientCount(mesh.nodeCount()),
+        slotCount(tractions.count()) {
+    for (int t = 0; t < mesh.triangleCount(); ++t) add(mesh, t);
+  }
+  /// The triangles of a part; coefficients and slots are counted within it.
+  ElementTable(const BoundaryMesh& mesh, const TractionSlots& tractions, const ElementPart& part)
+      : coefficientCount(static_cast<int>(part.coefficients.size())),
+        slotCount(static_cast<int>(part.slots.size())) {
+    const std::vector<int> coefficientIn = placesIn(part.coefficients, mesh.nodeCount()),
+                           slotIn = placesIn(part.slots, tractions.count());
+    const auto translated = [](const std::array<int, 3>& of, const std::vector<int>& into) {
+      return std::array<int, 3>{into[of[0]], into[of[1]], into[of[2]]};
+    };
+    for (const int t : part.elements) {
+      add(mesh, t);
+      coefficients.push_back(translated(mesh.triangles[t], coefficientIn));
+      slots.push_back(translated(tractions.ofCorner[t], slotIn));
+    }
+  }
+
+ private:
+  void add(const BoundaryMesh& mesh, int triangle) {
+    Corners& place = corners.emplace_back();
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i) place.position[k][i] = mesh.nodes[mesh.triangles[triangle][k]][i];
+    triangles.push_back(makeFlatTriangle(place.position));
+  }
+};
+
+/// Collocation points in the form the assembly loop reads.
+struct PointTable {
+  std::array<std::vector<double>, 3> position;
+  std::vector<std::array<int, 3>> hostNodes;
+  std::vector<std::array<double, 3>> hostWeights;
+
+  PointTable(const BoundaryMesh& mesh, const std::vector<CollocationPoint>& points) {
+    for (const CollocationPoint& p : points) {
+      for (int i = 0; i < 3; ++i) position[i].push_back(p.position[i]);
+      hostNodes.push_back(mesh.triangles[p.triangle]);
+      hostWeights.push_back({p.weights[0], p.weights[1], p.weights[2]});
+    }
+  }
+
+  /// Counts hosts within a part; points with a host outside of it have no free term.
+  void translate(const std::vector<int>& coefficientIn) {
+    for (std::size_t p = 0; p < hostNodes.size(); ++p) {
+      bool isInside = true;
+      for (int k = 0; k < 3; ++k) {
+        int& host = hostNodes[p][k];
+        host = coefficientIn[host];
+        isInside = isInside && (host >= 0 || hostWeights[p][k] == 0);
+        host = std::max(host, 0);
+      }
+      if (!isInside) hostWeights[p] = {0, 0, 0};
     }
   }
 };
 
-}  // namespace
-
 template <class Scalar>
-BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots& slots,
-                                   const std::vector<CollocationPoint>& points,
-                                   const Material& material, const AssemblyOptions& options,
-                                   const Job& job) {
+BoundaryOperators<Scalar> assembleTables(const ElementTable& elements, const PointTable& points,
+                                         const Material& material, const AssemblyOptions& options,
+                                         std::string_view phase, const Job& job) {
   material.validate();
-  const auto m = static_cast<std::ptrdiff_t>(points.size());
-  const ElementTable table(mesh);
-  std::array<std::vector<double>, 3> position;
-  for (int i = 0; i < 3; ++i) {
-    position[i].resize(points.size());
-    for (std::size_t p = 0; p < points.size(); ++p) position[i][p] = points[p].position[i];
-  }
-
-  BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, 3 * mesh.nodeCount()),
-                                   LargeMatrix<Scalar>(3 * m, 3 * slots.count())};
+  const auto m = static_cast<std::ptrdiff_t>(points.hostNodes.size());
+  BoundaryOperators<Scalar> result{
+      LargeMatrix<Scalar>(3 * m, static_cast<Eigen::Index>(3) * elements.coefficientCount),
+      LargeMatrix<Scalar>(3 * m, static_cast<Eigen::Index>(3) * elements.slotCount)};
+  if (m == 0 || elements.triangles.empty()) return result;
   AssemblyTask<Scalar> task{};
-  for (int i = 0; i < 3; ++i) task.position[i] = position[i].data();
+  for (int i = 0; i < 3; ++i) task.position[i] = points.position[i].data();
   task.pointCount = m;
-  std::vector<std::array<int, 3>> hostNodes;
-  std::vector<std::array<double, 3>> hostWeights;
-  for (const CollocationPoint& p : points) {
-    hostNodes.push_back(mesh.triangles[p.triangle]);
-    hostWeights.push_back({p.weights[0], p.weights[1], p.weights[2]});
-  }
-  task.hostNodes = hostNodes.front().data();
-  task.hostWeights = hostWeights.front().data();
-  task.displacementCount = mesh.nodeCount();
-  task.tractionCount = slots.count();
-  task.triangles = table.triangles.data();
-  task.corners = &table.corners.front().position[0][0];
-  task.displacementOfCorner = mesh.triangles.front().data();
-  task.tractionOfCorner = slots.ofCorner.front().data();
-  task.triangleCount = mesh.triangleCount();
+  task.hostNodes = points.hostNodes.front().data();
+  task.hostWeights = points.hostWeights.front().data();
+  task.displacementCount = elements.coefficientCount;
+  task.tractionCount = elements.slotCount;
+  task.triangles = elements.triangles.data();
+  task.corners = &elements.corners.front().position[0][0];
+  task.displacementOfCorner = elements.coefficients.front().data();
+  task.tractionOfCorner = elements.slots.front().data();
+  task.triangleCount = static_cast<std::ptrdiff_t>(elements.triangles.size());
   task.range = quadratureRange(std::clamp(options.tolerance, 1e-9, 1e-3));
   task.rule7 = triangleRule7().data();
   task.rule16 = triangleRule16().data();
@@ -97,7 +137,7 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   const std::size_t tileSize = kBlock * (task.displacementCount + task.tractionCount);
   LendingPool<LargeMatrix<double>> pool(
       [tileSize] { return LargeMatrix<double>(static_cast<Eigen::Index>(tileSize), 1); });
-  parallelFor((m + kTilePoints - 1) / kTilePoints, job, "assemble", [&](std::ptrdiff_t index) {
+  parallelFor((m + kTilePoints - 1) / kTilePoints, job, phase, [&](std::ptrdiff_t index) {
     AssemblyTask<Scalar> part = task;
     part.pointBegin = index * kTilePoints;
     part.pointEnd = std::min(m, part.pointBegin + kTilePoints);
@@ -110,11 +150,42 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
   return result;
 }
 
+}  // namespace
+
+template <class Scalar>
+BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                   const std::vector<CollocationPoint>& points,
+                                   const Material& material, const AssemblyOptions& options,
+                                   const Job& job) {
+  return assembleTables<Scalar>(ElementTable(mesh, slots), PointTable(mesh, points), material,
+                                options, "assemble", job);
+}
+
+template <class Scalar>
+BoundaryOperators<Scalar> assemblePart(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                       const ElementPart& part,
+                                       const std::vector<CollocationPoint>& points,
+                                       const Material& material, const AssemblyOptions& options,
+                                       const Job& job) {
+  PointTable table(mesh, points);
+  table.translate(placesIn(part.coefficients, mesh.nodeCount()));
+  return assembleTables<Scalar>(ElementTable(mesh, slots, part), table, material, options, "", job);
+}
+
 template BoundaryOperators<double> assemble(const BoundaryMesh&, const TractionSlots&,
                                             const std::vector<CollocationPoint>&, const Material&,
                                             const AssemblyOptions&, const Job&);
 template BoundaryOperators<float> assemble(const BoundaryMesh&, const TractionSlots&,
                                            const std::vector<CollocationPoint>&, const Material&,
                                            const AssemblyOptions&, const Job&);
+template BoundaryOperators<double> assemblePart(const BoundaryMesh&, const TractionSlots&,
+                                                const ElementPart&,
+                                                const std::vector<CollocationPoint>&,
+                                                const Material&, const AssemblyOptions&,
+                                                const Job&);
+template BoundaryOperators<float> assemblePart(const BoundaryMesh&, const TractionSlots&,
+                                               const ElementPart&,
+                                               const std::vector<CollocationPoint>&,
+                                               const Material&, const AssemblyOptions&, const Job&);
 
 }  // namespace palpa::bem

@@ -3,6 +3,7 @@
 
 #include "bem/boundary_mesh.h"
 #include "bem/collocation.h"
+#include "bem/element_part.h"
 #include "bem/job.h"
 #include "bem/large_matrix.h"
 #include "bem/material.h"
@@ -33,5 +34,16 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
                                    const std::vector<CollocationPoint>& points,
                                    const Material& material, const AssemblyOptions& options,
                                    const Job& job);
+
+/// What some triangles add to the rows: H with columns for the coefficients of `part`, G for its
+/// slots. Each row of H sums to zero for points in nodes of the part. So the difference of two such
+/// shares, after and before these triangles moved, is by how much the operators changed at points
+/// that did not: elsewhere on a closed surface the free term does not change.
+template <class Scalar>
+BoundaryOperators<Scalar> assemblePart(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                       const ElementPart& part,
+                                       const std::vector<CollocationPoint>& points,
+                                       const Material& material, const AssemblyOptions& options,
+                                       const Job& job);
 
 }  // namespace palpa::bem

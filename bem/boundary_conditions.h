@@ -75,6 +75,8 @@ class DegreesOfFreedom {
   const Eigen::Matrix3d& frame(int node) const { return nodes_[node].frame; }
   bool isFree(int node) const { return nodes_[node].constrained == 0; }
   double tractionScale() const { return tractionScale_; }
+  /// Takes that of another shape of the same body, MPa: then their unknowns mean the same.
+  void setTractionScale(double scale) { tractionScale_ = scale; }
   int slotCount() const { return static_cast<int>(projectors_.size()); }
   /// Slots whose extra traction is unknown, in the order of the last unknowns.
   const std::vector<int>& extraSlots() const { return extraSlots_; }

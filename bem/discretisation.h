@@ -54,6 +54,13 @@ class Discretisation {
       const std::vector<SlotCondition>& conditions, const Material& material,
       const AssemblyOptions& options, Precision precision, const Job& job,
       ReferenceProblemTimes* times = nullptr) const = 0;
+  /// See updateDenseReferenceProblem(): `base` was made by `before`, which is this discretisation
+  /// on another shape of the body. Null when it is not, or when that does not pay.
+  virtual std::unique_ptr<ReferenceProblem> updateProblem(
+      const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
+      const std::vector<SlotCondition>& conditions, const Material& material,
+      const AssemblyOptions& options, const Job& job,
+      ReferenceProblemTimes* times = nullptr) const = 0;
   virtual std::unique_ptr<ReferenceProblem> readProblem(
       const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
       const ByteSource& source) const = 0;

@@ -24,12 +24,16 @@ class ReferenceProblem {
   /// iterates on the residual in double precision until it stops falling; kFast takes the
   /// factorisation's answer as it is.
   /// Throws Cancelled on stop.
-  virtual Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
-                                const Job& job = {}) const = 0;
+  Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
+                        const Job& job = {}) const;
+
+  /// G p - H u of a field, in double precision. Throws Cancelled on stop.
+  virtual Eigen::MatrixXd residual(const BoundaryField& field, const Job& job = {}) const = 0;
 
   /// The unknowns that take away a residual G p - H u: A0 v = residual, whose rows are those of the
-  /// operators, with the factorisation as it is.
-  virtual Eigen::MatrixXd correction(const Eigen::MatrixXd& residual) const = 0;
+  /// operators, with the factorisation as it is. Throws Cancelled on stop.
+  virtual Eigen::MatrixXd correction(const Eigen::MatrixXd& residual,
+                                     const Job& job = {}) const = 0;
 
   /// The whole field: known plus unknown part.
   BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,
@@ -42,7 +46,7 @@ class ReferenceProblem {
 
   /// max norm of G p - H u relative to that of its largest term: how well a field fulfils the
   /// equations.
-  virtual double relativeResidual(const BoundaryField& field) const = 0;
+  double relativeResidual(const BoundaryField& field, const Job& job = {}) const;
   /// Of A0 in the 1-norm; costs about as much as five columns. Throws Cancelled on stop.
   virtual double conditionEstimate(const Job& job = {}) const = 0;
   virtual std::size_t bytes() const = 0;
@@ -52,10 +56,19 @@ class ReferenceProblem {
   virtual void write(const ByteSink& sink) const = 0;
 
  protected:
-  explicit ReferenceProblem(DegreesOfFreedom dofs) : dofs_(std::move(dofs)) {}
+  /// When refinement ends, unless it stops getting better: after so many rounds, or when the
+  /// unknowns change by so little (relative).
+  struct Refinement {
+    int rounds;
+    double change;
+  };
+  ReferenceProblem(DegreesOfFreedom dofs, Refinement refinement)
+      : dofs_(std::move(dofs)), refinement_(refinement) {}
+  const Refinement& refinement() const { return refinement_; }
 
  private:
   DegreesOfFreedom dofs_;
+  Refinement refinement_;
 };
 
 /// How dense operators are stored and factorised.
@@ -91,6 +104,28 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
     const std::vector<SlotCondition>& conditions, const Material& material,
     const AssemblyOptions& options, Precision precision, const Job& job,
     ReferenceProblemTimes* times = nullptr);
+
+/// The problem of another shape of the same body: of `mesh`, whose nodes have moved from those of
+/// `before`, that `base` was made from by makeDenseReferenceProblem() with the same conditions,
+/// material and options. Rows of points that moved, and what moved elements add to the others, are
+/// integrated anew; all else is taken from `base`, which is kept. Solved by GMRES with the
+/// factors of `base` as the preconditioner, to about 1e-6 before refinement. `times->factorise`
+/// stays 0.
+///
+/// Null when that does not pay (more than about half would be integrated anew) or cannot be:
+/// triangles, tags or groups differ, an edge became sharp between held faces, or `base` was itself
+/// updated. It cannot be stored: write() throws std::logic_error. Throws SolverError, Cancelled.
+std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(
+    const std::shared_ptr<const ReferenceProblem>& base, const BoundaryMesh& before,
+    const BoundaryMesh& mesh, const TractionSlots& slots,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, const Job& job, ReferenceProblemTimes* times = nullptr);
+/// The same for splines whose control points have moved.
+std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(
+    const std::shared_ptr<const ReferenceProblem>& base, const SplineSurface& before,
+    const SplineSurface& surface, const SplineTractions& tractions,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, const Job& job, ReferenceProblemTimes* times = nullptr);
 
 /// What write() wrote of a problem made from the same geometry, slots, conditions, material
 /// and precision: the caller vouches for that. Throws what the source throws, std::bad_alloc.

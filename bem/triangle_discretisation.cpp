@@ -31,6 +31,15 @@ std::unique_ptr<ReferenceProblem> TriangleDiscretisation::makeProblem(
                                    times);
 }
 
+std::unique_ptr<ReferenceProblem> TriangleDiscretisation::updateProblem(
+    const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, const Job& job, ReferenceProblemTimes* times) const {
+  if (!dynamic_cast<const TriangleDiscretisation*>(&before)) return nullptr;
+  return updateDenseReferenceProblem(base, before.mesh(), mesh(), slots(), conditions, material,
+                                     options, job, times);
+}
+
 std::unique_ptr<ReferenceProblem> TriangleDiscretisation::readProblem(
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
     const ByteSource& source) const {

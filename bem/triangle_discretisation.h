@@ -23,6 +23,11 @@ class TriangleDiscretisation final : public Discretisation {
       const std::vector<SlotCondition>& conditions, const Material& material,
       const AssemblyOptions& options, Precision precision, const Job& job,
       ReferenceProblemTimes* times = nullptr) const override;
+  std::unique_ptr<ReferenceProblem> updateProblem(
+      const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
+      const std::vector<SlotCondition>& conditions, const Material& material,
+      const AssemblyOptions& options, const Job& job,
+      ReferenceProblemTimes* times = nullptr) const override;
   std::unique_ptr<ReferenceProblem> readProblem(const std::vector<SlotCondition>& conditions,
                                                 const Material& material, Precision precision,
                                                 const ByteSource& source) const override;

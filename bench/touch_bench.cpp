@@ -36,14 +36,15 @@ using bench::sphereProject;
 /// the numbers, and at 10,000 nodes the true ones take minutes.
 class MadeUp final : public bem::ReferenceProblem {
  public:
-  explicit MadeUp(bem::DegreesOfFreedom dofs) : ReferenceProblem(std::move(dofs)) {}
-  Eigen::MatrixXd solve(const bem::BoundaryField& known, Effort, const bem::Job&) const override {
-    return Eigen::MatrixXd::Constant(dofs().count(), known.u.cols(), 1e-3);
+  explicit MadeUp(bem::DegreesOfFreedom dofs) : ReferenceProblem(std::move(dofs), {1, 0}) {}
+  Eigen::MatrixXd residual(const bem::BoundaryField& field, const bem::Job&) const override {
+    return Eigen::MatrixXd::Constant(dofs().count(), field.u.cols(), 1e-3);
   }
-  double relativeResidual(const bem::BoundaryField&) const override { return 0; }
+  Eigen::MatrixXd correction(const Eigen::MatrixXd& residual, const bem::Job&) const override {
+    return residual;
+  }
   double conditionEstimate(const bem::Job&) const override { return 1; }
   std::size_t bytes() const override { return 0; }
-  Eigen::MatrixXd correction(const Eigen::MatrixXd& residual) const override { return residual; }
   void write(const bem::ByteSink&) const override {}
 };
 

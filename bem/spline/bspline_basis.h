@@ -20,6 +20,10 @@ class BsplineBasis {
   /// functions + degree + 1. Throws std::invalid_argument.
   BsplineBasis(int degree, std::vector<double> knots);
 
+  bool operator==(const BsplineBasis& other) const {
+    return degree_ == other.degree_ && knots_ == other.knots_;
+  }
+
   int degree() const { return degree_; }
   /// Number of functions.
   int count() const { return static_cast<int>(knots_.size()) - degree_ - 1; }

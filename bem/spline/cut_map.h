@@ -20,6 +20,8 @@ class CutMap {
   /// Graphs over u (axis 0) or v (axis 1) from `begin` to `end`, by their values at the nodes.
   CutMap(int axis, double begin, double end, const Values& lower, const Values& upper);
 
+  bool operator==(const CutMap&) const = default;
+
   struct Image {
     Eigen::Vector2d parameters;  ///< (u, v)
     Eigen::Matrix2d derivative;  ///< of (u, v) by (s, t); positive determinant

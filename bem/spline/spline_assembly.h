@@ -23,4 +23,12 @@ BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTra
                                    const SplineEquations& equations, const Material& material,
                                    const AssemblyOptions& options, const Job& job);
 
+/// What some elements add to the rows of equations whose points they do not contain: see the
+/// assemblePart() of triangles.
+template <class Scalar>
+BoundaryOperators<Scalar> assemblePart(const SplineSurface& surface,
+                                       const SplineTractions& tractions, const ElementPart& part,
+                                       const SplineEquations& equations, const Material& material,
+                                       const AssemblyOptions& options, const Job& job);
+
 }  // namespace palpa::bem

@@ -55,6 +55,16 @@ std::unique_ptr<ReferenceProblem> SplineDiscretisation::makeProblem(
                                    job, times);
 }
 
+std::unique_ptr<ReferenceProblem> SplineDiscretisation::updateProblem(
+    const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
+    const std::vector<SlotCondition>& conditions, const Material& material,
+    const AssemblyOptions& options, const Job& job, ReferenceProblemTimes* times) const {
+  const auto* splines = dynamic_cast<const SplineDiscretisation*>(&before);
+  if (!splines) return nullptr;
+  return updateDenseReferenceProblem(base, splines->surface_, surface_, tractions_, conditions,
+                                     material, options, job, times);
+}
+
 std::unique_ptr<ReferenceProblem> SplineDiscretisation::readProblem(
     const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
     const ByteSource& source) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bem/element_part.h"
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {
@@ -111,6 +112,23 @@ class Builder {
 };
 
 }  // namespace
+
+SplineEquations SplineEquations::only(std::span<const int> equations) const {
+  const std::vector<int> places = placesIn(equations, static_cast<int>(weights.rows()));
+  SplineEquations some;
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index p = 0; p < weights.cols(); ++p) {
+    const std::size_t before = entries.size();
+    for (Eigen::SparseMatrix<double>::InnerIterator w(weights, p); w; ++w)
+      if (const int row = places[w.row()]; row >= 0)
+        entries.emplace_back(row, static_cast<int>(some.points.size()), w.value());
+    if (entries.size() > before) some.points.push_back(points[p]);
+  }
+  some.weights.resize(static_cast<Eigen::Index>(equations.size()),
+                      static_cast<Eigen::Index>(some.points.size()));
+  some.weights.setFromTriplets(entries.begin(), entries.end());
+  return some;
+}
 
 SplineEquations splineEquations(const SplineSurface& surface, const SplineTractions& tractions,
                                 std::span<const int> extraSlots) {

@@ -23,6 +23,8 @@ struct SplineEquations {
   Eigen::SparseMatrix<double> weights;  ///< (equation, point); rows add up to 1
   /// One point per equation.
   bool isCollocation() const { return weights.nonZeros() == weights.rows(); }
+  /// Some of them, with the points that they need.
+  SplineEquations only(std::span<const int> equations) const;
 };
 
 SplineEquations splineEquations(const SplineSurface& surface, const SplineTractions& tractions,

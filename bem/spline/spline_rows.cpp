@@ -15,19 +15,34 @@ SplineRows::SplineRows(const SplineSurface& surface, const SplineTractions& trac
   diagonalT_ = 1 - 2 * nu;
 }
 
-void SplineRows::integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const {
+void SplineRows::clear(Sums& sums) const {
   sums.T.assign(static_cast<std::size_t>(kSumsT) * surface_.coefficientCount(), 0);
   sums.U.assign(static_cast<std::size_t>(kSumsU) * tractions_.slots.count(), 0);
+}
+
+void SplineRows::add(int element, const SplineCollocationPoint& point, const SplinePlace* inside,
+                     Sums& sums) const {
+  quadrature_.integrate(element, point.position, inside, sums.quadrature);
+  quadrature_.addTo(surface_.functions(element), tractions_.ofFunction[element], sums.quadrature,
+                    sums.T.data(), sums.U.data());
+}
+
+void SplineRows::integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const {
+  clear(sums);
   for (int e = 0; e < surface_.elementCount(); ++e) {
     if (e % 64 == 0) job.throwIfCancelled();
     const auto inside = std::find_if(point.places.begin(), point.places.end(),
                                      [e](const SplinePlace& p) { return p.element == e; });
-    quadrature_.integrate(e, point.position, inside == point.places.end() ? nullptr : &*inside,
-                          sums.quadrature);
-    quadrature_.addTo(surface_.functions(e), tractions_.ofFunction[e], sums.quadrature,
-                      sums.T.data(), sums.U.data());
+    add(e, point, inside == point.places.end() ? nullptr : &*inside, sums);
   }
   subtractTranslation(point, sums);
+}
+
+void SplineRows::integrateOver(std::span<const int> elements, const SplineCollocationPoint& point,
+                               Sums& sums, const Job& job) const {
+  clear(sums);
+  job.throwIfCancelled();
+  for (const int e : elements) add(e, point, nullptr, sums);
 }
 
 void SplineRows::subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const {

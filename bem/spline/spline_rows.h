@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "bem/material.h"
@@ -28,6 +29,10 @@ class SplineRows {
     std::vector<double> basis;
   };
   void integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const;
+  /// The sums over some elements that do not contain the point, ∫ T N_j and ∫ U N_s: nothing is
+  /// subtracted.
+  void integrateOver(std::span<const int> elements, const SplineCollocationPoint& point, Sums& sums,
+                     const Job& job) const;
 
   /// Component (i, c) of the block (see kelvin.h) with these sums, `stride` apart.
   double blockT(const double* sum, int i, int c, std::ptrdiff_t stride = 1) const {
@@ -56,6 +61,9 @@ class SplineRows {
   static double trace(const double* sum, std::ptrdiff_t stride) {
     return sum[0] + sum[2 * stride] + sum[5 * stride];
   }
+  void clear(Sums& sums) const;
+  void add(int element, const SplineCollocationPoint& point, const SplinePlace* inside,
+           Sums& sums) const;
   void subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const;
 
   const SplineSurface& surface_;

@@ -210,6 +210,34 @@ Vector3d SplineSurface::normal(const SplinePlace& place) const {
   return Vector3d::Zero();
 }
 
+bool SplineSurface::isSameCut(int cut, const SplineSurface& other, int otherCut) const {
+  if (cut < 0 || otherCut < 0) return cut < 0 && otherCut < 0;
+  const Cut &own = cuts_[cut], &others = other.cuts_[otherCut];
+  return own.map == others.map && isSameCut(own.inside, other, others.inside);
+}
+
+std::optional<std::vector<int>> SplineSurface::movedElements(const SplineSurface& before) const {
+  if (patches_ != before.patches_ || functions_ != before.functions_ ||
+      tornFrom_ != before.tornFrom_ || isTorn_ != before.isTorn_ ||
+      barelyReaches_ != before.barelyReaches_)
+    return std::nullopt;
+  std::vector<int> moved;
+  for (int e = 0; e < elementCount(); ++e) {
+    const SplineElement &element = elements_[e], &old = before.elements_[e];
+    if (element.patch != old.patch || element.span != old.span || element.tag != old.tag ||
+        (element.cut < 0) != (old.cut < 0))
+      return std::nullopt;
+    const bool isSame =
+        element.lower == old.lower && element.upper == old.upper &&
+        isSameCut(element.cut, before, old.cut) &&
+        std::all_of(functions_[e].begin(), functions_[e].end(), [&](int coefficient) {
+          return controlPoints_[coefficient] == before.controlPoints_[coefficient];
+        });
+    if (!isSame) moved.push_back(e);
+  }
+  return moved;
+}
+
 void SplineSurface::write(const ByteSink& sink) const {
   writeList(sink, controlPoints_);
   writeCount(sink, patches_.size());

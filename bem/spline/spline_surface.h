@@ -18,6 +18,8 @@ struct SplinePatch {
   std::vector<int> net;               ///< point of (i, j) at i + j basis[0].count()
   /// Patches of one group meet smoothly: the traction is continuous across their common edges.
   int smoothingGroup = 0;
+
+  bool operator==(const SplinePatch&) const = default;
 };
 
 /// A rectangle between knots of a patch, or a piece of one that the border of a part bounds. Tags
@@ -115,6 +117,10 @@ class SplineSurface {
   /// Unit outward normal; a little inside the element where the derivatives are parallel.
   Eigen::Vector3d normal(const SplinePlace& place) const;
 
+  /// The elements whose geometry differs in any bit from that of the same surface with other
+  /// control points; none at all when patches, knots, elements, tags or tears differ.
+  std::optional<std::vector<int>> movedElements(const SplineSurface& before) const;
+
   /// All of it, byte by byte, for a hash.
   void write(const ByteSink& sink) const;
 
@@ -129,6 +135,7 @@ class SplineSurface {
     CutMap map;
     int inside;
   };
+  bool isSameCut(int cut, const SplineSurface& other, int otherCut) const;
   std::optional<Eigen::Vector2d> invert(int cut, double u, double v, double slack) const;
 
   std::vector<Cut> cuts_;

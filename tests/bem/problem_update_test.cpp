@@ -1,0 +1,217 @@
+// Problems of moved meshes made from those of the meshes before: as if they were made anew.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "bem/greens_columns.h"
+#include "bem/triangle_discretisation.h"
+#include "solved_body.h"
+#include "test_meshes.h"
+
+namespace palpa::bem::test {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+const Material kMaterial{0.1, 0.45};
+
+struct Held {
+  std::string name;
+  BoundaryMesh mesh;
+  ConditionOfTag conditionOfTag;
+
+  std::vector<SlotCondition> conditions() const {
+    std::vector<SlotCondition> conditions;
+    for (const auto& slot : TractionSlots(mesh).slots)
+      conditions.push_back(conditionOfTag(slot.tag));
+    return conditions;
+  }
+};
+
+std::vector<Held> bodies() {
+  const auto fixedBelow = [](int tag) {
+    return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction;
+  };
+  // Two held faces that meet in an edge have further tractions, with points of their own.
+  const auto twoFaces = [](int tag) {
+    return tag == 4   ? SlotCondition::kFixed
+           : tag == 0 ? SlotCondition::kFixed
+                      : SlotCondition::kTraction;
+  };
+  const auto roller = [](int tag) {
+    return tag == 1   ? SlotCondition::kFixed
+           : tag == 2 ? SlotCondition::kRoller
+                      : SlotCondition::kTraction;
+  };
+  BoundaryMesh rolled =
+      retagged(sphereMesh(25, 6), 1, [](const Vector3d& x) { return x.z() < -18; });
+  return {{"sphere", retagged(sphereMesh(25, 6), 1, [](const Vector3d& x) { return x.z() < -15; }),
+           fixedBelow},
+          {"box", boxMesh({0, 0, 0}, {30, 20, 20}, 6, 4, 4), twoFaces},
+          {"sphere on a roller",
+           retagged(std::move(rolled), 2, [](const Vector3d& x) { return x.x() > 15; }), roller}};
+}
+
+/// Moves the nodes within `radius` of a node towards their middle or away, smoothly.
+BoundaryMesh dented(BoundaryMesh mesh, int node, double radius, double depth) {
+  const Vector3d at = mesh.nodes[node], inward = (Vector3d(1, 2, 3) - at).normalized();
+  for (Vector3d& x : mesh.nodes) {
+    const double t = (x - at).norm() / radius;
+    if (t < 1) x += depth * (1 - t * t) * (1 - t * t) * inward;
+  }
+  return mesh;
+}
+
+/// Largest difference of the residuals that two problems give random fields, over the largest.
+double operatorDifference(const ReferenceProblem& a, const ReferenceProblem& b) {
+  const Eigen::Index n = a.dofs().nodalCount(),
+                     q = 3 * static_cast<Eigen::Index>(a.dofs().slotCount());
+  const BoundaryField field{MatrixXd::Random(n, 4), MatrixXd::Random(q, 4) * 0.1};
+  const MatrixXd ofA = a.residual(field), ofB = b.residual(field);
+  return (ofA - ofB).lpNorm<Eigen::Infinity>() / ofB.lpNorm<Eigen::Infinity>();
+}
+
+/// Of fields for random known values, over the largest value.
+double solutionDifference(const ReferenceProblem& a, const ReferenceProblem& b,
+                          ReferenceProblem::Effort effort) {
+  const MatrixXd known = MatrixXd::Random(b.dofs().nodalCount(), 3);
+  const auto fieldOf = [&](const ReferenceProblem& problem) {
+    return problem.solveField(b.dofs().expand(MatrixXd::Zero(b.dofs().count(), 3), known), effort);
+  };
+  const BoundaryField ofA = fieldOf(a), ofB = fieldOf(b);
+  return std::max((ofA.u - ofB.u).lpNorm<Eigen::Infinity>() / ofB.u.lpNorm<Eigen::Infinity>(),
+                  (ofA.p - ofB.p).lpNorm<Eigen::Infinity>() / ofB.p.lpNorm<Eigen::Infinity>());
+}
+
+std::shared_ptr<const ReferenceProblem> made(const TriangleDiscretisation& body, const Held& held,
+                                             Precision precision) {
+  return body.makeProblem(held.conditions(), kMaterial, {}, precision, {});
+}
+
+TEST(ProblemUpdate, EqualsAProblemMadeAnew) {
+  for (const Held& held : bodies()) {
+    SCOPED_TRACE(held.name);
+    const TriangleDiscretisation body(held.mesh);
+    const auto base = made(body, held, Precision::kDouble);
+    for (const int node : {0, 7, 40, 77}) {
+      const TriangleDiscretisation moved(dented(held.mesh, node, 9, 1.5));
+      const auto updated = moved.updateProblem(base, body, held.conditions(), kMaterial, {}, {});
+      ASSERT_TRUE(updated) << node;
+      const auto anew = made(moved, held, Precision::kDouble);
+      // The tolerance of the integrals is 1e-7, and the base must really be another one.
+      EXPECT_LE(operatorDifference(*updated, *anew), 2e-7) << node;
+      EXPECT_GE(operatorDifference(*base, *anew), 1e-4) << node;
+      using Effort = ReferenceProblem::Effort;
+      EXPECT_LE(solutionDifference(*updated, *anew, Effort::kRefined), 1e-6) << node;
+      EXPECT_LE(solutionDifference(*updated, *anew, Effort::kFast), 2e-5) << node;
+    }
+  }
+}
+
+/// A translation of the body needs no tractions, also after an update: free terms stayed right.
+TEST(ProblemUpdate, KeepsRigidTranslations) {
+  const Held held = bodies().front();
+  const TriangleDiscretisation body(held.mesh), moved(dented(held.mesh, 30, 10, 2));
+  const auto updated = moved.updateProblem(made(body, held, Precision::kDouble), body,
+                                           held.conditions(), kMaterial, {}, {});
+  ASSERT_TRUE(updated);
+  BoundaryField field{
+      MatrixXd::Zero(updated->dofs().nodalCount(), 1),
+      MatrixXd::Zero(3 * static_cast<Eigen::Index>(updated->dofs().slotCount()), 1)};
+  for (Eigen::Index k = 0; k < field.u.rows(); k += 3) field.u.block<3, 1>(k, 0) << 1, -2, 0.5;
+  EXPECT_LE(updated->residual(field).lpNorm<Eigen::Infinity>(), 1e-10);
+}
+
+TEST(ProblemUpdate, FollowsRandomHistoriesInEveryPrecision) {
+  const Held held = bodies().front();
+  const TriangleDiscretisation body(held.mesh);
+  std::mt19937 random(11);
+  const auto pick = [&](int least, int most) {
+    return std::uniform_int_distribution<int>(least, most)(random);
+  };
+  for (const Precision precision : {Precision::kDouble, Precision::kMixed, Precision::kSingle}) {
+    const auto base = made(body, held, precision);
+    const bool isSingle = precision == Precision::kSingle;
+    BoundaryMesh mesh = held.mesh;
+    for (int edit = 0; edit < 6; ++edit) {
+      // Now and then the hand takes back what it did.
+      mesh = edit == 3 ? held.mesh : mesh;
+      mesh = dented(mesh, pick(0, 150), pick(5, 9), 0.3 * pick(-4, 4));
+      const TriangleDiscretisation moved(mesh);
+      const auto updated = moved.updateProblem(base, body, held.conditions(), kMaterial, {}, {});
+      ASSERT_TRUE(updated) << edit;
+      const auto anew = made(moved, held, precision);
+      EXPECT_LE(operatorDifference(*updated, *anew), isSingle ? 2e-6 : 2e-7) << edit;
+      EXPECT_LE(solutionDifference(*updated, *anew, ReferenceProblem::Effort::kRefined),
+                isSingle ? 1e-4 : 1e-6)
+          << edit;
+    }
+  }
+}
+
+TEST(ProblemUpdate, SuppliesColumnsOfTheGreensFunction) {
+  const Held held = bodies().front();
+  const TriangleDiscretisation body(held.mesh), moved(dented(held.mesh, 100, 9, -2));
+  std::shared_ptr<const ReferenceProblem> updated = moved.updateProblem(
+      made(body, held, Precision::kSingle), body, held.conditions(), kMaterial, {}, {});
+  ASSERT_TRUE(updated);
+  GreensColumns columns(updated), anew(made(moved, held, Precision::kDouble));
+  std::vector<int> nodes = anew.nodesNear(moved.mesh().nodes, moved.mesh().nodes[100]);
+  nodes.resize(4);
+  columns.compute(nodes, {});
+  anew.compute(nodes, {}, ReferenceProblem::Effort::kRefined);
+  for (const int node : nodes) {
+    double difference = 0, largest = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      for (Eigen::Index row = 0; row < columns.rows(); ++row) {
+        const double value = anew.column(node, axis)[row];
+        difference = std::max(difference, std::abs(columns.column(node, axis)[row] - value));
+        largest = std::max(largest, std::abs(value));
+      }
+    EXPECT_LE(difference, 5e-5 * largest) << node;
+  }
+}
+
+TEST(ProblemUpdate, IsLeftWhereItCannotBeOrDoesNotPay) {
+  const Held held = bodies().front();
+  const TriangleDiscretisation body(held.mesh);
+  const auto base = made(body, held, Precision::kDouble);
+  const auto update = [&](const BoundaryMesh& mesh,
+                          const std::shared_ptr<const ReferenceProblem>& from) {
+    return TriangleDiscretisation(mesh).updateProblem(from, body, held.conditions(), kMaterial, {},
+                                                      {});
+  };
+  EXPECT_FALSE(update(dented(held.mesh, 30, 100, 1), base)) << "nearly everything moved";
+  BoundaryMesh turned = held.mesh;
+  std::rotate(turned.triangles[0].begin(), turned.triangles[0].begin() + 1,
+              turned.triangles[0].end());
+  EXPECT_FALSE(update(turned, base));
+  BoundaryMesh otherPart = held.mesh;
+  otherPart.tags[5] = 1 - otherPart.tags[5];
+  EXPECT_FALSE(TriangleDiscretisation(otherPart).updateProblem(
+      base, body, Held{"", otherPart, held.conditionOfTag}.conditions(), kMaterial, {}, {}));
+  const std::shared_ptr<const ReferenceProblem> updated = update(dented(held.mesh, 30, 8, 1), base);
+  ASSERT_TRUE(updated);
+  EXPECT_FALSE(update(held.mesh, updated)) << "its factors are not its own";
+  EXPECT_THROW(updated->write([](std::span<const std::byte>) {}), std::logic_error);
+}
+
+TEST(ProblemUpdate, Stops) {
+  const Held held = bodies().front();
+  const TriangleDiscretisation body(held.mesh), moved(dented(held.mesh, 30, 8, 1));
+  const auto base = made(body, held, Precision::kDouble);
+  std::stop_source stop;
+  Job job;
+  job.stop = stop.get_token();
+  const auto updated = moved.updateProblem(base, body, held.conditions(), kMaterial, {}, job);
+  ASSERT_TRUE(updated);
+  stop.request_stop();
+  EXPECT_THROW(moved.updateProblem(base, body, held.conditions(), kMaterial, {}, job), Cancelled);
+  const std::vector<int> column{0};
+  EXPECT_THROW(updated->greensColumns(column, ReferenceProblem::Effort::kRefined, job), Cancelled);
+}
+
+}  // namespace
+}  // namespace palpa::bem::test
