@@ -27,9 +27,12 @@ MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, cons
 }
 
 double ReferenceProblem::relativeResidual(const BoundaryField& field, const Job& job) const {
-  const double size = residual({MatrixXd::Zero(field.u.rows(), field.u.cols()), field.p}, job)
-                          .lpNorm<Eigen::Infinity>();
-  return residual(field, job).lpNorm<Eigen::Infinity>() / std::max(size, 1e-300);
+  const auto largest = [](const MatrixXd& x) -> Eigen::RowVectorXd {
+    return x.colwise().lpNorm<Eigen::Infinity>();
+  };
+  const MatrixXd rest = MatrixXd::Zero(field.u.rows(), field.u.cols());
+  const Eigen::RowVectorXd sizes = largest(residual({rest, field.p}, job)).cwiseMax(1e-300);
+  return largest(residual(field, job)).cwiseQuotient(sizes).maxCoeff();
 }
 
 BoundaryField ReferenceProblem::solveField(const BoundaryField& known, Effort effort,

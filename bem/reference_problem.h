@@ -44,8 +44,8 @@ class ReferenceProblem {
   Eigen::MatrixXd greensColumns(std::span<const int> columns, Effort effort = Effort::kRefined,
                                 const Job& job = {}) const;
 
-  /// max norm of G p - H u relative to that of its largest term: how well a field fulfils the
-  /// equations.
+  /// max norm of G p - H u relative to that of G p, the largest of all columns: how well fields
+  /// fulfil the equations.
   double relativeResidual(const BoundaryField& field, const Job& job = {}) const;
   /// Of A0 in the 1-norm; costs about as much as five columns. Throws Cancelled on stop.
   virtual double conditionEstimate(const Job& job = {}) const = 0;
@@ -112,7 +112,7 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(
 /// factors of `base` as the preconditioner, to about 1e-6 before refinement. `times->factorise`
 /// stays 0.
 ///
-/// Null when that does not pay (more than about half would be integrated anew) or cannot be:
+/// Null when that does not pay (more than three quarters of the work would be left) or cannot be:
 /// triangles, tags or groups differ, an edge became sharp between held faces, or `base` was itself
 /// updated. It cannot be stored: write() throws std::logic_error. Throws SolverError, Cancelled.
 std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(

@@ -10,7 +10,7 @@ namespace palpa::bem {
 namespace {
 
 /// Share of an assembly from which on it is not worth the memory of the changes.
-constexpr double kMostShare = 0.6;
+constexpr double kMostShare = 0.75;
 
 /// What of a discretisation has moved.
 struct Motion {

@@ -25,8 +25,10 @@ struct BuildStage {
 /// Where the rebuild stands; a copy, consistent in itself.
 struct RebuildStatus {
   enum class State {
-    kEmpty,      ///< nothing was submitted yet
-    kBuilding,   ///< the newest revision is being built (or waits for the worker to let go)
+    kEmpty,  ///< nothing was submitted yet
+    /// The newest revision is being built (or waits for the worker to let go). When it is
+    /// modelRevision already, model() is an update of an earlier one, and its own is being built.
+    kBuilding,
     kUpToDate,   ///< model() belongs to the newest revision
     kFailed,     ///< the newest revision cannot be built; `error` says why
     kCancelled,  ///< the person stopped the newest revision
@@ -41,6 +43,8 @@ struct RebuildStatus {
   std::string error;                ///< for people; empty unless kFailed
   /// Of the last geometry check that was finished: why it failed, or warnings. Never null.
   GeometryError::Findings findings = std::make_shared<std::vector<modeling::GeometryFinding>>();
+  /// Of model() when it is an update (BuildReport::residual): how exactly it is solved.
+  std::optional<double> residual;
   /// Condition number of the equations of model(), estimated when nothing else is to be done; 0
   /// before.
   double condition = 0;
@@ -52,6 +56,9 @@ struct RebuildStatus {
 /// Turns edits into models on a thread of its own: a snapshot of the project goes in, an immutable
 /// TouchModel comes out. A newer snapshot cancels the build of an older one; what an older build
 /// still delivers is dropped. After an error or a cancelled build the last good model stays.
+///
+/// When control points have moved, and little else, an update of the last complete model comes
+/// first (updateTouchModel()), unless building takes no time, and the complete one after it.
 ///
 /// All functions may be called from any thread. `changed` is called after every change of
 /// status() or model(), from the worker or from the caller of submit() or cancel(), without locks
@@ -98,6 +105,9 @@ class RebuildPipeline {
   void closeStage();
   void estimate(const TouchModel& model, const bem::Job& job);
   void build(std::uint64_t revision, const modeling::Project& project, const bem::Job& job);
+  /// Offers an update of the last complete model when there is one.
+  void update(std::uint64_t revision, const modeling::Project& project, const bem::Job& job);
+  void take(std::uint64_t revision, std::shared_ptr<const TouchModel>& model);
   void finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
               std::shared_ptr<const TouchModel> model, GeometryError::Findings findings = nullptr);
   void notify() const;
@@ -118,6 +128,10 @@ class RebuildPipeline {
   bool estimateDue_ = false;
   bool keepDue_ = false;
   bool isKeeping_ = false;
+
+  // The last complete model, and what it was built from; the worker's own.
+  modeling::Project formerProject_;
+  std::shared_ptr<const TouchModel> former_;
 
   std::jthread worker_;  // last: it uses all of the above
 };

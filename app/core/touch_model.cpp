@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <functional>
 #include <optional>
-#include <span>
 
 #include "app/core/analysis_net.h"
-#include "app/core/memory.h"
+#include "app/core/model_memory.h"
+#include "modeling/editing/change.h"
+#include "modeling/mesh/mesh_follow.h"
 
 namespace palpa::app {
 namespace {
+
+/// An update that fulfils its equations worse than this is not shown: its motion was too large.
+constexpr double kMostResidual = 1e-4;
 
 class Stopwatch {
  public:
@@ -26,56 +27,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-/// What to say of a model that would need so many times the memory there is.
-using Advice = std::function<std::string(double excess, double count)>;
-
-/// Memory grows with the square of the number of unknowns, which grows with 1 / length squared.
-double fittingLength(double length, double excess) {
-  return length * std::pow(excess, 0.25) * 1.05;
-}
-
-Advice edgeLengthAdvice(const modeling::MeshSettings& settings) {
-  return [length = settings.edgeLength](double excess, double count) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "an edge length of %.4g mm needs about %.3g nodes; take %.2g mm or more", length,
-                  count, fittingLength(length, excess));
-    return std::string(text);
-  };
-}
-
-Advice splineAdvice(const modeling::Project& project) {
-  return [mesh = project.mesh](double excess, double count) {
-    char text[200];
-    if (mesh.elementLength)
-      std::snprintf(text, sizeof text,
-                    "spline elements of %.4g mm need about %.3g coefficients; take %.2g mm or more",
-                    *mesh.elementLength, count, fittingLength(*mesh.elementLength, excess));
-    else
-      std::snprintf(
-          text, sizeof text,
-          "an accuracy of %.2g %% needs about %.3g spline coefficients; wish for less, or "
-          "set the size of the elements",
-          100 * mesh.accuracy, count);
-    return std::string(text);
-  };
-}
-
-/// Refuses a model that does not fit into memory, with the numbers and what would.
-void checkMemory(double nodes, double slots, const BuildOptions& options, const Advice& advice) {
-  const double limit = options.memoryLimit > 0 ? options.memoryLimit : 0.85 * availableMemory();
-  if (limit <= 0) return;
-  // Numbers beyond the range of int are still to be reported.
-  const double chosenNodes = std::min(nodes, 1e8), chosenSlots = std::min(slots, 1e8);
-  const double bytes = bem::estimateBytes(static_cast<int>(chosenNodes),
-                                          static_cast<int>(chosenSlots), options.precision) *
-                       (nodes / chosenNodes) * (nodes / chosenNodes);
-  if (bytes <= limit) return;
-  throw bem::SolverError(bem::SolverError::Kind::kTooLarge,
-                         "the model needs " + formatBytes(bytes) + " of memory, and " +
-                             formatBytes(limit) + " can be used: " + advice(bytes / limit, nodes));
-}
 
 /// Work of modeling under a job of bem: the same stop token and progress, the same Cancelled.
 template <class Work>
@@ -99,6 +50,53 @@ GeometryError::Findings checkSurface(const modeling::SurfaceMesh& surface,
   return findings;
 }
 
+modeling::MeshSettings meshSettings(const modeling::Project& project, const BuildOptions& options) {
+  modeling::MeshSettings settings = project.mesh;
+  if (options.edgeLength) settings.edgeLength = *options.edgeLength;
+  return settings;
+}
+
+bem::AssemblyOptions assemblyOptions(const modeling::Project& project,
+                                     const BuildOptions& options) {
+  return options.assembly.value_or(usesSplines(project)
+                                       ? bem::AssemblyOptions{1e-3 * project.mesh.accuracy}
+                                       : bem::AssemblyOptions{});
+}
+
+/// A mesh of a solid whose control points have moved, for an update: with triangles that of the
+/// former shape, carried along; none when it has to be made anew. Splines do not depend on it.
+std::optional<modeling::SurfaceMesh> followed(const modeling::Project& project,
+                                              const modeling::Solid& solid,
+                                              const modeling::Project& formerProject,
+                                              const TouchModel& former, const BuildOptions& options,
+                                              const bem::Job& job) {
+  const auto regions = modeling::meshRegions(project);
+  return underJob(job, [&](const modeling::Job& inner) -> std::optional<modeling::SurfaceMesh> {
+    if (usesSplines(project))
+      return modeling::mesh(project.body, meshSettings(project, options), regions, inner);
+    auto followed = modeling::followSolid(
+        former.surface(), std::get<modeling::Solid>(formerProject.body), solid, regions, {}, inner);
+    if (!followed.update) return std::nullopt;
+    return std::move(followed.update->mesh);
+  });
+}
+
+/// Unit tractions (scaled) on the free coefficient whose place differs most from the former one.
+bem::BoundaryField forceOnMoved(const bem::Discretisation& now, const bem::Discretisation& former,
+                                const bem::DegreesOfFreedom& dofs) {
+  int most = -1;
+  double largest = -1;
+  for (int k = 0; k < now.displacementCount(); ++k)
+    if (const double way = (now.places()[k] - former.places()[k]).squaredNorm();
+        dofs.isFree(k) && way > largest) {
+      most = k;
+      largest = way;
+    }
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(dofs.nodalCount());
+  if (most >= 0) known.segment<3>(3 * static_cast<Eigen::Index>(most)).setOnes();
+  return dofs.expand(Eigen::VectorXd::Zero(dofs.count()), known);
+}
+
 }  // namespace
 
 double TouchState::Contact::patchRadius() const {
@@ -106,6 +104,14 @@ double TouchState::Contact::patchRadius() const {
   for (const auto& mask : patch)
     reach = std::max(reach, (mask.point.position - at).norm() + 0.5 * mask.radius);
   return reach;
+}
+
+void TouchModel::setReport(BuildReport report) {
+  report_ = std::move(report);
+  report_.nodes = static_cast<int>(surface_.positions.size());
+  report_.triangles = static_cast<int>(surface_.triangles.size());
+  report_.quality = modeling::measureQuality(surface_);
+  report_.memory = static_cast<double>(problem_->bytes());
 }
 
 TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts,
@@ -136,22 +142,23 @@ TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState
 }
 
 std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
-                                                  const BuildOptions& options,
-                                                  const bem::Job& job) {
-  modeling::MeshSettings settings = project.mesh;
-  if (options.edgeLength) settings.edgeLength = *options.edgeLength;
+                                                  const BuildOptions& options, const bem::Job& job,
+                                                  const TouchModel* former) {
+  const modeling::MeshSettings settings = meshSettings(project, options);
   Stopwatch watch;
   const auto regions = modeling::meshRegions(project);
   const bool hasSplines = usesSplines(project);
+  const auto checkFits = [&](double coefficients, double slots) {
+    checkMemory(settings, hasSplines, coefficients, slots, options.precision, options.memoryLimit);
+  };
   std::optional<AnalysisNet> net;
   if (hasSplines) {
     // Half again as many traction coefficients is what bodies with many sharp edges have.
     net = analysisNet(project);
-    const double expected = net->coefficients;
-    checkMemory(expected, 1.5 * expected, options, splineAdvice(project));
+    checkFits(net->coefficients, 1.5 * net->coefficients);
   } else {
     const double expected = modeling::estimateNodeCount(project.body, settings, regions);
-    checkMemory(expected, expected, options, edgeLengthAdvice(settings));
+    checkFits(expected, expected);
   }
   modeling::SurfaceMesh surface = underJob(job, [&](const modeling::Job& inner) {
     return modeling::mesh(project.body, settings, regions, inner);
@@ -161,21 +168,18 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.meshSeconds = watch.lap();
   report.warnings = checkSurface(surface, project.body, job);
   report.checkSeconds = watch.lap();
-  report.nodes = static_cast<int>(surface.positions.size());
-  report.triangles = static_cast<int>(surface.triangles.size());
-  report.quality = modeling::measureQuality(surface);
   BoundarySetup setup = makeBoundarySetup(project, surface, net ? &*net : nullptr);
-  checkMemory(setup.discretisation->displacementCount(), setup.discretisation->slots().count(),
-              options, hasSplines ? splineAdvice(project) : edgeLengthAdvice(settings));
+  checkFits(setup.discretisation->displacementCount(), setup.discretisation->slots().count());
   std::shared_ptr<TouchModel> model(
       new TouchModel(project.body, std::move(surface), std::move(setup)));
   report.meshSeconds += watch.lap();
 
   const BoundarySetup& parts = model->setup_;
-  const bem::AssemblyOptions assembly = options.assembly.value_or(
-      hasSplines ? bem::AssemblyOptions{1e-3 * project.mesh.accuracy} : bem::AssemblyOptions{});
+  const bem::AssemblyOptions assembly = assemblyOptions(project, options);
   model->key_ = ModelCache::keyOf(parts, assembly, options.precision);
-  if (options.cache)
+  if (former && former->key_ == model->key_ && !former->report_.residual)
+    model->problem_ = former->problem_;
+  else if (options.cache)
     model->problem_ =
         options.cache->read(model->key_, parts, options.precision, job, report.notice);
   if (model->problem_) {
@@ -187,18 +191,75 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
     report.assembleSeconds = times.assemble;
     report.factoriseSeconds = times.factorise;
   }
-  report.memory = static_cast<double>(model->problem_->bytes());
   watch.lap();
   job.throwIfCancelled();
   job.report("solve", 0);
-  const bem::DegreesOfFreedom& dofs = model->problem_->dofs();
-  model->rest_ =
-      model->describe(model->problem_->solveField(dofs.knownField(parts.conditions),
-                                                  bem::ReferenceProblem::Effort::kRefined, job),
-                      {});
+  model->rest_ = model->describe(
+      model->problem_->solveField(model->problem_->dofs().knownField(parts.conditions),
+                                  bem::ReferenceProblem::Effort::kRefined, job),
+      {});
   report.solveSeconds = watch.lap();
   job.report("solve", 1);
-  model->report_ = report;
+  model->setReport(std::move(report));
+  return model;
+}
+
+std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project& project,
+                                                   const modeling::Project& formerProject,
+                                                   const TouchModel& former,
+                                                   const BuildOptions& options,
+                                                   const bem::Job& job) {
+  const auto* solid = std::get_if<modeling::Solid>(&project.body);
+  const modeling::Change change = modeling::compare(formerProject, project);
+  const bool hasSplines = usesSplines(project);
+  if (!solid || former.report_.residual || change.topology || change.edges || change.patchNames ||
+      change.material || change.supports || change.loads || change.mesh ||
+      (hasSplines && change.touches))
+    return nullptr;
+  Stopwatch watch;
+  job.report("update", 0);
+  const bem::Job inner{job.stop, {}, job.threads};
+  std::optional<modeling::SurfaceMesh> surface =
+      followed(project, *solid, formerProject, former, options, inner);
+  if (!surface) return nullptr;
+  BuildReport report;
+  report.meshSeconds = watch.lap();
+  report.warnings = checkSurface(*surface, project.body, inner);
+  report.checkSeconds = watch.lap();
+  BoundarySetup setup = makeBoundarySetup(project, *surface);
+  if (setup.conditions.ofSlot != former.setup_.conditions.ofSlot) return nullptr;
+  std::shared_ptr<TouchModel> model(
+      new TouchModel(project.body, std::move(*surface), std::move(setup)));
+  report.meshSeconds += watch.lap();
+  job.report("update", 0.2);
+
+  const BoundarySetup& parts = model->setup_;
+  const bem::AssemblyOptions assembly = assemblyOptions(project, options);
+  model->key_ = ModelCache::keyOf(parts, assembly, options.precision);
+  bem::ReferenceProblemTimes times;
+  model->problem_ = parts.discretisation->updateProblem(
+      former.problem_, *former.setup_.discretisation, parts.conditions.ofSlot, parts.material,
+      assembly, inner, &times);
+  if (!model->problem_) return nullptr;
+  report.assembleSeconds = times.assemble;
+  watch.lap();
+  job.report("update", 0.5);
+  // With the state at rest, whose equations may be easy or trivial, that of a force where the
+  // surface moved most.
+  const bem::ReferenceProblem& problem = *model->problem_;
+  const bem::BoundaryField rest = problem.dofs().knownField(parts.conditions),
+                           force = forceOnMoved(*parts.discretisation,
+                                                *former.setup_.discretisation, problem.dofs());
+  bem::BoundaryField known{Eigen::MatrixXd(rest.u.rows(), 2), Eigen::MatrixXd(rest.p.rows(), 2)};
+  known.u << rest.u, force.u;
+  known.p << rest.p, force.p;
+  bem::BoundaryField field = problem.solveField(known, bem::ReferenceProblem::Effort::kFast, inner);
+  report.residual = problem.relativeResidual(field, inner);
+  if (!(*report.residual <= kMostResidual)) return nullptr;
+  model->rest_ = model->describe({field.u.leftCols<1>(), field.p.leftCols<1>()}, {});
+  report.solveSeconds = watch.lap();
+  job.report("update", 1);
+  model->setReport(std::move(report));
   return model;
 }
 

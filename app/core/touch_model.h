@@ -32,6 +32,9 @@ struct BuildReport {
   double assembleSeconds = 0, factoriseSeconds = 0;  ///< 0 when it was read from the cache
   double readSeconds = 0;                            ///< 0 when it was not
   double memory = 0;                                 ///< bytes of the operators and factors
+  /// Of an update (updateTouchModel()), which has no factors of its own: how well it fulfils its
+  /// equations, largest residual over the largest term.
+  std::optional<double> residual;
   GeometryError::Findings warnings;  ///< of the geometry check; never null in a model
   std::string notice;                ///< what else a person should know, a sentence; mostly empty
 };
@@ -112,9 +115,15 @@ class TouchModel {
 
  private:
   friend std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project&,
-                                                           const BuildOptions&, const bem::Job&);
+                                                           const BuildOptions&, const bem::Job&,
+                                                           const TouchModel*);
+  friend std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project&,
+                                                            const modeling::Project&,
+                                                            const TouchModel&, const BuildOptions&,
+                                                            const bem::Job&);
   TouchModel(modeling::Body body, modeling::SurfaceMesh surface, BoundarySetup setup)
       : body_(std::move(body)), surface_(std::move(surface)), setup_(std::move(setup)) {}
+  void setReport(BuildReport report);
 
   modeling::Body body_;
   modeling::SurfaceMesh surface_;
@@ -126,10 +135,27 @@ class TouchModel {
 };
 
 /// Runs the whole way from project to model. Phases of progress: "mesh", "check", then "assemble"
-/// and "factorise", or "read" when the cache has the solved problem, and "solve". Throws
-/// ModelingError (bad project; GeometryError when the surface does not bound a body), SolverError
-/// (cannot be solved; kTooLarge with the estimate before memory is taken), Cancelled.
+/// and "factorise", or "read" when the cache has the solved problem, and "solve". `former`: an
+/// earlier model, whose solved problem is used again when nothing that it depends on has changed
+/// (loads, or a shape that was taken back). Throws ModelingError (bad project; GeometryError when
+/// the surface does not bound a body), SolverError (cannot be solved; kTooLarge with the estimate
+/// before memory is taken), Cancelled.
 std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
-                                                  const BuildOptions& options, const bem::Job& job);
+                                                  const BuildOptions& options, const bem::Job& job,
+                                                  const TouchModel* former = nullptr);
+
+/// The model of a project that differs from another, `formerProject`, in the places of control
+/// points, from the model of that: only what moved is integrated anew, and equations are solved
+/// with the former factors as a preconditioner (bem::updateDenseReferenceProblem()). So it can be
+/// touched much sooner than a model of its own, and is to be replaced by one: solutions take longer
+/// and are exact to report().residual. With triangles the mesh is the former one, carried along.
+///
+/// Null when something else differs, when it does not pay or is not exact enough (1e-4), or
+/// `former` is an update itself. Phase of progress: "update". Throws as buildTouchModel().
+std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project& project,
+                                                   const modeling::Project& formerProject,
+                                                   const TouchModel& former,
+                                                   const BuildOptions& options,
+                                                   const bem::Job& job);
 
 }  // namespace palpa::app

@@ -236,7 +236,10 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
     const std::lock_guard lock(mutex_);
     if (!bodies_.empty() && bodies_.back().number == status_.prepared) newest = bodies_.back().body;
   }
-  if (!newest || newest->columns()->isComplete() || !hasMemoryFor(*newest, false)) return false;
+  // The columns of an update take long, and a model of its own will replace it.
+  if (!newest || newest->model().report().residual || newest->columns()->isComplete() ||
+      !hasMemoryFor(*newest, false))
+    return false;
   std::vector<Vector3d> points;
   focus_(points);
   std::vector<int> block;

@@ -198,7 +198,11 @@ void MainWindow::updateRate() {
   QString text;
   if (simulation_.isActive() && simulation_.drawn()) {
     text = tr("%L1 Hz").arg(simulation_.snapshot().rate, 0, 'f', 0);
-    if (simulation_.isBehind()) text = tr("Touching the previous model · %1").arg(text);
+    const auto residual = editor_.rebuildStatus().residual;
+    if (simulation_.isBehind())
+      text = tr("Touching the previous model · %1").arg(text);
+    else if (residual)
+      text = tr("Solved to %L1 · %2").arg(*residual, 0, 'e', 0).arg(text);
   }
   if (rate_->text() != text) rate_->setText(text);
 }

@@ -49,6 +49,19 @@ QString warningText(const app::BuildReport& report) {
   return lines.join(". ") + (lines.isEmpty() ? "" : ".");
 }
 
+/// Can the present shape be touched already, by an update of an earlier model?
+bool isUpdate(const app::RebuildStatus& status) {
+  return status.residual && status.modelRevision == status.revision;
+}
+
+/// What to know of a model that is an update.
+QString updateText(const app::RebuildStatus& status) {
+  return RebuildDock::tr(
+             "The present shape can be touched: its equations are solved with the help of an "
+             "earlier shape, exact to %L1.")
+      .arg(*status.residual, 0, 'e', 0);
+}
+
 }  // namespace
 
 QString rebuildText(const app::RebuildStatus& status) {
@@ -56,7 +69,9 @@ QString rebuildText(const app::RebuildStatus& status) {
     case State::kEmpty:
       return RebuildDock::tr("No model");
     case State::kBuilding:
-      return RebuildDock::tr("Building the model %1 %").arg(percent(status.progress));
+      return (isUpdate(status) ? RebuildDock::tr("Touchable, completing the model %1 %")
+                               : RebuildDock::tr("Building the model %1 %"))
+          .arg(percent(status.progress));
     case State::kUpToDate:
       return RebuildDock::tr("Up to date");
     case State::kFailed:
@@ -135,7 +150,8 @@ RebuildDock::Row RebuildDock::addRow(QGridLayout& grid, const QString& name,
 }
 
 void RebuildDock::makeStages(QGridLayout& grid) {
-  for (const auto& [phase, name] : {std::pair{"mesh", tr("Mesh")},
+  for (const auto& [phase, name] : {std::pair{"update", tr("Update the model")},
+                                    {"mesh", tr("Mesh")},
                                     {"check", tr("Check the surface")},
                                     {"read", tr("Read the stored model")},
                                     {"assemble", tr("Assemble")},
@@ -178,11 +194,14 @@ void RebuildDock::showStatus() {
 
 void RebuildDock::showState(const app::RebuildStatus& status) {
   const bool isBuilding = status.state == State::kBuilding;
-  state_->setText(isBuilding ? tr("Building the model") : rebuildText(status));
+  state_->setText(!isBuilding        ? rebuildText(status)
+                  : isUpdate(status) ? tr("Completing the model")
+                                     : tr("Building the model"));
   QString details;
   if (status.state == State::kFailed) details = failureText(status);
   if (status.state == State::kCancelled)
     details = tr("The present shape has no model. The next edit builds one, too.");
+  if (isUpdate(status)) details = updateText(status);
   if (status.state == State::kUpToDate) details = warningText(editor_.model()->report());
   details_->setText(details);
   details_->setVisible(!details.isEmpty());
@@ -202,14 +221,15 @@ void RebuildDock::showStages(const app::RebuildStatus& status) {
     return std::find_if(status.stages.begin(), status.stages.end(),
                         [&](const app::BuildStage& stage) { return stage.phase == phase; });
   };
-  const bool isRead =
-      find("read") != status.stages.end() && find("assemble") == status.stages.end();
+  const auto wasReached = [&](const char* phase) { return find(phase) != status.stages.end(); };
+  // From the disk, or that of the former model.
+  const bool isKnown = (wasReached("read") || wasReached("solve")) && !wasReached("assemble");
   double total = 0;
   for (const Row& row : stages_) {
     const auto stage = find(row.phase);
     const bool wasBegun = stage != status.stages.end();
-    const bool isShown = row.phase == "read"                                   ? wasBegun
-                         : row.phase == "assemble" || row.phase == "factorise" ? !isRead
+    const bool isShown = row.phase == "read" || row.phase == "update"          ? wasBegun
+                         : row.phase == "assemble" || row.phase == "factorise" ? !isKnown
                                                                                : true;
     row.name->setVisible(isShown);
     row.value->setVisible(isShown);

@@ -160,8 +160,8 @@ void Simulation::setScale(double scale) {
 }
 
 bool Simulation::isBehind() const {
-  return editor_.rebuildStatus().state != app::RebuildStatus::State::kUpToDate ||
-         snapshot_.model != loop_->status().newest;
+  const app::RebuildStatus status = editor_.rebuildStatus();
+  return status.modelRevision != status.revision || snapshot_.model != loop_->status().newest;
 }
 
 std::shared_ptr<const app::TouchBody> Simulation::body() const {
