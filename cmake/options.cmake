@@ -5,9 +5,15 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 set(PALPA_SANITIZE "" CACHE STRING "Sanitizers to build with, as in -fsanitize=…; empty for none")
 
 add_library(palpa_options INTERFACE)
-target_include_directories(palpa_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(palpa_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
-target_link_libraries(palpa_options INTERFACE Threads::Threads)
+set_target_properties(palpa_options PROPERTIES EXPORT_NAME options)
+# Programs that use the installed libraries choose their own warnings.
+target_include_directories(palpa_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                   $<INSTALL_INTERFACE:include/palpa>)
+target_compile_features(palpa_options INTERFACE cxx_std_20)
+target_compile_options(palpa_options INTERFACE
+  $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wpedantic> $<BUILD_INTERFACE:-Wshadow>
+  $<BUILD_INTERFACE:-Werror>)
+target_link_libraries(palpa_options INTERFACE Threads::Threads $<INSTALL_INTERFACE:Eigen3::Eigen>)
 if(PALPA_SANITIZE)
   target_compile_options(palpa_options INTERFACE -fsanitize=${PALPA_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(palpa_options INTERFACE -fsanitize=${PALPA_SANITIZE})
@@ -15,4 +21,4 @@ endif()
 
 # Headers of other projects must not break our warnings-as-errors build.
 get_target_property(eigen_include Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-target_include_directories(palpa_options SYSTEM INTERFACE ${eigen_include})
+target_include_directories(palpa_options SYSTEM INTERFACE $<BUILD_INTERFACE:${eigen_include}>)

@@ -6,10 +6,17 @@
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/manual.h"
 #include "app/core/memory.h"
 
 namespace palpa::cli {
 namespace {
+
+/// Thrown by options that print something and end the program.
+struct Printed : CLI::Success {
+  explicit Printed(std::string what) : text(std::move(what)) {}
+  std::string text;
+};
 
 void declareCommon(CLI::App& app, CommonOptions& options) {
   app.add_flag("--json", options.json, "Write one JSON object instead of text");
@@ -50,6 +57,11 @@ int run(int argc, char** argv) {
       "'palpa-cli COMMAND --help' shows the options of a command and an example.");
   app.get_formatter()->column_width(34);
 
+  // For packages: in no group, so that the help does not list them.
+  app.add_flag_callback("--manual", [&app] { throw Printed(manualPage(app)); })->group("");
+  app.add_flag_callback("--bash-completion", [&app] { throw Printed(bashCompletion(app)); })
+      ->group("");
+
   CommonOptions options;
   const auto commands = allCommands();
   std::vector<CLI::App*> declared;
@@ -63,6 +75,9 @@ int run(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const Printed& printed) {
+    std::cout << printed.text;
+    return kDone;
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help, --version
   } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 // palpa-cli new, info, check, mesh.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <numbers>
 
 #include "tests/app/cli_runner.h"
@@ -267,6 +268,25 @@ TEST_F(CliProject, AMeshTooFineForTheMachineIsRefusedWithTheNumber) {
   const Outcome outcome = cli_.run("mesh p.json --edge-length 0.0001");
   EXPECT_EQ(outcome.exitCode, 4);
   EXPECT_NE(outcome.err.find("nodes"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CliProject, TheManualPageAndTheCompletionKnowEveryCommandAndOption) {
+  const Outcome manual = cli_.run("--manual"), completion = cli_.run("--bash-completion");
+  EXPECT_EQ(manual.exitCode, 0);
+  EXPECT_EQ(completion.exitCode, 0);
+  EXPECT_EQ(manual.out.find(".TH PALPA\\-CLI 1"), 0u);
+  for (const char* word : {"solve", "touch", "convert", "friction", "accuracy"}) {
+    EXPECT_NE(manual.out.find(word), std::string::npos) << word;
+    EXPECT_NE(completion.out.find(word), std::string::npos) << word;
+  }
+  EXPECT_EQ(cli_.run("--help").out.find("--manual"), std::string::npos);
+  // What the shell asks of it.
+  cli_.write("completion", completion.out +
+                               "COMP_WORDS=(palpa-cli touch --fr); COMP_CWORD=2; _palpa_cli\n"
+                               "[[ ${COMPREPLY[*]} == --friction ]] || exit 1\n"
+                               "COMP_WORDS=(palpa-cli so); COMP_CWORD=1; _palpa_cli\n"
+                               "[[ ${COMPREPLY[*]} == solve ]]\n");
+  EXPECT_EQ(std::system(("bash " + cli_.path("completion").string()).c_str()), 0);
 }
 
 TEST_F(CliProject, HelpHasAnExampleForEachCommand) {

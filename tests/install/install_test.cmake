@@ -1,0 +1,28 @@
+# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P install_test.cmake: installs into an empty folder, runs the installed program
+# from there, and builds and runs a program of somebody else with the installed libraries.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  message("${output}")
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "failed: ${ARGN}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${WORK}/prefix/bin/palpa-cli touch ${SOURCE}/projects/sphere.json --threads 1)
+foreach(file bin/palpa libexec/palpa/palpa-read-cad share/man/man1/palpa-cli.1 share/man/man1/palpa.1
+    share/bash-completion/completions/palpa-cli share/applications/palpa.desktop share/mime/packages/palpa.xml
+    share/icons/hicolor/scalable/apps/palpa.svg)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "not installed: ${file}")
+  endif()
+endforeach()
+# CAD files are read with the help of a program that is found from the installed one.
+run(${WORK}/prefix/bin/palpa-cli export ${SOURCE}/projects/box.json -o ${WORK}/box.step)
+run(${WORK}/prefix/bin/palpa-cli import ${WORK}/box.step -o ${WORK}/box.json)
+
+run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/tests/install/consumer -B ${WORK}/consumer -DCMAKE_PREFIX_PATH=${WORK}/prefix
+  -DCMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${WORK}/consumer)
+run(${WORK}/consumer/consumer ${SOURCE}/projects/sphere.json)
