@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bem/spline/bspline_basis.h"
-#include "bem/spline/spline_contact_surface.h"
+#include "bem/spline/spline_mask_widths.h"
 
 namespace palpa::app {
 namespace {
@@ -200,7 +200,7 @@ bool NetTouches::divideAt(const Place& place, double radius, const std::vector<i
     for (std::size_t j = 0; j < functions[1].values.size(); ++j)
       width += functions[0].values[i] * functions[1].values[j] *
                widest(functions[0].deviations[i], functions[1].deviations[j], cosine);
-  const double tooWide = bem::SplineContactSurface::kNarrowest * width / radius;
+  const double tooWide = bem::SplineMaskWidths::kNarrowest * width / radius;
   if (tooWide <= 1) return false;
 
   const int d = along[0] >= along[1] ? 0 : 1;
