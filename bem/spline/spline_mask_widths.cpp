@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {
@@ -9,8 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a sample reaches, in the width there.
-const double kReach = 0.75;
+/// How far a sample reaches, in the width there: farther, coarse elements widen masks on fine ones
+/// beside them; less far, bends remain as narrow waves. No place is without samples, as even where
+/// functions are narrowest, in corners of patches, that is more than half the length of an element.
+constexpr double kReach = 0.75;
 constexpr int kSamplesPerDirection = 3;
 /// Elements reach beyond the sphere around their outermost samples by less than this part of it.
 constexpr double kBeyondSamples = 0.5;
