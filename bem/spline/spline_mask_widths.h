@@ -6,15 +6,16 @@
 
 namespace palpa::bem {
 
-/// How narrow masks may be at the places of a spline surface: kNarrowest times how far the basis
-/// functions around spread, as a smooth field.
+/// How narrow masks may be at the places of a spline surface: kNarrowest times how far basis
+/// functions spread on even elements as long as those around (the standard deviation of a function:
+/// of cubic elements h 0.58 h). That functions are narrower at borders of patches does not help: a
+/// bump reaches over them onto the elements beside.
 ///
-/// The functions themselves spread by other amounts from patch to patch, and less at borders and
-/// corners of patches, where fewer elements carry them: interpolated by the splines that is
-/// continuous, but bent where patches meet (by up to 1.3 mm per mm on a sphere), and a finger slid
-/// over it feels each bend. So the field is the mean of that interpolation around the place,
-///   w(x) = Σ_q a_q φ(|x - x_q| / (kReach w_q)) w_q / Σ_q a_q φ(...),  φ(t) = (1 - t^2)^2 below 1,
-/// over Gauss points x_q of areas a_q where the interpolation is w_q: once continuously
+/// Elements change their size from patch to patch, and with a bend in it where patches meet, which
+/// a finger slid over them would feel. So the field is a mean over the elements around the place,
+///   w(x) = Σ_q a_q φ_q / w_q / Σ_q a_q φ_q / w_q^2,  φ_q = (1 - |x - x_q|^2 / (c w_q)^2)^2 within
+///   c w_q,
+/// over Gauss points x_q of areas a_q with the widths w_q of their elements: once continuously
 /// differentiable in x, exact where w_q is constant, and between the smallest and the largest w_q
 /// within the reach.
 ///
@@ -26,7 +27,7 @@ class SplineMaskWidths {
 
   explicit SplineMaskWidths(const SplineSurface& surface);
 
-  /// Per displacement coefficient: kNarrowest times its spread, mm.
+  /// The mean width where a function is, per displacement coefficient, mm.
   const std::vector<double>& ofFunctions() const { return ofFunctions_; }
   /// At a point of the surface in an element, mm.
   double at(int element, const Eigen::Vector3d& x) const;
@@ -35,7 +36,7 @@ class SplineMaskWidths {
   struct Sample {
     Eigen::Vector3d position;
     double inverseSquare;  // of the reach, 1/mm^2
-    double area;           // mm^2
+    double weight;         // a_q / w_q^2
     double width;          // mm
   };
   struct Samples {  // of an element

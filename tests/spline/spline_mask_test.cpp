@@ -156,7 +156,7 @@ TEST(SplineMask, WidthsHaveNoKinks) {
     byFunctions.push_back(width);
     EXPECT_GE(smooth.back(), 0.95 * width);
   }
-  std::printf("kinks of %.4f mm per mm, without smoothing %.3f\n", kinkOf(smooth) / kStep,
+  std::printf("kinks of %.4f mm per mm, interpolated by the splines %.3f\n", kinkOf(smooth) / kStep,
               kinkOf(byFunctions) / kStep);
   EXPECT_LE(kinkOf(smooth), 0.02 * kStep);
   EXPECT_GE(kinkOf(byFunctions), 0.1 * kStep);
