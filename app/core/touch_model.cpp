@@ -164,12 +164,14 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.nodes = static_cast<int>(surface.positions.size());
   report.triangles = static_cast<int>(surface.triangles.size());
   report.quality = modeling::measureQuality(surface);
+  job.report("setup", 0);
   BoundarySetup setup = makeBoundarySetup(project, surface, net ? &*net : nullptr);
   checkMemory(setup.discretisation->displacementCount(), setup.discretisation->slots().count(),
               options, hasSplines ? splineAdvice(project) : edgeLengthAdvice(settings));
   std::shared_ptr<TouchModel> model(
       new TouchModel(project.body, std::move(surface), std::move(setup)));
   report.meshSeconds += watch.lap();
+  job.report("setup", 1);
 
   const BoundarySetup& parts = model->setup_;
   const bem::AssemblyOptions assembly = options.assembly.value_or(

@@ -137,6 +137,7 @@ RebuildDock::Row RebuildDock::addRow(QGridLayout& grid, const QString& name,
 void RebuildDock::makeStages(QGridLayout& grid) {
   for (const auto& [phase, name] : {std::pair{"mesh", tr("Mesh")},
                                     {"check", tr("Check the surface")},
+                                    {"setup", tr("Set up supports and loads")},
                                     {"read", tr("Read the stored model")},
                                     {"assemble", tr("Assemble")},
                                     {"factorise", tr("Factorise")},
