@@ -1,21 +1,15 @@
 // The analysis net: which knots are inserted for the spline discretisation.
 #include "app/core/analysis_net.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <limits>
 
 #include "app/core/boundary_setup.h"
-#include "app/core/spline_surface_of.h"
 #include "bem/spline/spline_mask_widths.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
-#include "modeling/shapes/primitives.h"
 #include "modeling/solid/surface_properties.h"
 #include "spline_body.h"
 

@@ -1,14 +1,10 @@
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <ctime>
 #include <numbers>
 #include <random>
 
 #include "allocation_counter.h"
-#include "bem/spline/spline_projection.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 #include "touched_body.h"
 

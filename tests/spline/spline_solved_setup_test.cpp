@@ -1,16 +1,11 @@
 // Solutions of projects with splines: the finite element solutions of data/fem.json with knots
 // chosen automatically, what supports prescribe, rollers.
-#include <gtest/gtest.h>
 
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 
 #include "app/core/boundary_setup.h"
 #include "bem/results.h"
-#include "bem/spline/spline_projection.h"
 #include "fem_case.h"
-#include "modeling/shapes/primitives.h"
 #include "solved_setup.h"
 #include "spline_body.h"
 

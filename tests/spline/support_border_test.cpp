@@ -1,16 +1,10 @@
 // Supports whose borders cut patches anywhere: exact fields, and forces that must balance.
-#include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/core/boundary_setup.h"
-#include "app/core/spline_surface_of.h"
-#include "bem/reference_problem.h"
 #include "bem/spline/spline_equations.h"
-#include "bem/spline/spline_projection.h"
 #include "bem/spline/surface_part.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {
