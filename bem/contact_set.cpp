@@ -56,7 +56,7 @@ bool ContactSet::place(int index, const SurfacePoint& point, double radius) {
   Entry& entry = masks_[index];
   if (entry.isPlaced && entry.mask.point.triangle == point.triangle &&
       entry.mask.point.position == point.position &&
-      entry.mask.radius == std::max(radius, surface_.narrowestMask(point))) {
+      entry.mask.radius == surface_.maskRadius(point, radius)) {
     misses(entry.mask);
     return true;
   }

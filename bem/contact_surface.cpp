@@ -33,6 +33,15 @@ ContactSurface::ContactSurface(const BoundaryMesh& mesh, const TractionSlots& me
   }
 }
 
+double ContactSurface::maskRadius(const SurfacePoint& point, double radius) const {
+  constexpr double kSmooth = 0.1;
+  const double narrowest = narrowestMask(point);
+  if (narrowest <= radius) return radius;
+  // The cubic with slopes 0 and 1 at its ends.
+  const double t = (narrowest - radius) / (kSmooth * radius);
+  return t >= 1 ? narrowest : radius * (1 + kSmooth * t * t * (2 - t));
+}
+
 SurfacePoint ContactSurface::facing(const SurfacePoint& point, const Vector3d& direction) const {
   constexpr double kOnEdge = 1e-9;
   SurfacePoint best = point;

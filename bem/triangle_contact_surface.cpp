@@ -116,7 +116,7 @@ bool TriangleContactSurface::makeMask(const SurfacePoint& point, double radius,
                                       ContactMask& mask) const {
   auto& work = static_cast<Workspace&>(workspace);
   mask.point = point;
-  mask.radius = std::max(radius, narrowestMask(point));
+  mask.radius = maskRadius(point, radius);
   ++work.stamp_;
   collectTriangles(point, mask.radius, work);
   collectNodes(work, mask.nodes);

@@ -147,6 +147,7 @@ class Bench {
       add("  largest jump between 1 ms samples", "%",
           100 * slide.largestJump() / slide.largestForce());
       add("  of its magnitude", "%", 100 * slide.largestMagnitudeJump() / slide.largestForce());
+      add("  largest kink of its magnitude", "%", 100 * slide.largestKink() / slide.largestForce());
       add("  masks at most", "", patches);
       if (failed > 0) add("  steps without convergence", "", failed, "0");
     }

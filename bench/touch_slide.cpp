@@ -34,6 +34,14 @@ double Slide::largestMagnitudeJump() const {
   return largest;
 }
 
+double Slide::largestKink() const {
+  double largest = 0;
+  for (std::size_t k = kOnset; k + 1 < samples.size(); ++k)
+    largest = std::max(largest, std::abs(samples[k + 1].force.norm() - 2 * samples[k].force.norm() +
+                                         samples[k - 1].force.norm()));
+  return largest;
+}
+
 Slide dragAround(const std::shared_ptr<const app::TouchBody>& body, const bem::ContactTool& tool,
                  double depth) {
   using Clock = std::chrono::steady_clock;
@@ -60,10 +68,11 @@ Slide dragAround(const std::shared_ptr<const app::TouchBody>& body, const bem::C
     prepare();
     const auto start = Clock::now();
     simulation.step();
-    slide.samples.push_back({angle, simulation.find(id)->force,
-                             std::chrono::duration<double>(Clock::now() - start).count(),
-                             simulation.converged(),
-                             static_cast<int>(simulation.find(id)->patch.size())});
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const auto& contact = *simulation.find(id);
+    slide.samples.push_back({angle, contact.force, seconds, simulation.converged(),
+                             static_cast<int>(contact.patch.size()),
+                             contact.patch.empty() ? 0 : contact.patch.front().radius});
   }
   return slide;
 }

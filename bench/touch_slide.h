@@ -15,6 +15,7 @@ struct Slide {
     double seconds = 0;  ///< that the step took
     bool isConverged = true;
     int patches = 0;
+    double radius = 0;  ///< of the first mask, mm
   };
   static constexpr std::size_t kOnset = 50;
   std::vector<Sample> samples;
@@ -24,6 +25,8 @@ struct Slide {
   /// builds up. Of it 0.4 % are due to the direction that turns by 0.2 degrees.
   double largestJump() const;
   double largestMagnitudeJump() const;
+  /// Of the magnitude's change from one pair of samples to the next, N: where its slope breaks.
+  double largestKink() const;
 };
 
 /// Columns are computed before they are needed and not timed.

@@ -7,7 +7,6 @@
 
 #include "app/core/region_conditions.h"
 #include "app/core/spline_setup.h"
-#include "bem/spline/spline_discretisation.h"
 #include "bem/triangle_discretisation.h"
 
 namespace palpa::app {
@@ -18,26 +17,6 @@ using modeling::Support;
 
 /// Half the width of a thumb's contact under a firm press, mm.
 constexpr double kFingertipRadius = 6.0;
-
-bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags) {
-  bem::BoundaryMesh mesh{surface.positions, surface.triangles, surface.smoothingGroupOfTriangle,
-                         std::move(tags)};
-  mesh.validate();
-  return mesh;
-}
-
-BoundarySetup emptySetup(const modeling::Project& project,
-                         std::shared_ptr<const bem::Discretisation> discretisation) {
-  bem::BoundaryConditions conditions(discretisation->displacementCount(),
-                                     discretisation->slots().count());
-  return {std::move(discretisation),
-          nullptr,
-          nullptr,
-          {project.material.youngsModulus, project.material.poissonRatio},
-          std::move(conditions),
-          {},
-          {}};
-}
 
 void applySupports(const modeling::Project& project, const std::vector<int>& owner,
                    BoundarySetup& setup) {
@@ -61,16 +40,6 @@ void applySupports(const modeling::Project& project, const std::vector<int>& own
     setup.conditions.displacement.segment<3>(3 * node) = prescribed.value();
 }
 
-bem::SurfaceLoad surfaceLoad(const modeling::Load& load, std::vector<int> regionTriangles,
-                             int triangleCount) {
-  if (!modeling::regionOf(load)) {
-    regionTriangles.resize(triangleCount);
-    std::iota(regionTriangles.begin(), regionTriangles.end(), 0);
-  }
-  LoadTraction what = loadTraction(load);
-  return {std::move(regionTriangles), std::move(what.traction), what.featureLength};
-}
-
 /// Mean place of coefficients of traction, weighted by their size.
 Vector3d meanPlace(const bem::Discretisation& on, const Eigen::VectorXd& traction) {
   Vector3d sum = Vector3d::Zero();
@@ -89,41 +58,29 @@ void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& s
   std::iota(all.begin(), all.end(), 0);
   std::size_t region = project.supports.size();
   for (const modeling::Load& load : project.loads) {
-    std::vector<int> triangles;
-    if (modeling::regionOf(load)) triangles = surface.trianglesOfRegion[region++];
-    BoundarySetup::LoadPart part{load.name, {}, {}, Vector3d::Zero()};
-    part.traction =
-        bem::projectTraction(setup.mesh(), setup.meshSlots(),
-                             surfaceLoad(load, std::move(triangles), setup.mesh().triangleCount()));
-    part.resultant = setup.discretisation->resultant(part.traction, all);
-    part.place = meanPlace(*setup.discretisation, part.traction);
-    setup.conditions.traction += part.traction;
-    setup.loads.push_back(std::move(part));
+    const auto& triangles = modeling::regionOf(load) ? surface.trianglesOfRegion[region++] : all;
+    const LoadTraction what = loadTraction(load);
+    setup.addLoad(load.name, bem::projectTraction(setup.mesh(), setup.meshSlots(),
+                                                  {triangles, what.traction, what.featureLength}));
   }
-}
-
-BoundarySetup splineSetup(const modeling::Project& project, const modeling::SurfaceMesh& surface,
-                          const AnalysisNet& net) {
-  SplineSetup parts = makeSplineSetup(project, surface, net);
-  auto splines = std::make_shared<const bem::SplineDiscretisation>(
-      boundaryMesh(surface, std::move(parts.tagOfTriangle)), std::move(parts.surface),
-      std::move(parts.tractions), std::move(parts.triangles));
-  BoundarySetup setup = emptySetup(project, splines);
-  setup.splines = splines;
-  setup.analysisNet = std::make_shared<const modeling::Solid>(std::move(parts.solid));
-  setup.conditions = std::move(parts.conditions);
-  for (std::size_t s = 0; s < project.supports.size(); ++s)
-    setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
-                              std::move(parts.supports[s].elements),
-                              project.supports[s].kind == Support::Kind::fixed});
-  for (SplineSetup::LoadPart& load : parts.loads) {
-    const Vector3d place = meanPlace(*splines, load.traction);
-    setup.loads.push_back({std::move(load.name), std::move(load.traction), load.resultant, place});
-  }
-  return setup;
 }
 
 }  // namespace
+
+BoundarySetup::BoundarySetup(const modeling::Project& project,
+                             std::shared_ptr<const bem::Discretisation> surface)
+    : discretisation(std::move(surface)),
+      material{project.material.youngsModulus, project.material.poissonRatio},
+      conditions(discretisation->displacementCount(), discretisation->slots().count()) {}
+
+void BoundarySetup::addLoad(const std::string& name, Eigen::VectorXd traction) {
+  std::vector<int> all(discretisation->elementCount());
+  std::iota(all.begin(), all.end(), 0);
+  conditions.traction += traction;
+  const bem::Resultant resultant = discretisation->resultant(traction, all);
+  const Vector3d place = meanPlace(*discretisation, traction);
+  loads.push_back({name, std::move(traction), resultant, place});
+}
 
 AnalysisNet analysisNet(const modeling::Project& project) {
   return analysisNet(project, ElementSizes::of(project.mesh, fingertipRadius(project)));
@@ -149,10 +106,10 @@ double fingertipRadius(const modeling::Project& project) {
 
 BoundarySetup makeBoundarySetup(const modeling::Project& project,
                                 const modeling::SurfaceMesh& surface, const AnalysisNet* net) {
-  if (usesSplines(project)) return splineSetup(project, surface, net ? *net : analysisNet(project));
-  BoundarySetup setup =
-      emptySetup(project, std::make_shared<bem::TriangleDiscretisation>(
-                              boundaryMesh(surface, RegionTags(surface).ofTriangle())));
+  if (usesSplines(project))
+    return makeSplineSetup(project, surface, net ? *net : analysisNet(project));
+  BoundarySetup setup(project, std::make_shared<bem::TriangleDiscretisation>(
+                                   boundaryMesh(surface, RegionTags(surface).ofTriangle())));
   for (std::size_t s = 0; s < project.supports.size(); ++s)
     setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
                               surface.trianglesOfRegion[s],

@@ -17,6 +17,10 @@ namespace palpa::app {
 
 /// A project's surface, supports and loads in the terms of the boundary element method.
 struct BoundarySetup {
+  /// Without supports and loads.
+  BoundarySetup(const modeling::Project& project,
+                std::shared_ptr<const bem::Discretisation> surface);
+
   std::shared_ptr<const bem::Discretisation> discretisation;
   /// The same when it is one of splines, otherwise null.
   std::shared_ptr<const bem::SplineDiscretisation> splines;
@@ -43,6 +47,8 @@ struct BoundarySetup {
     Eigen::Vector3d place;  ///< mean of the places it acts on, weighted by its traction, mm
   };
   std::vector<LoadPart> loads;
+  /// `traction`: 3 per slot, MPa.
+  void addLoad(const std::string& name, Eigen::VectorXd traction);
 };
 
 /// Radius of a touch that does not name one, mm: that of a fingertip, but at most a fifth of the

@@ -72,7 +72,6 @@ class DrawnBody {
         sum += value_[static_cast<std::size_t>(k)] * u.col(column_[static_cast<std::size_t>(k)]);
       return sum.head<3>().cast<double>();
     }
-    std::size_t count() const { return first_.size() - 1; }
 
    private:
     std::vector<int> first_{0}, column_;

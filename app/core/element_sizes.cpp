@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "app/core/analysis_net.h"
-#include "bem/spline/spline_contact_surface.h"
+#include "bem/spline/spline_mask_widths.h"
 
 namespace palpa::app {
 namespace {
@@ -35,7 +35,7 @@ ElementSizes ElementSizes::of(const modeling::MeshSettings& settings, double fin
   sizes.touch = kOfTouch * finer;
   sizes.bump = kOfRadius * finer;
   sizes.interior = settings.elementLength.value_or(sizes.touch * fingertipRadius * std::sqrt(3.0) /
-                                                   bem::SplineContactSurface::kNarrowest);
+                                                   bem::SplineMaskWidths::kNarrowest);
   sizes.turn =
       settings.elementLength ? std::numbers::pi / 4 : std::numbers::pi / 6 * std::pow(wish, 0.25);
   sizes.rim = std::min(0.5, 0.5 * std::pow(wish, 0.45));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bem/spline/bspline_basis.h"
-#include "bem/spline/spline_contact_surface.h"
+#include "bem/spline/spline_mask_widths.h"
 
 namespace palpa::app {
 namespace {
@@ -77,9 +77,6 @@ Functions functionsAt(int degree, const std::vector<double>& breaks,
   knots.insert(knots.end(), degree, breaks.back());
   for (std::size_t k = 1; k < positions.size(); ++k)
     lengths.push_back(lengths.back() + (positions[k] - positions[k - 1]).norm());
-  const auto lengthAt = [&](int knot) {
-    return lengths[std::clamp(knot - degree, 0, static_cast<int>(lengths.size()) - 1)];
-  };
   const bem::BsplineBasis basis(degree, knots);
   int span = 0;
   while (span + 1 < static_cast<int>(basis.spans().size()) && basis.spans()[span].upper < parameter)
@@ -89,14 +86,11 @@ Functions functionsAt(int degree, const std::vector<double>& breaks,
   std::vector<double> derivatives(degree + 1);
   basis.evaluate(span, parameter, found.values.data(), derivatives.data());
   for (int i = span; i <= span + degree; ++i) {
-    double mean = 0, squares = 0;
-    for (int k = i; k <= i + degree + 1; ++k) mean += lengthAt(k) / (degree + 2);
-    for (int k = i; k <= i + degree + 1; ++k) squares += std::pow(lengthAt(k) - mean, 2);
-    double variance = squares / ((degree + 2) * (degree + 3));
-    // The outermost function goes on in the next patch.
-    if (i == 0) variance += mean * mean;
-    if (i + 1 == basis.count()) variance += std::pow(lengths.back() - mean, 2);
-    found.deviations.push_back(std::sqrt(variance));
+    // As of even elements of the mean size of those that it covers (bem::SplineMaskWidths).
+    const int first = std::max(i - degree, 0);
+    const int last = std::min(i + 1, static_cast<int>(lengths.size()) - 1);
+    found.deviations.push_back(std::sqrt((degree + 1) / 12.0) * (lengths[last] - lengths[first]) /
+                               (last - first));
   }
   const int count = static_cast<int>(lengths.size()) - 1;
   found.firstElement = std::max(0, span - degree);
@@ -200,7 +194,7 @@ bool NetTouches::divideAt(const Place& place, double radius, const std::vector<i
     for (std::size_t j = 0; j < functions[1].values.size(); ++j)
       width += functions[0].values[i] * functions[1].values[j] *
                widest(functions[0].deviations[i], functions[1].deviations[j], cosine);
-  const double tooWide = bem::SplineContactSurface::kNarrowest * width / radius;
+  const double tooWide = bem::SplineMaskWidths::kNarrowest * width / radius;
   if (tooWide <= 1) return false;
 
   const int d = along[0] >= along[1] ? 0 : 1;

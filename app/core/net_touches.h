@@ -15,7 +15,7 @@ class NetTouches {
              const modeling::SurfaceEvaluator& surface);
 
   /// Divides elements around the touches, always the longest in the direction in which functions
-  /// are widest, until the narrowest mask (bem::SplineContactSurface::narrowestMask()) at each
+  /// are widest, until the narrowest mask (bem::SplineMaskWidths) at each
   /// place is at most `part` of what its touch asks for. `ends`: per strip where its elements end;
   /// `degrees`: per strip.
   void resolve(double part, const std::vector<int>& degrees,

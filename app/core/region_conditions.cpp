@@ -49,6 +49,13 @@ bool RegionTags::isIn(int tag, int region) const {
   return std::binary_search(combinations_[tag].begin(), combinations_[tag].end(), region);
 }
 
+bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags) {
+  bem::BoundaryMesh mesh{surface.positions, surface.triangles, surface.smoothingGroupOfTriangle,
+                         std::move(tags)};
+  mesh.validate();
+  return mesh;
+}
+
 std::vector<int> supportOfTriangle(const modeling::Project& project,
                                    const modeling::SurfaceMesh& surface) {
   std::vector<int> owner(surface.triangles.size(), -1);

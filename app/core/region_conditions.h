@@ -32,6 +32,9 @@ class RegionTags {
   std::vector<int> ofTriangle_;
 };
 
+/// The project's mesh with tags, checked.
+bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags);
+
 /// Which support holds each triangle; -1 for none. Throws SolverError (kBadCondition) when two
 /// supports claim the same place.
 std::vector<int> supportOfTriangle(const modeling::Project& project,

@@ -6,6 +6,7 @@
 #include "app/core/region_conditions.h"
 #include "app/core/spline_surface_of.h"
 #include "app/core/support_borders.h"
+#include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::app {
@@ -47,19 +48,20 @@ std::vector<int> elementsIn(const bem::SplineSurface& surface, const RegionTags&
   return elements;
 }
 
-void applySupports(const modeling::Project& project, const RegionTags& tags, SplineSetup& setup) {
+void applySupports(const modeling::Project& project, const RegionTags& tags, BoundarySetup& setup) {
+  const bem::SplineSurface& surface = setup.splines->surface();
   std::map<int, PrescribedDisplacement> ofCoefficient;
-  const auto& slots = setup.tractions.slots.slots;
+  const auto& slots = setup.splines->slots().slots;
   for (std::size_t s = 0; s < slots.size(); ++s) {
     const auto& regions = tags.regions(slots[s].tag);
     const auto supportCount = static_cast<int>(project.supports.size());
     if (regions.empty() || regions.front() >= supportCount ||
-        setup.surface.barelyReaches(slots[s].node, slots[s].tag, slots[s].smoothingGroup))
+        surface.barelyReaches(slots[s].node, slots[s].tag, slots[s].smoothingGroup))
       continue;
     const Support& support = project.supports[regions.front()];
     if (support.kind == Support::Kind::fixed) {
       setup.conditions.ofSlot[s] = bem::SlotCondition::kFixed;
-      ofCoefficient[slots[s].node].addFixed(support, setup.surface.controlPoints()[slots[s].node]);
+      ofCoefficient[slots[s].node].addFixed(support, surface.controlPoints()[slots[s].node]);
     } else {
       setup.conditions.ofSlot[s] = bem::SlotCondition::kRoller;
       ofCoefficient[slots[s].node].addRoller(support, slots[s].normal);
@@ -69,68 +71,37 @@ void applySupports(const modeling::Project& project, const RegionTags& tags, Spl
     setup.conditions.displacement.segment<3>(3 * coefficient) = prescribed.value();
 }
 
-/// Of tractions in coefficients over the whole surface.
-bem::Resultant resultantOf(const SplineSetup& setup, const Eigen::VectorXd& traction) {
-  std::vector<int> all(setup.surface.elements().size());
-  std::iota(all.begin(), all.end(), 0);
-  bem::Resultant sum;
-  std::vector<double> basis;
-  bem::visitSplinePoints(
-      setup.surface, all, 5, INFINITY,
-      [&](const bem::SplinePlace& place, const bem::SplineJet& jet, double weight) {
-        setup.surface.evaluateBasis(place, basis);
-        Vector3d force = Vector3d::Zero();
-        for (std::size_t f = 0; f < basis.size(); ++f)
-          force += weight * basis[f] *
-                   traction.segment<3>(3 * setup.tractions.ofFunction[place.element][f]);
-        sum.force += force;
-        sum.moment += jet.position.cross(force);
-      });
-  return sum;
-}
-
-void applyLoads(const modeling::Project& project, const RegionTags& tags, SplineSetup& setup) {
+void applyLoads(const modeling::Project& project, const RegionTags& tags, BoundarySetup& setup) {
+  const bem::SplineSurface& surface = setup.splines->surface();
   auto region = static_cast<int>(project.supports.size());
   for (const modeling::Load& load : project.loads) {
-    SplineSetup::LoadPart part;
-    part.name = load.name;
-    if (modeling::regionOf(load)) {
-      part.elements = elementsIn(setup.surface, tags, region++);
-    } else {
-      part.elements.resize(setup.surface.elements().size());
-      std::iota(part.elements.begin(), part.elements.end(), 0);
-    }
+    std::vector<int> elements(surface.elements().size());
+    std::iota(elements.begin(), elements.end(), 0);
+    if (modeling::regionOf(load)) elements = elementsIn(surface, tags, region++);
     const LoadTraction what = loadTraction(load);
-    part.traction = bem::projectTraction(setup.surface, setup.tractions, part.elements,
-                                         what.traction, what.featureLength);
-    part.resultant = resultantOf(setup, part.traction);
-    setup.conditions.traction += part.traction;
-    setup.loads.push_back(std::move(part));
+    setup.addLoad(load.name, bem::projectTraction(surface, setup.splines->tractions(), elements,
+                                                  what.traction, what.featureLength));
   }
 }
 
 }  // namespace
 
-SplineSetup makeSplineSetup(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
-                            const AnalysisNet& net) {
+BoundarySetup makeSplineSetup(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
+                              const AnalysisNet& net) {
   checkSupports(project, mesh);
   const auto& design = std::get<modeling::Solid>(project.body);
-  modeling::Solid solid = refined(design, net);
+  auto solid = std::make_shared<const modeling::Solid>(refined(design, net));
   RegionTags tags(mesh);
-  bem::SplineSurface surface = taggedSurface(project, solid, tags);
-  bem::SplineTractions tractions(surface);
-  bem::BoundaryConditions conditions(surface.coefficientCount(), tractions.slots.count());
-  SplineSetup setup{std::move(solid),
-                    std::move(surface),
-                    std::move(tractions),
-                    tags.ofTriangle(),
-                    splineTriangles(design, mesh),
-                    std::move(conditions),
-                    {},
-                    {}};
+  bem::SplineSurface surface = taggedSurface(project, *solid, tags);
+  const auto splines = std::make_shared<const bem::SplineDiscretisation>(
+      boundaryMesh(mesh, tags.ofTriangle()), std::move(surface), splineTriangles(design, mesh));
+  BoundarySetup setup(project, splines);
+  setup.splines = splines;
+  setup.analysisNet = std::move(solid);
   for (std::size_t s = 0; s < project.supports.size(); ++s)
-    setup.supports.push_back(
-        {project.supports[s].name, elementsIn(setup.surface, tags, static_cast<int>(s))});
+    setup.supports.push_back({project.supports[s].name, mesh.trianglesOfRegion[s],
+                              elementsIn(splines->surface(), tags, static_cast<int>(s)),
+                              project.supports[s].kind == Support::Kind::fixed});
   applySupports(project, tags, setup);
   applyLoads(project, tags, setup);
   return setup;

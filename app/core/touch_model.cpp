@@ -168,11 +168,13 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
   report.meshSeconds = watch.lap();
   report.warnings = checkSurface(surface, project.body, job);
   report.checkSeconds = watch.lap();
+  job.report("setup", 0);
   BoundarySetup setup = makeBoundarySetup(project, surface, net ? &*net : nullptr);
   checkFits(setup.discretisation->displacementCount(), setup.discretisation->slots().count());
   std::shared_ptr<TouchModel> model(
       new TouchModel(project.body, std::move(surface), std::move(setup)));
   report.meshSeconds += watch.lap();
+  job.report("setup", 1);
 
   const BoundarySetup& parts = model->setup_;
   const bem::AssemblyOptions assembly = assemblyOptions(project, options);

@@ -134,12 +134,12 @@ class TouchModel {
   ModelCache::Key key_;
 };
 
-/// Runs the whole way from project to model. Phases of progress: "mesh", "check", then "assemble"
-/// and "factorise", or "read" when the cache has the solved problem, and "solve". `former`: an
-/// earlier model, whose solved problem is used again when nothing that it depends on has changed
-/// (loads, or a shape that was taken back). Throws ModelingError (bad project; GeometryError when
-/// the surface does not bound a body), SolverError (cannot be solved; kTooLarge with the estimate
-/// before memory is taken), Cancelled.
+/// Runs the whole way from project to model. Phases of progress: "mesh", "check", "setup" (of
+/// supports, loads and spline elements), then "assemble" and "factorise", or "read" when the cache
+/// has the solved problem, and "solve". `former`: an earlier model, whose solved problem is used
+/// again when nothing that it depends on has changed (loads, or a shape that was taken back).
+/// Throws ModelingError (bad project; GeometryError when the surface does not bound a body),
+/// SolverError (cannot be solved; kTooLarge with the estimate before memory is taken), Cancelled.
 std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
                                                   const BuildOptions& options, const bem::Job& job,
                                                   const TouchModel* former = nullptr);

@@ -6,7 +6,6 @@
 
 #include "bem/parallel.h"
 #include "bem/spline/gauss_rule.h"
-#include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {
 namespace {
@@ -102,35 +101,6 @@ std::array<double, 2> lengths(const SplineSurface& surface, int index) {
 }
 
 }  // namespace
-
-std::vector<double> functionSpreads(const SplineSurface& surface) {
-  const std::size_t count = surface.controlPoints().size();
-  std::vector<double> area(count, 0.0);
-  std::vector<Vector3d> first(count, Vector3d::Zero());
-  std::vector<Eigen::Matrix3d> second(count, Eigen::Matrix3d::Zero());
-  std::vector<int> all;
-  for (int e = 0; e < surface.elementCount(); ++e) all.push_back(e);
-  std::vector<double> basis;
-  visitSplinePoints(surface, all, kMostSplineDegree, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet& jet, double weight) {
-                      surface.evaluateBasis(place, basis);
-                      for (std::size_t f = 0; f < basis.size(); ++f) {
-                        const int j = surface.tornFrom(surface.functions(place.element)[f]);
-                        area[j] += weight * basis[f];
-                        first[j] += weight * basis[f] * jet.position;
-                        second[j] += weight * basis[f] * jet.position * jet.position.transpose();
-                      }
-                    });
-  std::vector<double> spreads(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const int j = surface.tornFrom(static_cast<int>(k));
-    const Vector3d mean = first[j] / area[j];
-    const Eigen::Matrix3d about = second[j] / area[j] - mean * mean.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about, Eigen::EigenvaluesOnly);
-    spreads[k] = std::sqrt(std::max(solver.eigenvalues()[2], 0.0));
-  }
-  return spreads;
-}
 
 SplineContactElements::SplineContactElements(const SplineSurface& surface,
                                              const SplineTractions& tractions,

@@ -7,11 +7,6 @@
 
 namespace palpa::bem {
 
-/// How far each function of a surface spreads along it, mm: the root of the largest eigenvalue of
-/// ∫ N_j (x - x_j)(x - x_j)^T dΓ / ∫ N_j dΓ, x_j its mean place. Torn functions have that of the
-/// whole.
-std::vector<double> functionSpreads(const SplineSurface& surface);
-
 /// Of each element of a spline surface what contacts need, computed beforehand, and which elements
 /// hang together. Immutable.
 class SplineContactElements {

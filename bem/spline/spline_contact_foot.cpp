@@ -129,17 +129,7 @@ Vector3d SplineContactSurface::smoothPosition(const SurfacePoint& point) const {
 }
 
 double SplineContactSurface::narrowestMask(const SurfacePoint& point) const {
-  const SplineMesh::Point at = mesh_.at(point);
-  const SplineElement& element = mesh_.surface().elements()[at.element];
-  const auto& basis = mesh_.surface().patches()[element.patch].basis;
-  const Basis1d a(basis[0].polynomials(element.span[0]), at.parameters[0]);
-  const Basis1d b(basis[1].polynomials(element.span[1]), at.parameters[1]);
-  const int* function = mesh_.surface().functions(at.element).data();
-  double width = 0;
-  for (int j = 0; j <= basis[1].degree(); ++j)
-    for (int i = 0; i <= basis[0].degree(); ++i)
-      width += a.value[i] * b.value[j] * widths_[*function++];
-  return width;
+  return widths_.at(mesh_.at(point).element, smoothPosition(point));
 }
 
 double SplineContactSurface::maskSpacing(const SurfacePoint& point) const {

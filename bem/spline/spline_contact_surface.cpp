@@ -14,12 +14,6 @@ using Eigen::Vector3d;
 /// Where less than this part of the bump falls on free coefficients, a support holds the place.
 constexpr double kLeastPart = 0.02;
 
-std::vector<double> narrowestOf(const SplineSurface& surface) {
-  std::vector<double> widths = functionSpreads(surface);
-  for (double& width : widths) width *= SplineContactSurface::kNarrowest;
-  return widths;
-}
-
 }  // namespace
 
 class SplineContactSurface::Workspace final : public ContactSurface::Workspace {
@@ -54,8 +48,8 @@ class SplineContactSurface::Workspace final : public ContactSurface::Workspace {
 SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const DegreesOfFreedom& dofs)
     : ContactSurface(mesh.mesh(), mesh.meshSlots(), mesh.tractions().slots, dofs),
       mesh_(mesh),
-      widths_(narrowestOf(mesh.surface())),
-      elements_(mesh.surface(), mesh.tractions(), widths_) {
+      widths_(mesh.surface()),
+      elements_(mesh.surface(), mesh.tractions(), widths_.ofFunctions()) {
   for (const SplineCollocationPoint& point : grevilleCollocation(mesh.surface()))
     places_.push_back(point.position);
   coefficientAt_.assign(mesh.mesh().nodes.size(), -2);  // -2: not seen yet
@@ -86,7 +80,7 @@ bool SplineContactSurface::makeMask(const SurfacePoint& point, double radius,
                                     ContactSurface::Workspace& workspace, ContactMask& mask) const {
   auto& work = static_cast<Workspace&>(workspace);
   mask.point = point;
-  mask.radius = std::max(radius, narrowestMask(point));
+  mask.radius = maskRadius(point, radius);
   mask.nodes.clear();
   mask.traction.clear();
   mask.measureNodes.clear();

@@ -1,6 +1,7 @@
 #pragma once
 #include "bem/contact_surface.h"
 #include "bem/spline/spline_contact_elements.h"
+#include "bem/spline/spline_mask_widths.h"
 #include "bem/spline/spline_mesh.h"
 
 namespace palpa::bem {
@@ -34,11 +35,9 @@ class SplineContactSurface final : public ContactSurface {
   Eigen::Vector3d normal(const SurfacePoint& point) const override;
   Eigen::Vector3d smoothPosition(const SurfacePoint& point) const override;
 
-  /// kNarrowest times how far basis functions there spread: the standard deviation of a function in
-  /// the direction in which it is widest, interpolated by the splines themselves. Of uniform cubic
-  /// elements h that is 1.73 h, of quadratic ones 1.5 h. The middle of such a mask is up to 6 % (19
-  /// %) off the height of the bump, the mask as a whole about 13 % (17 %) in the L2 norm.
-  static constexpr double kNarrowest = 3;
+  /// SplineMaskWidths: of uniform cubic elements h 1.73 h, of quadratic ones 1.5 h. The middle of
+  /// such a mask is up to 6 % (19 %) off the height of the bump, the mask as a whole about 13 % (17
+  /// %) in the L2 norm.
   double narrowestMask(const SurfacePoint& point) const override;
   double maskSpacing(const SurfacePoint& point) const override;
 
@@ -56,7 +55,7 @@ class SplineContactSurface final : public ContactSurface {
   double measure(Workspace& work, ContactMask& mask) const;
 
   const SplineMesh& mesh_;
-  std::vector<double> widths_;  // per displacement coefficient: kNarrowest times its spread
+  SplineMaskWidths widths_;
   SplineContactElements elements_;
   std::vector<Eigen::Vector3d> places_;
   std::vector<int> coefficientAt_;  // per node of the mesh

@@ -10,11 +10,10 @@ namespace palpa::bem {
 using Eigen::Vector3d;
 
 SplineDiscretisation::SplineDiscretisation(BoundaryMesh mesh, SplineSurface surface,
-                                           SplineTractions tractions,
                                            std::vector<SplineMesh::Triangle> triangles)
     : Discretisation(std::move(mesh)),
       surface_(std::move(surface)),
-      tractions_(std::move(tractions)),
+      tractions_(surface_),
       splineMesh_(surface_, tractions_, Discretisation::mesh(), meshSlots(), std::move(triangles)) {
   std::vector<Entry> entries;
   for (const SplineCollocationPoint& point : grevilleCollocation(surface_)) {

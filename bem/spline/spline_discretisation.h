@@ -13,11 +13,6 @@ class SplineDiscretisation final : public Discretisation {
   /// `triangles`: the place on the patches of each triangle of the mesh. Equal tags of triangles
   /// and elements mean the same part of the surface.
   SplineDiscretisation(BoundaryMesh mesh, SplineSurface surface,
-                       std::vector<SplineMesh::Triangle> triangles)
-      : SplineDiscretisation(std::move(mesh), surface, SplineTractions(surface),
-                             std::move(triangles)) {}
-  /// `tractions`: of the surface.
-  SplineDiscretisation(BoundaryMesh mesh, SplineSurface surface, SplineTractions tractions,
                        std::vector<SplineMesh::Triangle> triangles);
   SplineDiscretisation(const SplineDiscretisation&) = delete;
   SplineDiscretisation& operator=(const SplineDiscretisation&) = delete;

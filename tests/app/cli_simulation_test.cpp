@@ -289,17 +289,5 @@ TEST_F(CliSimulation, OptionsWithoutMeaningAreUsageErrors) {
   EXPECT_EQ(cli_.run("touch p.json --at 0,0,60 --displace 0,0,1").exitCode, 3);
 }
 
-TEST_F(CliSimulation, TheExamplesHoldAndAreTouched) {
-  for (const char* name : {"sphere.json", "cylinder.json", "box.json"}) {
-    const std::string project = Runner::example(name);
-    EXPECT_EQ(cli_.run("check " + project).exitCode, 0) << name;
-    const Json report = cli_.runJson("touch " + project);
-    const Json& contacts = report.at("contacts");
-    ASSERT_FALSE(contacts.empty()) << name;
-    EXPECT_GT(norm(contacts[0].at("force_N")), 0) << name;
-    EXPECT_LE(report.at("relative_balance").get<double>(), 0.01) << name;
-  }
-}
-
 }  // namespace
 }  // namespace palpa::cli_tests

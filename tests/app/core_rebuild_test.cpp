@@ -171,7 +171,8 @@ TEST(RebuildPipeline, ReportsPhasesAndTellsOfEveryChange) {
   pipeline.submit(scaledSphere(1.0));
   ASSERT_TRUE(pipeline.waitUntilSettled(60s));
   const std::lock_guard lock(mutex);
-  const std::vector<std::string> expected{"mesh", "check", "assemble", "factorise", "solve"};
+  const std::vector<std::string> expected{"mesh",     "check",     "setup",
+                                          "assemble", "factorise", "solve"};
   EXPECT_EQ(phases, expected);
   const RebuildStatus status = pipeline.status();
   std::vector<std::string> stages;

@@ -1,6 +1,8 @@
 // Tools dragged once around the sphere: what a person feels of the discretisation.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "bench/touch_slide.h"
@@ -38,6 +40,28 @@ TEST_P(TouchSlide, TheForceHasNoStepsAroundTheSphere) {
                 100 * slide.largestJump() / largest, 100 * slide.largestMagnitudeJump() / largest);
     EXPECT_LE(slide.largestJump(), (isBall ? limits.ball : limits.finger) * largest);
     for (const auto& sample : slide.samples) ASSERT_TRUE(sample.isConverged);
+  }
+}
+
+/// Of nets as the window makes them, for touches that are narrower than these can carry: elements,
+/// and with them masks, are of other sizes from patch to patch.
+TEST(TouchSlide, TheForceHasNoKinksWherePatchesMeet) {
+  modeling::Project project = test::clampedSphere(3);
+  project.mesh.engine = Engine::splines;
+  const auto body = std::make_shared<TouchBody>(buildTouchModel(project, {}, {}));
+  body->columns()->compute(
+      body->columns()->nodesNear(body->surface().places(), Eigen::Vector3d::Zero()), {});
+  for (const double radius : {3.0, 6.0}) {
+    const bench::Slide slide = bench::dragAround(body, {Kind::kPush, radius, 0}, 1.5);
+    double narrowest = INFINITY, widest = 0;
+    for (const auto& sample : slide.samples) {
+      narrowest = std::min(narrowest, sample.radius);
+      widest = std::max(widest, sample.radius);
+    }
+    std::printf("finger %g mm, masks of %.2f … %.2f mm: kinks of %.3f %%\n", radius, narrowest,
+                widest, 100 * slide.largestKink() / slide.largestForce());
+    EXPECT_GT(widest, 1.1 * narrowest);
+    EXPECT_LE(slide.largestKink(), 6e-4 * slide.largestForce());
   }
 }
 

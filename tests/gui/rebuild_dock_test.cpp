@@ -40,7 +40,7 @@ TEST_F(RebuildDock, ShowsStagesAndFactsOfTheModel) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return editor().rebuildStatus().condition > 0; }, 20000));
   waitForDock();
   EXPECT_EQ(find<QLabel>("rebuildState")->text(), "Up to date");
-  for (const char* stage : {"mesh", "check", "assemble", "factorise", "solve"})
+  for (const char* stage : {"mesh", "check", "setup", "assemble", "factorise", "solve"})
     EXPECT_TRUE(find<QLabel>(QString("stage-") + stage)->text().endsWith("✓")) << stage;
   EXPECT_EQ(find<QLabel>("modelNodes")->text(),
             QString("%L1").arg(editor().model()->report().nodes));

@@ -1,21 +1,15 @@
 // The analysis net: which knots are inserted for the spline discretisation.
 #include "app/core/analysis_net.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <limits>
 
 #include "app/core/boundary_setup.h"
-#include "app/core/spline_surface_of.h"
-#include "bem/spline/spline_contact_surface.h"
+#include "bem/spline/spline_mask_widths.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
-#include "modeling/shapes/primitives.h"
 #include "modeling/solid/surface_properties.h"
 #include "spline_body.h"
 
@@ -135,18 +129,6 @@ TEST(AnalysisNet, GradesTowardsTheEdgesOfSupports) {
   EXPECT_TRUE(isEven(gaps("side_xmax", 1)));
 }
 
-/// The narrowest mask at a place, as bem::SplineContactSurface gives it, mm.
-double narrowestMask(const bem::SplineSurface& surface, const std::vector<double>& spreads,
-                     const Vector3d& at) {
-  const bem::SplinePlace place = bem::test::nearestPlace(surface, at);
-  std::vector<double> basis;
-  surface.evaluateBasis(place, basis);
-  double width = 0;
-  for (std::size_t f = 0; f < basis.size(); ++f)
-    width += basis[f] * spreads[surface.functions(place.element)[f]];
-  return bem::SplineContactSurface::kNarrowest * width;
-}
-
 TEST(AnalysisNet, GivesTouchesTheMasksTheyAskFor) {
   for (const auto& entry : std::filesystem::directory_iterator("../projects")) {
     if (entry.path().extension() != ".json") continue;
@@ -154,11 +136,12 @@ TEST(AnalysisNet, GivesTouchesTheMasksTheyAskFor) {
     if (!std::holds_alternative<modeling::Solid>(project.body)) continue;
     const AnalysisNet net = analysisNet(project);
     const bem::SplineSurface surface = splineSurfaceOf(refined(solidOf(project), net));
-    const std::vector<double> spreads = bem::functionSpreads(surface);
+    const bem::SplineMaskWidths widths(surface);
     EXPECT_LE(net.coefficients, 1750) << entry.path();
     for (const modeling::Touch& touch : project.touches) {
       if (std::holds_alternative<modeling::TouchProbe>(touch.action)) continue;
-      const double mask = narrowestMask(surface, spreads, touch.at);
+      const bem::SplinePlace place = bem::test::nearestPlace(surface, touch.at);
+      const double mask = widths.at(place.element, surface.evaluate(place).position);
       std::printf("%s, n %.0f, %s: mask %.2f for %.2f mm\n", project.name.c_str(), net.coefficients,
                   touch.name.c_str(), mask, *touch.radius);
       EXPECT_LE(mask, 1.03 * *touch.radius) << entry.path() << touch.name;

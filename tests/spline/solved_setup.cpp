@@ -12,10 +12,10 @@ using Eigen::Vector3d;
 
 constexpr double kFingertip = 6.0;  // mm
 
-Vector3d at(const SplineSetup& setup, const bem::SplinePlace& place, const Eigen::MatrixXd& values,
-            const std::vector<int>& indices) {
+Vector3d at(const BoundarySetup& setup, const bem::SplinePlace& place,
+            const Eigen::MatrixXd& values, const std::vector<int>& indices) {
   std::vector<double> basis;
-  setup.surface.evaluateBasis(place, basis);
+  setup.splines->surface().evaluateBasis(place, basis);
   Vector3d sum = Vector3d::Zero();
   for (std::size_t f = 0; f < basis.size(); ++f)
     sum += basis[f] * values.block<3, 1>(3 * indices[f], 0);
@@ -24,36 +24,33 @@ Vector3d at(const SplineSetup& setup, const bem::SplinePlace& place, const Eigen
 
 }  // namespace
 
-SplineSetup setupOf(const modeling::Project& project, const AnalysisNet& net) {
+BoundarySetup setupOf(const modeling::Project& project, const AnalysisNet& net) {
   return makeSplineSetup(
       project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)), net);
 }
 
-SplineSetup setupOf(const modeling::Project& project) {
+BoundarySetup setupOf(const modeling::Project& project) {
   return setupOf(project, analysisNet(project, ElementSizes::of(project.mesh, kFingertip)));
 }
 
-SolvedSetup::SolvedSetup(SplineSetup made, const modeling::Material& material)
-    : setup(std::move(made)) {
-  const auto problem =
-      bem::makeDenseReferenceProblem(setup.surface, setup.tractions, setup.conditions.ofSlot,
-                                     {material.youngsModulus, material.poissonRatio}, {1e-5},
-                                     bem::Precision::kDouble, bem::Job{}, &times);
+SolvedSetup::SolvedSetup(BoundarySetup made) : setup(std::move(made)) {
+  const auto problem = setup.discretisation->makeProblem(
+      setup.conditions.ofSlot, setup.material, {1e-5}, bem::Precision::kDouble, bem::Job{}, &times);
   field = problem->solveField(problem->dofs().knownField(setup.conditions));
 }
 
 Vector3d SolvedSetup::u(const bem::SplinePlace& place) const {
-  return at(setup, place, field.u, setup.surface.functions(place.element));
+  return at(setup, place, field.u, surface().functions(place.element));
 }
 
 Vector3d SolvedSetup::p(const bem::SplinePlace& place) const {
-  return at(setup, place, field.p, setup.tractions.ofFunction[place.element]);
+  return at(setup, place, field.p, setup.splines->tractions().ofFunction[place.element]);
 }
 
 Vector3d SolvedSetup::reaction(int support) const {
   Vector3d sum = Vector3d::Zero();
   bem::visitSplinePoints(
-      setup.surface, setup.supports[support].elements, 5, INFINITY,
+      surface(), setup.supports[support].elements, 5, INFINITY,
       [&](const auto& place, const auto&, double weight) { sum += weight * p(place); });
   return sum;
 }

@@ -1,23 +1,25 @@
 #pragma once
 #include "app/core/spline_setup.h"
 #include "bem/reference_problem.h"
+#include "bem/spline/spline_discretisation.h"
 
 /// Projects as spline problems, without the cache and the triangles of a model.
 namespace palpa::app::test {
 
-SplineSetup setupOf(const modeling::Project& project, const AnalysisNet& net);
+BoundarySetup setupOf(const modeling::Project& project, const AnalysisNet& net);
 /// With the net of the project for fingertips of 6 mm.
-SplineSetup setupOf(const modeling::Project& project);
+BoundarySetup setupOf(const modeling::Project& project);
 
 /// A setup and its solution without contacts.
 struct SolvedSetup {
-  SplineSetup setup;
+  BoundarySetup setup;
   bem::ReferenceProblemTimes times;
   bem::BoundaryField field;
 
-  SolvedSetup(SplineSetup made, const modeling::Material& material);
-  explicit SolvedSetup(const modeling::Project& project)
-      : SolvedSetup(setupOf(project), project.material) {}
+  explicit SolvedSetup(BoundarySetup made);
+  explicit SolvedSetup(const modeling::Project& project) : SolvedSetup(setupOf(project)) {}
+
+  const bem::SplineSurface& surface() const { return setup.splines->surface(); }
 
   Eigen::Vector3d u(const bem::SplinePlace& place) const;  ///< mm
   Eigen::Vector3d p(const bem::SplinePlace& place) const;  ///< MPa

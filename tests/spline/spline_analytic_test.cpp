@@ -1,14 +1,10 @@
 // The exact solutions of data/analytic.json on bodies of splines: the body is held by the exact
 // displacement on a part of its surface, and has the exact tractions on the rest.
-#include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 
 #include "analytic_case.h"
-#include "app/core/spline_surface_of.h"
 #include "bem/spline/spline_results.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

@@ -1,12 +1,19 @@
 #pragma once
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
 #include <functional>
 #include <memory>
 
+#include "app/core/spline_surface_of.h"
 #include "bem/reference_problem.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
 #include "exact_fields.h"
-#include "modeling/solid/solid.h"
+#include "modeling/shapes/primitives.h"
+
+// Bodies of splines, and what tests of them include.
 
 namespace palpa::bem::test {
 

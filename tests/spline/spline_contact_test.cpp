@@ -1,15 +1,10 @@
-#include <gtest/gtest.h>
-
 #include <unistd.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "allocation_counter.h"
 #include "bem/contact_solver.h"
-#include "bem/spline/spline_projection.h"
 #include "bem/stiffness_map.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 #include "touched_body.h"
 

@@ -1,9 +1,3 @@
-#include <gtest/gtest.h>
-
-#include <cstdio>
-
-#include "app/core/spline_surface_of.h"
-#include "modeling/shapes/primitives.h"
 #include "solved_body.h"
 #include "spline_body.h"
 

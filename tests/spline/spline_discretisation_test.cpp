@@ -1,12 +1,8 @@
 #include "bem/spline/spline_discretisation.h"
 
-#include <gtest/gtest.h>
-
 #include <cstring>
 
-#include "app/core/spline_surface_of.h"
 #include "bem/spline/surface_part.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

@@ -1,11 +1,5 @@
-#include <gtest/gtest.h>
-
-#include <cstdio>
-
-#include "app/core/spline_surface_of.h"
 #include "bem/spline/spline_results.h"
 #include "bem/spline/spline_state.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

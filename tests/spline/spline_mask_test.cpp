@@ -1,13 +1,10 @@
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <ctime>
+#include <numbers>
 #include <random>
 
 #include "allocation_counter.h"
-#include "bem/spline/spline_projection.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 #include "touched_body.h"
 
@@ -128,6 +125,58 @@ TEST(SplineMask, IsTheBumpAsWellAsSplinesCan) {
     EXPECT_LE(spread, wider < 1.1 ? 0.12 : wider < 1.5 ? 0.06 : 0.03);
   }
   std::printf("narrowest masks %.1f … %.1f mm\n", least, most);
+}
+
+/// Along a way over four patches, in steps of 0.05 mm.
+TEST(SplineMask, WidthsHaveNoKinks) {
+  const SplineMaskWidths widths(sphere().splines);
+  const ContactSurface& surface = sphere().surface();
+  const auto kinkOf = [](const std::vector<double>& values) {
+    double kink = 0;
+    for (std::size_t k = 1; k + 1 < values.size(); ++k)
+      kink = std::max(kink, std::abs(values[k + 1] - 2 * values[k] + values[k - 1]));
+    return kink;
+  };
+  constexpr double kStep = 0.05;
+  std::vector<double> smooth, byFunctions, basis;
+  for (double angle = 0; angle < 2 * std::numbers::pi; angle += kStep / kRadius) {
+    const Vector3d direction(std::cos(angle), 0.8 * std::sin(angle), 0.6 * std::sin(angle));
+    const SurfacePoint point = surface.nearest(kRadius * direction);
+    const SplineMesh::Point at = sphere().onMesh->at(point);
+    smooth.push_back(widths.at(at.element, point.position));
+    EXPECT_EQ(smooth.back(), surface.narrowestMask(point));
+    sphere().splines.evaluateBasis(at.element, at.parameters, basis);
+    double width = 0;
+    for (std::size_t f = 0; f < basis.size(); ++f)
+      width += basis[f] * widths.ofFunctions()[sphere().splines.functions(at.element)[f]];
+    byFunctions.push_back(width);
+    EXPECT_GE(smooth.back(), 0.95 * width);
+  }
+  std::printf("kinks of %.4f mm per mm, interpolated by the splines %.3f\n", kinkOf(smooth) / kStep,
+              kinkOf(byFunctions) / kStep);
+  EXPECT_LE(kinkOf(smooth), 0.02 * kStep);
+  EXPECT_GE(kinkOf(byFunctions), 0.1 * kStep);
+}
+
+TEST(SplineMask, RadiusIsWhatIsAskedWhereThatIsCarried) {
+  const ContactSurface& surface = sphere().surface();
+  const SurfacePoint point = surface.nearest({3, 4, 24});
+  const double narrowest = surface.narrowestMask(point);
+  EXPECT_EQ(surface.maskRadius(point, 0), narrowest);
+  EXPECT_EQ(surface.maskRadius(point, 0.9 * narrowest), narrowest);
+  EXPECT_EQ(surface.maskRadius(point, narrowest), narrowest);
+  EXPECT_EQ(surface.maskRadius(point, 1.01 * narrowest), 1.01 * narrowest);
+  double before = narrowest, slope = 0;
+  for (double part = 0.9; part < 1.1; part += 1e-3) {
+    const double radius = surface.maskRadius(point, part * narrowest);
+    EXPECT_GE(radius, 0.985 * narrowest);
+    EXPECT_GE(radius, part * narrowest);
+    // Its slope by the radius asked goes from 0 to 1 without a step.
+    const double next = part > 0.9005 ? (radius - before) / (1e-3 * narrowest) : 0;
+    EXPECT_NEAR(next, slope, 0.05);
+    before = radius;
+    slope = next;
+  }
 }
 
 /// A plate of 2 mm: what is touched is one side.

@@ -1,7 +1,3 @@
-#include <gtest/gtest.h>
-
-#include "app/core/spline_surface_of.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

@@ -1,15 +1,7 @@
 #include "bem/spline/spline_quadrature.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
-#include "app/core/spline_surface_of.h"
 #include "bem/parallel.h"
 #include "bem/spline/spline_assembly.h"
-#include "bem/spline/spline_projection.h"
-#include "exact_fields.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

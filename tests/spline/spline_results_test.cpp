@@ -1,14 +1,9 @@
 #include "bem/spline/spline_results.h"
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
 #include <numeric>
 
-#include "app/core/spline_surface_of.h"
 #include "bem/spline/spline_integrals.h"
 #include "bem/spline/spline_state.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

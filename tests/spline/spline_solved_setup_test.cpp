@@ -1,16 +1,11 @@
 // Solutions of projects with splines: the finite element solutions of data/fem.json with knots
 // chosen automatically, what supports prescribe, rollers.
-#include <gtest/gtest.h>
 
 #include <chrono>
-#include <cmath>
-#include <cstdio>
 
 #include "app/core/boundary_setup.h"
 #include "bem/results.h"
-#include "bem/spline/spline_projection.h"
 #include "fem_case.h"
-#include "modeling/shapes/primitives.h"
 #include "solved_setup.h"
 #include "spline_body.h"
 
@@ -57,18 +52,18 @@ FemErrors femErrors(const std::string& id, double accuracy) {
   sizes.budget = accuracy > 5e-3 ? 800 : 1200;  // what the cases are to be solved with
   const AnalysisNet net = analysisNet(project, sizes);
   const auto start = std::chrono::steady_clock::now();
-  test::SolvedSetup solved(test::setupOf(project, net), project.material);
+  const test::SolvedSetup solved(test::setupOf(project, net));
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   FemErrors errors;
-  errors.coefficients = solved.setup.surface.coefficientCount();
+  errors.coefficients = solved.surface().coefficientCount();
   double largest = 0;
   for (const json& point : reference["points"])
     largest = std::max(largest, vectorOf(point["u"]).norm());
   for (std::size_t k = 0; k < reference["points"].size(); ++k) {
     const json& point = reference["points"][k];
-    const auto place = bem::test::nearestPlace(solved.setup.surface, vectorOf(point["x"]));
+    const auto place = bem::test::nearestPlace(solved.surface(), vectorOf(point["x"]));
     const double error = (solved.u(place) - vectorOf(point["u"])).norm();
     errors.anywhere = std::max(errors.anywhere, error / largest);
     if (k == 0) errors.atLoad = error / vectorOf(point["u"]).norm();
@@ -79,7 +74,7 @@ FemErrors femErrors(const std::string& id, double accuracy) {
       "%s %.0e: n %d (net %.0f), slots %d, at load %.2e anywhere %.2e reaction %.2e (%.2f + %.2f "
       "of %.2f s)\n",
       id.c_str(), accuracy, errors.coefficients, net.coefficients,
-      solved.setup.tractions.slots.count(), errors.atLoad, errors.anywhere, errors.reaction,
+      solved.setup.discretisation->slots().count(), errors.atLoad, errors.anywhere, errors.reaction,
       solved.times.assemble, solved.times.factorise, seconds);
   return errors;
 }
@@ -108,7 +103,7 @@ TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
   project.mesh.edgeLength = 3;
   const test::SolvedSetup solved(project);
   double most = 0;
-  bem::visitSplinePoints(solved.setup.surface, solved.setup.supports[0].elements, 3, INFINITY,
+  bem::visitSplinePoints(solved.surface(), solved.setup.supports[0].elements, 3, INFINITY,
                          [&](const auto& place, const auto&, double) {
                            most = std::max(most, (solved.u(place) - given).norm());
                          });
@@ -144,10 +139,10 @@ TEST(SplineSetup, FlatRollersAreExact) {
   const auto [low, high] = modeling::boundingBox(project.body);
   const double strain = 0.002 / project.material.youngsModulus, nu = project.material.poissonRatio;
   double most = 0;
-  for (int e = 0; e < solved.setup.surface.elementCount(); e += 7) {
-    const auto& element = solved.setup.surface.elements()[e];
+  for (int e = 0; e < solved.surface().elementCount(); e += 7) {
+    const auto& element = solved.surface().elements()[e];
     const bem::SplinePlace place{e, element.lower[0], element.upper[1]};
-    const Vector3d x = solved.setup.surface.evaluate(place).position - low;
+    const Vector3d x = solved.surface().evaluate(place).position - low;
     const Vector3d exact(nu * strain * x[0], nu * strain * x[1], -strain * x[2]);
     most = std::max(most, (solved.u(place) - exact).norm());
   }
@@ -170,7 +165,7 @@ TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
     project.mesh.elementLength = length;
     const test::SolvedSetup solved(project);
     double slip = 0, sliding = 0;
-    bem::visitSplinePoints(solved.setup.surface, solved.setup.supports[0].elements, 4, INFINITY,
+    bem::visitSplinePoints(solved.surface(), solved.setup.supports[0].elements, 4, INFINITY,
                            [&](const bem::SplinePlace& place, const bem::SplineJet& jet, double) {
                              const Vector3d u = solved.u(place),
                                             normal = jet.areaVector().normalized();
@@ -178,7 +173,7 @@ TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
                              sliding = std::max(sliding, u.norm());
                            });
     std::printf("sleeve, elements of %g mm, n %d: slips by %.2e of the sliding\n", length,
-                solved.setup.surface.coefficientCount(), slip / sliding);
+                solved.surface().coefficientCount(), slip / sliding);
     EXPECT_LT(slip, 1e-2 * sliding);
   }
 }

@@ -1,11 +1,8 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <random>
 
 #include "bem/nodal_switching.h"
 #include "bem/spline/spline_assembly.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 #include "written_out.h"
 

@@ -1,17 +1,10 @@
 // Supports whose borders cut patches anywhere: exact fields, and forces that must balance.
-#include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "app/core/boundary_setup.h"
-#include "app/core/spline_setup.h"
-#include "app/core/spline_surface_of.h"
-#include "bem/reference_problem.h"
 #include "bem/spline/spline_equations.h"
-#include "bem/spline/spline_projection.h"
 #include "bem/spline/surface_part.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {
@@ -93,21 +86,22 @@ Forces forces(const modeling::Body& shape, const Vector3d& normal, double below,
   project.loads = {{"bump", modeling::Bump{{0, 0, top}, 8, 0.02, {0.2, 0, -1}}}};
   project.mesh.edgeLength = 4;
   project.mesh.elementLength = elementLength;
-  const app::SplineSetup setup = app::makeSplineSetup(
-      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)),
-      app::analysisNet(project));
-  const auto problem = makeDenseReferenceProblem(
-      setup.surface, setup.tractions, setup.conditions.ofSlot, kMaterial, {1e-5}, precision, Job{});
+  const app::BoundarySetup setup = app::makeBoundarySetup(
+      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+  const SplineSurface& surface = setup.splines->surface();
+  const auto problem = setup.discretisation->makeProblem(setup.conditions.ofSlot, setup.material,
+                                                         {1e-5}, precision, Job{});
   const BoundaryField field = problem->solveField(problem->dofs().knownField(setup.conditions));
   Forces result{Vector3d::Zero(), setup.loads[0].resultant.force};
   std::vector<double> basis;
-  visitSplinePoints(setup.surface, setup.supports[0].elements, 5, INFINITY,
+  visitSplinePoints(surface, setup.supports[0].elements, 5, INFINITY,
                     [&](const SplinePlace& place, const SplineJet&, double weight) {
-                      setup.surface.evaluateBasis(place, basis);
+                      surface.evaluateBasis(place, basis);
                       for (std::size_t f = 0; f < basis.size(); ++f)
-                        result.support += weight * basis[f] *
-                                          field.p.block<3, 1>(
-                                              3 * setup.tractions.ofFunction[place.element][f], 0);
+                        result.support +=
+                            weight * basis[f] *
+                            field.p.block<3, 1>(
+                                3 * setup.splines->tractions().ofFunction[place.element][f], 0);
                     });
   return result;
 }

@@ -1,14 +1,8 @@
 #include "bem/spline/surface_part.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <numbers>
 
-#include "app/core/spline_surface_of.h"
 #include "bem/spline/spline_collocation.h"
-#include "bem/spline/spline_projection.h"
-#include "modeling/shapes/primitives.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {

@@ -153,6 +153,7 @@ void RebuildDock::makeStages(QGridLayout& grid) {
   for (const auto& [phase, name] : {std::pair{"update", tr("Update the model")},
                                     {"mesh", tr("Mesh")},
                                     {"check", tr("Check the surface")},
+                                    {"setup", tr("Set up supports and loads")},
                                     {"read", tr("Read the stored model")},
                                     {"assemble", tr("Assemble")},
                                     {"factorise", tr("Factorise")},
