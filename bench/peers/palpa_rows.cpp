@@ -88,8 +88,9 @@ double kelvinError(const PeerCase& body, const app::TouchModel& model) {
 }
 
 /// A touch without columns, by one solve with three right-hand sides; what that takes at the end of
-/// the path, s.
-Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchBody& touched, double& seconds) {
+/// the path, s, and how unsymmetric D is.
+Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchBody& touched, double& seconds,
+                             double& defect) {
   const app::TouchModel& model = touched.model();
   Eigen::Matrix3d compliance;
   const auto touch = [&](const Vector3d& at) {
@@ -97,6 +98,7 @@ Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchBody& touched
                               model.rest().field);
     solver.addGrab(makeContactMask(touched.surface(), at, body.reference.radius), {});
     compliance = solver.compliance();
+    defect = solver.reciprocityDefect();
   };
   seconds = medianSecondsFor([&] { touch(body.path.back()); });
   touch(body.reference.at);
@@ -165,7 +167,8 @@ PeerRow measure(const PeerCase& body, modeling::Engine engine, double size) {
   row.values["assemble"] = report.assembleSeconds;
   row.values["factorise"] = report.factoriseSeconds;
   measureTouches(body, touched, row);
-  row.values["stiffness"] = stiffnessError(body, complianceOf(body, *touched, row.values["move"]));
+  row.values["stiffness"] = stiffnessError(
+      body, complianceOf(body, *touched, row.values["move"], row.values["reciprocity"]));
   row.values["kelvin"] = kelvinError(body, *model);
   const bem::ContactSurface& surface = touched->surface();
   const double narrowest = surface.narrowestMask(surface.nearest(body.reference.at));

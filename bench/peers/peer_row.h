@@ -20,6 +20,7 @@ namespace palpa::bench {
 ///   move_kept the same where everything a touch at these places needs was computed before
 ///   column    of that, per node of the surface (three columns of Green's function)
 ///   memory    largest, of the method and the programs it runs
+///   reciprocity  how unsymmetric the compliance of a touch is
 ///   kelvin    error of the displacements on the surface, L2, against the exact field
 ///   stiffness error of the force of a touch, against the reference
 struct PeerRow {
