@@ -1,7 +1,6 @@
 #include "bench/processor_peak.h"
 
 #include <algorithm>
-#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -59,21 +58,24 @@ double operations() {
   return 2.0 * kChains * static_cast<double>(kRounds);
 }
 
-/// Seconds until all threads have done their work, the best of some rounds.
+/// Runs work(thread) on some threads at once.
 template <class Work>
-double secondsOnAll(int threads, const Work& work) {
-  double best = 1e300;
-  for (int round = 0; round < 5; ++round)
-    best = std::min(best, secondsFor([&] {
-                      std::vector<std::jthread> running;
-                      for (int t = 0; t < threads; ++t) running.emplace_back([&, t] { work(t); });
-                    }));
+void runOnAll(int threads, const Work& work) {
+  std::vector<std::jthread> running;
+  for (int t = 0; t < threads; ++t) running.emplace_back([&, t] { work(t); });
+}
+
+/// The best of some rounds.
+template <class Measure>
+double fastest(const Measure& measure) {
+  double best = measure();
+  for (int round = 0; round < 4; ++round) best = std::min(best, measure());
   return best;
 }
 
 }  // namespace
 
-double peakFlops(int threads) {
+double peakFlopsPerCore(int threads) {
   std::vector<double> kept(static_cast<std::size_t>(threads));
   double (*loop)() = multiplyAddPlain;
   double lanes = 1;
@@ -86,7 +88,9 @@ double peakFlops(int threads) {
     lanes = 4;
   }
 #endif
-  const double seconds = secondsOnAll(threads, [&](int t) { kept[t] = loop(); });
+  const double seconds = fastest([&] {
+    return processorSecondsFor([&] { runOnAll(threads, [&](int t) { kept[t] = loop(); }); });
+  });
   return threads * lanes * operations() / seconds;
 }
 
@@ -101,9 +105,13 @@ double memoryBandwidth(int threads) {
     each.b.assign(kSize, 1);
     each.c.assign(kSize, 2);
   }
-  const double seconds = secondsOnAll(threads, [&](int t) {
-    Arrays& own = arrays[t];
-    for (std::size_t k = 0; k < kSize; ++k) own.a[k] = own.b[k] + 0.5 * own.c[k];
+  const double seconds = fastest([&] {
+    return secondsFor([&] {
+      runOnAll(threads, [&](int t) {
+        Arrays& own = arrays[t];
+        for (std::size_t k = 0; k < kSize; ++k) own.a[k] = own.b[k] + 0.5 * own.c[k];
+      });
+    });
   });
   return 4.0 * sizeof(double) * kSize * threads / seconds;
 }

@@ -8,12 +8,14 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "app/core/boundary_setup.h"
 #include "app/core/memory.h"
 #include "bem/assembly.h"
 #include "bem/instruction_set.h"
+#include "bem/lu_factorisation.h"
 #include "bem/parallel.h"
 #include "bem/spline/spline_assembly.h"
 #include "bem/spline/spline_discretisation.h"
@@ -80,10 +82,10 @@ class Roofline {
 
   void machine() {
     const int threads = bem::workerCount(job_);
-    peak_ = bench::peakFlops(threads);
+    peak_ = bench::peakFlopsPerCore(threads);
     std::printf("%s, %d threads\n", bem::instructionSetName(), threads);
-    add("peak, fused multiply-adds in double precision", peak_ / 1e9, "GFLOP/s");
-    add("memory bandwidth", bench::memoryBandwidth(threads) / 1e9, "GB/s");
+    add("peak of a core, double precision", peak_ / 1e9, "GFLOP/s");
+    add("memory bandwidth of all cores", bench::memoryBandwidth(threads) / 1e9, "GB/s");
   }
 
   void triangles(int cells) {
@@ -92,7 +94,7 @@ class Roofline {
     const auto points =
         setup.discretisation->degreesOfFreedom(setup.conditions.ofSlot, setup.material)
             .collocationPoints(mesh, setup.meshSlots());
-    const double seconds = bench::medianSecondsFor([&] {
+    const double seconds = coreSecondsFor([&] {
       bem::assemble<float>(mesh, setup.meshSlots(), points, setup.material, {kTriangleTolerance},
                            job_);
     });
@@ -132,14 +134,27 @@ class Roofline {
     add("triangles: operations per pair, closed form", static_cast<double>(operations.closedForm),
         "");
     add("triangles: operations per pair, mean", perPair, "");
-    add("triangles: time per pair", 1e9 * seconds / pairs, "ns");
+    add("triangles: core time per pair", 1e9 * seconds / pairs, "ns");
     share("triangles", perPair * pairs / seconds);
     add("triangles: bytes of H and G written per pair",
         2 * 9.0 * sizeof(float) * static_cast<double>(points.size()) * mesh.nodeCount() / pairs,
         "B");
   }
 
-  /// The sphere of the window's beginning: splines at their usual accuracy.
+  /// LU factors in single precision, as models of more than 800 nodes have them.
+  void factorisation(int nodes) {
+    const Eigen::Index size = 3 * nodes;
+    bem::LargeMatrix<float> matrix(size, size);
+    matrix.view().setRandom();
+    const double seconds = bench::processorSecondsFor(
+        [&] { const bem::LuFactorisation<float> factors(std::move(matrix), job_); });
+    const double flops = 2.0 / 3 * std::pow(static_cast<double>(size), 3) / seconds;
+    add("factorisation, single precision: operations per second of a core", flops / 1e9, "GFLOP/s");
+    add("factorisation: share of the peak, twice that of double precision",
+        100 * flops / (2 * peak_), "%");
+  }
+
+  /// Splines as a project has them that asks for nothing.
   void splines() {
     modeling::Project project = bench::sphereProject(10);
     project.mesh = {};
@@ -150,28 +165,36 @@ class Roofline {
     const bem::SplineEquations equations = splineEquations(
         surface, tractions,
         setup.splines->degreesOfFreedom(setup.conditions.ofSlot, setup.material).extraSlots());
-    const double seconds = bench::medianSecondsFor([&] {
+    const double seconds = coreSecondsFor([&] {
       bem::assemble<float>(surface, tractions, equations, setup.material, {kSplineTolerance}, job_);
     });
     const bem::SplineQuadrature quadrature(surface, kSplineTolerance);
     bem::SplineQuadrature::Workspace work;
-    // A sample: each point of it costs as much as in the assembly.
-    double pairs = 0, quadraturePoints = 0, operations = 0;
+    // A sample of the points: each costs as much as in the assembly.
+    SplinePairs kinds[3] = {{"prepared rules"}, {"divided elements"}, {"elements with the point"}};
     constexpr std::size_t kEvery = 16;
     for (std::size_t p = 0; p < equations.points.size(); p += kEvery)
       for (int e = 0; e < surface.elementCount(); ++e) {
-        const auto& places = equations.points[p].places;
-        const auto inside = std::find_if(places.begin(), places.end(),
-                                         [e](const auto& place) { return place.element == e; });
-        const int used = quadrature
-                             .points(e, equations.points[p].position,
-                                     inside == places.end() ? nullptr : &*inside, work)
-                             .used;
-        pairs += 1;
-        quadraturePoints += used;
-        operations += splineOperations(used, inside != places.end(),
-                                       static_cast<int>(surface.functions(e).size()));
+        const bem::SplinePlace* inside = placeIn(equations.points[p], e);
+        const int used = quadrature.points(e, equations.points[p].position, inside, work).used;
+        SplinePairs& kind = kinds[inside ? 2 : used <= kMostPrepared ? 0 : 1];
+        kind.pairs.push_back({static_cast<int>(p), e});
+        kind.points += used;
+        kind.operations +=
+            splineOperations(used, inside, static_cast<int>(surface.functions(e).size()));
       }
+    double pairs = 0, quadraturePoints = 0, operations = 0, sampled = 0;
+    for (SplinePairs& kind : kinds) {
+      pairs += static_cast<double>(kind.pairs.size());
+      quadraturePoints += kind.points;
+      operations += kind.operations;
+      kind.seconds = coreSecondsFor([&] {
+        for (const auto& [p, e] : kind.pairs)
+          quadrature.integrate(e, equations.points[p].position, placeIn(equations.points[p], e),
+                               work);
+      });
+      sampled += kind.seconds;
+    }
     const double all = static_cast<double>(equations.points.size()) * surface.elementCount();
     std::printf("splines, n = %d\n", surface.coefficientCount());
     add("splines: coefficients", surface.coefficientCount(), "");
@@ -179,13 +202,37 @@ class Roofline {
     add("splines: points where the equation is demanded",
         static_cast<double>(equations.points.size()), "");
     add("splines: quadrature points per pair", quadraturePoints / pairs, "");
+    for (const SplinePairs& kind : kinds) {
+      const std::string name = std::string("splines, ") + kind.name;
+      add(name + ": of the pairs", 100 * static_cast<double>(kind.pairs.size()) / pairs, "%");
+      add(name + ": of the time", 100 * kind.seconds / sampled, "%");
+      add(name + ": quadrature points",
+          kind.points / std::max<double>(1, static_cast<double>(kind.pairs.size())), "");
+      add(name + ": operations per second of a core", kind.operations / kind.seconds / 1e9,
+          "GFLOP/s");
+    }
+    add("splines: of the assembly in these loops", 100 * sampled / seconds * all / pairs, "%");
     add("splines: operations per pair, mean", operations / pairs, "");
-    add("splines: time per pair", 1e9 * seconds / all, "ns");
-    add("splines: time per quadrature point", 1e9 * seconds / all * pairs / quadraturePoints, "ns");
+    add("splines: core time per pair", 1e9 * seconds / all, "ns");
     share("splines", operations / pairs * all / seconds);
   }
 
  private:
+  static constexpr int kMostPrepared = 36;  ///< quadrature points of rules that are kept
+
+  /// Pairs of a point and an element that are integrated in the same way.
+  struct SplinePairs {
+    const char* name;
+    std::vector<std::pair<int, int>> pairs{};
+    double points = 0, operations = 0, seconds = 0;
+  };
+
+  static const bem::SplinePlace* placeIn(const bem::SplineCollocationPoint& point, int element) {
+    for (const bem::SplinePlace& place : point.places)
+      if (place.element == element) return &place;
+    return nullptr;
+  }
+
   /// Of spline_kernel_loop.h, for cubic functions. Per quadrature point 57 for Kelvin's kernels; 16
   /// sums times the functions along u and then v (tensor rules) or times all functions (polar
   /// rules), fused; where points are not prepared, about 400 to place each. 15 per function to add
@@ -195,13 +242,22 @@ class Roofline {
     const double along = std::sqrt(functions), add = kAdd * functions;
     if (isInside) return used * (kKernels + kSums * functions + kPlace) + add;
     const double perDirection = std::sqrt(used);
-    const bool isPrepared = used <= 36;
+    const bool isPrepared = used <= kMostPrepared;
     const double n = isPrepared ? perDirection : bem::SplineQuadrature::kMost;
     return used * (kKernels + kSums * (along + functions / n) + (isPrepared ? 0 : kPlace)) + add;
   }
 
+  /// Processor time, so that other programs do not matter: the least of three.
+  template <class Work>
+  static double coreSecondsFor(const Work& work) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 3; ++round)
+      least = std::min(least, bench::processorSecondsFor(work));
+    return least;
+  }
+
   void share(const std::string& engine, double flops) {
-    add(engine + ": operations per second", flops / 1e9, "GFLOP/s");
+    add(engine + ": operations per second of a core", flops / 1e9, "GFLOP/s");
     add(engine + ": share of the peak", 100 * flops / peak_, "%");
   }
 
@@ -234,5 +290,6 @@ int main(int argc, char** argv) {
   roofline.machine();
   roofline.triangles(cells);
   roofline.splines();
+  roofline.factorisation(2400);
   return 0;
 }
