@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "app/core/spline_surface_of.h"
@@ -14,6 +15,7 @@
 #include "bem/reference_problem.h"
 #include "bem/spline/spline_projection.h"
 #include "bem/traction_projection.h"
+#include "bench/measurement_table.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
@@ -176,9 +178,14 @@ double secondsFor(const std::vector<Row>& rows, double error) {
 int main(int argc, char** argv) {
   CLI::App options{"Splines against triangles at equal error"};
   bem::Job job;
+  std::string tablePath;
   options.add_option("--threads", job.threads, "0: all cores");
+  options.add_option("--table", tablePath,
+                     "adds bench;n;what;value;unit;goal of the ratios to a file");
   CLI11_PARSE(options, argc, argv);
 
+  bench::MeasurementTable table;
+  table.open(tablePath, "palpa-spline-bench");
   std::vector<Row> triangle, cubic, quadratic;
   for (const double edge : {11.0, 7.0, 5.0, 3.5, 2.5, 2.0, 1.4})
     triangle.push_back(triangles(edge, job));
@@ -195,5 +202,9 @@ int main(int argc, char** argv) {
     const double fast = std::fmin(secondsFor(cubic, error), secondsFor(quadratic, error));
     std::printf("error %.0e: triangles %.4f s, splines %.4f s, ratio %.1f (target >= %d)\n", error,
                 slow, fast, slow / fast, target);
+    char what[64], text[32];
+    std::snprintf(what, sizeof what, "triangles over splines at an error of %.0e", error);
+    std::snprintf(text, sizeof text, "%.1f", slow / fast);
+    table.add(0, what, text, ">= " + std::to_string(target));
   }
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "bem/contact_solver.h"
 #include "bem/triangle_contact_surface.h"
 #include "bench/latency_table.h"
+#include "bench/measurement_table.h"
 #include "bench/sphere.h"
 #include "bench/timing.h"
 #include "bench/touch_latency.h"
@@ -229,7 +231,7 @@ int main(int argc, char** argv) {
   std::vector<int> cells{10, 20};
   double seconds = 10;
   int large = 45;
-  std::string csv, json;
+  std::string csv, json, tablePath;
   bool onlySlides = false;
   double elementLength = 0;
   options.add_option("--cells", cells,
@@ -244,6 +246,8 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   options.add_flag("--only-slides", onlySlides, "nothing but the slides around the sphere");
   options.add_option("--json", json, "all rows as JSON");
+  options.add_option("--table", tablePath,
+                     "adds bench;n;what;value;unit;goal of all rows to a file");
   CLI11_PARSE(options, argc, argv);
 
   app::lowerPriorityOfLoadedThreads();
@@ -265,6 +269,14 @@ int main(int argc, char** argv) {
     all.push_back(bench.json());
   }
   if (large > 0 && !onlySlides) all.push_back(Bench::largeField(large));
+  bench::MeasurementTable table;
+  table.open(tablePath, "palpa-touch-bench");
+  for (const auto& each : all)
+    for (const auto& row : each["rows"]) {
+      std::ostringstream text;
+      text << row["value"].get<double>() << ' ' << row["unit"].get<std::string>();
+      table.add(each["nodes"], row["what"], text.str(), row["goal"]);
+    }
   if (json.empty()) return 0;
   std::ofstream file(json);
   if (file << all.dump(2) << '\n') return 0;

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by ./run and ./check: finds the project, installs what is missing, builds. bash 5.
+# Sourced by ./run, ./check and scripts: finds the project, installs what is missing, builds. bash 5.
 # Every function may be called from any directory; nothing is done twice.
 
 palpa_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -22,42 +22,62 @@ as_root() {
   fi
 }
 
-# Fills the array missing_packages with those of packages.txt that are not installed.
+# find_missing_packages LIST…: fills the array missing_packages with those of the files LIST in the
+# project's folder that are not installed.
 find_missing_packages() {
   local -a wanted
-  mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$palpa_root/packages.txt" | sort -u)
+  mapfile -t wanted < <(cd "$palpa_root" && cat "$@" | sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' | sort -u)
   # dpkg-query fails when it does not know one of the names: that is an answer, not an error.
   mapfile -t missing_packages < <(comm -23 <(printf '%s\n' "${wanted[@]}") \
     <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
       sed -n 's/^installed //p' | sort -u))
 }
 
+# install_packages [LIST…]: packages.txt without arguments.
 install_packages() {
+  local -a lists=("${@:-packages.txt}")
   command -v dpkg-query >/dev/null ||
-    fail "this is not a Debian system; install what packages.txt lists by other means"
-  find_missing_packages
+    fail "this is not a Debian system; install what ${lists[*]} lists by other means"
+  find_missing_packages "${lists[@]}"
   [[ ${#missing_packages[@]} -gt 0 ]] || return 0
   say "installing ${missing_packages[*]}"
   export DEBIAN_FRONTEND=noninteractive
   as_root apt-get -qq update || fail "apt-get update failed: is the package mirror reachable?"
   as_root apt-get -qq install -y --no-install-recommends "${missing_packages[@]}" ||
     fail "apt-get could not install ${missing_packages[*]}; see its message above"
-  find_missing_packages
+  find_missing_packages "${lists[@]}"
   [[ ${#missing_packages[@]} -eq 0 ]] || fail "still not installed: ${missing_packages[*]}"
 }
 
-# build_preset NAME: configures build/NAME when needed and builds everything in it.
+# configure_preset NAME: configures build/NAME.
+configure_preset() {
+  say "configuring $1"
+  (cd "$palpa_root" && cmake --preset "$1" >"$palpa_root/.configure.log" 2>&1) || {
+    cat "$palpa_root/.configure.log" >&2
+    rm -f "$palpa_root/.configure.log"
+    fail "CMake could not configure the preset $1"
+  }
+  rm -f "$palpa_root/.configure.log"
+}
+
+# build_preset NAME [TARGET…]: configures build/NAME when needed and builds the targets, or everything.
 build_preset() {
   local preset=$1
-  if [[ ! -f $palpa_root/build/$preset/build.ninja ]]; then
-    say "configuring $preset"
-    (cd "$palpa_root" && cmake --preset "$preset" >"$palpa_root/.configure.log" 2>&1) || {
-      cat "$palpa_root/.configure.log" >&2
-      rm -f "$palpa_root/.configure.log"
-      fail "CMake could not configure the preset $preset"
-    }
-    rm -f "$palpa_root/.configure.log"
-  fi
+  local -a targets=()
+  [[ $# -eq 1 ]] || targets=(--target "${@:2}")
+  [[ -f $palpa_root/build/$preset/build.ninja ]] || configure_preset "$preset"
   say "building $preset"
-  (cd "$palpa_root" && cmake --build --preset "$preset") || fail "the preset $preset does not build"
+  (cd "$palpa_root" && cmake --build --preset "$preset" "${targets[@]}") || fail "the preset $preset does not build"
+}
+
+# replace_between PAGE NAME FUNCTION: what the function prints replaces what stands in the page
+# between the marks of NAME, <!-- NAME of scripts/SCRIPT --> and <!-- end of NAME -->.
+replace_between() {
+  local page=$1 name=$2 text
+  text=$("$3")
+  TEXT=$text awk -v name="$name" -v script="$(basename "$0")" '
+    index($0, "<!-- end of " name " -->") { print ENVIRON["TEXT"] "\n"; inside = 0 }
+    !inside { print }
+    index($0, "<!-- " name " of scripts/" script " -->") { inside = 1 }' "$page" >"$page.new"
+  mv "$page.new" "$page"
 }

@@ -1,0 +1,42 @@
+#include "bench/peers/case_mesh.h"
+
+#include <cmath>
+
+namespace palpa::bench {
+
+using Eigen::Vector3d;
+
+modeling::Project projectOf(const PeerCase& body, modeling::Engine engine, double size) {
+  modeling::Project project = body.project;
+  project.mesh = {};
+  project.mesh.engine = engine;
+  if (engine == modeling::Engine::triangles) {
+    project.mesh.edgeLength = size;
+    return project;
+  }
+  project.mesh.accuracy = size;
+  modeling::Touch touch;
+  touch.at = body.reference.at;
+  touch.radius = body.reference.radius;
+  project.touches.push_back(touch);
+  return project;
+}
+
+app::BoundarySetup triangleSetup(const PeerCase& body, double size) {
+  const modeling::Project project = projectOf(body, modeling::Engine::triangles, size);
+  return app::makeBoundarySetup(
+      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+}
+
+double stiffnessError(const PeerCase& body, const Eigen::Matrix3d& compliance) {
+  const Vector3d& direction = body.reference.direction;
+  return std::abs(body.reference.compliance / direction.dot(compliance * direction) - 1);
+}
+
+void SurfaceError::add(const Vector3d& x, const Vector3d& found, double weight) {
+  const Vector3d exact = body_.exactDisplacement(x);
+  error_ += weight * (found - exact).squaredNorm();
+  scale_ += weight * exact.squaredNorm();
+}
+
+}  // namespace palpa::bench

@@ -1,0 +1,20 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace palpa::bench {
+
+/// LU factorisation of a dense matrix in double precision by LAPACK's dgetrf.
+class LapackLu {
+ public:
+  /// std::runtime_error when the matrix is singular.
+  explicit LapackLu(Eigen::MatrixXd matrix);
+  /// Replaces right-hand sides by the solutions.
+  void solve(Eigen::MatrixXd& right) const;
+
+ private:
+  Eigen::MatrixXd factors_;
+  std::vector<int> pivots_;
+};
+
+}  // namespace palpa::bench
