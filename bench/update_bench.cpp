@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/core/touch_model.h"
+#include "bench/measurement_table.h"
 #include "bench/sphere.h"
 #include "bench/timing.h"
 #include "modeling/project/project_file.h"
@@ -52,7 +53,8 @@ int movedCount(const app::TouchModel& before, const app::TouchModel& after) {
   return count;
 }
 
-void measure(const std::string& name, const modeling::Project& project, const bem::Job& job) {
+void measure(const std::string& name, const modeling::Project& project, const bem::Job& job,
+             bench::MeasurementTable& table) {
   const auto former = app::buildTouchModel(project, {}, job);
   const int top = topmostFree(*former);
   const modeling::Project moved = edited(project, former->setup().discretisation->places()[top]);
@@ -83,6 +85,13 @@ void measure(const std::string& name, const modeling::Project& project, const be
               report.meshSeconds + report.checkSeconds, report.assembleSeconds, report.solveSeconds,
               *report.residual);
   std::fflush(stdout);
+  const auto text = [](const char* format, double value) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, format, value);
+    return std::string(buffer);
+  };
+  table.add(n, name + ", small edit to touchable", text("%.3f s", update), "<= 0.3");
+  table.add(n, name + ", full rebuild over small edit", text("%.1f", full / update), ">= 8");
 }
 
 }  // namespace
@@ -93,11 +102,16 @@ int main(int argc, char** argv) {
       "building anew. Spheres with triangles, and project files."};
   std::vector<int> cells{15, 22};
   std::vector<std::string> files;
+  std::string tablePath;
   int threads = 0;
   options.add_option("--cells", cells, "cells along a cube edge of the sphere's mesh");
   options.add_option("projects", files, "project files")->check(CLI::ExistingFile);
+  options.add_option("--table", tablePath,
+                     "file that gets a line bench;n;what;value;unit;goal per measurement");
   options.add_option("--threads", threads, "0: all cores");
   CLI11_PARSE(options, argc, argv);
+  bench::MeasurementTable table;
+  table.open(tablePath, "palpa-update-bench");
   bem::Job job;
   job.threads = threads;
   std::printf("%-26s %6s %8s  %9s %9s %6s   %s\n", "body", "n", "moved", "anew s", "update s",
@@ -105,11 +119,11 @@ int main(int argc, char** argv) {
   for (const int count : cells) {
     modeling::Project project = bench::sphereProject(count);
     project.body = modeling::makeSphere(25, 21);
-    measure("sphere, triangles", project, job);
+    measure("sphere, triangles", project, job, table);
   }
   for (const std::string& file : files) {
     const modeling::Project project = modeling::readProject(file);
-    measure(project.name, project, job);
+    measure(project.name, project, job, table);
   }
   return 0;
 }
