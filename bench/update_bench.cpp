@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
               "ratio", "mesh  assemble solve s, residual");
   for (const int count : cells) {
     modeling::Project project = bench::sphereProject(count);
-    project.body = modeling::makeSphere(25, 21);
+    project.body = modeling::makeSphere(25, 15);
     measure("sphere, triangles", project, job, table);
   }
   for (const std::string& file : files) {
