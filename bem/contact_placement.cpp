@@ -114,9 +114,16 @@ void ContactSimulation::placeProbe(Contact& contact) {
   const double curvature = 1 / radius + meanCurvature(contact, finest);
   const double reach = curvature * radius * radius > depth ? std::sqrt(depth / curvature) : radius;
   const double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
+  const Vector3d fromBall = contact.point.position - ball;
+  const Vector2d beside(fromBall.dot(along), fromBall.dot(across));
   for (int k = 0; k < contact.maskCount; ++k) {
     const int mask = contact.firstMask + k;
     const Vector2d at = spacing * lattice()[k];
+    // Most of a wide lattice is so far from the ball that the surface need not be looked at.
+    if (k > 0 && (beside + at).norm() >= radius + kFarthest * spacing) {
+      set_.clear(mask);
+      continue;
+    }
     const Vector3d wanted =
         contact.point.position + at[0] * along + at[1] * across + kLift * spacing * normal;
     const SurfacePoint point =
