@@ -25,9 +25,9 @@ double totalProgress(std::string_view phase, double fraction) {
     double begin, end;
   };
   for (const auto& [name, begin, end] :
-       {Share{"update", 0, 0.04}, Share{"mesh", 0, 0.04}, Share{"check", 0.04, 0.08},
-        Share{"read", 0.08, 0.9}, Share{"assemble", 0.08, 0.45}, Share{"factorise", 0.45, 0.9},
-        Share{"solve", 0.9, 1}})
+       {Share{"update", 0, 0.04}, Share{"mesh", 0, 0.04}, Share{"check", 0.04, 0.07},
+        Share{"setup", 0.07, 0.08}, Share{"read", 0.08, 0.9}, Share{"assemble", 0.08, 0.45},
+        Share{"factorise", 0.45, 0.9}, Share{"solve", 0.9, 1}})
     if (name == phase) return begin + fraction * (end - begin);
   return 0;
 }
