@@ -85,7 +85,8 @@ TEST(PeerFiniteElements, ErrorOfAKelvinFieldFallsOnTheSphere) {
     const double found[2] = {error(linear), error(makeQuadratic(linear, onSphere(25)))};
     std::printf("%d cells: error %.2e linear, %.2e quadratic\n", cells, found[0], found[1]);
     if (cells > 4) {
-      // Their order is 2 in the end; meshes as coarse as these lock at nu = 0.45.
+      // Linear ones are of order 2 on fine meshes; between these coarse ones 1.26 was measured, so
+      // the first bound says that the error falls, not how.
       EXPECT_GE(std::log2(previous[0] / found[0]), 1.2);
       EXPECT_GE(std::log2(previous[1] / found[1]), 2.3);
     }
