@@ -70,6 +70,36 @@ TEST_F(RebuildDock, ABuildCanBeStoppedAndBegunAgain) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !again->isVisible(); }, 20000));
 }
 
+TEST_F(RebuildDock, AMovedShapeCanBeTouchedBeforeItsModelIsComplete) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  waitForModel();
+  modeling::Project fine = editor().project();
+  fine.mesh.edgeLength = 3;
+  editor().start(fine);
+  ASSERT_TRUE(waitForState(editor(), State::kUpToDate));
+  const auto former = editor().model();
+  const auto& points = editor().solid()->controlPoints();
+  const auto highest = std::max_element(points.begin(), points.end(),
+                                        [](const auto& a, const auto& b) { return a.z() < b.z(); });
+  EXPECT_TRUE(editor().perform(modeling::MovePoints{
+      modeling::PointSelection::of({static_cast<int>(highest - points.begin())}),
+      modeling::MoveBy{{0, 0, 3}},
+      {}}));
+  auto* state = find<QLabel>("rebuildState");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return state->text() == "Completing the model"; }, 60000));
+  const app::RebuildStatus status = editor().rebuildStatus();
+  keepPicture("rebuild-update");
+  EXPECT_TRUE(find<QLabel>("rebuildDetails")->text().contains("can be touched"));
+  EXPECT_EQ(status.modelRevision, status.revision);
+  EXPECT_LT(status.residual.value_or(1), 1e-4);
+  EXPECT_NE(editor().model(), former);
+  ASSERT_TRUE(waitForState(editor(), State::kUpToDate));
+  waitForDock();
+  EXPECT_FALSE(find<QLabel>("rebuildDetails")->isVisible());
+  EXPECT_TRUE(find<QLabel>("stage-update")->text().endsWith("✓"));
+  EXPECT_EQ(find<QLabel>("modelTitle")->text(), "Model");
+}
+
 TEST_F(RebuildDock, ASurfaceThatCutsItselfIsSaidAndTheLastModelStays) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
