@@ -95,7 +95,7 @@ TEST_P(Update, IsTouchedLikeAModelOfItsOwn) {
     // along.
     const double limit = GetParam() == modeling::Engine::triangles ? 0.03 : 1e-4;
     EXPECT_LE((ofUpdate - ofOwn).norm(), limit * ofOwn.norm()) << edit;
-    EXPECT_GE((forceAt(*former, place) - ofOwn).norm(), 0.02 * ofOwn.norm()) << edit;
+    EXPECT_GE((forceAt(*former, place) - ofOwn).norm(), 0.005 * ofOwn.norm()) << edit;
   }
 }
 
