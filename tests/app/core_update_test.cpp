@@ -1,6 +1,7 @@
 // Models of moved shapes made from those of earlier ones, with both engines.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "app/core/rebuild_pipeline.h"
@@ -163,6 +164,25 @@ TEST_P(Update, ComesFirstAndIsReplaced) {
   // To the bit what a pipeline without a past makes of the same project.
   EXPECT_EQ(model->surface().positions, buildTouchModel(edited, {}, {})->surface().positions);
   watched = nullptr;
+}
+
+/// Averaged equations along the border of a support, which share points.
+TEST(SplineUpdate, FollowsEditsBesideABorderThatCutsPatches) {
+  modeling::Project project = sphere(modeling::Engine::splines);
+  project.supports[0].where = modeling::Region::below(Vector3d(0.2, -0.1, 1), -15);
+  project.mesh.elementLength = 9.0;
+  const auto former = buildTouchModel(project, {}, {});
+  for (const double z : {25.0, -12.0, -16.0}) {
+    const Vector3d at(std::sqrt(25.0 * 25.0 - z * z), 0, z);
+    const auto update = updateTouchModel(pulled(project, at, at / 25), project, *former, {}, {});
+    // Where the border itself moves, its cuts may change: then there is none.
+    if (z > 0) {
+      ASSERT_TRUE(update);
+    }
+    if (update) {
+      EXPECT_LE(differenceFromOwnFactors(*update), 1e-6) << z;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, Update,
