@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/core/analysis_net.h"
+#include "app/core/memory.h"
 #include "app/core/model_memory.h"
 #include "modeling/editing/change.h"
 #include "modeling/mesh/mesh_follow.h"
@@ -217,6 +218,10 @@ std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project& proj
   if (!solid || former.report_.residual || change.topology || change.edges || change.patchNames ||
       change.material || change.supports || change.loads || change.mesh ||
       (hasSplines && change.touches))
+    return nullptr;
+  // Beside the update, which is never larger than the former model, its own must find place.
+  if (const double available = availableMemory();
+      available > 0 && 2 * former.report_.memory > 0.85 * available)
     return nullptr;
   Stopwatch watch;
   job.report("update", 0);

@@ -150,8 +150,9 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
 /// touched much sooner than a model of its own, and is to be replaced by one: solutions take longer
 /// and are exact to report().residual. With triangles the mesh is the former one, carried along.
 ///
-/// Null when something else differs, when it does not pay or is not exact enough (1e-4), or
-/// `former` is an update itself. Phase of progress: "update". Throws as buildTouchModel().
+/// Null when something else differs, when it does not pay, is not exact enough (1e-4) or would take
+/// memory that the model of its own needs, or `former` is an update itself. Phase of progress:
+/// "update". Throws as buildTouchModel().
 std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project& project,
                                                    const modeling::Project& formerProject,
                                                    const TouchModel& former,

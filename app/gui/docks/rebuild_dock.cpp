@@ -202,7 +202,7 @@ void RebuildDock::showState(const app::RebuildStatus& status) {
   if (status.state == State::kFailed) details = failureText(status);
   if (status.state == State::kCancelled)
     details = tr("The present shape has no model. The next edit builds one, too.");
-  if (isUpdate(status)) details = updateText(status);
+  if (isUpdate(status) && status.state != State::kFailed) details = updateText(status);
   if (status.state == State::kUpToDate) details = warningText(editor_.model()->report());
   details_->setText(details);
   details_->setVisible(!details.isEmpty());
