@@ -14,7 +14,7 @@
 namespace palpa::bem {
 namespace {
 
-constexpr int kPointsPerTask = 8;
+constexpr int kPointsPerTask = kSplineLanes;
 
 /// What a thread needs; used again from task to task.
 struct Scratch {
@@ -22,32 +22,39 @@ struct Scratch {
   std::array<std::vector<double>, kPointsPerTask> T, U;  ///< of the points of a task
 };
 
+/// Coefficients whose blocks are made at once, so that they stay in the nearest cache.
+constexpr std::size_t kCoefficientsAtOnce = 32;
+
 /// Copies the blocks that the sums of a task's points make to their rows of a matrix, which has
 /// columns for some of the coefficients.
-template <int kSums, class Scalar, class Block>
-void copyRows(const std::array<std::vector<double>, kPointsPerTask>& sums, std::ptrdiff_t begin,
+template <class Scalar>
+void copyRows(void (*makeBlocks)(const MakeBlocksTask&), const KelvinConstants& constants,
+              const std::array<std::vector<double>, kPointsPerTask>& sums, std::ptrdiff_t begin,
               std::ptrdiff_t end, std::ptrdiff_t pointCount, std::span<const int> coefficients,
-              const Block& block, LargeMatrix<Scalar>& matrix) {
+              LargeMatrix<Scalar>& matrix) {
   const std::ptrdiff_t rows = matrix.rows();
   const bool isFull = end - begin == kPointsPerTask;
-  double transposed[kSums][kPointsPerTask] = {};
-  Scalar values[kPointsPerTask];
-  for (std::size_t j = 0; j < coefficients.size(); ++j) {
-    const auto first = static_cast<std::size_t>(kSums) * coefficients[j];
-    for (std::ptrdiff_t k = 0; k < end - begin; ++k)
-      for (int s = 0; s < kSums; ++s) transposed[s][k] = sums[k][first + s];
-    for (int c = 0; c < 3; ++c)
-      for (int i = 0; i < 3; ++i) {
-        for (int k = 0; k < kPointsPerTask; ++k)
-          values[k] = static_cast<Scalar>(block(&transposed[0][k], i, c));
-        Scalar* to =
-            matrix.data() + static_cast<std::ptrdiff_t>(3 * j + c) * rows + i * pointCount + begin;
-        // A length known beforehand is copied without a call.
-        if (isFull)
-          std::copy_n(values, kPointsPerTask, to);
-        else
-          std::copy_n(values, end - begin, to);
-      }
+  alignas(64) double blocks[kCoefficientsAtOnce][9][kPointsPerTask];
+  MakeBlocksTask task{constants, {}, nullptr, 0, &blocks[0][0][0]};
+  for (int k = 0; k < kPointsPerTask; ++k) task.sums[k] = sums[begin + k < end ? k : 0].data();
+  for (std::size_t first = 0; first < coefficients.size(); first += kCoefficientsAtOnce) {
+    const std::size_t count = std::min(kCoefficientsAtOnce, coefficients.size() - first);
+    task.coefficients = coefficients.data() + first;
+    task.count = static_cast<int>(count);
+    makeBlocks(task);
+    for (std::size_t j = 0; j < count; ++j)
+      for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < 3; ++i) {
+          const double* from = blocks[j][3 * c + i];
+          Scalar* to = matrix.data() + static_cast<std::ptrdiff_t>(3 * (first + j) + c) * rows +
+                       i * pointCount + begin;
+          // A length known beforehand is copied without a call.
+          const auto cast = [](double value) { return static_cast<Scalar>(value); };
+          if (isFull)
+            std::transform(from, from + kPointsPerTask, to, cast);
+          else
+            std::transform(from, from + (end - begin), to, cast);
+        }
   }
 }
 
@@ -68,6 +75,7 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
   };
   BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, triple(columns.coefficients)),
                                    LargeMatrix<Scalar>(3 * m, triple(columns.slots))};
+  const SplineKernel kernel = splineKernelForThisProcessor();
   LendingPool<Scratch> pool([] { return Scratch{}; });
   parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, phase, [&](std::ptrdiff_t task) {
     const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
@@ -80,40 +88,74 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
       scratch.sums.T.swap(scratch.T[k - begin]);
       scratch.sums.U.swap(scratch.U[k - begin]);
     }
-    copyRows<SplineRows::kSumsT>(
-        scratch.T, begin, end, m, columns.coefficients,
-        [&](const double* sum, int i, int c) { return rows.blockT(sum, i, c, kPointsPerTask); },
-        result.H);
-    copyRows<SplineRows::kSumsU>(
-        scratch.U, begin, end, m, columns.slots,
-        [&](const double* sum, int i, int c) { return rows.blockU(sum, i, c, kPointsPerTask); },
-        result.G);
+    copyRows(kernel.makeBlocksT, rows.constants(), scratch.T, begin, end, m, columns.coefficients,
+             result.H);
+    copyRows(kernel.makeBlocksU, rows.constants(), scratch.U, begin, end, m, columns.slots,
+             result.G);
     pool.giveBack(std::move(scratch));
   });
   return result;
 }
 
-/// Points whose rows are held at once before they are added to those of equations.
-constexpr std::size_t kPointsAtOnce = 128;
+/// Points whose rows are held at once before they are added to those of equations: few enough for a
+/// few MiB, but with so many columns no fewer than keep all threads busy.
+std::size_t pointsAtOnce(Eigen::Index columns) {
+  constexpr Eigen::Index kNumbers = 4'000'000, kFewest = 128;
+  return static_cast<std::size_t>(std::max(kNumbers / (3 * columns), kFewest));
+}
+
+/// Consecutive points that weigh in the same equations, as all points of an element do.
+struct PointGroup {
+  Eigen::Index first, count;
+  std::vector<Eigen::Index> equations;
+  Eigen::MatrixXd weights;  ///< (equation, point)
+};
+
+/// Of the points first … first + count - 1; PointGroup::first counts from there.
+std::vector<PointGroup> groupsOf(const Eigen::SparseMatrix<double>& weights, Eigen::Index first,
+                                 Eigen::Index count) {
+  std::vector<PointGroup> groups;
+  std::vector<Eigen::Index> equations;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    equations.clear();
+    for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + k); w; ++w)
+      equations.push_back(w.row());
+    if (groups.empty() || groups.back().equations != equations)
+      groups.push_back({k, 0, equations, {}});
+    ++groups.back().count;
+  }
+  for (PointGroup& group : groups) {
+    group.weights.resize(static_cast<Eigen::Index>(group.equations.size()), group.count);
+    for (Eigen::Index k = 0; k < group.count; ++k) {
+      Eigen::Index e = 0;
+      for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + group.first + k); w; ++w)
+        group.weights(e++, k) = w.value();
+    }
+  }
+  return groups;
+}
+
 constexpr Eigen::Index kColumnsPerTask = 64;
 
-/// Adds the rows of the points from `first` on, times their weights, to those of the equations.
+/// Adds the rows of points, times their weights, to those of the equations, for some columns.
 template <class Scalar>
-void addWeighted(const LargeMatrix<Scalar>& ofPoints, const Eigen::SparseMatrix<double>& weights,
-                 Eigen::Index first, LargeMatrix<Scalar>& ofEquations, const Job& job) {
-  const Eigen::Index count = ofPoints.rows() / 3, columns = ofPoints.cols();
-  const auto from = ofPoints.view();
+void addWeighted(const LargeMatrix<Scalar>& ofPoints, const std::vector<PointGroup>& groups,
+                 Eigen::Index firstColumn, LargeMatrix<Scalar>& ofEquations) {
+  const Eigen::Index points = ofPoints.rows() / 3, equations = ofEquations.rows() / 3,
+                     columns = std::min(kColumnsPerTask, ofPoints.cols() - firstColumn);
   auto to = ofEquations.view();
-  const auto tasks = static_cast<std::ptrdiff_t>((columns + kColumnsPerTask - 1) / kColumnsPerTask);
-  parallelFor(tasks, job, "", [&](std::ptrdiff_t task) {
-    const Eigen::Index end = std::min<Eigen::Index>(columns, (task + 1) * kColumnsPerTask);
-    for (Eigen::Index column = task * kColumnsPerTask; column < end; ++column)
-      for (int i = 0; i < 3; ++i)
-        for (Eigen::Index k = 0; k < count; ++k)
-          for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + k); w; ++w)
-            to(i * weights.rows() + w.row(), column) +=
-                static_cast<Scalar>(w.value()) * from(i * count + k, column);
-  });
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights, sums;
+  for (const PointGroup& group : groups) {
+    weights = group.weights.cast<Scalar>();
+    for (int i = 0; i < 3; ++i) {
+      sums.noalias() = weights * ofPoints.view().block(i * points + group.first, firstColumn,
+                                                       group.count, columns);
+      for (Eigen::Index column = 0; column < columns; ++column)
+        for (std::size_t e = 0; e < group.equations.size(); ++e)
+          to(i * equations + group.equations[e], firstColumn + column) +=
+              sums(static_cast<Eigen::Index>(e), column);
+    }
+  }
 }
 
 /// Rows of equations: weighted sums of those of their points.
@@ -127,9 +169,13 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
   BoundaryOperators<Scalar> result{
       LargeMatrix<Scalar>(count, 3 * static_cast<Eigen::Index>(columns.coefficients.size())),
       LargeMatrix<Scalar>(count, 3 * static_cast<Eigen::Index>(columns.slots.size()))};
+  const auto tasksOf = [](const LargeMatrix<Scalar>& matrix) {
+    return (matrix.cols() + kColumnsPerTask - 1) / kColumnsPerTask;
+  };
   const auto all = static_cast<double>(points.size());
-  for (std::size_t first = 0; first < points.size(); first += kPointsAtOnce) {
-    const auto some = points.subspan(first, std::min(kPointsAtOnce, points.size() - first));
+  const std::size_t atOnce = pointsAtOnce(result.H.cols() + result.G.cols());
+  for (std::size_t first = 0; first < points.size(); first += atOnce) {
+    const auto some = points.subspan(first, std::min(atOnce, points.size() - first));
     Job ofSome = job;
     if (job.progress)
       ofSome.progress = [&](std::string_view name, double fraction) {
@@ -137,8 +183,16 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
             name, (static_cast<double>(first) + fraction * static_cast<double>(some.size())) / all);
       };
     const auto ofPoints = rowsOf<Scalar>(rows, columns, some, phase, ofSome);
-    addWeighted(ofPoints.H, equations.weights, static_cast<Eigen::Index>(first), result.H, job);
-    addWeighted(ofPoints.G, equations.weights, static_cast<Eigen::Index>(first), result.G, job);
+    const std::vector<PointGroup> groups =
+        groupsOf(equations.weights, static_cast<Eigen::Index>(first),
+                 static_cast<Eigen::Index>(some.size()));
+    parallelFor(tasksOf(result.H) + tasksOf(result.G), job, "", [&](std::ptrdiff_t task) {
+      const Eigen::Index ofG = task - tasksOf(result.H);
+      if (ofG < 0)
+        addWeighted(ofPoints.H, groups, task * kColumnsPerTask, result.H);
+      else
+        addWeighted(ofPoints.G, groups, ofG * kColumnsPerTask, result.G);
+    });
   }
   return result;
 }

@@ -4,8 +4,8 @@
 #include "bem/spline/bspline_basis.h"
 
 /// The inner loops of the spline discretisation, compiled once per instruction set: placing
-/// quadrature points on an element, summing Kelvin's kernels over them, and adding the sums to
-/// those of the whole surface.
+/// quadrature points on an element, summing Kelvin's kernels over them, adding the sums to those of
+/// the whole surface, and making the blocks of the operators from them.
 namespace palpa::bem {
 
 /// Points and functions come in multiples of this; what is added to fill up has weight zero.
@@ -75,17 +75,41 @@ struct AddSumsTask {
   double *T, *U;                    ///< [coefficient][kKernelSumsT], [slot][kKernelSumsU]
 };
 
+/// What the constants of a material make of the sums of Kelvin's kernels (kelvin.h).
+struct KelvinConstants {
+  double weightU, weightT;      ///< 1 / (16 pi G (1 - nu)), -1 / (8 pi (1 - nu))
+  double diagonalU, diagonalT;  ///< 3 - 4 nu, 1 - 2 nu
+};
+
+/// The 3 x 3 blocks of some coefficients, for kSplineLanes collocation points at once.
+struct MakeBlocksTask {
+  KelvinConstants constants;
+  /// Of each point, [coefficient][kKernelSumsT] or [coefficient][kKernelSumsU], readable
+  /// kSumsPadding numbers beyond their end.
+  const double* sums[kSplineLanes];
+  const int* coefficients;
+  int count;
+  double* blocks;  ///< [which of them][3 c + i][point], component (i, c); aligned to 64 bytes
+};
+inline constexpr int kSumsPadding = kSplineLanes;
+
 void placePointsBaseline(const PlacePointsTask&);
 void tabulateBaseline(const TabulateTask&);
 void sumKernelsBaseline(const SumKernelsTask&);
 void addSumsBaseline(const AddSumsTask&);
+void makeBlocksUBaseline(const MakeBlocksTask&);
+void makeBlocksTBaseline(const MakeBlocksTask&);
 void placePointsAvx2(const PlacePointsTask&);
 void tabulateAvx2(const TabulateTask&);
 void sumKernelsAvx2(const SumKernelsTask&);
 void addSumsAvx2(const AddSumsTask&);
+void makeBlocksUAvx2(const MakeBlocksTask&);
+void makeBlocksTAvx2(const MakeBlocksTask&);
 void placePointsAvx512(const PlacePointsTask&);
 void tabulateAvx512(const TabulateTask&);
 void sumKernelsAvx512(const SumKernelsTask&);
+void makeBlocksUAvx512(const MakeBlocksTask&);
+void makeBlocksTAvx512(const MakeBlocksTask&);
 
 /// The fastest variants this processor can run.
 struct SplineKernel {
@@ -93,6 +117,8 @@ struct SplineKernel {
   void (*tabulate)(const TabulateTask&);
   void (*sumKernels)(const SumKernelsTask&);
   void (*addSums)(const AddSumsTask&);
+  void (*makeBlocksU)(const MakeBlocksTask&);
+  void (*makeBlocksT)(const MakeBlocksTask&);
 };
 SplineKernel splineKernelForThisProcessor();
 

@@ -11,5 +11,11 @@ void tabulateAvx512(const TabulateTask& task) {
 void sumKernelsAvx512(const SumKernelsTask& task) {
   detail::sumKernels<xsimd::avx512f>(task);
 }
+void makeBlocksUAvx512(const MakeBlocksTask& task) {
+  detail::makeBlocks<xsimd::avx512f, detail::BlockU>(task);
+}
+void makeBlocksTAvx512(const MakeBlocksTask& task) {
+  detail::makeBlocks<xsimd::avx512f, detail::BlockT>(task);
+}
 
 }  // namespace palpa::bem

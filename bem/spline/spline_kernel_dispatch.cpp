@@ -8,14 +8,17 @@ SplineKernel splineKernelForThisProcessor() {
   switch (instructionSet()) {
     case InstructionSet::kAvx512:
       // Six and nine sums fit batches of four better than those of eight.
-      return {placePointsAvx512, tabulateAvx512, sumKernelsAvx512, addSumsAvx2};
+      return {placePointsAvx512, tabulateAvx512,    sumKernelsAvx512,
+              addSumsAvx2,       makeBlocksUAvx512, makeBlocksTAvx512};
     case InstructionSet::kAvx2:
-      return {placePointsAvx2, tabulateAvx2, sumKernelsAvx2, addSumsAvx2};
+      return {placePointsAvx2, tabulateAvx2,    sumKernelsAvx2,
+              addSumsAvx2,     makeBlocksUAvx2, makeBlocksTAvx2};
     case InstructionSet::kBaseline:
       break;
   }
 #endif
-  return {placePointsBaseline, tabulateBaseline, sumKernelsBaseline, addSumsBaseline};
+  return {placePointsBaseline, tabulateBaseline,    sumKernelsBaseline,
+          addSumsBaseline,     makeBlocksUBaseline, makeBlocksTBaseline};
 }
 
 }  // namespace palpa::bem

@@ -4,6 +4,7 @@
 #include <xsimd/xsimd.hpp>
 
 #include "bem/inverse_square_root.h"
+#include "bem/spline/spline_blocks.h"
 #include "bem/spline/spline_kernel.h"
 #include "bem/spline/transpose.h"
 
@@ -228,6 +229,35 @@ void addSums(const AddSumsTask& task) {
     add(sums, kKernelSumsU, task.U + static_cast<std::ptrdiff_t>(kKernelSumsU) * task.slots[f]);
     add(sums + kKernelSumsU, kKernelSumsT,
         task.T + static_cast<std::ptrdiff_t>(kKernelSumsT) * task.coefficients[f]);
+  }
+}
+
+template <class Arch, class Block>
+void makeBlocks(const MakeBlocksTask& task) {
+  using Batch = xsimd::batch<double, Arch>;
+  constexpr int kLanes = static_cast<int>(Batch::size), kSums = Block::kSums;
+  // Of the points, sum by sum.
+  alignas(64) double sums[roundUpToLanes(kSums)][kSplineLanes];
+  for (int j = 0; j < task.count; ++j) {
+    const auto at = static_cast<std::ptrdiff_t>(kSums) * task.coefficients[j];
+    int s = 0;
+    for (; s < std::min(kSums, kSplineLanes); s += kLanes) {
+      Batch ofPoint[kSplineLanes];
+      for (int k = 0; k < kSplineLanes; ++k)
+        ofPoint[k] = Batch::load_unaligned(task.sums[k] + at + s);
+      storeTransposed(ofPoint, sums[s]);
+    }
+    for (; s < kSums; ++s)
+      for (int k = 0; k < kSplineLanes; ++k) sums[s][k] = task.sums[k][at + s];
+    double* block = task.blocks + static_cast<std::ptrdiff_t>(9 * kSplineLanes) * j;
+    for (int k = 0; k < kSplineLanes; k += kLanes) {
+      Batch sum[kSums];
+      for (int m = 0; m < kSums; ++m) sum[m] = Batch::load_aligned(sums[m] + k);
+      for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < 3; ++i)
+          Block::template component<Batch>(task.constants, sum, i, c)
+              .store_aligned(block + (3 * c + i) * kSplineLanes + k);
+    }
   }
 }
 

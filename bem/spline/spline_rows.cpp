@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bem/spline/spline_blocks.h"
+
 namespace palpa::bem {
 
 SplineRows::SplineRows(const SplineSurface& surface, const SplineTractions& tractions,
                        const Material& material, const SplineQuadrature& quadrature)
     : surface_(surface), tractions_(tractions), quadrature_(quadrature) {
   const double nu = material.poissonRatio;
-  weightU_ = 1.0 / (16 * std::numbers::pi * material.shear() * (1 - nu));
-  weightT_ = -1.0 / (8 * std::numbers::pi * (1 - nu));
-  diagonalU_ = 3 - 4 * nu;
-  diagonalT_ = 1 - 2 * nu;
+  constants_ = {1.0 / (16 * std::numbers::pi * material.shear() * (1 - nu)),
+                -1.0 / (8 * std::numbers::pi * (1 - nu)), 3 - 4 * nu, 1 - 2 * nu};
 }
 
 void SplineRows::clear(Sums& sums) const {
-  sums.T.assign(static_cast<std::size_t>(kSumsT) * surface_.coefficientCount(), 0);
-  sums.U.assign(static_cast<std::size_t>(kSumsU) * tractions_.slots.count(), 0);
+  sums.T.assign(static_cast<std::size_t>(kSumsT) * surface_.coefficientCount() + kSumsPadding, 0);
+  sums.U.assign(static_cast<std::size_t>(kSumsU) * tractions_.slots.count() + kSumsPadding, 0);
 }
 
 void SplineRows::add(int element, const SplineCollocationPoint& point, const SplinePlace* inside,
@@ -65,12 +65,14 @@ Eigen::Matrix3Xd SplineRows::residual(const Sums& sums, const Eigen::MatrixXd& u
   Eigen::Matrix3d block;
   for (Eigen::Index j = 0; 3 * j < u.rows(); ++j) {
     for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c) block(i, c) = blockT(&sums.T[kSumsT * j], i, c);
+      for (int c = 0; c < 3; ++c)
+        block(i, c) = detail::BlockT::component(constants_, &sums.T[kSumsT * j], i, c);
     sum -= block * u.middleRows<3>(3 * j);
   }
   for (Eigen::Index s = 0; 3 * s < p.rows(); ++s) {
     for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c) block(i, c) = blockU(&sums.U[kSumsU * s], i, c);
+      for (int c = 0; c < 3; ++c)
+        block(i, c) = detail::BlockU::component(constants_, &sums.U[kSumsU * s], i, c);
     sum += block * p.middleRows<3>(3 * s);
   }
   return sum;
@@ -81,7 +83,7 @@ Eigen::Matrix3d SplineRows::freeTerm(const Sums& sums) const {
   std::copy_n(sums.total, kSumsU, symmetric);
   Eigen::Matrix3d C;
   for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c) C(i, c) = -blockT(symmetric, i, c);
+    for (int c = 0; c < 3; ++c) C(i, c) = -detail::BlockT::component(constants_, symmetric, i, c);
   return C;
 }
 

@@ -23,7 +23,7 @@ class SplineRows {
 
   /// The sums of a point; used again from point to point.
   struct Sums {
-    std::vector<double> T, U;  ///< [coefficient][sum]
+    std::vector<double> T, U;  ///< [coefficient][sum], and kSumsPadding numbers
     double total[kSumsT];      ///< of T before N_j(x) was subtracted
     SplineQuadrature::Workspace quadrature;
     std::vector<double> basis;
@@ -34,19 +34,7 @@ class SplineRows {
   void integrateOver(std::span<const int> elements, const SplineCollocationPoint& point, Sums& sums,
                      const Job& job) const;
 
-  /// Component (i, c) of the block (see kelvin.h) with these sums, `stride` apart.
-  double blockT(const double* sum, int i, int c, std::ptrdiff_t stride = 1) const {
-    double value = 3 * sum[kPacked[i][c] * stride];
-    if (i == c) return weightT_ * (value + diagonalT_ * trace(sum, stride));
-    // e_i n_j - e_j n_i is the component of r × n across i and j.
-    const double turn = sum[(6 + 3 - i - c) * stride];
-    value -= diagonalT_ * ((c - i + 3) % 3 == 1 ? turn : -turn);
-    return weightT_ * value;
-  }
-  double blockU(const double* sum, int i, int c, std::ptrdiff_t stride = 1) const {
-    const double value = sum[kPacked[i][c] * stride];
-    return weightU_ * (i == c ? value + diagonalU_ * trace(sum, stride) : value);
-  }
+  const KelvinConstants& constants() const { return constants_; }
 
   /// r(x) = ∫ U p - ∫ T [u(y) - u(x)] of fields in coefficients: 3 rows, a column for each.
   Eigen::Matrix3Xd residual(const Sums& sums, const Eigen::MatrixXd& u,
@@ -57,10 +45,6 @@ class SplineRows {
   Eigen::Matrix3d freeTerm(const Sums& sums) const;
 
  private:
-  static constexpr int kPacked[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};
-  static double trace(const double* sum, std::ptrdiff_t stride) {
-    return sum[0] + sum[2 * stride] + sum[5 * stride];
-  }
   void clear(Sums& sums) const;
   void add(int element, const SplineCollocationPoint& point, const SplinePlace* inside,
            Sums& sums) const;
@@ -69,7 +53,7 @@ class SplineRows {
   const SplineSurface& surface_;
   const SplineTractions& tractions_;
   const SplineQuadrature& quadrature_;
-  double weightU_, weightT_, diagonalU_, diagonalT_;
+  KelvinConstants constants_;
 };
 
 }  // namespace palpa::bem
