@@ -1,5 +1,7 @@
 #include "app/core/touch_input.h"
 
+#include <thread>
+
 namespace palpa::app {
 namespace {
 
@@ -43,6 +45,8 @@ TouchId TouchInput::begin(const bem::ContactTool& tool, const Vector3d& at, cons
     }
   } while (!used_.compare_exchange_weak(used, used | bit(index), std::memory_order_acq_rel));
   Place& place = places_[index];
+  // The hand whose contact was taken away may be saying its last value just now.
+  while (place.setters.load() != 0) std::this_thread::yield();
   const TouchId id = (++place.generation << 6U) | static_cast<TouchId>(index);
   place.order = count_.fetch_add(1, std::memory_order_acq_rel) + 1;
   place.begin = {TouchCommand::Kind::kBegin, id, tool, at, value};
@@ -54,8 +58,14 @@ TouchId TouchInput::begin(const bem::ContactTool& tool, const Vector3d& at, cons
 void TouchInput::set(TouchId id, const Vector3d& value) {
   Place& place = places_[id % kPlaces];
   if (place.open.load(std::memory_order_acquire) != id || !value.allFinite()) return;
-  place.values.back() = {id, value, Clock::now()};
-  place.values.publish();
+  // Whoever takes the contact away closes it first: either it is seen to be closed here, or the
+  // place's next owner sees that it is being set. Both in the one order of all such operations.
+  place.setters.fetch_add(1);
+  if (place.open.load() == id) {
+    place.values.back() = {id, value, Clock::now()};
+    place.values.publish();
+  }
+  place.setters.fetch_sub(1, std::memory_order_release);
 }
 
 void TouchInput::end(TouchId id) {
@@ -73,6 +83,14 @@ bool TouchInput::hasNews() const {
       return true;
   }
   return false;
+}
+
+void TouchInput::dropEnded() {
+  for (std::uint64_t left = begun(); left != 0; left &= left - 1) {
+    const int index = std::countr_zero(left);
+    const Place& place = places_[index];
+    if (place.ending.load(std::memory_order_acquire) == place.begin.id) free(index);
+  }
 }
 
 void TouchInput::free(int index) {

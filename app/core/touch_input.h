@@ -60,6 +60,8 @@ class TouchInput {
       }
     }
   }
+  /// While there is nothing to touch: frees the places of contacts that have ended again.
+  void dropEnded();
   /// The commands with which those contacts would begin as they are now.
   template <class Apply>
   void repeat(const Apply& apply) const {
@@ -85,6 +87,7 @@ class TouchInput {
   /// One contact. Whoever set its bit in used_ fills it in; then begun_ hands it to the loop.
   struct Place {
     std::atomic<TouchId> open{0};  // 0 once it was ended
+    std::atomic<int> setters{0};   // that are in set()
     TouchId generation = 0;
     std::uint64_t order = 0;  // among all that were begun
     TouchCommand begin;

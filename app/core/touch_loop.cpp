@@ -195,7 +195,10 @@ void TouchLoop::takeInput() {
   // In this order: what began after a recording was started belongs to it.
   const std::uint64_t begun = input_.begun();
   takeRecorder();
-  if (touched_) input_.take(begun, [this](const TouchCommand& command) { apply(command); });
+  if (touched_)
+    input_.take(begun, [this](const TouchCommand& command) { apply(command); });
+  else
+    input_.dropEnded();
 }
 
 void TouchLoop::takeRecorder() {

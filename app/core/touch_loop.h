@@ -55,7 +55,11 @@ class TouchLoop {
   /// Moves it; values that are not finite, and contacts that have ended, are ignored.
   void set(TouchId id, const Eigen::Vector3d& value) { input_.set(id, value); }
   /// A contact that is never ended stays as a pin.
-  void end(TouchId id) { input_.end(id); }
+  void end(TouchId id) {
+    input_.end(id);
+    // Without a model the loop sleeps, and the contact's place is needed for others.
+    TouchMail::signal(mail_.loopSignal);
+  }
 
   /// Where the next touch may begin (mm): columns are computed around it.
   void expect(const Eigen::Vector3d& point);

@@ -222,7 +222,7 @@ bool TouchWorker::computeWanted(const TouchMail::Wanted& wanted, const std::stop
     if (block.size() < kBlock && std::find(block.begin(), block.end(), node) == block.end())
       block.push_back(node);
   if (block.size() < kBlock)
-    addNearest(*touched, {touched->surface().mesh().nodes[block.front()]}, block);
+    addNearest(*touched, {touched->surface().places()[block.front()]}, block);
   isUrgent_.store(true);
   const std::lock_guard lock(computing_);
   compute(*touched, block, stop);

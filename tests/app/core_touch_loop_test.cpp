@@ -110,6 +110,43 @@ TEST(TripleBuffer, HandsOverTheNewestWholeValue) {
   }
 }
 
+/// The loop ends contacts while their hands still move them, and other hands get their places.
+TEST(TouchInput, APlaceThatWasTakenAwayHasOneWriterAtATime) {
+  TouchInput input;
+  std::atomic<bool> isOver{false};
+  const auto valueOf = [](double k, TouchId id) { return Vector3d(k, -k, id); };
+  std::vector<std::jthread> hands;
+  for (int hand = 0; hand < 3; ++hand)
+    hands.emplace_back([&] {
+      for (double k = 1; !isOver; ++k) {
+        TouchId id = 0;
+        try {
+          id = input.begin({Kind::kGrab, 8}, kTop, Vector3d::Zero());
+        } catch (const TouchRefused&) {  // those that were ended are still being taken away
+          std::this_thread::yield();
+          continue;
+        }
+        for (int i = 0; i < 50 && !isOver; ++i) input.set(id, valueOf(k + i, id));
+        input.end(id);
+      }
+    });
+  long seen = 0;
+  const auto check = [&](const TouchCommand& command) {
+    if (command.kind != TouchCommand::Kind::kSet) return;
+    ++seen;
+    ASSERT_EQ(command.value.x(), -command.value.y());
+    ASSERT_EQ(command.value.z(), command.id);
+  };
+  const auto end = std::chrono::steady_clock::now() + 1s;
+  while (std::chrono::steady_clock::now() < end && !HasFatalFailure()) {
+    input.take(input.begun(), check);
+    input.clearSaid();
+    input.endAll(input.count(), check);
+  }
+  isOver = true;
+  EXPECT_GT(seen, 0);
+}
+
 TEST(LatencyHistogram, GivesQuantiles) {
   LatencyHistogram histogram;
   EXPECT_EQ(histogram.read().count, 0u);
@@ -169,6 +206,25 @@ TEST(TouchLoop, TheFirstForceNeedsFewColumns) {
     loop.set(push, value);
     EXPECT_GT(await(loop, hasValue(push, value)).find(push)->force.norm(), 0);
   }
+}
+
+/// With splines coefficients are not nodes of the mesh.
+TEST(TouchLoop, ColumnsThatComeWithTheNeededOnesAreAroundThem) {
+  modeling::Project project = test::clampedSphere(6);
+  project.mesh.engine = modeling::Engine::splines;
+  project.mesh.elementLength = 8;
+  TouchLoop::Options options;
+  options.computesAll = false;
+  TouchLoop loop(options);
+  const auto number = loop.setModel(build(project));
+  await(loop, hasForce(loop.begin({Kind::kGrab, 5}, kTop, {0, 0, -1})));
+  const auto body = loop.body(number);
+  const std::vector<Vector3d>& places = body->surface().places();
+  ASSERT_LT(body->columns()->readyCount(), body->columns()->nodeCount() / 2);
+  double farthest = 0;
+  for (int k = 0; k < static_cast<int>(places.size()); ++k)
+    if (body->columns()->has(k)) farthest = std::max(farthest, (places[k] - kTop).norm());
+  EXPECT_LT(farthest, 25 * std::numbers::sqrt2);  // on the upper half
 }
 
 TEST(TouchLoop, ColumnsComeNearestToTheExpectedTouchFirst) {
@@ -307,6 +363,19 @@ TEST(TouchLoop, EqualOperatorsShareTheirColumns) {
   await(loop, [&](const TouchSnapshot& s) { return s.model == 0; });
   const auto again = loop.setModel(sphere());
   EXPECT_EQ(await(loop, [&](const TouchSnapshot& s) { return s.model == again; }).columnsReady, 1);
+}
+
+TEST(TouchLoop, ContactsThatEndWithoutAModelMakeRoomForOthers) {
+  TouchLoop loop;
+  const auto end = std::chrono::steady_clock::now() + 60s;
+  int begun = 0;
+  while (begun < 200 && std::chrono::steady_clock::now() < end) try {
+      loop.end(loop.begin({Kind::kProbe, 5}, kTop, {0, 0, 31}));
+      ++begun;
+    } catch (const TouchRefused&) {  // those that were ended are still being taken away
+      std::this_thread::sleep_for(1ms);
+    }
+  EXPECT_EQ(begun, 200);
 }
 
 TEST(TouchLoop, WithoutAModelTouchesEnd) {
