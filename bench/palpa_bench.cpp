@@ -149,8 +149,10 @@ class Bench {
     }
   }
 
-  /// What opening a project again costs instead of assembling and factorising.
+  /// What opening a project again costs instead of assembling and factorising; not measured where a
+  /// second model finds no place beside the first.
   void cache(const app::BoundarySetup& setup, const bem::ReferenceProblem& problem) {
+    if (static_cast<double>(problem.bytes()) > 0.85 * app::availableMemory()) return;
     const auto folder = std::filesystem::temp_directory_path() / "palpa-bench-cache";
     app::ModelCache stored(folder, 64e9);
     stored.clear();

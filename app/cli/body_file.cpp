@@ -93,8 +93,9 @@ std::string toText(const ReadBody& read) {
                   solid->controlPoints().size());
   } else {
     const auto& mesh = std::get<modeling::MeshBody>(body);
-    text = format("mesh body  %zu faces, %zu vertices, %zu triangles\n", mesh.faceNames().size(),
-                  mesh.positions().size(), mesh.triangles().size());
+    text = format("mesh body  %zu %s, %zu vertices, %zu triangles\n", mesh.faceNames().size(),
+                  mesh.faceNames().size() == 1 ? "face" : "faces", mesh.positions().size(),
+                  mesh.triangles().size());
   }
   text += "patches    " + modeling::quotedPatchNames(body) + "\n";
   text += format("volume     %.6g mm³\n", modeling::volume(body));

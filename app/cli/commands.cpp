@@ -16,6 +16,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeImportCommand());
   commands.push_back(makeExportCommand());
   commands.push_back(makeConvertCommand());
+  commands.push_back(makeVerifyCommand());
   return commands;
 }
 

@@ -18,5 +18,6 @@ std::unique_ptr<Command> makeRenderCommand();
 std::unique_ptr<Command> makeImportCommand();
 std::unique_ptr<Command> makeExportCommand();
 std::unique_ptr<Command> makeConvertCommand();
+std::unique_ptr<Command> makeVerifyCommand();
 
 }  // namespace palpa::cli

@@ -103,8 +103,9 @@ std::string describe(const modeling::MeshBody& body, Json& report) {
   report["vertices"] = body.positions().size();
   report["triangles"] = body.triangles().size();
   report["faces"] = Json::array();
-  std::string text = format("mesh body  %zu faces, %zu triangles; it has no control points\n",
-                            triangles.size(), body.triangles().size());
+  std::string text =
+      format("mesh body  %zu %s, %zu triangles; it has no control points\n", triangles.size(),
+             triangles.size() == 1 ? "face" : "faces", body.triangles().size());
   for (std::size_t face = 0; face < triangles.size(); ++face) {
     const std::string& name = body.faceNames()[face];
     report["faces"].push_back({{"name", name}, {"triangles", triangles[face]}});

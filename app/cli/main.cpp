@@ -1,12 +1,14 @@
-// palpa-cli: the command line of Palpa. One file per subcommand; see docs/command-line.md.
+// palpa-cli: the command line of Palpa. One file per subcommand; see docs/guide/command-line.md.
 #include <algorithm>
 #include <iostream>
 #include <string_view>
 
 #include "app/cli/command.h"
 #include "app/cli/errors.h"
+#include "app/cli/help_format.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/manual.h"
+#include "app/cli/usage_message.h"
 #include "app/core/memory.h"
 
 namespace palpa::cli {
@@ -36,26 +38,18 @@ void report(const Failure& failure, bool asJson) {
   std::cout << error.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
-std::string usageMessage(const CLI::ParseError& error, int argc, char** argv) {
-  // CLI11 calls a misspelt command a missing one.
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError) && argc > 1 &&
-      std::string(error.what()).find("subcommand") != std::string::npos) {
-    return std::string("there is no command '") + argv[1] + "'";
-  }
-  return error.what();
-}
-
 int run(int argc, char** argv) {
   CLI::App app(
       "Palpa: model a solid with spline patches and touch it as a real elastic body.\n"
       "Lengths in mm, forces in N, stresses in MPa.");
   app.name("palpa-cli");
-  app.set_version_flag("--version", "palpa-cli " PALPA_VERSION);
+  app.formatter(std::make_shared<HelpFormat>());
+  app.set_help_flag("-h,--help", "Show this help");
+  app.set_version_flag("-V,--version", "palpa-cli " PALPA_VERSION, "Show the version");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 2 usage, 3 bad input, 4 cannot be solved, 5 cancelled.\n"
       "'palpa-cli COMMAND --help' shows the options of a command and an example.");
-  app.get_formatter()->column_width(34);
 
   // For packages: in no group, so that the help does not list them.
   app.add_flag_callback("--manual", [&app] { throw Printed(manualPage(app)); })->group("");
@@ -67,9 +61,11 @@ int run(int argc, char** argv) {
   std::vector<CLI::App*> declared;
   for (const auto& command : commands) {
     CLI::App* sub = app.add_subcommand(command->name(), command->summary());
+    sub->group("Commands");
     command->declare(*sub);
     declareCommon(*sub, options);
-    sub->footer("Example:\n  " + command->example());
+    const bool areSeveral = command->example().find('\n') != std::string::npos;
+    sub->footer((areSeveral ? "Examples:\n  " : "Example:\n  ") + command->example());
     declared.push_back(sub);
   }
 
@@ -84,7 +80,7 @@ int run(int argc, char** argv) {
     // CLI11 may give up before it has seen --json.
     const bool asJson = std::any_of(argv, argv + argc,
                                     [](std::string_view argument) { return argument == "--json"; });
-    report({kUsage, "usage", usageMessage(error, argc, argv) + "; see palpa-cli --help"}, asJson);
+    report({kUsage, "usage", usageMessage(error, app, argc, argv)}, asJson);
     return kUsage;
   }
 

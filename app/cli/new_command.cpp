@@ -3,9 +3,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/shape_options.h"
+#include "app/cli/suggestion.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
 #include "app/core/new_project.h"
+#include "modeling/error.h"
 #include "modeling/project/material_library.h"
 #include "modeling/project/project_file.h"
 
@@ -75,7 +77,15 @@ class NewCommand : public Command {
       if (!youngsModulus_.empty() || !poissonRatio_.empty()) {
         throw UsageError("--material brings its constants; leave out the modulus and the ratio");
       }
-      material = modeling::libraryMaterial(material_).material;
+      try {
+        material = modeling::libraryMaterial(material_).material;
+      } catch (const modeling::ModelingError&) {
+        std::vector<std::string> names;
+        for (const auto& each : modeling::materialLibrary()) names.push_back(each.material.name);
+        const std::string suggestion = didYouMean(material_, names);
+        if (suggestion.empty()) throw;
+        throw UsageError("--material: there is no material '" + material_ + "'" + suggestion);
+      }
       return;
     }
     material.name = youngsModulus_.empty() && poissonRatio_.empty() ? "soft silicone" : "custom";

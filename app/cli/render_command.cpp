@@ -8,6 +8,7 @@
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
 #include "app/cli/state_scene.h"
+#include "app/cli/suggestion.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
 #include "app/core/stiffness_worker.h"
@@ -29,6 +30,13 @@ const std::map<std::string, app::SurfaceQuantity> kFields{
 const std::map<std::string, Eigen::Vector3d> kViews{{"front", {0, 1, 0}}, {"back", {0, -1, 0}},
                                                     {"left", {1, 0, 0}},  {"right", {-1, 0, 0}},
                                                     {"top", {0, 0, -1}},  {"bottom", {0, 0, 1}}};
+
+template <class Map>
+std::vector<std::string> namesOf(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : map) names.push_back(name);
+  return names;
+}
 
 view::PictureOptions parseSize(const std::string& text) {
   view::PictureOptions size;
@@ -187,8 +195,9 @@ class RenderCommand : public Command {
     SceneOptions options = scene_;
     const auto field = kFields.find(field_);
     if (field == kFields.end()) {
-      throw UsageError("--field: unknown field '" + field_ +
-                       "'; known are displacement, normal-traction, von-mises, stiffness, none");
+      throw UsageError("--field: there is no field '" + field_ + "'" +
+                       didYouMean(field_, namesOf(kFields)) +
+                       "; known are displacement, normal-traction, von-mises, stiffness, none");
     }
     options.field = field->second;
     if (!fingertip_.empty()) {
@@ -201,6 +210,10 @@ class RenderCommand : public Command {
     if (!zoom_.empty()) options.zoom = parsePositive("--zoom", zoom_);
     if (const auto view = kViews.find(view_); view != kViews.end()) {
       options.viewDirection = view->second;
+    } else if (!view_.empty() && view_.find(',') == std::string::npos) {
+      throw UsageError("--view: there is no view '" + view_ + "'" +
+                       didYouMean(view_, namesOf(kViews)) +
+                       "; known are front, back, left, right, top, bottom, or a direction x,y,z");
     } else if (!view_.empty()) {
       options.viewDirection = parseVector("--view", view_);
       if (options.viewDirection->norm() == 0) throw UsageError("--view: the direction is zero");

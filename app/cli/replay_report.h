@@ -10,7 +10,7 @@
 namespace palpa::cli {
 
 /// What `touch --recording` tells of a replay. The keys of the JSON object are documented in
-/// docs/command-line.md.
+/// docs/guide/command-line.md.
 class ReplayReport {
  public:
   /// `present`: the model that it is replayed on.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/cli/errors.h"
+#include "app/cli/suggestion.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
 #include "modeling/project/profile_file.h"
@@ -158,7 +159,11 @@ const std::vector<Kind>& kinds() {
 const Kind& kindNamed(const std::string& name) {
   for (const Kind& kind : kinds())
     if (kind.name == name) return kind;
-  throw UsageError("unknown primitive '" + name + "'; known are " + shapeNames());
+  std::vector<std::string> known;
+  for (const Kind& kind : kinds()) known.emplace_back(kind.name);
+  const std::string suggestion = didYouMean(name, known);
+  throw UsageError("there is no shape '" + name + "'" +
+                   (suggestion.empty() ? "; known are " + shapeNames() : suggestion));
 }
 
 /// The lowest tenth of the body's height, the limit rounded to three digits.

@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "app/cli/errors.h"
+#include "app/cli/suggestion.h"
 #include "app/cli/values.h"
 #include "app/core/tool_path.h"
 #include "app/core/touch.h"
@@ -35,9 +36,11 @@ double parseFriction(const std::string& text) {
 decltype(modeling::Touch::action) actionOf(const std::string& kind, const std::string& displacement,
                                            const std::string& force, const std::string& friction) {
   const bool isPushing = kind == "push" || kind == "probe";
-  if (!isPushing && !kind.empty() && kind != "grab" && kind != "force" && kind != "pin")
-    throw UsageError("--kind: unknown kind '" + kind +
-                     "'; known are grab, push, probe, force, pin");
+  if (!isPushing && !kind.empty() && kind != "grab" && kind != "force" && kind != "pin") {
+    const std::string near = didYouMean(kind, {"grab", "push", "probe", "force", "pin"});
+    throw UsageError("--kind: there is no kind '" + kind + "'" + near +
+                     "; known are grab, push, probe, force, pin");
+  }
   if (!friction.empty() && !isPushing) throw UsageError("--friction needs --kind push or probe");
   if (!displacement.empty() && !force.empty())
     throw UsageError("a touch has either --displace or --force");

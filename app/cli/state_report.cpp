@@ -152,6 +152,8 @@ std::string StateReport::text() const {
   const LargestDisplacement largest = largestDisplacement(model, state);
   std::string text = engineText(model);
   if (!build.notice.empty()) text += "note       " + build.notice + "\n";
+  if (state.contacts.empty() && model.setup().loads.empty() && state.energy == 0)
+    text += "note       no load acts and nothing is touched, so nothing moves\n";
   for (const auto& contact : state.contacts) {
     text += toText(contact);
   }

@@ -10,7 +10,7 @@
 namespace palpa::cli {
 
 /// What `solve`, `touch` and `render` tell about a state. The keys of the JSON object are
-/// documented in docs/command-line.md.
+/// documented in docs/guide/command-line.md.
 struct StateReport {
   const app::TouchModel& model;
   const app::TouchState& state;

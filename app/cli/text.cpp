@@ -5,6 +5,11 @@
 #include <cstdio>
 
 namespace palpa::cli {
+namespace {
+
+constexpr int kMostDecimals = 6;  // smaller numbers have powers of ten
+
+}  // namespace
 
 std::string format(const char* pattern, ...) {
   va_list arguments;
@@ -24,7 +29,20 @@ std::string toText(const Eigen::Vector3d& vector, int digits) {
   const double negligible = 1e-8 * vector.cwiseAbs().maxCoeff();
   const Eigen::Vector3d v =
       vector.unaryExpr([&](double x) { return std::abs(x) <= negligible ? 0.0 : x; });
-  return format("(%.*g, %.*g, %.*g)", digits, v.x(), digits, v.y(), digits, v.z());
+  // With as many decimals as the largest has: what is only noise beside it reads as 0.
+  const double largest = v.cwiseAbs().maxCoeff();
+  const int decimals =
+      largest > 0 ? digits - 1 - static_cast<int>(std::floor(std::log10(largest))) : 0;
+  const auto number = [&](double x) {
+    if (decimals < 0 || decimals > kMostDecimals) return format("%.*g", digits, x);
+    std::string text = format("%.*f", decimals, x);
+    if (text.find('.') != std::string::npos) {
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.back() == '.') text.pop_back();
+    }
+    return text == "-0" ? std::string("0") : text;
+  };
+  return "(" + number(v.x()) + ", " + number(v.y()) + ", " + number(v.z()) + ")";
 }
 
 Json toJson(const Eigen::Vector3d& vector) {

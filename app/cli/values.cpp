@@ -10,6 +10,9 @@ namespace palpa::cli {
 namespace {
 
 std::optional<double> number(std::string_view text) {
+  // Quoted vectors may have spaces: "0, 0, 25".
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   // from_chars knows no leading plus sign; people write one.
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
@@ -43,8 +46,7 @@ Eigen::Vector3d parseVector(const std::string& option, const std::string& text) 
     const auto value = number(rest.substr(0, comma));
     const bool isLast = comma == std::string_view::npos;
     if (!value || isLast != (i == 2)) {
-      throw UsageError(option + ": expected three numbers x,y,z without spaces, found '" + text +
-                       "'");
+      throw UsageError(option + ": expected three numbers x,y,z, found '" + text + "'");
     }
     vector[i] = *value;
     if (!isLast) rest.remove_prefix(comma + 1);

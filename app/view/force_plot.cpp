@@ -6,12 +6,14 @@
 #include <vtkChartXY.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkPlot.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
@@ -20,13 +22,17 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/view/ticks.h"
+
 namespace palpa::view {
 namespace {
 
 constexpr double kFontSize = 11;  // logical pixels
 constexpr double kLineWidth = 1.8;
 constexpr double kHeadroom = 1.08;
-constexpr double kLeastForce = 1e-9;  // of the axis, where all curves are zero
+constexpr double kTickSpacing = 34;   // logical pixels between two numbers, about
+constexpr double kLegendLine = 17;    // logical pixels
+constexpr double kLeastForce = 1e-9;  // below it all curves are zero
 
 /// Okabe and Ito's, which colour-blind people can tell apart; the dark blue last, which a dark
 /// background swallows.
@@ -42,6 +48,7 @@ struct ForcePlot::Parts {
   vtkNew<vtkChartXY> chart;
   ViewportTheme theme = ViewportTheme::light();
   double ratio = 1;
+  bool hasLegend = false;
 
   void updateLooks() {
     renderer->SetBackground(theme.backgroundTop.data());
@@ -67,6 +74,14 @@ struct ForcePlot::Parts {
   }
 };
 
+std::array<unsigned char, 3> ForcePlot::colour(int number) {
+  return kColours[static_cast<std::size_t>(number) % kColours.size()];
+}
+
+void ForcePlot::setLegendShown(bool shown) {
+  parts_->hasLegend = shown;
+}
+
 ForcePlot::ForcePlot(vtkRenderWindow* window) : parts_(std::make_unique<Parts>()) {
   parts_->window = window;
   window->SetMultiSamples(0);
@@ -79,10 +94,9 @@ ForcePlot::ForcePlot(vtkRenderWindow* window) : parts_(std::make_unique<Parts>()
   parts_->chart->SetAutoSize(true);
   // Otherwise the data limit the axes, and a force that hardly changes would fill the plot.
   parts_->chart->SetForceAxesToBounds(false);
-  parts_->chart->SetShowLegend(true);
   parts_->chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::LEFT);
   parts_->chart->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
-  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle("s");
+  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle("time, s");
   for (const int side : {vtkAxis::LEFT, vtkAxis::BOTTOM})
     parts_->chart->GetAxis(side)->SetBehavior(vtkAxis::FIXED);
   window->AddRenderer(parts_->renderer);
@@ -108,8 +122,8 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
                           const std::string& unit) {
   vtkChartXY* chart = parts_->chart;
   chart->ClearPlots();
-  chart->SetShowLegend(curves.size() > 1);
-  double largest = kLeastForce;
+  chart->SetShowLegend(parts_->hasLegend);
+  double largest = 0;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];
     if (curve.times.size() != curve.forces.size())
@@ -128,15 +142,31 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
     table->AddColumn(forces);
     vtkPlot* plot = chart->AddPlot(vtkChart::LINE);
     plot->SetInputData(table, 0, 1);
-    const auto& [r, g, b] = kColours[i % kColours.size()];
+    const auto [r, g, b] = colour(curve.number);
     plot->SetColor(r, g, b, 255);
     plot->SetWidth(static_cast<float>(kLineWidth * parts_->ratio));
   }
   vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
   bottom->SetRange(begin, end);
   vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
-  left->SetRange(0, kHeadroom * largest);
-  left->SetTitle(unit);
+  if (largest < kLeastForce) largest = 1;  // nothing: an axis of nanonewtons would only puzzle
+  // Round numbers, and at least two of them, however small the plot is.
+  const double height = std::max(1, parts_->window->GetSize()[1]) / parts_->ratio;
+  double top = kHeadroom * largest;
+  if (parts_->hasLegend) {
+    const double legend = kLegendLine * static_cast<double>(curves.size() + 1);
+    top *= height / std::max(0.3 * height, height - legend);
+  }
+  left->SetRange(0, top);
+  const Ticks ticks = niceTicks(0, top, std::clamp(static_cast<int>(height / kTickSpacing), 2, 8));
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (std::size_t k = 0; k < ticks.values.size(); ++k) {
+    positions->InsertNextValue(ticks.values[k]);
+    labels->InsertNextValue(ticks.labels[k]);
+  }
+  left->SetCustomTickPositions(positions, labels);
+  left->SetTitle(ticks.exponent == 0 ? unit : "10^" + std::to_string(ticks.exponent) + " " + unit);
   chart->RecalculateBounds();
 }
 

@@ -11,7 +11,7 @@ namespace palpa::bench {
 /// A body with one boundary value problem that everybody solves: held at its base, with two
 /// solutions that are known. One is the field of a point force outside the body (Kelvin's), exact
 /// on whatever shape the elements give the body. The other is a touch at one place with the bump
-/// that masks are made of, from the finite element solutions of tests/data/fem.json.
+/// that masks are made of, from the finite element solutions of resources/reference/fem.json.
 struct PeerCase {
   modeling::Project project;  ///< without mesh settings
   bem::Material material;
@@ -31,8 +31,8 @@ struct PeerCase {
   Eigen::Vector3d exactTraction(const Eigen::Vector3d& x, const Eigen::Vector3d& normal) const;
 };
 
-/// "sphere" (pushed at its pole) or "cylinder" (at its side). `references`: tests/data/fem.json.
-/// std::runtime_error when there is no such body or file.
+/// "sphere" (pushed at its pole) or "cylinder" (at its side). `references`:
+/// resources/reference/fem.json. std::runtime_error when there is no such body or file.
 PeerCase makePeerCase(const std::string& body, const std::string& references);
 
 }  // namespace palpa::bench

@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "log_chart.h"
+#include "app/view/log_chart.h"
 
 namespace {
 
-using namespace palpa::docs;
+using namespace palpa::view::charts;
 
 struct Curve {
   std::string body, engine;
@@ -71,17 +71,11 @@ Look lookOf(const Curve& curve, const std::vector<std::string>& bodies) {
           curve.isAdapted() ? vtkPlotPoints::DIAMOND : vtkPlotPoints::CIRCLE, kLineWidth};
 }
 
-/// Straight lines of error ~ n^(-order / 2) through the lower left, within the ranges.
-void addSlope(vtkChartXY* chart, const Range& along, const Range& errors, int order) {
-  const double rise = order / 2.0;
-  const double top = std::min(errors.upper, errors.lower + rise * (along.upper - along.lower));
-  char label[64];
-  std::snprintf(label, sizeof label, "slope of order %d", order);
-  addCurve(chart,
-           {std::pow(10, along.lower), std::pow(10, along.lower + (top - errors.lower) / rise)},
-           {std::pow(10, top), std::pow(10, errors.lower)},
-           {label, kGrey, order == 2 ? vtkPen::DOT_LINE : vtkPen::DASH_DOT_LINE,
-            vtkPlotPoints::NONE, 1.5F});
+/// A line of error ~ n^(-order / 2).
+void addOrder(vtkChartXY* chart, const Range& along, const Range& errors, int order) {
+  addSlope(chart, along, errors, -order / 2.0,
+           {"slope of order " + std::to_string(order), kGrey,
+            order == 2 ? vtkPen::DOT_LINE : vtkPen::DASH_DOT_LINE, vtkPlotPoints::NONE, 1.5F});
 }
 
 void draw(const std::vector<Curve>& curves, const std::string& path) {
@@ -103,7 +97,7 @@ void draw(const std::vector<Curve>& curves, const std::string& path) {
     for (const Curve& curve : curves)
       addCurve(charts.chart(index), index == 1 ? curve.seconds : curve.coefficients, curve.errors,
                lookOf(curve, bodies));
-  for (const int order : {2, 4}) addSlope(charts.chart(0), coefficients, errors, order);
+  for (const int order : {2, 4}) addOrder(charts.chart(0), coefficients, errors, order);
   charts.setAxes(0, coefficients, "n", errors, "relative error of u");
   charts.setAxes(1, seconds, "assembly and factorisation, s", errors, "relative error of u");
   charts.write(path);

@@ -13,11 +13,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "log_chart.h"
+#include "app/view/log_chart.h"
 
 namespace {
 
-using namespace palpa::docs;
+using namespace palpa::view::charts;
 
 const std::map<std::string, std::string> kTitles{{"n", "n, nodes or coefficients of the surface"},
                                                  {"setup", "from edit to touch, s"},

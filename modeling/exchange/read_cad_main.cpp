@@ -1,6 +1,7 @@
 // palpa-read-cad PARENT SECONDS NAME EDGE_LENGTH TOLERANCE: reads the CAD file NAME, whose content
 // comes on standard input, in a process of its own. Ends with 0, or with the kind of the error,
 // whose message it writes to standard output, or crashes. Started by modeling/exchange/rehearsal.
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <string_view>
 
 #include "modeling/error.h"
 #include "modeling/exchange/cad_body.h"
@@ -38,6 +40,23 @@ void setLimits(double seconds) {
   ::setrlimit(RLIMIT_CORE, &noCore);
 }
 
+/// Where messages go: the standard output, which from now on gets nothing else. OpenCASCADE's
+/// reader of BREP files prints its own words there.
+int keepOutput() {
+  const int output = ::dup(STDOUT_FILENO);
+  const int nowhere = ::open("/dev/null", O_WRONLY);
+  if (nowhere >= 0) ::dup2(nowhere, STDOUT_FILENO);
+  return output;
+}
+
+void tell(int output, std::string_view message) {
+  while (!message.empty()) {
+    const ssize_t count = ::write(output, message.data(), message.size());
+    if (count <= 0) return;
+    message.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -47,6 +66,7 @@ int main(int count, char** arguments) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
   setLimits(std::atof(arguments[2]));
+  const int output = keepOutput();
   ImportOptions options;
   options.edgeLength = std::atof(arguments[4]);
   options.tolerance = std::atof(arguments[5]);
@@ -55,7 +75,7 @@ int main(int count, char** arguments) {
     const OpenCascadeSession session;
     readCadBody(arguments[3], text, options, Job{});
   } catch (const ModelingError& error) {
-    std::cout << error.what() << std::flush;
+    tell(output, error.what());
     std::_Exit(kRehearsalFailed + static_cast<int>(error.kind()));
   } catch (...) {
     std::_Exit(EXIT_FAILURE);

@@ -1,4 +1,4 @@
-// palpa-cli render. What the pictures look like is tested in tests/render.
+// palpa-cli render, and the plot of verify. What the pictures look like is tested in tests/render.
 #include <gtest/gtest.h>
 
 #include "tests/app/cli_runner.h"
@@ -86,6 +86,18 @@ TEST_F(CliRender, DrawsARecording) {
   const Outcome late = cli_.run(render + "--at-time 0.4 -o a.png", PALPA_WITH_DISPLAY);
   EXPECT_EQ(late.exitCode, 3);
   EXPECT_NE(late.err.find("the recording lasts 0.400 s"), std::string::npos) << late.err;
+}
+
+TEST_F(CliRender, DrawsTheSeriesOfAVerification) {
+  const std::string verify = "verify --quick --engine splines --case convergence_sphere --plot ";
+  const Outcome drawn = cli_.run(verify + "a.png", PALPA_WITH_DISPLAY);
+  EXPECT_EQ(drawn.exitCode, 0) << drawn.err;
+  const auto [width, height] = pngSize(cli_.read("a.png"));
+  EXPECT_GT(width, 1000);
+  EXPECT_GT(height, 500);
+  const Outcome nowhere = cli_.run(verify + "no/such/folder/a.png --json", PALPA_WITH_DISPLAY);
+  EXPECT_EQ(nowhere.exitCode, 3);
+  EXPECT_EQ(nowhere.json().at("pass"), true);
 }
 
 TEST_F(CliRender, SaysWhatToDoWithoutADisplay) {

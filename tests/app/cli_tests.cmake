@@ -5,6 +5,7 @@ target_link_libraries(palpa_cli_runner PUBLIC palpa_options nlohmann_json::nlohm
 target_compile_definitions(palpa_cli_runner PUBLIC
   PALPA_CLI="$<TARGET_FILE:palpa-cli>"
   PALPA_PROJECTS="${PROJECT_SOURCE_DIR}/projects"
+  PALPA_REFERENCE="${PROJECT_SOURCE_DIR}/resources/reference"
   PALPA_WITH_DISPLAY="${PROJECT_SOURCE_DIR}/scripts/with-display")
 add_dependencies(palpa_cli_runner palpa-cli)
 
@@ -18,6 +19,8 @@ palpa_add_test(palpa_cli_tests
     cli_project_test.cpp
     cli_recording_test.cpp
     cli_simulation_test.cpp
+    cli_usage_test.cpp
+    cli_verify_test.cpp
   LIBRARIES palpa_cli_runner
   LABEL cli)
 # Sanitizer presets leave out the label render: graphics drivers leak and race on their own.

@@ -2,11 +2,12 @@
 
 #include <cstdio>
 
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 #include "bem/results.h"
-#include "solved_body.h"
-#include "test_meshes.h"
 
 namespace palpa::bem::test {
+using namespace verification;
 namespace {
 
 using Eigen::Vector3d;

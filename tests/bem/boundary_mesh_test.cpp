@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/error.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 BoundaryMesh box() {
-  return test::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2);
+  return verification::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2);
 }
 
 /// The message of the refusal, which must be of kind kBadMesh; empty when there was none.
@@ -47,20 +47,22 @@ TEST(BoundaryMesh, MeasuresOfABox) {
 TEST(BoundaryMesh, MeasuresAreThoseOfTheTrueBodiesInTheLimit) {
   constexpr double kPi = std::numbers::pi;
   // Chords of 24 and more segments per turn: 1 - cos(pi/24) = 0.9 % twice.
-  EXPECT_NEAR(test::sphereMesh(10, 8).volume(), 4 / 3.0 * kPi * 1e3, 0.02 * 4189);
-  EXPECT_NEAR(test::hollowSphereMesh(5, 10, 6, 8).volume(), 4 / 3.0 * kPi * 875, 0.02 * 3665);
-  EXPECT_NEAR(test::cylinderMesh(10, 20, 32, 8).volume(), 2e3 * kPi, 0.02 * 6283);
-  EXPECT_NEAR(test::hollowCylinderMesh(5, 10, 20, 32, 8).volume(), 1.5e3 * kPi, 0.02 * 4712);
-  EXPECT_NEAR(test::torusMesh(30, 10, 48, 24).volume(), 6e3 * kPi * kPi, 0.02 * 59218);
+  EXPECT_NEAR(verification::sphereMesh(10, 8).volume(), 4 / 3.0 * kPi * 1e3, 0.02 * 4189);
+  EXPECT_NEAR(verification::hollowSphereMesh(5, 10, 6, 8).volume(), 4 / 3.0 * kPi * 875,
+              0.02 * 3665);
+  EXPECT_NEAR(verification::cylinderMesh(10, 20, 32, 8).volume(), 2e3 * kPi, 0.02 * 6283);
+  EXPECT_NEAR(verification::hollowCylinderMesh(5, 10, 20, 32, 8).volume(), 1.5e3 * kPi,
+              0.02 * 4712);
+  EXPECT_NEAR(verification::torusMesh(30, 10, 48, 24).volume(), 6e3 * kPi * kPi, 0.02 * 59218);
 }
 
 TEST(BoundaryMesh, AcceptsEveryTestBody) {
   EXPECT_EQ(refusal(box()), "");
-  EXPECT_EQ(refusal(test::sphereMesh(10, 4)), "");
-  EXPECT_EQ(refusal(test::hollowSphereMesh(5, 10, 3, 4)), "");
-  EXPECT_EQ(refusal(test::cylinderMesh(5, 10, 16, 6)), "");
-  EXPECT_EQ(refusal(test::hollowCylinderMesh(5, 10, 20, 16, 6)), "");
-  EXPECT_EQ(refusal(test::torusMesh(10, 3, 16, 8)), "");
+  EXPECT_EQ(refusal(verification::sphereMesh(10, 4)), "");
+  EXPECT_EQ(refusal(verification::hollowSphereMesh(5, 10, 3, 4)), "");
+  EXPECT_EQ(refusal(verification::cylinderMesh(5, 10, 16, 6)), "");
+  EXPECT_EQ(refusal(verification::hollowCylinderMesh(5, 10, 20, 16, 6)), "");
+  EXPECT_EQ(refusal(verification::torusMesh(10, 3, 16, 8)), "");
 }
 
 TEST(BoundaryMesh, RefusesNothingAtAll) {
@@ -164,7 +166,7 @@ TEST(TractionSlots, BelongToTheirNodeAndFace) {
 }
 
 TEST(TractionSlots, SplitAtTheBorderOfASupportOnASmoothFace) {
-  BoundaryMesh mesh = test::sphereMesh(10, 6);
+  BoundaryMesh mesh = verification::sphereMesh(10, 6);
   for (int t = 0; t < mesh.triangleCount(); ++t)
     mesh.tags[t] = mesh.point(t, Vector3d::Constant(1 / 3.0))[2] < -6 ? 1 : 0;
   const TractionSlots slots(mesh);
@@ -179,7 +181,7 @@ TEST(TractionSlots, SplitAtTheBorderOfASupportOnASmoothFace) {
 }
 
 TEST(TractionSlots, MeanNormalOfASphereIsRadial) {
-  const BoundaryMesh mesh = test::sphereMesh(10, 8);
+  const BoundaryMesh mesh = verification::sphereMesh(10, 8);
   // One cell spans 11 degrees: its skew, a quarter of that squared in radians, is left.
   for (const auto& slot : TractionSlots(mesh).slots)
     EXPECT_LE((slot.normal - mesh.nodes[slot.node].normalized()).norm(), 0.01);

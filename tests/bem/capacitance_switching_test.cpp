@@ -2,10 +2,10 @@
 
 #include <random>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/error.h"
 #include "bem/nodal_switching.h"
 #include "bem/surface_point.h"
-#include "test_meshes.h"
 #include "written_out.h"
 
 namespace palpa::bem {
@@ -61,7 +61,7 @@ void expectSwitchingEqualsFreshSolve(const BoundaryMesh& mesh, const Conditions&
 }
 
 TEST(NodalSwitching, EqualsFreshSolveOnASphereWithAFixedPart) {
-  BoundaryMesh mesh = test::sphereMesh(25, 5);
+  BoundaryMesh mesh = verification::sphereMesh(25, 5);
   for (int t = 0; t < mesh.triangleCount(); ++t)
     mesh.tags[t] = mesh.point(t, Eigen::Vector3d::Constant(1.0 / 3))[2] < -12 ? 1 : 0;
   const auto conditions = [](int tag) {
@@ -74,20 +74,22 @@ TEST(NodalSwitching, EqualsFreshSolveWithRollers) {
   const auto conditions = [](int tag) {
     return tag % 2 == 0 ? SlotCondition::kRoller : SlotCondition::kTraction;
   };
-  expectSwitchingEqualsFreshSolve(test::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3), conditions, 2);
+  expectSwitchingEqualsFreshSolve(verification::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3), conditions,
+                                  2);
 }
 
 TEST(NodalSwitching, EqualsFreshSolveWithExtraTractionsAtAnEdge) {
   const auto conditions = [](int tag) {
     return tag == 0 || tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction;
   };
-  expectSwitchingEqualsFreshSolve(test::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3), conditions, 3);
+  expectSwitchingEqualsFreshSolve(verification::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3), conditions,
+                                  3);
 }
 
 TEST(NodalSwitching, FieldFulfilsTheBoundaryEquations) {
   // The field that comes with the solution must satisfy H u = G p: to the rounding of a double
   // solve.
-  const BoundaryMesh mesh = test::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3);
+  const BoundaryMesh mesh = verification::boxMesh({0, 0, 0}, {3, 2, 1}, 4, 3, 3);
   const TractionSlots slots(mesh);
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
@@ -107,7 +109,7 @@ TEST(NodalSwitching, FieldFulfilsTheBoundaryEquations) {
 }
 
 TEST(GreensFunction, AllColumnsAgreeWithRefinedOnes) {
-  const BoundaryMesh mesh = test::sphereMesh(1, 4);
+  const BoundaryMesh mesh = verification::sphereMesh(1, 4);
   const TractionSlots slots(mesh);
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)

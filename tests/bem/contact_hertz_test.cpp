@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/triangle_contact_surface.h"
 #include "hertz.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 /// the conformal map tan(θ/2) -> tan(θ/2) / finer, which leaves triangles similar to what they
 /// were.
 BoundaryMesh refinedSphere(int n, double finer) {
-  BoundaryMesh mesh = test::sphereMesh(test::kHertzRadius, n);
+  BoundaryMesh mesh = verification::sphereMesh(test::kHertzRadius, n);
   for (Vector3d& node : mesh.nodes) {
     const double across = std::hypot(node[0], node[1]), half = 0.5 * std::atan2(across, node[2]);
     const double angle = 2 * std::atan2(std::sin(half), finer * std::cos(half));

@@ -5,9 +5,9 @@
 #include <numbers>
 #include <numeric>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/contact_solver.h"
 #include "bem/triangle_contact_surface.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -40,7 +40,7 @@ struct Sphere {
     columns->compute(all, Job{});
   }
   static BoundaryMesh tagged(int n) {
-    BoundaryMesh mesh = test::sphereMesh(25, n);
+    BoundaryMesh mesh = verification::sphereMesh(25, n);
     for (int t = 0; t < mesh.triangleCount(); ++t)
       mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -20 ? 1 : 0;
     return mesh;

@@ -4,10 +4,10 @@
 
 #include <numeric>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/error.h"
 #include "bem/nodal_switching.h"
 #include "bem/results.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -29,7 +29,7 @@ struct Sphere {
                                         Precision::kDouble, Job{});
   }
   static BoundaryMesh tagged(int n) {
-    BoundaryMesh mesh = test::sphereMesh(25, n);
+    BoundaryMesh mesh = verification::sphereMesh(25, n);
     for (int t = 0; t < mesh.triangleCount(); ++t)
       mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -20 ? 1 : 0;
     return mesh;
@@ -78,7 +78,7 @@ TEST(ContactMask, IsNoNarrowerThanTheMeshCanCarry) {
 }
 
 TEST(ContactMask, DoesNotTouchTheFarSideOfAThinBody) {
-  BoundaryMesh plate = test::boxMesh({-20, -20, 0}, {20, 20, 2}, 20, 20, 1);
+  BoundaryMesh plate = verification::boxMesh({-20, -20, 0}, {20, 20, 2}, 20, 20, 1);
   const TractionSlots slots(plate);
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)

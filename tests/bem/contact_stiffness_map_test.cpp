@@ -5,11 +5,11 @@
 #include <memory>
 #include <numeric>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/contact_simulation.h"
 #include "bem/contact_solver.h"
 #include "bem/stiffness_map.h"
 #include "bem/triangle_contact_surface.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -28,7 +28,8 @@ struct Box {
   std::unique_ptr<TriangleContactSurface> surface;
   std::unique_ptr<GreensColumns> columns;
 
-  explicit Box(Held bottom) : mesh(test::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4)), slots(mesh) {
+  explicit Box(Held bottom)
+      : mesh(verification::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4)), slots(mesh) {
     constexpr int kLeft = 0, kBottom = 4;  // tags
     std::vector<SlotCondition> conditions;
     for (const auto& slot : slots.slots) {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "test_meshes.h"
+#include "app/verification/exact/simple_meshes.h"
 
 namespace palpa::bem::test {
+using namespace verification;
 namespace {
 
 using Eigen::Vector3d;

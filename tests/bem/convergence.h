@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "solved_body.h"
+#include "app/verification/exact/solved_body.h"
 
 /// The field of a point force outside the body: smooth and not a polynomial, so the honest measure
 /// of convergence.

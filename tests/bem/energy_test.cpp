@@ -2,9 +2,9 @@
 
 #include <cmath>
 
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 #include "bem/results.h"
-#include "solved_body.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -20,8 +20,8 @@ struct LoadedSphere {
   std::unique_ptr<ReferenceProblem> problem;
 
   explicit LoadedSphere(int cells)
-      : mesh(test::retagged(test::sphereMesh(25, cells), 1,
-                            [](const Vector3d& x) { return x[2] < -20; })),
+      : mesh(verification::retagged(verification::sphereMesh(25, cells), 1,
+                                    [](const Vector3d& x) { return x[2] < -20; })),
         slots(mesh) {
     for (const auto& slot : slots.slots)
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
@@ -31,7 +31,7 @@ struct LoadedSphere {
   VectorXd load(const Vector3d& center, const Vector3d& direction) const {
     constexpr double kRadius = 12;
     return projectTraction(mesh, slots,
-                           {test::allTriangles(mesh),
+                           {verification::allTriangles(mesh),
                             [&](const Vector3d& x, const Vector3d&) {
                               const double s = (x - center).squaredNorm() / (kRadius * kRadius);
                               const double height = s < 1 ? (1 - s) * (1 - s) : 0;
@@ -68,10 +68,10 @@ TEST(Energy, OfAUniformTensionIsKnown) {
   // volume.
   const Material material{0.1, 0.3};
   const double strain = 0.02;
-  const auto exact = test::linearField(Vector3d(strain, -0.3 * strain, -0.3 * strain).asDiagonal(),
-                                       Vector3d::Zero(), material);
-  const test::SolvedBody body(
-      test::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2), material, exact,
+  const auto exact = verification::linearField(
+      Vector3d(strain, -0.3 * strain, -0.3 * strain).asDiagonal(), Vector3d::Zero(), material);
+  const verification::SolvedBody body(
+      verification::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2), material, exact,
       [](int tag) { return tag % 2 == 0 ? SlotCondition::kRoller : SlotCondition::kTraction; });
   EXPECT_NEAR(strainEnergy(body.mesh, body.slots, body.field.u.col(0), body.field.p.col(0)),
               0.002 * 0.002 / 0.2 * 24, 1e-8 * 4.8e-4);  // as the patch test

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/assembly_kernel.h"
 #include "bem/boundary_mesh.h"
 #include "bem/flat_triangle_integrals.h"
 #include "bem/instruction_set.h"
 #include "bem/large_matrix.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -22,7 +22,7 @@ struct Assembled {
   LargeMatrix<double> H, G;
 
   Assembled(AssembleRows<double> assembleRows, const QuadratureRange& range) {
-    const BoundaryMesh mesh = test::sphereMesh(10, 5);
+    const BoundaryMesh mesh = verification::sphereMesh(10, 5);
     const TractionSlots slots(mesh);
     const std::ptrdiff_t n = mesh.nodeCount();
     H = LargeMatrix<double>(3 * n, 3 * n);

@@ -6,16 +6,16 @@
 #include <map>
 #include <stdexcept>
 
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/parallel.h"
 #include "bem/reference_problem.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
 
 /// A sphere of 218 nodes that is fixed in its lower part.
 struct Sphere {
-  BoundaryMesh mesh = test::sphereMesh(25, 6);
+  BoundaryMesh mesh = verification::sphereMesh(25, 6);
   std::unique_ptr<TractionSlots> slots;
   std::vector<SlotCondition> conditions;
 

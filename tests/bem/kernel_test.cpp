@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "app/verification/exact/exact_fields.h"
+#include "app/verification/exact/simple_meshes.h"
 #include "bem/assembly.h"
-#include "exact_fields.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using test::differences;
+using verification::differences;
 
 const Vector3d kSource(0.3, -0.2, 0.5), kField(1.4, 0.9, -0.6);
 
@@ -41,7 +41,7 @@ TEST_P(Kernels, TractionIsThatOfTheDisplacement) {
       const Vector3d shearPart = material().shear() * (gradient + gradient.transpose()) * normal;
       EXPECT_LE((traction - shearPart).cross(normal).norm(), 1e-9 * traction.norm());
     } else {
-      EXPECT_LE((test::hooke(gradient, material()) * normal - traction).norm(),
+      EXPECT_LE((verification::hooke(gradient, material()) * normal - traction).norm(),
                 1e-8 * traction.norm());
     }
   }
@@ -92,19 +92,19 @@ TEST_P(CompressibleKernels, DisplacementSolvesNaviersEquation) {
 TEST_P(CompressibleKernels, StressKernelsAreHookesLawOfTheDisplacementKernels) {
   const Vector3d p(0.3, -0.5, 0.8), u(-0.2, 0.9, 0.4), n = Vector3d(1, 2, -1).normalized();
   const Matrix3d fromTraction =
-      test::hooke(differences(
-                      [&](const Vector3d& x) {
-                        return Vector3d(kelvinDisplacement(x, kField, material()) * p);
-                      },
-                      kSource, 2e-3),
-                  material());
+      verification::hooke(differences(
+                              [&](const Vector3d& x) {
+                                return Vector3d(kelvinDisplacement(x, kField, material()) * p);
+                              },
+                              kSource, 2e-3),
+                          material());
   const Matrix3d fromDisplacement =
-      test::hooke(differences(
-                      [&](const Vector3d& x) {
-                        return Vector3d(-kelvinTraction(x, kField, n, material()) * u);
-                      },
-                      kSource, 2e-3),
-                  material());
+      verification::hooke(differences(
+                              [&](const Vector3d& x) {
+                                return Vector3d(-kelvinTraction(x, kField, n, material()) * u);
+                              },
+                              kSource, 2e-3),
+                          material());
   const Matrix3d D = kelvinStressFromTraction(kSource, kField, p, material());
   const Matrix3d S = kelvinStressFromDisplacement(kSource, kField, n, u, material());
   // As above, order 4 with a step of 1e-3 of the distance.
@@ -152,8 +152,9 @@ TEST(ClosedSurface, TractionOfAUnitForceBalancesItInsideAndVanishesOutside) {
   const Matrix3d identity = Matrix3d::Identity();
   const Vector3d low(-20, -15, 0), high(20, 15, 20);
   for (const double nu : {-0.5, 0.3, 0.5})
-    for (const BoundaryMesh& mesh : {test::boxMesh(low, high, 8, 6, 4), test::sphereMesh(18, 6),
-                                     test::torusMesh(12, 6, 24, 12)}) {
+    for (const BoundaryMesh& mesh :
+         {verification::boxMesh(low, high, 8, 6, 4), verification::sphereMesh(18, 6),
+          verification::torusMesh(12, 6, 24, 12)}) {
       const Vector3d inside = Vector3d(12, 1, 0.5), outside(30, 4, 1), close(12.1, 0.2, 30);
       EXPECT_LE((totalTraction(mesh, inside, nu) + identity).norm(), kSumTolerance);
       EXPECT_LE(totalTraction(mesh, outside, nu).norm(), kSumTolerance);
@@ -162,14 +163,14 @@ TEST(ClosedSurface, TractionOfAUnitForceBalancesItInsideAndVanishesOutside) {
 }
 
 TEST(ClosedSurface, InsideAHollowBodyTheCavityIsOutside) {
-  const BoundaryMesh mesh = test::hollowSphereMesh(10, 25, 4, 6);
+  const BoundaryMesh mesh = verification::hollowSphereMesh(10, 25, 4, 6);
   EXPECT_LE(totalTraction(mesh, {1, 2, 3}, 0.3).norm(), kSumTolerance);
   EXPECT_LE((totalTraction(mesh, {0, 17, 3}, 0.3) + Matrix3d::Identity()).norm(), kSumTolerance);
 }
 
 TEST(ClosedSurface, OnTheSurfaceTheFreeTermIsLeft) {
   // On a face the free term is half the identity whatever the material; the point is not a node.
-  const BoundaryMesh box = test::boxMesh({-20, -15, 0}, {20, 15, 20}, 8, 6, 4);
+  const BoundaryMesh box = verification::boxMesh({-20, -15, 0}, {20, 15, 20}, 8, 6, 4);
   for (const double nu : {-0.5, 0.3, 0.5}) {
     const Vector3d face = box.point(3, Vector3d(0.5, 0.3, 0.2));
     EXPECT_LE((totalTraction(box, face, nu) + 0.5 * Matrix3d::Identity()).norm(), kSumTolerance);
@@ -196,7 +197,7 @@ TEST(ClosedSurface, FreeTermOfABoxIsTheShareOfTheBodyAtThePoint) {
   // At a node of a box, own flat elements contribute no T that a rotation by 90 or 180 degrees
   // would not cancel in the mean: the trace of the diagonal block is that of c, 3 times 1/2, 1/4,
   // 1/8.
-  const BoundaryMesh box = test::boxMesh({0, 0, 0}, {20, 20, 20}, 4, 4, 4);
+  const BoundaryMesh box = verification::boxMesh({0, 0, 0}, {20, 20, 20}, 4, 4, 4);
   for (const double nu : {-0.5, 0.3, 0.5}) {
     EXPECT_NEAR(freeTerm(box, {10, 10, 0}, nu).trace(), 1.5, 3 * kSumTolerance);
     EXPECT_NEAR(freeTerm(box, {0, 10, 0}, nu).trace(), 0.75, 3 * kSumTolerance);

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <random>
 
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 #include "bem/assembly.h"
 #include "bem/results.h"
-#include "solved_body.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 
 /// The cylinder that is clamped at the base and twisted and pulled at the top by exact data of no
 /// particular field: only the transformation matters.
-test::ExactField loads(const Material& material) {
-  return test::kelvinField({30, 18, 70}, {0.3, -0.2, 0.6}, material);
+verification::ExactField loads(const Material& material) {
+  return verification::kelvinField({30, 18, 70}, {0.3, -0.2, 0.6}, material);
 }
 constexpr auto kClamped = [](int tag) {
   return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction;
@@ -28,7 +28,7 @@ constexpr auto kClamped = [](int tag) {
 const Material kMaterial{0.1, 0.45};
 
 BoundaryMesh cylinder() {
-  return test::cylinderMesh(20, 60, 16, 8);
+  return verification::cylinderMesh(20, 60, 16, 8);
 }
 
 TEST(Objectivity, ResultsTurnAndMoveWithTheBody) {
@@ -39,11 +39,11 @@ TEST(Objectivity, ResultsTurnAndMoveWithTheBody) {
   for (Vector3d& x : moved.nodes) x = turn * x + shift;
   const auto exact = loads(kMaterial);
   const auto back = [&](const Vector3d& x) { return Vector3d(turn.transpose() * (x - shift)); };
-  const test::ExactField turned{
+  const verification::ExactField turned{
       [&](const Vector3d& x) { return Vector3d(turn * exact.displacement(back(x))); },
       [&](const Vector3d& x) { return Matrix3d(turn * exact.stress(back(x)) * turn.transpose()); }};
-  const test::SolvedBody here(cylinder(), kMaterial, exact, kClamped);
-  const test::SolvedBody there(moved, kMaterial, turned, kClamped);
+  const verification::SolvedBody here(cylinder(), kMaterial, exact, kClamped);
+  const verification::SolvedBody there(moved, kMaterial, turned, kClamped);
   const MatrixXd u =
       turn * Eigen::Map<const MatrixXd>(here.field.u.data(), 3, here.field.u.size() / 3);
   const MatrixXd p =
@@ -55,17 +55,17 @@ TEST(Objectivity, ResultsTurnAndMoveWithTheBody) {
 }
 
 TEST(Objectivity, ResultsScaleWithLengthAndStiffness) {
-  const test::SolvedBody base(cylinder(), kMaterial, loads(kMaterial), kClamped);
+  const verification::SolvedBody base(cylinder(), kMaterial, loads(kMaterial), kClamped);
   for (const double length : {1e-3, 1e3})
     for (const double stiffness : {1e-3, 1e6}) {
       const Material material{0.1 * stiffness, 0.45};
       BoundaryMesh mesh = cylinder();
       for (Vector3d& x : mesh.nodes) x *= length;
       const auto exact = loads(kMaterial);
-      const test::ExactField scaled{
+      const verification::ExactField scaled{
           [&](const Vector3d& x) { return Vector3d(length * exact.displacement(x / length)); },
           [&](const Vector3d& x) { return Matrix3d(stiffness * exact.stress(x / length)); }};
-      const test::SolvedBody body(mesh, material, scaled, kClamped);
+      const verification::SolvedBody body(mesh, material, scaled, kClamped);
       // Unknowns are scaled by E / size: rounding times the condition (about 1e3), and changes of
       // rule as above.
       EXPECT_LE((body.field.u / length - base.field.u).norm(), 1e-7 * base.field.u.norm());
@@ -90,8 +90,8 @@ TEST(Objectivity, ResultsDoNotDependOnTheNumberingOfNodesAndTriangles) {
     renamed.tags[t] = mesh.tags[order[t]];
     renamed.smoothingGroups[t] = mesh.smoothingGroups[order[t]];
   }
-  const test::SolvedBody base(mesh, kMaterial, loads(kMaterial), kClamped);
-  const test::SolvedBody other(renamed, kMaterial, loads(kMaterial), kClamped);
+  const verification::SolvedBody base(mesh, kMaterial, loads(kMaterial), kClamped);
+  const verification::SolvedBody other(renamed, kMaterial, loads(kMaterial), kClamped);
   double difference = 0;
   for (int k = 0; k < mesh.nodeCount(); ++k)
     difference = std::max(difference, (base.field.u.col(0).segment<3>(3 * k) -

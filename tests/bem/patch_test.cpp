@@ -2,21 +2,21 @@
 
 #include <algorithm>
 
-#include "solved_body.h"
-#include "test_meshes.h"
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 
 namespace palpa::bem {
 namespace {
 
 using Eigen::Vector3d;
-using test::SolvedBody;
+using verification::SolvedBody;
 
 // The linear elements contain every linear field, and on flat faces the traction too: what is left
 // is the tolerance of the integrals (1e-7 of single blocks, next to none in their sum) times the
 // condition of the problem.
 constexpr double kExact = 1e-8;
 
-test::ConditionOfTag conditions(std::vector<int> fixed, std::vector<int> rollers) {
+verification::ConditionOfTag conditions(std::vector<int> fixed, std::vector<int> rollers) {
   return [=](int tag) {
     const auto in = [tag](const std::vector<int>& list) {
       return std::find(list.begin(), list.end(), tag) != list.end();
@@ -34,13 +34,13 @@ struct Patch {
 
 class PatchTest : public ::testing::TestWithParam<Patch> {
  protected:
-  test::ConditionOfTag conditionOfTag() const {
+  verification::ConditionOfTag conditionOfTag() const {
     return conditions(GetParam().fixed, GetParam().rollers);
   }
-  static test::ExactField field(const Material& material) {
+  static verification::ExactField field(const Material& material) {
     const bool incompressible = material.poissonRatio == 0.5;
-    return test::linearField(test::generalGradient(incompressible), {0.1, -0.2, 0.05}, material,
-                             incompressible ? 0.0004 : 0);
+    return verification::linearField(verification::generalGradient(incompressible),
+                                     {0.1, -0.2, 0.05}, material, incompressible ? 0.0004 : 0);
   }
 };
 
@@ -49,8 +49,8 @@ TEST_P(PatchTest, BoxIsExact) {
     const Material material{0.1, nu};
     if (nu == 0.5 && GetParam().fixed.size() == 6) continue;  // see Solvability
     const auto exact = field(material);
-    const SolvedBody body(test::boxMesh({-20, -15, 0}, {20, 15, 20}, 8, 6, 4), material, exact,
-                          conditionOfTag());
+    const SolvedBody body(verification::boxMesh({-20, -15, 0}, {20, 15, 20}, 8, 6, 4), material,
+                          exact, conditionOfTag());
     std::printf("patch %-16s nu %5.2f  u %.1e  p %.1e  condition %.0e\n", GetParam().name.c_str(),
                 nu, body.maxDisplacementError(exact), body.maxTractionError(exact),
                 body.problem->conditionEstimate());
@@ -66,8 +66,8 @@ TEST_P(PatchTest, PlateIsExact) {
     const Material material{0.1, nu};
     if (nu == 0.5 && GetParam().fixed.size() == 6) continue;
     const auto exact = field(material);
-    const SolvedBody body(test::boxMesh({-20, -20, 0}, {20, 20, 2}, 10, 10, 1), material, exact,
-                          conditionOfTag());
+    const SolvedBody body(verification::boxMesh({-20, -20, 0}, {20, 20, 2}, 10, 10, 1), material,
+                          exact, conditionOfTag());
     std::printf("plate %-16s nu %5.2f  u %.1e  p %.1e  condition %.0e\n", GetParam().name.c_str(),
                 nu, body.maxDisplacementError(exact), body.maxTractionError(exact),
                 body.problem->conditionEstimate());
@@ -96,19 +96,21 @@ void expectSecondOrder(const char* name, double cut, double nu,
                        const std::vector<BoundaryMesh>& meshes) {
   const Material material{0.1, nu};
   const bool incompressible = nu == 0.5;
-  const auto exact = test::linearField(test::generalGradient(incompressible), {0.1, -0.2, 0.05},
-                                       material, incompressible ? 0.0004 : 0);
+  const auto exact =
+      verification::linearField(verification::generalGradient(incompressible), {0.1, -0.2, 0.05},
+                                material, incompressible ? 0.0004 : 0);
   std::vector<double> errors;
   std::vector<int> nodes;
   double order = 0;
   for (const BoundaryMesh& mesh : meshes) {
-    const SolvedBody body(test::retagged(mesh, 10, [&](const Vector3d& x) { return x[2] < cut; }),
-                          material, exact, conditions({10}, {}));
+    const SolvedBody body(
+        verification::retagged(mesh, 10, [&](const Vector3d& x) { return x[2] < cut; }), material,
+        exact, conditions({10}, {}));
     errors.push_back(body.rmsDisplacementError(exact));
     nodes.push_back(mesh.nodeCount());
     const auto k = errors.size();
     if (k > 1)
-      order = test::observedOrder(errors[k - 2], nodes[k - 2], errors[k - 1], nodes[k - 1]);
+      order = verification::observedOrder(errors[k - 2], nodes[k - 2], errors[k - 1], nodes[k - 1]);
     std::printf("%-10s nu %.2f  n %5d  error %.2e  order %.2f\n", name, nu, nodes.back(),
                 errors.back(), order);
   }
@@ -118,21 +120,24 @@ void expectSecondOrder(const char* name, double cut, double nu,
 TEST(PatchTestCurved, SphereConvergesWithSecondOrder) {
   for (const double nu : {0.3, 0.5})
     expectSecondOrder("sphere", -15, nu,
-                      {test::sphereMesh(25, 5), test::sphereMesh(25, 8), test::sphereMesh(25, 12)});
+                      {verification::sphereMesh(25, 5), verification::sphereMesh(25, 8),
+                       verification::sphereMesh(25, 12)});
 }
 
 TEST(PatchTestCurved, CylinderConvergesWithSecondOrder) {
   for (const double nu : {0.3, 0.5})
-    expectSecondOrder("cylinder", 0.01, nu,
-                      {test::cylinderMesh(20, 60, 16, 8), test::cylinderMesh(20, 60, 24, 12),
-                       test::cylinderMesh(20, 60, 36, 18)});
+    expectSecondOrder(
+        "cylinder", 0.01, nu,
+        {verification::cylinderMesh(20, 60, 16, 8), verification::cylinderMesh(20, 60, 24, 12),
+         verification::cylinderMesh(20, 60, 36, 18)});
 }
 
 TEST(PatchTestCurved, TorusConvergesWithSecondOrder) {
   for (const double nu : {0.3, 0.5})
-    expectSecondOrder("torus", -4, nu,
-                      {test::torusMesh(30, 10, 24, 10), test::torusMesh(30, 10, 36, 15),
-                       test::torusMesh(30, 10, 54, 22)});
+    expectSecondOrder(
+        "torus", -4, nu,
+        {verification::torusMesh(30, 10, 24, 10), verification::torusMesh(30, 10, 36, 15),
+         verification::torusMesh(30, 10, 54, 22)});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "solved_body.h"
-#include "test_meshes.h"
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 
 namespace palpa::bem {
 namespace {
@@ -13,7 +13,8 @@ struct Difference {
 };
 
 /// Largest difference to the solution in double precision, over the largest value.
-Difference differenceTo(const test::SolvedBody& expected, const test::SolvedBody& found) {
+Difference differenceTo(const verification::SolvedBody& expected,
+                        const verification::SolvedBody& found) {
   return {(found.field.u - expected.field.u).lpNorm<Eigen::Infinity>() /
               expected.field.u.lpNorm<Eigen::Infinity>(),
           (found.field.p - expected.field.p).lpNorm<Eigen::Infinity>() /
@@ -23,10 +24,11 @@ Difference differenceTo(const test::SolvedBody& expected, const test::SolvedBody
 TEST(Precision, SinglePrecisionCostsLittleAgainstTheDiscretisation) {
   for (const double nu : {0.3, 0.49, 0.5}) {
     const Material material{0.1, nu};
-    const auto exact = test::kelvinField({8, -5, 38}, {0.03, -0.02, 0.06}, material);
+    const auto exact = verification::kelvinField({8, -5, 38}, {0.03, -0.02, 0.06}, material);
     const auto solve = [&](Precision precision) {
-      return test::SolvedBody(
-          test::retagged(test::sphereMesh(25, 9), 1, [](const Vector3d& x) { return x[2] < -10; }),
+      return verification::SolvedBody(
+          verification::retagged(verification::sphereMesh(25, 9), 1,
+                                 [](const Vector3d& x) { return x[2] < -10; }),
           material, exact,
           [](int tag) { return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction; },
           {precision, {}});
@@ -50,9 +52,9 @@ TEST(Precision, SinglePrecisionCostsLittleAgainstTheDiscretisation) {
 TEST(Precision, MemoryEstimateIsWhatIsUsed) {
   for (const Precision precision : {Precision::kDouble, Precision::kMixed, Precision::kSingle}) {
     const Material material{0.1, 0.3};
-    const test::SolvedBody body(
-        test::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2), material,
-        test::linearField(test::generalGradient(false), {0, 0, 0}, material),
+    const verification::SolvedBody body(
+        verification::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2), material,
+        verification::linearField(verification::generalGradient(false), {0, 0, 0}, material),
         [](int tag) { return tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction; },
         {precision, {}});
     const double estimate = estimateBytes(body.mesh.nodeCount(), body.slots.count(), precision);

@@ -4,12 +4,13 @@
 #include <random>
 #include <stdexcept>
 
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 #include "bem/greens_columns.h"
 #include "bem/triangle_discretisation.h"
-#include "solved_body.h"
-#include "test_meshes.h"
 
 namespace palpa::bem::test {
+using namespace verification;
 namespace {
 
 using Eigen::MatrixXd;

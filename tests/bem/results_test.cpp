@@ -4,26 +4,26 @@
 
 #include <numeric>
 
-#include "solved_body.h"
-#include "test_meshes.h"
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 
 namespace palpa::bem {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using test::SolvedBody;
+using verification::SolvedBody;
 
 const Vector3d kSource(8, -5, 45), kForce(0.03, -0.02, 0.06);
 
 /// A sphere of radius 25 mm in the field of a point force 20 mm above it.
 struct Sphere {
-  test::ExactField exact;
+  verification::ExactField exact;
   SolvedBody body;
   Sphere(int cells, double nu)
-      : exact(test::kelvinField(kSource, kForce, {0.1, nu})),
-        body(test::retagged(test::sphereMesh(25, cells), 1,
-                            [](const Vector3d& x) { return x[2] < -10; }),
+      : exact(verification::kelvinField(kSource, kForce, {0.1, nu})),
+        body(verification::retagged(verification::sphereMesh(25, cells), 1,
+                                    [](const Vector3d& x) { return x[2] < -10; }),
              {0.1, nu}, exact,
              [](int tag) { return tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction; }) {}
 };
@@ -61,9 +61,10 @@ TEST(SurfaceStress, ConvergesToThatOfThePointForce) {
 TEST(SurfaceStress, IsExactForALinearFieldOnABox) {
   for (const double nu : {0.3, 0.49}) {
     const Material material{0.1, nu};
-    const auto exact = test::linearField(test::generalGradient(false), {0, 0, 0}, material);
+    const auto exact =
+        verification::linearField(verification::generalGradient(false), {0, 0, 0}, material);
     const SolvedBody body(
-        test::boxMesh({-20, -15, 0}, {20, 15, 20}, 6, 5, 4), material, exact,
+        verification::boxMesh({-20, -15, 0}, {20, 15, 20}, 6, 5, 4), material, exact,
         [](int tag) { return tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction; });
     const Matrix3d expected = exact.stress(Vector3d::Zero());
     for (const Matrix3d& stress :
@@ -94,7 +95,7 @@ TEST(InteriorState, IsThatOfThePointForce) {
 }
 
 TEST(InteriorState, IsEmptyOutsideTheBodyAndInItsCavity) {
-  const BoundaryMesh mesh = test::hollowSphereMesh(10, 25, 3, 4);
+  const BoundaryMesh mesh = verification::hollowSphereMesh(10, 25, 3, 4);
   const TractionSlots slots(mesh);
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * mesh.nodeCount());
   const Eigen::VectorXd p = Eigen::VectorXd::Zero(3 * slots.count());
@@ -136,11 +137,12 @@ TEST(SurfaceDisplacement, IsAsGoodBetweenTheNodesAsAtThem) {
 }
 
 TEST(TractionResultant, OfAUniformPressureOnOneFace) {
-  const BoundaryMesh mesh = test::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2);
+  const BoundaryMesh mesh = verification::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2);
   const TractionSlots slots(mesh);
   Eigen::VectorXd p(3 * slots.count());
   for (int s = 0; s < slots.count(); ++s) p.segment<3>(3 * s) = Vector3d(0, 0, -0.5);
-  const Resultant found = tractionResultant(mesh, slots, p, test::trianglesWithTag(mesh, 5));
+  const Resultant found =
+      tractionResultant(mesh, slots, p, verification::trianglesWithTag(mesh, 5));
   EXPECT_LE((found.force - Vector3d(0, 0, -6)).norm(), 1e-13);    // 4 x 3 mm^2 times 0.5 MPa
   EXPECT_LE((found.moment - Vector3d(-9, 12, 0)).norm(), 1e-13);  // at (2, 1.5, 2)
 }

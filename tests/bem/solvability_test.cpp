@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
 #include "bem/reference_problem.h"
-#include "solved_body.h"
-#include "test_meshes.h"
 
 namespace palpa::bem {
 namespace {
@@ -19,7 +19,7 @@ struct Refusal {
 };
 
 Refusal refusal(const BoundaryMesh& mesh, const Material& material,
-                const test::ConditionOfTag& conditionOfTag) {
+                const verification::ConditionOfTag& conditionOfTag) {
   const TractionSlots slots(mesh);
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots) conditions.push_back(conditionOfTag(slot.tag));
@@ -45,10 +45,10 @@ void expectNotHeld(const Refusal& refusal, std::initializer_list<const char*> fr
 const Material kRubber{0.1, 0.45};
 
 BoundaryMesh box() {
-  return test::boxMesh({-2, -2, 0}, {2, 2, 3}, 4, 4, 3);
+  return verification::boxMesh({-2, -2, 0}, {2, 2, 3}, 4, 4, 3);
 }
 
-test::ConditionOfTag rollersOn(std::initializer_list<int> tags) {
+verification::ConditionOfTag rollersOn(std::initializer_list<int> tags) {
   const std::vector<int> list(tags);
   return [list](int tag) {
     return std::find(list.begin(), list.end(), tag) != list.end() ? SlotCondition::kRoller
@@ -74,12 +74,12 @@ TEST(Solvability, ThreeRollerPlanesHold) {
 }
 
 TEST(Solvability, NamesTheMotionsOfACylinderInASleeve) {
-  expectNotHeld(refusal(test::cylinderMesh(5, 12, 24, 8), kRubber, rollersOn({0})),
+  expectNotHeld(refusal(verification::cylinderMesh(5, 12, 24, 8), kRubber, rollersOn({0})),
                 {"translation along z", "rotation about the axis along z through (0, 0, "});
 }
 
 TEST(Solvability, NamesARotationAboutAnAxisThatIsNotAtTheOrigin) {
-  BoundaryMesh mesh = test::cylinderMesh(5, 12, 24, 8);
+  BoundaryMesh mesh = verification::cylinderMesh(5, 12, 24, 8);
   for (Vector3d& node : mesh.nodes) node += Vector3d(30, -7, 0);
   expectNotHeld(refusal(mesh, kRubber, rollersOn({0, 1})),
                 {"rotation about the axis along z through (30, -7, "});
@@ -88,13 +88,13 @@ TEST(Solvability, NamesARotationAboutAnAxisThatIsNotAtTheOrigin) {
 TEST(Solvability, NamesTheRotationsOfABallInASocket) {
   // The mesh's normals are not quite radial, so the frictionless socket seems to resist a little.
   for (const int n : {4, 8})
-    expectNotHeld(refusal(test::sphereMesh(5, n), kRubber, rollersOn({0})),
+    expectNotHeld(refusal(verification::sphereMesh(5, n), kRubber, rollersOn({0})),
                   {"rotation about the axis along x", "rotation about the axis along y",
                    "rotation about the axis along z"});
 }
 
 TEST(Solvability, ASmallFixedPlaceHolds) {
-  BoundaryMesh mesh = test::sphereMesh(5, 12);
+  BoundaryMesh mesh = verification::sphereMesh(5, 12);
   for (int t = 0; t < mesh.triangleCount(); ++t)
     mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -4.8 ? 1 : 0;
   EXPECT_EQ(
@@ -105,7 +105,7 @@ TEST(Solvability, ASmallFixedPlaceHolds) {
 }
 
 TEST(Solvability, ANearlyIncompressibleBodyWithACavityIsRefused) {
-  BoundaryMesh mesh = test::hollowSphereMesh(2, 5, 4, 8);
+  BoundaryMesh mesh = verification::hollowSphereMesh(2, 5, 4, 8);
   for (int t = 0; t < mesh.triangleCount(); ++t)
     mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -4 ? 1 : 0;
   const auto fixedPart = [](int tag) {

@@ -4,17 +4,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/verification/exact/exact_fields.h"
 #include "bench/peers/finite_element_body.h"
-#include "exact_fields.h"
 #include "tetrahedra_test_meshes.h"
 
 namespace palpa::bench::test {
 namespace {
 
-using bem::test::ExactField;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+using verification::ExactField;
 
 const bem::Material kMaterial{0.1, 0.45};
 
@@ -48,8 +48,8 @@ EdgeMiddle onSphere(double radius) {
 }
 
 TEST(PeerFiniteElements, LinearFieldsAreExact) {
-  const ExactField exact =
-      bem::test::linearField(0.01 * bem::test::generalGradient(false), {0.1, 0.2, 0.3}, kMaterial);
+  const ExactField exact = verification::linearField(0.01 * verification::generalGradient(false),
+                                                     {0.1, 0.2, 0.3}, kMaterial);
   for (const TetrahedralMesh& mesh : {boxOfTetrahedra({40, 30, 20}, 3), ballOfTetrahedra(25, 4)}) {
     EXPECT_LE(nodalError(mesh, exact), 1e-10);
     EXPECT_LE(nodalError(makeQuadratic(mesh, {}), exact), 1e-10);
@@ -74,7 +74,7 @@ TEST(PeerFiniteElements, BendingIsExactWithQuadraticElements) {
 }
 
 TEST(PeerFiniteElements, ErrorOfAKelvinFieldFallsOnTheSphere) {
-  const ExactField exact = bem::test::kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, kMaterial);
+  const ExactField exact = verification::kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, kMaterial);
   const auto error = [&](const TetrahedralMesh& mesh) {
     FiniteElementBody body = bodyOf(mesh);
     return surfaceError(mesh, solve(body, exact), exact.displacement);

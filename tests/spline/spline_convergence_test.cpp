@@ -1,4 +1,4 @@
-#include "solved_body.h"
+#include "app/verification/exact/solved_body.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {
@@ -28,20 +28,7 @@ std::vector<Step> converge(const char* name, const std::vector<SplineSurface>& s
   return steps;
 }
 
-TEST(SplineConvergence, SphereWithAKelvinSourceOutside) {
-  const Material material{0.1, 0.3};
-  const ExactField exact = kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, material);
-  std::vector<SplineSurface> surfaces;
-  for (const int points : {5, 7, 9, 11})
-    surfaces.push_back(heldWhere(app::splineSurfaceOf(modeling::makeSphere(25, points)), isBelow));
-  const std::vector<Step> steps = converge("sphere", surfaces, exact, material);
-  EXPECT_EQ(steps[2].coefficients, 386);
-  EXPECT_LE(steps[2].error, 5e-4);
-  EXPECT_EQ(steps[3].coefficients, 602);
-  EXPECT_LE(steps[3].error, 1.5e-4);
-  EXPECT_GE(steps.back().order, 4);
-}
-
+/// The sphere is in app/verification.
 TEST(SplineConvergence, OtherBodies) {
   const Material material{0.1, 0.3};
   const auto series = [&](const char* name, const modeling::Solid& solid, int refinements,

@@ -5,7 +5,6 @@
 
 #include "app/core/spline_surface_of.h"
 #include "bem/spline/surface_part.h"
-#include "fem_case.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/knot_operations.h"
 
@@ -13,33 +12,12 @@ namespace palpa::bem::test {
 
 using Eigen::Vector3d;
 using nlohmann::json;
-using palpa::test::vectorOf;
 
 namespace {
 
 constexpr double kHeight = 60;  ///< mm, of the cylinder
 
 }  // namespace
-
-FemErrors::FemErrors(const json& reference, const std::vector<Vector3d>& displacements,
-                     const Vector3d& reactionForce, double energyFound) {
-  double largest = 0, squares = 0, scale = 0;
-  for (const json& point : reference["points"])
-    largest = std::max(largest, vectorOf(point["u"]).norm());
-  for (std::size_t k = 0; k < displacements.size(); ++k) {
-    const Vector3d expected = vectorOf(reference["points"][k]["u"]);
-    const double error = (displacements[k] - expected).norm();
-    anywhere = std::max(anywhere, error / largest);
-    if (k == 0) atLoad = error / expected.norm();
-    squares += error * error;
-    scale += expected.squaredNorm();
-  }
-  points = std::sqrt(squares / scale);
-  const Vector3d expected = vectorOf(reference["reaction_force"]);
-  reaction = (reactionForce - expected).norm() / expected.norm();
-  const double exactEnergy = reference["energy_mJ"];
-  energy = std::abs(energyFound - exactEnergy) / exactEnergy;
-}
 
 modeling::Solid withKnots(modeling::Solid solid, const std::string& patch, int direction,
                           const std::vector<double>& fractions) {

@@ -2,23 +2,18 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "app/verification/analytic_case.h"
+#include "app/verification/fem_case.h"
+#include "app/verification/reference_data.h"
 #include "spline_body.h"
 
-/// The finite element solutions of data/fem.json with splines.
+/// The finite element solutions of fem.json with splines whose knots are chosen by hand.
 namespace palpa::bem::test {
 
-/// Relative errors of a solution of one of the cases.
-struct FemErrors {
-  double atLoad = 0;    ///< displacement at the first point, in the middle of the load
-  double anywhere = 0;  ///< largest at any point, over the largest displacement
-  double points = 0;    ///< root mean square over all points, over that of the displacements
-  double reaction = 0, energy = 0;
-
-  /// `displacements`: one per point of the case.
-  FemErrors(const nlohmann::json& reference, const std::vector<Eigen::Vector3d>& displacements,
-            const Eigen::Vector3d& reactionForce, double energyFound);
-  FemErrors() = default;
-};
+/// A case of fem.json by its name.
+inline const nlohmann::json& femCase(const std::string& id) {
+  return ReferenceData::builtIn().finiteElementCase(id);
+}
 
 struct FemSolution {
   FemErrors errors;

@@ -1,11 +1,10 @@
-// The finite element solutions of data/fem.json with splines that are graded towards the clamped
+// The finite element solutions of fem.json with splines that are graded towards the clamped
 // rim.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
 
-#include "fem_case.h"
 #include "spline_fem.h"
 
 namespace palpa::bem::test {
@@ -13,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 using nlohmann::json;
-using palpa::test::femCase;
-using palpa::test::vectorOf;
 
 const std::vector<double> kTowardsRims{0.04, 0.125, 0.375, 0.625, 0.875, 0.96};
 

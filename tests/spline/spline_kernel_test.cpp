@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bem/instruction_set.h"
+#include "bem/kelvin.h"
 
 namespace palpa::bem::test {
 namespace {
@@ -15,13 +16,15 @@ namespace {
 using Eigen::Vector3d;
 
 std::vector<SplineKernel> variants() {
-  std::vector<SplineKernel> all{
-      {placePointsBaseline, tabulateBaseline, sumKernelsBaseline, addSumsBaseline}};
+  std::vector<SplineKernel> all{{placePointsBaseline, tabulateBaseline, sumKernelsBaseline,
+                                 addSumsBaseline, makeBlocksUBaseline, makeBlocksTBaseline}};
 #if defined(__x86_64__)
   if (instructionSet() != InstructionSet::kBaseline)
-    all.push_back({placePointsAvx2, tabulateAvx2, sumKernelsAvx2, addSumsAvx2});
+    all.push_back({placePointsAvx2, tabulateAvx2, sumKernelsAvx2, addSumsAvx2, makeBlocksUAvx2,
+                   makeBlocksTAvx2});
   if (instructionSet() == InstructionSet::kAvx512)
-    all.push_back({placePointsAvx512, tabulateAvx512, sumKernelsAvx512, addSumsAvx2});
+    all.push_back({placePointsAvx512, tabulateAvx512, sumKernelsAvx512, addSumsAvx2,
+                   makeBlocksUAvx512, makeBlocksTAvx512});
 #endif
   return all;
 }
@@ -134,6 +137,54 @@ TEST(SplineKernel, SumsOverAnyPointsAreWhatTheyAreCalled) {
         expectSame(sums, writtenOut(sample, x, functions,
                                     [&](int p, int f) { return basis[p * stride + f]; }));
       }
+}
+
+/// A function that is 1 at one quadrature point and 0 at all others: its blocks are Kelvin's
+/// kernels themselves.
+TEST(SplineKernel, BlocksAreKelvinsKernels) {
+  const Material material{0.7, 0.35};
+  const double nu = material.poissonRatio;
+  const KelvinConstants constants{1 / (16 * M_PI * material.shear() * (1 - nu)),
+                                  -1 / (8 * M_PI * (1 - nu)), 3 - 4 * nu, 1 - 2 * nu};
+  constexpr int kCoefficients = 5;
+  const std::vector<int> wanted{3, 0, 4};
+  std::mt19937 random(4);
+  for (const SplineKernel& kernel : variants()) {
+    std::vector<double> T[kSplineLanes], U[kSplineLanes];
+    std::vector<Sample> samples;
+    MakeBlocksTask ofT{constants, {}, wanted.data(), static_cast<int>(wanted.size()), nullptr};
+    MakeBlocksTask ofU = ofT;
+    const Vector3d x(0.1, -0.2, 0.3);
+    for (int k = 0; k < kSplineLanes; ++k) {
+      samples.emplace_back(kCoefficients, random);
+      const auto sums =
+          writtenOut(samples[k], x, kCoefficients, [](int p, int f) { return p == f ? 1.0 : 0.0; });
+      for (const KernelSums& sum : sums) {
+        U[k].insert(U[k].end(), sum.of, sum.of + kKernelSumsU);
+        T[k].insert(T[k].end(), sum.of + kKernelSumsU, sum.of + kKernelSums);
+      }
+      U[k].resize(U[k].size() + kSumsPadding, NAN);
+      T[k].resize(T[k].size() + kSumsPadding, NAN);
+      ofU.sums[k] = U[k].data();
+      ofT.sums[k] = T[k].data();
+    }
+    alignas(64) double blocksU[3][9][kSplineLanes], blocksT[3][9][kSplineLanes];
+    ofU.blocks = &blocksU[0][0][0];
+    ofT.blocks = &blocksT[0][0][0];
+    kernel.makeBlocksU(ofU);
+    kernel.makeBlocksT(ofT);
+    for (int k = 0; k < kSplineLanes; ++k)
+      for (int j = 0; j < 3; ++j) {
+        const Vector3d y = samples[k].vector(0, wanted[j]), area = samples[k].vector(3, wanted[j]);
+        const Eigen::Matrix3d u = area.norm() * kelvinDisplacement(x, y, material),
+                              t = area.norm() * kelvinTraction(x, y, area.normalized(), material);
+        for (int c = 0; c < 3; ++c)
+          for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(blocksU[j][3 * c + i][k], u(i, c), 1e-12);
+            EXPECT_NEAR(blocksT[j][3 * c + i][k], t(i, c), 1e-12);
+          }
+      }
+  }
 }
 
 TEST(SplineKernel, SumsAreAddedToTheirCoefficients) {

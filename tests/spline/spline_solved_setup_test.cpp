@@ -1,11 +1,13 @@
-// Solutions of projects with splines: the finite element solutions of data/fem.json with knots
+// Solutions of projects with splines: the finite element solutions of fem.json with knots
 // chosen automatically, what supports prescribe, rollers.
 
 #include <chrono>
 
 #include "app/core/boundary_setup.h"
+#include "app/verification/analytic_case.h"
+#include "app/verification/fem_case.h"
+#include "app/verification/reference_data.h"
 #include "bem/results.h"
-#include "fem_case.h"
 #include "solved_setup.h"
 #include "spline_body.h"
 
@@ -17,35 +19,17 @@ using modeling::Project;
 using modeling::Region;
 using modeling::Support;
 using nlohmann::json;
-using palpa::test::femCase;
-using palpa::test::vectorOf;
 
 constexpr double kFingertip = 6.0;  // mm
 
-struct FemErrors {
-  int coefficients = 0;
-  double atLoad = 0, anywhere = 0, reaction = 0;
+struct Solution {
+  int coefficients;
+  verification::FemErrors errors;  ///< without the energy
 };
 
-FemErrors femErrors(const std::string& id, double accuracy) {
-  const json reference = femCase(id);
-  Project project;
-  project.material = {"", reference["material"]["E"], reference["material"]["nu"]};
-  if (id == "c_sph_pole") {
-    project.body = modeling::makeSphere(25);
-    project.supports = {{"base", Support::Kind::fixed, Region::below({0, 0, 1}, -20), {0, 0, 0}}};
-  } else {
-    project.body = modeling::makeCylinder(20, 60);
-    project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
-  }
-  if (reference.contains("top"))
-    project.supports.push_back(
-        {"top", Support::Kind::fixed, Region::ofPatches({"top"}), vectorOf(reference["top"])});
-  if (reference.contains("load")) {
-    const json& load = reference["load"];
-    project.loads.push_back({"bump", modeling::Bump{vectorOf(load["center"]), load["a"], load["p0"],
-                                                    vectorOf(load["direction"])}});
-  }
+Solution solveFem(const std::string& id, double accuracy) {
+  const json& reference = verification::ReferenceData::builtIn().finiteElementCase(id);
+  Project project = verification::femProject(reference);
   project.mesh.edgeLength = 4;
   project.mesh.accuracy = accuracy;
   ElementSizes sizes = ElementSizes::of(project.mesh, kFingertip);
@@ -56,40 +40,33 @@ FemErrors femErrors(const std::string& id, double accuracy) {
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
-  FemErrors errors;
-  errors.coefficients = solved.surface().coefficientCount();
-  double largest = 0;
+  std::vector<Vector3d> displacements;
   for (const json& point : reference["points"])
-    largest = std::max(largest, vectorOf(point["u"]).norm());
-  for (std::size_t k = 0; k < reference["points"].size(); ++k) {
-    const json& point = reference["points"][k];
-    const auto place = bem::test::nearestPlace(solved.surface(), vectorOf(point["x"]));
-    const double error = (solved.u(place) - vectorOf(point["u"])).norm();
-    errors.anywhere = std::max(errors.anywhere, error / largest);
-    if (k == 0) errors.atLoad = error / vectorOf(point["u"]).norm();
-  }
-  const Vector3d expected = vectorOf(reference["reaction_force"]);
-  errors.reaction = (solved.reaction(0) - expected).norm() / expected.norm();
+    displacements.push_back(
+        solved.u(verification::nearestPlace(solved.surface(), verification::vectorOf(point["x"]))));
+  const Solution solution{solved.surface().coefficientCount(),
+                          verification::FemErrors(reference, displacements, solved.reaction(0), 0)};
+  const verification::FemErrors& errors = solution.errors;
   std::printf(
       "%s %.0e: n %d (net %.0f), slots %d, at load %.2e anywhere %.2e reaction %.2e (%.2f + %.2f "
       "of %.2f s)\n",
-      id.c_str(), accuracy, errors.coefficients, net.coefficients,
+      id.c_str(), accuracy, solution.coefficients, net.coefficients,
       solved.setup.discretisation->slots().count(), errors.atLoad, errors.anywhere, errors.reaction,
       solved.times.assemble, solved.times.factorise, seconds);
-  return errors;
+  return solution;
 }
 
 TEST(SplineSetup, FiniteElementCasesWithAutomaticKnots) {
   for (const char* id : {"a_cyl_side", "b_cyl_push_nu0.30", "b_cyl_push_nu0.45", "c_sph_pole"}) {
-    const FemErrors coarse = femErrors(id, 1e-2);
+    const Solution coarse = solveFem(id, 1e-2);
     EXPECT_LE(coarse.coefficients, 800);
-    EXPECT_LE(coarse.atLoad, 1e-2);
-    EXPECT_LE(coarse.reaction, 1e-2);
-    const FemErrors errors = femErrors(id, 3e-3);
-    EXPECT_LE(errors.coefficients, 1200);
-    EXPECT_LE(errors.atLoad, 5e-3);
-    EXPECT_LE(errors.anywhere, 7e-3);
-    EXPECT_LE(errors.reaction, 3e-3);
+    EXPECT_LE(coarse.errors.atLoad, 1e-2);
+    EXPECT_LE(coarse.errors.reaction, 1e-2);
+    const Solution fine = solveFem(id, 3e-3);
+    EXPECT_LE(fine.coefficients, 1200);
+    EXPECT_LE(fine.errors.atLoad, 5e-3);
+    EXPECT_LE(fine.errors.anywhere, 7e-3);
+    EXPECT_LE(fine.errors.reaction, 3e-3);
   }
 }
 

@@ -1,4 +1,4 @@
-// The finite element solutions of data/fem.json (two independent programs that agree to 0.03 % of
+// The finite element solutions of fem.json (two independent programs that agree to 0.03 % of
 // the largest displacement), whose tractions are singular along the rims of supports: splines with
 // graded knots against triangles refined towards the borders of supports. The error of u is the
 // root mean square over the points of the file.
@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "bem/results.h"
-#include "fem_case.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_fem.h"
 #include "study_solutions.h"
@@ -17,8 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 using nlohmann::json;
-using palpa::test::femCase;
-using palpa::test::vectorOf;
 
 constexpr const char* kGraded = "cubic splines, graded";
 constexpr const char* kRefined = "triangles, refined";

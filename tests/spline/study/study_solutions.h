@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
+#include "app/verification/exact/solved_body.h"
 #include "modeling/mesh/mesh.h"
-#include "solved_body.h"
 #include "spline_body.h"
 #include "study_series.h"
 

@@ -1,0 +1,70 @@
+#pragma once
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/verification/exact/exact_fields.h"
+
+namespace palpa::verification {
+
+/// One case of analytic.json: a body of a simple shape, its material, an exact field, what is
+/// prescribed region by region, and sample points. Expressions and numbers are looked up when they
+/// are needed: every member may throw nlohmann::json::exception, or ModelingError for a wrong
+/// expression, when the case does not follow resources/reference/README.md.
+class AnalyticCase {
+ public:
+  explicit AnalyticCase(const nlohmann::json& source);
+
+  const std::string& id() const { return id_; }
+  const bem::Material& material() const { return material_; }
+  /// Shape of the body: "sphere", "box", …
+  const std::string& shape() const { return shape_; }
+  const nlohmann::json& geometry() const { return json_.at("geometry"); }
+  const nlohmann::json& source() const { return json_; }
+
+  /// A part of the surface and what is given there.
+  struct Condition {
+    std::string region;  ///< or "all"
+    std::string type;    ///< "displacement", "traction", or "mixed": u.n and tangential tractions
+    nlohmann::json expressions;
+  };
+  std::vector<Condition> conditions() const;
+  /// True where the file says that any mixture of the boundary data of its field is a valid case,
+  /// and states displacements everywhere.
+  bool anyMixture() const;
+  /// False when displacements everywhere leave the pressure of an incompressible body open.
+  bool isDetermined() const;
+
+  /// A place where the file states the displacement.
+  struct Point {
+    bool isInside;
+    Eigen::Vector3d at, displacement;  ///< mm
+  };
+  /// At least one.
+  std::vector<Point> points() const;
+
+  /// A vector from its expressions of the coordinates and of the normal.
+  Eigen::Vector3d value(const nlohmann::json& expressions, const Eigen::Vector3d& x,
+                        const Eigen::Vector3d& n = Eigen::Vector3d::Zero()) const;
+  /// u from the file; stress from its derivatives and, at nu = 0.5, the file's pressure. Refers to
+  /// this object.
+  ExactField exactField() const;
+  /// Largest difference between what the file states in several ways: displacements of points and
+  /// expressions, and tractions (expressions and points) and those of exactField(); over the
+  /// largest stress.
+  double inconsistency() const;
+
+ private:
+  double evaluated(const nlohmann::json& expression,
+                   const std::map<std::string, double>& names) const;
+
+  nlohmann::json json_;
+  std::string id_, shape_;
+  bem::Material material_;
+  std::map<std::string, double> names_;
+};
+
+Eigen::Vector3d vectorOf(const nlohmann::json& list);
+
+}  // namespace palpa::verification

@@ -1,0 +1,38 @@
+#pragma once
+#include <Eigen/Dense>
+#include <functional>
+
+#include "bem/material.h"
+
+/// Exact solutions of linear elasticity without body forces, to compare with.
+namespace palpa::verification {
+
+struct ExactField {
+  std::function<Eigen::Vector3d(const Eigen::Vector3d& x)> displacement;  ///< mm
+  std::function<Eigen::Matrix3d(const Eigen::Vector3d& x)> stress;        ///< MPa
+};
+
+/// u = gradient x + shift. At nu = 0.5 the gradient must be free of trace, and the stress is its
+/// deviatoric part minus `pressure`, which has to be 0 for any other material.
+ExactField linearField(const Eigen::Matrix3d& gradient, const Eigen::Vector3d& shift,
+                       const bem::Material& material, double pressure = 0);
+
+/// Field of a point force (N) at `source`, a place outside the body.
+ExactField kelvinField(const Eigen::Vector3d& source, const Eigen::Vector3d& force,
+                       const bem::Material& material);
+
+/// A gradient without any symmetry; free of trace if asked for.
+Eigen::Matrix3d generalGradient(bool traceless);
+
+/// Gradient of a function by central differences of order 4 with the given step; column j is the
+/// derivative along axis j.
+Eigen::Matrix3d differences(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& f,
+                            const Eigen::Vector3d& at, double step);
+
+/// The larger of two errors; infinite when one is not a number, so that no comparison lets it pass.
+double worse(double error, double other);
+
+/// Hooke's law, for nu < 0.5.
+Eigen::Matrix3d hooke(const Eigen::Matrix3d& gradient, const bem::Material& material);
+
+}  // namespace palpa::verification

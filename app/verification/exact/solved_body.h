@@ -1,0 +1,57 @@
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "app/verification/exact/exact_fields.h"
+#include "bem/reference_problem.h"
+
+namespace palpa::verification {
+
+using ConditionOfTag = std::function<bem::SlotCondition(int tag)>;
+
+/// Every triangle's tag becomes `tag` where its centroid fulfils `inside`.
+bem::BoundaryMesh retagged(bem::BoundaryMesh mesh, int tag,
+                           const std::function<bool(const Eigen::Vector3d&)>& inside);
+
+/// Indices of all triangles, or of those with one tag.
+std::vector<int> allTriangles(const bem::BoundaryMesh& mesh);
+std::vector<int> trianglesWithTag(const bem::BoundaryMesh& mesh, int tag);
+
+/// A body whose boundary data were taken from an exact field, and its numerical solution.
+/// Displacements are given at the nodes; tractions are the L2 projection of stress times the normal
+/// of the mesh.
+struct SolvedBody {
+  bem::BoundaryMesh mesh;
+  bem::TractionSlots slots;
+  bem::Material material;
+  std::vector<bem::SlotCondition> conditions;
+  bem::ReferenceProblemTimes times;
+  std::unique_ptr<bem::ReferenceProblem> problem;
+  bem::BoundaryField field;
+
+  struct Options {
+    bem::Precision precision = bem::Precision::kDouble;
+    bem::AssemblyOptions assembly = {};
+    bem::Job job = {};
+  };
+  SolvedBody(bem::BoundaryMesh bodyMesh, const bem::Material& bodyMaterial, const ExactField& exact,
+             const ConditionOfTag& conditionOfTag, const Options& options);
+  SolvedBody(bem::BoundaryMesh bodyMesh, const bem::Material& bodyMaterial, const ExactField& exact,
+             const ConditionOfTag& conditionOfTag)
+      : SolvedBody(std::move(bodyMesh), bodyMaterial, exact, conditionOfTag, Options{}) {}
+
+  /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the mesh.
+  double displacementError(const ExactField& exact) const;
+  /// Largest error of a nodal displacement, over the largest exact one.
+  double maxDisplacementError(const ExactField& exact) const;
+  /// Root mean square of the errors of the nodal displacements, over that of the exact ones.
+  double rmsDisplacementError(const ExactField& exact) const;
+  /// Largest error of a traction, over the largest exact one. The exact one is taken with the
+  /// slot's mean normal, so on curved faces it is meaningful only to the order of the mesh.
+  double maxTractionError(const ExactField& exact) const;
+};
+
+/// log2-like order between two meshes: the exponent of n^(-order/2) in the number of nodes.
+double observedOrder(double coarseError, int coarseNodes, double fineError, int fineNodes);
+
+}  // namespace palpa::verification
