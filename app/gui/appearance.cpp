@@ -14,16 +14,19 @@ namespace {
 
 Theme theme_ = Theme::kLight;
 
+/// Words in `second` and `error` have a contrast of at least 4.5 with window and base; `faint` is
+/// for what is disabled.
 struct Colours {
-  QColor window, base, alternate, text, faint, button, border, accent, onAccent, chosen;
+  QColor window, base, alternate, text, second, faint, button, border, accent, onAccent, chosen,
+      error;
 };
 
 Colours coloursOf(Theme theme) {
   if (theme == Theme::kDark)
-    return {"#2b2f36", "#22252b", "#272b31", "#e3e6ea", "#8b929c",
-            "#353a42", "#454b55", "#3d8fb5", "#ffffff", "#2c5468"};
-  return {"#f3f4f6", "#ffffff", "#f7f8fa", "#22262c", "#868d97",
-          "#fafbfc", "#cfd4da", "#1f7a9e", "#ffffff", "#c9e1eb"};
+    return {"#2b2f36", "#22252b", "#272b31", "#e3e6ea", "#a3aab4", "#8b929c",
+            "#353a42", "#454b55", "#3d8fb5", "#ffffff", "#2c5468", "#ff8a75"};
+  return {"#f3f4f6", "#ffffff", "#f7f8fa", "#22262c", "#5f6771", "#868d97",
+          "#fafbfc", "#cfd4da", "#1f7a9e", "#ffffff", "#c9e1eb", "#b93a21"};
 }
 
 QPalette paletteOf(const Colours& c) {
@@ -33,7 +36,7 @@ QPalette paletteOf(const Colours& c) {
   palette.setColor(QPalette::Base, c.base);
   palette.setColor(QPalette::AlternateBase, c.alternate);
   palette.setColor(QPalette::Text, c.text);
-  palette.setColor(QPalette::PlaceholderText, c.faint);
+  palette.setColor(QPalette::PlaceholderText, c.second);
   palette.setColor(QPalette::Button, c.button);
   palette.setColor(QPalette::ButtonText, c.text);
   palette.setColor(QPalette::BrightText, c.onAccent);
@@ -67,14 +70,19 @@ QMainWindow::separator { background: %2; width: 1px; height: 1px; }
 QMainWindow::separator:hover { background: %4; }
 QTreeView, QListView, QTableView { border: 0; }
 QTreeView::item { padding: 2px 0; } QListWidget::item { padding: 5px 6px; }
-QMenu { padding: 4px; } QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
-QMenu::item:selected { background: %4; color: %5; }
-QLineEdit[refused="true"] { border: 1px solid #d0462b; background: #33d0462b; }
-QLabel#refusal { color: #d0462b; }
+QMenu { padding: 4px; } QMenu::item { padding: 5px 28px 5px 12px; border-radius: 4px; }
+QMenu::item:selected { background: %6; color: %5; }
+QMenu::item:disabled { color: %8; } QMenu::item:disabled:selected { background: transparent; }
+QMenu::icon { padding: 3px; border: 1px solid transparent; border-radius: 4px; }
+QMenu::icon:checked { background: %6; border-color: %4; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QFrame#rule { background: %2; border: 0; }
+QLineEdit[refused="true"] { border: 1px solid %7; }
+QLabel#refusal, QLabel#problem { color: %7; }
 QToolTip { border: 1px solid %2; padding: 4px; }
 )")
-      .arg(c.window.name(), c.border.name(), c.button.name(), c.accent.name(), c.onAccent.name(),
-           c.chosen.name());
+      .arg(c.window.name(), c.border.name(), c.button.name(), c.accent.name(), c.text.name(),
+           c.chosen.name(), c.error.name(), c.faint.name());
 }
 
 /// Draws an SVG whose black is replaced by the palette's text colour at the moment of drawing.

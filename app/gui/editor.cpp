@@ -122,6 +122,11 @@ bool Editor::open(const QString& file) {
   const std::filesystem::path path = file.toStdString();
   return openInBackground(tr("Opening %1").arg(QFileInfo(file).fileName()),
                           [&](const modeling::Job&, const app::Session::Options& options) {
+                            // A copy that saving kept has no file of its own: saving it asks for
+                            // one.
+                            if (path.extension() == ".bak")
+                              return std::make_unique<app::Session>(modeling::readProject(path),
+                                                                    options);
                             return std::make_unique<app::Session>(path, options);
                           });
 }
@@ -193,6 +198,7 @@ bool Editor::saveAs(const QString& file) {
     if (isSaved) session_->noteSaved(path);
   });
   Q_EMIT fileChanged();
+  if (isSaved) Q_EMIT saved(file);
   return isSaved;
 }
 

@@ -30,6 +30,7 @@ class Editor : public QObject {
   const modeling::Project& project() const { return session_->project(); }
   /// Null when the body is a mesh body, which has no control points.
   const modeling::Solid* solid() const { return std::get_if<modeling::Solid>(&project().body); }
+  const Settings& settings() const { return settings_; }
   const app::Session& session() const { return *session_; }
   app::RebuildStatus rebuildStatus() const { return session_->pipeline().status(); }
   std::shared_ptr<const app::TouchModel> model() const { return session_->pipeline().model(); }
@@ -83,6 +84,8 @@ class Editor : public QObject {
   void aboutToSave();
   /// The file or whether there is something to save changed.
   void fileChanged();
+  /// The project was written to its file.
+  void saved(const QString& file);
   /// Something could not be done; a sentence for people.
   void refused(const QString& message);
   /// Something worth knowing happened; a sentence for people.

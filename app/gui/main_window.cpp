@@ -4,9 +4,11 @@
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTimer>
 #include <QUrl>
+#include <algorithm>
 
 #include "app/gui/actions/delete_action.h"
 #include "app/gui/actions/edit_actions.h"
@@ -31,10 +33,15 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kUntilCloseAgain = 50;  // ms until a window that was busy tries again to close
-constexpr int kDockWidth = 340;       // leaves the view nearly three quarters of a window of 1280
-constexpr int kRateInterval = 250;    // ms between two looks at the rate of touching
-constexpr int kLayoutVersion = 3;     // of what saveState() writes; another one is not restored
+constexpr int kWidth = 1280, kHeight = 800;  // of the first window, where the screen has room
+constexpr int kTitleBar = 36;                // about what frames of windows take
+constexpr int kUntilCloseAgain = 50;         // ms until a window that was busy tries again to close
+constexpr int kDockWidth = 340;  // leaves the view nearly three quarters of a window of 1280
+constexpr int kUntilFailureIsSaid = 1000;  // ms: passing through a bad shape is no event
+constexpr int kSavedTime = 5000;           // ms
+constexpr int kRoom = 8;                   // px beside words of the status bar
+constexpr int kRateInterval = 250;         // ms between two looks at the rate of touching
+constexpr int kLayoutVersion = 3;  // of what saveState() writes; another one is not restored
 
 }  // namespace
 
@@ -71,7 +78,7 @@ MainWindow::MainWindow()
   addStatusBar();
   connect(&editor_, &Editor::fileChanged, this, &MainWindow::updateTitle);
   connect(&settings_, &Settings::changed, this, &MainWindow::applySettings);
-  resize(1280, 800);
+  resize(QSize(kWidth, kHeight).boundedTo(screen()->availableSize() - QSize(0, kTitleBar)));
   layOutDocks();
   restoreGeometry(settings_.windowGeometry());
   restoreState(settings_.windowState(), kLayoutVersion);
@@ -166,11 +173,27 @@ void MainWindow::addStatusBar() {
   connect(&tools_, &ToolBox::changed, this, showHint);
   showHint();
   connect(&editor_, &Editor::rebuildChanged, this, &MainWindow::updateStatus);
+  connect(&editor_, &Editor::saved, this, [this](const QString& file) {
+    statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()), kSavedTime);
+  });
   connect(&editor_, &Editor::refused, messages_, &MessageBar::showError);
   connect(&editor_, &Editor::said, messages_, &MessageBar::showNote);
+  failureTimer_.setSingleShot(true);
+  failureTimer_.setInterval(kUntilFailureIsSaid);
+  connect(&failureTimer_, &QTimer::timeout, this, &MainWindow::sayFailure);
+  connect(viewport_, &ViewportWidget::escaped, messages_, &MessageBar::clear);
+  frame_->setToolTip(
+      tr("Pictures a second that the view could draw, from the time of the last one"));
   connect(viewport_, &ViewportWidget::framePainted, this, [this] {
-    frame_->setText(tr("%1 ms/frame").arg(viewport_->lastFrameMilliseconds(), 0, 'f', 0));
+    const double rate = 1000 / std::max(1.0, viewport_->lastFrameMilliseconds());
+    frame_->setText(tr("%1 frames/s").arg(rate, 0, 'f', rate < 10 ? 1 : 0));
   });
+  // Wide enough for usual numbers, so that nothing jumps as digits come and go.
+  for (const auto& [label, widest] :
+       {std::pair{rate_, tr("%L1 Hz").arg(2000)}, std::pair{frame_, tr("%1 frames/s").arg(1000)}}) {
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + kRoom);
+    label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  }
 }
 
 void MainWindow::applySettings() {
@@ -191,7 +214,23 @@ void MainWindow::updateStatus() {
   const app::RebuildStatus status = editor_.rebuildStatus();
   rebuild_->setText(rebuildText(status));
   rebuild_->setIcon(status.state == app::RebuildStatus::State::kFailed ? icon("warning") : QIcon());
+  if (status.state == app::RebuildStatus::State::kFailed) {
+    if (!failureTimer_.isActive()) failureTimer_.start();
+  } else {
+    failureTimer_.stop();
+    if (status.state == app::RebuildStatus::State::kUpToDate) messages_->withdraw(failure_);
+  }
   viewport_->setComputing(status.state == app::RebuildStatus::State::kBuilding);
+}
+
+void MainWindow::sayFailure() {
+  const app::RebuildStatus status = editor_.rebuildStatus();
+  if (status.state != app::RebuildStatus::State::kFailed) return;
+  const QString text = tr("The model cannot be built. %1").arg(failureText(status));
+  if (text == failure_ && messages_->messages().contains(text)) return;
+  messages_->withdraw(failure_);
+  failure_ = text;
+  messages_->showError(text);
 }
 
 void MainWindow::updateRate() {

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
+#include <QTimer>
 #include <array>
 
 #include "app/gui/actions/file_actions.h"
@@ -58,6 +59,8 @@ class MainWindow : public QMainWindow {
   void addStatusBar();
   void updateTitle();
   void updateStatus();
+  /// Says over the view why there is no model, unless that is over in a moment.
+  void sayFailure();
   void updateRate();
   void applySettings();
 
@@ -78,6 +81,8 @@ class MainWindow : public QMainWindow {
   QPushButton* rebuild_;
   QLabel* rate_;
   QLabel* frame_;
+  QTimer failureTimer_;
+  QString failure_;  // that is said over the view
 };
 
 }  // namespace palpa::gui

@@ -22,8 +22,11 @@ class Menus {
   QMenu* simulate;    ///< touching
   QMenu* view;
   QMenu* help;
-  QToolBar* bar;    ///< top: files, history, views
+  QToolBar* bar;    ///< top: files, history, modes, views
   QToolBar* tools;  ///< left: one button for each tool
+
+  /// In the bar, where views begin: modes are inserted before it.
+  QAction* views = nullptr;
 
   struct Item {
     const char* icon;  ///< of resources/icons; null for none

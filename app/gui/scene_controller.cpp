@@ -53,17 +53,18 @@ void SceneController::setShown(bool shown) {
 }
 
 void SceneController::showProject() {
+  // Also while nothing of it is shown: surface() is that of the present body.
+  const modeling::Solid* solid = editor_.solid();
+  tessellation_ = solid ? std::make_unique<modeling::Tessellation>(*solid) : nullptr;
+  if (solid) shape_ = tessellation_->evaluate(solid->controlPoints());
   if (!isShown_) return;
   hovered_.reset();
   hoveredPatch_.reset();
   following_.clear();
-  const modeling::Solid* solid = editor_.solid();
   if (!solid) {
     showMeshBody();
     return;
   }
-  tessellation_ = std::make_unique<modeling::Tessellation>(*solid);
-  shape_ = tessellation_->evaluate(solid->controlPoints());
   widget_.viewport().setBody({shape_.positions, shape_.normals, tessellation_->triangles(),
                               tessellation_->patchOfTriangle(), tessellation_->borders(),
                               tessellation_->knotLines()});
@@ -78,7 +79,6 @@ void SceneController::showProject() {
 }
 
 void SceneController::showMeshBody() {
-  tessellation_.reset();
   const auto& body = std::get<modeling::MeshBody>(editor_.project().body);
   view::ViewportBody shown;
   for (std::size_t t = 0; t < body.triangles().size(); ++t) {
@@ -117,14 +117,15 @@ void SceneController::setPatches(const std::vector<view::Triangle>& triangles,
 }
 
 void SceneController::showChange(const modeling::Change& change) {
-  if (!isShown_) return;
   if (change.topology) {
     showProject();
     return;
   }
+  if (!change.movedPoints.empty() && tessellation_)
+    shape_ = tessellation_->evaluate(editor_.solid()->controlPoints());
+  if (!isShown_) return;
   if (!change.movedPoints.empty() && tessellation_) {
     const auto& points = editor_.solid()->controlPoints();
-    shape_ = tessellation_->evaluate(points);
     widget_.viewport().moveBody(shape_.positions, shape_.normals);
     widget_.viewport().moveControlPoints(points);
     showSelection();

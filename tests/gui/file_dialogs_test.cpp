@@ -1,6 +1,5 @@
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QImage>
@@ -9,11 +8,14 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSpinBox>
-#include <QTextBrowser>
+#include <QTextBlock>
 #include <QTreeWidget>
 
 #include "app/gui/dialogs/export_dialog.h"
+#include "app/gui/dialogs/guide_reader.h"
+#include "app/gui/dialogs/guide_window.h"
 #include "app/gui/dialogs/keys_dialog.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
@@ -118,7 +120,7 @@ TEST_F(FileDialogs, ProfilesComeFromFiles) {
 
 TEST_F(FileDialogs, HelpSaysWhatThereIs) {
   withDialog<KeysDialog>(
-      [&] { QTest::keyClick(window_.get(), Qt::Key_F1); },
+      [&] { QTest::keyClick(window_.get(), Qt::Key_F1, Qt::ControlModifier); },
       [&](KeysDialog& dialog) {
         auto* table = dialog.findChild<QTreeWidget*>("table");
         EXPECT_FALSE(table->findItems("Save", Qt::MatchExactly | Qt::MatchRecursive).isEmpty());
@@ -135,12 +137,52 @@ TEST_F(FileDialogs, HelpSaysWhatThereIs) {
                           });
 }
 
-TEST_F(FileDialogs, TheGuideIsThere) {
-  QTextBrowser reader;  // in place of the desktop's program for documents
-  QDesktopServices::setUrlHandler("file", &reader, "setSource");
+TEST_F(FileDialogs, TheGuideShowsItsPages) {
+  QTest::keyClick(window_.get(), Qt::Key_F1);
+  auto* guide = window_->findChild<GuideWindow*>();
+  ASSERT_NE(guide, nullptr);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(guide));
+  auto* reader = guide->findChild<GuideReader*>();
+  auto* contents = guide->findChild<QTreeWidget*>("contents");
+  EXPECT_TRUE(reader->toPlainText().contains("First touch in five minutes"));
+  // Every page of the list opens, and its pictures are there and fit.
+  ASSERT_GE(contents->topLevelItemCount(), 7);
+  for (int i = 0; i < contents->topLevelItemCount(); ++i) {
+    contents->setCurrentItem(contents->topLevelItem(i));
+    EXPECT_EQ(reader->source(), contents->topLevelItem(i)->data(0, Qt::UserRole).toUrl());
+    EXPECT_GT(reader->toPlainText().size(), 1000) << reader->source().path().toStdString();
+    EXPECT_FALSE(reader->horizontalScrollBar()->isVisible());
+    keepPicture(QString("guide-%1").arg(i), guide);
+  }
+  // A link to a heading of another page puts it on top; Back leads back.
+  contents->setCurrentItem(contents->topLevelItem(0));
+  reader->setSource(QUrl("window.md#nothing-is-lost"));
+  EXPECT_TRUE(reader->source().path().endsWith("/window.md"));
+  EXPECT_EQ(contents->currentItem()->text(0), "The window");
+  EXPECT_EQ(reader->cursorForPosition({40, 20}).block().text().toStdString(), "Nothing is lost");
+  keepPicture("guide-heading", guide);
+  reader->backward();
+  EXPECT_TRUE(reader->source().path().endsWith("/README.md"));
+  // Words are found, once more from the top after the last.
+  QTest::keyClicks(guide->findChild<QLineEdit*>("find"), "five minutes");
+  QTest::keyClick(guide->findChild<QLineEdit*>("find"), Qt::Key_Return);
+  EXPECT_EQ(reader->textCursor().selectedText(), "five minutes");
+  const int first = reader->textCursor().position();
+  for (int i = 0; i < 10 && reader->textCursor().position() >= first; ++i) {
+    QTest::keyClick(guide->findChild<QLineEdit*>("find"), Qt::Key_Return);
+    if (reader->textCursor().position() == first) break;
+  }
+  EXPECT_EQ(reader->textCursor().position(), first);
+  // It follows the theme.
+  reader->setSource(QUrl("command-line.md"));
+  window_->settings().setTheme(Theme::kDark);
+  keepPicture("guide-dark", guide);
+  const QImage dark = guide->grab().toImage();
+  EXPECT_LT(dark.pixelColor(dark.width() / 2, dark.height() - 30).lightness(), 128);
+  guide->close();
   action("User guide")->trigger();
-  QDesktopServices::unsetUrlHandler("file");
-  EXPECT_TRUE(reader.toPlainText().contains("The window")) << reader.source().path().toStdString();
+  EXPECT_EQ(window_->findChild<GuideWindow*>(), guide);
+  EXPECT_TRUE(guide->isVisible());
 }
 
 TEST_F(FileDialogs, AllOfThemSuitTheDarkTheme) {

@@ -163,7 +163,10 @@ int plotSlide(const QString& csv, const QString& png) {
     curve.forces.push_back(cells[2].toDouble());
   }
   std::vector<view::ForcePlot::Curve> shownCurves;
-  for (auto& [name, curve] : curves) shownCurves.push_back(std::move(curve));
+  for (auto& [name, curve] : curves) {
+    curve.number = static_cast<int>(shownCurves.size());
+    shownCurves.push_back(std::move(curve));
+  }
   Canvas canvas;
   if (!canvas.isValid() || shownCurves.empty()) {
     std::fprintf(stderr, "palpa_screenshots: no forces in %s, or no OpenGL\n", qPrintable(csv));
@@ -173,6 +176,7 @@ int plotSlide(const QString& csv, const QString& png) {
   canvas.resize({900, 380});
   view::ForcePlot plot(canvas.window());
   plot.setPixelRatio(1.3);
+  plot.setLegendShown(true);
   // The axes are known once something was drawn.
   for (int round = 0; round < 2; ++round) {
     plot.setCurves(shownCurves, 0, 2 * std::numbers::pi * kSecondsPerRadian, "N");

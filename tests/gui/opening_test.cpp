@@ -53,6 +53,17 @@ TEST_F(Opening, TrimmedFacesBecomeAMeshBodyWithWords) {
   keepPicture("mesh-body");
 }
 
+TEST_F(Opening, ASolidMayFollowAMeshBodyWhileNothingOfThemIsShown) {
+  ASSERT_TRUE(window_->openFile(PALPA_TEST_DATA "/cad/bored_cylinder.step"));
+  window_->simulation().setActive(true);
+  ASSERT_TRUE(window_->openFile(kSphere));
+  const auto* page = window_->findChild<QWidget*>("page");
+  ASSERT_NE(page, nullptr);
+  const auto* size = page->findChild<QLabel*>("size");
+  ASSERT_NE(size, nullptr);
+  EXPECT_EQ(size->text().toStdString(), "50 mm × 50 mm × 50 mm");
+}
+
 TEST_F(Opening, AVanishedRecentFileIsGreyAndTheListCanBeCleared) {
   const QString file = folder_.filePath("ball.json");
   QFile::copy(kSphere, file);

@@ -4,10 +4,12 @@
 #include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "app/gui/main_window.h"
+#include "modeling/editing/command.h"
 
 namespace palpa::gui {
 
@@ -23,11 +25,24 @@ class Photographer {
   void open(const QString& name) {
     window_.openFile(QStringLiteral(PALPA_PROJECTS "/") + name + ".json");
     window_.viewport().viewport().fit();
+    waitForBuild();
+  }
+  void waitForBuild() {
     (void)QTest::qWaitFor(
         [this] {
           return window_.editor().rebuildStatus().state != app::RebuildStatus::State::kBuilding;
         },
         60000);
+  }
+  void moveHighestPoint(const Eigen::Vector3d& by) {
+    const auto& points = editor().solid()->controlPoints();
+    const auto highest = std::max_element(
+        points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    editor().perform(modeling::MovePoints{
+        modeling::PointSelection::of({static_cast<int>(highest - points.begin())}),
+        modeling::MoveBy{by},
+        {}});
+    waitForBuild();
   }
   void size(int width, int height) { window_.resize(width, height); }
   void theme(Theme theme) { window_.settings().setTheme(theme); }

@@ -1,4 +1,5 @@
 #include <QComboBox>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -91,6 +92,36 @@ TEST_F(Recovery, LaterKeepsThemForTheNextStart) {
   restart();
   begin([&](RecoveryDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
   EXPECT_EQ(snapshotFiles().size(), 1);
+}
+
+TEST_F(Recovery, OldSnapshotsOfWhatWasSavedLaterGo) {
+  const QString file = folder_.filePath("ball.json");
+  crash(project("month-old"), file);
+  for (const QFileInfo& each : snapshotFolder().entryInfoList(QDir::Files)) {
+    QFile snapshot(each.filePath());
+    ASSERT_TRUE(snapshot.open(QIODevice::ReadWrite));
+    const QString content = QString::fromUtf8(snapshot.readAll());
+    const qint64 then = QDateTime::currentDateTime().addDays(-40).toMSecsSinceEpoch() * 1000;
+    snapshot.resize(0);
+    snapshot.write(
+        QString(content)
+            .replace(QRegularExpression("\"time_us\": \\d+"), QString("\"time_us\": %1").arg(then))
+            .toUtf8());
+  }
+  crash(project("of today"), folder_.filePath("cube.json"));
+  ASSERT_EQ(snapshotFiles().size(), 2);
+  for (const char* name : {"ball.json", "cube.json"}) {
+    modeling::writeProject(project("saved"), folder_.filePath(name).toStdString());
+    std::filesystem::last_write_time(
+        folder_.filePath(name).toStdString(),
+        std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
+  }
+  window_->begin({});
+  // The one of today stays: another program may have written its file.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return snapshotFiles().size() == 1; }, 10000));
+  const auto left = modeling::findRecoverable(modeling::defaultAutosaveFolder());
+  ASSERT_EQ(left.outdated.size(), 1u);
+  EXPECT_EQ(left.outdated.front().projectName, "of today");
 }
 
 TEST_F(Recovery, DiscardingAsksAndThenRemoves) {

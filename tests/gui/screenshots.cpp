@@ -1,6 +1,8 @@
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <cstdio>
 #include <string>
@@ -32,14 +34,6 @@ void photograph(const QString& folder) {
   p.theme(Theme::kDark);
   p.shoot("gripper-dark");
   p.theme(Theme::kLight);
-  p.size(1920, 1080);
-  p.open("liver-phantom");
-  p.shoot("liver-large");
-  p.theme(Theme::kDark);
-  p.shoot("liver-large-dark");
-  p.theme(Theme::kLight);
-  p.size(1280, 800);
-
   p.open("sphere");
   p.key(Qt::Key_K);
   p.hover(p.middle() + QPoint(-40, 30));
@@ -77,9 +71,19 @@ void photograph(const QString& folder) {
   p.letGo();
   p.theme(Theme::kLight);
 
+  // A point is pulled through the opposite side: where the surface cuts itself is marked.
+  p.open("sphere");
+  p.moveHighestPoint({0, 0, -130});
+  p.find<QPushButton>("rebuildStatus")->click();
+  p.shoot("folded");
+  p.editor().undo();
+
+  p.shootDialog("welcome", "Welcome");
   p.shootDialog("new-solid", "New");
   p.shootDialog("material", "Material");
   p.shootDialog("preferences", "Preferences");
+  p.action("User guide")->trigger();
+  p.shoot("guide", p.find<QDialog>("guide"));
 }
 
 }  // namespace

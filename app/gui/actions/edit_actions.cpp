@@ -15,6 +15,8 @@ EditActions::EditActions(const Workspace& workspace)
   menus.bar->addAction(undo_);
   menus.bar->addAction(redo_);
   menus.bar->addSeparator();
+  // What is named here falls off a narrow bar last.
+  menus.views = menus.bar->addSeparator();
   menus.edit->addSeparator();
   connect(&editor, &Editor::fileChanged, this, &EditActions::update);
   update();
@@ -24,7 +26,10 @@ void EditActions::update() {
   const modeling::Document& document = workspace_.editor.session().document();
   const auto show = [](QAction* action, const QString& verb, bool can, const std::string& label) {
     action->setEnabled(can);
-    action->setText(can ? verb + " " + QString::fromStdString(label) : verb);
+    const QString name = QString::fromStdString(label);
+    action->setText(can ? verb + " " + QString(name).replace('&', "&&") : verb);
+    const QString tip = can ? QString(verb).remove('&') + ": " + name : QString(verb).remove('&');
+    action->setToolTip(tip + " (" + action->shortcut().toString(QKeySequence::NativeText) + ")");
   };
   show(undo_, tr("&Undo"), document.canUndo(), document.undoLabel());
   show(redo_, tr("&Redo"), document.canRedo(), document.redoLabel());

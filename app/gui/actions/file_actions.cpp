@@ -24,8 +24,11 @@ namespace {
 
 const char* kBodies = "*.step *.stp *.iges *.igs *.brep *.stl *.obj *.ply";
 
+/// The endings under which desktops know projects, too, and the copies that saving keeps.
 bool isProject(const QString& file) {
-  return file.endsWith(".json", Qt::CaseInsensitive);
+  for (const char* ending : {".json", ".palpa", ".json.bak", ".palpa.bak"})
+    if (file.endsWith(ending, Qt::CaseInsensitive)) return true;
+  return false;
 }
 
 bool isBody(const QString& file) {
@@ -69,7 +72,7 @@ FileActions::FileActions(const Workspace& workspace)
 void FileActions::addImportAndExport() {
   Menus& menus = workspace_.menus;
   menus.add(menus.file,
-            {"import", tr("&Import …"), QKeySequence(Qt::CTRL | Qt::Key_I),
+            {"import", tr("&Import …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
              tr("Make a new project from a CAD file or a mesh")},
             this, [this] { importBody(); });
   menus.add(menus.file,
@@ -137,8 +140,9 @@ void FileActions::fillExamples(QMenu* menu) {
 bool FileActions::openFile(const QString& file) {
   Editor& editor = workspace_.editor;
   if (!isProject(file) && !isBody(file)) {
-    Q_EMIT editor.refused(tr("%1 cannot be opened: its name must end in .json (a project), %2")
-                              .arg(QFileInfo(file).fileName(), modeling::kImportFileEndings));
+    Q_EMIT editor.refused(
+        tr("%1 cannot be opened: its name must end in .json or .palpa (a project), %2")
+            .arg(QFileInfo(file).fileName(), modeling::kImportFileEndings));
     return false;
   }
   const bool isOpen = isProject(file) ? editor.open(file) : editor.importFile(file);
@@ -170,8 +174,9 @@ bool FileActions::openExample(const QString& name) {
 void FileActions::open() {
   if (!mayDiscard()) return;
   const QString file =
-      askFileToOpen(tr("Open"), tr("All that can be opened (*.json %1);;Projects (*.json);;CAD and "
-                                   "meshes (%1);;All files (*)")
+      askFileToOpen(tr("Open"), tr("All that can be opened (*.json *.palpa %1);;Projects (*.json "
+                                   "*.palpa);;Copies of before the last save (*.json.bak "
+                                   "*.palpa.bak);;CAD and meshes (%1);;All files (*)")
                                     .arg(kBodies));
   if (!file.isEmpty()) openFile(file);
 }
@@ -283,11 +288,13 @@ bool FileActions::mayDiscard() {
   const QString file = workspace_.editor.fileName();
   QMessageBox question(
       QMessageBox::Question, tr("Unsaved changes"),
-      tr("Save the changes to \"%1\"?")
+      tr("Save the changes to “%1”?")
           .arg(file.isEmpty() ? QString::fromStdString(workspace_.editor.project().name)
                               : QFileInfo(file).fileName()),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &workspace_.window);
-  question.setInformativeText(tr("Without saving, the edits since the last save are lost."));
+  question.setInformativeText(file.isEmpty()
+                                  ? tr("The project was never saved; without saving it is lost.")
+                                  : tr("Without saving, the edits since the last save are lost."));
   question.setDefaultButton(QMessageBox::Save);
   const int answer = question.exec();
   if (answer == QMessageBox::Save) return save();

@@ -3,30 +3,44 @@
 #include <vtkVersion.h>
 #include <Eigen/Core>
 #include <QApplication>
-#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QUrl>
 
+#include "app/gui/dialogs/guide_window.h"
 #include "app/gui/dialogs/keys_dialog.h"
+#include "app/gui/editor.h"
 #include "app/gui/main_window.h"
 #include "app/gui/menus.h"
 
 namespace palpa::gui {
 namespace {
 
-/// The guide of the installation, or of the source folder the program was built in; empty when
-/// there is none.
+/// The folder of the guide of the installation, or of the source folder the program was built in;
+/// empty when there is none.
 QString findGuide() {
-  const QString installed =
-      QCoreApplication::applicationDirPath() + "/../share/doc/palpa/window.md";
-  if (QFileInfo::exists(installed)) return QFileInfo(installed).canonicalFilePath();
-  QDir folder(QCoreApplication::applicationDirPath());
-  do {
-    if (folder.exists("docs/window.md")) return folder.filePath("docs/window.md");
-  } while (folder.cdUp());
+  const QString program = QCoreApplication::applicationDirPath();
+  QStringList places{program + "/../share/doc/palpa/docs/guide"};
+  for (QDir folder(program); folder.cdUp();) places << folder.filePath("docs/guide");
+  for (const QString& place : places)
+    if (QFileInfo::exists(place + "/README.md")) return QFileInfo(place).canonicalFilePath();
   return {};
+}
+
+void showGuide(MainWindow& window) {
+  if (auto* open = window.findChild<GuideWindow*>()) {
+    open->show();
+    open->raise();
+    open->activateWindow();
+    return;
+  }
+  const QString folder = findGuide();
+  if (folder.isEmpty()) {
+    Q_EMIT window.editor().refused(
+        QObject::tr("The user guide is not beside the program; install Palpa again"));
+    return;
+  }
+  (new GuideWindow(folder, &window))->show();
 }
 
 QString aboutText() {
@@ -47,14 +61,13 @@ QString aboutText() {
 void addHelpActions(const Workspace& workspace) {
   MainWindow* window = &workspace.window;
   Menus& menus = workspace.menus;
+  menus.add(menus.help, {"help", QObject::tr("&User guide"), QKeySequence(Qt::Key_F1)}, window,
+            [window] { showGuide(*window); });
   menus.add(menus.help, {nullptr, QObject::tr("&Welcome …")}, window,
             [window] { window->showWelcome(); });
-  menus.add(menus.help, {nullptr, QObject::tr("&Keyboard and mouse …"), QKeySequence(Qt::Key_F1)},
+  menus.add(menus.help,
+            {nullptr, QObject::tr("&Keyboard and mouse …"), QKeySequence(Qt::CTRL | Qt::Key_F1)},
             window, [window] { KeysDialog(window).exec(); });
-  const QString guide = findGuide();
-  if (!guide.isEmpty())
-    menus.add(menus.help, {"help", QObject::tr("&User guide")}, window,
-              [guide] { QDesktopServices::openUrl(QUrl::fromLocalFile(guide)); });
   menus.help->addSeparator();
   menus.add(menus.help, {nullptr, QObject::tr("&About Palpa")}, window,
             [window] { QMessageBox::about(window, QObject::tr("About Palpa"), aboutText()); });

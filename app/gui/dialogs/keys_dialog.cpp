@@ -28,10 +28,16 @@ void addGroup(QTreeWidget* table, const QString& title,
 
 std::vector<std::pair<QString, QString>> shortcutsOf(const QMenu* menu) {
   std::vector<std::pair<QString, QString>> rows;
-  for (const QAction* action : menu->actions())
-    if (!action->shortcut().isEmpty())
-      rows.emplace_back(plain(action->text()),
-                        action->shortcut().toString(QKeySequence::NativeText));
+  for (const QAction* action : menu->actions()) {
+    if (const auto* below = action->menu<QMenu*>()) {
+      const auto more = shortcutsOf(below);
+      rows.insert(rows.end(), more.begin(), more.end());
+    }
+    QStringList keys;
+    for (const QKeySequence& each : action->shortcuts())
+      keys << each.toString(QKeySequence::NativeText);
+    if (!keys.isEmpty()) rows.emplace_back(plain(action->text()), keys.join(", "));
+  }
   return rows;
 }
 
@@ -48,6 +54,24 @@ KeysDialog::KeysDialog(QWidget* window) : QDialog(window) {
            {{tr("Turn the view"), tr("Middle button, or Alt + left button")},
             {tr("Move the view"), tr("Right button, Shift + middle button")},
             {tr("Zoom at the pointer"), tr("Wheel")}});
+  addGroup(table, tr("Moving, turning and scaling points"),
+           {{tr("Begin without a drag"), tr("G, or X, Y, Z")},
+            {tr("Hold to an axis or the normal; again: free"), tr("X, Y, Z, N")},
+            {tr("Exact length, angle or factor"), tr("Digits, Backspace")},
+            {tr("Round"), tr("Ctrl")},
+            {tr("Width of the falloff"), tr("Wheel")},
+            {tr("Nudge; ten times as far"), tr("Arrow keys; with Shift")},
+            {tr("Confirm; take back"), tr("Enter or click; Escape or right button")}});
+  addGroup(table, tr("Tools on the surface"),
+           {{tr("Brush: smaller, larger; erase"), tr("[ and ]; Ctrl")},
+            {tr("Touch along the normal"), tr("Ctrl, or N while dragging")},
+            {tr("Knot: other direction; middle of the span"), tr("Tab, or Shift; Ctrl")}});
+  addGroup(table, tr("Simulate"),
+           {{tr("Touch"), tr("Left button")},
+            {tr("Along the normal"), tr("Ctrl, or wheel")},
+            {tr("Leave a pin"), tr("Shift while letting go")},
+            {tr("Take hold of a pin"), tr("Left button on it")},
+            {tr("Let go of a pin; of all"), tr("Double click or Delete; Escape")}});
   if (auto* main = qobject_cast<QMainWindow*>(window))
     for (const QAction* each : main->menuBar()->actions())
       if (const auto* menu = each->menu<QMenu*>())

@@ -68,6 +68,14 @@ MaterialDialog::MaterialDialog(const Settings& settings, const modeling::Materia
   name_->setText(QString::fromStdString(present.name));
   modulus_->setValue(present.youngsModulus);
   ratio_->setValue(present.poissonRatio);
+  const auto& library = modeling::materialLibrary();
+  for (std::size_t i = 0; i < library.size(); ++i)
+    if (library[i].material.name == present.name &&
+        library[i].material.youngsModulus == present.youngsModulus &&
+        library[i].material.poissonRatio == present.poissonRatio) {
+      taken_ = static_cast<int>(i);
+      list_->setCurrentItem(list_->topLevelItem(taken_));
+    }
   connect(filter_, &QLineEdit::textChanged, this, &MaterialDialog::filter);
   connect(list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
     if (item) take(item->data(0, Qt::UserRole).toInt());
@@ -85,6 +93,8 @@ MaterialDialog::MaterialDialog(const Settings& settings, const modeling::Materia
 
 void MaterialDialog::fillList() {
   list_->setHeaderLabels({tr("Material"), tr("Young's modulus"), tr("Poisson's ratio")});
+  for (int column : {1, 2})
+    list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   list_->setRootIsDecorated(false);
   list_->setAlternatingRowColors(true);
   const int count = static_cast<int>(modeling::materialLibrary().size());

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/core/new_project.h"
 #include "app/gui/appearance.h"
@@ -17,6 +18,13 @@
 
 namespace palpa::gui {
 namespace {
+
+constexpr int kRowsOfAllShapes = 2;  // degree and control points, below the shape's own
+
+/// A length that is not broken before its unit.
+QString unbroken(QString length) {
+  return length.replace(' ', QChar::Nbsp);
+}
 
 const PrimitiveKind& kindOf(int index) {
   return primitiveKinds()[static_cast<std::size_t>(index)];
@@ -41,11 +49,11 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
   addWidgets(present.has_value());
   connect(&fit_, &FitMeasurement::measured, this, [this](double deviation) {
     const auto [low, high] = modeling::boundingBox(modeling::makePrimitive(primitive_));
-    facts_->setText(expected_ +
-                    (deviation <= 1e-12 * (high - low).norm()
-                         ? tr("The patches are exactly the shape.")
-                         : tr("The patches are within %1 of the exact shape.")
-                               .arg(shown(deviation, Quantity::kLength, settings_.units(), 2))));
+    facts_->setText(expected_ + (deviation <= 1e-12 * (high - low).norm()
+                                     ? tr("The patches are exactly the shape.")
+                                     : tr("The patches are within %1 of the exact shape.")
+                                           .arg(unbroken(shown(deviation, Quantity::kLength,
+                                                               settings_.units(), 2)))));
   });
   // The list has all shapes in the order of the variant, so that one can be found by its index.
   std::size_t first = 1;
@@ -102,17 +110,14 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   cover->addWidget(stale_);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
-  problem_->setStyleSheet("color: #d0462b;");
   facts_->setObjectName("facts");
   facts_->setWordWrap(true);
 
   auto* middle = new QVBoxLayout;
   form_ = new QFormLayout;
   middle->addLayout(form_);
-  auto* net = new QFormLayout;
-  net->addRow(tr("&Degree:"), degree_);
-  net->addRow(tr("&Control points:"), controlPoints_);
-  middle->addLayout(net);
+  form_->addRow(tr("&Degree:"), degree_);
+  form_->addRow(tr("&Control points:"), controlPoints_);
   middle->addWidget(problem_);
   middle->addStretch(1);
   auto* right = new QVBoxLayout;
@@ -141,7 +146,7 @@ QString NewSolidDialog::shapeTitle() const {
 
 void NewSolidDialog::showKind(int kind) {
   shownKind_ = kind;
-  while (form_->rowCount() > 0) form_->removeRow(0);
+  while (form_->rowCount() > kRowsOfAllShapes) form_->removeRow(0);
   lengths_.clear();
   profile_ = nullptr;
   if (!kindOf(kind).profiles.empty()) addProfileRow();
@@ -151,9 +156,14 @@ void NewSolidDialog::showKind(int kind) {
     row->setRange(length.mayBeZero ? 0.0 : modeling::kSmallestLength, modeling::kLargestLength);
     row->setValue(length.in(primitive_));
     connect(row, &NumberRow::changed, this, &NewSolidDialog::update);
-    form_->addRow(length.label, row);
+    form_->insertRow(form_->rowCount() - kRowsOfAllShapes, length.label, row);
     lengths_.push_back(row);
   }
+  QWidget* before = kinds_;
+  if (profile_) setTabOrder(std::exchange(before, profile_), profile_);
+  for (NumberRow* row : lengths_) setTabOrder(std::exchange(before, &row->field()), &row->field());
+  setTabOrder(before, degree_);
+  setTabOrder(degree_, controlPoints_);
   const QSignalBlocker blockDegree(degree_), blockCount(controlPoints_);
   degree_->setValue(primitive_.degree);
   controlPoints_->setValue(primitive_.controlPoints);
@@ -170,7 +180,7 @@ void NewSolidDialog::addProfileRow() {
     profile_->insertItem(0, tr("As it is"));
     profile_->setCurrentIndex(0);
   }
-  form_->addRow(tr("&Profile:"), profile_);
+  form_->insertRow(0, tr("&Profile:"), profile_);
   connect(profile_, &QComboBox::activated, this, &NewSolidDialog::chooseProfile);
 }
 
@@ -215,12 +225,12 @@ void NewSolidDialog::update() {
     const modeling::Solid solid = modeling::makePrimitive(primitive_);
     showProblem({});
     showSolid(solid);
-    expected_ =
-        tr("%1 patches, %2 control points. About %3 nodes with edges of %4.\n")
-            .arg(solid.patches().size())
-            .arg(solid.controlPoints().size())
-            .arg(600)
-            .arg(shown(app::suitableEdgeLength(solid), Quantity::kLength, settings_.units()));
+    expected_ = tr("%1 patches, %2 control points. About %3 nodes with edges of %4.\n")
+                    .arg(solid.patches().size())
+                    .arg(solid.controlPoints().size())
+                    .arg(600)
+                    .arg(unbroken(shown(app::suitableEdgeLength(solid), Quantity::kLength,
+                                        settings_.units())));
     facts_->setText(expected_);
     fit_.ask(primitive_);
   } catch (const std::exception& error) {

@@ -21,11 +21,12 @@ PrimitiveLength length(const QString& label, const std::string& inWords, double 
 }
 
 template <class Shape>
-std::vector<PrimitiveLength> axes(Eigen::Vector3d Shape::*member, const char* words) {
+std::vector<PrimitiveLength> axes(Eigen::Vector3d Shape::*member, const QString& label,
+                                  const char* words) {
   std::vector<PrimitiveLength> all;
   for (int axis = 0; axis < 3; ++axis) {
     const QChar letter = QLatin1Char("xyz"[axis]);
-    all.push_back({"&" + QString(letter) + ":", words + std::string(1, "xyz"[axis]), false,
+    all.push_back({label.arg("&" + QString(letter)), words + std::string(1, "xyz"[axis]), false,
                    [member, axis](Primitive& p) -> double& {
                      return (std::get<Shape>(p.shape).*member)[axis];
                    }});
@@ -107,11 +108,11 @@ std::vector<PrimitiveKind> makeKinds() {
     kind.lengths = std::move(lengths);
     kind.profiles = std::move(profiles);
   };
-  add(tr("Box"), "box", BoxShape{}, axes(&BoxShape::size, "the size in "));
+  add(tr("Box"), "box", BoxShape{}, axes(&BoxShape::size, tr("Size in %1:"), "the size in "));
   add(tr("Sphere"), "sphere", SphereShape{},
       {length(tr("&Radius:"), "the radius", &SphereShape::radius)});
   add(tr("Ellipsoid"), "ellipsoid", EllipsoidShape{},
-      axes(&EllipsoidShape::radii, "the radius in "));
+      axes(&EllipsoidShape::radii, tr("Radius in %1:"), "the radius in "));
   add(tr("Cylinder"), "cylinder", CylinderShape{},
       {length(tr("&Radius:"), "the radius", &CylinderShape::radius),
        length(tr("&Height:"), "the height", &CylinderShape::height)});

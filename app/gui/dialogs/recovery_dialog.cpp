@@ -9,6 +9,7 @@
 #include <QThread>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <chrono>
 
 #include "app/gui/background_job.h"
 
@@ -16,6 +17,7 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kUntilNextLook = 100;  // ms
+constexpr std::chrono::hours kKeptThoughOutdated(30 * 24);
 
 /// Calls `act` as soon as no dialog is open and no file is being read.
 void whenFree(QWidget& window, const std::function<void()>& act) {
@@ -113,6 +115,11 @@ void offerRecovery(Editor& editor, QWidget& window, const std::function<bool()>&
   QThread* search = QThread::create([found] {
     try {
       *found = modeling::findRecoverable(modeling::defaultAutosaveFolder());
+      // Their files were written later, and they would stay for ever. Another program may have
+      // written these files, so they are kept for a while.
+      const auto now = std::chrono::system_clock::now();
+      for (const modeling::Snapshot& old : found->outdated)
+        if (now - old.time > kKeptThoughOutdated) modeling::discard(old);
     } catch (const std::exception& error) {
       found->problems.emplace_back(error.what());
     }

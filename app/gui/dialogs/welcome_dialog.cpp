@@ -35,7 +35,9 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
       tr("1.  Drag the control points: the solid follows, and so does its model.\n"
          "2.  The middle button, or Alt with the left one, turns the view; the right one moves it; "
          "the wheel zooms.\n"
-         "3.  Say where the solid is held and loaded, then touch it."),
+         "3.  Say where the solid is held and loaded (menu Supports & Loads).\n"
+         "4.  Press Simulate (F5) and pull at the surface: arrows and the panel Forces say how "
+         "strongly it resists."),
       this);
   how->setWordWrap(true);
 
@@ -67,7 +69,7 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
   column->addLayout(grid);
   column->addWidget(close, 0, Qt::AlignRight);
   resize(820, 460);
-  fresh->setFocus();
+  fresh->setFocus(Qt::TabFocusReason);  // so that it is drawn
 }
 
 void WelcomeDialog::choose(Choice choice, const QString& example) {

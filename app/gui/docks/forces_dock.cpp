@@ -1,5 +1,6 @@
 #include "app/gui/docks/forces_dock.h"
 
+#include <Eigen/Geometry>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
@@ -15,7 +16,9 @@ constexpr int kInterval = 80;  // ms between two looks: numbers that change fast
 constexpr int kDigits = 4;
 constexpr int kFewDigits = 3;  // where the column is narrow
 constexpr int kColumns = 4;
-constexpr int kContactRole = Qt::UserRole;
+constexpr int kContactRole = Qt::UserRole, kCurveRole = Qt::UserRole + 1;
+constexpr int kSwatch = 10;           // px, of the colour of a contact's curve
+constexpr double kLargeMotion = 0.1;  // of the body's size: beyond it the linear model only hints
 
 using Kind = bem::ContactTool::Kind;
 using Status = app::TouchSnapshot::Status;
@@ -52,6 +55,21 @@ QString statusText(Status status) {
   return {};
 }
 
+/// mm, the diagonal of the body's box.
+double bodySize(const app::DrawnBody& body) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& place : body.mesh().positions) box.extend(place);
+  return box.diagonal().norm();
+}
+
+/// A spot in the colour of a curve.
+QIcon swatch(int curve) {
+  const auto [red, green, blue] = view::ForcePlot::colour(curve);
+  QPixmap spot(kSwatch, kSwatch);
+  spot.fill(QColor(red, green, blue));
+  return spot;
+}
+
 }  // namespace
 
 ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Settings& settings,
@@ -77,8 +95,11 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   list_->header()->setMinimumSectionSize(20);
+  for (int column = 1; column < kColumns; ++column)
+    list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  list_->setIconSize({kSwatch, kSwatch});
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setMinimumHeight(90);
+  list_->setMinimumHeight(104);
   list_->installEventFilter(this);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setToolTip(tr("Delete lets go of the chosen contact"));
@@ -109,10 +130,18 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   });
   connect(&simulation, &Simulation::activeChanged, this, [this, showSoon] {
     history_.clear();
+    numbers_.clear();
     showSoon();
   });
   connect(&settings, &Settings::changed, this, showSoon);
   showForces();
+}
+
+int ForcesDock::numberOf(app::TouchId contact) {
+  if (const auto known = numbers_.find(contact); known != numbers_.end()) return known->second;
+  int highest = 0;
+  for (const auto& [id, number] : numbers_) highest = std::max(highest, number);
+  return numbers_[contact] = highest + 1;
 }
 
 QString ForcesDock::text(int row, int column) const {
@@ -149,7 +178,7 @@ void ForcesDock::fillRow(int row, const Row& filled) {
   while (list_->topLevelItemCount() <= row) {
     auto* item = new QTreeWidgetItem(list_);
     for (int column = 1; column < kColumns; ++column)
-      item->setTextAlignment(column, Qt::AlignRight);
+      item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     auto* below = new QTreeWidgetItem(item);
     below->setFlags(Qt::ItemIsEnabled);
     below->setFirstColumnSpanned(true);
@@ -166,6 +195,10 @@ void ForcesDock::fillRow(int row, const Row& filled) {
     set(item, column, filled.cells[column]);
   set(item->child(0), 0, filled.details);
   item->child(0)->setHidden(filled.details.isEmpty());
+  if (item->data(0, kCurveRole) != filled.curve) {
+    item->setData(0, kCurveRole, filled.curve);
+    item->setIcon(0, filled.curve < 0 ? QIcon() : swatch(filled.curve));
+  }
   item->setData(0, kContactRole, QVariant::fromValue<qulonglong>(filled.contact));
   item->setFlags(filled.contact ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemIsEnabled);
 }
@@ -214,11 +247,12 @@ void ForcesDock::showPlot() {
       curves[id].forces.push_back(force / unit.factor);
     }
   std::vector<view::ForcePlot::Curve> shownCurves;
-  int number = 0;
   for (auto& [id, curve] : curves) {
-    curve.name = std::to_string(++number);
+    curve.number = numberOf(id) - 1;
+    curve.name = std::to_string(numberOf(id));
     shownCurves.push_back(std::move(curve));
   }
+  std::erase_if(numbers_, [&](const auto& known) { return !curves.contains(known.first); });
   const double end = std::max(samples.back().time, ForceHistory::kSeconds / 3);
   plot_->setCurves(shownCurves, std::max(0.0, end - ForceHistory::kSeconds), end,
                    unit.symbol.toStdString());
@@ -244,13 +278,13 @@ void ForcesDock::showForces() {
   const Unit& length = settings_.units().of(Quantity::kLength);
   const Unit& force = settings_.units().of(Quantity::kForce);
   for (const auto& contact : snapshot.touched()) {
-    const int number = row + 1;
     const bool hasForce = contact.status != Status::kWaiting && contact.status != Status::kHeld;
     const double stiffness = contact.stiffness * length.factor / force.factor;
     Row filled;
     filled.contact = contact.id;
+    filled.curve = numberOf(contact.id) - 1;
     filled.cells = {
-        tr("%1 %2").arg(kindText(contact.tool.kind)).arg(number),
+        tr("%1 %2").arg(kindText(contact.tool.kind)).arg(numberOf(contact.id)),
         hasForce ? shownAs(contact.force.norm(), Quantity::kForce) : tr("–"),
         hasForce
             ? shown(contact.displacement.norm(), Quantity::kLength, settings_.units(), kFewDigits)
@@ -264,6 +298,12 @@ void ForcesDock::showForces() {
   }
   QString words;
   if (const auto state = simulation_.describe()) {
+    for (const auto& load : simulation_.drawn()->model().setup().loads)
+      fillRow(row++,
+              {{tr("Load %1").arg(QString::fromStdString(load.name)),
+                shownAs(load.resultant.force.norm(), Quantity::kForce), QString(), QString()},
+               tr("acts with") + ": " + vectorText(load.resultant.force, Quantity::kForce),
+               0});
     for (const auto& support : state->supports)
       fillRow(row++,
               {{tr("Support %1").arg(QString::fromStdString(support.name)),
@@ -288,8 +328,19 @@ void ForcesDock::showForces() {
   else if (snapshot.columnsReady < 1)
     words +=
         "\n" + tr("%L1 % of the surface solved ahead").arg(100 * snapshot.columnsReady, 0, 'f', 0);
-  if (snapshot.contactCount == 0) words += "\n" + tr("Nothing is touched.");
+  double moved = 0;
+  for (const auto& contact : snapshot.touched())
+    moved = std::max(moved, contact.displacement.norm());
+  if (moved > kLargeMotion * bodySize(*simulation_.drawn()))
+    words += "\n" + tr("Large deformation: the linear model only hints at these forces.");
+  if (snapshot.contactCount == 0)
+    words += "\n" + (editor_.project().touches.empty()
+                         ? tr("Nothing is touched.")
+                         : tr("Nothing is touched. T plays the touches of the project."));
   summary_->setText(words.trimmed());
+  summary_->setToolTip(tr(
+      "Balance: the sum of all forces on the body, over the largest of them; zero in truth, so it "
+      "tells of the error."));
 }
 
 }  // namespace palpa::gui

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QTimer>
 #include <QTreeWidget>
+#include <map>
 
 #include "app/gui/settings.h"
 #include "app/gui/simulate/force_history.h"
@@ -39,7 +40,11 @@ class ForcesDock : public QDockWidget {
     QStringList cells;
     QString details;
     app::TouchId contact = 0;  ///< 0: not a contact
+    int curve = -1;            ///< number of its curve in the plot; -1: none
   };
+  /// A contact keeps its number as long as it, or its curve, is seen; numbers begin with 1 again
+  /// when there is none.
+  int numberOf(app::TouchId contact);
   void fillRow(int row, const Row& filled);
   QString vectorText(const Eigen::Vector3d& vector, Quantity quantity) const;
   QString shownAs(double value, Quantity quantity) const;
@@ -51,6 +56,7 @@ class ForcesDock : public QDockWidget {
   QLabel* summary_;
   PlotWidget* plot_;
   ForceHistory history_;
+  std::map<app::TouchId, int> numbers_;
   QTimer soon_;
 };
 

@@ -106,6 +106,10 @@ ModelTree::ModelTree(Editor& editor, QObject* parent)
     endResetModel();
   });
   connect(&editor, &Editor::projectChanged, this, &ModelTree::showChange);
+  connect(&editor.settings(), &Settings::changed, this, [this] {
+    const QModelIndex mesh = indexOf(Node::kMesh);
+    Q_EMIT dataChanged(mesh, mesh.siblingAtColumn(1));
+  });
   showAll();
 }
 
@@ -227,13 +231,17 @@ ModelTree::Line ModelTree::lineOf(Node node) const {
     case Node::kLoads:
       return {tr("Loads"), {}, "place-load", tr("What presses or pulls on the body")};
     case Node::kTouches:
-      return {tr("Touches"), {}, "place-touch", tr("Recorded touches")};
+      return {tr("Touches"),
+              {},
+              "place-touch",
+              tr("Where the project is touched; Simulate plays them")};
     case Node::kMaterial:
       return {tr("Material"), QString::fromStdString(project.material.name), "material",
               QString::fromStdString(project.material.name)};
     case Node::kMesh:
-      return {tr("Mesh"), tr("%1 mm").arg(project.mesh.edgeLength, 0, 'g', 4), "wire",
-              tr("Length of the mesh's edges")};
+      return {tr("Mesh"),
+              shown(project.mesh.edgeLength, Quantity::kLength, editor_.settings().units(), 4),
+              "wire", tr("Length of the mesh's edges")};
     default:
       return {};
   }
@@ -304,7 +312,7 @@ ModelTree::Lines ModelTree::touchLines() const {
          std::visit(Overloaded{[](const modeling::TouchDisplacement&) { return tr("grab"); },
                                [](const modeling::TouchForce&) { return tr("force"); },
                                [](const modeling::TouchPush&) { return tr("push"); },
-                               [](const modeling::TouchProbe&) { return tr("probe"); },
+                               [](const modeling::TouchProbe&) { return tr("ball"); },
                                [](const modeling::TouchPin&) { return tr("pin"); }},
                     each.action),
          "place-touch",

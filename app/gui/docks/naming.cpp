@@ -160,9 +160,9 @@ QString bodyTitle(const Project& project) {
                         [](const modeling::ConeShape&) { return tr("Cone"); },
                         [](const modeling::CapsuleShape&) { return tr("Capsule"); },
                         [](const modeling::TorusShape&) { return tr("Torus"); },
-                        [](const modeling::RevolveShape&) { return tr("Turned profile"); },
+                        [](const modeling::RevolveShape&) { return tr("Revolved profile"); },
                         [](const modeling::ExtrudeShape&) { return tr("Extruded profile"); },
-                        [](const modeling::LoftShape&) { return tr("Loft"); },
+                        [](const modeling::LoftShape&) { return tr("Lofted sections"); },
                     },
                     project.primitive->shape);
 }

@@ -102,6 +102,7 @@ void PropertiesDock::showTool() {
   if (auto* form = qobject_cast<QFormLayout*>(options->layout()))
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (QComboBox* box : options->findChildren<QComboBox*>()) shrinkable(*box);
+  leaveLettersToMenus(*options);
   auto* layout = new QVBoxLayout(section);
   layout->setContentsMargins(12, 8, 12, 8);
   auto* heading = new QLabel(workspace_.tools.activeTitle(), section);
@@ -110,7 +111,8 @@ void PropertiesDock::showTool() {
   bold.setWeight(QFont::DemiBold);
   heading->setFont(bold);
   auto* line = new QFrame(section);
-  line->setFrameShape(QFrame::HLine);
+  line->setObjectName("rule");
+  line->setFixedHeight(1);
   layout->addWidget(heading);
   layout->addWidget(options);
   layout->addWidget(line);
@@ -121,6 +123,7 @@ void PropertiesDock::showTool() {
 void PropertiesDock::showPage() {
   page_ = makePage(workspace_);
   page_->setObjectName("page");
+  leaveLettersToMenus(*page_);
   page_->refresh();
   column_->insertWidget(options_ ? 1 : 0, page_);
   page_->show();  // at once, not with the next event: its fields may be used right away

@@ -21,20 +21,6 @@ QString seconds(double value) {
   return RebuildDock::tr("%L1 s").arg(value, 0, 'f', value < 0.1 ? 3 : 2);
 }
 
-/// Why the newest shape has no model, and what can be done.
-QString failureText(const app::RebuildStatus& status) {
-  QString text = QString::fromStdString(status.error);
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  if (!text.endsWith('.')) text += '.';
-  const auto errors = std::count_if(status.findings->begin(), status.findings->end(),
-                                    [](const auto& finding) { return finding.isError; });
-  if (status.stages.empty() || status.stages.back().phase != "check" || errors == 0) return text;
-  text += ' ' + (errors > 1 ? RebuildDock::tr("%Ln places are marked in the view.", nullptr,
-                                              static_cast<int>(errors))
-                            : RebuildDock::tr("The place is marked in the view."));
-  return text + ' ' + RebuildDock::tr("Move the control points there, or undo the last step.");
-}
-
 /// Warnings of a model that was built.
 QString warningText(const app::BuildReport& report) {
   QStringList lines;
@@ -63,6 +49,19 @@ QString updateText(const app::RebuildStatus& status) {
 }
 
 }  // namespace
+
+QString failureText(const app::RebuildStatus& status) {
+  QString text = QString::fromStdString(status.error);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  if (!text.endsWith('.')) text += '.';
+  const auto errors = std::count_if(status.findings->begin(), status.findings->end(),
+                                    [](const auto& finding) { return finding.isError; });
+  if (status.stages.empty() || status.stages.back().phase != "check" || errors == 0) return text;
+  text += ' ' + (errors > 1 ? RebuildDock::tr("%Ln places are marked in the view.", nullptr,
+                                              static_cast<int>(errors))
+                            : RebuildDock::tr("The place is marked in the view."));
+  return text + ' ' + RebuildDock::tr("Move the control points there, or undo the last step.");
+}
 
 QString rebuildText(const app::RebuildStatus& status) {
   switch (status.state) {
@@ -101,10 +100,10 @@ RebuildDock::RebuildDock(Editor& editor, QWidget* parent)
   progress_->setObjectName("rebuildProgress");
   progress_->setAccessibleName(tr("Progress of the rebuild"));
   progress_->setRange(0, 100);
-  stop_ = new QPushButton(icon("cancel"), tr("S&top"), content);
+  stop_ = new QPushButton(icon("cancel"), tr("Stop"), content);
   stop_->setObjectName("stopRebuild");
   stop_->setToolTip(tr("Stop the present build; the last good model stays"));
-  again_ = new QPushButton(icon("redo"), tr("&Build again"), content);
+  again_ = new QPushButton(icon("redo"), tr("Build again"), content);
   again_->setObjectName("buildAgain");
   again_->setToolTip(tr("Build the model of the present shape"));
   auto* stages = new QGridLayout;

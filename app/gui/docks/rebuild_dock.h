@@ -48,5 +48,7 @@ class RebuildDock : public QDockWidget {
 
 /// "Up to date", "Building the model 40 %", …: for the dock and the status bar.
 QString rebuildText(const app::RebuildStatus& status);
+/// Why the newest shape has no model, and what can be done; for a status that is kFailed.
+QString failureText(const app::RebuildStatus& status);
 
 }  // namespace palpa::gui

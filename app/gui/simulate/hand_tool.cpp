@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <QFormLayout>
+#include <QKeyEvent>
+#include <utility>
 
 #include "app/core/touch.h"
 #include "app/gui/tools/condition_options.h"
@@ -56,7 +58,15 @@ HandTool::HandTool(Kind kind, Settings& settings, Simulation& simulation, HandOp
       simulation_(simulation),
       options_(options),
       widget_(widget) {
-  connect(&simulation, &Simulation::activeChanged, this, [this] { hold_.reset(); });
+  connect(&simulation, &Simulation::activeChanged, this, [this] {
+    hold_.reset();
+    Q_EMIT changed();
+  });
+  connect(&simulation, &Simulation::bodyChanged, this, &Tool::changed);
+  connect(&simulation, &Simulation::framed, this, [this] {
+    const int pins = simulation_.snapshot().contactCount;
+    if (std::exchange(pins_, pins) != pins) Q_EMIT changed();
+  });
 }
 
 std::optional<HandTool::Place> HandTool::placeAt(const Eigen::Vector2d& pixel) const {
@@ -175,6 +185,7 @@ void HandTool::follow() {
 }
 
 bool HandTool::move(const PointerEvent& event) {
+  pointer_ = event.pixel;
   if (!hold_) {
     drawHover(event.pixel);
     return false;
@@ -228,6 +239,17 @@ void HandTool::leave() {
   widget_.update();
 }
 
+bool HandTool::wantsKey(const QKeyEvent& event) const {
+  return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+}
+
+bool HandTool::key(QKeyEvent* event) {
+  if (!wantsKey(*event)) return false;
+  const auto pin = hold_ ? std::nullopt : pinAt(pointer_);
+  if (pin) simulation_.letGo(*pin);
+  return true;
+}
+
 bool HandTool::cancel() {
   if (hold_) {
     simulation_.letGo(hold_->id);
@@ -253,6 +275,11 @@ QCursor HandTool::cursor() const {
 QString HandTool::hint() const {
   if (hold_)
     return tr("Ctrl or the wheel: along the normal. Shift when letting go: it stays as a pin");
+  if (!simulation_.drawn()) return tr("Touching begins as soon as the first model is built");
+  if (pins_ > 0)
+    return tr(
+        "A press on a pin takes hold of it; a double click or Delete lets go of it, Escape of "
+        "all");
   switch (kind_) {
     case Kind::kGrab:
       return tr("Press on the surface and drag: it follows the hand");

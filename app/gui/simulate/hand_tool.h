@@ -47,6 +47,10 @@ class HandTool : public Tool {
   bool doubleClick(const PointerEvent& event) override;
   bool wheel(const PointerEvent& event, double notches) override;
   void leave() override;
+  /// Delete lets go of the pin under the pointer; never of a support or load that was selected
+  /// while modelling, which is not seen here.
+  bool wantsKey(const QKeyEvent& event) const override;
+  bool key(QKeyEvent* event) override;
   /// Lets go of what is held; otherwise of all pins.
   bool cancel() override;
   QCursor cursor() const override;
@@ -86,6 +90,8 @@ class HandTool : public Tool {
   HandOptions& options_;
   ViewportWidget& widget_;
   std::optional<Hold> hold_;
+  Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();  // pixel
+  int pins_ = 0;                                       // as the hint has them
 };
 
 }  // namespace palpa::gui

@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QStatusBar>
 #include <QTemporaryDir>
 
 #include "app/gui/background_job.h"
@@ -73,6 +74,11 @@ void RecordingActions::update() {
   record_->setEnabled(isActive && !recorder_.isReplaying());
   const QSignalBlocker silent(record_);
   record_->setChecked(recorder_.isRecording());
+  record_->setText(recorder_.isRecording() ? tr("Stop &recording") : tr("&Record"));
+  record_->setToolTip((recorder_.isRecording()
+                           ? tr("Everything the hand does is being recorded; press again to stop")
+                           : tr("Record what the hand does, a thousand times a second")) +
+                      " (" + record_->shortcut().toString(QKeySequence::NativeText) + ")");
   replay_->setEnabled(isActive && isThere);
   replay_->setText(recorder_.isReplaying() ? tr("Stop re&play") : tr("Re&play"));
   save_->setEnabled(isThere);
@@ -84,9 +90,12 @@ void RecordingActions::update() {
 void RecordingActions::toggleRecording(bool on) {
   if (on) {
     recorder_.start();
+    workspace_.window.statusBar()->showMessage(
+        tr("Recording what the hand does; Ctrl+R or the button stops"));
     return;
   }
   recorder_.stop();
+  workspace_.window.statusBar()->clearMessage();
   if (!recorder_.recording()) {
     Q_EMIT workspace_.editor.said(tr("Nothing was recorded: nothing was touched"));
     return;

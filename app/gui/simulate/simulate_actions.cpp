@@ -18,7 +18,8 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
     : QObject(&workspace.window),
       workspace_(workspace),
       simulation_(simulation),
-      pictures_(pictures) {
+      pictures_(pictures),
+      touches_(workspace.editor, simulation, this) {
   addModes();
   addTools();
   addPictures();
@@ -35,7 +36,17 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
   connect(&hand_, &HandOptions::changed, this, [this] {
     if (simulation_.drawn()) simulation_.setFingertip(hand_.radius(*simulation_.drawn()));
   });
+  for (auto signal : {&Simulation::bodyChanged, &Simulation::leaving})
+    connect(&simulation, signal, this, &SimulateActions::updatePlay);
+  connect(&workspace.editor, &Editor::projectChanged, this, &SimulateActions::updatePlay);
+  connect(&workspace.editor, &Editor::projectReplaced, this, &SimulateActions::updatePlay);
   show(false);
+}
+
+void SimulateActions::updatePlay() {
+  play_->setVisible(simulation_.isActive());
+  play_->setEnabled(simulation_.isActive() && simulation_.drawn() &&
+                    !workspace_.editor.project().touches.empty());
 }
 
 void SimulateActions::addModes() {
@@ -52,7 +63,7 @@ void SimulateActions::addModes() {
   for (QAction* action : {model_, simulate_}) {
     action->setCheckable(true);
     modes->addAction(action);
-    menus.bar->addAction(action);
+    menus.bar->insertAction(menus.views, action);
     // Where one is matters more than anything else in the bar: with words.
     static_cast<QToolButton*>(menus.bar->widgetForAction(action))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -75,6 +86,11 @@ void SimulateActions::addTools() {
   add(Kind::kForce,
       {"hand-force", tr("&Force"), QKeySequence(Qt::Key_D), tr("Pull with a given force")});
   workspace_.menus.simulate->addSeparator();
+  play_ = workspace_.menus.add(
+      workspace_.menus.simulate,
+      {"place-touch", tr("Play the &touches of the project"), QKeySequence(Qt::Key_T),
+       tr("Touch the solid as the project says; the touches stay as pins")},
+      this, [this] { touches_.play(); });
   onlySimulating_.push_back(workspace_.menus.add(
       workspace_.menus.simulate,
       {"hand-release", tr("&Let go of all"), {}, tr("Remove all contacts and pins (Escape)")}, this,
@@ -104,10 +120,11 @@ void SimulateActions::addPictures() {
   QMenu* scales = menus.simulate->addMenu(tr("D&raw displacements"));
   auto* factors = new QActionGroup(this);
   for (const int factor : {0, 1, 2, 5, 10, 50}) {
-    QAction* action = menus.addToggle(scales, {nullptr, tr("× %1").arg(factor)},
-                                      simulation_.scale() == factor, this, [this, factor](bool on) {
-                                        if (on) simulation_.setScale(factor);
-                                      });
+    QAction* action =
+        menus.addToggle(scales, {nullptr, factor == 0 ? tr("Not at all") : tr("× %1").arg(factor)},
+                        simulation_.scale() == factor, this, [this, factor](bool on) {
+                          if (on) simulation_.setScale(factor);
+                        });
     factors->addAction(action);
   }
 }
@@ -115,6 +132,9 @@ void SimulateActions::addPictures() {
 void SimulateActions::show(bool isActive) {
   (isActive ? simulate_ : model_)->setChecked(true);
   for (QAction* action : onlySimulating_) action->setEnabled(isActive);
+  updatePlay();
+  // The net is not drawn while the solid is touched.
+  if (auto* net = workspace_.window.findChild<QAction*>("Control net")) net->setEnabled(!isActive);
   workspace_.tools.setMode(isActive ? Mode::kSimulate : Mode::kModel);
 }
 

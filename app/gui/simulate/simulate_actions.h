@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "app/gui/simulate/hand_tool.h"
+#include "app/gui/simulate/project_touches.h"
 #include "app/gui/simulate/recording_actions.h"
 #include "app/gui/simulate/simulation_view.h"
 #include "app/gui/workspace.h"
@@ -21,11 +22,14 @@ class SimulateActions : public QObject {
   void addTools();
   void addPictures();
   void show(bool isActive);
+  void updatePlay();
 
   Workspace workspace_;
   Simulation& simulation_;
   SimulationView& pictures_;
   HandOptions hand_;
+  ProjectTouches touches_;
+  QAction* play_ = nullptr;
   QAction* model_ = nullptr;
   QAction* simulate_ = nullptr;
   RecordingActions* recording_ = nullptr;

@@ -195,6 +195,8 @@ void PointTool::begin(GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKey
   motion.isByKeys = isByKeys;
   motion_ = std::move(motion);
   picker_.unhover();
+  // Its arrows would lie over the number that is typed; a line shows the axis.
+  workspace_.scene.setGizmoKind(std::nullopt);
   if (axis != GizmoAxis::kAll) constrain(axis);
   draw();
   Q_EMIT changed();
@@ -252,6 +254,7 @@ void PointTool::apply(const Amount& amount, bool anew) {
 
 void PointTool::finish() {
   motion_.reset();
+  workspace_.scene.setGizmoKind(kind());
   workspace_.editor.endMotion();
   workspace_.scene.setGizmoAxis(GizmoAxis::kNone);
   workspace_.view.setCursor(cursor());
@@ -263,6 +266,7 @@ void PointTool::abandon() {
   pressed_.reset();
   if (!motion_) return;
   motion_.reset();
+  workspace_.scene.setGizmoKind(kind());
   workspace_.scene.setGizmoAxis(GizmoAxis::kNone);
   Q_EMIT changed();
 }

@@ -142,11 +142,11 @@ QWidget* TouchTool::makeOptions(QWidget* parent) {
   auto* form = new QFormLayout(options);
   form->setContentsMargins(0, 0, 0, 0);
   auto* kind = new QComboBox(options);
-  kind->addItems({tr("Grab"), tr("Push"), tr("Probe"), tr("Pin")});
+  kind->addItems({tr("Grab"), tr("Push"), tr("Ball"), tr("Pin")});
   kind->setCurrentIndex(static_cast<int>(kind_));
   addRow(form, tr("&Kind"), kind, "touchKind",
-         tr("A grab moves the place; a fingertip pushes and a ball probes: they press, but do not "
-            "pull, and slide; a pin holds the place"));
+         tr("A grab moves the place; a fingertip and a ball press, but do not pull, and slide;"
+            " a pin holds the place"));
   auto* friction = new QuantityEdit(Quantity::kNumber, settings_, options);
   friction->setRange(0, modeling::kMostFriction);
   friction->setValue(friction_);

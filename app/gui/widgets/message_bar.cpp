@@ -62,6 +62,14 @@ void MessageBar::clear() {
   while (rows_->count() > 0) remove(rows_->itemAt(0)->widget());
 }
 
+void MessageBar::withdraw(const QString& text) {
+  std::erase_if(waiting_, [&](const Message& message) { return message.text == text; });
+  for (int i = rows_->count() - 1; i >= 0; --i) {
+    QWidget* row = rows_->itemAt(i)->widget();
+    if (row->property("text").toString() == text) remove(row);
+  }
+}
+
 void MessageBar::add(Message message) {
   if (messages().contains(message.text)) return;
   waiting_.push_back(std::move(message));

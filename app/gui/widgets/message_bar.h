@@ -23,6 +23,8 @@ class MessageBar : public QWidget {
 
   /// What is shown and what waits, oldest first.
   QStringList messages() const;
+  /// Takes one away; nothing when it is not there (any more).
+  void withdraw(const QString& text);
   void clear();
 
  protected:

@@ -11,7 +11,7 @@ NumberRow::NumberRow(Quantity quantity, const Settings& settings, QWidget* paren
       field_(new QuantityEdit(quantity, settings, this)),
       problem_(new QLabel(this)) {
   problem_->setWordWrap(true);
-  problem_->setStyleSheet("color: #d0462b;");
+  problem_->setObjectName("refusal");
   problem_->hide();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

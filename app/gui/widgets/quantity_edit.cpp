@@ -8,7 +8,8 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kDigits = 10;  // shown: enough not to lose what was typed
+constexpr int kDigits = 10;    // shown: enough not to lose what was typed
+constexpr int kFewDigits = 5;  // where three fields share a line
 
 }  // namespace
 
@@ -33,7 +34,8 @@ void QuantityEdit::setRange(double least, double most) {
 }
 
 void QuantityEdit::showValue() {
-  const QString text = shown(value_, quantity_, settings_.units(), kDigits);
+  const bool isShort = isNarrow_ && !hasFocus();
+  const QString text = shown(value_, quantity_, settings_.units(), isShort ? kFewDigits : kDigits);
   if (text != this->text()) {
     setText(text);
     setCursorPosition(0);
@@ -110,8 +112,19 @@ void QuantityEdit::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+void QuantityEdit::setNarrow() {
+  isNarrow_ = true;
+  showValue();
+}
+
+void QuantityEdit::focusOutEvent(QFocusEvent* event) {
+  QLineEdit::focusOutEvent(event);
+  if (!isModified()) showValue();
+}
+
 void QuantityEdit::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
+  if (!isModified()) showValue();
   selectAll();
 }
 

@@ -22,6 +22,8 @@ class QuantityEdit : public QLineEdit {
   void setValue(double value);
   /// Smallest and largest value accepted, both included.
   void setRange(double least, double most);
+  /// Shows few digits while the field has not the focus; the value keeps all of them.
+  void setNarrow();
   /// By which arrow keys and the wheel change the value; 0 (the default): a tenth of its leading
   /// power of ten.
   void setStep(double step) { step_ = step; }
@@ -34,6 +36,7 @@ class QuantityEdit : public QLineEdit {
   void keyPressEvent(QKeyEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void commit();
@@ -49,6 +52,7 @@ class QuantityEdit : public QLineEdit {
   double least_ = -std::numeric_limits<double>::infinity();
   double most_ = std::numeric_limits<double>::infinity();
   double step_ = 0;
+  bool isNarrow_ = false;
 };
 
 }  // namespace palpa::gui

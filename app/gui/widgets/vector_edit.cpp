@@ -13,6 +13,7 @@ VectorEdit::VectorEdit(Quantity quantity, const Settings& settings, QWidget* par
     fields_[i] = new QuantityEdit(quantity, settings, this);
     fields_[i]->setObjectName(QStringLiteral("xyz").mid(i, 1));
     fields_[i]->setAccessibleName(QStringLiteral("xyz").mid(i, 1));
+    fields_[i]->setNarrow();
     layout->addWidget(fields_[i], 1);
     connect(fields_[i], &QuantityEdit::edited, this, [this] { Q_EMIT edited(value()); });
   }

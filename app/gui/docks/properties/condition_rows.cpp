@@ -119,7 +119,7 @@ bool setFriction(Editor& editor, double friction) {
 void addTouchRadius(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addCheck(
-      tr("Radius of a &fingertip"), "usualRadius",
+      tr("As wide as a &fingertip usually is"), "usualRadius",
       [&editor] { return !touchOf(editor).radius.has_value(); },
       [&editor](bool isUsual) {
         Touch touch = touchOf(editor);
@@ -212,8 +212,8 @@ void addTouchRows(PropertyPage& page) {
       });
   page.addChoice(
       tr("&Kind"), "kind",
-      {tr("Grab: moved"), tr("Force: pulled"), tr("Push: a fingertip that slides"),
-       tr("Probe: a ball that slides"), tr("Pin: held in place")},
+      {tr("Grab: is moved"), tr("Force: is pulled"), tr("Push: a fingertip that slides"),
+       tr("Ball: presses and slides"), tr("Pin: is held in place")},
       [&editor] { return static_cast<int>(touchOf(editor).action.index()); },
       [&editor](int kind) {
         Touch touch = touchOf(editor);

@@ -4,6 +4,7 @@
 #include "app/gui/docks/naming.h"
 #include "app/gui/docks/properties/pages.h"
 #include "app/gui/editor.h"
+#include "app/gui/measures.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::gui {
@@ -62,14 +63,15 @@ QString knotsText(const std::vector<double>& knots) {
   return texts.join(QStringLiteral(", "));
 }
 
-QString areaText(const Editor& editor) {
+QString areaText(const PropertyPage& page) {
+  const Editor& editor = page.editor();
   if (!editor.solid()) return {};
   std::vector<modeling::Patch> patches;
   for (int patch : chosen(editor)) patches.push_back(editor.solid()->patches()[patch]);
   if (patches.empty()) return {};
   const double area =
       modeling::area(modeling::SurfaceEvaluator(editor.solid()->controlPoints(), patches));
-  return tr("%L1 mm²").arg(area, 0, 'g', 5);
+  return shownArea(area, page.workspace().settings.units());
 }
 
 void addPatchFacts(PropertyPage& page) {
@@ -114,7 +116,7 @@ void addPatchRows(PropertyPage& page) {
     page.addFact(tr("Selected"), "count",
                  [&editor] { return QString::number(chosen(editor).size()); });
   }
-  if (editor.solid()) page.addSlowFact(tr("Area"), "area", [&editor] { return areaText(editor); });
+  if (editor.solid()) page.addSlowFact(tr("Area"), "area", [&page] { return areaText(page); });
   page.addSection(tr("Mesh"));
   page.addQuantity(
           tr("Edge length ×"), "factor", Quantity::kNumber, [&editor] { return factorOf(editor); },

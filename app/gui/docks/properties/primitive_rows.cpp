@@ -97,17 +97,19 @@ void addPrimitiveRows(PropertyPage& page) {
       tr("Degree"), "degree", 1, 5,
       [&editor] { return editor.project().primitive ? editor.project().primitive->degree : 3; },
       [&editor](int degree) { return remake(editor, [&](Primitive& to) { to.degree = degree; }); });
-  page.addCount(
-      tr("Points a side"), "controlPoints", 0, modeling::kMostControlPoints,
+  QSpinBox* points = page.addCount(
+      tr("Control points"), "controlPoints", 0, modeling::kMostControlPoints,
       [&editor] {
         return editor.project().primitive ? editor.project().primitive->controlPoints : 0;
       },
       [&editor](int count) {
         return remake(editor, [&](Primitive& to) { to.controlPoints = count; });
       });
+  points->setSpecialValueText(tr("automatic"));
+  points->setToolTip(tr("Per direction and patch"));
   page.addNote(
-      tr("0 points: as many as suit the shape. Until a control point is moved the body "
-         "can be made anew from these numbers; supports and loads stay."));
+      tr("Until a control point is moved the body can be made anew from these numbers; supports "
+         "and loads stay."));
 }
 
 }  // namespace palpa::gui

@@ -8,6 +8,7 @@
 #include "app/gui/docks/properties/pages.h"
 #include "app/gui/editor.h"
 #include "app/gui/main_window.h"
+#include "app/gui/measures.h"
 #include "modeling/error.h"
 #include "modeling/project/material_library.h"
 
@@ -24,7 +25,7 @@ void renameWhenChanged(modeling::Material& material) {
   const bool isOfLibrary = std::any_of(library.begin(), library.end(), [&](const auto& each) {
     return each.material.name == material.name;
   });
-  if (isOfLibrary) material.name += tr(" (changed)").toStdString();
+  if (isOfLibrary) material.name += tr(", changed").toStdString();
 }
 
 void addMaterial(PropertyPage& page) {
@@ -33,7 +34,7 @@ void addMaterial(PropertyPage& page) {
   page.addFact(tr("Name"), "materialName",
                [&editor] { return QString::fromStdString(editor.project().material.name); });
   page.addQuantity(
-      tr("&Young’s modulus"), "youngsModulus", Quantity::kStress,
+      tr("&Young's modulus"), "youngsModulus", Quantity::kStress,
       [&editor] { return editor.project().material.youngsModulus; },
       [&editor](double modulus) {
         modeling::Material material = editor.project().material;
@@ -42,7 +43,7 @@ void addMaterial(PropertyPage& page) {
         return editor.perform(modeling::SetMaterial{material});
       });
   page.addQuantity(
-      tr("&Poisson’s ratio"), "poissonRatio", Quantity::kNumber,
+      tr("&Poisson's ratio"), "poissonRatio", Quantity::kNumber,
       [&editor] { return editor.project().material.poissonRatio; },
       [&editor](double ratio) {
         modeling::Material material = editor.project().material;
@@ -162,11 +163,13 @@ void addBody(PropertyPage& page) {
                        page.shownLength(size.z())}
         .join(QStringLiteral(" × "));
   });
-  page.addSlowFact(tr("Volume"), "volume", [&editor] {
-    return tr("%L1 mm³").arg(modeling::volume(editor.project().body), 0, 'g', 6);
+  page.addSlowFact(tr("Volume"), "volume", [&page] {
+    return shownVolume(modeling::volume(page.editor().project().body),
+                       page.workspace().settings.units());
   });
-  page.addSlowFact(tr("Area"), "area", [&editor] {
-    return tr("%L1 mm²").arg(modeling::area(editor.project().body), 0, 'g', 6);
+  page.addSlowFact(tr("Area"), "area", [&page] {
+    return shownArea(modeling::area(page.editor().project().body),
+                     page.workspace().settings.units());
   });
   page.addFact(editor.solid() ? tr("Patches") : tr("Faces"), "patches", [&editor] {
     return QString::number(modeling::patchNames(editor.project().body).size());

@@ -49,6 +49,14 @@ void shrinkable(QComboBox& box) {
   box.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
+void leaveLettersToMenus(QWidget& panel) {
+  static const QRegularExpression letter(QStringLiteral("&(?!&)"));
+  for (QLabel* label : panel.findChildren<QLabel*>())
+    if (label->buddy()) label->setText(label->text().remove(letter));
+  for (QAbstractButton* button : panel.findChildren<QAbstractButton*>())
+    button->setText(button->text().remove(letter));
+}
+
 PropertyPage::PropertyPage(const Workspace& workspace)
     : workspace_(workspace), form_(new QFormLayout(this)) {
   form_->setContentsMargins(12, 4, 12, 12);
@@ -182,8 +190,8 @@ void PropertyPage::addText(const QString& label, const QString& name, Get<QStrin
   });
 }
 
-void PropertyPage::addCount(const QString& label, const QString& name, int least, int most,
-                            Get<int> get, Set<int> put) {
+QSpinBox* PropertyPage::addCount(const QString& label, const QString& name, int least, int most,
+                                 Get<int> get, Set<int> put) {
   auto* box = new CalmBox<QSpinBox>(this);
   box->setRange(least, most);
   box->setFocusPolicy(Qt::StrongFocus);
@@ -195,6 +203,7 @@ void PropertyPage::addCount(const QString& label, const QString& name, int least
   });
   connect(box, &QSpinBox::valueChanged, this,
           [this, box, put](int value) { set(box, put, value); });
+  return box;
 }
 
 void PropertyPage::addChoice(const QString& label, const QString& name, const QStringList& choices,

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QSpinBox>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -16,6 +17,10 @@ namespace palpa::gui {
 
 /// Lets a box be narrower than its longest choice.
 void shrinkable(QComboBox& box);
+
+/// Takes the underlined letters from labels and buttons: with Alt, letters open the menus, and a
+/// letter that a panel has, too, would open nothing.
+void leaveLettersToMenus(QWidget& panel);
 
 /// A form with the properties of what is selected. Pages add their rows when they are made, each
 /// with how to read and how to write its value; the page keeps the fields in step with the project.
@@ -49,8 +54,8 @@ class PropertyPage : public QWidget {
   void addVector(const QString& label, const QString& name, Quantity quantity,
                  Get<Eigen::Vector3d> get, Set<Eigen::Vector3d> set);
   void addText(const QString& label, const QString& name, Get<QString> get, Set<QString> set);
-  void addCount(const QString& label, const QString& name, int least, int most, Get<int> get,
-                Set<int> set);
+  QSpinBox* addCount(const QString& label, const QString& name, int least, int most, Get<int> get,
+                     Set<int> set);
   void addChoice(const QString& label, const QString& name, const QStringList& choices,
                  Get<int> get, Set<int> set);
   void addCheck(const QString& text, const QString& name, Get<bool> get, Set<bool> set);

@@ -27,11 +27,14 @@ class RegionRows {
   void add() const {
     const Region region = get_();
     page_.addSection(tr("Where"));
+    int strokes = 0;
     for (std::size_t i = 0; i < region.parts.size(); ++i)
       std::visit(Overloaded{[&](const PatchSet& set) { addPatches(i, set); },
                             [&](const HalfSpace&) { addHalfSpace(i); },
-                            [&](const auto&) {
-                              addRemovable(tr("Painted"), QString("part%1").arg(i), withoutPart(i));
+                            [&](const modeling::Stroke& stroke) {
+                              const QString radius = page_.shownLength(stroke.radius);
+                              addRemovable(tr("Stroke %1, radius %2").arg(++strokes).arg(radius),
+                                           QString("part%1").arg(i), withoutPart(i));
                             }},
                  region.parts[i]);
     addButtons(region);
@@ -86,7 +89,7 @@ class RegionRows {
   }
 
   void addHalfSpace(std::size_t part) const {
-    addRemovable(tr("All points x with n · x below a number"), QString("part%1").arg(part),
+    addRemovable(tr("Everything on one side of a plane"), QString("part%1").arg(part),
                  withoutPart(part));
     const auto read = [get = get_, part] {
       const Region region = get();
@@ -101,7 +104,7 @@ class RegionRows {
       return set(region);
     };
     page_.addVector(
-        tr("Normal n"), QString("normal%1").arg(part), Quantity::kNumber,
+        tr("Normal, away from that side"), QString("normal%1").arg(part), Quantity::kNumber,
         [read] { return read().normal; },
         [read, write](const Eigen::Vector3d& normal) {
           HalfSpace half = read();
@@ -109,7 +112,7 @@ class RegionRows {
           return write(half);
         });
     page_.addQuantity(
-        tr("Below"), QString("below%1").arg(part), Quantity::kLength,
+        tr("Height along it"), QString("below%1").arg(part), Quantity::kLength,
         [read] { return read().below; },
         [read, write](double below) {
           HalfSpace half = read();

@@ -1,0 +1,138 @@
+#include "app/gui/dialogs/guide_reader.h"
+
+#include <QDesktopServices>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextFrame>
+#include <QTextTable>
+#include <utility>
+#include <vector>
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kMargin = 24;        // beside the text
+constexpr int kWidestImage = 900;  // logical pixels
+constexpr int kLineHeight = 125;   // per cent
+
+/// The name by which links refer to a heading, as on the web: lower case, words joined by "-".
+QString anchorOf(QString heading) {
+  static const QRegularExpression kPunctuation("[^\\w\\- ]",
+                                               QRegularExpression::UseUnicodePropertiesOption);
+  return heading.toLower().remove(kPunctuation).replace(' ', '-');
+}
+
+/// Tables are as wide as the page, with lines between their cells.
+void layOutTables(QTextFrame* frame) {
+  for (QTextFrame* child : frame->childFrames()) layOutTables(child);
+  auto* table = qobject_cast<QTextTable*>(frame);
+  if (!table) return;
+  QTextTableFormat format = table->format();
+  format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+  format.setCellPadding(5);
+  format.setCellSpacing(0);
+  format.setBorder(1);
+  format.setBorderCollapse(true);
+  table->setFormat(format);
+}
+
+/// Links can lead to a heading; code stands out and wraps; lines and headings get some space.
+void layOutText(QTextDocument& document, const QBrush& behindCode) {
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    QTextCursor cursor(block);
+    QTextBlockFormat format = block.blockFormat();
+    const bool hasPicture = block.text().contains(QChar::ObjectReplacementCharacter);
+    if (format.hasProperty(QTextFormat::BlockCodeFence)) {
+      format.setBackground(behindCode);
+      format.setNonBreakableLines(false);
+    } else if (!hasPicture) {
+      format.setLineHeight(kLineHeight, QTextBlockFormat::ProportionalHeight);
+    }
+    if (format.headingLevel() > 1) format.setTopMargin(kMargin);
+    cursor.setBlockFormat(format);
+    if (format.headingLevel() == 0) continue;
+    QTextCharFormat place;
+    place.setAnchor(true);
+    place.setAnchorNames({anchorOf(block.text())});
+    cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    cursor.mergeCharFormat(place);
+  }
+}
+
+/// The reader of Markdown gives links the colour of the theme the program began with.
+void colourLinks(QTextDocument& document, const QBrush& colour) {
+  std::vector<std::pair<int, int>> links;  // from, to
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+    for (auto it = block.begin(); !it.atEnd(); ++it)
+      if (const QTextFragment part = it.fragment(); !part.charFormat().anchorHref().isEmpty())
+        links.emplace_back(part.position(), part.position() + part.length());
+  QTextCharFormat format;
+  format.setForeground(colour);
+  QTextCursor cursor(&document);
+  for (const auto& [from, to] : links) {
+    cursor.setPosition(from);
+    cursor.setPosition(to, QTextCursor::KeepAnchor);
+    cursor.mergeCharFormat(format);
+  }
+}
+
+}  // namespace
+
+GuideReader::GuideReader(QWidget* parent) : QTextBrowser(parent) {
+  setObjectName("guideReader");
+  document()->setDocumentMargin(kMargin);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures know their width
+}
+
+QVariant GuideReader::loadResource(int type, const QUrl& name) {
+  const QVariant found = QTextBrowser::loadResource(type, name);
+  if (type != QTextDocument::ImageResource) return found;
+  QImage picture = found.value<QImage>();
+  if (picture.isNull()) picture = QImage::fromData(found.toByteArray());
+  const int most = std::min(kWidestImage, viewport()->width() - 2 * kMargin - 4);
+  if (picture.isNull() || picture.width() <= most) return found;
+  const double ratio = devicePixelRatioF();
+  picture = picture.scaledToWidth(static_cast<int>(most * ratio), Qt::SmoothTransformation);
+  picture.setDevicePixelRatio(ratio);
+  return picture;
+}
+
+void GuideReader::doSetSource(const QUrl& name, QTextDocument::ResourceType type) {
+  const QUrl target = source().resolved(name);
+  const bool isPage = target.isLocalFile() && target.path().endsWith(".md");
+  if (!isPage) {
+    QDesktopServices::openUrl(target);
+    return;
+  }
+  if (target.adjusted(QUrl::RemoveFragment) != source().adjusted(QUrl::RemoveFragment)) {
+    QTextBrowser::doSetSource(target, type);
+    layOut();
+  }
+  verticalScrollBar()->setValue(0);
+  if (!target.hasFragment()) return;
+  scrollToAnchor(target.fragment());
+  verticalScrollBar()->setValue(verticalScrollBar()->value() - kMargin / 2);
+}
+
+// The colour behind code is that of the theme in which a page was read.
+void GuideReader::changeEvent(QEvent* event) {
+  QTextBrowser::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || source().isEmpty()) return;
+  const int place = verticalScrollBar()->value();
+  reload();
+  layOut();
+  verticalScrollBar()->setValue(place);
+}
+
+void GuideReader::layOut() {
+  layOutTables(document()->rootFrame());
+  layOutText(*document(), palette().alternateBase());
+  colourLinks(*document(), palette().link());
+}
+
+}  // namespace palpa::gui
