@@ -81,3 +81,11 @@ replace_between() {
     index($0, "<!-- " name " of scripts/" script " -->") { inside = 1 }' "$page" >"$page.new"
   mv "$page.new" "$page"
 }
+
+# machine_lines: when and where something is measured, as lines "what;value".
+machine_lines() {
+  date -u '+date;%Y-%m-%d %H:%M UTC'
+  echo "machine;$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $(awk '/MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo)"
+  echo "system;$(. /etc/os-release && echo "$PRETTY_NAME"), $("${CXX:-c++}" --version | head -n 1)"
+  echo "commit;$(git -c safe.directory="$palpa_root" -C "$palpa_root" rev-parse --short HEAD 2>/dev/null || echo unknown)"
+}

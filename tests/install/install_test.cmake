@@ -11,9 +11,11 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${WORK}/prefix/bin/palpa-cli touch ${SOURCE}/projects/sphere.json --threads 1)
+# The reference solutions are in the program.
+run(${WORK}/prefix/bin/palpa-cli verify --case patch_linear_box_nu0.30)
 foreach(file bin/palpa libexec/palpa/palpa-read-cad share/man/man1/palpa-cli.1 share/man/man1/palpa.1
     share/bash-completion/completions/palpa-cli share/applications/palpa.desktop share/mime/packages/palpa.xml
-    share/icons/hicolor/scalable/apps/palpa.svg)
+    share/icons/hicolor/scalable/apps/palpa.svg share/doc/palpa/docs/guide/README.md)
   if(NOT EXISTS ${WORK}/prefix/${file})
     message(FATAL_ERROR "not installed: ${file}")
   endif()
