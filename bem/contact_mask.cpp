@@ -1,8 +1,7 @@
 #include "bem/contact_mask.h"
 
-#include <cstdio>
-
 #include "bem/error.h"
+#include "bem/place_text.h"
 #include "bem/triangle_contact_surface.h"
 
 namespace palpa::bem {
@@ -19,13 +18,9 @@ ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d
   ContactMask mask;
   const auto workspace = surface.makeWorkspace();
   if (surface.makeMask(surface.nearest(at), radius, *workspace, mask)) return mask;
-  const Eigen::Vector3d& p = mask.point.position;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the place touched at (%.4g, %.4g, %.4g) mm is held by a support; touch the body "
-                "where it is free",
-                p[0], p[1], p[2]);
-  throw SolverError(SolverError::Kind::kBadCondition, text);
+  throw SolverError(SolverError::Kind::kBadCondition,
+                    "the place touched at " + placeText(mask.point.position) +
+                        " is held by a support; touch the body where it is free");
 }
 
 ContactMask makeContactMask(const BoundaryMesh& mesh, const TractionSlots& slots,

@@ -38,7 +38,7 @@ class NewCommand : public Command {
         ->type_name("NAME");
     options
         .add_option("--youngs-modulus", youngsModulus_,
-                    "Young's modulus in MPa (default 0.2, soft silicone)")
+                    "Young's modulus in MPa (default 0.2, a silicone)")
         ->type_name("MPA");
     options.add_option("--poisson-ratio", poissonRatio_, "Poisson's ratio (default 0.48)")
         ->type_name("NU");
@@ -88,11 +88,13 @@ class NewCommand : public Command {
       }
       return;
     }
-    material.name = youngsModulus_.empty() && poissonRatio_.empty() ? "soft silicone" : "custom";
-    material.youngsModulus =
-        youngsModulus_.empty() ? 0.2 : parsePositive("--youngs-modulus", youngsModulus_);
-    material.poissonRatio =
-        poissonRatio_.empty() ? 0.48 : parseNumber("--poisson-ratio", poissonRatio_);
+    material = app::defaultMaterial();
+    if (youngsModulus_.empty() && poissonRatio_.empty()) return;
+    material.name = "custom";
+    if (!youngsModulus_.empty())
+      material.youngsModulus = parsePositive("--youngs-modulus", youngsModulus_);
+    if (!poissonRatio_.empty())
+      material.poissonRatio = parseNumber("--poisson-ratio", poissonRatio_);
   }
 
   void report(const Context& context, const modeling::Project& project, double deviation) const {

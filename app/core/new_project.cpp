@@ -12,10 +12,14 @@ double suitableEdgeLength(const modeling::Body& body) {
   return std::strtod(text, nullptr);
 }
 
+modeling::Material defaultMaterial() {
+  return {"silicone", 0.2, 0.48};
+}
+
 modeling::Project makeProject(modeling::Body body, const std::string& name) {
   modeling::Project project;
   project.name = name;
-  project.material = {"soft silicone", 0.2, 0.48};
+  project.material = defaultMaterial();
   project.body = std::move(body);
   const auto [low, high] = modeling::boundingBox(project.body);
   modeling::Support base;

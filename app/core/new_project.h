@@ -9,8 +9,11 @@ namespace palpa::app {
 /// and within a few per cent of the converged answer for simple bodies.
 double suitableEdgeLength(const modeling::Body& body);
 
-/// A project around a body that can be touched at once: soft silicone, held on its lowest tenth,
-/// with a suitable mesh.
+/// What a new body is made of: a silicone of 0.2 MPa.
+modeling::Material defaultMaterial();
+
+/// A project around a body that can be touched at once: of the default material, held on its lowest
+/// tenth, with a suitable mesh.
 modeling::Project makeProject(modeling::Body body, const std::string& name);
 
 }  // namespace palpa::app

@@ -1,22 +1,16 @@
 #include "app/core/region_conditions.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 #include "bem/error.h"
+#include "bem/place_text.h"
 
 namespace palpa::app {
 namespace {
 
 using Eigen::Vector3d;
 using modeling::Support;
-
-std::string formatPoint(const Vector3d& p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.4g, %.4g, %.4g) mm", p[0], p[1], p[2]);
-  return text;
-}
 
 [[noreturn]] void badCondition(const std::string& message) {
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
@@ -65,7 +59,7 @@ std::vector<int> supportOfTriangle(const modeling::Project& project,
         const auto& c = surface.triangles[t];
         badCondition("supports \"" + project.supports[owner[t]].name + "\" and \"" +
                      project.supports[s].name + "\" both hold the surface near " +
-                     formatPoint(surface.positions[c[0]]) +
+                     bem::placeText(surface.positions[c[0]]) +
                      "; change their regions so that they do not overlap");
       }
       owner[t] = static_cast<int>(s);
@@ -77,7 +71,7 @@ void PrescribedDisplacement::addFixed(const Support& support, const Vector3d& po
   if (fixed_ && (fixed_->displacement - support.displacement).norm() >
                     1e-12 * (1 + support.displacement.norm()))
     badCondition("supports \"" + fixed_->name + "\" and \"" + support.name + "\" meet at " +
-                 formatPoint(position) +
+                 bem::placeText(position) +
                  " and prescribe different displacements there; separate them or make them agree");
   fixed_ = &support;
 }

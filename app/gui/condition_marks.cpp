@@ -1,6 +1,7 @@
 #include "app/gui/condition_marks.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 
 namespace palpa::gui {
@@ -32,14 +33,28 @@ Eigen::Vector3d areaVector(const ShownSurface& surface, std::size_t triangle) {
   return 0.5 * (p[b] - p[a]).cross(p[c] - p[a]);
 }
 
-view::ForceArrow arrow(const std::string& name, const Eigen::Vector3d& at,
+view::ForceArrow arrow(const std::string& label, const Eigen::Vector3d& at,
                        const Eigen::Vector3d& direction, view::ForceArrow::Anchor anchor) {
   view::ForceArrow result;
   result.at = at;
   result.force = direction.norm() > 0.0 ? Eigen::Vector3d(direction.normalized()) : direction;
   result.anchor = anchor;
-  result.label = name;
+  result.label = label;
   return result;
+}
+
+/// MPa, as the arrow points; a pressure has its sign, by which suction is known.
+double strengthOf(const modeling::Load& load) {
+  if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) return pressure->pressure;
+  if (const auto* bump = std::get_if<modeling::Bump>(&load.what))
+    return std::abs(bump->peak) * bump->direction.norm();
+  return std::get<modeling::UniformTraction>(load.what).traction.norm();
+}
+
+/// "Weight 2.5 kPa".
+std::string labelOf(const modeling::Load& load, const ShownUnits& units) {
+  constexpr int kDigits = 3;
+  return load.name + " " + shown(strengthOf(load), Quantity::kStress, units, kDigits).toStdString();
 }
 
 }  // namespace
@@ -74,24 +89,25 @@ std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const m
 }
 
 std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
-                                         const ShownSurface& surface) {
+                                         const ShownSurface& surface, const ShownUnits& units) {
   using Anchor = view::ForceArrow::Anchor;
   std::vector<view::ForceArrow> arrows;
   for (const modeling::Load& load : project.loads) {
     if (const auto* bump = std::get_if<modeling::Bump>(&load.what)) {
       const double sign = bump->peak < 0.0 ? -1.0 : bump->peak > 0.0 ? 1.0 : 0.0;
-      arrows.push_back(arrow(load.name, bump->center, sign * bump->direction, Anchor::kTip));
+      arrows.push_back(
+          arrow(labelOf(load, units), bump->center, sign * bump->direction, Anchor::kTip));
       continue;
     }
     const auto place = regionMiddle(*modeling::regionOf(load), project.body, surface);
     if (!place) continue;
     if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) {
       const double sign = pressure->pressure < 0.0 ? -1.0 : pressure->pressure > 0.0 ? 1.0 : 0.0;
-      arrows.push_back(arrow(load.name, place->position, -sign * place->normal,
+      arrows.push_back(arrow(labelOf(load, units), place->position, -sign * place->normal,
                              sign < 0.0 ? Anchor::kTail : Anchor::kTip));
     } else {
       const auto& traction = std::get<modeling::UniformTraction>(load.what).traction;
-      arrows.push_back(arrow(load.name, place->position, traction,
+      arrows.push_back(arrow(labelOf(load, units), place->position, traction,
                              traction.dot(place->normal) < 0.0 ? Anchor::kTip : Anchor::kTail));
     }
   }

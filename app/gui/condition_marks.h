@@ -4,6 +4,7 @@
 
 #include "app/gui/editor.h"
 #include "app/gui/surface_place.h"
+#include "app/gui/units.h"
 #include "app/view/viewport_scene.h"
 
 // What the view shows of loads and recorded touches.
@@ -14,10 +15,10 @@ namespace palpa::gui {
 std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
                                          const ShownSurface& surface);
 
-/// One arrow for each load, with its name: pressures and bumps press on the surface, tractions pull
-/// at it. Only directions are meaningful; all have the same length.
+/// One arrow for each load, with its name and strength: pressures and bumps press on the surface,
+/// tractions pull at it. Directions are meaningful, lengths are not: all have the same.
 std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
-                                         const ShownSurface& surface);
+                                         const ShownSurface& surface, const ShownUnits& units);
 
 std::vector<view::TouchMarker> touchMarkers(const modeling::Project& project,
                                             const Selection& selection);

@@ -49,7 +49,7 @@ MainWindow::MainWindow()
     : editor_(settings_),
       simulation_(editor_),
       viewport_(new ViewportWidget(this)),
-      scene_(editor_, *viewport_),
+      scene_(editor_, settings_, *viewport_),
       pictures_(new SimulationView(simulation_, settings_, scene_, *viewport_)),
       warnings_(editor_, *viewport_),
       menus_(*this),

@@ -23,8 +23,8 @@ void unite(std::vector<double>& field, const std::vector<double>& other) {
 
 }  // namespace
 
-SceneController::SceneController(Editor& editor, ViewportWidget& widget)
-    : QObject(&widget), editor_(editor), widget_(widget) {
+SceneController::SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget)
+    : QObject(&widget), editor_(editor), settings_(settings), widget_(widget) {
   connect(&editor, &Editor::projectReplaced, this, [this] {
     showProject();
     if (isShown_) widget_.viewport().fit();
@@ -32,6 +32,9 @@ SceneController::SceneController(Editor& editor, ViewportWidget& widget)
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showTouches);
+  connect(&settings, &Settings::changed, this, [this] {
+    if (isShown_) showLoads();  // with their strengths
+  });
   showProject();
   widget_.viewport().fit();
 }
@@ -161,7 +164,7 @@ void SceneController::showMarks() {
 }
 
 void SceneController::showLoads() {
-  widget_.viewport().setLoadArrows(loadArrows(editor_.project(), surface()));
+  widget_.viewport().setLoadArrows(loadArrows(editor_.project(), surface(), settings_.units()));
   widget_.update();
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/gui/editor.h"
+#include "app/gui/settings.h"
 #include "app/gui/surface_place.h"
 #include "app/gui/viewport_widget.h"
 #include "modeling/solid/tessellation.h"
@@ -18,7 +19,7 @@ class SceneController : public QObject {
   Q_OBJECT
 
  public:
-  SceneController(Editor& editor, ViewportWidget& widget);
+  SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget);
 
   /// While it is not shown the view belongs to others: what changes then is drawn when it is shown
   /// again.
@@ -63,6 +64,7 @@ class SceneController : public QObject {
                   const std::vector<int>& patchOfTriangle);
 
   Editor& editor_;
+  const Settings& settings_;
   ViewportWidget& widget_;
   std::unique_ptr<modeling::Tessellation> tessellation_;
   modeling::Tessellation::Shape shape_;  // as shown

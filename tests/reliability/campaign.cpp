@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 #include <sstream>
 
@@ -55,15 +56,17 @@ Usage usageNow() {
 #endif
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
-    if (word == "VmRSS:") {
-      status >> usage.resident;
-      usage.resident *= 1024;
-    } else if (word == "Threads:") {
-      status >> usage.threads;
-    }
+    if (word != "VmRSS:") continue;
+    status >> usage.resident;
+    usage.resident *= 1024;
   }
   status.close();
   usage.handles = entriesOf("/proc/self/fd") - 1;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream file(thread.path() / "comm");
+    std::string name;
+    if (std::getline(file, name)) usage.threads.insert(name);
+  }
   return usage;
 }
 
@@ -147,7 +150,7 @@ void Campaign::figures(const Usage& before, const Usage& after) {
   if (after.heap > 0)
     text << ", heap " << before.heap / kMiB << " -> " << after.heap / kMiB << " MiB";
   text << ", handles " << before.handles << " -> " << after.handles << ", threads "
-       << before.threads << " -> " << after.threads;
+       << before.threads.size() << " -> " << after.threads.size();
   line_ += text.str();
 }
 
@@ -160,8 +163,12 @@ void Campaign::requireFlat(const Usage& before, const Usage& after, double most)
 #endif
   require(after.handles <= before.handles,
           "there are " + std::to_string(after.handles - before.handles) + " more open handles");
-  require(after.threads <= before.threads,
-          "there are " + std::to_string(after.threads - before.threads) + " more threads");
+  std::vector<std::string> added;
+  std::set_difference(after.threads.begin(), after.threads.end(), before.threads.begin(),
+                      before.threads.end(), std::back_inserter(added));
+  std::string names;
+  for (const std::string& name : added) names += " \"" + name + "\"";
+  require(after.threads.size() <= before.threads.size(), "there are more threads:" + names);
 }
 
 int Campaign::end() {

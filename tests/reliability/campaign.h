@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,7 @@ struct Usage {
   double resident = 0;  ///< bytes
   double heap = 0;      ///< bytes handed out by the allocator; 0 where it does not count them
   int handles = 0;      ///< open file descriptors
-  int threads = 0;
+  std::multiset<std::string> threads;  ///< their names
 };
 /// Of this process, after the allocator has returned what it does not need.
 Usage usageNow();

@@ -6,57 +6,24 @@
 #include <QMenu>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <map>
+
+#include "app/gui/docks/force_words.h"
 
 namespace palpa::gui {
 namespace {
 
 constexpr int kInterval = 80;  // ms between two looks: numbers that change faster cannot be read
-constexpr int kDigits = 4;
 constexpr int kFewDigits = 3;  // where the column is narrow
 constexpr int kColumns = 4;
 constexpr int kContactRole = Qt::UserRole, kCurveRole = Qt::UserRole + 1;
 constexpr int kSwatch = 10;           // px, of the colour of a contact's curve
 constexpr double kLargeMotion = 0.1;  // of the body's size: beyond it the linear model only hints
 
-using Kind = bem::ContactTool::Kind;
 using Status = app::TouchSnapshot::Status;
 
-QString kindText(Kind kind) {
-  switch (kind) {
-    case Kind::kGrab:
-      return ForcesDock::tr("Grab");
-    case Kind::kPush:
-      return ForcesDock::tr("Push");
-    case Kind::kProbe:
-      return ForcesDock::tr("Ball");
-    case Kind::kForce:
-      return ForcesDock::tr("Force");
-  }
-  return {};
-}
-
-QString statusText(Status status) {
-  switch (status) {
-    case Status::kWaiting:
-      return ForcesDock::tr("waits for its place to be solved");
-    case Status::kHeld:
-      return ForcesDock::tr("on a support: no force");
-    case Status::kOpen:
-      return ForcesDock::tr("does not touch");
-    case Status::kHolding:
-      return ForcesDock::tr("holds");
-    case Status::kSticking:
-      return ForcesDock::tr("sticks");
-    case Status::kSlipping:
-      return ForcesDock::tr("slips");
-  }
-  return {};
-}
-
 /// mm, the diagonal of the body's box.
-double bodySize(const app::DrawnBody& body) {
+double sizeOf(const app::DrawnBody& body) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& place : body.mesh().positions) box.extend(place);
   return box.diagonal().norm();
@@ -110,6 +77,9 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   summary_->setObjectName("forcesSummary");
   summary_->setWordWrap(true);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  summary_->setToolTip(tr(
+      "Balance: the sum of all forces on the body, over the largest of them; zero in truth, so it "
+      "tells of the error."));
   auto* content = new QWidget(this);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 6);
@@ -133,6 +103,8 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
     numbers_.clear();
     showSoon();
   });
+  connect(&simulation, &Simulation::bodyChanged, this,
+          [this] { bodySize_ = simulation_.drawn() ? sizeOf(*simulation_.drawn()) : 0; });
   connect(&settings, &Settings::changed, this, showSoon);
   showForces();
 }
@@ -147,26 +119,6 @@ int ForcesDock::numberOf(app::TouchId contact) {
 QString ForcesDock::text(int row, int column) const {
   const QTreeWidgetItem* item = list_->topLevelItem(row);
   return item ? item->text(column) : QString();
-}
-
-QString ForcesDock::shownAs(double value, Quantity quantity) const {
-  return shown(value, quantity, settings_.units(), kDigits);
-}
-
-QString ForcesDock::vectorText(const Eigen::Vector3d& vector, Quantity quantity) const {
-  const Unit& unit = settings_.units().of(quantity);
-  // With as many decimals as the length has: what is only noise beside it reads as 0.
-  const double size = vector.norm() / unit.factor;
-  const int decimals =
-      size > 0 ? std::clamp(kDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
-  QStringList parts;
-  for (int k = 0; k < 3; ++k) {
-    const double value = vector[k] / unit.factor;
-    // What rounds to zero has no sign.
-    const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
-    parts << QString::number(isZero ? 0.0 : value, 'f', decimals);
-  }
-  return parts.join(", ") + " " + unit.symbol;
 }
 
 QString ForcesDock::details(int row) const {
@@ -277,6 +229,9 @@ void ForcesDock::showForces() {
   int row = 0;
   const Unit& length = settings_.units().of(Quantity::kLength);
   const Unit& force = settings_.units().of(Quantity::kForce);
+  const auto forceText = [this](const Eigen::Vector3d& vector) {
+    return shown(vector.norm(), Quantity::kForce, settings_.units(), kForceDigits);
+  };
   for (const auto& contact : snapshot.touched()) {
     const bool hasForce = contact.status != Status::kWaiting && contact.status != Status::kHeld;
     const double stiffness = contact.stiffness * length.factor / force.factor;
@@ -285,7 +240,7 @@ void ForcesDock::showForces() {
     filled.curve = numberOf(contact.id) - 1;
     filled.cells = {
         tr("%1 %2").arg(kindText(contact.tool.kind)).arg(numberOf(contact.id)),
-        hasForce ? shownAs(contact.force.norm(), Quantity::kForce) : tr("–"),
+        hasForce ? forceText(contact.force) : tr("–"),
         hasForce
             ? shown(contact.displacement.norm(), Quantity::kLength, settings_.units(), kFewDigits)
             : QString(),
@@ -293,25 +248,23 @@ void ForcesDock::showForces() {
             ? tr("%L1 %2/%3").arg(stiffness, 0, 'g', kFewDigits).arg(force.symbol, length.symbol)
             : QString()};
     filled.details = statusText(contact.status);
-    if (hasForce) filled.details += ": " + vectorText(contact.force, Quantity::kForce);
+    if (hasForce) filled.details += ": " + vectorText(contact.force, force);
     fillRow(row++, filled);
   }
   QString words;
   if (const auto state = simulation_.describe()) {
     for (const auto& load : simulation_.drawn()->model().setup().loads)
-      fillRow(row++,
-              {{tr("Load %1").arg(QString::fromStdString(load.name)),
-                shownAs(load.resultant.force.norm(), Quantity::kForce), QString(), QString()},
-               tr("acts with") + ": " + vectorText(load.resultant.force, Quantity::kForce),
-               0});
+      fillRow(row++, {{tr("Load %1").arg(QString::fromStdString(load.name)),
+                       forceText(load.resultant.force), QString(), QString()},
+                      tr("acts with") + ": " + vectorText(load.resultant.force, force),
+                      0});
     for (const auto& support : state->supports)
-      fillRow(row++,
-              {{tr("Support %1").arg(QString::fromStdString(support.name)),
-                shownAs(support.resultant.force.norm(), Quantity::kForce), QString(), QString()},
-               tr("holds with") + ": " + vectorText(support.resultant.force, Quantity::kForce),
-               0});
+      fillRow(row++, {{tr("Support %1").arg(QString::fromStdString(support.name)),
+                       forceText(support.resultant.force), QString(), QString()},
+                      tr("holds with") + ": " + vectorText(support.resultant.force, force),
+                      0});
     words = tr("Energy %L1 mJ · balance %L2 %")
-                .arg(state->energy, 0, 'g', kDigits)
+                .arg(state->energy, 0, 'g', kForceDigits)
                 .arg(100 * state->relativeBalance, 0, 'g', 2);
     const double error = simulation_.isBehind() ? 0 : editor_.rebuildStatus().touchError;
     if (error > 0)
@@ -331,16 +284,13 @@ void ForcesDock::showForces() {
   double moved = 0;
   for (const auto& contact : snapshot.touched())
     moved = std::max(moved, contact.displacement.norm());
-  if (moved > kLargeMotion * bodySize(*simulation_.drawn()))
+  if (moved > kLargeMotion * bodySize_)
     words += "\n" + tr("Large deformation: the linear model only hints at these forces.");
   if (snapshot.contactCount == 0)
     words += "\n" + (editor_.project().touches.empty()
                          ? tr("Nothing is touched.")
                          : tr("Nothing is touched. T plays the touches of the project."));
   summary_->setText(words.trimmed());
-  summary_->setToolTip(tr(
-      "Balance: the sum of all forces on the body, over the largest of them; zero in truth, so it "
-      "tells of the error."));
 }
 
 }  // namespace palpa::gui

@@ -46,8 +46,6 @@ class ForcesDock : public QDockWidget {
   /// when there is none.
   int numberOf(app::TouchId contact);
   void fillRow(int row, const Row& filled);
-  QString vectorText(const Eigen::Vector3d& vector, Quantity quantity) const;
-  QString shownAs(double value, Quantity quantity) const;
 
   Simulation& simulation_;
   const Editor& editor_;
@@ -57,6 +55,7 @@ class ForcesDock : public QDockWidget {
   PlotWidget* plot_;
   ForceHistory history_;
   std::map<app::TouchId, int> numbers_;
+  double bodySize_ = 0;  // mm, the diagonal of the drawn body's box
   QTimer soon_;
 };
 

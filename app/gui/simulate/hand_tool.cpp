@@ -1,13 +1,8 @@
 #include "app/gui/simulate/hand_tool.h"
 
 #include <Eigen/Geometry>
-#include <QFormLayout>
 #include <QKeyEvent>
 #include <utility>
-
-#include "app/core/touch.h"
-#include "app/gui/tools/condition_options.h"
-#include "app/gui/widgets/quantity_edit.h"
 
 namespace palpa::gui {
 namespace {
@@ -17,11 +12,6 @@ using Style = view::ToolDrawing::Style;
 
 constexpr double kNotch = 0.05;   // of the radius: how far a notch of the wheel presses
 constexpr double kPinReach = 12;  // pixels
-constexpr double kMostFriction = 10;
-
-bool isPushing(Kind kind) {
-  return kind == Kind::kPush || kind == Kind::kProbe;
-}
 
 /// Drawn mm per mm of displacement; 1 where displacements are not drawn, so that the hand still can
 /// touch.
@@ -36,20 +26,6 @@ double forcePerLength(const app::DrawnBody& body, double radius) {
 }
 
 }  // namespace
-
-double HandOptions::radius(const app::DrawnBody& body) const {
-  return radius_.value_or(app::defaultTouchRadius(body.model().setup().mesh()));
-}
-
-void HandOptions::setRadius(double radius) {
-  radius_ = radius;
-  Q_EMIT changed();
-}
-
-void HandOptions::setFriction(double friction) {
-  friction_ = friction;
-  Q_EMIT changed();
-}
 
 HandTool::HandTool(Kind kind, Settings& settings, Simulation& simulation, HandOptions& options,
                    ViewportWidget& widget)
@@ -129,7 +105,8 @@ bool HandTool::press(const PointerEvent& event) {
   const auto place = placeAt(event.pixel);
   if (!place) return true;
   const double radius = options_.radius(*simulation_.drawn());
-  const bem::ContactTool tool{kind_, radius, isPushing(kind_) ? options_.friction() : 0};
+  const bem::ContactTool tool{kind_, radius,
+                              HandOptions::isPushing(kind_) ? options_.friction() : 0};
   // It begins without a jump: where the place is, touching, or without force.
   const Eigen::Vector3d displaced =
       simulation_.displacementAt(simulation_.body()->surface().tree().nearest(place->at));
@@ -177,7 +154,7 @@ void HandTool::follow() {
   // are not: what presses goes along the surface as far as the hand, and into it by the part that
   // is drawn as far.
   Eigen::Vector3d moved = hold_->motion / hold_->scale;
-  if (isPushing(hold_->kind)) {
+  if (HandOptions::isPushing(hold_->kind)) {
     const Eigen::Vector3d inwards = hold_->normal * hold_->normal.dot(hold_->motion);
     moved = hold_->motion - inwards + inwards / hold_->scale;
   }
@@ -294,30 +271,7 @@ QString HandTool::hint() const {
 }
 
 QWidget* HandTool::makeOptions(QWidget* parent) {
-  auto* widget = new QWidget(parent);
-  auto* form = new QFormLayout(widget);
-  form->setContentsMargins(0, 0, 0, 0);
-  auto* radius = new QuantityEdit(Quantity::kLength, settings_, widget);
-  radius->setRange(1e-6, 1e6);
-  const auto showRadius = [this, radius] {
-    if (simulation_.drawn()) radius->setValue(options_.radius(*simulation_.drawn()));
-    radius->setEnabled(simulation_.drawn() != nullptr);
-  };
-  showRadius();
-  addRow(form, kind_ == Kind::kProbe ? tr("&Radius of the ball") : tr("&Radius of the fingertip"),
-         radius, "handRadius",
-         kind_ == Kind::kProbe ? tr("The ball is rigid; its contact grows with depth")
-                               : tr("The contact presses on a disc of this radius"));
-  connect(radius, &QuantityEdit::edited, &options_, &HandOptions::setRadius);
-  connect(&simulation_, &Simulation::bodyChanged, radius, showRadius);
-  if (!isPushing(kind_)) return widget;
-  auto* friction = new QuantityEdit(Quantity::kNumber, settings_, widget);
-  friction->setRange(0, kMostFriction);
-  friction->setValue(options_.friction());
-  addRow(form, tr("&Friction"), friction, "handFriction",
-         tr("Coulomb's coefficient; 0: it slides freely"));
-  connect(friction, &QuantityEdit::edited, &options_, &HandOptions::setFriction);
-  return widget;
+  return options_.makeFields(kind_, settings_, simulation_, parent);
 }
 
 }  // namespace palpa::gui

@@ -4,30 +4,12 @@
 #include <vector>
 
 #include "app/gui/settings.h"
+#include "app/gui/simulate/hand_options.h"
 #include "app/gui/simulate/simulation.h"
 #include "app/gui/tools/tool.h"
 #include "app/gui/viewport_widget.h"
 
 namespace palpa::gui {
-
-/// What all hand tools share and a person can set.
-class HandOptions : public QObject {
-  Q_OBJECT
-
- public:
-  /// mm; that of a fingertip for the body when none was set.
-  double radius(const app::DrawnBody& body) const;
-  double friction() const { return friction_; }
-  void setRadius(double radius);
-  void setFriction(double friction);
-
- Q_SIGNALS:
-  void changed();
-
- private:
-  std::optional<double> radius_;
-  double friction_ = 0.5;
-};
 
 /// The hand in Simulate mode: a press begins a contact, dragging moves it parallel to the screen,
 /// or along the normal of its place with Ctrl or the wheel; release lets go, with Shift it stays as
