@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/gui/condition_marks.h"
+#include "modeling/shapes/primitives.h"
+#include "modeling/solid/tessellation.h"
+
 namespace palpa::gui {
 namespace {
 
@@ -34,6 +38,26 @@ TEST(Units, ReadNumbersWithAndWithoutUnit) {
 TEST(Units, RefuseWhatIsNoNumber) {
   for (const char* text : {"", "mm", "1 2", "1.2.3", "inf", "nan", "5 N", "1e999"})
     EXPECT_FALSE(parsed(text, Quantity::kLength, {})) << text;
+}
+
+TEST(Units, AreThoseOfTheStrengthsAtLoadArrows) {
+  modeling::Project project;
+  const modeling::Solid solid = modeling::makeSphere(20);
+  project.body = solid;
+  const auto everywhere = modeling::Region::below(Eigen::Vector3d::UnitZ(), 30);
+  project.loads = {{"Suction", modeling::Pressure{everywhere, -0.06}},
+                   {"Shear", modeling::UniformTraction{everywhere, {0.03, 0.04, 0}}},
+                   {"Thumb", modeling::Bump{{0, 0, 20}, 5, 0.01, {0, 0, -2}}}};
+  const modeling::Tessellation tessellation(solid);
+  const auto shape = tessellation.evaluate(solid.controlPoints());
+  const ShownSurface surface{shape.positions, tessellation.triangles(),
+                             tessellation.patchOfTriangle()};
+  const auto arrows = loadArrows(project, surface, inCentimetresAndKilopascals());
+  ASSERT_EQ(arrows.size(), 3u);
+  EXPECT_EQ(arrows[0].label, "Suction -60 kPa");
+  EXPECT_EQ(arrows[1].label, "Shear 50 kPa");
+  EXPECT_EQ(arrows[2].label, "Thumb 20 kPa");
+  EXPECT_EQ(loadArrows(project, surface, {})[2].label, "Thumb 0.02 MPa");
 }
 
 }  // namespace
