@@ -54,10 +54,10 @@ TEST(Units, AreThoseOfTheStrengthsAtLoadArrows) {
                              tessellation.patchOfTriangle()};
   const auto arrows = loadArrows(project, surface, inCentimetresAndKilopascals());
   ASSERT_EQ(arrows.size(), 3u);
-  EXPECT_EQ(arrows[0].label, "Suction -60 kPa");
-  EXPECT_EQ(arrows[1].label, "Shear 50 kPa");
-  EXPECT_EQ(arrows[2].label, "Thumb 20 kPa");
-  EXPECT_EQ(loadArrows(project, surface, {})[2].label, "Thumb 0.02 MPa");
+  EXPECT_EQ(arrows[0].label, "Suction: -60 kPa");
+  EXPECT_EQ(arrows[1].label, "Shear: 50 kPa");
+  EXPECT_EQ(arrows[2].label, "Thumb: 20 kPa");
+  EXPECT_EQ(loadArrows(project, surface, {})[2].label, "Thumb: 0.02 MPa");
 }
 
 }  // namespace

@@ -154,7 +154,7 @@ void Campaign::figures(const Usage& before, const Usage& after) {
   line_ += text.str();
 }
 
-void Campaign::requireFlat(const Usage& before, const Usage& after, double most) {
+void Campaign::requireFlat(const Usage& before, const Usage& after, [[maybe_unused]] double most) {
 #if !defined(__SANITIZE_ADDRESS__)
   const double heap = after.heap - before.heap, resident = after.resident - before.resident;
   require(heap <= most, "memory in use grew by " + shortText(heap / kMiB) + " MiB");

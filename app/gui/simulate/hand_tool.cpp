@@ -64,6 +64,7 @@ std::optional<HandTool::Place> HandTool::placeAt(const Eigen::Vector2d& pixel) c
 }
 
 std::optional<app::TouchId> HandTool::pinAt(const Eigen::Vector2d& pixel) const {
+  if (!simulation_.drawn()) return std::nullopt;
   std::optional<app::TouchId> nearest;
   double least = kPinReach * widget_.devicePixelRatioF();
   for (const auto& contact : simulation_.snapshot().touched()) {

@@ -26,7 +26,8 @@ ProjectTouches::ProjectTouches(const Editor& editor, Simulation& simulation, QOb
     : QObject(parent), editor_(editor), simulation_(simulation) {
   timer_.setInterval(kFrame);
   connect(&timer_, &QTimer::timeout, this, &ProjectTouches::advance);
-  connect(&simulation, &Simulation::leaving, this, [this] { timer_.stop(); });
+  connect(&simulation, &Simulation::leaving, &timer_, &QTimer::stop);
+  connect(&editor, &Editor::projectReplaced, &timer_, &QTimer::stop);
 }
 
 void ProjectTouches::play() {

@@ -41,9 +41,9 @@ std::optional<SelectTool::Amount> SelectTool::entered(const Motion& motion,
 }
 
 modeling::Command SelectTool::command(const Motion& motion, const Amount& amount) const {
-  if (motion.axis == GizmoAxis::kNormal)
-    return modeling::MovePoints{motion.points, modeling::MoveAlongNormal{amount.x()}, motion.reach};
-  return modeling::MovePoints{motion.points, modeling::MoveBy{amount}, motion.reach};
+  modeling::MovePoints move{motion.points, modeling::MoveBy{amount}, motion.reach};
+  if (motion.axis == GizmoAxis::kNormal) move.how = modeling::MoveAlongNormal{amount.x()};
+  return move;
 }
 
 QString SelectTool::describe(const Motion& motion) const {
