@@ -89,6 +89,7 @@ bool Editor::attempt(const Work& work) {
 }
 
 void Editor::adopt(std::unique_ptr<app::Session> session) {
+  Q_EMIT aboutToReplace();
   session_->close();
   // Its worker may need a moment to let go; the window does not wait for it.
   app::releaseElsewhere(std::shared_ptr<app::Session>(std::move(session_)));
@@ -240,11 +241,13 @@ void Editor::beginGroup(const QString& label) {
 }
 
 void Editor::endGroup() {
+  if (!session_->document().isInGroup()) return;
   session_->endGroup();
   Q_EMIT fileChanged();
 }
 
 void Editor::cancelGroup() {
+  if (!session_->document().isInGroup()) return;
   changed(session_->cancelGroup());
 }
 

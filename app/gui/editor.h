@@ -66,7 +66,8 @@ class Editor : public QObject {
   /// After a stop or a failure.
   void rebuildAgain() { session_->rebuild(); }
 
-  /// Makes the edits until endGroup() one step of undo; Session::beginGroup().
+  /// Makes the edits until endGroup() one step of undo; Session::beginGroup(). Nothing is ended or
+  /// cancelled where a failed command, or another project, has done so meanwhile.
   void beginGroup(const QString& label);
   void endGroup();
   void cancelGroup();
@@ -75,6 +76,8 @@ class Editor : public QObject {
   void select(Selection selection);
 
  Q_SIGNALS:
+  /// The time to end what was begun with the present project.
+  void aboutToReplace();
   void projectReplaced();
   void projectChanged(const modeling::Change& change);
   void selectionChanged();

@@ -76,6 +76,7 @@ MainWindow::MainWindow()
   addDialogs();
   addHelpActions(workspace_);
   addStatusBar();
+  connect(&editor_, &Editor::aboutToReplace, &tools_, &ToolBox::restart);
   connect(&editor_, &Editor::fileChanged, this, &MainWindow::updateTitle);
   connect(&settings_, &Settings::changed, this, &MainWindow::applySettings);
   resize(QSize(kWidth, kHeight).boundedTo(screen()->availableSize() - QSize(0, kTitleBar)));

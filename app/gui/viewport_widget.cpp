@@ -119,8 +119,12 @@ PointerEvent ViewportWidget::pointerEvent(const QMouseEvent& event) const {
 
 void ViewportWidget::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
+  noticeReleases(*event);
   last_ = toDevice(event->position());
-  if (event->button() == Qt::RightButton && tool_ && tool_->press(pointerEvent(*event))) return;
+  if (event->button() == Qt::RightButton && tool_ && tool_->press(pointerEvent(*event))) {
+    pressed_ = Qt::RightButton;
+    return;
+  }
   const bool middle = event->button() == Qt::MiddleButton;
   const bool altLeft =
       event->button() == Qt::LeftButton && (event->modifiers() & Qt::AltModifier) != 0;
@@ -128,16 +132,32 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
     const bool pan =
         (event->modifiers() & Qt::ShiftModifier) != 0 || event->button() == Qt::RightButton;
     navigation_ = pan ? Navigation::kPan : Navigation::kOrbit;
+    navigating_ = event->button();
     return;
   }
+  pressed_ = event->button();
   if (tool_) tool_->press(pointerEvent(*event));
 }
 
+void ViewportWidget::noticeReleases(const QMouseEvent& event) {
+  Qt::MouseButtons held = event.buttons();
+  if (event.type() == QEvent::MouseButtonPress) held.setFlag(event.button(), false);
+  if ((held & navigating_) == 0) {
+    navigation_ = Navigation::kNone;
+    navigating_ = Qt::NoButton;
+  }
+  if (pressed_ == Qt::NoButton || (held & pressed_) != 0) return;
+  const Qt::MouseButton released = std::exchange(pressed_, Qt::NoButton);
+  if (tool_) tool_->release({last_, released, event.buttons(), event.modifiers()});
+}
+
 void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
+  noticeReleases(*event);
   if (navigation_ != Navigation::kNone) {
     navigate(toDevice(event->position()));
     return;
   }
+  last_ = toDevice(event->position());
   if (tool_) {
     tool_->move(pointerEvent(*event));
     setCursor(tool_->cursor());
@@ -155,14 +175,19 @@ void ViewportWidget::navigate(const Eigen::Vector2d& pixel) {
 }
 
 void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
-  if (navigation_ != Navigation::kNone) {
+  if (event->button() == navigating_) {
     navigation_ = Navigation::kNone;
+    navigating_ = Qt::NoButton;
     return;
   }
+  if (event->button() == pressed_) pressed_ = Qt::NoButton;
   if (tool_) tool_->release(pointerEvent(*event));
 }
 
 void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  noticeReleases(*event);
+  last_ = toDevice(event->position());
+  pressed_ = event->button();
   if (tool_) tool_->doubleClick(pointerEvent(*event));
 }
 

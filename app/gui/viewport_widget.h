@@ -61,6 +61,9 @@ class ViewportWidget : public QWidget {
   PointerEvent pointerEvent(const QMouseEvent& event) const;
   Eigen::Vector2d toDevice(const QPointF& point) const;
   void navigate(const Eigen::Vector2d& pixel);
+  /// Ends what a button began that is not held any more: a dialog that opened meanwhile has got its
+  /// release.
+  void noticeReleases(const QMouseEvent& event);
 
   /// Makes the canvas as large as the widget.
   void fitCanvas();
@@ -69,6 +72,7 @@ class ViewportWidget : public QWidget {
   std::unique_ptr<view::Viewport> viewport_;
   Tool* tool_ = nullptr;
   Navigation navigation_ = Navigation::kNone;
+  Qt::MouseButton navigating_ = Qt::NoButton, pressed_ = Qt::NoButton;  // the latter by the tool
   Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
   double lastFrame_ = 0, lastFineFrame_ = 0;  // ms
   bool isMoving_ = false;

@@ -115,6 +115,50 @@ TEST_F(SurfaceTools, TheBrushPaintsAStrokeUnderThePointer) {
   expectOneStep();
 }
 
+TEST_F(SurfaceTools, WhatIsPaintedEndsWithItsProject) {
+  use("Paint support");
+  moveTo(middle());
+  QTest::mousePress(&view(), Qt::LeftButton, {}, middle());
+  ASSERT_TRUE(editor().session().document().isInGroup());
+  ASSERT_TRUE(editor().open(kSphere));
+  moveTo(middle() + QPoint(20, 0), Qt::LeftButton);
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle() + QPoint(20, 0));
+  EXPECT_EQ(text(), steps0_);
+}
+
+TEST_F(SurfaceTools, ATouchThatIsPulledEndsWithItsProject) {
+  use("Place touch");
+  moveTo(middle());
+  QTest::mousePress(&view(), Qt::LeftButton, {}, middle());
+  ASSERT_TRUE(editor().open(kSphere));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle());
+  EXPECT_EQ(text(), steps0_);
+}
+
+TEST_F(SurfaceTools, AFailedStepWhilePaintingTakesAllOfItBack) {
+  use("Paint support");
+  moveTo(middle());
+  QTest::mousePress(&view(), Qt::LeftButton, {}, middle());
+  editor().beginGroup("another");
+  editor().cancelGroup();
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, middle());
+  EXPECT_FALSE(editor().session().document().isInGroup());
+  EXPECT_EQ(text(), steps0_);
+}
+
+TEST_F(SurfaceTools, AButtonThatWasReleasedElsewherePaintsNoMore) {
+  use("Paint support");
+  moveTo(middle());
+  QTest::mousePress(&view(), Qt::LeftButton, {}, middle());
+  // A dialog gets the release; back in the view no button is held.
+  moveTo(middle() + QPoint(30, 0));
+  EXPECT_FALSE(editor().session().document().isInGroup());
+  const std::string painted = text();
+  moveTo(middle() + QPoint(150, 0));
+  EXPECT_EQ(text(), painted);
+  expectOneStep();
+}
+
 TEST_F(SurfaceTools, EscapeTakesAStrokeBackAndKeysChangeTheRadius) {
   use("Paint support");
   choose("paintWay", 1);

@@ -48,6 +48,12 @@ QString ToolBox::activeTitle() const {
   return {};
 }
 
+void ToolBox::restart() {
+  if (!active_) return;
+  active_->deactivate();
+  active_->activate();
+}
+
 void ToolBox::activate(Tool* tool) {
   for (const Entry& entry : entries_)
     if (entry.tool.get() == tool) entry.action->setChecked(true);

@@ -34,6 +34,8 @@ class ToolBox : public QObject {
 
   Tool& active() { return *active_; }
   void activate(Tool* tool);
+  /// Ends what the active tool has begun.
+  void restart();
   /// The name of the active tool, as in its menu without "&".
   QString activeTitle() const;
 
