@@ -54,7 +54,8 @@ double strengthOf(const modeling::Load& load) {
 /// "Weight: 2.5 kPa".
 std::string labelOf(const modeling::Load& load, const ShownUnits& units) {
   constexpr int kDigits = 3;
-  return load.name + ": " + shown(strengthOf(load), Quantity::kStress, units, kDigits).toStdString();
+  return load.name + ": " +
+         shown(strengthOf(load), Quantity::kStress, units, kDigits).toStdString();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <QThreadPool>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "app/core/release.h"
@@ -66,6 +67,29 @@ std::unique_ptr<gui::MainWindow> openWindow() {
   return window;
 }
 
+/// Usage once the first model and all that is estimated of it are there, the fine picture is drawn,
+/// and memory stands still; that takes long on a busy machine.
+Usage usageAtRest(Campaign& campaign, gui::MainWindow& window) {
+  constexpr double kStill = 0.1 * kMiB;
+  constexpr int kStep = 500;  // ms
+  const auto isDone = [&] {
+    const app::RebuildStatus status = window.editor().rebuildStatus();
+    return status.condition > 0 && status.touchError > 0;
+  };
+  campaign.require(QTest::qWaitFor(isDone, kPatience), "a new window's model is not complete");
+  Usage usage;
+  for (int still = 0, waited = 0; still < 4 && waited < kPatience; waited += kStep) {
+    QTest::qWait(kStep);
+    app::waitUntilReleased();
+    // Qt keeps up to 10 MiB of pictures, which the icons of each new window go on filling.
+    QPixmapCache::clear();
+    const Usage now = usageNow();
+    still = std::abs(now.heap - usage.heap) < kStill ? still + 1 : 0;
+    usage = now;
+  }
+  return usage;
+}
+
 }  // namespace
 }  // namespace palpa::reliability
 
@@ -97,11 +121,7 @@ int main(int argc, char** argv) {
     window.reset();
     palpa::app::waitUntilReleased();
     window = openWindow();
-    QTest::qWait(1000);
-    palpa::app::waitUntilReleased();
-    // Qt keeps up to 10 MiB of pictures, which the icons of each new window go on filling.
-    QPixmapCache::clear();
-    return usageNow();
+    return usageAtRest(campaign, *window);
   };
   while (campaign.next()) {
     cycle(campaign, *window,
