@@ -327,7 +327,7 @@ TEST_F(Simulate, ThePointerMovesWhileAnotherMeshTakesOver) {
         EXPECT_LT(contact()->point.triangle, static_cast<int>(mesh.triangles.size()));
         return simulation().snapshot().model > model;
       },
-      30000));
+      120000));
 }
 
 TEST_F(Simulate, ClosingEndsAReplay) {
