@@ -7,8 +7,8 @@
 #include <optional>
 #include <thread>
 
-#include "bem/error.h"
-#include "modeling/job.h"
+#include "base/job.h"
+#include "bem/base/error.h"
 
 namespace palpa::bench {
 namespace {
@@ -37,7 +37,7 @@ std::optional<double> stopOnce(const modeling::Project& project, int threads,
     requested = Clock::now();
     source.request_stop();
   });
-  bem::Job job;
+  Job job;
   job.threads = threads;
   job.stop = source.get_token();
   job.progress = [&](std::string_view now, double) {
@@ -49,9 +49,7 @@ std::optional<double> stopOnce(const modeling::Project& project, int threads,
   bool isStopped = false;
   try {
     app::buildTouchModel(project, {}, job);
-  } catch (const bem::Cancelled&) {
-    isStopped = true;
-  } catch (const modeling::Cancelled&) {
+  } catch (const Cancelled&) {
     isStopped = true;
   }
   const auto end = Clock::now();
@@ -67,7 +65,7 @@ std::optional<double> stopOnce(const modeling::Project& project, int threads,
 std::vector<CancelLatency> measureCancel(const modeling::Project& project, int threads,
                                          int stopsPerPhase) {
   std::vector<Phase> phases;
-  bem::Job job;
+  Job job;
   job.threads = threads;
   std::mutex mutex;
   job.progress = [&](std::string_view phase, double) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
 
 namespace palpa::bench {
 

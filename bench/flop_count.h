@@ -1,7 +1,8 @@
 #pragma once
+
 #include <cmath>
 
-#include "bem/inverse_square_root.h"
+#include "bem/base/inverse_square_root.h"
 
 namespace palpa::bench {
 

@@ -1,5 +1,6 @@
 #pragma once
-#include "app/core/touch_loop.h"
+
+#include "app/core/live/touch_loop.h"
 
 namespace palpa::bench {
 

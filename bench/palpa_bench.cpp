@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "app/core/boundary_setup.h"
-#include "app/core/memory.h"
-#include "app/core/model_cache.h"
-#include "bem/contact_solver.h"
-#include "bem/greens_function.h"
-#include "bem/instruction_set.h"
-#include "bem/parallel.h"
+#include "app/core/model/model_cache.h"
+#include "app/core/setup/boundary_setup.h"
+#include "app/core/system/memory.h"
+#include "base/parallel.h"
+#include "bem/base/instruction_set.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/problem/greens_function.h"
 #include "bench/cancel_latency.h"
 #include "bench/measurement_table.h"
 #include "bench/plain_assembly.h"
@@ -48,7 +48,7 @@ struct Row {
 
 class Bench {
  public:
-  Bench(const bem::Job& job, bool withGreensFunction, bench::MeasurementTable& table)
+  Bench(const Job& job, bool withGreensFunction, bench::MeasurementTable& table)
       : job_(job), all_(withGreensFunction), table_(table) {}
 
   void run(int cells) {
@@ -130,7 +130,7 @@ class Bench {
     add("mesh to touchable", "%.2f s", build + column, target);
     add("  with memory never used before", "%.2f s", cold + column, "");
     for (const int count : {10, 50}) {
-      bem::ContactSolver solver(problem, setup.meshSlots(), zero);
+      bem::BilateralContactSolver solver(problem, setup.meshSlots(), zero);
       int last = 0;
       for (const Vector3d& at : pointsOnSphere(count))
         last = solver.addGrab(bem::makeContactMask(setup.mesh(), setup.meshSlots(), dofs, at, 3),
@@ -209,7 +209,7 @@ class Bench {
     std::fflush(stdout);
   }
 
-  bem::Job job_;
+  Job job_;
   bool all_;
   bench::MeasurementTable& table_;
   std::vector<Row> rows_;
@@ -236,10 +236,10 @@ int main(int argc, char** argv) {
   bench::MeasurementTable table;
   table.open(tablePath, "palpa-bench");
   app::reuseFreedMemory();
-  bem::Job job;
+  Job job;
   job.threads = threads;
   std::printf("instruction set %s, %d threads, sphere R = 25 mm fixed below z = -20 mm\n",
-              bem::instructionSetName(), bem::workerCount(job));
+              bem::instructionSetName(), workerCount(job));
   for (const int count : cells) Bench(job, !withoutAll && count < 30, table).run(count);
   return 0;
 }

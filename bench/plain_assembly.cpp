@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "bem/kelvin.h"
-#include "bem/parallel.h"
-#include "bem/triangle_rule.h"
+#include "base/parallel.h"
+#include "bem/base/triangle_rule.h"
+#include "bem/triangle/kelvin.h"
 
 namespace palpa::bench {
 namespace {
@@ -74,7 +74,7 @@ PlainAccuracy sameAccuracy() {
 void assemblePlain(const bem::BoundaryMesh& mesh, const bem::TractionSlots& slots,
                    const std::vector<Vector3d>& points, const bem::Material& material,
                    const PlainAccuracy& accuracy, Eigen::MatrixXd& H, Eigen::MatrixXd& G,
-                   const bem::Job& job) {
+                   const Job& job) {
   H = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(points.size()), 3 * mesh.nodeCount());
   G = Eigen::MatrixXd::Zero(H.rows(), 3 * slots.count());
   parallelFor(static_cast<std::ptrdiff_t>(points.size()), job, "", [&](std::ptrdiff_t k) {

@@ -1,10 +1,11 @@
 #pragma once
+
 #include <Eigen/Dense>
 #include <span>
 #include <vector>
 
-#include "bem/assembly.h"
-#include "bem/triangle_rule.h"
+#include "bem/base/triangle_rule.h"
+#include "bem/triangle/assembly.h"
 
 namespace palpa::bench {
 
@@ -26,6 +27,6 @@ PlainAccuracy sameAccuracy();
 void assemblePlain(const bem::BoundaryMesh& mesh, const bem::TractionSlots& slots,
                    const std::vector<Eigen::Vector3d>& points, const bem::Material& material,
                    const PlainAccuracy& accuracy, Eigen::MatrixXd& H, Eigen::MatrixXd& G,
-                   const bem::Job& job);
+                   const Job& job);
 
 }  // namespace palpa::bench

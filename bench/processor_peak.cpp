@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "bem/instruction_set.h"
+#include "bem/base/instruction_set.h"
 #include "bench/timing.h"
 
 #if defined(__x86_64__)

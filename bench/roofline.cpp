@@ -11,15 +11,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/boundary_setup.h"
-#include "app/core/memory.h"
-#include "bem/assembly.h"
-#include "bem/instruction_set.h"
-#include "bem/lu_factorisation.h"
-#include "bem/parallel.h"
+#include "app/core/setup/boundary_setup.h"
+#include "app/core/system/memory.h"
+#include "base/parallel.h"
+#include "bem/base/instruction_set.h"
+#include "bem/linalg/lu_factorisation.h"
 #include "bem/spline/spline_assembly.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_quadrature.h"
+#include "bem/triangle/assembly.h"
 #include "bench/flop_count.h"
 #include "bench/measurement_table.h"
 #include "bench/processor_peak.h"
@@ -27,7 +27,7 @@
 #include "bench/timing.h"
 
 // After flop_count.h, whose functions it calls.
-#include "bem/flat_triangle_integrals.h"
+#include "bem/triangle/flat_triangle_integrals.h"
 
 namespace {
 
@@ -76,12 +76,12 @@ struct TriangleOperations {
 
 class Roofline {
  public:
-  Roofline(const bem::Job& job, const std::string& table) : job_(job) {
+  Roofline(const Job& job, const std::string& table) : job_(job) {
     table_.open(table, "palpa-roofline");
   }
 
   void machine() {
-    const int threads = bem::workerCount(job_);
+    const int threads = workerCount(job_);
     peak_ = bench::peakFlopsPerCore(threads);
     std::printf("%s, %d threads\n", bem::instructionSetName(), threads);
     add("peak of a core, double precision", peak_ / 1e9, "GFLOP/s");
@@ -158,7 +158,7 @@ class Roofline {
   void splines() {
     modeling::Project project = bench::sphereProject(10);
     project.mesh = {};
-    project.mesh.engine = modeling::Engine::splines;
+    project.mesh.engine = modeling::Engine::kSplines;
     const app::BoundarySetup setup = setupOf(project);
     const bem::SplineSurface& surface = setup.splines->surface();
     const bem::SplineTractions& tractions = setup.splines->tractions();
@@ -177,7 +177,7 @@ class Roofline {
       for (int e = 0; e < surface.elementCount(); ++e) {
         const bem::SplinePlace* inside = placeIn(equations.points[p], e);
         const int used = quadrature.points(e, equations.points[p].position, inside, work).used;
-        SplinePairs& kind = kinds[inside ? 2 : used <= kMostPrepared ? 0 : 1];
+        SplinePairs& kind = kinds[inside ? 2 : used <= kMaxPrepared ? 0 : 1];
         kind.pairs.push_back({static_cast<int>(p), e});
         kind.points += used;
         kind.operations +=
@@ -218,7 +218,7 @@ class Roofline {
   }
 
  private:
-  static constexpr int kMostPrepared = 36;  ///< quadrature points of rules that are kept
+  static constexpr int kMaxPrepared = 36;  ///< quadrature points of rules that are kept
 
   /// Pairs of a point and an element that are integrated in the same way.
   struct SplinePairs {
@@ -242,8 +242,8 @@ class Roofline {
     const double along = std::sqrt(functions), add = kAdd * functions;
     if (isInside) return used * (kKernels + kSums * functions + kPlace) + add;
     const double perDirection = std::sqrt(used);
-    const bool isPrepared = used <= kMostPrepared;
-    const double n = isPrepared ? perDirection : bem::SplineQuadrature::kMost;
+    const bool isPrepared = used <= kMaxPrepared;
+    const double n = isPrepared ? perDirection : bem::SplineQuadrature::kMaxPoints;
     return used * (kKernels + kSums * (along + functions / n) + (isPrepared ? 0 : kPlace)) + add;
   }
 
@@ -269,7 +269,7 @@ class Roofline {
     table_.add(0, what, text, "");
   }
 
-  bem::Job job_;
+  Job job_;
   bench::MeasurementTable table_;
   double peak_ = 0;
 };
@@ -278,7 +278,7 @@ class Roofline {
 
 int main(int argc, char** argv) {
   CLI::App options{"Shares of the machine's peak that the assembly reaches."};
-  bem::Job job;
+  Job job;
   int cells = 22;
   std::string table;
   options.add_option("--cells", cells, "cells along a cube edge of the sphere's mesh");

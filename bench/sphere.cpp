@@ -14,10 +14,10 @@ modeling::Project sphereProject(int cellsPerCubeEdge) {
   project.name = "bench";
   project.material = {"silicone-like", 0.1, 0.45};
   project.body = modeling::makeSphere(25);
-  project.supports.push_back({"base", modeling::Support::Kind::fixed,
+  project.supports.push_back({"base", modeling::Support::Kind::kFixed,
                               modeling::Region::below(Vector3d::UnitZ(), -20), Vector3d::Zero()});
   project.mesh.edgeLength = 25 * std::numbers::pi / 2 / cellsPerCubeEdge;
-  project.mesh.engine = modeling::Engine::triangles;  // of which the cells say how many
+  project.mesh.engine = modeling::Engine::kTriangles;  // of which the cells say how many
   return project;
 }
 

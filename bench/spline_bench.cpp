@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "app/core/spline_surface_of.h"
-#include "bem/kelvin.h"
-#include "bem/reference_problem.h"
+#include "app/core/setup/to_spline_surface.h"
+#include "bem/model/traction_projection.h"
+#include "bem/problem/reference_problem.h"
 #include "bem/spline/spline_projection.h"
-#include "bem/traction_projection.h"
+#include "bem/triangle/kelvin.h"
 #include "bench/measurement_table.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/shapes/make_primitive.h"
@@ -76,7 +76,7 @@ std::unique_ptr<bem::ReferenceProblem> fastest(const Build& build, Row& row) {
   return problem;
 }
 
-Row triangles(double edgeLength, const bem::Job& job) {
+Row triangles(double edgeLength, const Job& job) {
   const modeling::Body body = modeling::makeSphere(25);
   modeling::MeshSettings settings;
   settings.edgeLength = edgeLength;
@@ -115,7 +115,7 @@ Row triangles(double edgeLength, const bem::Job& job) {
   return row;
 }
 
-Row splines(int controlPoints, int degree, const bem::Job& job) {
+Row splines(int controlPoints, int degree, const Job& job) {
   modeling::Primitive primitive;
   primitive.shape = modeling::SphereShape{25};
   primitive.degree = degree;
@@ -177,7 +177,7 @@ double secondsFor(const std::vector<Row>& rows, double error) {
 
 int main(int argc, char** argv) {
   CLI::App options{"Splines against triangles at equal error"};
-  bem::Job job;
+  Job job;
   std::string tablePath;
   options.add_option("--threads", job.threads, "0: all cores");
   options.add_option("--table", tablePath,

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "app/core/memory.h"
-#include "app/core/priority.h"
-#include "app/core/touch_field.h"
-#include "app/core/touch_player.h"
-#include "bem/contact_solver.h"
-#include "bem/triangle_contact_surface.h"
+#include "app/core/live/touch_field.h"
+#include "app/core/live/touch_stepper.h"
+#include "app/core/system/memory.h"
+#include "app/core/system/priority.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/triangle/triangle_contact_surface.h"
 #include "bench/latency_table.h"
 #include "bench/measurement_table.h"
 #include "bench/sphere.h"
@@ -39,15 +39,15 @@ using bench::sphereProject;
 class MadeUp final : public bem::ReferenceProblem {
  public:
   explicit MadeUp(bem::DegreesOfFreedom dofs) : ReferenceProblem(std::move(dofs), {1, 0}) {}
-  Eigen::MatrixXd residual(const bem::BoundaryField& field, const bem::Job&) const override {
+  Eigen::MatrixXd residual(const bem::BoundaryField& field, const Job&) const override {
     return Eigen::MatrixXd::Constant(dofs().count(), field.u.cols(), 1e-3);
   }
-  Eigen::MatrixXd correction(const Eigen::MatrixXd& residual, const bem::Job&) const override {
+  Eigen::MatrixXd correction(const Eigen::MatrixXd& residual, const Job&) const override {
     return residual;
   }
-  double conditionEstimate(const bem::Job&) const override { return 1; }
+  double conditionEstimate(const Job&) const override { return 1; }
   std::size_t bytes() const override { return 0; }
-  void write(const bem::ByteSink&) const override {}
+  void write(const ByteSink&) const override {}
 };
 
 class Bench {
@@ -83,14 +83,14 @@ class Bench {
     head(model_->setup().discretisation->displacementCount(),
          model_->setup().splines ? "splines, E = 0.1 MPa, nu = 0.45" : "E = 0.1 MPa, nu = 0.45");
     add("surface for contacts, made once", "ms",
-        1e3 * secondsFor([&] { body_ = std::make_shared<app::TouchBody>(model_); }));
+        1e3 * secondsFor([&] { body_ = std::make_shared<app::TouchableModel>(model_); }));
   }
 
   void forces() {
     for (const int count : {1, 10, 50}) {
-      app::TouchPlayer player(body_);
-      bem::ContactSolver exact(model_->problem(), model_->setup().meshSlots(),
-                               model_->rest().field);
+      app::TouchStepper player(body_);
+      bem::BilateralContactSolver exact(model_->problem(), model_->setup().meshSlots(),
+                                        model_->rest().field);
       app::TouchId id = 0;
       int last = 0;
       for (const Vector3d& at : bench::pointsOnSphere(count)) {
@@ -186,11 +186,11 @@ class Bench {
     std::printf("  %-52s %14s  %s\n", "what", "measured", "goal");
   }
 
-  void prepare(app::TouchPlayer& player) const {
+  void prepare(app::TouchStepper& player) const {
     while (!player.missing().empty()) body_->columns()->compute(player.missing(), {});
   }
 
-  void fields(app::TouchPlayer& player, const bem::ContactSolver& exact) {
+  void fields(app::TouchStepper& player, const bem::BilateralContactSolver& exact) {
     app::TouchField field(body_);
     app::TouchSnapshot snapshot;
     player.describe(snapshot);
@@ -219,7 +219,7 @@ class Bench {
   }
 
   std::shared_ptr<const app::TouchModel> model_;
-  std::shared_ptr<app::TouchBody> body_;
+  std::shared_ptr<app::TouchableModel> body_;
   int nodes_ = 0;
   nlohmann::json rows_ = nlohmann::json::array();
 };
@@ -262,7 +262,7 @@ int main(int argc, char** argv) {
   }
   if (elementLength > 0) {
     modeling::Project project = sphereProject(cells.empty() ? 10 : cells.back());
-    project.mesh.engine = modeling::Engine::splines;
+    project.mesh.engine = modeling::Engine::kSplines;
     project.mesh.elementLength = elementLength;
     Bench bench(project);
     bench.slides("");

@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "app/core/touch_field.h"
+#include "app/core/live/touch_field.h"
 #include "bench/sphere.h"
 
 namespace palpa::bench {

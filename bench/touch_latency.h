@@ -1,8 +1,9 @@
 #pragma once
+
 #include <chrono>
 #include <memory>
 
-#include "app/core/touch_loop.h"
+#include "app/core/live/touch_loop.h"
 #include "bench/timing.h"
 
 namespace palpa::bench {

@@ -42,8 +42,8 @@ double Slide::largestKink() const {
   return largest;
 }
 
-Slide dragAround(const std::shared_ptr<const app::TouchBody>& body, const bem::ContactTool& tool,
-                 double depth) {
+Slide dragAround(const std::shared_ptr<const app::TouchableModel>& body,
+                 const bem::ContactTool& tool, double depth) {
   using Clock = std::chrono::steady_clock;
   const double distance =
       kRadius - depth + (tool.kind == bem::ContactTool::Kind::kProbe ? tool.radius : 0);

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <memory>
 #include <vector>
 
-#include "app/core/touch_body.h"
+#include "app/core/live/touchable_model.h"
 
 namespace palpa::bench {
 
@@ -30,7 +31,7 @@ struct Slide {
 };
 
 /// Columns are computed before they are needed and not timed.
-Slide dragAround(const std::shared_ptr<const app::TouchBody>& body, const bem::ContactTool& tool,
-                 double depth);
+Slide dragAround(const std::shared_ptr<const app::TouchableModel>& body,
+                 const bem::ContactTool& tool, double depth);
 
 }  // namespace palpa::bench

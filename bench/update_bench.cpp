@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
 #include "bench/measurement_table.h"
 #include "bench/sphere.h"
 #include "bench/timing.h"
@@ -53,7 +53,7 @@ int movedCount(const app::TouchModel& before, const app::TouchModel& after) {
   return count;
 }
 
-void measure(const std::string& name, const modeling::Project& project, const bem::Job& job,
+void measure(const std::string& name, const modeling::Project& project, const Job& job,
              bench::MeasurementTable& table) {
   const auto former = app::buildTouchModel(project, {}, job);
   const int top = topmostFree(*former);
@@ -112,7 +112,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(options, argc, argv);
   bench::MeasurementTable table;
   table.open(tablePath, "palpa-update-bench");
-  bem::Job job;
+  Job job;
   job.threads = threads;
   std::printf("%-26s %6s %8s  %9s %9s %6s   %s\n", "body", "n", "moved", "anew s", "update s",
               "ratio", "mesh  assemble solve s, residual");

@@ -23,9 +23,9 @@
 #include <string>
 #include <vector>
 
-#include "app/core/new_project.h"
-#include "app/core/priority.h"
-#include "app/gui/appearance.h"
+#include "app/core/session/new_project.h"
+#include "app/core/system/priority.h"
+#include "app/gui/base/appearance.h"
 #include "bench/heartbeat.h"
 #include "bench/latency_table.h"
 #include "bench/window_driver.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 
 namespace palpa::bench {
 

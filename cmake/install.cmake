@@ -32,8 +32,8 @@ install(DIRECTORY projects DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PA
 
 # Libraries, for find_package(palpa).
 set(palpa_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/palpa)
-install(TARGETS palpa_options palpa_bem palpa_modeling EXPORT palpa-targets ARCHIVE COMPONENT dev)
-foreach(part bem modeling)
+install(TARGETS palpa_options palpa_base palpa_bem palpa_modeling EXPORT palpa-targets ARCHIVE COMPONENT dev)
+foreach(part base bem modeling)
   install(DIRECTORY ${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpa COMPONENT dev FILES_MATCHING PATTERN *.h)
 endforeach()
 install(EXPORT palpa-targets NAMESPACE palpa:: DESTINATION ${palpa_cmake} COMPONENT dev)

@@ -1,24 +1,25 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
+
+#include "base/error.h"
 
 namespace palpa::modeling {
 
-/// The world's fault: a bad file, an impossible solid, a mesh that would not fit into memory. The
-/// message names what is wrong, where (a path as in the project file) and, where known, what to do.
-/// Callers tell the cases apart by kind(), never by the text.
-class ModelingError : public std::runtime_error {
+/// A bad file, an impossible solid, or a mesh that would not fit into memory. The message names the
+/// place as a path in the project file where there is one. Callers tell the cases apart by kind(),
+/// never by the text of the message.
+class ModelingError : public Error {
  public:
   enum class Kind {
-    badInput,  ///< a value or a file's content breaks a rule
-    notFound,  ///< a file or a named thing does not exist
-    io,        ///< reading or writing failed
-    tooLarge,  ///< the request exceeds a stated limit
+    kBadInput,  ///< a value or a file's content breaks a rule
+    kNotFound,  ///< a file or a named thing does not exist
+    kIo,        ///< reading or writing failed
+    kTooLarge,  ///< the request exceeds a stated limit
   };
 
-  explicit ModelingError(const std::string& message, Kind kind = Kind::badInput)
-      : std::runtime_error(message), kind_(kind) {}
+  explicit ModelingError(const std::string& message, Kind kind = Kind::kBadInput)
+      : Error(message), kind_(kind) {}
 
   Kind kind() const { return kind_; }
 

@@ -5,7 +5,7 @@
 
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
-#include "app/core/new_project.h"
+#include "app/core/session/new_project.h"
 #include "app/view/mesh_file.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/cad_format.h"
@@ -23,7 +23,7 @@ std::string endingOf(const std::string& path) {
 }
 
 void writeMeshOf(const modeling::Project& project, const std::string& path, bool remesh,
-                 const modeling::Job& job) {
+                 const Job& job) {
   const auto* body = std::get_if<modeling::MeshBody>(&project.body);
   if (body && !remesh) {
     view::writeMesh({body->positions(), body->triangles(), {}, {}}, path);
@@ -36,14 +36,13 @@ void writeMeshOf(const modeling::Project& project, const std::string& path, bool
 
 }  // namespace
 
-modeling::Job modelingJob(const Context& context) {
+Job modelingJob(const Context& context) {
   ProgressLine& line = context.progress;
   return {context.stop,
           [&line](std::string_view phase, double fraction) { line.show(phase, fraction); }};
 }
 
-ReadBody readBody(const std::string& path, const modeling::ImportOptions& options,
-                  const modeling::Job& job) {
+ReadBody readBody(const std::string& path, const modeling::ImportOptions& options, const Job& job) {
   if (endingOf(path) == ".json") return {modeling::readProject(path), 0.0, {}};
   modeling::ImportedBody imported = modeling::importBody(path, options, job);
   const std::string name = std::filesystem::path(path).stem().string();
@@ -58,7 +57,7 @@ void requireWritable(const std::string& path) {
 }
 
 void writeBody(const modeling::Project& project, const std::string& path, bool remesh,
-               const modeling::Job& job) {
+               const Job& job) {
   if (endingOf(path) == ".json")
     modeling::writeProject(project, path);
   else if (modeling::isMeshFile(path))

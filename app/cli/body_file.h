@@ -12,7 +12,7 @@
 namespace palpa::cli {
 
 /// Stop token and progress line of a command, for long operations of modeling/.
-modeling::Job modelingJob(const Context& context);
+Job modelingJob(const Context& context);
 
 /// A project, and what is to be said about where it came from.
 struct ReadBody {
@@ -22,8 +22,7 @@ struct ReadBody {
 };
 
 /// Reads a project (.json) as it is, or makes one around an imported body, named like the file.
-ReadBody readBody(const std::string& path, const modeling::ImportOptions& options,
-                  const modeling::Job& job);
+ReadBody readBody(const std::string& path, const modeling::ImportOptions& options, const Job& job);
 
 inline constexpr const char* kWritableEndings =
     ".json, .step, .stp, .iges, .igs, .brep, .stl, .obj or .ply";
@@ -35,7 +34,7 @@ void requireWritable(const std::string& path);
 /// mesh. The triangles of a mesh body are written as they are unless `remesh` asks for the edge
 /// length of the project.
 void writeBody(const modeling::Project& project, const std::string& path, bool remesh,
-               const modeling::Job& job);
+               const Job& job);
 
 /// Kind and size of the body, deviation and notes.
 Json toJson(const ReadBody& read);

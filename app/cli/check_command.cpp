@@ -5,11 +5,11 @@
 #include "app/cli/mesh_report.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
-#include "app/core/boundary_setup.h"
-#include "app/core/memory.h"
-#include "app/core/probe.h"
-#include "bem/error.h"
-#include "bem/reference_problem.h"
+#include "app/core/results/field_sample.h"
+#include "app/core/setup/boundary_setup.h"
+#include "app/core/system/memory.h"
+#include "bem/base/error.h"
+#include "bem/problem/reference_problem.h"
 #include "modeling/error.h"
 
 namespace palpa::cli {
@@ -26,7 +26,7 @@ class CheckCommand : public Command {
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::Job job = modelingJob(context);
+    const Job job = modelingJob(context);
     const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     const auto findings = modeling::checkGeometry(mesh, project.body, job);

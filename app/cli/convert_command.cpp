@@ -39,7 +39,7 @@ class ConvertCommand : public Command {
     if (!edgeLength_.empty()) options.edgeLength = parsePositive("--edge-length", edgeLength_);
     if (!tolerance_.empty()) options.tolerance = parsePositive("--tolerance", tolerance_);
     requireWritable(output_);
-    const modeling::Job job = modelingJob(context);
+    const Job job = modelingJob(context);
     ReadBody read = readBody(file_, options, job);
     if (options.edgeLength > 0) read.project.mesh.edgeLength = options.edgeLength;
     writeBody(read.project, output_, options.edgeLength > 0, job);

@@ -1,7 +1,7 @@
 #include "app/cli/deformed_file.h"
 
 #include "app/cli/body_file.h"
-#include "app/core/deformed_solid.h"
+#include "app/core/results/deformed_solid.h"
 
 namespace palpa::cli {
 

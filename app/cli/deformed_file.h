@@ -1,8 +1,9 @@
 #pragma once
+
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
 #include "modeling/project/project.h"
 
 namespace palpa::cli {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/core/drawn_body.h"
-#include "app/core/stiffness_colours.h"
+#include "app/core/results/drawn_body.h"
+#include "app/core/results/stiffness_colours.h"
 
 namespace palpa::cli {
 namespace {

@@ -3,10 +3,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
+#include "base/job.h"
 #include "modeling/editing/change.h"
 #include "modeling/editing/command_file.h"
 #include "modeling/error.h"
-#include "modeling/job.h"
 #include "modeling/project/project_file.h"
 #include "modeling/solid/tangent_continuity.h"
 
@@ -59,7 +59,7 @@ class EditCommand : public Command {
     Json steps = Json::array();
     std::string text;
     for (std::size_t i = 0; i < commands.size(); ++i) {
-      if (context.stop.stop_requested()) throw modeling::Cancelled{};
+      if (context.stop.stop_requested()) throw Cancelled{};
       const modeling::Edited edited = applied(commands[i], project, i);
       const modeling::Change change = modeling::compare(project, edited.project);
       project = edited.project;

@@ -1,15 +1,15 @@
 #include <new>
 #include "app/cli/errors.h"
 #include "app/view/errors.h"
-#include "bem/error.h"
+#include "base/job.h"
+#include "bem/base/error.h"
 #include "modeling/error.h"
-#include "modeling/job.h"
 
 namespace palpa::cli {
 namespace {
 
 Failure failureOf(const modeling::ModelingError& error) {
-  if (error.kind() == modeling::ModelingError::Kind::tooLarge) {
+  if (error.kind() == modeling::ModelingError::Kind::kTooLarge) {
     return {kCannotBeSolved, "cannot_be_solved", error.what()};
   }
   return {kBadInput, "bad_input", error.what()};
@@ -37,9 +37,7 @@ Failure failureOf(const bem::SolverError& error) {
 Failure currentFailure() {
   try {
     throw;
-  } catch (const bem::Cancelled&) {
-    return {kCancelled, "cancelled", "cancelled"};
-  } catch (const modeling::Cancelled&) {
+  } catch (const Cancelled&) {
     return {kCancelled, "cancelled", "cancelled"};
   } catch (const UsageError& error) {
     return {kUsage, "usage", error.what()};

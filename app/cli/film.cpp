@@ -8,8 +8,8 @@
 #include "app/cli/errors.h"
 #include "app/cli/simulation.h"
 #include "app/cli/text.h"
-#include "app/core/touch_field.h"
-#include "app/core/touch_replay.h"
+#include "app/core/live/touch_field.h"
+#include "app/core/live/touch_replay.h"
 #include "modeling/error.h"
 
 namespace palpa::cli {
@@ -107,7 +107,7 @@ class CommonView {
 Film::Film(const modeling::Project& project, std::shared_ptr<const app::TouchModel> model,
            const app::TouchRecording& recording, const SceneOptions& options)
     : project_(project),
-      body_(std::make_shared<const app::TouchBody>(std::move(model))),
+      body_(std::make_shared<const app::TouchableModel>(std::move(model))),
       recording_(recording),
       options_(options) {}
 

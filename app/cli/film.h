@@ -5,8 +5,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/state_scene.h"
-#include "app/core/touch_body.h"
-#include "app/core/touch_command.h"
+#include "app/core/live/touch_command.h"
+#include "app/core/live/touchable_model.h"
 #include "app/view/picture.h"
 
 namespace palpa::cli {
@@ -32,7 +32,7 @@ class Film {
                     const std::function<void(view::SurfaceScene&, int number)>& seen) const;
 
   const modeling::Project& project_;
-  std::shared_ptr<const app::TouchBody> body_;
+  std::shared_ptr<const app::TouchableModel> body_;
   const app::TouchRecording& recording_;
   SceneOptions options_;
 };

@@ -156,7 +156,7 @@ class InfoCommand : public Command {
     text += "size       " + toText(box[0]) + " … " + toText(box[1]) + " mm\n";
     text += format("volume     %.6g mm³, surface %.6g mm²\n", volume, area);
     for (const modeling::Support& support : project.supports) {
-      const char* kind = support.kind == modeling::Support::Kind::fixed ? "fixed" : "roller";
+      const char* kind = support.kind == modeling::Support::Kind::kFixed ? "fixed" : "roller";
       report["supports"].push_back({{"name", support.name},
                                     {"kind", kind},
                                     {"where", regionText(support.where)},

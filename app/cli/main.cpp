@@ -9,7 +9,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/manual.h"
 #include "app/cli/usage_message.h"
-#include "app/core/memory.h"
+#include "app/core/system/memory.h"
 
 namespace palpa::cli {
 namespace {

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <CLI/CLI.hpp>
 #include <string>
 

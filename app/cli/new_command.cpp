@@ -6,7 +6,7 @@
 #include "app/cli/suggestion.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
-#include "app/core/new_project.h"
+#include "app/core/session/new_project.h"
 #include "modeling/error.h"
 #include "modeling/project/material_library.h"
 #include "modeling/project/project_file.h"

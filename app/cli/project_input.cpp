@@ -31,9 +31,9 @@ void ProjectInput::declare(CLI::App& options) {
 namespace {
 
 modeling::Engine parseEngine(const std::string& text) {
-  if (text == "spline" || text == "splines") return modeling::Engine::splines;
-  if (text == "triangles") return modeling::Engine::triangles;
-  if (text == "automatic") return modeling::Engine::automatic;
+  if (text == "spline" || text == "splines") return modeling::Engine::kSplines;
+  if (text == "triangles") return modeling::Engine::kTriangles;
+  if (text == "automatic") return modeling::Engine::kAutomatic;
   throw UsageError("--engine: expected spline, triangles or automatic, found '" + text + "'");
 }
 

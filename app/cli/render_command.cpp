@@ -11,8 +11,8 @@
 #include "app/cli/suggestion.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
-#include "app/core/stiffness_worker.h"
-#include "app/core/touch.h"
+#include "app/core/live/stiffness_worker.h"
+#include "app/core/results/touch.h"
 #include "app/view/display.h"
 #include "app/view/picture.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/text.h"
-#include "app/core/touch_table.h"
+#include "app/core/live/touch_table.h"
 
 namespace palpa::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/core/touch_recording_file.h"
-#include "app/core/touch_snapshot.h"
+#include "app/core/live/touch_recording_file.h"
+#include "app/core/live/touch_snapshot.h"
 
 namespace palpa::cli {
 

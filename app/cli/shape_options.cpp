@@ -85,7 +85,7 @@ constexpr Option kOptions[] = {
 };
 
 /// How a body of this kind is held.
-enum class Base { bottomPatches, lowestTenth };
+enum class Base { kBottomPatches, kLowestTenth };
 
 struct Kind {
   const char* name;
@@ -99,58 +99,58 @@ const std::vector<Kind>& kinds() {
   static const std::vector<Kind> table{
       {"sphere",
        {"--radius"},
-       Base::lowestTenth,
+       Base::kLowestTenth,
        [](const Values& v) { return SphereShape{v.length("--radius", 25)}; }},
       {"ellipsoid",
        {"--radii"},
-       Base::lowestTenth,
+       Base::kLowestTenth,
        [](const Values& v) {
          return EllipsoidShape{v.lengths("--radii", {30, 20, 15})};
        }},
       {"box",
        {"--size"},
-       Base::bottomPatches,
+       Base::kBottomPatches,
        [](const Values& v) {
          return BoxShape{v.lengths("--size", {40, 30, 20})};
        }},
       {"cylinder",
        {"--radius", "--height"},
-       Base::bottomPatches,
+       Base::kBottomPatches,
        [](const Values& v) {
          return CylinderShape{v.length("--radius", 20), v.length("--height", 60)};
        }},
       {"cone",
        {"--bottom-radius", "--top-radius", "--height"},
-       Base::bottomPatches,
+       Base::kBottomPatches,
        [](const Values& v) {
          return ConeShape{v.length("--bottom-radius", 20), v.lengthOrZero("--top-radius", 10),
                           v.length("--height", 30)};
        }},
       {"capsule",
        {"--radius", "--length"},
-       Base::lowestTenth,
+       Base::kLowestTenth,
        [](const Values& v) {
          return CapsuleShape{v.length("--radius", 10), v.length("--length", 30)};
        }},
       {"torus",
        {"--major-radius", "--minor-radius"},
-       Base::lowestTenth,
+       Base::kLowestTenth,
        [](const Values& v) {
          return TorusShape{v.length("--major-radius", 25), v.length("--minor-radius", 8)};
        }},
       {"revolve",
        {"--profile"},
-       Base::lowestTenth,
+       Base::kLowestTenth,
        [](const Values& v) { return RevolveShape{readProfileCurve(v.file("--profile"))}; }},
       {"extrude",
        {"--profile", "--height"},
-       Base::bottomPatches,
+       Base::kBottomPatches,
        [](const Values& v) {
          return ExtrudeShape{readProfileCurve(v.file("--profile")), v.length("--height", 20)};
        }},
       {"loft",
        {"--profile"},
-       Base::bottomPatches,
+       Base::kBottomPatches,
        [](const Values& v) { return LoftShape{readSections(v.file("--profile"))}; }},
   };
   return table;
@@ -217,7 +217,7 @@ modeling::Primitive ShapeOptions::primitive(const std::string& shape) const {
 }
 
 modeling::Region baseOf(const modeling::Primitive& primitive, const modeling::Solid& solid) {
-  if (kindNamed(modeling::shapeName(primitive)).base == Base::lowestTenth)
+  if (kindNamed(modeling::shapeName(primitive)).base == Base::kLowestTenth)
     return lowestTenth(solid);
   std::vector<std::string> names;
   for (const modeling::Patch& patch : solid.patches())

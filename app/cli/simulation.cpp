@@ -5,8 +5,8 @@
 #include "app/cli/errors.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/values.h"
-#include "app/core/tool_path.h"
-#include "app/core/touch.h"
+#include "app/core/results/tool_trajectory.h"
+#include "app/core/results/touch.h"
 
 namespace palpa::cli {
 namespace {
@@ -27,7 +27,7 @@ constexpr const char* kNames[] = {"--at",    "--kind",   "--displace",
 double parseFriction(const std::string& text) {
   if (text.empty()) return 0;
   const double friction = parseNumber("--friction", text);
-  if (friction < 0 || friction > modeling::kMostFriction)
+  if (friction < 0 || friction > modeling::kMaxFriction)
     throw UsageError("--friction: expected a number from 0 to 10, found '" + text + "'");
   return friction;
 }
@@ -63,8 +63,8 @@ decltype(modeling::Touch::action) actionOf(const std::string& kind, const std::s
 
 }  // namespace
 
-bem::Job jobOf(const Context& context) {
-  bem::Job job;
+Job jobOf(const Context& context) {
+  Job job;
   job.stop = context.stop;
   job.threads = context.options.threads;
   job.progress = [&progress = context.progress](std::string_view phase, double fraction) {
@@ -187,9 +187,9 @@ int TouchInput::steps() const {
   int steps = 0;
   const char* end = steps_.data() + steps_.size();
   const auto result = std::from_chars(steps_.data(), end, steps);
-  if (result.ec != std::errc() || result.ptr != end || steps < 1 || steps > app::kMostSteps)
+  if (result.ec != std::errc() || result.ptr != end || steps < 1 || steps > app::kMaxSteps)
     throw UsageError("--steps: expected a whole number from 1 to " +
-                     std::to_string(app::kMostSteps) + ", found '" + steps_ + "'");
+                     std::to_string(app::kMaxSteps) + ", found '" + steps_ + "'");
   return steps;
 }
 
@@ -219,11 +219,11 @@ void ProbeInput::validate() const {
   parseVectors("--probe", probes_);
 }
 
-std::vector<app::Probe> ProbeInput::read(const app::TouchModel& model,
+std::vector<app::FieldSample> ProbeInput::read(const app::TouchModel& model,
                                          const app::TouchState& state) const {
-  std::vector<app::Probe> results;
+  std::vector<app::FieldSample> results;
   for (const Eigen::Vector3d& at : parseVectors("--probe", probes_)) {
-    results.push_back(app::probe(model, state, at));
+    results.push_back(app::sampleField(model, state, at));
   }
   return results;
 }

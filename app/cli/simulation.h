@@ -8,13 +8,13 @@
 
 #include "app/cli/command.h"
 #include "app/cli/project_input.h"
-#include "app/core/probe.h"
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
+#include "app/core/results/field_sample.h"
 
 namespace palpa::cli {
 
 /// Threads, progress and cancelling as the common options say.
-bem::Job jobOf(const Context& context);
+Job jobOf(const Context& context);
 
 /// Builds the model of a project as the common options say: threads, progress, cancelling.
 std::shared_ptr<const app::TouchModel> buildModel(const modeling::Project& project,
@@ -71,7 +71,7 @@ class ProbeInput {
   void declare(CLI::App& options);
   void validate() const;
   bool isGiven() const { return !probes_.empty(); }
-  std::vector<app::Probe> read(const app::TouchModel& model, const app::TouchState& state) const;
+  std::vector<app::FieldSample> read(const app::TouchModel& model, const app::TouchState& state) const;
 
  private:
   std::vector<std::string> probes_;

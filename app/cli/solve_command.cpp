@@ -3,7 +3,7 @@
 #include "app/cli/result_file.h"
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
-#include "app/core/error_estimate.h"
+#include "app/core/results/error_estimate.h"
 
 namespace palpa::cli {
 namespace {

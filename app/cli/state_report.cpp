@@ -1,8 +1,8 @@
 #include "app/cli/state_report.h"
 
 #include "app/cli/text.h"
-#include "app/core/memory.h"
-#include "app/core/touch_table.h"
+#include "app/core/live/touch_table.h"
+#include "app/core/system/memory.h"
 
 namespace palpa::cli {
 namespace {
@@ -132,7 +132,7 @@ Json StateReport::json() const {
   report["energy_mJ"] = state.energy;
   report["largest_displacement"] = {{"u_mm", largest.length}, {"at_mm", cli::toJson(largest.at)}};
   report["probes"] = Json::array();
-  for (const app::Probe& probe : probes) {
+  for (const app::FieldSample& probe : probes) {
     report["probes"].push_back({{"at_mm", cli::toJson(probe.at)},
                                 {"nearest_surface_mm", cli::toJson(probe.nearestSurface)},
                                 {"u_mm", cli::toJson(probe.displacement)},
@@ -175,7 +175,7 @@ std::string StateReport::text() const {
                    100 * *state.errorEstimate);
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";
-  for (const app::Probe& probe : probes) {
+  for (const app::FieldSample& probe : probes) {
     text += "probe      " + cli::toText(probe.nearestSurface, 5) + " mm: u " +
             cli::toText(probe.displacement) + " mm, traction " + cli::toText(probe.traction) +
             " MPa\n";

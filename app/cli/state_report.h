@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/core/probe.h"
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
+#include "app/core/results/field_sample.h"
 
 namespace palpa::cli {
 
@@ -14,7 +14,7 @@ namespace palpa::cli {
 struct StateReport {
   const app::TouchModel& model;
   const app::TouchState& state;
-  std::vector<app::Probe> probes;
+  std::vector<app::FieldSample> probes;
   double touchSeconds = 0;  ///< s, 0 without touches
 
   Json json() const;

@@ -8,7 +8,7 @@
 #include "app/cli/drawn_surface.h"
 #include "app/cli/text.h"
 #include "app/view/ticks.h"
-#include "bem/surface_point.h"
+#include "bem/model/surface_point.h"
 
 namespace palpa::cli {
 namespace {

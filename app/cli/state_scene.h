@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/core/drawn_body.h"
+#include "app/core/results/drawn_body.h"
 #include "app/view/scene.h"
 #include "modeling/project/project.h"
 

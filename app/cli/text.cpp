@@ -7,7 +7,7 @@
 namespace palpa::cli {
 namespace {
 
-constexpr int kMostDecimals = 6;  // smaller numbers have powers of ten
+constexpr int kMaxDecimals = 6;  // smaller numbers have powers of ten
 
 }  // namespace
 
@@ -34,7 +34,7 @@ std::string toText(const Eigen::Vector3d& vector, int digits) {
   const int decimals =
       largest > 0 ? digits - 1 - static_cast<int>(std::floor(std::log10(largest))) : 0;
   const auto number = [&](double x) {
-    if (decimals < 0 || decimals > kMostDecimals) return format("%.*g", digits, x);
+    if (decimals < 0 || decimals > kMaxDecimals) return format("%.*g", digits, x);
     std::string text = format("%.*f", decimals, x);
     if (text.find('.') != std::string::npos) {
       text.erase(text.find_last_not_of('0') + 1);

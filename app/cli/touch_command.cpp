@@ -9,9 +9,9 @@
 #include "app/cli/result_file.h"
 #include "app/cli/simulation.h"
 #include "app/cli/state_report.h"
-#include "app/core/error_estimate.h"
-#include "app/core/touch_replay.h"
-#include "app/core/touch_table.h"
+#include "app/core/live/touch_replay.h"
+#include "app/core/live/touch_table.h"
+#include "app/core/results/error_estimate.h"
 #include "modeling/error.h"
 
 namespace palpa::cli {
@@ -93,7 +93,7 @@ class TouchCommand : public Command {
     std::ostringstream text;
     app::TouchTable table(text);
     std::uint64_t step = 0;
-    app::replay(std::make_shared<const app::TouchBody>(model), file.recording, jobOf(context),
+    app::replay(std::make_shared<const app::TouchableModel>(model), file.recording, jobOf(context),
                 [&](const app::TouchSnapshot& snapshot) {
                   if (isTable) table.add(snapshot, step);
                   report.add(snapshot, step++);

@@ -85,7 +85,7 @@ class VerifyCommand : public Command {
       const double done = static_cast<double>(k) / static_cast<double>(plan.tasks.size());
       const std::string what = task.name + " (" + task.engine + ")";
       context.progress.show(what, done);
-      bem::Job job = jobOf(context);
+      Job job = jobOf(context);
       job.throwIfCancelled();
       job.progress = [&](std::string_view phase, double) {
         context.progress.show(what + ": " + std::string(phase), done);

@@ -2,9 +2,9 @@
 #include <QCommandLineParser>
 #include <QTimer>
 
-#include "app/core/priority.h"
-#include "app/gui/appearance.h"
-#include "app/gui/main_window.h"
+#include "app/core/system/priority.h"
+#include "app/gui/base/appearance.h"
+#include "app/gui/window/main_window.h"
 
 int main(int argc, char** argv) {
   palpa::app::lowerPriorityOfLoadedThreads();

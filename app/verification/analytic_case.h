@@ -1,4 +1,5 @@
 #pragma once
+
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <optional>
 #include <span>
 #include <string_view>
@@ -30,6 +31,6 @@ std::span<const OmittedCases> omittedCases();
 
 /// Allowed for AnalyticCase::inconsistency(): differences of order 4 with a step of 0.05 mm; near
 /// nu = 0.5 Hooke's law magnifies their rounding.
-inline constexpr double kMostInconsistency = 1e-6;
+inline constexpr double kMaxInconsistency = 1e-6;
 
 }  // namespace palpa::verification

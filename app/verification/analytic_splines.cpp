@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "app/verification/spline_body.h"
 #include "bem/spline/spline_results.h"
 #include "modeling/error.h"

@@ -1,6 +1,7 @@
 #pragma once
+
 #include "app/verification/analytic_case.h"
-#include "bem/job.h"
+#include "base/job.h"
 
 namespace palpa::verification {
 
@@ -16,6 +17,6 @@ bool hasSolid(const AnalyticCase& body);
 /// Solves a case with about 400 control points. The body is held by the exact displacement on a
 /// part of its surface, whatever the case states, and has the exact tractions on the rest;
 /// integrals are good to 1e-5. Throws as AnalyticCase, and SolverError, Cancelled.
-SplineErrors solveWithSplines(const AnalyticCase& body, const bem::Job& job);
+SplineErrors solveWithSplines(const AnalyticCase& body, const Job& job);
 
 }  // namespace palpa::verification

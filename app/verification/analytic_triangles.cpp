@@ -6,7 +6,7 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 #include "modeling/error.h"
 
 namespace palpa::verification {

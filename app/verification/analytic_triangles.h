@@ -1,6 +1,7 @@
 #pragma once
+
 #include "app/verification/analytic_case.h"
-#include "bem/job.h"
+#include "base/job.h"
 
 namespace palpa::verification {
 
@@ -23,6 +24,6 @@ struct TriangleErrors {
 /// Where the conditions of the case leave a rigid motion free, the exact displacement is prescribed
 /// on a part of the surface besides: a cap of a sphere, a piece of a torus, a patch of the side of
 /// a cylinder. Throws as AnalyticCase, and SolverError, Cancelled.
-TriangleErrors solveWithTriangles(const AnalyticCase& body, BoundaryData data, const bem::Job& job);
+TriangleErrors solveWithTriangles(const AnalyticCase& body, BoundaryData data, const Job& job);
 
 }  // namespace palpa::verification

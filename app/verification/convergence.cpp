@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
 #include "app/verification/spline_body.h"

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <vector>
 
 #include "app/verification/check.h"
-#include "bem/job.h"
+#include "base/job.h"
 
 namespace palpa::verification {
 
@@ -13,7 +14,7 @@ inline constexpr const char* kConvergenceName = "convergence_sphere";
 /// displacement is given on the lower sixth, exact tractions elsewhere; nu = 0.3. Triangles: 98 to
 /// 1,946 nodes; cubic splines: 98 to 866 control points. `isShort`: three steps, without the
 /// finest. Throws SolverError, Cancelled.
-std::vector<ConvergenceStep> sphereConvergence(Engine engine, bool isShort, const bem::Job& job);
+std::vector<ConvergenceStep> sphereConvergence(Engine engine, bool isShort, const Job& job);
 
 /// What is demanded of a series: errors of some steps, and the order of the last refinement.
 std::vector<Check> checksOf(const std::vector<ConvergenceStep>& steps, Engine engine);

@@ -109,7 +109,7 @@ class Parser {
 
 double evaluate(const std::string& expression, const std::map<std::string, double>& names) {
   // Parentheses are recursive calls.
-  if (expression.size() > kLongestExpression)
+  if (expression.size() > kMaxExpressionLength)
     throw std::invalid_argument("an expression of " + std::to_string(expression.size()) +
                                 " characters is too long");
   return Parser(expression, names).value();

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <map>
 #include <string>
@@ -7,9 +8,9 @@ namespace palpa::verification {
 
 /// Value of an arithmetic expression in the notation of analytic.json: numbers, names, + - * / **
 /// (binds to the right, tighter than a sign before it), parentheses, sqrt(…), and pi; at most
-/// kLongestExpression characters. Throws std::invalid_argument with the place of a mistake.
+/// kMaxExpressionLength characters. Throws std::invalid_argument with the place of a mistake.
 double evaluate(const std::string& expression, const std::map<std::string, double>& names);
 
-inline constexpr std::size_t kLongestExpression = 10000;
+inline constexpr std::size_t kMaxExpressionLength = 10000;
 
 }  // namespace palpa::verification

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/probe.h"
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
+#include "app/core/results/field_sample.h"
 #include "app/verification/analytic_case.h"
 #include "modeling/error.h"
 #include "modeling/shapes/primitives.h"
@@ -44,7 +44,7 @@ modeling::Project femProject(const json& reference) {
   const json& geometry = reference.at("geometry");
   const std::string shape = geometry.at("type");
   const auto hold = [&](const char* name, Region where, const Vector3d& displacement) {
-    project.supports.push_back({name, Support::Kind::fixed, std::move(where), displacement});
+    project.supports.push_back({name, Support::Kind::kFixed, std::move(where), displacement});
   };
   if (shape == "sphere") {
     project.body = modeling::makeSphere(geometry.at("R"));
@@ -67,15 +67,14 @@ modeling::Project femProject(const json& reference) {
   return project;
 }
 
-FemSolution solveFem(const json& reference, const modeling::MeshSettings& mesh,
-                     const bem::Job& job) {
+FemSolution solveFem(const json& reference, const modeling::MeshSettings& mesh, const Job& job) {
   modeling::Project project = femProject(reference);
   project.mesh = mesh;
   const auto model = app::buildTouchModel(project, app::BuildOptions{}, job);
   const app::TouchState& state = model->rest();
   std::vector<Vector3d> displacements;
   for (const json& point : reference.at("points"))
-    displacements.push_back(probe(*model, state, vectorOf(point.at("x"))).displacement);
+    displacements.push_back(sampleField(*model, state, vectorOf(point.at("x"))).displacement);
   FemSolution solution;
   solution.coefficients = model->setup().discretisation->displacementCount();
   solution.errors =

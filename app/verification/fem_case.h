@@ -1,9 +1,10 @@
 #pragma once
+
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "bem/job.h"
+#include "base/job.h"
 #include "modeling/project/project.h"
 
 /// Cases of fem.json: finite element solutions, on which two independent programs agree to 0.03 %
@@ -35,6 +36,6 @@ struct FemSolution {
 
 /// The whole way from a project to probes, reactions and energy. Throws as app::buildTouchModel().
 FemSolution solveFem(const nlohmann::json& reference, const modeling::MeshSettings& mesh,
-                     const bem::Job& job);
+                     const Job& job);
 
 }  // namespace palpa::verification

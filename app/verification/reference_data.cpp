@@ -31,7 +31,7 @@ std::string textOf(const std::filesystem::path& path) {
   std::ostringstream text;
   // A folder opens, but cannot be read.
   if (!file || !(text << file.rdbuf()))
-    throw ModelingError(path.string() + " cannot be read", ModelingError::Kind::io);
+    throw ModelingError(path.string() + " cannot be read", ModelingError::Kind::kIo);
   return text.str();
 }
 
@@ -58,7 +58,7 @@ ReferenceData ReferenceData::read(const std::filesystem::path& folder) {
 const json& ReferenceData::finiteElementCase(const std::string& id) const {
   for (const json& entry : finiteElements_)
     if (entry.at("id") == id) return entry;
-  throw ModelingError("fem.json has no case " + id, ModelingError::Kind::notFound);
+  throw ModelingError("fem.json has no case " + id, ModelingError::Kind::kNotFound);
 }
 
 }  // namespace palpa::verification

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/solid/knot_operations.h"
 

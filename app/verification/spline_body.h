@@ -1,10 +1,11 @@
 #pragma once
+
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "app/verification/exact/exact_fields.h"
-#include "bem/reference_problem.h"
+#include "bem/problem/reference_problem.h"
 #include "bem/spline/spline_projection.h"
 #include "bem/spline/spline_surface.h"
 #include "bem/spline/spline_tractions.h"
@@ -25,7 +26,7 @@ struct SplineBody {
   /// Throws SolverError, Cancelled.
   SplineBody(bem::SplineSurface bodySurface, const bem::Material& bodyMaterial,
              const ExactField& exact, const bem::AssemblyOptions& options = {},
-             bem::Precision precision = bem::Precision::kDouble, const bem::Job& job = {});
+             bem::Precision precision = bem::Precision::kDouble, const Job& job = {});
 
   Eigen::Vector3d displacement(const bem::SplinePlace& place) const;
   Eigen::Vector3d traction(const bem::SplinePlace& place) const;

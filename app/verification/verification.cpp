@@ -44,8 +44,8 @@ const OmittedCases* omissionOf(const std::string& id) {
 
 /// A task that takes its time, and whose wrong reference data are the world's fault.
 Task task(const std::string& name, const std::string& engine, const std::string& data,
-          std::function<void(Result&, const bem::Job&)> solve) {
-  return {name, engine, [=](const bem::Job& job) {
+          std::function<void(Result&, const Job&)> solve) {
+  return {name, engine, [=](const Job& job) {
             const auto start = std::chrono::steady_clock::now();
             Result result{name, engine, data, 0, {}, {}, 0};
             try {
@@ -62,7 +62,7 @@ Task task(const std::string& name, const std::string& engine, const std::string&
 Task triangleTask(const json& entry, const TriangleTolerances& most, BoundaryData data) {
   return task(idOf(entry), nameOf(Engine::kTriangles),
               data == BoundaryData::kMixed ? "mixed" : "stated",
-              [=](Result& result, const bem::Job& job) {
+              [=](Result& result, const Job& job) {
                 const TriangleErrors errors = solveWithTriangles(AnalyticCase(entry), data, job);
                 result.coefficients = errors.nodes;
                 result.checks = {{"u at nodes", errors.displacement, most.displacement},
@@ -74,28 +74,27 @@ Task triangleTask(const json& entry, const TriangleTolerances& most, BoundaryDat
 }
 
 Task splineTask(const json& entry, double most) {
-  return task(idOf(entry), nameOf(Engine::kSplines), "mixed",
-              [=](Result& result, const bem::Job& job) {
-                const SplineErrors errors = solveWithSplines(AnalyticCase(entry), job);
-                result.coefficients = errors.coefficients;
-                result.checks = {{"u at points", errors.points, most}};
-              });
+  return task(idOf(entry), nameOf(Engine::kSplines), "mixed", [=](Result& result, const Job& job) {
+    const SplineErrors errors = solveWithSplines(AnalyticCase(entry), job);
+    result.coefficients = errors.coefficients;
+    result.checks = {{"u at points", errors.points, most}};
+  });
 }
 
 /// Whether the statements of the file agree with each other: one check, or one for each case where
 /// they do not.
 Task referenceTask(const std::vector<json>& entries) {
-  return task("analytic.json", "-", "-", [=](Result& result, const bem::Job& job) {
+  return task("analytic.json", "-", "-", [=](Result& result, const Job& job) {
     result.coefficients = static_cast<int>(entries.size());
     double most = 0;
     for (const json& entry : entries) {
       job.throwIfCancelled();
-      const Check check{idOf(entry), AnalyticCase(entry).inconsistency(), kMostInconsistency};
+      const Check check{idOf(entry), AnalyticCase(entry).inconsistency(), kMaxInconsistency};
       most = worse(most, check.value);
       if (!check.passes()) result.checks.push_back(check);
     }
     if (result.checks.empty())
-      result.checks.push_back({"statements agree", most, kMostInconsistency});
+      result.checks.push_back({"statements agree", most, kMaxInconsistency});
   });
 }
 
@@ -129,7 +128,7 @@ struct FemSpecification {
 /// towards it, 0.3 %.
 FemSpecification femTriangles(const json& entry) {
   FemSpecification how{{}, 0.015, 0.015, 0.01, 0.015, 0.003};
-  how.mesh.engine = modeling::Engine::triangles;
+  how.mesh.engine = modeling::Engine::kTriangles;
   const std::string shape = entry.at("geometry").at("type");
   if (shape == "sphere") {
     how.mesh.edgeLength = 1.8;
@@ -152,14 +151,14 @@ FemSpecification femTriangles(const json& entry) {
 FemSpecification femSplines(bool isQuick) {
   FemSpecification how = isQuick ? FemSpecification{{}, 1e-2, 1e-2, 1e-2, 1e-2, 1e-2}
                                  : FemSpecification{{}, 5e-3, 7e-3, 3e-3, 1e-2, 3e-3};
-  how.mesh.engine = modeling::Engine::splines;
+  how.mesh.engine = modeling::Engine::kSplines;
   how.mesh.edgeLength = 4;
   how.mesh.accuracy = isQuick ? 1e-2 : 3e-3;
   return how;
 }
 
 Task femTask(const json& entry, Engine engine, const FemSpecification& how) {
-  return task(idOf(entry), nameOf(engine), "stated", [=](Result& result, const bem::Job& job) {
+  return task(idOf(entry), nameOf(engine), "stated", [=](Result& result, const Job& job) {
     const FemSolution solution = solveFem(entry, how.mesh, job);
     result.coefficients = solution.coefficients;
     if (entry.contains("load"))
@@ -183,13 +182,12 @@ void addFiniteElements(const std::vector<json>& entries, const Selection& select
 
 void addConvergence(const Selection& selection, Plan& plan) {
   const auto add = [&](Engine engine) {
-    plan.tasks.push_back(
-        task(kConvergenceName, nameOf(engine), "mixed",
-             [=, isShort = selection.isQuick](Result& result, const bem::Job& job) {
-               result.steps = sphereConvergence(engine, isShort, job);
-               result.coefficients = result.steps.back().coefficients;
-               result.checks = checksOf(result.steps, engine);
-             }));
+    plan.tasks.push_back(task(kConvergenceName, nameOf(engine), "mixed",
+                              [=, isShort = selection.isQuick](Result& result, const Job& job) {
+                                result.steps = sphereConvergence(engine, isShort, job);
+                                result.coefficients = result.steps.back().coefficients;
+                                result.checks = checksOf(result.steps, engine);
+                              }));
   };
   if (selection.triangles) add(Engine::kTriangles);
   if (selection.splines) add(Engine::kSplines);
@@ -238,7 +236,7 @@ void checkNames(const ReferenceData& reference, const Selection& selection) {
       separator = ", ";
     }
     throw ModelingError(message + "; behind them may stand the material, as _nu0.30",
-                        ModelingError::Kind::notFound);
+                        ModelingError::Kind::kNotFound);
   }
 }
 

@@ -1,11 +1,12 @@
 #pragma once
+
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "app/verification/check.h"
 #include "app/verification/reference_data.h"
-#include "bem/job.h"
+#include "base/job.h"
 
 /// The verification of both engines against exact and finite element solutions: what `palpa-cli
 /// verify` prints and the tests demand.
@@ -25,7 +26,7 @@ struct Task {
   std::string engine;  ///< as Result::engine
   /// Throws ModelingError when the reference data are not as they should be; SolverError,
   /// Cancelled.
-  std::function<Result(const bem::Job&)> run;
+  std::function<Result(const Job&)> run;
 };
 
 struct Omitted {

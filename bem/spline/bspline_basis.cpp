@@ -8,7 +8,7 @@
 namespace palpa::bem {
 namespace {
 
-using Values = std::array<double, kMostSplineDegree + 1>;
+using Values = std::array<double, kMaxSplineDegree + 1>;
 
 /// Cox and de Boor's recursion (de Boor, A Practical Guide to Splines, 1978, chapter X) in the span
 /// that begins at knots[index].
@@ -32,7 +32,7 @@ Values coxDeBoor(const std::vector<double>& knots, int degree, int index, double
 BsplineBasis::BsplineBasis(int degree, std::vector<double> knots)
     : degree_(degree), knots_(std::move(knots)) {
   const int size = degree + 1;
-  if (degree < 1 || degree > kMostSplineDegree || static_cast<int>(knots_.size()) < 2 * size)
+  if (degree < 1 || degree > kMaxSplineDegree || static_cast<int>(knots_.size()) < 2 * size)
     throw std::invalid_argument("BsplineBasis: degree or number of knots out of range");
   for (int k = degree; k + size < static_cast<int>(knots_.size()); ++k)
     if (knots_[k] < knots_[k + 1]) spans_.push_back({knots_[k], knots_[k + 1], k - degree});

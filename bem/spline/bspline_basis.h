@@ -1,9 +1,10 @@
 #pragma once
+
 #include <vector>
 
 namespace palpa::bem {
 
-inline constexpr int kMostSplineDegree = 5;
+inline constexpr int kMaxSplineDegree = 5;
 
 /// The functions of one knot span as polynomials in (t - lower) scale - 1, which runs from -1 to 1.
 struct SpanPolynomials {

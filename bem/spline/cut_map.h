@@ -1,9 +1,10 @@
 #pragma once
+
 #include <Eigen/Dense>
 #include <array>
 #include <optional>
 
-#include "bem/byte_stream.h"
+#include "base/byte_stream.h"
 
 namespace palpa::bem {
 

@@ -27,11 +27,11 @@ GaussRule makeRule(int count) {
 
 const GaussRule& gaussRule(int count) {
   static const auto rules = [] {
-    std::array<GaussRule, kMostGaussPoints + 1> all;
-    for (int k = 1; k <= kMostGaussPoints; ++k) all[k] = makeRule(k);
+    std::array<GaussRule, kMaxGaussPoints + 1> all;
+    for (int k = 1; k <= kMaxGaussPoints; ++k) all[k] = makeRule(k);
     return all;
   }();
-  if (count < 1 || count > kMostGaussPoints)
+  if (count < 1 || count > kMaxGaussPoints)
     throw std::out_of_range("gaussRule: the number of points is out of range");
   return rules[count];
 }

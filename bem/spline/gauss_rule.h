@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 namespace palpa::bem {
@@ -8,7 +9,7 @@ struct GaussRule {
   std::vector<double> points, weights;
 };
 
-inline constexpr int kMostGaussPoints = 24;
+inline constexpr int kMaxGaussPoints = 24;
 
 /// The rule with `count` (1 … 24) points, exact for polynomials of degree 2 count - 1; made once.
 const GaussRule& gaussRule(int count);

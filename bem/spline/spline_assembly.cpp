@@ -7,8 +7,8 @@
 #include <span>
 #include <string_view>
 
-#include "bem/lending_pool.h"
-#include "bem/parallel.h"
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "bem/spline/spline_rows.h"
 
 namespace palpa::bem {
@@ -76,7 +76,7 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
   BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, triple(columns.coefficients)),
                                    LargeMatrix<Scalar>(3 * m, triple(columns.slots))};
   const SplineKernel kernel = splineKernelForThisProcessor();
-  LendingPool<Scratch> pool([] { return Scratch{}; });
+  ScratchPool<Scratch> pool([] { return Scratch{}; });
   parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, phase, [&](std::ptrdiff_t task) {
     const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
     Scratch scratch = pool.take();
@@ -100,8 +100,8 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
 /// Points whose rows are held at once before they are added to those of equations: few enough for a
 /// few MiB, but with so many columns no fewer than keep all threads busy.
 std::size_t pointsAtOnce(Eigen::Index columns) {
-  constexpr Eigen::Index kNumbers = 4'000'000, kFewest = 128;
-  return static_cast<std::size_t>(std::max(kNumbers / (3 * columns), kFewest));
+  constexpr Eigen::Index kNumbers = 4'000'000, kMinRows = 128;
+  return static_cast<std::size_t>(std::max(kNumbers / (3 * columns), kMinRows));
 }
 
 /// Consecutive points that weigh in the same equations, as all points of an element do.

@@ -1,6 +1,7 @@
 #pragma once
-#include "bem/assembly.h"
+
 #include "bem/spline/spline_equations.h"
+#include "bem/triangle/assembly.h"
 
 namespace palpa::bem {
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "bem/spline/spline_kernel.h"
 
 /// Components of Kelvin's blocks from the sums of their kernels (spline_kernel.h), for numbers and

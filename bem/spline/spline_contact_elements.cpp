@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "bem/parallel.h"
+#include "base/parallel.h"
 #include "bem/spline/gauss_rule.h"
 
 namespace palpa::bem {
@@ -151,7 +151,7 @@ void SplineContactElements::fill(const SplineSurface& surface, const SplineTract
   for (int d = 0; d < 2; ++d) {
     const int degree = patch.basis[d].degree();
     forBumps[d] = static_cast<int>(std::clamp(std::ceil(kPointsPerRadius * length[d] / finest),
-                                              degree + 3.0, 1.0 * kMostGaussPoints));
+                                              degree + 3.0, 1.0 * kMaxGaussPoints));
     forMeans[d] = (degree + 4) / 2;  // exact for a quadratic function times one of the splines
   }
   const Points bumps = pointsOf(surface, index, forBumps, size, indices);

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "bem/contact_foot.h"
 #include "bem/spline/spline_contact_surface.h"
+#include "bem/triangle/contact_foot.h"
 
 // Where the points of a spline surface are: what SplineContactSurface knows of geometry.
 
@@ -18,7 +18,7 @@ constexpr double kOverlap = 1.7;
 constexpr double kSingular = 1e-6;
 
 struct Basis1d {
-  double value[kMostSplineDegree + 1], slope[kMostSplineDegree + 1], bend[kMostSplineDegree + 1];
+  double value[kMaxSplineDegree + 1], slope[kMaxSplineDegree + 1], bend[kMaxSplineDegree + 1];
 
   Basis1d(const SpanPolynomials& span, double parameter) {
     const double s = (parameter - span.lower) * span.scale - 1;

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 /// Where less than this part of the bump falls on free coefficients, a support holds the place.
-constexpr double kLeastPart = 0.02;
+constexpr double kMinPart = 0.02;
 
 }  // namespace
 
@@ -93,7 +93,7 @@ bool SplineContactSurface::makeMask(const SurfacePoint& point, double radius,
   work.cellStamp_[work.cells_.front()] = work.stamp_;
   const double bump = project(smoothPosition(point), mask.radius, work, mask);
   const double carried = measure(work, mask);
-  if (carried > kLeastPart * bump) {
+  if (carried > kMinPart * bump) {
     for (double& coefficient : mask.traction) coefficient /= carried;
     for (double& weight : mask.measure) weight /= carried;
     return true;

@@ -1,5 +1,6 @@
 #pragma once
-#include "bem/contact_surface.h"
+
+#include "bem/contact/contact_surface.h"
 #include "bem/spline/spline_contact_elements.h"
 #include "bem/spline/spline_mask_widths.h"
 #include "bem/spline/spline_mesh.h"

@@ -46,30 +46,6 @@ void SplineDiscretisation::checkSolvable(const std::vector<SlotCondition>& condi
                      degreesOfFreedom(conditions, material), material);
 }
 
-std::unique_ptr<ReferenceProblem> SplineDiscretisation::makeProblem(
-    const std::vector<SlotCondition>& conditions, const Material& material,
-    const AssemblyOptions& options, Precision precision, const Job& job,
-    ReferenceProblemTimes* times) const {
-  return makeDenseReferenceProblem(surface_, tractions_, conditions, material, options, precision,
-                                   job, times);
-}
-
-std::unique_ptr<ReferenceProblem> SplineDiscretisation::updateProblem(
-    const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
-    const std::vector<SlotCondition>& conditions, const Material& material,
-    const AssemblyOptions& options, const Job& job, ReferenceProblemTimes* times) const {
-  const auto* splines = dynamic_cast<const SplineDiscretisation*>(&before);
-  if (!splines) return nullptr;
-  return updateDenseReferenceProblem(base, splines->surface_, surface_, tractions_, conditions,
-                                     material, options, job, times);
-}
-
-std::unique_ptr<ReferenceProblem> SplineDiscretisation::readProblem(
-    const std::vector<SlotCondition>& conditions, const Material& material, Precision precision,
-    const ByteSource& source) const {
-  return readDenseReferenceProblem(surface_, tractions_, conditions, material, precision, source);
-}
-
 BoundaryField SplineDiscretisation::valuesOnMesh(const BoundaryField& field) const {
   BoundaryField values;
   splineMesh_.displacements(field.u, values.u);

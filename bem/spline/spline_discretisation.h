@@ -1,6 +1,7 @@
 #pragma once
-#include "bem/discretisation.h"
-#include "bem/made_once.h"
+
+#include "base/lazy.h"
+#include "bem/problem/discretisation.h"
 #include "bem/spline/spline_integrals.h"
 #include "bem/spline/spline_mesh_stress.h"
 #include "bem/spline/spline_results.h"
@@ -30,18 +31,6 @@ class SplineDiscretisation final : public Discretisation {
                                     const Material& material) const override;
   void checkSolvable(const std::vector<SlotCondition>& conditions,
                      const Material& material) const override;
-  std::unique_ptr<ReferenceProblem> makeProblem(
-      const std::vector<SlotCondition>& conditions, const Material& material,
-      const AssemblyOptions& options, Precision precision, const Job& job,
-      ReferenceProblemTimes* times = nullptr) const override;
-  std::unique_ptr<ReferenceProblem> updateProblem(
-      const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
-      const std::vector<SlotCondition>& conditions, const Material& material,
-      const AssemblyOptions& options, const Job& job,
-      ReferenceProblemTimes* times = nullptr) const override;
-  std::unique_ptr<ReferenceProblem> readProblem(const std::vector<SlotCondition>& conditions,
-                                                const Material& material, Precision precision,
-                                                const ByteSource& source) const override;
   void write(const ByteSink& sink) const override { surface_.write(sink); }
 
   BoundaryField valuesOnMesh(const BoundaryField& field) const override;
@@ -77,9 +66,9 @@ class SplineDiscretisation final : public Discretisation {
   SplineMesh splineMesh_;
   std::vector<Eigen::Vector3d> places_;
   Weights placeWeights_;
-  MadeOnce<SplineIntegrals> integrals_;
-  MadeOnce<SplineResults> results_;
-  MadeOnce<SplineMeshStress> stress_;
+  Lazy<SplineIntegrals> integrals_;
+  Lazy<SplineResults> results_;
+  Lazy<SplineMeshStress> stress_;
 };
 
 }  // namespace palpa::bem

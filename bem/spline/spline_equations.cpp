@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "bem/element_part.h"
+#include "bem/model/element_part.h"
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <Eigen/Sparse>
 #include <span>
 #include <vector>

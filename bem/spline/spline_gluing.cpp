@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "bem/error.h"
+#include "bem/base/error.h"
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "bem/lending_pool.h"
-#include "bem/parallel.h"
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "bem/spline/spline_points.h"
 
 namespace palpa::bem {
@@ -36,7 +36,7 @@ SplineIntegrals::SplineIntegrals(const SplineSurface& surface, const SplineTract
   constexpr std::ptrdiff_t kElementsPerTask = 16;
   const std::ptrdiff_t count = surface.elementCount();
   const SplinePlacement placement(surface);
-  LendingPool<Workspace> pool([] { return Workspace{}; });
+  ScratchPool<Workspace> pool([] { return Workspace{}; });
   parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, "", [&](std::ptrdiff_t task) {
     Workspace work = pool.take();
     for (auto e = static_cast<int>(task * kElementsPerTask);

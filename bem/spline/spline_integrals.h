@@ -1,10 +1,11 @@
 #pragma once
+
 #include <span>
 #include <vector>
 
-#include "bem/job.h"
+#include "base/job.h"
+#include "bem/model/traction_projection.h"
 #include "bem/spline/spline_tractions.h"
-#include "bem/traction_projection.h"
 
 namespace palpa::bem {
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 
 #include "bem/spline/bspline_basis.h"
@@ -13,7 +14,7 @@ inline constexpr int kSplineLanes = 8;
 constexpr int roundUpToLanes(int count) {
   return (count + kSplineLanes - 1) / kSplineLanes * kSplineLanes;
 }
-inline constexpr int kMostElementFunctions = (kMostSplineDegree + 1) * (kMostSplineDegree + 1);
+inline constexpr int kMaxElementFunctions = (kMaxSplineDegree + 1) * (kMaxSplineDegree + 1);
 
 /// Geometry and basis at quadrature points of one element.
 struct PlacePointsTask {

@@ -1,4 +1,4 @@
-#include "bem/instruction_set.h"
+#include "bem/base/instruction_set.h"
 #include "bem/spline/spline_kernel.h"
 
 namespace palpa::bem {

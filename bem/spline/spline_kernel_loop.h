@@ -1,9 +1,10 @@
 #pragma once
+
 #include <algorithm>
 #include <type_traits>
 #include <xsimd/xsimd.hpp>
 
-#include "bem/inverse_square_root.h"
+#include "bem/base/inverse_square_root.h"
 #include "bem/spline/spline_blocks.h"
 #include "bem/spline/spline_kernel.h"
 #include "bem/spline/transpose.h"
@@ -13,7 +14,7 @@ namespace palpa::bem::detail {
 
 template <class Batch>
 struct Functions1d {
-  Batch value[kMostSplineDegree + 1], derivative[kMostSplineDegree + 1];
+  Batch value[kMaxSplineDegree + 1], derivative[kMaxSplineDegree + 1];
 
   Functions1d(const SpanPolynomials& span, const Batch& parameter) {
     const Batch s = (parameter - Batch(span.lower)) * Batch(span.scale) - Batch(1.0);
@@ -151,10 +152,10 @@ template <class Batch, int Size, bool kAdd>
   }
 }
 
-/// Calls body(std::integral_constant<int, size>) for a size of 1 … kMostSplineDegree + 1.
+/// Calls body(std::integral_constant<int, size>) for a size of 1 … kMaxSplineDegree + 1.
 template <class Body>
 void withSize(int size, const Body& body) {
-  static_assert(kMostSplineDegree == 5);
+  static_assert(kMaxSplineDegree == 5);
   switch (size) {
     case 1:
       return body(std::integral_constant<int, 1>{});
@@ -175,9 +176,9 @@ template <class Arch>
 void sumKernels(const SumKernelsTask& task) {
   using Batch = xsimd::batch<double, Arch>;
   constexpr int kLanes = static_cast<int>(Batch::size);
-  constexpr int kMostPoints = kSplineLanes * kSplineLanes;  // of a tensor rule, and at a time
-  constexpr int kMostSize = kMostSplineDegree + 1;
-  KernelSums kernels[kMostPoints];
+  constexpr int kMaxPoints = kSplineLanes * kSplineLanes;  // of a tensor rule, and at a time
+  constexpr int kMaxSize = kMaxSplineDegree + 1;
+  KernelSums kernels[kMaxPoints];
   const auto evaluate = [&](int begin, int end) {
     for (int first = begin; first < end; first += kLanes) {
       Batch kernel[kKernelStride];
@@ -189,7 +190,7 @@ void sumKernels(const SumKernelsTask& task) {
   if (n > 0) {
     // The functions are products, and so are the sums: along u first, row by row, then along v.
     evaluate(0, task.count);
-    KernelSums rows[kSplineLanes * kMostSize];
+    KernelSums rows[kSplineLanes * kMaxSize];
     const int inU = task.functions[0];
     withSize(inU, [&](auto size) {
       for (int j = 0; j < n; ++j)
@@ -202,12 +203,12 @@ void sumKernels(const SumKernelsTask& task) {
     });
     return;
   }
-  for (int begin = 0; begin < task.used; begin += kMostPoints) {
-    evaluate(begin, std::min(task.count, begin + kMostPoints));
-    const int points = std::min(task.used - begin, kMostPoints);
+  for (int begin = 0; begin < task.used; begin += kMaxPoints) {
+    evaluate(begin, std::min(task.count, begin + kMaxPoints));
+    const int points = std::min(task.used - begin, kMaxPoints);
     const double* basis = task.basis[0] + static_cast<std::ptrdiff_t>(begin) * task.functionStride;
-    for (int f = 0; f < task.functions[0]; f += kMostSize)
-      withSize(std::min(task.functions[0] - f, kMostSize), [&](auto size) {
+    for (int f = 0; f < task.functions[0]; f += kMaxSize)
+      withSize(std::min(task.functions[0] - f, kMaxSize), [&](auto size) {
         contract<Batch, size(), true>(kernels, 1, points, basis + f, task.functionStride,
                                       task.sums + f, 1);
       });

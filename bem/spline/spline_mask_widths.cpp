@@ -45,7 +45,7 @@ SplineMaskWidths::SplineMaskWidths(const SplineSurface& surface)
   std::vector<double> basis, areas(ofFunctions_.size(), 0.0);
   visitSplinePoints(surface, all, kSamplesPerDirection, INFINITY,
                     [&](const SplinePlace& place, const SplineJet& jet, double area) {
-                      const double width = kNarrowest * spreadAt(surface, place, jet);
+                      const double width = kMinWidth * spreadAt(surface, place, jet);
                       const double reach = kReach * width;
                       samples_[place.element].list.push_back(
                           {jet.position, 1 / (reach * reach), area / (width * width), width});

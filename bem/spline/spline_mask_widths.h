@@ -1,4 +1,5 @@
 #pragma once
+
 #include <Eigen/Dense>
 #include <vector>
 
@@ -6,7 +7,7 @@
 
 namespace palpa::bem {
 
-/// How narrow masks may be at the places of a spline surface: kNarrowest times how far basis
+/// How narrow masks may be at the places of a spline surface: kMinWidth times how far basis
 /// functions spread on even elements as long as those around (the standard deviation of a function:
 /// of cubic elements h 0.58 h). That functions are narrower at borders of patches does not help: a
 /// bump reaches over them onto the elements beside.
@@ -23,7 +24,7 @@ namespace palpa::bem {
 class SplineMaskWidths {
  public:
   /// Of uniform cubic elements h the narrowest radius is 1.73 h, of quadratic ones 1.5 h.
-  static constexpr double kNarrowest = 3;
+  static constexpr double kMinWidth = 3;
 
   explicit SplineMaskWidths(const SplineSurface& surface);
 

@@ -1,10 +1,11 @@
 #pragma once
+
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "bem/boundary_conditions.h"
+#include "bem/model/boundary_conditions.h"
+#include "bem/model/surface_point.h"
 #include "bem/spline/spline_tractions.h"
-#include "bem/surface_point.h"
 
 namespace palpa::bem {
 

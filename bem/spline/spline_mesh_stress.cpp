@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "bem/results.h"
 #include "bem/spline/spline_state.h"
+#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 

@@ -1,5 +1,6 @@
 #pragma once
-#include "bem/material.h"
+
+#include "bem/model/material.h"
 #include "bem/spline/spline_mesh.h"
 
 namespace palpa::bem {

@@ -11,7 +11,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int kMostSteps = 40, kMostHalvings = 8;
+constexpr int kMaxSteps = 40, kMaxHalvings = 8;
 
 /// The step of Gauss and Newton, along the border where it would leave the element.
 Vector2d boundedStep(const SplineElement& element, const Vector2d& from, Matrix2d normal,
@@ -61,14 +61,14 @@ SplineFoot nearestOnElement(const SplineSurface& surface, int index, const Vecto
       distance = found;
       at = local;
     }
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const SplineJet jet = jetAt(at);
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << jet.du, jet.dv;
     Vector2d move = boundedStep(element, at, tangents.transpose() * tangents,
                                 tangents.transpose() * (x - jet.position));
     double found = (jetAt(at + move).position - x).norm();
-    for (int half = 0; half < kMostHalvings && !(found < distance); ++half) {
+    for (int half = 0; half < kMaxHalvings && !(found < distance); ++half) {
       move /= 2;
       found = (jetAt(at + move).position - x).norm();
     }

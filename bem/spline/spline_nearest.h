@@ -1,4 +1,5 @@
 #pragma once
+
 #include "bem/spline/spline_collocation.h"
 #include "bem/spline/spline_mesh.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bem/error.h"
+#include "bem/base/error.h"
 #include "bem/spline/gauss_rule.h"
 
 namespace palpa::bem {
@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPoints = 6;  ///< per direction: exact for products of two functions of degree 5
-constexpr int kMostCells = 64;
+constexpr int kMaxCells = 64;
 
 /// Solves ∫ N_a (Σ N_b x_b - f) dΓ = 0.
 Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vector<int>>& unknowns,
@@ -70,7 +70,7 @@ void visitSplinePoints(
     const SplineJet middle =
         surface.evaluate({e, element.lower[0] + width / 2, element.lower[1] + height / 2});
     const auto cells = [&](double length) {
-      return std::clamp(static_cast<int>(std::ceil(length / cellSize)), 1, kMostCells);
+      return std::clamp(static_cast<int>(std::ceil(length / cellSize)), 1, kMaxCells);
     };
     const int columns = cells(middle.du.norm() * width), rows = cells(middle.dv.norm() * height);
     for (int b = 0; b < rows; ++b)

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bem/lending_pool.h"
-#include "bem/parallel.h"
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 
 namespace palpa::bem {
 
@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 /// Far more halvings than distances of 1e-6 element sizes need.
-constexpr int kMostDepth = 40;
+constexpr int kMaxDepth = 40;
 
 std::array<SplineCell, 2> halves(const SplineCell& cell, int direction) {
   std::array<SplineCell, 2> both{cell, cell};
@@ -70,7 +70,7 @@ SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double toleranc
   constexpr std::ptrdiff_t kElementsPerTask = 16;
   const std::ptrdiff_t count = surface.elementCount();
   elements_.resize(count);
-  LendingPool<Workspace> pool([] { return Workspace{}; });
+  ScratchPool<Workspace> pool([] { return Workspace{}; });
   parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, "", [&](std::ptrdiff_t task) {
     Workspace work = pool.take();
     const std::ptrdiff_t end = std::min(count, (task + 1) * kElementsPerTask);
@@ -86,21 +86,21 @@ void SplineQuadrature::prepare(int index, Workspace& work) {
   divide(index, element.whole, work, element.parts);
   const int degree = placement_.degree(index);
   const bool isCut = surface_.isCut(index);
-  for (int n = kFewest; n <= kMostKept; ++n)
-    placement_.placeTensor(index, element.whole.cell, n, work.rule, element.rules[n - kFewest]);
+  for (int n = kMinPoints; n <= kMaxKept; ++n)
+    placement_.placeTensor(index, element.whole.cell, n, work.rule, element.rules[n - kMinPoints]);
   std::vector<double> exact;
-  for (int n = kFewest; n <= kMost; ++n) {
-    bool isEnough = n == kMost || (!isCut && n >= exactPoints(degree));
+  for (int n = kMinPoints; n <= kMaxPoints; ++n) {
+    bool isEnough = n == kMaxPoints || (!isCut && n >= exactPoints(degree));
     if (!isEnough) {
       if (exact.empty()) {
         placement_.placeTensor(index, element.whole.cell,
-                               isCut ? kMost : std::min(exactPoints(degree), kMost), work.rule,
-                               work.points);
+                               isCut ? kMaxPoints : std::min(exactPoints(degree), kMaxPoints),
+                               work.rule, work.points);
         exact = moments(index, work.points);
       }
-      if (n > kMostKept)
+      if (n > kMaxKept)
         placement_.placeTensor(index, element.whole.cell, n, work.rule, work.points);
-      const SplinePoints& points = n > kMostKept ? work.points : element.rules[n - kFewest];
+      const SplinePoints& points = n > kMaxKept ? work.points : element.rules[n - kMinPoints];
       isEnough = largestDifference(moments(index, points), exact) <= accuracy_.error;
     }
     element.ratio[n] = isEnough ? ratioFor(n, degree, accuracy_.error) : INFINITY;
@@ -123,7 +123,7 @@ std::vector<double> SplineQuadrature::moments(int index, const SplinePoints& poi
 }
 
 int SplineQuadrature::pointsFor(const Element& element, double ratio) const {
-  for (int n = kFewest; n <= kMost; ++n)
+  for (int n = kMinPoints; n <= kMaxPoints; ++n)
     if (ratio >= element.ratio[n]) return n;
   return 0;
 }
@@ -171,8 +171,8 @@ void SplineQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, i
                                Workspace& work) const {
   const Element& element = elements_[index];
   const int count = pointsFor(element, (x - cell.center).norm() / cell.radius);
-  if (count > 0 || depth >= kMostDepth) {
-    work.cells.emplace_back(cell.cell, count > 0 ? count : kMost);
+  if (count > 0 || depth >= kMaxDepth) {
+    work.cells.emplace_back(cell.cell, count > 0 ? count : kMaxPoints);
     return;
   }
   if (&cell == &element.whole) {
@@ -196,7 +196,7 @@ void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& 
   }
   const bool varies = metricVaries(cell, place);
   if (varies && depth >= cornerLevels_) return;  // what is left is as small as the tolerance
-  if (!varies && (!cell.isLong() || depth >= kMostDepth)) {
+  if (!varies && (!cell.isLong() || depth >= kMaxDepth)) {
     addPolar(surface_, cell.cell, place, accuracy_, work.rule);
     return;
   }
@@ -212,10 +212,10 @@ void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& 
 }
 
 bool SplineQuadrature::metricVaries(const Cell& cell, const SplinePlace& place) const {
-  constexpr double kMostRatio = 4;
+  constexpr double kMaxRatio = 4;
   const double here = surface_.evaluate(place).areaVector().norm();
   return std::any_of(cell.cornerMetric.begin(), cell.cornerMetric.end(), [here](double there) {
-    return there > kMostRatio * here || here > kMostRatio * there;
+    return there > kMaxRatio * here || here > kMaxRatio * there;
   });
 }
 
@@ -257,8 +257,8 @@ void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace
   };
   const Element& element = elements_[index];
   const int count = inside ? 0 : pointsFor(element, ratio(index, x));
-  if (count > 0 && count <= kMostKept) {
-    sum(element.rules[count - kFewest]);
+  if (count > 0 && count <= kMaxKept) {
+    sum(element.rules[count - kMinPoints]);
     return;
   }
   collect(index, x, inside, work);

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <array>
 #include <vector>
 
-#include "bem/job.h"
+#include "base/job.h"
 #include "bem/spline/spline_collocation.h"
 #include "bem/spline/spline_points.h"
 #include "bem/spline/spline_singular_rule.h"
@@ -21,7 +22,8 @@ namespace palpa::bem {
 /// points per element.
 class SplineQuadrature {
  public:
-  static constexpr int kFewest = 3, kMost = 8;  ///< points per direction of the tensor rules
+  static constexpr int kMinPoints = 3,
+                       kMaxPoints = 8;  ///< points per direction of the tensor rules
 
   /// `tolerance`: relative error allowed in the integrals over one element, [1e-12, 1e-2]. The
   /// surface must outlive it. About 3 µs per element and core; does not depend on the number of
@@ -63,7 +65,7 @@ class SplineQuadrature {
              const Workspace& work, double* T, double* U) const;
 
  private:
-  static constexpr int kMostKept = 6;  ///< larger rules are needed near elements only
+  static constexpr int kMaxKept = 6;  ///< larger rules are needed near elements only
 
   struct Cell {
     SplineCell cell;
@@ -73,18 +75,18 @@ class SplineQuadrature {
     std::array<double, 4> cornerMetric;  ///< area per unit of the parameters
 
     int longer() const { return length[0] >= length[1] ? 0 : 1; }
-    bool isLong() const { return length[longer()] > kMostAspect * length[1 - longer()]; }
+    bool isLong() const { return length[longer()] > kMaxAspect * length[1 - longer()]; }
   };
   struct Element {
     Cell whole;
     std::vector<Cell> parts;  ///< the first division
     /// From how many radii on so many points per direction do.
-    std::array<double, kMost + 1> ratio;
-    std::array<SplinePoints, kMostKept - kFewest + 1> rules;
+    std::array<double, kMaxPoints + 1> ratio;
+    std::array<SplinePoints, kMaxKept - kMinPoints + 1> rules;
   };
   /// Cells longer than this are divided before the polar rule: beyond, radii vary too much over the
   /// angles.
-  static constexpr double kMostAspect = 1.7;
+  static constexpr double kMaxAspect = 1.7;
 
   void prepare(int element, Workspace& work);
   /// Integrals of the functions times the area vectors: what a rule must do, however far the point.

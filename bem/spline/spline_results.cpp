@@ -6,13 +6,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "bem/kelvin.h"
-#include "bem/lending_pool.h"
-#include "bem/parallel.h"
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
 #include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_projection.h"
 #include "bem/spline/spline_rows.h"
 #include "bem/spline/spline_state.h"
+#include "bem/triangle/kelvin.h"
 
 namespace palpa::bem {
 namespace {
@@ -27,13 +27,13 @@ constexpr double kTolerance = 1e-6;
 /// The nearest point of the surface; for points far from it, one of the nearest.
 SplineFoot nearestOnSurface(const SplineSurface& surface, const SplineQuadrature& quadrature,
                             const Vector3d& x) {
-  constexpr std::size_t kMostTried = 16;
+  constexpr std::size_t kMaxTrials = 16;
   std::vector<double> bound(surface.elements().size());
   for (int e = 0; e < surface.elementCount(); ++e) bound[e] = quadrature.distance(e, x);
   std::vector<int> order(bound.size());
   std::iota(order.begin(), order.end(), 0);
   const auto tried =
-      order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kMostTried));
+      order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kMaxTrials));
   std::partial_sort(order.begin(), tried, order.end(),
                     [&](int a, int b) { return bound[a] < bound[b]; });
   SplineFoot best{{-1, 0, 0}, std::numeric_limits<double>::infinity()};
@@ -85,7 +85,7 @@ Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const
                       samples.push_back({place, weight, {}});
                     });
   const SplineRows rows(surface_, tractions_, material, quadrature_);
-  LendingPool<SplineRows::Sums> pool([] { return SplineRows::Sums{}; });
+  ScratchPool<SplineRows::Sums> pool([] { return SplineRows::Sums{}; });
   const auto count = static_cast<std::ptrdiff_t>(samples.size());
   constexpr std::ptrdiff_t kPerTask = kElementsPerTask * kPoints * kPoints;
   parallelFor((count + kPerTask - 1) / kPerTask, job, "estimate errors", [&](std::ptrdiff_t task) {

@@ -1,10 +1,11 @@
 #pragma once
+
 #include <optional>
 
-#include "bem/reference_problem.h"
-#include "bem/results.h"
+#include "bem/problem/reference_problem.h"
 #include "bem/spline/spline_mesh.h"
 #include "bem/spline/spline_quadrature.h"
+#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <span>
 #include <vector>
 
-#include "bem/material.h"
+#include "bem/model/material.h"
 #include "bem/spline/spline_quadrature.h"
 #include "bem/spline/spline_tractions.h"
 

@@ -22,7 +22,7 @@ int pointsForPoles(double first, double last, double error) {
   const std::complex<double> root = std::sqrt(pole * pole - 1.0);
   const double rho = std::max(std::abs(pole + root), std::abs(pole - root));
   return std::clamp(static_cast<int>(std::ceil(-std::log(error) / (2 * std::log(rho)))) + 1, 3,
-                    kMostGaussPoints);
+                    kMaxGaussPoints);
 }
 
 }  // namespace

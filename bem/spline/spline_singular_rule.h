@@ -1,4 +1,5 @@
 #pragma once
+
 #include "bem/spline/spline_points.h"
 
 namespace palpa::bem {

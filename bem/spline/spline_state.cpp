@@ -1,6 +1,6 @@
 #include "bem/spline/spline_state.h"
 
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 namespace {

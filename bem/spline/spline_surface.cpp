@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 namespace {
 
 struct Basis1d {
-  std::array<double, kMostSplineDegree + 1> value{}, derivative{};
+  std::array<double, kMaxSplineDegree + 1> value{}, derivative{};
 };
 
 Basis1d basisAt(const BsplineBasis& basis, int span, double parameter) {

@@ -1,11 +1,12 @@
 #pragma once
+
 #include <Eigen/Dense>
 #include <array>
 #include <optional>
 #include <set>
 #include <vector>
 
-#include "bem/byte_stream.h"
+#include "base/byte_stream.h"
 #include "bem/spline/bspline_basis.h"
 #include "bem/spline/cut_map.h"
 

@@ -1,7 +1,8 @@
 #pragma once
+
 #include <vector>
 
-#include "bem/boundary_mesh.h"
+#include "bem/model/boundary_mesh.h"
 #include "bem/spline/spline_surface.h"
 
 namespace palpa::bem {

@@ -11,8 +11,8 @@
 namespace palpa::bem {
 namespace {
 
-constexpr int kSamples = 9;    ///< per direction, to find where the border runs
-constexpr int kMostDepth = 6;  ///< halvings of a knot rectangle
+constexpr int kSamples = 9;   ///< per direction, to find where the border runs
+constexpr int kMaxDepth = 6;  ///< halvings of a knot rectangle
 /// Slices along the side of a rectangle that are thinner, in parts of it, are not cut off: the
 /// border then runs along the side.
 constexpr double kThinnest = 1e-3;
@@ -21,7 +21,7 @@ constexpr double kSteepest = 2;  ///< of a graph, in units of its rectangle
 /// counts for the other side: so little that the rounding of the factorisation, which grows like
 /// the inverse of the share, would cost more digits than the function brings. In single precision
 /// four digits are left.
-constexpr double kLeast = 1e-3;
+constexpr double kMinShare = 1e-3;
 
 struct Rectangle {
   std::array<double, 2> lower, upper;
@@ -68,7 +68,7 @@ class Cutter {
       return;
     }
     if (addGraph(r, 0) || addGraph(r, 1)) return;
-    if (depth == kMostDepth) {
+    if (depth == kMaxDepth) {
       pieces_.push_back({r, {}, level(r.at(0, 0.5), r.at(1, 0.5)) < 0});
       return;
     }
@@ -244,9 +244,10 @@ void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isInside) {
     if (!isCut[k]) continue;
     int coefficient = static_cast<int>(k);
     const double whole = areas.inside[k] + areas.outside[k], share = areas.inside[k] / whole;
-    if (share >= kLeast && share <= 1 - kLeast) coefficient = surface.tear(coefficient, isInside);
+    if (share >= kMinShare && share <= 1 - kMinShare)
+      coefficient = surface.tear(coefficient, isInside);
     for (const auto& [group, area] : areas.insideOfGroup[k]) {
-      if (area >= kLeast * whole) continue;
+      if (area >= kMinShare * whole) continue;
       for (int e = 0; e < surface.elementCount(); ++e)
         if (isInside[e] && surface.smoothingGroup(e) == group &&
             std::count(surface.functions(e).begin(), surface.functions(e).end(), coefficient) > 0)

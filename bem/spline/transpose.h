@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <type_traits>
 #include <xsimd/xsimd.hpp>

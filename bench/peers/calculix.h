@@ -1,5 +1,6 @@
 #pragma once
-#include "bem/material.h"
+
+#include "bem/model/material.h"
 #include "bench/peers/tetrahedra.h"
 
 namespace palpa::bench {

@@ -10,7 +10,7 @@ modeling::Project projectOf(const PeerCase& body, modeling::Engine engine, doubl
   modeling::Project project = body.project;
   project.mesh = {};
   project.mesh.engine = engine;
-  if (engine == modeling::Engine::triangles) {
+  if (engine == modeling::Engine::kTriangles) {
     project.mesh.edgeLength = size;
     return project;
   }
@@ -23,7 +23,7 @@ modeling::Project projectOf(const PeerCase& body, modeling::Engine engine, doubl
 }
 
 app::BoundarySetup triangleSetup(const PeerCase& body, double size) {
-  const modeling::Project project = projectOf(body, modeling::Engine::triangles, size);
+  const modeling::Project project = projectOf(body, modeling::Engine::kTriangles, size);
   return app::makeBoundarySetup(
       project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
 }

@@ -1,7 +1,8 @@
 #pragma once
+
 #include <cmath>
 
-#include "app/core/boundary_setup.h"
+#include "app/core/setup/boundary_setup.h"
 #include "bench/peers/peer_case.h"
 
 namespace palpa::bench {

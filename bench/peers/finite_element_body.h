@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 
 #include "bench/peers/finite_elements.h"
@@ -8,8 +9,8 @@
 namespace palpa::bench {
 
 /// A body of tetrahedra that is held at its tagged faces and can be touched as Palpa's: with the
-/// traction mask of bem/contact_mask.h, whose forces and conjugate displacements are related by
-/// D = F^T K^-1 F with the nodal forces F of the mask.
+/// traction mask of bem/contact/contact_mask.h, whose forces and conjugate displacements are
+/// related by D = F^T K^-1 F with the nodal forces F of the mask.
 class FiniteElementBody {
  public:
   using Displacement = std::function<Eigen::Vector3d(const Eigen::Vector3d& position)>;

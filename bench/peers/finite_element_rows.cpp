@@ -86,7 +86,7 @@ PeerRow measureFiniteElements(const PeerCase& body, double size, bool isQuadrati
   row.values["setup"] = secondsFor([&] {
     TetrahedralMesh mesh = meshOf(body, size, isQuadratic, row);
     std::optional<FiniteElements> elements;
-    row.values["assemble"] = secondsFor([&] { elements.emplace(mesh, body.material, bem::Job{}); });
+    row.values["assemble"] = secondsFor([&] { elements.emplace(mesh, body.material, Job{}); });
     row.values["factorise"] =
         secondsFor([&] { fem.emplace(std::move(mesh), std::move(*elements)); });
   });

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "bem/parallel.h"
+#include "base/parallel.h"
 #include "bench/peers/tetrahedron_functions.h"
 
 namespace palpa::bench {
@@ -52,7 +52,7 @@ class ElementStiffness {
 };
 
 /// For each node, in ascending order, the nodes that share an element with it.
-std::vector<std::vector<int>> neighbours(const TetrahedralMesh& mesh, const bem::Job& job) {
+std::vector<std::vector<int>> neighbours(const TetrahedralMesh& mesh, const Job& job) {
   std::vector<std::vector<int>> found(mesh.nodes.size());
   const int size = mesh.tetrahedronNodes();
   for (const auto& t : mesh.tetrahedra)
@@ -107,7 +107,7 @@ void addBlock(Sparse& matrix, int row, int column, bool isDiagonal, const Matrix
 }
 
 template <int Nodes>
-void assemble(const TetrahedralMesh& mesh, const bem::Material& material, const bem::Job& job,
+void assemble(const TetrahedralMesh& mesh, const bem::Material& material, const Job& job,
               FiniteElements& fem) {
   const double nu = material.poissonRatio, mu = material.shear();
   const double lambda = 2 * mu * nu / (1 - 2 * nu);
@@ -149,7 +149,7 @@ void assemble(const TetrahedralMesh& mesh, const bem::Material& material, const 
 }  // namespace
 
 FiniteElements::FiniteElements(const TetrahedralMesh& mesh, const bem::Material& material,
-                               const bem::Job& job)
+                               const Job& job)
     : freeOfNode(mesh.nodes.size(), -1), heldOfNode(mesh.nodes.size(), -1) {
   std::vector<char> isHeld(mesh.nodes.size(), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)

@@ -1,9 +1,10 @@
 #pragma once
+
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "bem/job.h"
-#include "bem/material.h"
+#include "base/job.h"
+#include "bem/model/material.h"
 #include "bench/peers/tetrahedra.h"
 
 namespace palpa::bench {
@@ -21,7 +22,7 @@ struct FiniteElements {
   Eigen::SparseMatrix<double> coupling;
 
   /// Assembles on the job's threads.
-  FiniteElements(const TetrahedralMesh& mesh, const bem::Material& material, const bem::Job& job);
+  FiniteElements(const TetrahedralMesh& mesh, const bem::Material& material, const Job& job);
 };
 
 }  // namespace palpa::bench

@@ -3,13 +3,13 @@
 #include <limits>
 #include <numeric>
 
-#include "app/core/touch_body.h"
-#include "app/core/touch_field.h"
-#include "app/core/touch_player.h"
-#include "bem/contact_solver.h"
+#include "app/core/live/touch_field.h"
+#include "app/core/live/touch_stepper.h"
+#include "app/core/live/touchable_model.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/model/traction_projection.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
-#include "bem/traction_projection.h"
 #include "bench/peers/case_mesh.h"
 #include "bench/peers/peer_row.h"
 #include "bench/timing.h"
@@ -89,13 +89,13 @@ double kelvinError(const PeerCase& body, const app::TouchModel& model) {
 
 /// A touch without columns, by one solve with three right-hand sides; what that takes at the end of
 /// the path, s, and how unsymmetric D is.
-Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchBody& touched, double& seconds,
-                             double& defect) {
+Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchableModel& touched,
+                             double& seconds, double& defect) {
   const app::TouchModel& model = touched.model();
   Eigen::Matrix3d compliance;
   const auto touch = [&](const Vector3d& at) {
-    bem::ContactSolver solver(model.problem(), model.setup().discretisation->slots(),
-                              model.rest().field);
+    bem::BilateralContactSolver solver(model.problem(), model.setup().discretisation->slots(),
+                                       model.rest().field);
     solver.addGrab(makeContactMask(touched.surface(), at, body.reference.radius), {});
     compliance = solver.compliance();
     defect = solver.reciprocityDefect();
@@ -105,19 +105,19 @@ Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchBody& touched
   return compliance;
 }
 
-void prepare(const app::TouchBody& body, app::TouchPlayer& player) {
+void prepare(const app::TouchableModel& body, app::TouchStepper& player) {
   while (!player.missing().empty()) body.columns()->compute(player.missing(), {});
 }
 
 /// New touches at places without columns, then one that slides.
-void measureTouches(const PeerCase& body, const std::shared_ptr<const app::TouchBody>& touched,
+void measureTouches(const PeerCase& body, const std::shared_ptr<const app::TouchableModel>& touched,
                     PeerRow& row) {
   const double radius = body.reference.radius;
   std::vector<double> begins;
   const int before = touched->columns()->readyCount();
   double columns = 0;
   for (const Vector3d& at : body.places) {
-    app::TouchPlayer player(touched);
+    app::TouchStepper player(touched);
     player.step();
     begins.push_back(secondsFor([&] {
       player.apply({Command::Kind::kBegin, 1, {Kind::kGrab, radius}, at, Vector3d(0, 0, 0.5)});
@@ -128,7 +128,7 @@ void measureTouches(const PeerCase& body, const std::shared_ptr<const app::Touch
   row.values["touch"] = quantilesOf(begins).p50;
   row.values["column"] = columns / (touched->columns()->readyCount() - before);
 
-  app::TouchPlayer player(touched);
+  app::TouchStepper player(touched);
   app::TouchField field(touched);
   app::TouchSnapshot snapshot;
   player.apply({Command::Kind::kBegin, 1, {Kind::kPush, radius, 0}, body.path[0], body.path[0]});
@@ -156,10 +156,10 @@ void measureTouches(const PeerCase& body, const std::shared_ptr<const app::Touch
 PeerRow measure(const PeerCase& body, modeling::Engine engine, double size) {
   PeerRow row;
   std::shared_ptr<const app::TouchModel> model;
-  std::shared_ptr<app::TouchBody> touched;
+  std::shared_ptr<app::TouchableModel> touched;
   row.values["setup"] = secondsFor([&] {
     model = app::buildTouchModel(projectOf(body, engine, size), {}, {});
-    touched = std::make_shared<app::TouchBody>(model);
+    touched = std::make_shared<app::TouchableModel>(model);
   });
   const app::BuildReport& report = model->report();
   row.values["n"] = model->setup().discretisation->displacementCount();
@@ -184,11 +184,11 @@ PeerRow measure(const PeerCase& body, modeling::Engine engine, double size) {
 }  // namespace
 
 PeerRow measureTriangles(const PeerCase& body, double size) {
-  return measure(body, modeling::Engine::triangles, size);
+  return measure(body, modeling::Engine::kTriangles, size);
 }
 
 PeerRow measureSplines(const PeerCase& body, double size) {
-  return measure(body, modeling::Engine::splines, size);
+  return measure(body, modeling::Engine::kSplines, size);
 }
 
 }  // namespace palpa::bench

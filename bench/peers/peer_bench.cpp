@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/memory.h"
+#include "app/core/system/memory.h"
 #include "bench/peers/external_program.h"
 #include "bench/peers/peer_row.h"
 

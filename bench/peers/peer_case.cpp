@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bem/kelvin.h"
+#include "bem/triangle/kelvin.h"
 #include "bench/sphere.h"
 #include "modeling/shapes/primitives.h"
 
@@ -69,7 +69,7 @@ PeerCase cylinderCase(const std::string& references) {
   PeerCase out;
   out.project.name = "cylinder";
   out.project.body = modeling::makeCylinder(kCylinder, kHeight);
-  out.project.supports.push_back({"base", modeling::Support::Kind::fixed,
+  out.project.supports.push_back({"base", modeling::Support::Kind::kFixed,
                                   modeling::Region::ofPatches({"bottom"}), Vector3d::Zero()});
   takeReference(referenceCase(references, "a_cyl_side"), out);
   out.source = {35, 10, 40};

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
-#include "bem/material.h"
+#include "bem/model/material.h"
 #include "bench/peers/tetrahedra.h"
 #include "modeling/project/project.h"
 

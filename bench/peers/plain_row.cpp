@@ -3,9 +3,9 @@
 #include <numeric>
 #include <optional>
 
-#include "bem/contact_mask.h"
-#include "bem/traction_projection.h"
-#include "bem/triangle_contact_surface.h"
+#include "bem/contact/contact_mask.h"
+#include "bem/model/traction_projection.h"
+#include "bem/triangle/triangle_contact_surface.h"
 #include "bench/peers/case_mesh.h"
 #include "bench/peers/lapack_lu.h"
 #include "bench/peers/peer_row.h"

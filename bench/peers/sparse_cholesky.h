@@ -1,4 +1,5 @@
 #pragma once
+
 #include <Eigen/SparseCore>
 #include <memory>
 

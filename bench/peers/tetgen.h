@@ -1,4 +1,5 @@
 #pragma once
+
 #include "bench/peers/external_program.h"
 #include "bench/peers/tetrahedra.h"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "bem/triangle_rule.h"
+#include "bem/base/triangle_rule.h"
 #include "bench/peers/tetrahedron_functions.h"
 
 namespace palpa::bench {

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <Eigen/Core>
 #include <array>
 #include <functional>
@@ -6,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bem/boundary_mesh.h"
+#include "bem/model/boundary_mesh.h"
 
 namespace palpa::bench {
 

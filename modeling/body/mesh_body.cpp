@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include "base/text.h"
 #include "modeling/error.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/text.h"
 #include "modeling/error.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -31,11 +31,11 @@ void checkPart(const Stroke& part, const Body&, const std::set<std::string>&,
                const std::string& path) {
   const std::string points = path + ".stroke.points_mm";
   if (part.points.empty()) throw ModelingError(points + ": is empty");
-  if (part.points.size() > Stroke::kMostPoints)
+  if (part.points.size() > Stroke::kMaxPoints)
     throw ModelingError(points + ": has " + std::to_string(part.points.size()) +
-                            " points; at most " + std::to_string(Stroke::kMostPoints) +
+                            " points; at most " + std::to_string(Stroke::kMaxPoints) +
                             " are possible",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   for (std::size_t i = 0; i < part.points.size(); ++i)
     if (!part.points[i].allFinite())
       throw ModelingError(points + "[" + std::to_string(i) + "]: must be finite");

@@ -33,7 +33,7 @@ struct HalfSpace {
 /// through `points` (mm, in space); one point paints with a ball. Distances are straight, so a thin
 /// wall is painted on both sides when the radius reaches through it.
 struct Stroke {
-  static constexpr std::size_t kMostPoints = 10'000;
+  static constexpr std::size_t kMaxPoints = 10'000;
 
   std::vector<Eigen::Vector3d> points;
   double radius = 1.0;
@@ -63,7 +63,7 @@ struct Region {
 };
 
 /// Checks a region against a body: at least one part, patch names that exist (the message lists
-/// those that do), normals finite and not zero, strokes of 1 … kMostPoints finite points and a
+/// those that do), normals finite and not zero, strokes of 1 … kMaxPoints finite points and a
 /// radius above zero. `path` begins the message ("supports[0].where").
 /// @throws ModelingError
 void checkRegion(const Region& region, const Body& body, const std::string& path);

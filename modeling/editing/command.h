@@ -125,7 +125,7 @@ struct MakePrimitive {
 /// Marks an edge, named by one of its two sides, as smooth (and makes it smooth) or as sharp.
 struct SetEdge {
   std::string patch;
-  Side side = Side::vMin;
+  Side side = Side::kVMin;
   bool smooth = true;
 };
 

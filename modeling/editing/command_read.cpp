@@ -183,9 +183,9 @@ Command commandFrom(const json& value) {
 
 std::vector<Command> parseCommands(std::string_view text, const std::string& sourceName) {
   json document =
-      parseGuarded(text, sourceName, {kLargestProjectFile, kMostProjectValues, kDeepestNesting});
+      parseGuarded(text, sourceName, {kMaxProjectFile, kMaxProjectValues, kDeepestNesting});
   if (document.is_array()) document = {{"commands", std::move(document)}};
-  checkAgainstSchema(document, sourceName, SchemaName::commands);
+  checkAgainstSchema(document, sourceName, SchemaName::kCommands);
   try {
     std::vector<Command> commands;
     for (const json& one : document["commands"]) commands.push_back(commandFrom(one));
@@ -196,7 +196,7 @@ std::vector<Command> parseCommands(std::string_view text, const std::string& sou
 }
 
 std::vector<Command> readCommands(const std::filesystem::path& path) {
-  return parseCommands(readTextFile(path, kLargestProjectFile), path.string());
+  return parseCommands(readTextFile(path, kMaxProjectFile), path.string());
 }
 
 }  // namespace palpa::modeling

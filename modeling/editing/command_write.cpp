@@ -1,7 +1,7 @@
+#include "base/text.h"
 #include "modeling/editing/command_file.h"
 #include "modeling/editing/command_names.h"
 #include "modeling/project/json_values.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {

@@ -13,8 +13,8 @@ Document::Document(Project project, int mostSteps)
 }
 
 Performed Document::perform(const Command& command, Merge merge) {
-  const bool mayMerge = merge == Merge::withLast && !group_ && position_ > 0 && current().command &&
-                        current().project != saved_;
+  const bool mayMerge = merge == Merge::kWithLast && !group_ && position_ > 0 &&
+                        current().command && current().project != saved_;
   if (mayMerge) {
     Command merged = *current().command;
     if (mergeInto(merged, command)) return performMerged(merged);

@@ -14,11 +14,11 @@ namespace palpa::modeling {
 /// May a command be united with the last step? A drag sends its first motion with `no` and the
 /// others with `withLast`.
 enum class Merge {
-  no,
+  kNo,
   /// When mergeInto() allows it and neither undo, redo nor saving came between. The united command
   /// is applied to the state before the drag, so that the result does not depend on how many
   /// motions were sent, and a drag back to its start leaves no step. Has no effect in a group.
-  withLast,
+  kWithLast,
 };
 
 /// What perform() did.
@@ -32,17 +32,17 @@ struct Performed {
 /// earlier state bit for bit. Not for several threads at once.
 class Document {
  public:
-  static constexpr int kMostSteps = 500;
+  static constexpr int kMaxSteps = 500;
 
   /// A clean document without history.
-  explicit Document(Project project, int mostSteps = kMostSteps);
+  explicit Document(Project project, int mostSteps = kMaxSteps);
 
   const Project& project() const { return *current().project; }
 
   /// Applies a command. Commands that change nothing leave no step; others end what could be
   /// redone. @throws ModelingError as apply(); the document is as before then, the last motion of a
   /// drag included.
-  Performed perform(const Command& command, Merge merge = Merge::no);
+  Performed perform(const Command& command, Merge merge = Merge::kNo);
 
   /// All steps from here to the matching endGroup() become one with this label. Groups can be
   /// nested; the outermost counts. A group that changed nothing leaves no step.

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
 #include "modeling/editing/apply_command.h"
 #include "modeling/editing/field_check.h"
 #include "modeling/error.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -73,14 +73,14 @@ void exchangeParameters(Patch& patch) {
 
 Side exchanged(Side side) {
   switch (side) {
-    case Side::vMin:
-      return Side::uMin;
-    case Side::uMin:
-      return Side::vMin;
-    case Side::vMax:
-      return Side::uMax;
+    case Side::kVMin:
+      return Side::kUMin;
+    case Side::kUMin:
+      return Side::kVMin;
+    case Side::kVMax:
+      return Side::kUMax;
     default:
-      return Side::vMax;
+      return Side::kVMax;
   }
 }
 
@@ -142,7 +142,7 @@ void transformConditions(Project& project, const AffineMap& map) {
   }
   for (Touch& touch : project.touches) {
     touch.at = map(touch.at);
-    std::visit([&](auto& action) { action.vector = map.turn * action.vector; }, touch.action);
+    touch.vector = map.turn * touch.vector;
   }
 }
 

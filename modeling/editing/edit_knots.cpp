@@ -1,11 +1,11 @@
 #include <algorithm>
 
+#include "base/text.h"
 #include "modeling/editing/apply_command.h"
 #include "modeling/editing/field_check.h"
 #include "modeling/error.h"
 #include "modeling/solid/knot_operations.h"
 #include "modeling/solid/tangent_continuity.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {

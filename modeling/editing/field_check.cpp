@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 

@@ -186,14 +186,14 @@ SurfaceSum NearestOnPatches::of(const Vector3d& x) {
   Sample best = samples_[sample];
   improve(best, x);
   // The nearest sample may lie on another span or patch than the nearest point.
-  constexpr std::size_t kMostOthers = 8;
+  constexpr std::size_t kMaxOthers = 8;
   least = (best.position - x).squaredNorm();
   std::vector<std::pair<double, std::size_t>> others;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell)
     if (const double d = squaredDistance(cell, x); d < least && cell != likelyCell_)
       others.emplace_back(d, cell);
   std::sort(others.begin(), others.end());
-  if (others.size() > kMostOthers) others.resize(kMostOthers);
+  if (others.size() > kMaxOthers) others.resize(kMaxOthers);
   for (const auto& [distance, cell] : others) {
     least = (best.position - x).squaredNorm();
     if (distance >= least) break;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/editing/field_check.h"
 #include "modeling/error.h"
 #include "modeling/solid/surface_properties.h"
 #include "modeling/solid/tangent_continuity.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text.h"
 #include "modeling/editing/field_check.h"
 #include "modeling/error.h"
 #include "modeling/solid/solid_check.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {

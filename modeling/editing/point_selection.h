@@ -26,7 +26,7 @@ struct PatchPoints {
 /// The row of points along one side of a patch: an edge of the solid.
 struct SidePoints {
   std::string patch;
-  Side side = Side::vMin;
+  Side side = Side::kVMin;
 };
 
 /// Points of one net: row i along u, row j along v; an absent number means all. Negative numbers

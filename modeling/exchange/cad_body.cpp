@@ -12,6 +12,7 @@
 #include <TopoDS.hxx>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/cad_mesh.h"
 #include "modeling/exchange/cad_patches.h"
@@ -19,7 +20,6 @@
 #include "modeling/exchange/cad_solid.h"
 #include "modeling/exchange/opencascade_session.h"
 #include "modeling/mesh/mesh.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -105,10 +105,10 @@ std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
 
 void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reason, const Job& job,
               ImportedBody& imported) {
-  if (areaOf(solid.shape) / (edgeLength * edgeLength) > kMostNodes)
+  if (areaOf(solid.shape) / (edgeLength * edgeLength) > kMaxNodes)
     throw ModelingError("an edge length of " + numberText(edgeLength) +
                             " mm would need too many triangles; use a larger one",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   const double chordTolerance = edgeLength / kChordsPerEdgeLength;
   MeshResult result =
       makeMeshBody(solid.shape, uniqueFaceNames(solid.shape, solid.faceNames), chordTolerance, job);

@@ -103,7 +103,7 @@ bool writeBrep(const ShapeOfSolid& made, const Solid& solid, const std::filesyst
   throw ModelingError(path.string() +
                           ": cannot be written; check that its folder exists and can be written "
                           "and that the disk is not full. The old file, if any, is unchanged",
-                      ModelingError::Kind::io);
+                      ModelingError::Kind::kIo);
 }
 
 /// Waits until the file is on the disk.
@@ -142,9 +142,9 @@ void exportCad(const Body& body, const std::filesystem::path& path, const std::s
     const ShapeOfSolid made = makeShape(*solid);
     const std::string part = name.empty() ? "palpa" : name;
     bool written = false;
-    if (*format == CadFormat::step) written = writeStep(made, *solid, part, fresh, job);
-    if (*format == CadFormat::iges) written = writeIges(made, *solid, part, fresh, job);
-    if (*format == CadFormat::brep) written = writeBrep(made, *solid, fresh);
+    if (*format == CadFormat::kStep) written = writeStep(made, *solid, part, fresh, job);
+    if (*format == CadFormat::kIges) written = writeIges(made, *solid, part, fresh, job);
+    if (*format == CadFormat::kBrep) written = writeBrep(made, *solid, fresh);
     job.throwIfCancelled();
     if (!written || !flush(fresh)) failWriting(path);
   } catch (const Cancelled&) {

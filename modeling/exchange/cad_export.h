@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "base/job.h"
 #include "modeling/body/body.h"
-#include "modeling/job.h"
 
 namespace palpa::modeling {
 

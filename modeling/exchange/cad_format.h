@@ -8,9 +8,9 @@ namespace palpa::modeling {
 /// The CAD file formats that can be read and written. Lengths are in mm when written; when read,
 /// the file's unit is converted to mm (BREP files have none: mm).
 enum class CadFormat {
-  step,  ///< .step, .stp: ISO 10303-21, application protocol 214
-  iges,  ///< .iges, .igs: version 5.3, manifold solid B-rep
-  brep,  ///< .brep: OpenCASCADE's own text format
+  kStep,  ///< .step, .stp: ISO 10303-21, application protocol 214
+  kIges,  ///< .iges, .igs: version 5.3, manifold solid B-rep
+  kBrep,  ///< .brep: OpenCASCADE's own text format
 };
 
 inline constexpr const char* kCadFileEndings = ".step, .stp, .iges, .igs or .brep";

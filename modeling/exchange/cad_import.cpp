@@ -2,17 +2,17 @@
 
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/cad_body.h"
 #include "modeling/exchange/cad_read.h"
 #include "modeling/exchange/opencascade_session.h"
-#include "modeling/exchange/rehearsal.h"
-#include "modeling/text.h"
+#include "modeling/exchange/sandboxed_read.h"
 
 namespace palpa::modeling {
 namespace {
 
-constexpr double kLeastSeconds = 10.0;  // more than any sound file of that size takes
+constexpr double kMinSeconds = 10.0;  // more than any sound file of that size takes
 constexpr double kSecondsPerByte = 2e-5;
 constexpr double kSecondsForMesh = 300.0;  // more when the edge length is asked for
 
@@ -34,9 +34,9 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
   job.throwIfCancelled();
   const std::string text = readCadText(path);
   const OpenCascadeSession session;
-  const double seconds = kLeastSeconds + kSecondsPerByte * static_cast<double>(text.size()) +
+  const double seconds = kMinSeconds + kSecondsPerByte * static_cast<double>(text.size()) +
                          (options.edgeLength > 0.0 ? kSecondsForMesh : 0.0);
-  rehearse(path, text, options, seconds, job);
+  readInSandbox(path, text, options, seconds, job);
   return readCadBody(path, text, options, job);
 }
 

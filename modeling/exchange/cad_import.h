@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/job.h"
 #include "modeling/body/body.h"
-#include "modeling/job.h"
 
 namespace palpa::modeling {
 
@@ -43,7 +43,7 @@ struct ImportedBody {
 /// and imports of several threads run one after the other.
 ///
 /// @throws ModelingError that begins with the file's name: not there, not readable, damaged, larger
-///         than kLargestCadFile, taking longer than 10 s and 20 s per MiB, several solids, a
+///         than kMaxCadFile, taking longer than 10 s and 20 s per MiB, several solids, a
 ///         surface that is not closed (with the place); Cancelled
 ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& options = {},
                        const Job& job = {});

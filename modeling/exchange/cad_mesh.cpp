@@ -209,11 +209,11 @@ MeshResult makeMeshBody(const TopoDS_Solid& shape, const std::vector<std::string
                         double chordTolerance, const Job& job) {
   // In a coarse triangulation narrow faces may collapse; and OpenCASCADE's idea of the chord
   // tolerance is loose at times. Finer ones help against both.
-  constexpr int kMostAttempts = 4;
+  constexpr int kMaxAttempts = 4;
   std::optional<MeshResult> best;
   std::string fault;
   double finer = chordTolerance;
-  for (int i = 0; i < kMostAttempts; ++i, finer /= 2.5) {
+  for (int i = 0; i < kMaxAttempts; ++i, finer /= 2.5) {
     try {
       MeshResult result = attempt(shape, faceNames, finer, job);
       if (!best || result.deviation < best->deviation) best = std::move(result);

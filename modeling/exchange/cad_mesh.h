@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/job.h"
 #include "modeling/body/mesh_body.h"
-#include "modeling/job.h"
 
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {

@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/knot_chain.h"
 #include "modeling/exchange/opencascade_session.h"
 #include "modeling/exchange/patch_weld.h"
 #include "modeling/solid/opencascade_surface.h"
 #include "modeling/solid/surface_properties.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -98,7 +98,7 @@ LoosePatch interpolatedPatch(const QuadFace& face, const KnotSet& uKnots, const 
   LoosePatch loose;
   loose.patch.degree = {uKnots.degree, vKnots.degree};
   loose.patch.knots = {uKnots.flat(), vKnots.flat()};
-  if (face.kind == Kind::flat) return loose;
+  if (face.kind == Kind::kFlat) return loose;
   const std::vector<double> uSites = uKnots.sites();
   const std::vector<double> vSites = vKnots.sites();
   TColgp_Array2OfPnt poles(1, static_cast<int>(uSites.size()), 1, static_cast<int>(vSites.size()));
@@ -134,7 +134,7 @@ double deviationOf(const SurfaceEvaluator& surface, int patch, const QuadFace& f
     for (const double v : samples(surface.spans(patch, 1), kPerSpan)) {
       const Vector3d p = surface.position(patch, u, v);
       const double distance =
-          face.kind == Kind::flat
+          face.kind == Kind::kFlat
               ? std::abs((p - toEigen(face.origin))
                              .dot(Vector3d(face.normal.X(), face.normal.Y(), face.normal.Z())))
               : (p - toEigen(face.value((u - u0) / (u1 - u0), (v - v0) / (v1 - v0)))).norm();
@@ -173,10 +173,10 @@ PatchResult attempt(const QuadFaces& quads, const KnotChains& chains, double tol
     const QuadFace& face = quads.faces[f];
     const KnotSet u = chains.of(f, 0);
     const KnotSet v = chains.of(f, 1);
-    loose.push_back(face.kind == Kind::spline ? exactPatch(face, u, v)
-                                              : interpolatedPatch(face, u, v));
+    loose.push_back(face.kind == Kind::kSpline ? exactPatch(face, u, v)
+                                               : interpolatedPatch(face, u, v));
     loose.back().patch.name = face.name;
-    if (face.kind == Kind::smooth) ++result.approximatedFaces;
+    if (face.kind == Kind::kSmooth) ++result.approximatedFaces;
   }
   try {
     result.solid = weldPatches(quads, chains, std::move(loose), tolerance);
@@ -186,7 +186,7 @@ PatchResult attempt(const QuadFaces& quads, const KnotChains& chains, double tol
   const SurfaceEvaluator surface(result.solid);
   for (int f = 0; f < surface.patchCount(); ++f) {
     job.throwIfCancelled();
-    if (quads.faces[f].kind == Kind::flat) checkFlat(surface, f, quads.faces[f]);
+    if (quads.faces[f].kind == Kind::kFlat) checkFlat(surface, f, quads.faces[f]);
     result.deviation = std::max(result.deviation, deviationOf(surface, f, quads.faces[f]));
   }
   return result;
@@ -201,8 +201,8 @@ PatchResult makePatches(const TopoDS_Solid& shape, const std::vector<std::string
   KnotChains chains(quads);
   chains.refine(0.5 * tolerance);  // two directions add up
   PatchResult result = attempt(quads, chains, tolerance, job);
-  constexpr int kMostAttempts = 3;
-  for (int i = 1; i < kMostAttempts && result.deviation > tolerance; ++i) {
+  constexpr int kMaxAttempts = 3;
+  for (int i = 1; i < kMaxAttempts && result.deviation > tolerance; ++i) {
     chains.halve();
     result = attempt(quads, chains, tolerance, job);
   }

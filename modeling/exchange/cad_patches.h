@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/job.h"
 #include "modeling/exchange/quad_faces.h"
-#include "modeling/job.h"
 #include "modeling/solid/solid.h"
 
 // Internal to modeling/exchange/: only .cpp files include this header.

@@ -34,19 +34,19 @@ constexpr const char* kPhase = "read";
 std::string readText(const std::filesystem::path& path) {
   std::error_code code;
   if (!std::filesystem::exists(path, code))
-    throw ModelingError(path.string() + ": there is no such file", ModelingError::Kind::notFound);
+    throw ModelingError(path.string() + ": there is no such file", ModelingError::Kind::kNotFound);
   if (!std::filesystem::is_regular_file(path, code))
-    throw ModelingError(path.string() + ": is not a file", ModelingError::Kind::io);
+    throw ModelingError(path.string() + ": is not a file", ModelingError::Kind::kIo);
   const auto size = std::filesystem::file_size(path, code);
-  if (!code && size > kLargestCadFile)
+  if (!code && size > kMaxCadFile)
     throw ModelingError(path.string() + ": has " + std::to_string(size >> 20) + " MiB; at most " +
-                            std::to_string(kLargestCadFile >> 20) + " MiB are read",
-                        ModelingError::Kind::tooLarge);
+                            std::to_string(kMaxCadFile >> 20) + " MiB are read",
+                        ModelingError::Kind::kTooLarge);
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   if (!file.is_open() || file.bad())
-    throw ModelingError(path.string() + ": cannot be read", ModelingError::Kind::io);
+    throw ModelingError(path.string() + ": cannot be read", ModelingError::Kind::kIo);
   return text.str();
 }
 
@@ -136,13 +136,13 @@ CadContent readCad(const std::filesystem::path& path, const std::string& text, c
   job.report(kPhase, 0.0);
   CadContent content;
   switch (cadFormatOf(path).value()) {
-    case CadFormat::step:
+    case CadFormat::kStep:
       content = readStep(path, text, job);
       break;
-    case CadFormat::iges:
+    case CadFormat::kIges:
       content = readIges(path, job);
       break;
-    case CadFormat::brep:
+    case CadFormat::kBrep:
       content = readBrep(text, job);
       break;
   }

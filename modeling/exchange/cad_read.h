@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "modeling/job.h"
+#include "base/job.h"
 
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {

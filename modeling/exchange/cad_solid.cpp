@@ -23,10 +23,10 @@
 #include <map>
 #include <set>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/cad_text_check.h"
 #include "modeling/exchange/opencascade_session.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -144,10 +144,10 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
   result.faceNames = content.faceNames;
   const int faces = countOf(content.shape, TopAbs_FACE);
   if (faces == 0) throw ModelingError("holds no faces; only solids can be imported");
-  if (faces > kMostCadFaces)
+  if (faces > kMaxCadFaces)
     throw ModelingError("has " + std::to_string(faces) + " faces; at most " +
-                            std::to_string(kMostCadFaces) + " are read",
-                        ModelingError::Kind::tooLarge);
+                            std::to_string(kMaxCadFaces) + " are read",
+                        ModelingError::Kind::kTooLarge);
   const double diagonal = diagonalOf(content.shape);
   const int solids = countOf(content.shape, TopAbs_SOLID);
   if (solids > 1)

@@ -8,13 +8,13 @@ void checkCadText(const std::string& text, CadFormat format, const std::string& 
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ModelingError(source + ": is empty");
   switch (format) {
-    case CadFormat::step:
+    case CadFormat::kStep:
       checkStepText(text, source);
       break;
-    case CadFormat::iges:
+    case CadFormat::kIges:
       checkIgesText(text, source);
       break;
-    case CadFormat::brep:
+    case CadFormat::kBrep:
       checkBrepText(text, source);
       break;
   }

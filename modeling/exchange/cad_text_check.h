@@ -7,8 +7,8 @@
 
 namespace palpa::modeling {
 
-inline constexpr std::size_t kLargestCadFile = 256UL << 20;  // bytes
-inline constexpr int kMostCadFaces = 20'000;
+inline constexpr std::size_t kMaxCadFile = 256UL << 20;  // bytes
+inline constexpr int kMaxCadFaces = 20'000;
 
 /// Checks the text of a CAD file before OpenCASCADE sees it, whose readers crash or work without
 /// end on some damaged files: complete, sections and statements well formed, references defined and

@@ -7,11 +7,11 @@
 #include <numeric>
 #include <set>
 
+#include "base/text.h"
 #include "modeling/body/smooth_regions.h"
 #include "modeling/error.h"
 #include "modeling/exchange/mesh_reader.h"
 #include "modeling/exchange/polygon_triangulation.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
 
-constexpr double kMostCoordinate = 1e7;  // mm, as for control points
-constexpr double kWeld = 1e-6;           // of the body's size
+constexpr double kMaxCoordinate = 1e7;  // mm, as for control points
+constexpr double kWeld = 1e-6;          // of the body's size
 
 std::string countText(std::size_t count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -29,9 +29,9 @@ std::string countText(std::size_t count, const char* one, const char* many) {
 void scalePoints(const PolygonSoup& soup, double scale, ClosedSurface& surface) {
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
     const Vector3d point = scale * soup.points[i] + Vector3d::Zero();  // no negative zeros
-    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kMostCoordinate)
+    if (!point.allFinite() || point.cwiseAbs().maxCoeff() > kMaxCoordinate)
       throw ModelingError("point " + std::to_string(i + 1) + " at " + placeText(point) +
-                          " is farther than " + numberText(kMostCoordinate) +
+                          " is farther than " + numberText(kMaxCoordinate) +
                           " mm from the origin; check the unit");
     surface.positions.push_back(point);
   }
@@ -182,8 +182,8 @@ void orient(ClosedSurface& surface) {
   int parts = 0;
   for (std::size_t seed = 0; seed < reached.size(); ++seed) {
     if (reached[seed]) continue;
-    if (++parts > kMostMeshShells)
-      throw ModelingError("consists of more than " + std::to_string(kMostMeshShells) +
+    if (++parts > kMaxMeshShells)
+      throw ModelingError("consists of more than " + std::to_string(kMaxMeshShells) +
                           " closed surfaces; a project has one body with its cavities");
     reached[seed] = true;
     open.push_back(static_cast<int>(seed));
@@ -263,18 +263,12 @@ void dropUnusedPoints(ClosedSurface& surface) {
 
 }  // namespace
 
-std::string placeText(const Vector3d& p) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g) mm", p.x(), p.y(), p.z());
-  return text;
-}
-
 void PolygonSoup::closePolygon() {
-  constexpr std::size_t kMostCorners = 4 * static_cast<std::size_t>(kMostMeshTriangles);
-  if (polygonCount() >= kMostMeshTriangles || corners.size() > kMostCorners)
-    throw ModelingError("has more than " + std::to_string(kMostMeshTriangles) +
+  constexpr std::size_t kMaxCorners = 4 * static_cast<std::size_t>(kMaxMeshTriangles);
+  if (polygonCount() >= kMaxMeshTriangles || corners.size() > kMaxCorners)
+    throw ModelingError("has more than " + std::to_string(kMaxMeshTriangles) +
                             " triangles; reduce it in the program it comes from",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   ends.push_back(static_cast<int>(corners.size()));
 }
 

@@ -24,7 +24,4 @@ ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job
 /// @throws ModelingError (without the file's name), Cancelled between the steps
 void makeBoundary(ClosedSurface& surface, const Job& job);
 
-/// "(1, 2, 3) mm"
-std::string placeText(const Eigen::Vector3d& point);
-
 }  // namespace palpa::modeling

@@ -10,8 +10,8 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr int kOpenDegree = 3;   // where the file leaves the degree open
-constexpr int kMostSpans = 128;  // of an approximation
+constexpr int kOpenDegree = 3;  // where the file leaves the degree open
+constexpr int kMaxSpans = 128;  // of an approximation
 
 std::size_t placeOf(int face, int direction) {
   return static_cast<std::size_t>(2 * face + direction);
@@ -80,7 +80,7 @@ void halveSpans(KnotSet& knots, const std::vector<int>& spans) {
   std::vector<double> ends{0.0};
   for (const auto& knot : knots.inner) ends.push_back(knot.at);
   ends.push_back(1.0);
-  if (ends.size() + spans.size() > kMostSpans)
+  if (ends.size() + spans.size() > kMaxSpans)
     throw NoPatches{"its curved faces need too many control points for the tolerance"};
   for (const int span : spans) knots.add(0.5 * (ends[span] + ends[span + 1]), 1);
 }
@@ -134,21 +134,21 @@ KnotChains::KnotChains(const QuadFaces& quads) : faces_(quads.faces) {
   for (std::size_t place = 0; place < places_.size(); ++place) {
     const QuadFace& face = faces_[place / 2];
     KnotSet& chain = chains_[places_[place].chain];
-    if (face.kind == QuadFace::Kind::spline)
+    if (face.kind == QuadFace::Kind::kSpline)
       chain.degree =
           std::max(chain.degree, place % 2 == 0 ? face.spline->UDegree() : face.spline->VDegree());
-    if (face.kind == QuadFace::Kind::smooth) open[places_[place].chain] = true;
+    if (face.kind == QuadFace::Kind::kSmooth) open[places_[place].chain] = true;
   }
   for (std::size_t c = 0; c < chains_.size(); ++c)
     if (open[c] || chains_[c].degree == 0)
       chains_[c].degree = std::max(chains_[c].degree, kOpenDegree);
   // Knots of splines first: where two knots are nearly equal, the first one stays.
-  for (const auto kind : {QuadFace::Kind::spline, QuadFace::Kind::smooth})
+  for (const auto kind : {QuadFace::Kind::kSpline, QuadFace::Kind::kSmooth})
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f)
       for (int d : {0, 1}) {
         if (faces_[f].kind != kind) continue;
-        if (kind == QuadFace::Kind::spline) addSplineKnots(f, d);
-        if (kind == QuadFace::Kind::smooth) addBreaks(f, d);
+        if (kind == QuadFace::Kind::kSpline) addSplineKnots(f, d);
+        if (kind == QuadFace::Kind::kSmooth) addBreaks(f, d);
       }
 }
 
@@ -230,7 +230,7 @@ void KnotChains::addBreaks(int face, int direction) {
         chain.add(place.turned ? 1.0 - t : t, chain.degree - c);
     }
   }
-  if (chain.inner.size() > kMostSpans)
+  if (chain.inner.size() > kMaxSpans)
     throw NoPatches{"the face \"" + quad.name + "\" has too many pieces"};
 }
 
@@ -243,7 +243,7 @@ bool KnotChains::refineOnce(double tolerance) {
   bool changed = false;
   for (int f = 0; f < static_cast<int>(faces_.size()); ++f)
     for (int d : {0, 1}) {
-      if (faces_[f].kind != QuadFace::Kind::smooth) continue;
+      if (faces_[f].kind != QuadFace::Kind::kSmooth) continue;
       const Place place = places_[placeOf(f, d)];
       KnotSet& chain = chains_[place.chain];
       for (const double across : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -264,7 +264,7 @@ void KnotChains::halve() {
   std::vector<bool> done(chains_.size(), false);
   for (std::size_t place = 0; place < places_.size(); ++place) {
     const int chain = places_[place].chain;
-    if (done[chain] || faces_[place / 2].kind != QuadFace::Kind::smooth) continue;
+    if (done[chain] || faces_[place / 2].kind != QuadFace::Kind::kSmooth) continue;
     done[chain] = true;
     std::vector<int> all;
     for (int i = 0; i <= static_cast<int>(chains_[chain].inner.size()); ++i) all.push_back(i);

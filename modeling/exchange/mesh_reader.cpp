@@ -6,27 +6,27 @@
 #include <map>
 #include <optional>
 
+#include "base/text.h"
 #include "modeling/body/smooth_regions.h"
 #include "modeling/error.h"
 #include "modeling/exchange/closed_surface.h"
 #include "modeling/exchange/text_cursor.h"
 #include "modeling/project/text_file.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
 
-constexpr int kMostFoundFaces = 100;
-constexpr double kSmallestFace = 1e-3;  // of the whole area
-constexpr std::size_t kLongestName = 80;
+constexpr int kMaxFoundFaces = 100;
+constexpr double kMinFace = 1e-3;  // of the whole area
+constexpr std::size_t kMaxNameLength = 80;
 
 PolygonSoup parseSoup(std::string_view bytes, MeshFormat format, const Job& job) {
   switch (format) {
-    case MeshFormat::stl:
+    case MeshFormat::kStl:
       return parseStl(bytes, job);
-    case MeshFormat::obj:
+    case MeshFormat::kObj:
       return parseObj(bytes, job);
-    case MeshFormat::ply:
+    case MeshFormat::kPly:
       return parsePly(bytes, job);
   }
   throw std::invalid_argument("parseMesh: no such format");
@@ -34,7 +34,7 @@ PolygonSoup parseSoup(std::string_view bytes, MeshFormat format, const Job& job)
 
 /// Names in project files are UTF-8; a file's may be anything.
 std::string faceName(std::string_view name) {
-  std::string result(name.substr(0, kLongestName));
+  std::string result(name.substr(0, kMaxNameLength));
   for (char& c : result)
     if (c < ' ' || c > '~') c = '_';
   return result;
@@ -59,10 +59,10 @@ void nameByGroups(const ClosedSurface& surface, const std::vector<std::string>& 
     while (++uses[name] > 1) name = plain + "_" + std::to_string(uses[plain]);
     data.faceNames.push_back(name);
   }
-  if (data.faceNames.size() > static_cast<std::size_t>(kMostMeshFaces))
+  if (data.faceNames.size() > static_cast<std::size_t>(kMaxMeshFaces))
     throw ModelingError("has " + std::to_string(data.faceNames.size()) + " groups; at most " +
-                            std::to_string(kMostMeshFaces) + " can become faces",
-                        ModelingError::Kind::tooLarge);
+                            std::to_string(kMaxMeshFaces) + " can become faces",
+                        ModelingError::Kind::kTooLarge);
   for (int group : surface.groups) data.faceOfTriangle.push_back(faceOfGroup[group]);
 }
 
@@ -72,7 +72,7 @@ void nameBySharpEdges(const ClosedSurface& surface, MeshBody::Data& data) {
   for (const auto& [a, b, c] : surface.triangles)
     twiceArea += (p[b] - p[a]).cross(p[c] - p[a]).norm();
   data.faceOfTriangle =
-      smoothRegions(p, surface.triangles, 0.5 * kSmallestFace * twiceArea, kMostFoundFaces);
+      smoothRegions(p, surface.triangles, 0.5 * kMinFace * twiceArea, kMaxFoundFaces);
   const int count = *std::max_element(data.faceOfTriangle.begin(), data.faceOfTriangle.end()) + 1;
   for (int face = 1; face <= count; ++face)
     data.faceNames.push_back("face_" + std::to_string(face));
@@ -83,10 +83,10 @@ MeshBody bodyFrom(std::string_view bytes, MeshFormat format, const MeshReadOptio
   if (!std::isfinite(options.scale) || options.scale <= 0.0)
     throw ModelingError("the scale " + numberText(options.scale) +
                         " must be finite and greater than 0");
-  if (bytes.size() > kLargestMeshFile)
+  if (bytes.size() > kMaxMeshFile)
     throw ModelingError("has " + std::to_string(bytes.size()) + " bytes; at most " +
-                            std::to_string(kLargestMeshFile) + " are read",
-                        ModelingError::Kind::tooLarge);
+                            std::to_string(kMaxMeshFile) + " are read",
+                        ModelingError::Kind::kTooLarge);
   job.report("import", 0.0);
   const PolygonSoup soup = parseSoup(bytes, format, job);
   job.report("import", 0.3);
@@ -111,9 +111,9 @@ std::optional<MeshFormat> formatNamedBy(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& c : ending)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  if (ending == ".stl") return MeshFormat::stl;
-  if (ending == ".obj") return MeshFormat::obj;
-  if (ending == ".ply") return MeshFormat::ply;
+  if (ending == ".stl") return MeshFormat::kStl;
+  if (ending == ".obj") return MeshFormat::kObj;
+  if (ending == ".ply") return MeshFormat::kPly;
   return std::nullopt;
 }
 
@@ -141,7 +141,7 @@ MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string&
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                       const Job& job) {
   const MeshFormat format = meshFormatOf(path);
-  return parseMesh(readTextFile(path, kLargestMeshFile), format, path.string(), options, job);
+  return parseMesh(readTextFile(path, kMaxMeshFile), format, path.string(), options, job);
 }
 
 }  // namespace palpa::modeling

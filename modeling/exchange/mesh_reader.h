@@ -5,23 +5,23 @@
 #include <string>
 #include <string_view>
 
+#include "base/job.h"
 #include "modeling/body/mesh_body.h"
-#include "modeling/job.h"
 
 namespace palpa::modeling {
 
-enum class MeshFormat { stl, obj, ply };
+enum class MeshFormat { kStl, kObj, kPly };
 
 struct MeshReadOptions {
   double scale =
       1.0;  ///< mm per unit of the file, finite and > 0; mesh files do not tell their unit
 };
 
-inline constexpr std::size_t kLargestMeshFile = 512U << 20U;  ///< bytes
-inline constexpr int kMostMeshTriangles = 4'000'000;
-inline constexpr int kMostPolygonCorners = 2'000;
-inline constexpr int kMostMeshFaces = 1'000;
-inline constexpr int kMostMeshShells = 200;  ///< closed surfaces: the body's and its cavities'
+inline constexpr std::size_t kMaxMeshFile = 512U << 20U;  ///< bytes
+inline constexpr int kMaxMeshTriangles = 4'000'000;
+inline constexpr int kMaxPolygonCorners = 2'000;
+inline constexpr int kMaxMeshFaces = 1'000;
+inline constexpr int kMaxMeshShells = 200;  ///< closed surfaces: the body's and its cavities'
 
 /// Reads a mesh file by its ending (.stl, .obj, .ply in any case; STL and PLY as text or binary)
 /// and makes a body of it:
@@ -36,7 +36,7 @@ inline constexpr int kMostMeshShells = 200;  ///< closed surfaces: the body's an
 /// Never makes a body that is not closed, cuts itself or consists of several pieces.
 ///
 /// @throws ModelingError that begins with the file's name: not found, unreadable, larger than
-///         kLargestMeshFile, a syntax error with its line or byte, counts that the file cannot
+///         kMaxMeshFile, a syntax error with its line or byte, counts that the file cannot
 ///         hold, numbers that are not finite, indices out of range, and what is wrong with the
 ///         surface with the number of places and the first of them; Cancelled.
 /// Cost: about 6 s for a million triangles. Stops within a second when cancelled.

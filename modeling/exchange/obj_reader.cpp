@@ -89,8 +89,8 @@ class ObjText {
     int count = 0;
     for (std::string_view word = nextCorner(); !word.empty(); word = nextCorner()) {
       soup_.corners.push_back(corner(word));
-      if (++count > kMostPolygonCorners)
-        cursor_.fail("a polygon has more than " + std::to_string(kMostPolygonCorners) + " corners");
+      if (++count > kMaxPolygonCorners)
+        cursor_.fail("a polygon has more than " + std::to_string(kMaxPolygonCorners) + " corners");
     }
     if (count < 3) cursor_.fail("a polygon has fewer than three corners");
     soup_.closePolygon();

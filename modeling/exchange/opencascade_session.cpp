@@ -58,10 +58,10 @@ void rethrowAsModelingError(const std::string& where) {
     throw;
   } catch (const Standard_OutOfMemory&) {
     throw ModelingError(where + ": there is not enough memory for this",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   } catch (const std::bad_alloc&) {
     throw ModelingError(where + ": there is not enough memory for this",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   } catch (const Standard_Failure& failure) {
     const std::string text = failure.GetMessageString();
     throw ModelingError(where + ": OpenCASCADE gave up (" + failure.DynamicType()->Name() +

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-#include "modeling/job.h"
+#include "base/job.h"
 
 // What every use of OpenCASCADE's file exchange needs. Internal to modeling/exchange/: only .cpp
 // files include this header.

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/solid/solid_check.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -19,10 +19,11 @@ using Eigen::Vector3d;
 using Kind = QuadFace::Kind;
 
 std::vector<Vector3d> sideRow(const Net& net, Side side) {
-  if (side == Side::uMin) return net.front();
-  if (side == Side::uMax) return net.back();
+  if (side == Side::kUMin) return net.front();
+  if (side == Side::kUMax) return net.back();
   std::vector<Vector3d> row;
-  for (const auto& column : net) row.push_back(side == Side::vMin ? column.front() : column.back());
+  for (const auto& column : net)
+    row.push_back(side == Side::kVMin ? column.front() : column.back());
   return row;
 }
 
@@ -79,7 +80,7 @@ class Welder {
       }
     rows_.resize(edges + 1);
     // Splines before approximations before straight lines: each takes the corners of those before.
-    for (const Kind kind : {Kind::spline, Kind::smooth})
+    for (const Kind kind : {Kind::kSpline, Kind::kSmooth})
       for (std::size_t e = 1; e <= edges; ++e)
         for (const Use& use : uses[e])
           if (rows_[e].empty() && quads_.faces[use.face].kind == kind)
@@ -160,10 +161,10 @@ class Welder {
   }
 
   void assign(std::size_t f) {
-    const std::vector<int> bottom = rowOf(f, Side::vMin);
-    const std::vector<int> top = rowOf(f, Side::vMax);
-    const std::vector<int> left = rowOf(f, Side::uMin);
-    const std::vector<int> right = rowOf(f, Side::uMax);
+    const std::vector<int> bottom = rowOf(f, Side::kVMin);
+    const std::vector<int> top = rowOf(f, Side::kVMax);
+    const std::vector<int> left = rowOf(f, Side::kUMin);
+    const std::vector<int> right = rowOf(f, Side::kUMax);
     if (bottom.size() != top.size() || left.size() != right.size())
       throw NoPatches{"the sides of the face \"" + quads_.faces[f].name + "\" do not match"};
     if (patches_[f].net.empty()) spanFlat(f, {bottom, right, top, left});

@@ -10,18 +10,18 @@ namespace {
 
 using Type = PlyHeader::Type;
 
-constexpr std::size_t kMostElements = 64;
-constexpr std::size_t kMostProperties = 256;
+constexpr std::size_t kMaxElements = 64;
+constexpr std::size_t kMaxProperties = 256;
 
 Type typeNamed(std::string_view name, const TextCursor& cursor) {
-  if (name == "char" || name == "int8") return Type::int8;
-  if (name == "uchar" || name == "uint8") return Type::uint8;
-  if (name == "short" || name == "int16") return Type::int16;
-  if (name == "ushort" || name == "uint16") return Type::uint16;
-  if (name == "int" || name == "int32") return Type::int32;
-  if (name == "uint" || name == "uint32") return Type::uint32;
-  if (name == "float" || name == "float32") return Type::float32;
-  if (name == "double" || name == "float64") return Type::float64;
+  if (name == "char" || name == "int8") return Type::kInt8;
+  if (name == "uchar" || name == "uint8") return Type::kUint8;
+  if (name == "short" || name == "int16") return Type::kInt16;
+  if (name == "ushort" || name == "uint16") return Type::kUint16;
+  if (name == "int" || name == "int32") return Type::kInt32;
+  if (name == "uint" || name == "uint32") return Type::kUint32;
+  if (name == "float" || name == "float32") return Type::kFloat32;
+  if (name == "double" || name == "float64") return Type::kFloat64;
   cursor.fail(excerpt(name) + " is no type of a PLY file");
 }
 
@@ -38,7 +38,7 @@ PlyHeader::Property property(TextCursor& cursor) {
   const std::string_view first = cursor.word();
   if (first == "list") {
     result.countType = typeNamed(cursor.word(), cursor);
-    if (*result.countType == Type::float32 || *result.countType == Type::float64)
+    if (*result.countType == Type::kFloat32 || *result.countType == Type::kFloat64)
       cursor.fail("the length of a list cannot be a fraction");
     result.type = typeNamed(cursor.word(), cursor);
   } else {
@@ -50,9 +50,9 @@ PlyHeader::Property property(TextCursor& cursor) {
 
 PlyHeader::Encoding encoding(TextCursor& cursor) {
   const std::string_view name = cursor.word();
-  if (name == "ascii") return PlyHeader::Encoding::text;
-  if (name == "binary_little_endian") return PlyHeader::Encoding::littleEndian;
-  if (name == "binary_big_endian") return PlyHeader::Encoding::bigEndian;
+  if (name == "ascii") return PlyHeader::Encoding::kText;
+  if (name == "binary_little_endian") return PlyHeader::Encoding::kLittleEndian;
+  if (name == "binary_big_endian") return PlyHeader::Encoding::kBigEndian;
   cursor.fail(excerpt(name) + " is no format of a PLY file");
 }
 
@@ -60,7 +60,7 @@ PlyHeader::Encoding encoding(TextCursor& cursor) {
 std::size_t leastSize(const PlyHeader::Element& element, PlyHeader::Encoding encoding) {
   std::size_t size = 0;
   for (const PlyHeader::Property& one : element.properties)
-    size += encoding == PlyHeader::Encoding::text ? 2 : sizeOf(one.countType.value_or(one.type));
+    size += encoding == PlyHeader::Encoding::kText ? 2 : sizeOf(one.countType.value_or(one.type));
   return size;
 }
 
@@ -83,17 +83,17 @@ void checkCounts(const PlyHeader& header) {
 
 std::size_t sizeOf(Type type) {
   switch (type) {
-    case Type::int8:
-    case Type::uint8:
+    case Type::kInt8:
+    case Type::kUint8:
       return 1;
-    case Type::int16:
-    case Type::uint16:
+    case Type::kInt16:
+    case Type::kUint16:
       return 2;
-    case Type::int32:
-    case Type::uint32:
-    case Type::float32:
+    case Type::kInt32:
+    case Type::kUint32:
+    case Type::kFloat32:
       return 4;
-    case Type::float64:
+    case Type::kFloat64:
       return 8;
   }
   return 8;
@@ -113,12 +113,12 @@ PlyHeader parsePlyHeader(std::string_view bytes) {
     } else if (keyword == "element") {
       const std::string name(cursor.word());
       header.elements.push_back({name, count(cursor.word(), cursor), {}});
-      if (header.elements.size() > kMostElements) cursor.fail("too many kinds of elements");
+      if (header.elements.size() > kMaxElements) cursor.fail("too many kinds of elements");
     } else if (keyword == "property") {
       if (header.elements.empty()) cursor.fail("a property before the first element");
       auto& properties = header.elements.back().properties;
       properties.push_back(property(cursor));
-      if (properties.size() > kMostProperties) cursor.fail("too many properties");
+      if (properties.size() > kMaxProperties) cursor.fail("too many properties");
     } else if (keyword == "end_header") {
       if (!hasFormat) cursor.fail("the header names no format");
       header.lines = cursor.line();

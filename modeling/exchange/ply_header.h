@@ -10,8 +10,8 @@ namespace palpa::modeling {
 
 /// The beginning of a PLY file: what follows and how it is stored.
 struct PlyHeader {
-  enum class Encoding { text, littleEndian, bigEndian };
-  enum class Type { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+  enum class Encoding { kText, kLittleEndian, kBigEndian };
+  enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
 
   struct Property {
     std::string name;

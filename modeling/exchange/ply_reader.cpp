@@ -23,14 +23,14 @@ class Values {
       : encoding_(header.encoding), rest_(header.body), text_(header.body), lines_(header.lines) {}
 
   double next(Type type) {
-    return encoding_ == PlyHeader::Encoding::text ? nextWord() : nextBinary(type);
+    return encoding_ == PlyHeader::Encoding::kText ? nextWord() : nextBinary(type);
   }
 
   std::size_t listLength(Type countType, Type itemType) {
     const double length = next(countType);
-    const std::size_t itemSize = encoding_ == PlyHeader::Encoding::text ? 1 : sizeOf(itemType);
+    const std::size_t itemSize = encoding_ == PlyHeader::Encoding::kText ? 1 : sizeOf(itemType);
     const std::size_t left =
-        encoding_ == PlyHeader::Encoding::text ? text_.rest().size() + kLine : rest_.size();
+        encoding_ == PlyHeader::Encoding::kText ? text_.rest().size() + kLine : rest_.size();
     if (length < 0.0 || length != std::floor(length) ||
         length * static_cast<double>(itemSize) > static_cast<double>(left))
       fail("a list has an impossible length");
@@ -38,7 +38,7 @@ class Values {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    if (encoding_ == PlyHeader::Encoding::text)
+    if (encoding_ == PlyHeader::Encoding::kText)
       throw ModelingError("line " + std::to_string(lines_ + text_.line()) + ": " + what);
     throw ModelingError(what + ", " + std::to_string(rest_.size()) + " bytes before the end");
   }
@@ -70,7 +70,7 @@ class Values {
     if (rest_.size() < sizeof(T)) fail("the file is cut off");
     std::memcpy(bytes.data(), rest_.data(), sizeof(T));
     rest_.remove_prefix(sizeof(T));
-    const bool isLittle = encoding_ == PlyHeader::Encoding::littleEndian;
+    const bool isLittle = encoding_ == PlyHeader::Encoding::kLittleEndian;
     if (isLittle != (std::endian::native == std::endian::little))
       std::reverse(bytes.begin(), bytes.end());
     return static_cast<double>(std::bit_cast<T>(bytes));
@@ -78,21 +78,21 @@ class Values {
 
   double nextBinary(Type type) {
     switch (type) {
-      case Type::int8:
+      case Type::kInt8:
         return take<std::int8_t>();
-      case Type::uint8:
+      case Type::kUint8:
         return take<std::uint8_t>();
-      case Type::int16:
+      case Type::kInt16:
         return take<std::int16_t>();
-      case Type::uint16:
+      case Type::kUint16:
         return take<std::uint16_t>();
-      case Type::int32:
+      case Type::kInt32:
         return take<std::int32_t>();
-      case Type::uint32:
+      case Type::kUint32:
         return take<std::uint32_t>();
-      case Type::float32:
+      case Type::kFloat32:
         return take<float>();
-      case Type::float64:
+      case Type::kFloat64:
         return take<double>();
     }
     return 0.0;
@@ -169,13 +169,13 @@ class PlyBody {
 
   void polygon(const PlyHeader::Property& property) {
     const std::size_t length = values_.listLength(*property.countType, property.type);
-    if (length < 3 || length > kMostPolygonCorners)
+    if (length < 3 || length > kMaxPolygonCorners)
       values_.fail("a polygon has " + std::to_string(length) + " corners, not between 3 and " +
-                   std::to_string(kMostPolygonCorners));
+                   std::to_string(kMaxPolygonCorners));
     for (std::size_t i = 0; i < length; ++i) {
       const double index = values_.next(property.type);
-      constexpr double kMost = 2147483647.0;
-      if (!(index >= 0.0 && index <= kMost) || index != std::floor(index))
+      constexpr double kMaxIndex = 2147483647.0;
+      if (!(index >= 0.0 && index <= kMaxIndex) || index != std::floor(index))
         values_.fail("a polygon has an impossible corner");
       soup_.corners.push_back(static_cast<int>(index));
     }

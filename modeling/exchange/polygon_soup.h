@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "modeling/job.h"
+#include "base/job.h"
 
 namespace palpa::modeling {
 

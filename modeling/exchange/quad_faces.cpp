@@ -101,7 +101,7 @@ Rectangle findCurvedSides(const TopoDS_Face& face, QuadFace& quad, const QuadFac
     bool found = false;
     for (Side side : kSides) {
       const int across = 1 - directionOf(side);
-      const bool high = side == Side::uMax || side == Side::vMax;
+      const bool high = side == Side::kUMax || side == Side::kVMax;
       const double at = high ? box.high[across] : box.low[across];
       const double tolerance = kOnSide * (box.high[across] - box.low[across]);
       if (!std::all_of(lines[e].begin(), lines[e].end(), [&](const gp_Pnt2d& p) {
@@ -171,7 +171,7 @@ bool findPlane(const TopoDS_Face& face, QuadFace& quad) {
     if (!planar.IsPlanar()) return false;
     plane = planar.Plan();
   }
-  quad.kind = QuadFace::Kind::flat;
+  quad.kind = QuadFace::Kind::kFlat;
   quad.origin = plane.Location();
   double u0, u1, v0, v1;
   BRepTools::UVBounds(face, u0, u1, v0, v1);
@@ -207,7 +207,7 @@ QuadFace makeQuad(const TopoDS_Face& face, const std::string& name, const QuadFa
   quad.swapped = face.Orientation() == TopAbs_REVERSED;
   quad.surface = withoutTrimming(BRep_Tool::Surface(face));
   quad.spline = asSpline(quad.surface, box);
-  quad.kind = quad.spline.IsNull() ? QuadFace::Kind::smooth : QuadFace::Kind::spline;
+  quad.kind = quad.spline.IsNull() ? QuadFace::Kind::kSmooth : QuadFace::Kind::kSpline;
   quad.range = {{{box.low[0], box.high[0]}, {box.low[1], box.high[1]}}};
   if (quad.swapped) {
     if (!quad.spline.IsNull()) quad.spline->ExchangeUV();
@@ -215,8 +215,8 @@ QuadFace makeQuad(const TopoDS_Face& face, const std::string& name, const QuadFa
     const auto side = [&](Side s) -> QuadFace::SideUse& {
       return quad.sides[static_cast<std::size_t>(s)];
     };
-    std::swap(side(Side::vMin), side(Side::uMin));
-    std::swap(side(Side::uMax), side(Side::vMax));
+    std::swap(side(Side::kVMin), side(Side::kUMin));
+    std::swap(side(Side::kUMax), side(Side::kVMax));
   }
   return quad;
 }
@@ -224,7 +224,7 @@ QuadFace makeQuad(const TopoDS_Face& face, const std::string& name, const QuadFa
 }  // namespace
 
 gp_Pnt QuadFace::value(double s, double t) const {
-  if (kind == Kind::spline) {
+  if (kind == Kind::kSpline) {
     double u0, u1, v0, v1;
     spline->Bounds(u0, u1, v0, v1);
     return spline->Value(u0 + s * (u1 - u0), v0 + t * (v1 - v0));

@@ -25,9 +25,9 @@ struct NoPatches {
 /// outwards.
 struct QuadFace {
   enum class Kind {
-    spline,  ///< a B-spline without weights, degrees up to 5: taken over as it is
-    smooth,  ///< any other surface: to be approximated
-    flat,    ///< a plane: spanned between its edges
+    kSpline,  ///< a B-spline without weights, degrees up to 5: taken over as it is
+    kSmooth,  ///< any other surface: to be approximated
+    kFlat,    ///< a plane: spanned between its edges
   };
   struct SideUse {
     int edge = -1;          ///< 1-based index into QuadFaces::edges
@@ -35,7 +35,7 @@ struct QuadFace {
   };
 
   std::string name;
-  Kind kind = Kind::flat;
+  Kind kind = Kind::kFlat;
   Handle(Geom_BSplineSurface) spline;            ///< kind spline: over the face's rectangle only
   Handle(Geom_Surface) surface;                  ///< kind smooth
   bool swapped = false;                          ///< kind smooth: the surface's own u is our v

@@ -18,7 +18,7 @@
 #include "modeling/error.h"
 #include "modeling/exchange/cad_body.h"
 #include "modeling/exchange/opencascade_session.h"
-#include "modeling/exchange/rehearsal.h"
+#include "modeling/exchange/sandboxed_read.h"
 
 namespace {
 
@@ -73,10 +73,10 @@ int main(int count, char** arguments) {
   try {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
     const OpenCascadeSession session;
-    readCadBody(arguments[3], text, options, Job{});
+    readCadBody(arguments[3], text, options, palpa::Job{});
   } catch (const ModelingError& error) {
     tell(output, error.what());
-    std::_Exit(kRehearsalFailed + static_cast<int>(error.kind()));
+    std::_Exit(kSandboxFailed + static_cast<int>(error.kind()));
   } catch (...) {
     std::_Exit(EXIT_FAILURE);
   }

@@ -29,16 +29,16 @@ Handle(Geom_BSplineCurve) sideCurve(const Handle(Geom_BSplineSurface) & surface,
   surface->Bounds(uMin, uMax, vMin, vMax);
   Handle(Geom_Curve) curve;
   switch (side) {
-    case Side::vMin:
+    case Side::kVMin:
       curve = surface->VIso(vMin);
       break;
-    case Side::uMax:
+    case Side::kUMax:
       curve = surface->UIso(uMax);
       break;
-    case Side::vMax:
+    case Side::kVMax:
       curve = surface->VIso(vMax);
       break;
-    case Side::uMin:
+    case Side::kUMin:
       curve = surface->UIso(uMin);
       break;
   }
@@ -50,8 +50,8 @@ Handle(Geom2d_Curve)
     sideLine(const Patch& patch, Side side, const std::array<double, 2>& edgeRange, bool reversed) {
   const auto [uMin, uMax] = patch.range(0);
   const auto [vMin, vMax] = patch.range(1);
-  gp_Pnt2d start(side == Side::uMax ? uMax : uMin, side == Side::vMax ? vMax : vMin);
-  gp_Pnt2d end(side == Side::uMin ? uMin : uMax, side == Side::vMin ? vMin : vMax);
+  gp_Pnt2d start(side == Side::kUMax ? uMax : uMin, side == Side::kVMax ? vMax : vMin);
+  gp_Pnt2d end(side == Side::kUMin ? uMin : uMax, side == Side::kVMin ? vMin : vMax);
   if (reversed) std::swap(start, end);
   TColgp_Array1OfPnt2d poles(1, 2);
   poles(1) = start;

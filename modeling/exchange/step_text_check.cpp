@@ -14,7 +14,7 @@ namespace palpa::modeling {
 namespace {
 
 constexpr int kDeepestParentheses = 64;
-constexpr std::size_t kLongestNumber = 18;  // digits of an instance's number
+constexpr std::size_t kMaxNumberLength = 18;  // digits of an instance's number
 
 /// Reads a STEP file's statements one after the other, with the references between instances.
 class StepScanner {
@@ -29,10 +29,10 @@ class StepScanner {
     for (skipSpace(); at_ < text_.size() && !ended; skipSpace()) ended = readStatement();
     if (!ended) fail("the file is cut off: END-ISO-10303-21 is missing at its end");
     checkReferences();
-    if (faces_ > kMostCadFaces)
+    if (faces_ > kMaxCadFaces)
       throw ModelingError(source_ + ": has " + std::to_string(faces_) + " faces; at most " +
-                              std::to_string(kMostCadFaces) + " are read",
-                          ModelingError::Kind::tooLarge);
+                              std::to_string(kMaxCadFaces) + " are read",
+                          ModelingError::Kind::kTooLarge);
   }
 
  private:
@@ -71,7 +71,7 @@ class StepScanner {
     std::uint64_t number = 0;
     std::size_t digits = 0;
     while (at_ < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at_]))) {
-      if (++digits > kLongestNumber) fail("the number of an instance is too long");
+      if (++digits > kMaxNumberLength) fail("the number of an instance is too long");
       number = 10 * number + static_cast<std::uint64_t>(get() - '0');
     }
     if (digits == 0) fail("expected a number after #");
@@ -146,26 +146,26 @@ class StepScanner {
   }
 
   void checkCircles(const std::vector<std::size_t>& targets) const {
-    enum class State : char { fresh, open, done };
-    std::vector<State> state(instances_.size(), State::fresh);
+    enum class State : char { kFresh, kOpen, kDone };
+    std::vector<State> state(instances_.size(), State::kFresh);
     std::vector<std::pair<std::size_t, std::size_t>> path;  // instance, its next reference
     for (std::size_t root = 0; root < instances_.size(); ++root) {
-      if (state[root] != State::fresh) continue;
+      if (state[root] != State::kFresh) continue;
       path.assign(1, {root, instances_[root].firstReference});
-      state[root] = State::open;
+      state[root] = State::kOpen;
       while (!path.empty()) {
         auto& [at, next] = path.back();
         if (next == instances_[at].lastReference) {
-          state[at] = State::done;
+          state[at] = State::kDone;
           path.pop_back();
           continue;
         }
         const std::size_t target = targets[next++];
-        if (state[target] == State::open)
+        if (state[target] == State::kOpen)
           fail("#" + std::to_string(instances_[target].number) + " refers to itself in a circle",
                instances_[target].line);
-        if (state[target] == State::done) continue;
-        state[target] = State::open;
+        if (state[target] == State::kDone) continue;
+        state[target] = State::kOpen;
         path.emplace_back(target, instances_[target].firstReference);
       }
     }

@@ -89,7 +89,7 @@ class TextStl {
       for (int axis = 0; axis < 3; ++axis) point[axis] = cursor_.number();
       soup_.corners.push_back(static_cast<int>(soup_.points.size()));
       soup_.points.push_back(point);
-      if (unfinished() > kMostPolygonCorners) cursor_.fail("a facet has too many vertices");
+      if (unfinished() > kMaxPolygonCorners) cursor_.fail("a facet has too many vertices");
     } else if (keyword == "endfacet" || keyword == "endloop") {
       if (unfinished() == 0 && keyword == "endfacet") return;
       if (unfinished() < 3) cursor_.fail("a facet has fewer than three vertices");

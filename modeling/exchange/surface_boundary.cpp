@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/closed_surface.h"
 

@@ -66,8 +66,8 @@ double TextCursor::number() {
 
 long long TextCursor::integer() {
   const double value = number();
-  constexpr double kMost = 4294967295.0;
-  if (value != std::floor(value) || std::abs(value) > kMost) fail("expected a whole number");
+  constexpr double kMaxIndex = 4294967295.0;
+  if (value != std::floor(value) || std::abs(value) > kMaxIndex) fail("expected a whole number");
   return static_cast<long long>(value);
 }
 

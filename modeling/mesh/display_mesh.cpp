@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kMostPieces = 8;
+constexpr int kMaxPieces = 8;
 constexpr std::size_t kCheckpoint = 500;  // triangles or edges between two looks at the stop token
 
 /// What the subdivision asks about the surface: places on edges and in triangles, and normals.
@@ -333,9 +333,9 @@ class Subdivision {
 }  // namespace
 
 void DisplaySettings::validate() const {
-  if (leastPieces < 1 || leastPieces > kMostPieces)
+  if (leastPieces < 1 || leastPieces > kMaxPieces)
     throw std::invalid_argument("DisplaySettings: leastPieces must be in 1 … 8");
-  if (mostPieces < leastPieces || mostPieces > kMostPieces)
+  if (mostPieces < leastPieces || mostPieces > kMaxPieces)
     throw std::invalid_argument("DisplaySettings: mostPieces must be in leastPieces … 8");
   if (!(pieceAngle > 0.0))
     throw std::invalid_argument("DisplaySettings: pieceAngle must be greater than 0");

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "modeling/mesh/mesh.h"
+#include "base/job.h"
+#include "modeling/body/body.h"
+#include "modeling/mesh/surface_mesh.h"
 
 // The surface as it is drawn and touched: finer than the boundary mesh, on the true spline surface,
 // and linked to the nodes, so that whatever is known at nodes can be carried over.

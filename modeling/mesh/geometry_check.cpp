@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "base/text.h"
 #include "modeling/mesh/node_place.h"
 #include "modeling/mesh/patch_folds.h"
-#include "modeling/mesh/place_text.h"
 #include "modeling/mesh/triangle_crossings.h"
 
 namespace palpa::modeling {
@@ -87,9 +87,9 @@ class GeometryCheck {
           open.push_back({{static_cast<int>(t)}, edgeMiddle(e)});
       }
     isOpen_ = !open.empty() || !twice.empty();
-    add(GeometryFault::wrongOrientation, twice);
+    add(GeometryFault::kWrongOrientation, twice);
     // The triangles beside a turned one seem to be open, too; that is said already.
-    if (twice.empty()) add(GeometryFault::openEdge, open);
+    if (twice.empty()) add(GeometryFault::kOpenEdge, open);
   }
 
   void checkAreas() {
@@ -103,13 +103,13 @@ class GeometryCheck {
       hasNoArea_[t] = true;
       spots.push_back({{static_cast<int>(t)}, middle(t)});
     }
-    add(GeometryFault::zeroArea, spots);
+    add(GeometryFault::kZeroArea, spots);
   }
 
   void checkFolds(const SurfaceEvaluator& surface) {
     for (const PatchFold& fold : patchFolds(surface, job_)) {
       GeometryFinding finding;
-      finding.fault = GeometryFault::foldedPatch;
+      finding.fault = GeometryFault::kFoldedPatch;
       finding.patches = {names_[fold.at.patch]};
       finding.at = surface.position(fold.at.patch, fold.at.u, fold.at.v);
       finding.message = "the patch \"" + names_[fold.at.patch] +
@@ -138,7 +138,7 @@ class GeometryCheck {
           surface.normal(patch, (a.u + b.u + c.u) / 3.0, (a.v + b.v + c.v) / 3.0);
       if (normal.dot(doubleArea(t)) < 0.0) spots.push_back({{static_cast<int>(t)}, middle(t)});
     }
-    add(GeometryFault::invertedTriangle, spots);
+    add(GeometryFault::kInvertedTriangle, spots);
   }
 
   void checkCrossings() {
@@ -149,7 +149,7 @@ class GeometryCheck {
       if (hasNoArea_[crossing.a] || hasNoArea_[crossing.b]) continue;
       spots.push_back({{crossing.a, crossing.b}, crossing.at, crossing.isThrough});
     }
-    add(GeometryFault::selfIntersection, spots);
+    add(GeometryFault::kSelfIntersection, spots);
   }
 
   void checkVolume() {
@@ -162,7 +162,7 @@ class GeometryCheck {
       volume += doubleArea(t).dot(corner(t, 0) - center) / 6.0;
     if (volume > 0.0 || mesh_.triangles.empty()) return;
     GeometryFinding finding;
-    finding.fault = GeometryFault::insideOut;
+    finding.fault = GeometryFault::kInsideOut;
     finding.at = center;
     finding.message = "the enclosed volume is " + roundedText(volume) +
                       " mm³: the surface is inside out, or most of it is";
@@ -201,7 +201,7 @@ class GeometryCheck {
           patches.insert(mesh_.patchOfTriangle[t]);
         }
       GeometryFinding finding;
-      finding.fault = severe == list.end() ? GeometryFault::touching : fault;
+      finding.fault = severe == list.end() ? GeometryFault::kTouching : fault;
       finding.isError = severe != list.end();
       finding.at = spots[severe == list.end() ? list.front() : *severe].at;
       finding.triangles.assign(triangles.begin(), triangles.end());
@@ -221,20 +221,20 @@ class GeometryCheck {
     const std::string where = " near " + placeText(finding.at) +
                               (finding.patches.size() == 1 ? ", patch " : ", patches ") + names;
     switch (finding.fault) {
-      case GeometryFault::selfIntersection:
+      case GeometryFault::kSelfIntersection:
         return "the surface cuts through itself" + where + " (" + number + ")";
-      case GeometryFault::touching:
+      case GeometryFault::kTouching:
         return "parts of the surface touch each other" + where + " (" + number + ")";
-      case GeometryFault::invertedTriangle:
+      case GeometryFault::kInvertedTriangle:
         return number + (one ? " points" : " point") + " into the body" + where;
-      case GeometryFault::zeroArea:
+      case GeometryFault::kZeroArea:
         return number + (one ? " has" : " have") + " no area" + where;
-      case GeometryFault::openEdge:
+      case GeometryFault::kOpenEdge:
         return "the surface has a hole or a gap" + where + " (" + number + " at its edge)";
-      case GeometryFault::wrongOrientation:
+      case GeometryFault::kWrongOrientation:
         return "neighbours disagree on which side is outside" + where + " (" + number + ")";
-      case GeometryFault::insideOut:
-      case GeometryFault::foldedPatch:
+      case GeometryFault::kInsideOut:
+      case GeometryFault::kFoldedPatch:
         break;
     }
     return std::string(faultName(finding.fault)) + where;
@@ -253,21 +253,21 @@ class GeometryCheck {
 
 std::string_view faultName(GeometryFault fault) {
   switch (fault) {
-    case GeometryFault::selfIntersection:
+    case GeometryFault::kSelfIntersection:
       return "self_intersection";
-    case GeometryFault::touching:
+    case GeometryFault::kTouching:
       return "touching";
-    case GeometryFault::invertedTriangle:
+    case GeometryFault::kInvertedTriangle:
       return "inverted_triangle";
-    case GeometryFault::zeroArea:
+    case GeometryFault::kZeroArea:
       return "zero_area";
-    case GeometryFault::openEdge:
+    case GeometryFault::kOpenEdge:
       return "open_edge";
-    case GeometryFault::wrongOrientation:
+    case GeometryFault::kWrongOrientation:
       return "wrong_orientation";
-    case GeometryFault::insideOut:
+    case GeometryFault::kInsideOut:
       return "inside_out";
-    case GeometryFault::foldedPatch:
+    case GeometryFault::kFoldedPatch:
       return "folded_patch";
   }
   return "unknown";

@@ -4,21 +4,23 @@
 #include <string_view>
 #include <vector>
 
-#include "modeling/mesh/mesh.h"
+#include "base/job.h"
+#include "modeling/body/body.h"
+#include "modeling/mesh/surface_mesh.h"
 
 // Is the surface the boundary of a body? What is asked after every edit, before anything is
 // computed on the mesh.
 namespace palpa::modeling {
 
 enum class GeometryFault {
-  selfIntersection,  ///< parts of the surface pass through each other or lie folded on each other
-  touching,          ///< parts that are no neighbours touch without passing through: a warning
-  invertedTriangle,  ///< a triangle's normal points against that of the spline surface
-  zeroArea,          ///< a triangle has no area (its height is below 1e-8 of its longest edge)
-  openEdge,          ///< an edge has only one triangle
-  wrongOrientation,  ///< an edge is used twice in one direction
-  insideOut,         ///< the enclosed volume is not positive
-  foldedPatch,       ///< du × dv turns over inside a patch, or vanishes on a part of it
+  kSelfIntersection,  ///< parts of the surface pass through each other or lie folded on each other
+  kTouching,          ///< parts that are no neighbours touch without passing through: a warning
+  kInvertedTriangle,  ///< a triangle's normal points against that of the spline surface
+  kZeroArea,          ///< a triangle has no area (its height is below 1e-8 of its longest edge)
+  kOpenEdge,          ///< an edge has only one triangle
+  kWrongOrientation,  ///< an edge is used twice in one direction
+  kInsideOut,         ///< the enclosed volume is not positive
+  kFoldedPatch,       ///< du × dv turns over inside a patch, or vanishes on a part of it
 };
 
 /// The fault's name in JSON: "self_intersection", …

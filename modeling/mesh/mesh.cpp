@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/mesh/border_fit.h"
 #include "modeling/mesh/mesh_counts.h"
@@ -16,17 +17,11 @@
 #include "modeling/mesh/structured_mesh.h"
 #include "modeling/mesh/work_mesh.h"
 #include "modeling/solid/surface_properties.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
 
-constexpr int kMostLevels = 6;
 constexpr double kBorderError = 0.1;  // of the edge length, where a border meets a patch edge
-constexpr double kFinestAccuracy = 1e-4;
-constexpr double kCoarsestAccuracy = 0.1;
-constexpr double kSmallestFactor = 0.05;
-constexpr double kLargestFactor = 20.0;
 
 /// Position along the Hilbert curve through a 2^order square grid (standard quadrant recursion).
 std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y, int order) {
@@ -138,27 +133,6 @@ void refine(MeshEditor& editor, const MeshSettings& settings, std::uint64_t bord
 
 }  // namespace
 
-void MeshSettings::validate(const std::string& path) const {
-  if (!std::isfinite(edgeLength) || edgeLength <= 0.0)
-    throw ModelingError(path + ".edge_length_mm: " + numberText(edgeLength) +
-                        " must be finite and greater than 0");
-  if (!(accuracy >= kFinestAccuracy && accuracy <= kCoarsestAccuracy))
-    throw ModelingError(path + ".accuracy: " + numberText(accuracy) + " is outside " +
-                        numberText(kFinestAccuracy) + " … " + numberText(kCoarsestAccuracy));
-  if (elementLength && !(std::isfinite(*elementLength) && *elementLength > 0.0))
-    throw ModelingError(path + ".element_length_mm: " + numberText(*elementLength) +
-                        " must be finite and greater than 0");
-  if (refinementLevels < 0 || refinementLevels > kMostLevels)
-    throw ModelingError(path + ".refinement.levels: " + std::to_string(refinementLevels) +
-                        " is outside 0 … " + std::to_string(kMostLevels));
-  for (const auto& [name, factor] : patchFactors) {
-    const std::string place = path + ".patch_factors." + name;
-    if (!(factor >= kSmallestFactor && factor <= kLargestFactor))
-      throw ModelingError(place + ": " + numberText(factor) + " is outside " +
-                          numberText(kSmallestFactor) + " … " + numberText(kLargestFactor));
-  }
-}
-
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
                          std::span<const MeshRegion> regions) {
   settings.validate();
@@ -183,11 +157,11 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
       throw ModelingError("mesh.patch_factors: there is no patch \"" + name +
                           "\"; the patches are " + quotedPatchNames(solid));
   const double expected = estimateNodeCount(solid, settings, regions);
-  if (expected > kMostNodes)
+  if (expected > kMaxNodes)
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
                             " mm would need about " + numberText(std::round(expected)) +
-                            " nodes; at most " + numberText(kMostNodes) + " are possible",
-                        ModelingError::Kind::tooLarge);
+                            " nodes; at most " + numberText(kMaxNodes) + " are possible",
+                        ModelingError::Kind::kTooLarge);
   const SurfaceEvaluator surface(solid);
   const std::vector<double> lengths = patchEdgeLengths(solid, settings);
   const Counts counts = subdivisionCounts(solid, surface, lengths, job);

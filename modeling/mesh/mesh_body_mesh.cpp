@@ -6,6 +6,7 @@
 #include <set>
 #include <variant>
 
+#include "base/text.h"
 #include "modeling/body/smooth_regions.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
@@ -13,7 +14,6 @@
 #include "modeling/mesh/mesh_regions.h"
 #include "modeling/mesh/surface_cut.h"
 #include "modeling/mesh/surface_remesher.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Details smaller than this part of the edge length are not worth a sharp edge.
-constexpr double kSmallestDetail = 1.0 / 8.0;
+constexpr double kMinDetail = 1.0 / 8.0;
 constexpr double kSnap = 0.05;  // of the edge length, to sharp edges beside a border
 /// Remeshing to a length gives edges of 0.93 times that length on average.
 constexpr double kMeanEdge = 0.93;
@@ -31,7 +31,7 @@ constexpr double kMeanOfLongest = 0.85;
 constexpr double kAreaPerNode = 0.84;
 
 TaggedSurface taggedSurface(const MeshBody& body, double edgeLength) {
-  const double detail = kSmallestDetail * edgeLength;
+  const double detail = kMinDetail * edgeLength;
   const std::vector<int> regions =
       smoothRegions(body.positions(), body.triangles(), detail * detail,
                     static_cast<int>(body.triangles().size()));
@@ -193,7 +193,7 @@ void checkVolume(const TaggedSurface& surface, const MeshBody& body, double edge
     sum += (surface.positions[a] - origin)
                .dot((surface.positions[b] - origin).cross(surface.positions[c] - origin));
   const double exact = volume(body);
-  if (std::abs(sum / 6.0 - exact) > kMostVolumeChange * exact)
+  if (std::abs(sum / 6.0 - exact) > kMaxVolumeChange * exact)
     throw ModelingError("mesh.edge_length_mm: " + numberText(edgeLength) +
                         " mm is too coarse for this body: the mesh would have " +
                         std::to_string(std::lround(100.0 * sum / 6.0 / exact)) +
@@ -235,11 +235,11 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions, const Job& job) {
   const double expected = estimateNodeCount(body, settings, regions);
-  if (!(expected <= kMostNodes))
+  if (!(expected <= kMaxNodes))
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
                             " mm would need about " + numberText(std::round(expected)) +
-                            " nodes; at most " + numberText(kMostNodes) + " are possible",
-                        ModelingError::Kind::tooLarge);
+                            " nodes; at most " + numberText(kMaxNodes) + " are possible",
+                        ModelingError::Kind::kTooLarge);
   const std::vector<RegionBorder> borders = distinctBorders(regions);
   const MeshSettings used = bounded(settings, body);
   const TaggedSurface original = cutSurface(body, used, borders);

@@ -40,8 +40,8 @@ Cuts cutsOf(const SurfaceEvaluator& surface, int patch, const std::array<double,
   Cuts cuts{cell[0] > cell[1] ? 0 : 1, 1.0};
   // Absurdly small edge lengths make the cells vanish.
   if (!(cell[0] > 0.0 && cell[1] > 0.0)) return cuts;
-  while (cuts.pieces < kMostCuts && 0.5 * std::numbers::sqrt3 * cell[cuts.direction] >
-                                        kMostAspect * cuts.pieces * cell[1 - cuts.direction])
+  while (cuts.pieces < kMaxCuts && 0.5 * std::numbers::sqrt3 * cell[cuts.direction] >
+                                       kMaxAspect * cuts.pieces * cell[1 - cuts.direction])
     cuts.pieces *= 2.0;
   return cuts;
 }

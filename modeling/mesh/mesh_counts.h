@@ -4,8 +4,8 @@
 #include <set>
 #include <vector>
 
-#include "modeling/job.h"
-#include "modeling/mesh/mesh.h"
+#include "base/job.h"
+#include "modeling/mesh/mesh_settings.h"
 #include "modeling/solid/surface_evaluator.h"
 
 namespace palpa::modeling {

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/job.h"
 #include "modeling/body/region.h"
-#include "modeling/job.h"
 #include "modeling/mesh/region_border.h"
 #include "modeling/mesh/work_mesh.h"
 

@@ -9,10 +9,10 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh_regions.h"
 #include "modeling/mesh/node_place.h"
-#include "modeling/mesh/place_text.h"
 #include "modeling/mesh/triangle_shape.h"
 #include "modeling/solid/surface_properties.h"
 
@@ -25,8 +25,8 @@ constexpr double kNearBorder = 0.1;   // of a triangle's longest edge: its middl
 constexpr double kCountsAsOn = 0.1;   // of the shortest edge at a node that cannot slide
 constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the job
 
-/// Ends the attempt; the reason becomes FollowResult::whyAnew.
-struct Anew {
+/// Ends the attempt; the reason becomes FollowResult::remeshReason.
+struct RemeshNeeded {
   std::string why;
 };
 
@@ -82,7 +82,8 @@ class Follower {
 
  private:
   void checkRegions(std::span<const MeshRegion> regions) {
-    const Anew changed{"the supports, loads or borders the mesh was fitted to have changed"};
+    const RemeshNeeded changed{
+        "the supports, loads or borders the mesh was fitted to have changed"};
     const std::vector<RegionBorder> borders = distinctBorders(regions);
     if (!std::equal(borders.begin(), borders.end(), previous_.borders.begin(),
                     previous_.borders.end(),
@@ -195,8 +196,8 @@ class Follower {
           (!alongU || (at.u > uLow && at.u < uHigh)) && (!alongV || (at.v > vLow && at.v < vHigh));
       if (!inside) break;
     }
-    throw Anew{"the border of a region near " + placeText(previous_.positions[node]) +
-               " has moved to another patch or edge, or away from the surface"};
+    throw RemeshNeeded{"the border of a region near " + placeText(previous_.positions[node]) +
+                       " has moved to another patch or edge, or away from the surface"};
   }
 
   /// Each moved node must be on the side of every border on which its triangles are.
@@ -222,8 +223,8 @@ class Follower {
                                    : std::max({tolerance(border, kOnBorder), 1.5 * before,
                                                kCountsAsOn * shortest[node] * border.slope()});
         if ((!outside && value > allowed) || (!inside && value < -allowed))
-          throw Anew{"the surface near " + placeText(result_.positions[node]) +
-                     " has crossed the border of a region"};
+          throw RemeshNeeded{"the surface near " + placeText(result_.positions[node]) +
+                             " has crossed the border of a region"};
       }
   }
 
@@ -248,13 +249,13 @@ class Follower {
       const double before = (old[n[k]] - old[n[(k + 1) % 3]]).norm();
       longest = std::max(longest, length);
       if (length > limits_.edgeRatio * before || before > limits_.edgeRatio * length)
-        throw Anew{"an edge" + near + " has become " + roundedText(length) + " mm long, from " +
-                   roundedText(before) + " mm"};
+        throw RemeshNeeded{"an edge" + near + " has become " + roundedText(length) +
+                           " mm long, from " + roundedText(before) + " mm"};
     }
     const double angle = smallestAngle(x[n[0]], x[n[1]], x[n[2]]);
     if (angle < limits_.smallestAngle * std::numbers::pi / 180.0 &&
         angle < smallestAngle(old[n[0]], old[n[1]], old[n[2]]))
-      throw Anew{"a triangle" + near + " has become too thin"};
+      throw RemeshNeeded{"a triangle" + near + " has become too thin"};
 
     const int patch = result_.patchOfTriangle[t];
     const std::array<NodePlace, 3> places{placeOf(solid_, surface_, result_.parameters[n[0]]),
@@ -265,13 +266,13 @@ class Follower {
     const double v = (a.v + b.v + c.v) / 3.0;
     const Eigen::Vector3d normal = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]);
     if (!(normal.dot(surface_.normal(patch, u, v)) > limits_.leastAlongNormal * normal.norm()))
-      throw Anew{"a triangle" + near + " has turned away from the surface"};
+      throw RemeshNeeded{"a triangle" + near + " has turned away from the surface"};
     for (std::size_t k = 0; k < previous_.borders.size(); ++k) {
       const RegionBorder& border = result_.borders[k];
       const bool inside = (previous_.bordersOfTriangle[t] >> k) & 1;
       const double value = border.value(surface_.position(patch, u, v)) * (inside ? 1.0 : -1.0);
       if (value > kNearBorder * longest * border.slope())
-        throw Anew{"the surface" + near + " has crossed the border of a region"};
+        throw RemeshNeeded{"the surface" + near + " has crossed the border of a region"};
     }
   }
 
@@ -279,7 +280,7 @@ class Follower {
     const std::vector<int> groups = smoothingGroups(solid_, sharpEdges(solid_, surface_));
     for (std::size_t t = 0; t < result_.triangles.size(); ++t)
       if (groups[result_.patchOfTriangle[t]] != result_.smoothingGroupOfTriangle[t])
-        throw Anew{"an edge has become sharp or smooth"};
+        throw RemeshNeeded{"an edge has become sharp or smooth"};
   }
 
   const SurfaceMesh& previous_;
@@ -314,7 +315,7 @@ FollowResult followSolid(const SurfaceMesh& previous, const Solid& meshed, const
   if (!samePatches(meshed, solid)) return {std::nullopt, "the patches or their knots have changed"};
   try {
     return {Follower(previous, meshed, solid, limits, job).run(regions), ""};
-  } catch (const Anew& anew) {
+  } catch (const RemeshNeeded& anew) {
     return {std::nullopt, anew.why};
   } catch (const ModelingError& error) {
     return {std::nullopt, error.what()};

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "modeling/mesh/mesh.h"
+#include "base/job.h"
+#include "modeling/mesh/mesh_settings.h"
+#include "modeling/mesh/surface_mesh.h"
 
 // Meshes that follow the control points of their solid: same triangles, other positions.
 namespace palpa::modeling {
@@ -26,7 +28,7 @@ struct MeshUpdate {
 /// Either an update or a sentence that says why the solid must be meshed anew.
 struct FollowResult {
   std::optional<MeshUpdate> update;
-  std::string whyAnew;  ///< empty with an update
+  std::string remeshReason;  ///< empty with an update
 };
 
 /// Carries a mesh over to a solid with the same patches whose control points have moved.
@@ -41,7 +43,7 @@ struct FollowResult {
 ///
 /// Meshing anew is asked for when patches, knots or regions differ; when triangles exceed the
 /// limits; when a part of the surface enters or leaves a half space other than by a shift of its
-/// border; when an edge becomes sharp or stops being so (FollowResult::whyAnew says which).
+/// border; when an edge becomes sharp or stops being so (FollowResult::remeshReason says which).
 ///
 /// Cost: about 3 µs per node on patches with moved control points. @throws Cancelled
 FollowResult followSolid(const SurfaceMesh& previous, const Solid& meshed, const Solid& solid,

@@ -97,8 +97,8 @@ void relieveSlivers(MeshEditor& editor) {
 
 void closeWedges(MeshEditor& editor, double borderError) {
   constexpr double kWedge = 18.0 * std::numbers::pi / 180.0;
-  constexpr double kLeastSlope = 0.1;  // of the border's value over the surface
-  constexpr double kLeastPart = 0.2;   // of an edge; shorter pieces would be slivers themselves
+  constexpr double kMinSlope = 0.1;  // of the border's value over the surface
+  constexpr double kMinPart = 0.2;   // of an edge; shorter pieces would be slivers themselves
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     bool changed = false;
@@ -134,14 +134,14 @@ void closeWedges(MeshEditor& editor, double borderError) {
         const Eigen::Vector3d normal = toEdge.cross(toBorder).normalized();
         const Eigen::Vector3d gradient = border.gradient(editor.position(onEdge));
         const double slope = (gradient - gradient.dot(normal) * normal).norm();
-        if (slope < kLeastSlope * border.slope()) continue;
+        if (slope < kMinSlope * border.slope()) continue;
         const double start = std::abs(border.value(editor.position(tip))) / slope;
         const double end = std::abs(border.value(editor.position(onEdge))) / slope;
         const double part = end <= borderError ? 1.0 : (borderError - start) / (end - start);
-        if (part < (atCorner ? 1.0 : kLeastPart)) continue;
+        if (part < (atCorner ? 1.0 : kMinPart)) continue;
         int wedge = t;
         if (part < 1.0) {
-          const int last = editor.split(tip, onEdge, std::min(part, 1.0 - kLeastPart));
+          const int last = editor.split(tip, onEdge, std::min(part, 1.0 - kMinPart));
           wedge = editor.leftOf(tip, last) >= 0 &&
                           editor.mesh().triangles[editor.leftOf(tip, last)].patch == triangle.patch
                       ? editor.leftOf(tip, last)

@@ -124,14 +124,14 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
   };
   // A long cell has two triangles with one long side each and the diagonal in common. Halving the
   // sides and turning the diagonal gives two cells of half the length.
-  for (int cuts = 1; cuts < kMostCuts; cuts *= 2) {
+  for (int cuts = 1; cuts < kMaxCuts; cuts *= 2) {
     std::vector<DirectedEdge> sides;
     std::vector<DirectedEdge> diagonals;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (i % kCheckpoint == 0) editor.checkpoint();
       if (!narrowPatches.contains(triangles[i].patch)) continue;
       const std::array<DirectedEdge, 3> s = sorted(static_cast<int>(i));
-      if (0.5 * std::numbers::sqrt3 * s[1].length <= kMostAspect * s[0].length) continue;
+      if (0.5 * std::numbers::sqrt3 * s[1].length <= kMaxAspect * s[0].length) continue;
       sides.push_back(s[1]);
       diagonals.push_back(s[2]);
     }

@@ -11,9 +11,9 @@ namespace palpa::modeling {
 inline constexpr double kSizeGrowth = 0.5;
 
 /// Triangles of narrow patches are cut across until their aspect (MeshQuality::largestAspect) is at
-/// most this, but each edge into at most kMostCuts pieces.
-inline constexpr double kMostAspect = 4.5;
-inline constexpr int kMostCuts = 16;
+/// most this, but each edge into at most kMaxCuts pieces.
+inline constexpr double kMaxAspect = 4.5;
+inline constexpr int kMaxCuts = 16;
 
 /// Cuts the triangle's longest edge; first that of its neighbour across it while longer, so that
 /// angles stay bounded from below (Rivara's longest-edge bisection).

@@ -31,16 +31,16 @@ std::uint64_t bitsOf(const Region& region, const std::vector<RegionBorder>& bord
 }  // namespace
 
 std::vector<RegionBorder> distinctBorders(std::span<const MeshRegion> regions) {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMaxBorders = 64;
   std::vector<RegionBorder> result;
   for (const MeshRegion& region : regions)
     for (RegionBorder& border : bordersOf(region.where))
       if (std::find(result.begin(), result.end(), border) == result.end())
         result.push_back(std::move(border));
-  if (result.size() > kMost)
+  if (result.size() > kMaxBorders)
     throw ModelingError("the regions have " + std::to_string(result.size()) +
                             " different half spaces and paintings; at most 64 are possible",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   return result;
 }
 

@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "modeling/mesh/mesh.h"
+#include "modeling/mesh/mesh_settings.h"
+#include "modeling/mesh/region_border.h"
 
 // From regions to borders and triangles. In all of these a set of borders is a bit pattern:
 // bit k stands for the k-th of distinctBorders().

@@ -13,10 +13,10 @@ NodePlace placeOf(const Solid& solid, const SurfaceEvaluator& surface, const Sur
   const bool onV = at.v == vLow || at.v == vHigh;
   if (!onU && !onV) return place;
   if (onU && onV) {
-    const Side side = at.v == vLow ? Side::vMin : Side::vMax;
+    const Side side = at.v == vLow ? Side::kVMin : Side::kVMax;
     place.vertex = solid.verticesOf(at.patch, side)[at.u == uLow ? 0 : 1];
     for (int p = 0; p < surface.patchCount(); ++p)
-      for (Side other : {Side::vMin, Side::vMax}) {
+      for (Side other : {Side::kVMin, Side::kVMax}) {
         const std::array<int, 2> ends = solid.verticesOf(p, other);
         for (int end : {0, 1}) {
           if (ends[end] != place.vertex) continue;
@@ -27,7 +27,7 @@ NodePlace placeOf(const Solid& solid, const SurfaceEvaluator& surface, const Sur
     return place;
   }
   const Side side =
-      onV ? (at.v == vLow ? Side::vMin : Side::vMax) : (at.u == uLow ? Side::uMin : Side::uMax);
+      onV ? (at.v == vLow ? Side::kVMin : Side::kVMax) : (at.u == uLow ? Side::kUMin : Side::kUMax);
   place.edge = solid.edgeOf(at.patch, side);
   const SolidEdge& edge = solid.edges()[place.edge];
   const int use = edge.uses[0].patch == at.patch && edge.uses[0].side == side ? 0 : 1;

@@ -3,7 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "modeling/mesh/mesh.h"
+#include "modeling/solid/edge_curve.h"
+#include "modeling/solid/surface_evaluator.h"
 
 namespace palpa::modeling {
 

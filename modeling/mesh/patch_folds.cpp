@@ -10,7 +10,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSamples = 4;          // per span and direction, at least
-constexpr int kLeastSamples = 16;    // per patch and direction
+constexpr int kMinSamples = 16;      // per patch and direction
 constexpr double kOpposite = -0.97;  // cosine between normals on both sides of a fold
 constexpr double kFlat = 1e-9;       // of the patch's mean |du × dv|
 constexpr double kParallel = 1e-7;   // sine of the angle between du and dv
@@ -44,7 +44,7 @@ class FoldSearch {
   std::vector<double> samples(int direction) const {
     const std::vector<double>& spans = surface_.spans(patch_, direction);
     const int count = static_cast<int>(spans.size()) - 1;
-    const int perSpan = std::max(kSamples, (kLeastSamples + count - 1) / count);
+    const int perSpan = std::max(kSamples, (kMinSamples + count - 1) / count);
     std::vector<double> result;
     for (std::size_t i = 1; i < spans.size(); ++i)
       for (int k = 0; k < perSpan; ++k)

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "modeling/job.h"
+#include "base/job.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::modeling {

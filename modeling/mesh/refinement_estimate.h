@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "modeling/mesh/mesh.h"
+#include "modeling/mesh/mesh_settings.h"
 #include "modeling/solid/surface_evaluator.h"
 
 namespace palpa::modeling {

@@ -8,11 +8,11 @@
 namespace palpa::modeling {
 
 void SizeField::addSource(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double length) {
-  constexpr double kMostLevels = 20.0;
+  constexpr double kMaxLevels = 20.0;
   constexpr double kSlack = 1e-6;
   if (!(length < largest_ * (1.0 - kSlack))) return;
   const double level = std::ceil(2.0 * std::log2(largest_ / length) - kSlack);
-  Level& at = levels_[static_cast<int>(std::clamp(level, 1.0, kMostLevels))];
+  Level& at = levels_[static_cast<int>(std::clamp(level, 1.0, kMaxLevels))];
   at.segments.push_back({a, b});
   at.changed = true;
 }

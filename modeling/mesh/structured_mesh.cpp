@@ -67,10 +67,10 @@ class Builder {
     const int m = pieces(patch, 0);
     const int n = pieces(patch, 1);
     std::vector<std::vector<int>> grid(m + 1, std::vector<int>(n + 1));
-    const std::vector<int> bottom = sideNodes(patch, Side::vMin);
-    const std::vector<int> top = sideNodes(patch, Side::vMax);
-    const std::vector<int> left = sideNodes(patch, Side::uMin);
-    const std::vector<int> right = sideNodes(patch, Side::uMax);
+    const std::vector<int> bottom = sideNodes(patch, Side::kVMin);
+    const std::vector<int> top = sideNodes(patch, Side::kVMax);
+    const std::vector<int> left = sideNodes(patch, Side::kUMin);
+    const std::vector<int> right = sideNodes(patch, Side::kUMax);
     for (int i = 0; i <= m; ++i) {
       grid[i][0] = bottom[i];
       grid[i][n] = top[i];

@@ -16,7 +16,7 @@ constexpr double kTurn = 0.77;             // cosine of 40°: where a feature tu
 constexpr double kSameSide = 0.5;          // least cosine between a triangle's old and new normal
 constexpr double kGoodAngleCosine = 0.82;  // 35°: a relaxed star need not be better than that
 constexpr double kFarOff = 0.5;            // of the edge: a projection that jumps farther is wrong
-constexpr double kMostCollapseSag = 0.14;  // of an edge; what makes more loses a curved surface
+constexpr double kMaxCollapseSag = 0.14;   // of an edge; what makes more loses a curved surface
 constexpr double kFlatStar = 0.98;  // cosine of 11°: no edge over a flatter star sags as much
 
 double cosineBetween(const Vector3d& a, const Vector3d& b) {
@@ -171,7 +171,7 @@ bool SurfaceEditor::wouldSag(int from, int to, int other) const {
   const double longer = length(to, other);
   if (longer <= length(from, other)) return false;
   const Vector3d middle = 0.5 * (positions_[to] + positions_[other]);
-  return (onOriginal(from, other, middle) - middle).norm() > kMostCollapseSag * longer;
+  return (onOriginal(from, other, middle) - middle).norm() > kMaxCollapseSag * longer;
 }
 
 bool SurfaceEditor::isFlat(int node) const {
@@ -257,8 +257,8 @@ bool SurfaceEditor::collapse(int from, int to) {
   }
   const bool flat = isFlat(from);
   for (int other : mine) {
-    constexpr double kLongest = 4.0 / 3.0;
-    if (other != to && length(other, to) > kLongest * 0.5 * (sizes_[other] + sizes_[to]) &&
+    constexpr double kMaxLengthRatio = 4.0 / 3.0;
+    if (other != to && length(other, to) > kMaxLengthRatio * 0.5 * (sizes_[other] + sizes_[to]) &&
         length(other, to) > length(other, from))
       return false;
     if (!flat && other != to && wouldSag(from, to, other)) return false;
@@ -328,7 +328,7 @@ bool SurfaceEditor::flip(int a, int b) {
     };
     const double shortest =
         std::min({length(a, c), length(c, b), length(b, d), length(d, a), length(c, d)});
-    if (sagOf(c, d) > std::max(sagOf(a, b), kMostCollapseSag * shortest)) return false;
+    if (sagOf(c, d) > std::max(sagOf(a, b), kMaxCollapseSag * shortest)) return false;
   }
   replace(left, first);
   replace(right, second);

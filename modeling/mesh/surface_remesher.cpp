@@ -4,21 +4,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/surface_editor.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
 
 constexpr double kLong = 4.0 / 3.0;   // of the wanted length; Botsch and Kobbelt's bounds, between
 constexpr double kShort = 4.0 / 5.0;  // which splitting and collapsing do not undo each other
-constexpr double kMostTurn = std::numbers::pi / 4.0;  // of a feature line between two nodes
-constexpr double kMostSag = 0.13;                     // of an edge: an arc of about 60 degrees
-constexpr double kSliver = 20.0;                      // degrees
-constexpr double kRelief = 0.6;              // new length of an edge that is to become shorter
-constexpr double kLeastRelief = 1.0 / 32.0;  // of the largest size
+constexpr double kMaxTurn = std::numbers::pi / 4.0;  // of a feature line between two nodes
+constexpr double kMaxSag = 0.13;                     // of an edge: an arc of about 60 degrees
+constexpr double kSliver = 20.0;                     // degrees
+constexpr double kRelief = 0.6;            // new length of an edge that is to become shorter
+constexpr double kMinRelief = 1.0 / 32.0;  // of the largest size
 constexpr int kPasses = 6;
 constexpr int kReliefRounds = 5;
 constexpr int kReliefPasses = 3;
@@ -87,10 +87,10 @@ class Remesher {
       for (const Edge& e : longest) {
         breathe(count++);
         editor_.split(e.a, e.b);
-        if (editor_.nodeCount() > 2.0 * kMostNodes)
-          throw ModelingError("mesh.edge_length_mm: more than " + numberText(kMostNodes) +
+        if (editor_.nodeCount() > 2.0 * kMaxNodes)
+          throw ModelingError("mesh.edge_length_mm: more than " + numberText(kMaxNodes) +
                                   " nodes would be needed; choose a longer edge or less refinement",
-                              ModelingError::Kind::tooLarge);
+                              ModelingError::Kind::kTooLarge);
       }
     }
   }
@@ -180,8 +180,8 @@ class Remesher {
       line.push_back(next);
     }
     if (!editor_.isCorner(first)) seen[first] = true;
-    constexpr double kMostPieces = 16.0;  // noise turns a lot without going anywhere
-    const double pieces = std::min(turn / kMostTurn, kMostPieces);
+    constexpr double kMaxPieces = 16.0;  // noise turns a lot without going anywhere
+    const double pieces = std::min(turn / kMaxTurn, kMaxPieces);
     if (pieces <= 1.0) return;
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
       sizes_.addSource(editor_.position(line[i]), editor_.position(line[i + 1]), length / pieces);
@@ -191,7 +191,7 @@ class Remesher {
   /// curved surface. Returns whether there was such a place.
   bool relieve() {
     const double sliver = std::cos(kSliver * std::numbers::pi / 180.0);
-    const double least = kLeastRelief * sizes_.largest();
+    const double least = kMinRelief * sizes_.largest();
     bool found = false;
     const auto shorten = [&](int a, int b) {
       const double length = kRelief * editor_.length(a, b);
@@ -208,7 +208,7 @@ class Remesher {
         const int a = n[k];
         const int b = n[(k + 1) % 3];
         if (editor_.length(a, b) > editor_.length(n[longest], n[(longest + 1) % 3])) longest = k;
-        if (a < b && editor_.sag(a, b) > kMostSag * editor_.length(a, b)) shorten(a, b);
+        if (a < b && editor_.sag(a, b) > kMaxSag * editor_.length(a, b)) shorten(a, b);
       }
       if (editor_.smallestAngleCosine(t) > sliver && !isSharpCorner(n))
         shorten(n[longest], n[(longest + 1) % 3]);

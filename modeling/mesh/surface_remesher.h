@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modeling/job.h"
+#include "base/job.h"
 #include "modeling/mesh/size_field.h"
 #include "modeling/mesh/tagged_surface.h"
 
@@ -11,7 +11,7 @@ namespace palpa::modeling {
 /// edges, collapse short ones, flip, relax, project back). Nodes stay on the given surface; those
 /// on feature edges stay on them; corners, where features meet or turn, stay where they are.
 /// Deterministic. Slivers between features are relieved by locally shorter edges.
-/// @throws Cancelled; ModelingError when more than kMostNodes nodes would be made
+/// @throws Cancelled; ModelingError when more than kMaxNodes nodes would be made
 TaggedSurface remesh(const TaggedSurface& surface, SizeField sizes, const Job& job);
 
 }  // namespace palpa::modeling

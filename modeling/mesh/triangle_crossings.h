@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "modeling/job.h"
+#include "base/job.h"
 
 namespace palpa::modeling {
 

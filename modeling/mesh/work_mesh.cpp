@@ -74,7 +74,7 @@ WorkNode WorkMesh::nodeInCorner(int vertex) const {
   WorkNode node;
   node.position = solid->controlPoints()[vertex];
   for (std::size_t p = 0; p < solid->patches().size(); ++p)
-    for (Side side : {Side::vMin, Side::vMax}) {
+    for (Side side : {Side::kVMin, Side::kVMax}) {
       const PatchEdge edge{static_cast<int>(p), side};
       const auto ends = solid->verticesOf(edge.patch, side);
       for (int end : {0, 1})

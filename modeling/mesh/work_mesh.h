@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "modeling/mesh/mesh.h"
 #include "modeling/solid/edge_curve.h"
 #include "modeling/solid/solid.h"
 #include "modeling/solid/surface_evaluator.h"

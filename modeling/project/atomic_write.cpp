@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestName = 255;  // bytes, on all common file systems
+constexpr std::size_t kMaxNameLength = 255;  // bytes, on all common file systems
 constexpr std::string_view kFreshEnd = ".palpa-new";
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what) {
   throw ModelingError(
       path.string() + ": cannot be written (" + what + "); the old file, if any, is unchanged",
-      ModelingError::Kind::io);
+      ModelingError::Kind::kIo);
 }
 
 [[noreturn]] void fail(const fs::path& path, int error) {
@@ -40,10 +40,10 @@ std::string shortened(const std::string& name, std::size_t most) {
 
 /// The file behind any symbolic links, which need not exist yet.
 fs::path behindLinks(const fs::path& path) {
-  constexpr int kMostLinks = 40;
+  constexpr int kMaxLinks = 40;
   fs::path target = path;
   std::error_code code;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(target, code); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(target, code); ++i) {
     const fs::path next = fs::read_symlink(target, code);
     if (code) fail(path, code.value());
     target = target.parent_path() / next;  // an absolute link replaces the whole
@@ -185,7 +185,8 @@ void flushFolder(const fs::path& folder) {
 
 fs::path backupPath(const fs::path& path) {
   const fs::path target = behindLinks(path);
-  return target.parent_path() / (shortened(target.filename().string(), kLongestName - 4) + ".bak");
+  return target.parent_path() /
+         (shortened(target.filename().string(), kMaxNameLength - 4) + ".bak");
 }
 
 void writeAtomically(std::string_view text, const fs::path& path, AtomicWriteOptions options) {

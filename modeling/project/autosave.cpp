@@ -105,7 +105,7 @@ Parts partsFrom(const fs::path& file, const json& header, std::string project) {
 }
 
 Parts readParts(const fs::path& file) {
-  const std::string text = readTextFile(file, kLargestProjectFile + kHeaderLimits.bytes);
+  const std::string text = readTextFile(file, kMaxProjectFile + kHeaderLimits.bytes);
   const std::size_t end = std::min(text.find('\n'), text.size());
   const json header =
       parseGuarded(std::string_view(text).substr(0, end), file.string(), kHeaderLimits);
@@ -156,7 +156,7 @@ fs::path defaultAutosaveFolder() {
   const fs::path home = absolute("HOME");
   if (home.empty())
     throw ModelingError("HOME: is not set, so there is no folder for autosaved projects",
-                        ModelingError::Kind::notFound);
+                        ModelingError::Kind::kNotFound);
   return home / ".local" / "state" / "palpa" / "autosave";
 }
 
@@ -174,7 +174,7 @@ void Autosave::write(const Project& project, const fs::path& original, std::uint
     fs::permissions(folder_, fs::perms::owner_all, code);
   if (!fs::is_directory(folder_, code))
     throw ModelingError(folder_.string() + ": cannot be made for autosaved projects",
-                        ModelingError::Kind::io);
+                        ModelingError::Kind::kIo);
   const fs::path file =
       folder_ / (hashText(absolute.string()) + "-" + std::to_string(process.number) + "-" +
                  std::to_string(process.start) + "-" + std::to_string(document_) + kExtension);
@@ -218,7 +218,7 @@ void discard(const Snapshot& snapshot) {
   fs::remove(snapshot.file, code);
   if (code)
     throw ModelingError(snapshot.file.string() + ": cannot be removed (" + code.message() + ")",
-                        ModelingError::Kind::io);
+                        ModelingError::Kind::kIo);
 }
 
 }  // namespace palpa::modeling

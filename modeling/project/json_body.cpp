@@ -1,9 +1,9 @@
 #include <unordered_map>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
 #include "modeling/project/json_values.h"
-#include "modeling/text.h"
 
 // Bodies as JSON: solids with their smooth edges, mesh bodies with the runs of their faces.
 namespace palpa::modeling {
@@ -17,9 +17,9 @@ std::string sideKey(Side side) {
 }
 
 Side sideFrom(const json& value) {
-  for (Side side : {Side::vMin, Side::uMax, Side::vMax})
+  for (Side side : {Side::kVMin, Side::kUMax, Side::kVMax})
     if (value == sideKey(side)) return side;
-  return Side::uMin;
+  return Side::kUMin;
 }
 
 namespace {

@@ -143,7 +143,7 @@ nlohmann::json parseGuarded(std::string_view text, const std::string& source,
   if (text.size() > limits.bytes)
     throw ModelingError(source + ": the file has " + std::to_string(text.size()) +
                             " bytes; at most " + std::to_string(limits.bytes) + " are accepted",
-                        ModelingError::Kind::tooLarge);
+                        ModelingError::Kind::kTooLarge);
   Guard guard(text, source, limits);
   nlohmann::json::sax_parse(text, &guard);
   return nlohmann::json::parse(text);

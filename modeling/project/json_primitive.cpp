@@ -1,7 +1,7 @@
 #include <utility>
 
+#include "base/text.h"
 #include "modeling/project/json_values.h"
-#include "modeling/text.h"
 
 // Primitives are read and written here, side by side, because every shape has keys of its own.
 namespace palpa::modeling {

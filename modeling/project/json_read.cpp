@@ -39,7 +39,7 @@ Region regionFrom(const json& value) {
 Support supportFrom(const json& value) {
   Support support;
   support.name = value["name"];
-  support.kind = value["kind"] == "fixed" ? Support::Kind::fixed : Support::Kind::roller;
+  support.kind = value["kind"] == "fixed" ? Support::Kind::kFixed : Support::Kind::kRoller;
   support.where = regionFrom(value["where"]);
   if (value.contains("displacement_mm"))
     support.displacement = vectorFrom(value["displacement_mm"]);
@@ -56,31 +56,17 @@ Load loadFrom(const json& value) {
                      value["peak_MPa"].get<double>(), vectorFrom(value["direction"])}};
 }
 
-namespace {
-
-Eigen::Vector3d displacementFrom(const json& value) {
-  if (!value.contains("displace_mm")) return Eigen::Vector3d::Zero();
-  return vectorFrom(value["displace_mm"]);
-}
-
-}  // namespace
-
 Touch touchFrom(const json& value) {
   Touch touch;
   touch.name = value["name"];
   touch.at = vectorFrom(value["at_mm"]);
-  // A grab with a force is what a force was called at first.
-  if (value.contains("force_N"))
-    touch.action = TouchForce{vectorFrom(value["force_N"])};
-  else if (value["kind"] == "push")
-    touch.action = TouchPush{displacementFrom(value), value.value("friction", 0.0)};
-  else if (value["kind"] == "probe")
-    touch.action = TouchProbe{displacementFrom(value), value.value("friction", 0.0)};
-  else if (value["kind"] == "pin")
-    touch.action = TouchPin{displacementFrom(value)};
-  else
-    touch.action = TouchDisplacement{displacementFrom(value)};
+  // A force was first called a grab with a force.
+  touch.kind = value.contains("force_N") ? TouchKind::kForce
+                                         : *touchKindNamed(value["kind"].get<std::string>());
+  if (const char* key = infoOf(touch.kind).vectorKey; value.contains(key))
+    touch.vector = vectorFrom(value[key]);
   if (value.contains("radius_mm")) touch.radius = value["radius_mm"].get<double>();
+  touch.friction = value.value("friction", 0.0);
   return touch;
 }
 
@@ -91,7 +77,7 @@ MeshSettings meshFrom(const json& value) {
     settings.patchFactors = value["patch_factors"].get<std::map<std::string, double>>();
   const std::string engine = value.value("engine", "automatic");
   if (engine != "automatic")
-    settings.engine = engine == "splines" ? Engine::splines : Engine::triangles;
+    settings.engine = engine == "splines" ? Engine::kSplines : Engine::kTriangles;
   settings.accuracy = value.value("accuracy", settings.accuracy);
   if (value.contains("element_length_mm"))
     settings.elementLength = value["element_length_mm"].get<double>();

@@ -1,5 +1,5 @@
+#include "base/text.h"
 #include "modeling/project/json_values.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 
@@ -40,7 +40,7 @@ std::string regionText(const Region& region) {
 
 std::string supportText(const Support& support) {
   std::string text = "{\"name\": " + quoted(support.name) + ", \"kind\": " +
-                     (support.kind == Support::Kind::fixed ? "\"fixed\"" : "\"roller\"") +
+                     (support.kind == Support::Kind::kFixed ? "\"fixed\"" : "\"roller\"") +
                      ", \"where\": " + regionText(support.where);
   if (support.displacement != Eigen::Vector3d::Zero())
     text += ", \"displacement_mm\": " + vectorText(support.displacement);
@@ -75,16 +75,14 @@ std::string loadText(const Load& load) {
 }
 
 std::string touchText(const Touch& touch) {
-  std::string text = "{\"name\": " + quoted(touch.name) + ", \"kind\": \"" + kindOf(touch) +
+  const TouchKindInfo& kind = infoOf(touch.kind);
+  std::string text = "{\"name\": " + quoted(touch.name) + ", \"kind\": \"" + kind.name +
                      "\", \"at_mm\": " + vectorText(touch.at);
-  const Eigen::Vector3d& vector = vectorOf(touch);
-  if (std::holds_alternative<TouchForce>(touch.action))
-    text += ", \"force_N\": " + vectorText(vector);
-  else if (!std::holds_alternative<TouchPin>(touch.action) || vector != Eigen::Vector3d::Zero())
-    text += ", \"displace_mm\": " + vectorText(vector);
+  if (kind.needsVector || touch.vector != Eigen::Vector3d::Zero())
+    text += std::string(", \"") + kind.vectorKey + "\": " + vectorText(touch.vector);
   if (touch.radius) text += ", \"radius_mm\": " + numberText(*touch.radius);
-  if (const double* friction = frictionOf(touch); friction && *friction != 0.0)
-    text += ", \"friction\": " + numberText(*friction);
+  if (kind.presses && touch.friction != 0.0)
+    text += ", \"friction\": " + numberText(touch.friction);
   return text + "}";
 }
 
@@ -96,9 +94,9 @@ std::string meshText(const MeshSettings& mesh) {
       factors += (factors.empty() ? "" : ", ") + quoted(patch) + ": " + numberText(factor);
     text += ", \"patch_factors\": {" + factors + "}";
   }
-  if (mesh.engine != Engine::automatic)
+  if (mesh.engine != Engine::kAutomatic)
     text += std::string(", \"engine\": ") +
-            (mesh.engine == Engine::splines ? "\"splines\"" : "\"triangles\"");
+            (mesh.engine == Engine::kSplines ? "\"splines\"" : "\"triangles\"");
   if (mesh.accuracy != MeshSettings{}.accuracy)
     text += ", \"accuracy\": " + numberText(mesh.accuracy);
   if (mesh.elementLength) text += ", \"element_length_mm\": " + numberText(*mesh.elementLength);

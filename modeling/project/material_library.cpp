@@ -43,7 +43,7 @@ const LibraryMaterial& libraryMaterial(std::string_view name) {
     known += (known.empty() ? "\"" : ", \"") + entry.material.name + "\"";
   }
   throw ModelingError("no material is named \"" + std::string(name) + "\"; known are " + known,
-                      ModelingError::Kind::notFound);
+                      ModelingError::Kind::kNotFound);
 }
 
 }  // namespace palpa::modeling

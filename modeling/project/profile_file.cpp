@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr JsonLimits kLimits{kLargestProfileFile, 20'000, 8};
+constexpr JsonLimits kLimits{kMaxProfileFile, 20'000, 8};
 
 /// A value of a document together with its place, for messages.
 class Place {
@@ -85,7 +85,7 @@ ProfileCurve curveFrom(const Place& place) {
 }
 
 json parseFile(const std::filesystem::path& path) {
-  return parseGuarded(readTextFile(path, kLargestProfileFile), path.string(), kLimits);
+  return parseGuarded(readTextFile(path, kMaxProfileFile), path.string(), kLimits);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 // sections [{"z_mm": 0, "profile": {…}}, …] for lofts.
 namespace palpa::modeling {
 
-inline constexpr std::size_t kLargestProfileFile = 1UL << 20;  // bytes
+inline constexpr std::size_t kMaxProfileFile = 1UL << 20;  // bytes
 
 /// Checks the structure only; the numbers are checked when a solid is made from the curve.
 /// @throws ModelingError with the file's name and the JSON path:

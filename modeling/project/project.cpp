@@ -1,11 +1,10 @@
 #include "modeling/project/project.h"
 
 #include <cmath>
-#include <iterator>
 #include <set>
 
+#include "base/text.h"
 #include "modeling/error.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -79,12 +78,10 @@ void checkLoad(const Bump& load, const Surface&, const std::string& path) {
 void checkTouch(const Touch& touch, const std::string& path) {
   requireFinite(touch.at, path + ".at_mm");
   if (touch.radius) requirePositive(*touch.radius, path + ".radius_mm");
-  const bool isForce = std::holds_alternative<TouchForce>(touch.action);
-  requireFinite(vectorOf(touch), path + (isForce ? ".force_N" : ".displace_mm"));
-  const double* friction = frictionOf(touch);
-  if (friction && !(*friction >= 0.0 && *friction <= kMostFriction))
-    throw ModelingError(path + ".friction: " + numberText(*friction) +
-                        " is outside the range 0 … " + numberText(kMostFriction));
+  requireFinite(touch.vector, path + "." + infoOf(touch.kind).vectorKey);
+  if (!(touch.friction >= 0.0 && touch.friction <= kMaxFriction))
+    throw ModelingError(path + ".friction: " + numberText(touch.friction) +
+                        " is outside the range 0 … " + numberText(kMaxFriction));
 }
 
 }  // namespace
@@ -119,28 +116,11 @@ void checkProject(const Project& project) {
       throw ModelingError("mesh.patch_factors." + patch +
                           ": no patch has this name; the body has " +
                           quotedPatchNames(project.body));
-  if (project.mesh.engine == Engine::splines && !std::holds_alternative<Solid>(project.body))
+  if (project.mesh.engine == Engine::kSplines && !std::holds_alternative<Solid>(project.body))
     throw ModelingError(
         "mesh.engine: a mesh body has no spline patches; leave it automatic or take triangles");
   if (project.primitive && !std::holds_alternative<Solid>(project.body))
     throw ModelingError("primitive: a mesh body is not made from a primitive");
-}
-
-const char* kindOf(const Touch& touch) {
-  constexpr const char* kKinds[] = {"grab", "force", "push", "probe", "pin"};
-  static_assert(std::size(kKinds) == std::variant_size_v<decltype(Touch::action)>);
-  return kKinds[touch.action.index()];
-}
-
-const Eigen::Vector3d& vectorOf(const Touch& touch) {
-  return std::visit([](const auto& action) -> const Eigen::Vector3d& { return action.vector; },
-                    touch.action);
-}
-
-const double* frictionOf(const Touch& touch) {
-  if (const auto* push = std::get_if<TouchPush>(&touch.action)) return &push->friction;
-  if (const auto* probe = std::get_if<TouchProbe>(&touch.action)) return &probe->friction;
-  return nullptr;
 }
 
 const Region* regionOf(const Load& load) {

@@ -8,7 +8,8 @@
 
 #include "modeling/body/body.h"
 #include "modeling/body/region.h"
-#include "modeling/mesh/mesh.h"
+#include "modeling/mesh/mesh_settings.h"
+#include "modeling/project/touch_kind.h"
 #include "modeling/shapes/primitive.h"
 
 namespace palpa::modeling {
@@ -21,9 +22,9 @@ struct Material {
 };
 
 struct Support {
-  enum class Kind { fixed, roller };
+  enum class Kind { kFixed, kRoller };
   std::string name;
-  Kind kind = Kind::fixed;
+  Kind kind = Kind::kFixed;
   Region where;
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, prescribed on the region
 };
@@ -53,52 +54,21 @@ struct Load {
   std::variant<Pressure, UniformTraction, Bump> what;
 };
 
-/// Grabs: the place is moved, all three components, from where it is on the unloaded shape.
-struct TouchDisplacement {
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm
-};
-
-/// Pulls or presses with a given force, whatever the place does.
-struct TouchForce {
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< N
-};
-
-/// A fingertip's pressure mask that presses but does not pull; it slides, with friction.
-struct TouchPush {
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm, of the tip from first contact
-  double friction = 0.0;                             ///< Coulomb's coefficient, 0 … kMostFriction
-};
-
-/// A rigid ball that presses but does not pull; it slides, with friction.
-struct TouchProbe {
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm, of the ball from first contact
-  double friction = 0.0;                             ///< Coulomb's coefficient, 0 … kMostFriction
-};
-
-/// Holds the place where supports and loads alone leave it, or moves it from there.
-struct TouchPin {
-  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm
-};
-
-inline constexpr double kMostFriction = 10.0;
+inline constexpr double kMaxFriction = 10.0;
 
 /// A recorded touch. All touches of a project act at the same time; docs/project-file.md says what
 /// each kind does beside loads and other touches.
 struct Touch {
   std::string name;
-  /// mm, on the unloaded shape; where a push or probe first meets the surface.
+  /// mm, on the unloaded shape; where a kind that presses first meets the surface.
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  std::variant<TouchDisplacement, TouchForce, TouchPush, TouchProbe, TouchPin> action;
-  /// mm, > 0; of the mask, for a probe of the ball; that of a fingertip when absent.
-  std::optional<double> radius;
+  TouchKind kind = TouchKind::kGrab;
+  /// Displacement (mm) or force (N), see TouchKind.
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+  /// mm, > 0; of the mask or the ball; that of a fingertip when absent.
+  std::optional<double> radius{};
+  double friction = 0.0;  ///< Coulomb's coefficient, 0 … kMaxFriction, of a kind that presses
 };
-
-/// "grab", "force", "push", "probe" or "pin": the kind in project files.
-const char* kindOf(const Touch& touch);
-/// The displacement (mm) or force (N) of a touch.
-const Eigen::Vector3d& vectorOf(const Touch& touch);
-/// Coulomb's coefficient of a push or probe; null for other kinds.
-const double* frictionOf(const Touch& touch);
 
 /// Everything a project file holds.
 struct Project {

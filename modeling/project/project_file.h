@@ -10,8 +10,8 @@
 namespace palpa::modeling {
 
 inline constexpr int kProjectVersion = 2;
-inline constexpr std::size_t kLargestProjectFile = 64UL << 20;  // bytes
-inline constexpr std::size_t kMostProjectValues = 2'000'000;    // numbers, strings, lists, …
+inline constexpr std::size_t kMaxProjectFile = 64UL << 20;   // bytes
+inline constexpr std::size_t kMaxProjectValues = 2'000'000;  // numbers, strings, lists, …
 inline constexpr int kDeepestNesting = 32;
 
 /// Reads and checks a project. Every error is a ModelingError whose message begins with the file's

@@ -24,11 +24,11 @@ std::string viewText(std::string_view text) {
 }
 
 /// A message that quotes hostile names or lists thousands of patches stays readable: cut after
-/// kLongest bytes, between two characters.
+/// kMaxLength bytes, between two characters.
 std::string clipped(std::string message) {
-  constexpr std::size_t kLongest = 2000;
-  if (message.size() <= kLongest) return message;
-  std::size_t end = kLongest;
+  constexpr std::size_t kMaxLength = 2000;
+  if (message.size() <= kMaxLength) return message;
+  std::size_t end = kMaxLength;
   while (end > 0 && (static_cast<unsigned char>(message[end]) & 0xC0U) == 0x80U) --end;
   return message.substr(0, end) + "…";
 }
@@ -86,7 +86,7 @@ auto named(const std::string& source, Step step) {
 }
 
 Project parseUnclipped(std::string_view text, const std::string& source) {
-  const JsonLimits limits{kLargestProjectFile, kMostProjectValues, kDeepestNesting};
+  const JsonLimits limits{kMaxProjectFile, kMaxProjectValues, kDeepestNesting};
   json document = parseGuarded(text, source, limits);
   checkFormat(document, source);
   const int fileVersion = named(source, [&] { return migrateDocument(document); });
@@ -111,7 +111,7 @@ Project parseProject(std::string_view text, const std::string& sourceName) {
 }
 
 Project readProject(const std::filesystem::path& path) {
-  return parseProject(readTextFile(path, kLargestProjectFile), path.string());
+  return parseProject(readTextFile(path, kMaxProjectFile), path.string());
 }
 
 }  // namespace palpa::modeling

@@ -1,7 +1,7 @@
+#include "base/text.h"
 #include "modeling/project/atomic_write.h"
 #include "modeling/project/json_values.h"
 #include "modeling/project/project_file.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {

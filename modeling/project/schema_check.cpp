@@ -6,9 +6,9 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -47,11 +47,11 @@ struct CompiledSchema {
 };
 
 const CompiledSchema& compiledSchema(SchemaName name) {
-  if (name == SchemaName::commands) {
+  if (name == SchemaName::kCommands) {
     static const CompiledSchema commands(standaloneCommandsSchema());
     return commands;
   }
-  if (name == SchemaName::recording) {
+  if (name == SchemaName::kRecording) {
     static const CompiledSchema recording(json::parse(kRecordingSchema));
     return recording;
   }
@@ -224,9 +224,9 @@ void checkAgainstSchema(const json& document, const std::string& source, SchemaN
   const valijson::adapters::NlohmannJsonAdapter adapter(document);
   if (validator.validate(compiled.schema, adapter, nullptr)) return;
   const auto found = violation(compiled.document, compiled.document, document, "");
-  const std::string name = schema == SchemaName::project    ? "project"
-                           : schema == SchemaName::commands ? "commands"
-                                                            : "recording";
+  const std::string name = schema == SchemaName::kProject    ? "project"
+                           : schema == SchemaName::kCommands ? "commands"
+                                                             : "recording";
   throw ModelingError(
       source + ": " +
       found.value_or("does not follow the schema (resources/" + name + ".schema.json)"));

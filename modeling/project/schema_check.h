@@ -11,7 +11,7 @@ extern const char* const kProjectSchema;
 extern const char* const kCommandsSchema;
 extern const char* const kRecordingSchema;
 
-enum class SchemaName { project, commands, recording };
+enum class SchemaName { kProject, kCommands, kRecording };
 
 /// Validates a document against one of the schemas; references from the commands' schema into
 /// project.schema.json are followed. Throws ModelingError with the first violation in
@@ -21,6 +21,6 @@ enum class SchemaName { project, commands, recording };
 /// found, no value expected), and it collects all errors of a document, however many; so the
 /// description comes from a second walk along the schema that stops at the first violation.
 void checkAgainstSchema(const nlohmann::json& document, const std::string& source,
-                        SchemaName schema = SchemaName::project);
+                        SchemaName schema = SchemaName::kProject);
 
 }  // namespace palpa::modeling

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/describe_shape.h"
 #include "modeling/shapes/profile_cuts.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kMostSections = 32;
+constexpr std::size_t kMaxSections = 32;
 
 /// A closed profile, counter-clockwise, at a height.
 struct Level {
@@ -225,19 +225,19 @@ ExactShape describe(const ExtrudeShape& extrude, const NetSize& net) {
 
 ExactShape describe(const LoftShape& loft, const NetSize& net) {
   const std::size_t count = loft.sections.size();
-  if (count < 2 || count > kMostSections)
+  if (count < 2 || count > kMaxSections)
     throw ModelingError("loft: " + std::to_string(count) + " sections; expected 2 … " +
-                        std::to_string(kMostSections));
+                        std::to_string(kMaxSections));
   std::vector<Level> levels;
   for (std::size_t i = 0; i < count; ++i) {
     const std::string path = "loft: sections[" + std::to_string(i) + "]";
     const double z = loft.sections[i].z;
-    if (!std::isfinite(z) || std::abs(z) > kLargestLength)
+    if (!std::isfinite(z) || std::abs(z) > kMaxLength)
       throw ModelingError(path + ".z_mm: " + numberText(z) + " is not a finite number within ±" +
-                          numberText(kLargestLength) + " mm");
-    if (i > 0 && !(z >= levels.back().z + kSmallestLength))
+                          numberText(kMaxLength) + " mm");
+    if (i > 0 && !(z >= levels.back().z + kMinLength))
       throw ModelingError(path + ".z_mm: " + numberText(z) + " must be at least " +
-                          numberText(kSmallestLength) + " mm above the section before it (" +
+                          numberText(kMinLength) + " mm above the section before it (" +
                           numberText(levels.back().z) + ")");
     levels.push_back(levelFrom(z, loft.sections[i].profile, path + ".profile"));
   }

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/profile_check.h"
 #include "modeling/solid/surface_properties.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 
@@ -102,9 +102,9 @@ Profile::Profile(const ProfileCurve& curve, const std::string& path) {
   if (const auto crossing = selfCrossing(samples, isClosed()))
     throw ModelingError(path + ": the curve crosses or touches itself near " +
                         placeText(samples[(*crossing)[0]]));
-  if (corners().size() > kMostCorners)
+  if (corners().size() > kMaxCorners)
     throw ModelingError(path + ": the curve has " + std::to_string(corners().size()) +
-                        " corners; at most " + std::to_string(kMostCorners) + " are possible");
+                        " corners; at most " + std::to_string(kMaxCorners) + " are possible");
 }
 
 bool Profile::isClosed() const {

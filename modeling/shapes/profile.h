@@ -17,9 +17,9 @@ namespace palpa::modeling {
 class Profile {
  public:
   /// `path` begins the messages ("extrude: profile"). @throws ModelingError: degree, number and
-  /// order of knots; points not finite, too many (kMostPoints) or beyond the largest length; a
+  /// order of knots; points not finite, too many (kMaxPoints) or beyond the largest length; a
   /// curve that is shorter than the smallest length, stands still, turns back, crosses itself or
-  /// has more than kMostCorners corners.
+  /// has more than kMaxCorners corners.
   Profile(const ProfileCurve& curve, const std::string& path);
 
   Eigen::Vector2d point(double t) const;
@@ -55,8 +55,8 @@ class Profile {
   /// The same curve, run through backwards.
   Profile reversed() const;
 
-  static constexpr int kMostPoints = 256;
-  static constexpr int kMostCorners = 24;
+  static constexpr int kMaxPoints = 256;
+  static constexpr int kMaxCorners = 24;
 
  private:
   struct Data;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/profile.h"
 #include "modeling/shapes/shape_parameters.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -14,17 +14,17 @@ namespace {
 void checkProfilePoints(const ProfileCurve& curve, const std::string& path) {
   const std::size_t count = curve.points.size();
   const std::size_t fewest = static_cast<std::size_t>(curve.degree) + 1;
-  if (count < fewest || count > Profile::kMostPoints)
+  if (count < fewest || count > Profile::kMaxPoints)
     throw ModelingError(path + ".points_mm: " + std::to_string(count) + " points; degree " +
                         std::to_string(curve.degree) + " needs " + std::to_string(fewest) + " … " +
-                        std::to_string(Profile::kMostPoints));
+                        std::to_string(Profile::kMaxPoints));
   for (std::size_t i = 0; i < count; ++i)
     for (int axis = 0; axis < 2; ++axis) {
       const double value = curve.points[i][axis];
-      if (std::isfinite(value) && std::abs(value) <= kLargestLength) continue;
+      if (std::isfinite(value) && std::abs(value) <= kMaxLength) continue;
       throw ModelingError(path + ".points_mm[" + std::to_string(i) + "][" + std::to_string(axis) +
                           "]: " + numberText(value) + " is not a finite number within ±" +
-                          numberText(kLargestLength) + " mm");
+                          numberText(kMaxLength) + " mm");
     }
 }
 
@@ -40,8 +40,8 @@ void checkProfileKnots(const ProfileCurve& curve, const std::string& path) {
     throw ModelingError(path + ".knots[" + std::to_string(i) + "]: " + numberText(knots[i]) + what);
   };
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (!std::isfinite(knots[i]) || std::abs(knots[i]) > kLargestLength)
-      fail(i, " is not a finite number within ±" + numberText(kLargestLength));
+    if (!std::isfinite(knots[i]) || std::abs(knots[i]) > kMaxLength)
+      fail(i, " is not a finite number within ±" + numberText(kMaxLength));
     if (i > 0 && knots[i] < knots[i - 1])
       fail(i, " is smaller than the knot before it (" + numberText(knots[i - 1]) + ")");
   }
@@ -57,9 +57,9 @@ void checkProfileKnots(const ProfileCurve& curve, const std::string& path) {
   for (std::size_t i = order; i + order < knots.size(); ++i) {
     if (knots[i] == knots[0] || knots[i] == knots[last] || knots[i] == knots[i + 1 - order])
       fail(i, " occurs more often than degree " + std::to_string(curve.degree) + " allows");
-    constexpr double kSmallestSpan = 1e-6;
+    constexpr double kMinSpan = 1e-6;
     const double gap = std::min(knots[i] - knots[i - 1], knots[last] - knots[i]);
-    if (knots[i] != knots[i - 1] && gap < kSmallestSpan * range)
+    if (knots[i] != knots[i - 1] && gap < kMinSpan * range)
       fail(i, " is less than a millionth of the knot range away from its neighbour");
   }
 }
@@ -68,9 +68,9 @@ void checkExtent(const ProfileCurve& curve, const std::string& path) {
   double extent = 0.0;
   for (const Eigen::Vector2d& p : curve.points)
     extent = std::max(extent, (p - curve.points.front()).cwiseAbs().maxCoeff());
-  if (extent < kSmallestLength)
+  if (extent < kMinLength)
     throw ModelingError(path + ".points_mm: all lie within " + numberText(extent) +
-                        " mm; a curve needs at least " + numberText(kSmallestLength) + " mm");
+                        " mm; a curve needs at least " + numberText(kMinLength) + " mm");
 }
 
 }  // namespace

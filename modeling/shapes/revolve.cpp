@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/describe_shape.h"
 #include "modeling/shapes/profile.h"
 #include "modeling/shapes/round_patches.h"
 #include "modeling/solid/surface_properties.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -48,7 +48,7 @@ void checkDistanceFromAxis(const Profile& profile) {
   const auto& samples = profile.samples();
   const std::size_t last = samples.size() - 1;
   const auto check = [&](const Vector2d& p, bool isEnd) {
-    if (p.x() >= kSmallestLength) return;
+    if (p.x() >= kMinLength) return;
     if (p.x() < -1e-9 * profile.size())
       throw ModelingError("revolve: profile: the curve crosses the axis near " + axisPlace(p.y()) +
                           "; the radius (x) must not be negative");
@@ -58,7 +58,7 @@ void checkDistanceFromAxis(const Profile& profile) {
     if (p.x() > 1e-9 * profile.size())
       throw ModelingError("revolve: profile: the end at " + axisPlace(p.y()) + " is " +
                           numberText(p.x()) + " mm away from the axis; put it on the axis (0) or " +
-                          "at least " + numberText(kSmallestLength) + " mm away");
+                          "at least " + numberText(kMinLength) + " mm away");
   };
   for (std::size_t i : {std::size_t{0}, last}) check(samples[i], !profile.isClosed());
   for (std::size_t i = 1; i < last; ++i)
@@ -117,7 +117,7 @@ AxisCap capAtStart(const Profile& profile) {
     cap.parameter = t;
   }
   cap.radius = profile.point(cap.parameter).x();
-  if (cap.radius < kSmallestLength || cap.radius < profile.size() / kLargestLengthRatio)
+  if (cap.radius < kMinLength || cap.radius < profile.size() / kMaxEdgeRatio)
     throw ModelingError("revolve: profile: at " + axisPlace(profile.point(0.0).y()) +
                         " the curve bends away from the axis too sharply");
   return cap;
@@ -177,14 +177,14 @@ std::vector<double> bandCuts(const Profile& profile, double from, double to) {
     cuts.push_back(to);
     return cuts;
   }
-  constexpr std::size_t kFewest = 4;
+  constexpr std::size_t kMinPatches = 4;
   cuts = profile.corners();
   if (cuts.empty()) cuts.push_back(0.0);
   cuts.push_back(cuts.front() + 1.0);
   const auto length = [&](std::size_t i) {
     return profile.lengthUpTo(cuts[i + 1]) - profile.lengthUpTo(cuts[i]);
   };
-  while (cuts.size() < kFewest + 1) {
+  while (cuts.size() < kMinPatches + 1) {
     std::size_t longest = 0;
     for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
       if (length(i) > (1.0 + 1e-6) * length(longest)) longest = i;

@@ -4,27 +4,26 @@
 #include <array>
 #include <cmath>
 
+#include "base/text.h"
 #include "modeling/error.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 
 double checkLengths(const std::string& shape, const std::vector<NamedLength>& lengths) {
   for (const NamedLength& length : lengths) {
-    if (std::isfinite(length.value) && length.value >= kSmallestLength &&
-        length.value <= kLargestLength)
+    if (std::isfinite(length.value) && length.value >= kMinLength && length.value <= kMaxLength)
       continue;
     throw ModelingError(shape + ": " + length.name + " is " + numberText(length.value) +
-                        " mm; expected " + numberText(kSmallestLength) + " … " +
-                        numberText(kLargestLength) + " mm");
+                        " mm; expected " + numberText(kMinLength) + " … " + numberText(kMaxLength) +
+                        " mm");
   }
   const auto [least, most] = std::minmax_element(
       lengths.begin(), lengths.end(),
       [](const NamedLength& a, const NamedLength& b) { return a.value < b.value; });
-  if (most->value > kLargestLengthRatio * least->value)
+  if (most->value > kMaxEdgeRatio * least->value)
     throw ModelingError(shape + ": " + most->name + " is " + numberText(most->value) + " mm and " +
                         least->name + " " + numberText(least->value) +
-                        " mm; none may be more than " + numberText(kLargestLengthRatio) +
+                        " mm; none may be more than " + numberText(kMaxEdgeRatio) +
                         " times the other");
   return least->value;
 }
@@ -58,10 +57,10 @@ NetSize checkNetSize(const std::string& shape, const Primitive& primitive) {
   if (degree < 1 || degree > 5)
     throw ModelingError(shape + ": the degree is " + std::to_string(degree) + "; expected 1 … 5");
   const int count = primitive.controlPoints;
-  if (count != 0 && (count <= degree || count > kMostControlPoints))
+  if (count != 0 && (count <= degree || count > kMaxControlPoints))
     throw ModelingError(shape + ": " + std::to_string(count) +
                         " control points per direction; expected " + std::to_string(degree + 1) +
-                        " … " + std::to_string(kMostControlPoints) + " for degree " +
+                        " … " + std::to_string(kMaxControlPoints) + " for degree " +
                         std::to_string(degree));
   return {degree, count};
 }

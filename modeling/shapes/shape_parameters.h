@@ -9,18 +9,18 @@
 // Checks of the numbers a shape is made from, and the sizes of nets that follow from them.
 namespace palpa::modeling {
 
-inline constexpr double kSmallestLength = 1e-3;     // mm
-inline constexpr double kLargestLength = 1e6;       // mm
-inline constexpr double kLargestLengthRatio = 1e4;  // between two lengths of one shape
-inline constexpr int kMostControlPoints = 64;       // per direction and patch
+inline constexpr double kMinLength = 1e-3;    // mm
+inline constexpr double kMaxLength = 1e6;     // mm
+inline constexpr double kMaxEdgeRatio = 1e4;  // between two lengths of one shape
+inline constexpr int kMaxControlPoints = 64;  // per direction and patch
 
 struct NamedLength {
   std::string name;  ///< "the radius"
   double value;      ///< mm
 };
 
-/// Every length is within kSmallestLength … kLargestLength and none is more than
-/// kLargestLengthRatio times another: `cylinder: the height is 0 mm; expected 0.001 … 1000000 mm`.
+/// Every length is within kMinLength … kMaxLength and none is more than
+/// kMaxEdgeRatio times another: `cylinder: the height is 0 mm; expected 0.001 … 1000000 mm`.
 /// Returns the smallest. @throws ModelingError
 double checkLengths(const std::string& shape, const std::vector<NamedLength>& lengths);
 

@@ -1,11 +1,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/cube_face.h"
 #include "modeling/shapes/describe_shape.h"
 #include "modeling/shapes/round_patches.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 
@@ -16,11 +16,10 @@ ExactShape describe(const TorusShape& torus, const NetSize& net) {
   ExactShape shape;
   shape.smallestLength =
       checkLengths("torus", {{"the major radius", major}, {"the minor radius", minor}});
-  if (!(minor <= major - kSmallestLength))
+  if (!(minor <= major - kMinLength))
     throw ModelingError("torus: the minor radius is " + numberText(minor) +
                         " mm; it must be smaller than the major radius, " + numberText(major) +
-                        " mm, by at least " + numberText(kSmallestLength) +
-                        " mm, or the hole closes");
+                        " mm, by at least " + numberText(kMinLength) + " mm, or the hole closes");
   const SplineBasis basis = uniformBasis(net.degree, net.aroundQuarter());
   constexpr std::array<const char*, 4> kNames{"outer", "top", "inner", "bottom"};
   for (int quarter = 0; quarter < 4; ++quarter) {

@@ -12,10 +12,10 @@ namespace {
 /// The row of control points next to a side, in growing parameter.
 std::vector<int> nextRow(const Patch& patch, Side side) {
   const auto& net = patch.net;
-  if (side == Side::uMin) return net[1];
-  if (side == Side::uMax) return net[net.size() - 2];
+  if (side == Side::kUMin) return net[1];
+  if (side == Side::kUMax) return net[net.size() - 2];
   std::vector<int> indices;
-  for (const auto& row : net) indices.push_back(side == Side::vMin ? row[1] : row[row.size() - 2]);
+  for (const auto& row : net) indices.push_back(side == Side::kVMin ? row[1] : row[row.size() - 2]);
   return indices;
 }
 

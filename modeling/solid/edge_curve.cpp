@@ -10,7 +10,7 @@ SurfaceParameter onSide(const SurfaceEvaluator& surface, PatchEdge edge, double 
   const int direction = directionOf(edge.side);
   const auto [low, high] = surface.range(edge.patch, direction);
   const auto across = surface.range(edge.patch, 1 - direction);
-  const bool atEnd = edge.side == Side::uMax || edge.side == Side::vMax;
+  const bool atEnd = edge.side == Side::kUMax || edge.side == Side::kVMax;
   // Ends exactly, whatever the rounding of the interpolation.
   const double along = t <= 0.0 ? low : (t >= 1.0 ? high : low + t * (high - low));
   const double fixed = atEnd ? across[1] : across[0];

@@ -8,12 +8,12 @@
 #include <functional>
 #include <stdexcept>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/solid/basis.h"
 #include "modeling/solid/opencascade_surface.h"
 #include "modeling/solid/surface_evaluator.h"
 #include "modeling/solid/weld.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -100,10 +100,10 @@ Solid withKnots(const Solid& solid, PatchDirection at, const std::vector<KnotPla
                 int times) {
   const Patch& patch = solid.patches()[at.patch];
   const auto rows = patch.knots[at.direction].size() - patch.degree[at.direction] - 1;
-  if (rows + places.size() * times > static_cast<std::size_t>(kMostNetRows))
+  if (rows + places.size() * times > static_cast<std::size_t>(kMaxNetRows))
     throw ModelingError("at: " + directionName(solid, at) + " would get more than " +
-                            std::to_string(kMostNetRows) + " rows of control points",
-                        ModelingError::Kind::tooLarge);
+                            std::to_string(kMaxNetRows) + " rows of control points",
+                        ModelingError::Kind::kTooLarge);
   return changed(
       solid, at, [&](const ChainLink& link, Geom_BSplineSurface& surface, PatchNet& net) {
         auto& own = net.knots[link.at.direction];
@@ -133,8 +133,8 @@ std::vector<ChainLink> chainOf(const Solid& solid, PatchDirection at) {
   std::vector<ChainLink> chain{{at, false}};
   for (std::size_t next = 0; next < chain.size(); ++next) {
     const ChainLink link = chain[next];
-    const std::array<Side, 2> sides = link.at.direction == 0 ? std::array{Side::vMin, Side::vMax}
-                                                             : std::array{Side::uMin, Side::uMax};
+    const std::array<Side, 2> sides = link.at.direction == 0 ? std::array{Side::kVMin, Side::kVMax}
+                                                             : std::array{Side::kUMin, Side::kUMax};
     for (Side side : sides) {
       const SolidEdge& edge = solid.edges()[solid.edgeOf(link.at.patch, side)];
       const bool isFirst = edge.uses[0].patch == link.at.patch && edge.uses[0].side == side;

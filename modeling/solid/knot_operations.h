@@ -10,7 +10,7 @@
 // points are numbered anew. Cost: about a millisecond for a thousand control points.
 namespace palpa::modeling {
 
-inline constexpr int kMostNetRows = 1000;  ///< of a patch in one direction after an insertion
+inline constexpr int kMaxNetRows = 1000;  ///< of a patch in one direction after an insertion
 
 /// A direction of a patch: 0 is u, 1 is v.
 struct PatchDirection {

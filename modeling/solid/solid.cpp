@@ -58,11 +58,11 @@ std::array<int, 2> Solid::verticesOf(int patch, Side side) const {
   const auto& first = net.front();
   const auto& last = net.back();
   switch (side) {
-    case Side::vMin:
+    case Side::kVMin:
       return {first.front(), last.front()};
-    case Side::uMax:
+    case Side::kUMax:
       return {last.front(), last.back()};
-    case Side::vMax:
+    case Side::kVMax:
       return {first.back(), last.back()};
     default:
       return {first.front(), first.back()};

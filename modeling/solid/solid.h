@@ -24,25 +24,25 @@ struct Patch {
 };
 
 /// The four sides of a patch, counter-clockwise in the (u, v) plane.
-enum class Side { vMin = 0, uMax = 1, vMax = 2, uMin = 3 };
+enum class Side { kVMin = 0, kUMax = 1, kVMax = 2, kUMin = 3 };
 
-inline constexpr std::array<Side, 4> kSides{Side::vMin, Side::uMax, Side::vMax, Side::uMin};
+inline constexpr std::array<Side, 4> kSides{Side::kVMin, Side::kUMax, Side::kVMax, Side::kUMin};
 
 /// Direction of the parameter that varies along a side: 0 (u) for vMin and vMax, 1 (v) otherwise.
 constexpr int directionOf(Side side) {
-  return side == Side::vMin || side == Side::vMax ? 0 : 1;
+  return side == Side::kVMin || side == Side::kVMax ? 0 : 1;
 }
 
 /// True when walking around the patch counter-clockwise follows the growing parameter on this side.
 constexpr bool isForward(Side side) {
-  return side == Side::vMin || side == Side::uMax;
+  return side == Side::kVMin || side == Side::kUMax;
 }
 
 std::string_view sideName(Side side);
 
 struct PatchEdge {
   int patch = -1;
-  Side side = Side::vMin;
+  Side side = Side::kVMin;
 };
 
 /// An edge of the solid: two patch sides glued together.

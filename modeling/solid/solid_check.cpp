@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/solid/basis.h"
 #include "modeling/solid/surface_properties.h"
-#include "modeling/text.h"
 
 namespace palpa::modeling {
 namespace {
@@ -161,11 +161,11 @@ void checkPatches(const std::vector<Eigen::Vector3d>& points, const std::vector<
 }
 
 std::vector<int> sideIndices(const Patch& patch, Side side) {
-  if (side == Side::uMin) return patch.net.front();
-  if (side == Side::uMax) return patch.net.back();
+  if (side == Side::kUMin) return patch.net.front();
+  if (side == Side::kUMax) return patch.net.back();
   std::vector<int> indices;
   for (const auto& row : patch.net)
-    indices.push_back(side == Side::vMin ? row.front() : row.back());
+    indices.push_back(side == Side::kVMin ? row.front() : row.back());
   return indices;
 }
 

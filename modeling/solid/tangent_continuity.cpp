@@ -32,7 +32,7 @@ using Points = std::vector<Vector3d>;
 // since each starts from the last result, while what the spline space cannot meet (corners of three
 // smooth edges) does not drive points far away.
 constexpr double kWeight = 1.0;
-constexpr int kMostSteps = 12;
+constexpr int kMaxSteps = 12;
 constexpr double kGoodEnough = 1e-9;  // rad
 constexpr double kLargeAngle = 0.02;  // rad
 constexpr double kUnmoved = 1e-12;    // of the size: displacements below are rounding
@@ -217,7 +217,7 @@ Points normalStep(const Problem& problem, const Points& points) {
 template <class Step>
 Points repeated(const Problem& problem, Points points, Step step) {
   double angle = largestAngle(problem, points);
-  for (int count = 0; count < kMostSteps && angle > kGoodEnough; ++count) {
+  for (int count = 0; count < kMaxSteps && angle > kGoodEnough; ++count) {
     Points next = step(points);
     const double nextAngle = largestAngle(problem, next);
     if (!(nextAngle < angle)) break;

@@ -11,11 +11,11 @@ namespace {
 /// Row and column in the net of point k of a side (in growing parameter).
 std::pair<int, int> netPosition(Side side, int k, int rows, int columns) {
   switch (side) {
-    case Side::vMin:
+    case Side::kVMin:
       return {k, 0};
-    case Side::uMax:
+    case Side::kUMax:
       return {rows - 1, k};
-    case Side::vMax:
+    case Side::kVMax:
       return {k, columns - 1};
     default:
       return {0, k};

@@ -7,6 +7,7 @@ target_compile_definitions(palpa_cli_runner PUBLIC
   PALPA_PROJECTS="${PROJECT_SOURCE_DIR}/projects"
   PALPA_REFERENCE="${PROJECT_SOURCE_DIR}/resources/reference"
   PALPA_WITH_DISPLAY="${PROJECT_SOURCE_DIR}/scripts/with-display")
+palpa_use_precompiled(tests palpa_cli_runner)
 add_dependencies(palpa_cli_runner palpa-cli)
 
 palpa_add_test(palpa_cli_tests

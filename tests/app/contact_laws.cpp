@@ -59,7 +59,7 @@ void expectLaws(const bem::ContactSimulation& simulation) {
   }
 }
 
-void measureEquilibrium(const TouchPlayer& player, TouchField& field, double radius,
+void measureEquilibrium(const TouchStepper& player, TouchField& field, double radius,
                         Equilibrium& largest) {
   TouchSnapshot snapshot;
   player.describe(snapshot);

@@ -1,6 +1,7 @@
 #pragma once
-#include "app/core/touch_field.h"
-#include "app/core/touch_player.h"
+
+#include "app/core/live/touch_field.h"
+#include "app/core/live/touch_stepper.h"
 
 /// The laws of contact, written out and expected of what a player found, with either engine.
 namespace palpa::app::test {
@@ -18,7 +19,7 @@ struct Equilibrium {
 
 /// The whole field from the tractions alone: how well supports and contacts balance on a body of
 /// the given radius (mm) about the origin, and how far masks are from where the laws have them.
-void measureEquilibrium(const TouchPlayer& player, TouchField& field, double radius,
+void measureEquilibrium(const TouchStepper& player, TouchField& field, double radius,
                         Equilibrium& largest);
 
 }  // namespace palpa::app::test

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <thread>
 
-#include "app/core/model_cache.h"
-#include "app/core/session.h"
-#include "app/core/touch.h"
+#include "app/core/model/model_cache.h"
+#include "app/core/results/touch.h"
+#include "app/core/session/session.h"
 #include "core_projects.h"
 
 namespace palpa::app {
@@ -279,9 +279,9 @@ TEST_F(ModelCacheTest, StoppedWritingLeavesNothing) {
   const auto built = build(nullptr);
   std::stop_source source;
   source.request_stop();
-  bem::Job job;
+  Job job;
   job.stop = source.get_token();
-  EXPECT_THROW(stored->write(built->key(), *built->problem(), job), bem::Cancelled);
+  EXPECT_THROW(stored->write(built->key(), *built->problem(), job), Cancelled);
   EXPECT_TRUE(files().empty());
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/core/deformed_solid.h"
-#include "app/core/error_estimate.h"
-#include "app/core/touch.h"
-#include "bem/contact_surface.h"
+#include "app/core/results/deformed_solid.h"
+#include "app/core/results/error_estimate.h"
+#include "app/core/results/touch.h"
+#include "bem/contact/contact_surface.h"
 #include "core_projects.h"
 #include "modeling/error.h"
 #include "modeling/exchange/cad_export.h"
@@ -38,14 +38,15 @@ std::vector<std::string> examples() {
   return names;
 }
 
-struct Played {
+struct StaticTouchSolution {
   std::shared_ptr<const TouchModel> model;
   TouchState state;
   double error;  ///< estimated, relative
 };
 
-Played play(std::shared_ptr<const TouchModel> model, const modeling::Project& project) {
-  Played played{std::move(model), {}, 0};
+StaticTouchSolution play(std::shared_ptr<const TouchModel> model,
+                         const modeling::Project& project) {
+  StaticTouchSolution played{std::move(model), {}, 0};
   played.state = playTouches(*played.model, project.touches, 0, {});
   played.error = estimateError(*played.model, played.state);
   return played;
@@ -64,17 +65,18 @@ void widenTouches(modeling::Project& project, const TouchModel& model) {
 class Example : public testing::TestWithParam<std::string> {};
 
 /// Largest displacement of a node of either mesh; both engines share the mesh.
-Eigen::MatrixXd onNodes(const Played& played) {
+Eigen::MatrixXd onNodes(const StaticTouchSolution& played) {
   return played.model->setup().discretisation->valuesOnMesh(played.state.field).u;
 }
 
 TEST_P(Example, BothEnginesAgreeWithinTheirStatedErrors) {
   modeling::Project project =
       modeling::readProject(fs::path(PALPA_PROJECTS) / (GetParam() + ".json"));
-  const auto bySplines = build(project, Engine::splines);
-  const auto byTriangles = build(project, Engine::triangles);
+  const auto bySplines = build(project, Engine::kSplines);
+  const auto byTriangles = build(project, Engine::kTriangles);
   for (const auto& model : {bySplines, byTriangles}) widenTouches(project, *model);
-  const Played splines = play(bySplines, project), triangles = play(byTriangles, project);
+  const StaticTouchSolution splines = play(bySplines, project),
+                            triangles = play(byTriangles, project);
   ASSERT_TRUE(splines.model->setup().splines);
   ASSERT_FALSE(triangles.model->setup().splines);
   const double stated = splines.error + triangles.error;
@@ -106,21 +108,21 @@ INSTANTIATE_TEST_SUITE_P(Projects, Example, testing::ValuesIn(examples()),
                          });
 
 TEST(Engines, AutomaticMeansSplinesForSolids) {
-  EXPECT_TRUE(build(test::clampedCylinder(6), Engine::automatic)->setup().splines);
-  EXPECT_FALSE(build(test::clampedCylinder(6), Engine::triangles)->setup().splines);
+  EXPECT_TRUE(build(test::clampedCylinder(6), Engine::kAutomatic)->setup().splines);
+  EXPECT_FALSE(build(test::clampedCylinder(6), Engine::kTriangles)->setup().splines);
   // Below z = -20 mm: the border cuts patches.
-  EXPECT_TRUE(build(test::clampedSphere(6), Engine::automatic)->setup().splines);
+  EXPECT_TRUE(build(test::clampedSphere(6), Engine::kAutomatic)->setup().splines);
 }
 
 /// A body held at the bottom and pulled up at its top by 3 mm.
-Played pulled(modeling::Project project, double height) {
+StaticTouchSolution pulled(modeling::Project project, double height) {
   project.mesh.elementLength = 6;
   project.touches = {{"pull", {0, 0, height}, modeling::TouchDisplacement{{0, 0, 3}}, 8.0}};
-  return play(build(project, Engine::splines), project);
+  return play(build(project, Engine::kSplines), project);
 }
 
 /// Largest distance of the deformed solid's surface from where the nodes of the mesh went.
-double largestDistance(const Played& played) {
+double largestDistance(const StaticTouchSolution& played) {
   const modeling::Solid deformed = deformedSolid(*played.model, played.state.field);
   const bem::BoundaryMesh& mesh = played.model->setup().mesh();
   const Eigen::MatrixXd u = onNodes(played);
@@ -136,13 +138,13 @@ double largestDistance(const Played& played) {
 }
 
 TEST(DeformedSolid, HasTheDisplacedSurface) {
-  const Played cylinder = pulled(test::clampedCylinder(6), 60);
+  const StaticTouchSolution cylinder = pulled(test::clampedCylinder(6), 60);
   EXPECT_LE(largestDistance(cylinder), 1e-9);
   // At a border that cuts patches two approximations of one displacement become one.
   EXPECT_LE(largestDistance(pulled(test::clampedSphere(6), 25)), 0.05 * 3);
 
   // Through the origin and out on the other side.
-  const auto& points = cylinder.model->setup().analysisNet->controlPoints();
+  const auto& points = cylinder.model->setup().splineRefinement->controlPoints();
   bem::BoundaryField mirrored = cylinder.state.field;
   for (std::size_t k = 0; k < points.size(); ++k)
     mirrored.u.col(0).segment<3>(3 * static_cast<Eigen::Index>(k)) = -2 * points[k];
@@ -150,7 +152,7 @@ TEST(DeformedSolid, HasTheDisplacedSurface) {
 }
 
 TEST(DeformedSolid, IsAProjectAndACadFileThatCanBeOpenedAgain) {
-  const Played played = pulled(test::clampedCylinder(6), 60);
+  const StaticTouchSolution played = pulled(test::clampedCylinder(6), 60);
   const modeling::Project deformed =
       deformedProject(test::clampedCylinder(6), *played.model, played.state.field);
   const fs::path folder = fs::path(testing::TempDir()) / "palpa-deformed";
@@ -168,7 +170,7 @@ TEST(DeformedSolid, IsAProjectAndACadFileThatCanBeOpenedAgain) {
 }
 
 TEST(DeformedSolid, NeedsSplines) {
-  const auto model = build(test::clampedSphere(6), Engine::triangles);
+  const auto model = build(test::clampedSphere(6), Engine::kTriangles);
   EXPECT_THROW(deformedSolid(*model, model->rest().field), modeling::ModelingError);
 }
 

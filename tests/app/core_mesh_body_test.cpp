@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "app/core/probe.h"
-#include "app/core/touch.h"
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
+#include "app/core/results/field_sample.h"
+#include "app/core/results/touch.h"
 #include "core_projects.h"
 #include "modeling/exchange/mesh_reader.h"
 #include "modeling/mesh/mesh.h"
@@ -18,7 +18,7 @@ using modeling::Region;
 using modeling::Support;
 
 std::shared_ptr<const TouchModel> build(const modeling::Project& project) {
-  return buildTouchModel(project, BuildOptions{}, bem::Job{});
+  return buildTouchModel(project, BuildOptions{}, Job{});
 }
 
 std::string point(const Vector3d& p) {
@@ -44,7 +44,7 @@ std::string stl(const modeling::Project& project, double edgeLength) {
 /// The same project with its body taken through an STL file.
 modeling::Project imported(modeling::Project project, double fileEdgeLength) {
   const std::string text = stl(project, fileEdgeLength);
-  project.body = modeling::parseMesh(text, modeling::MeshFormat::stl, "test");
+  project.body = modeling::parseMesh(text, modeling::MeshFormat::kStl, "test");
   return project;
 }
 
@@ -77,11 +77,11 @@ TEST(MeshBodyModel, FacesCanBeHeldAndLoaded) {
     return std::string();
   };
   for (const auto& [axis, value] : {std::pair{2, 0.0}, std::pair{0, -20.0}, std::pair{1, -15.0}})
-    project.supports.push_back({"support " + std::to_string(axis), Support::Kind::roller,
+    project.supports.push_back({"support " + std::to_string(axis), Support::Kind::kRoller,
                                 Region::ofPatches({faceAt(axis, value)}), Vector3d::Zero()});
   project.loads.push_back({"press", modeling::Pressure{Region::ofPatches({faceAt(2, 20)}), 0.01}});
   const auto model = build(project);
-  const Probe corner = probe(*model, model->rest(), {20, 15, 20});
+  const FieldSample corner = sampleField(*model, model->rest(), {20, 15, 20});
   EXPECT_NEAR(corner.displacement[2], -0.01 / 0.1 * 20, 1e-6);
   EXPECT_NEAR(corner.displacement[0], 0.45 * 0.01 / 0.1 * 40, 1e-6);
   EXPECT_NEAR(model->rest().supports[0].resultant.force[2], 0.01 * 40 * 30, 1e-6);
@@ -104,7 +104,7 @@ TEST(MeshBodyModel, ACavityMakesTheBodySofter) {
     }
     return text;
   };
-  project.body = modeling::parseMesh(scaled(1.0) + scaled(0.6), modeling::MeshFormat::obj, "test");
+  project.body = modeling::parseMesh(scaled(1.0) + scaled(0.6), modeling::MeshFormat::kObj, "test");
   EXPECT_NEAR(volume(project.body), 4.0 / 3.0 * std::numbers::pi * 15625 * (1 - 0.216), 300);
   const double hollow = touchForce(*build(project), {0, 0, 25}, {0, 0, -2});
   EXPECT_GT(hollow, 0.2 * full);

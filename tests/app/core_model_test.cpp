@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "app/core/probe.h"
-#include "app/core/touch.h"
-#include "app/core/touch_model.h"
-#include "bem/error.h"
+#include "app/core/model/touch_model.h"
+#include "app/core/results/field_sample.h"
+#include "app/core/results/touch.h"
+#include "bem/base/error.h"
 #include "core_projects.h"
 #include "modeling/error.h"
 
@@ -17,7 +17,7 @@ using modeling::Support;
 
 std::shared_ptr<const TouchModel> build(const modeling::Project& project,
                                         const BuildOptions& options = {}) {
-  return buildTouchModel(project, options, bem::Job{});
+  return buildTouchModel(project, options, Job{});
 }
 
 modeling::Touch grab(const Vector3d& at, const Vector3d& by, double radius) {
@@ -78,10 +78,10 @@ TEST(TouchModel, UniformCompressionOnRollersIsExact) {
   modeling::Project project = test::freeBox(7);
   for (const char* side : {"bottom", "side_xmin", "side_ymin"})
     project.supports.push_back(
-        {side, Support::Kind::roller, Region::ofPatches({side}), Vector3d::Zero()});
+        {side, Support::Kind::kRoller, Region::ofPatches({side}), Vector3d::Zero()});
   project.loads.push_back({"press", modeling::Pressure{Region::ofPatches({"top"}), 0.01}});
   const auto model = build(project);
-  const Probe corner = probe(*model, model->rest(), {20, 15, 20});
+  const FieldSample corner = sampleField(*model, model->rest(), {20, 15, 20});
   EXPECT_NEAR(corner.displacement[2], -0.01 / 0.1 * 20, 1e-6);
   EXPECT_NEAR(corner.displacement[0], 0.45 * 0.01 / 0.1 * 40, 1e-6);
   EXPECT_NEAR(model->rest().supports[0].resultant.force[2], 0.01 * 40 * 30, 1e-6);
@@ -92,7 +92,7 @@ TEST(TouchModel, PrescribedDisplacementMovesAFreeBodyRigidly) {
   modeling::Project project = test::clampedCylinder(8);
   project.supports[0].displacement = Vector3d(0.5, -0.25, 1);
   const auto model = build(project);
-  const Probe top = probe(*model, model->rest(), {0, 0, 60});
+  const FieldSample top = sampleField(*model, model->rest(), {0, 0, 60});
   EXPECT_LE((top.displacement - Vector3d(0.5, -0.25, 1)).norm(), 1e-6);
   EXPECT_LE(model->rest().supports[0].resultant.force.norm(), 1e-6);
 }
@@ -154,7 +154,7 @@ TEST(Touch, RefusesHeldPlacesAndPlacesFarAway) {
 TEST(Refused, ProbeFarFromTheSurfaceNamesTheNearestPoint) {
   const auto model = build(test::clampedSphere(6));
   expectRefused(SolverError::Kind::kBadCondition, {"probe", "nearest surface point"}, [&] {
-    probe(*model, model->rest(), {0, 0, 0});
+    sampleField(*model, model->rest(), {0, 0, 0});
   });
 }
 
@@ -163,7 +163,7 @@ TEST(Refused, NotHeld) {
                 [] { build(test::freeBox(8)); });
   modeling::Project project = test::freeBox(8);
   project.supports.push_back(
-      {"floor", Support::Kind::roller, Region::ofPatches({"bottom"}), Vector3d::Zero()});
+      {"floor", Support::Kind::kRoller, Region::ofPatches({"bottom"}), Vector3d::Zero()});
   expectRefused(SolverError::Kind::kNotHeld,
                 {"translation along x", "translation along y", "rotation about the axis along z"},
                 [&] { build(project); });
@@ -173,7 +173,7 @@ TEST(Refused, IncompressibleAndHeldEverywhere) {
   modeling::Project project = test::freeBox(8);
   project.material.poissonRatio = 0.5;
   project.supports.push_back(
-      {"all", Support::Kind::fixed,
+      {"all", Support::Kind::kFixed,
        Region::ofPatches({"top", "bottom", "side_xmin", "side_xmax", "side_ymin", "side_ymax"}),
        Vector3d::Zero()});
   expectRefused(SolverError::Kind::kIncompressible, {"0.5"}, [&] { build(project); });
@@ -181,13 +181,13 @@ TEST(Refused, IncompressibleAndHeldEverywhere) {
 
 TEST(Refused, SupportsThatOverlapOrDisagree) {
   modeling::Project project = test::clampedCylinder(8);
-  project.supports.push_back(
-      {"low", Support::Kind::fixed, Region::below(Eigen::Vector3d::UnitZ(), 10), Vector3d::Zero()});
+  project.supports.push_back({"low", Support::Kind::kFixed,
+                              Region::below(Eigen::Vector3d::UnitZ(), 10), Vector3d::Zero()});
   expectRefused(SolverError::Kind::kBadCondition, {"\"base\"", "\"low\"", "overlap"},
                 [&] { build(project); });
   project = test::clampedCylinder(8);
   project.supports.push_back(
-      {"side", Support::Kind::fixed, Region::ofPatches({"side_xmin"}), Vector3d(1, 0, 0)});
+      {"side", Support::Kind::kFixed, Region::ofPatches({"side_xmin"}), Vector3d(1, 0, 0)});
   expectRefused(SolverError::Kind::kBadCondition, {"\"base\"", "\"side\"", "different"},
                 [&] { build(project); });
 }
@@ -206,20 +206,19 @@ TEST(Refused, AMeshThatDoesNotFitIntoMemoryWithTheNumbers) {
 TEST(TouchModel, CanBeCancelledInEveryPhase) {
   for (const char* phase : {"mesh", "assemble", "factorise"}) {
     std::stop_source stop;
-    bem::Job job;
+    Job job;
     job.stop = stop.get_token();
     job.progress = [&](std::string_view now, double) {
       if (now == phase) stop.request_stop();
     };
-    EXPECT_THROW(buildTouchModel(test::clampedSphere(4), BuildOptions{}, job), bem::Cancelled)
-        << phase;
+    EXPECT_THROW(buildTouchModel(test::clampedSphere(4), BuildOptions{}, job), Cancelled) << phase;
   }
 }
 
 TEST(TouchModel, ProgressIsMonotoneWithinEachPhase) {
   std::string phase;
   double last = 0;
-  bem::Job job;
+  Job job;
   job.progress = [&](std::string_view now, double fraction) {
     if (now.empty()) return;
     if (now != phase) last = 0;

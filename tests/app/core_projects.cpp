@@ -24,11 +24,11 @@ Project project(modeling::Solid solid, double edgeLength, double poissonRatio) {
 
 Project clampedSphere(double edgeLength, double poissonRatio) {
   Project result = project(modeling::makeSphere(25), edgeLength, poissonRatio);
-  result.supports.push_back({"base", Support::Kind::fixed,
+  result.supports.push_back({"base", Support::Kind::kFixed,
                              Region::below(Eigen::Vector3d::UnitZ(), -20),
                              Eigen::Vector3d::Zero()});
   // The edge length says how fine it is, unless a test asks for splines.
-  result.mesh.engine = modeling::Engine::triangles;
+  result.mesh.engine = modeling::Engine::kTriangles;
   return result;
 }
 
@@ -42,7 +42,7 @@ Project paintedSphere(double edgeLength, double poissonRatio) {
 Project clampedCylinder(double edgeLength, double poissonRatio) {
   Project result = project(modeling::makeCylinder(20, 60), edgeLength, poissonRatio);
   result.supports.push_back(
-      {"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), Eigen::Vector3d::Zero()});
+      {"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), Eigen::Vector3d::Zero()});
   return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "modeling/project/project.h"
 
 /// Projects the tests of app/core begin from.

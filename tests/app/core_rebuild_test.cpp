@@ -4,8 +4,8 @@
 #include <atomic>
 #include <vector>
 
-#include "app/core/rebuild_pipeline.h"
-#include "app/core/release.h"
+#include "app/core/session/rebuild_pipeline.h"
+#include "app/core/system/destroy_in_background.h"
 #include "core_projects.h"
 
 namespace palpa::app {
@@ -64,7 +64,7 @@ TEST(RebuildPipeline, HoldsAMotionBackUntilTheHandLetsGo) {
   EXPECT_FALSE(pipeline.waitUntilSettled(300ms));
   EXPECT_EQ(pipeline.status().state, State::kBuilding);
   EXPECT_TRUE(pipeline.status().stages.empty());
-  pipeline.hurry();
+  pipeline.startPending();
   ASSERT_TRUE(pipeline.waitUntilSettled(60s));
   EXPECT_NEAR(radiusOf(*pipeline.model()), 27.5, 0.01);
 }
@@ -100,11 +100,11 @@ TEST(RebuildPipeline, WhoeverHoldsAModelLastDoesNotReleaseIt) {
     ~Held() { releasedBy = std::this_thread::get_id(); }
   };
   std::thread::id releasedBy;
-  releaseElsewhere(std::shared_ptr<Held>(new Held{releasedBy}));
+  destroyInBackground(std::shared_ptr<Held>(new Held{releasedBy}));
   waitUntilReleased();
   EXPECT_NE(releasedBy, std::thread::id());
   EXPECT_NE(releasedBy, std::this_thread::get_id());
-  releaseElsewhere(nullptr);
+  destroyInBackground(nullptr);
 
   std::shared_ptr<const TouchModel> last;
   {

@@ -1,4 +1,4 @@
-#include "app/core/session.h"
+#include "app/core/session/session.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -10,11 +10,11 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/drawn_body.h"
-#include "app/core/priority.h"
-#include "app/core/stiffness_colours.h"
-#include "app/core/stiffness_worker.h"
-#include "app/core/touch.h"
+#include "app/core/live/stiffness_worker.h"
+#include "app/core/results/drawn_body.h"
+#include "app/core/results/stiffness_colours.h"
+#include "app/core/results/touch.h"
+#include "app/core/system/priority.h"
 #include "core_projects.h"
 
 namespace palpa::app {
@@ -92,7 +92,7 @@ TEST(Stiffness, NothingKnownHasARangeAllTheSame) {
 }
 
 TEST(Stiffness, ComesInTheBackgroundWhileColumnsDo) {
-  const auto body = std::make_shared<const TouchBody>(sphere());
+  const auto body = std::make_shared<const TouchableModel>(sphere());
   std::mutex mutex;
   std::vector<StiffnessWorker::Result> results;
   StiffnessWorker worker([&](StiffnessWorker::Result result) {
@@ -131,10 +131,10 @@ TEST(Stiffness, ComesInTheBackgroundWhileColumnsDo) {
 }
 
 /// Whether the system lets it go first or not: while it works too much it does not.
-TEST(PunctualThread, DoesNotGoFirstWhileItIsOverloaded) {
+TEST(RealtimeScope, DoesNotGoFirstWhileItIsOverloaded) {
   std::jthread thread([] {
-    using Clock = PunctualThread::Clock;
-    PunctualThread punctual;
+    using Clock = RealtimeScope::Clock;
+    RealtimeScope punctual;
     const bool mayBeFirst = punctual.isFirst();
     const auto begin = Clock::now();
     const auto at = [&](int ms) { return begin + std::chrono::milliseconds(ms); };

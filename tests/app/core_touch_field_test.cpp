@@ -1,12 +1,12 @@
-#include "app/core/touch_field.h"
+#include "app/core/live/touch_field.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "app/core/touch.h"
-#include "app/core/touch_player.h"
+#include "app/core/live/touch_stepper.h"
+#include "app/core/results/touch.h"
 #include "core_projects.h"
 
 namespace palpa::app {
@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 
-std::shared_ptr<const TouchBody> bodyOf(const modeling::Project& project) {
-  auto body = std::make_shared<const TouchBody>(buildTouchModel(project, {}, {}));
+std::shared_ptr<const TouchableModel> bodyOf(const modeling::Project& project) {
+  auto body = std::make_shared<const TouchableModel>(buildTouchModel(project, {}, {}));
   std::vector<int> all(body->surface().places().size());
   std::iota(all.begin(), all.end(), 0);
   body->columns()->compute(all, {});
@@ -26,7 +26,7 @@ std::shared_ptr<const TouchBody> bodyOf(const modeling::Project& project) {
 /// The sphere, guided at a side as well.
 modeling::Project guidedSphere() {
   modeling::Project project = test::clampedSphere(6);
-  project.supports.push_back({"guide", modeling::Support::Kind::roller,
+  project.supports.push_back({"guide", modeling::Support::Kind::kRoller,
                               modeling::Region::below(Vector3d::UnitX(), -20), Vector3d::Zero()});
   return project;
 }
@@ -50,7 +50,7 @@ TEST(TouchField, EqualsTheExactFieldAtRestAndMoving) {
   for (const auto& project : {guidedSphere(), test::clampedCylinder(7)}) {
     const auto body = bodyOf(project);
     const bem::SurfacePoint tip = body->surface().tree().nearest({0, 0, 100});
-    TouchPlayer player(body);
+    TouchStepper player(body);
     TouchField field(body);
     TouchSnapshot snapshot;
     std::vector<modeling::Touch> touches{
@@ -72,7 +72,7 @@ TEST(TouchField, EqualsTheExactFieldAtRestAndMoving) {
 
 TEST(TouchField, FollowsASlidingBall) {
   const auto body = bodyOf(test::clampedSphere(6));
-  TouchPlayer player(body);
+  TouchStepper player(body);
   TouchField field(body);
   TouchSnapshot snapshot;
   player.apply({TouchCommand::Kind::kBegin, 1, {Kind::kProbe, 12, 0.1}, {0, 0, 25}, {0, 0, 34}});

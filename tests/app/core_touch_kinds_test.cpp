@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "app/core/touch.h"
-#include "bem/error.h"
-#include "bem/triangle_contact_surface.h"
+#include "app/core/results/touch.h"
+#include "bem/base/error.h"
+#include "bem/triangle/triangle_contact_surface.h"
 #include "core_projects.h"
 #include "modeling/shapes/primitives.h"
 
@@ -153,11 +153,11 @@ TEST(TouchKinds, ABallOfManyMasksPullsWithItsFriction) {
   project.material = {"soft", 0.1, 0.45};
   project.body = modeling::makeBox({60, 60, 30});
   project.supports = {{"base",
-                       modeling::Support::Kind::fixed,
+                       modeling::Support::Kind::kFixed,
                        {{modeling::HalfSpace{Vector3d::UnitZ(), 0.001}}},
                        Vector3d::Zero()}};
   project.mesh.edgeLength = 4.5;
-  project.mesh.engine = modeling::Engine::triangles;  // the edges make the masks
+  project.mesh.engine = modeling::Engine::kTriangles;  // the edges make the masks
   const auto block = buildTouchModel(project, {}, {});
   const auto drag = [&](double friction, int steps) {
     return playTouches(*block,
@@ -243,13 +243,13 @@ TEST(TouchKinds, RefusalsNameTheirReason) {
 
 TEST(TouchKinds, CanBeCancelled) {
   std::stop_source stop;
-  bem::Job job;
+  Job job;
   job.stop = stop.get_token();
   job.progress = [&](std::string_view phase, double fraction) {
     if (phase == "touch" && fraction > 0.3) stop.request_stop();
   };
   const std::vector<Touch> touches{push(kTop, {5, 0, -2}, 0.2)};
-  EXPECT_THROW(playTouches(*sphere(), touches, 0, job), bem::Cancelled);
+  EXPECT_THROW(playTouches(*sphere(), touches, 0, job), Cancelled);
 }
 
 }  // namespace

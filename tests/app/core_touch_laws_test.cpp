@@ -35,7 +35,7 @@ modeling::Project sphereOf(modeling::Engine engine, double elementLength) {
 }
 
 modeling::Project splinesHeldByAPatch() {
-  modeling::Project project = sphereOf(modeling::Engine::splines, 7);
+  modeling::Project project = sphereOf(modeling::Engine::kSplines, 7);
   project.supports[0].where = modeling::Region::ofPatches({"bottom"});
   return project;
 }
@@ -43,19 +43,19 @@ modeling::Project splinesHeldByAPatch() {
 /// n = 386, 818 and 670: on coarser splines a finger's mask is so wide that it never slips on its
 /// way. Limits are about twice what is measured.
 const Sphere kSpheres[] = {
-    {"Triangles", sphereOf(modeling::Engine::triangles, 7), 15, 0.01, 0.015, 0.015, 0.02, 0.005},
+    {"Triangles", sphereOf(modeling::Engine::kTriangles, 7), 15, 0.01, 0.015, 0.015, 0.02, 0.005},
     {"Splines", splinesHeldByAPatch(), 8, 0.003, 0.005, 0.002, 1e-4, 5e-4},
-    {"SplinesCutByTheSupport", sphereOf(modeling::Engine::splines, 7), 6, 0.003, 0.006, 0.005, 2e-3,
-     1e-3}};
+    {"SplinesCutByTheSupport", sphereOf(modeling::Engine::kSplines, 7), 6, 0.003, 0.006, 0.005,
+     2e-3, 1e-3}};
 
 class TouchLaws : public testing::TestWithParam<int> {
  protected:
   static const Sphere& limits() { return kSpheres[GetParam()]; }
-  static const std::shared_ptr<const TouchBody>& sphere() {
-    static std::shared_ptr<const TouchBody> bodies[std::size(kSpheres)];
+  static const std::shared_ptr<const TouchableModel>& sphere() {
+    static std::shared_ptr<const TouchableModel> bodies[std::size(kSpheres)];
     auto& body = bodies[GetParam()];
     if (!body) {
-      const auto made = std::make_shared<TouchBody>(buildTouchModel(limits().project, {}, {}));
+      const auto made = std::make_shared<TouchableModel>(buildTouchModel(limits().project, {}, {}));
       made->columns()->compute(made->columns()->nodesNear(made->surface().places(), kTop), {});
       std::printf("%s: n = %d\n", limits().name, made->surface().dofs().nodeCount());
       body = made;
@@ -106,7 +106,7 @@ TEST_P(TouchLaws, HoldAtEveryStepOfRandomHistories) {
   for (unsigned seed = 1; seed <= limits().histories; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
-    auto player = std::make_unique<TouchPlayer>(sphere());
+    auto player = std::make_unique<TouchStepper>(sphere());
     TouchField field(sphere());
     std::vector<std::unique_ptr<Wanderer>> tools(std::size(middles));
     TouchId last = 0;
@@ -126,7 +126,7 @@ TEST_P(TouchLaws, HoldAtEveryStepOfRandomHistories) {
         }
       }
       if (step == 75) {  // an equal model takes over
-        auto next = std::make_unique<TouchPlayer>(sphere(), 2);
+        auto next = std::make_unique<TouchStepper>(sphere(), 2);
         next->takeOver(*player);
         player = std::move(next);
       }
@@ -158,7 +158,7 @@ TEST_P(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
   for (const Kind kind : {Kind::kPush, Kind::kProbe})
     for (const double friction : {0.0, 0.2, 0.6}) {
       SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind) << ", mu " << friction);
-      TouchPlayer player(sphere());
+      TouchStepper player(sphere());
       const double high = 23.8 + (kind == Kind::kProbe ? 10 : 0);
       const auto at = [&](int step) -> Vector3d {
         const double angle = 2 * std::numbers::pi * step / 400;
@@ -199,7 +199,7 @@ TEST_P(TouchLaws, MirrorImagesGiveMirrorImages) {
     const auto image = [&](const Vector3d& v) -> Vector3d {
       return isMirrored ? Vector3d(mirror.cwiseProduct(v)) : v;
     };
-    TouchPlayer player(sphere());
+    TouchStepper player(sphere());
     player.apply({Command::kBegin, 1, {Kind::kProbe, 12, 0.3}, kTop, image({0, 0, 36})});
     player.apply(
         {Command::kBegin, 2, {Kind::kPush, 8, 0.2}, image({15, 20, 0}), image({14.2, 18.8, 0})});
@@ -230,7 +230,7 @@ TEST_P(TouchLaws, ComplianceIsSymmetric) {
   const Vector3d forces[] = {{0.05, 0.02, -0.2}, {-0.15, 0.1, 0.05}};
   double work[2];
   for (const int loaded : {0, 1}) {
-    TouchPlayer player(sphere());
+    TouchStepper player(sphere());
     player.apply({Command::kBegin, 1, {Kind::kForce, 8}, places[loaded], forces[loaded]});
     player.step();
     TouchSnapshot snapshot;
@@ -246,7 +246,7 @@ TEST_P(TouchLaws, ComplianceIsSymmetric) {
 /// Two tools at one place that want different things: the forces stay bounded, the laws hold for
 /// all others, and a touch that begins meanwhile has its force at once.
 TEST_P(TouchLaws, ATouchBeginsWhileOthersContradictEachOther) {
-  TouchPlayer player(sphere());
+  TouchStepper player(sphere());
   player.apply({Command::kBegin, 1, {Kind::kGrab, 8}, kTop, {0, 0, -1}});
   player.step();
   const double alone = player.simulation().contacts()[0].force.norm();

@@ -1,4 +1,4 @@
-#include "app/core/touch_loop.h"
+#include "app/core/live/touch_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "allocation_counter.h"
-#include "app/core/release.h"
-#include "app/core/touch.h"
+#include "app/core/results/touch.h"
+#include "app/core/system/destroy_in_background.h"
 #include "core_projects.h"
 
 namespace palpa::app {
@@ -211,7 +211,7 @@ TEST(TouchLoop, TheFirstForceNeedsFewColumns) {
 /// With splines coefficients are not nodes of the mesh.
 TEST(TouchLoop, ColumnsThatComeWithTheNeededOnesAreAroundThem) {
   modeling::Project project = test::clampedSphere(6);
-  project.mesh.engine = modeling::Engine::splines;
+  project.mesh.engine = modeling::Engine::kSplines;
   project.mesh.elementLength = 8;
   TouchLoop::Options options;
   options.computesAll = false;
@@ -271,14 +271,14 @@ TEST(TouchLoop, RefusesWhatItCannotHold) {
   EXPECT_THROW(loop.begin({Kind::kGrab, 0}, kTop, kTop), TouchRefused);
   EXPECT_THROW(loop.begin({Kind::kPush, 8, -1}, kTop, kTop), TouchRefused);
   std::vector<TouchId> ids;
-  for (int k = 0; k < TouchSnapshot::kMostBalls; ++k)
+  for (int k = 0; k < TouchSnapshot::kMaxBalls; ++k)
     ids.push_back(loop.begin({Kind::kProbe, 5, 0}, kTop, {0, 0, 40}));
   EXPECT_THROW(loop.begin({Kind::kProbe, 5, 0}, kTop, {0, 0, 40}), TouchRefused);
-  while (ids.size() < TouchSnapshot::kMostContacts)
+  while (ids.size() < TouchSnapshot::kMaxContacts)
     ids.push_back(loop.begin({Kind::kPush, 5, 0}, kTop, {0, 0, 40}));
   EXPECT_THROW(loop.begin({Kind::kPush, 5, 0}, kTop, {0, 0, 40}), TouchRefused);
   await(loop, [](const TouchSnapshot& snapshot) {
-    return snapshot.contactCount == TouchSnapshot::kMostContacts;
+    return snapshot.contactCount == TouchSnapshot::kMaxContacts;
   });
   for (const TouchId id : ids) loop.end(id);
   for (const TouchId id : ids) loop.end(id);  // nothing happens

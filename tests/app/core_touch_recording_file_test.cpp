@@ -1,5 +1,5 @@
 // Recordings as files: every bit comes back, and broken files are refused with the place.
-#include "app/core/touch_recording_file.h"
+#include "app/core/live/touch_recording_file.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "app/core/touch_replay.h"
+#include "app/core/live/touch_replay.h"
 #include "core_projects.h"
 #include "modeling/error.h"
 
@@ -169,7 +169,7 @@ TEST(TouchRecordingFile, HugeAndDeepFilesAreRefused) {
     std::ofstream file(path);
     file << "{";
   }
-  std::filesystem::resize_file(path, kLargestRecordingFile + 1);  // sparse
+  std::filesystem::resize_file(path, kMaxRecordingFile + 1);  // sparse
   EXPECT_THROW(readRecording(path), modeling::ModelingError);
   std::filesystem::remove(path);
   EXPECT_THROW(readRecording(folder / "palpa-no-such-recording.json"), modeling::ModelingError);
@@ -198,9 +198,10 @@ TEST(TouchRecordingFile, AFileReplaysLikeTheRecordingAndKnowsItsModel) {
   const RecordingFile read = parseRecording(toJson(file), "test");
   const auto forces = [&](const TouchRecording& recording) {
     std::vector<Vector3d> seen;
-    replay(std::make_shared<TouchBody>(model), recording, {}, [&](const TouchSnapshot& snapshot) {
-      for (const auto& contact : snapshot.touched()) seen.push_back(contact.force);
-    });
+    replay(std::make_shared<TouchableModel>(model), recording, {},
+           [&](const TouchSnapshot& snapshot) {
+             for (const auto& contact : snapshot.touched()) seen.push_back(contact.force);
+           });
     return seen;
   };
   const auto expected = forces(file.recording);

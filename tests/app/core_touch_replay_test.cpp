@@ -1,4 +1,4 @@
-#include "app/core/touch_replay.h"
+#include "app/core/live/touch_replay.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/touch_loop.h"
-#include "bem/parallel.h"
+#include "app/core/live/touch_loop.h"
+#include "base/parallel.h"
 #include "core_projects.h"
 
 namespace palpa::app {
@@ -42,9 +42,9 @@ TouchRecording touches() {
   return recording;
 }
 
-std::vector<Vector3d> forcesOf(const std::shared_ptr<const TouchBody>& body,
+std::vector<Vector3d> forcesOf(const std::shared_ptr<const TouchableModel>& body,
                                const TouchRecording& recording, int threads) {
-  bem::Job job;
+  Job job;
   job.threads = threads;
   std::vector<Vector3d> forces;
   replay(body, recording, job, [&](const TouchSnapshot& snapshot) {
@@ -56,8 +56,8 @@ std::vector<Vector3d> forcesOf(const std::shared_ptr<const TouchBody>& body,
 TEST(TouchReplay, IsTheSameOnAnyNumberOfThreads) {
   for (const double edgeLength : {6.0, 4.5}) {
     const auto model = build(edgeLength);
-    const auto one = forcesOf(std::make_shared<TouchBody>(model), touches(), 1);
-    const auto two = forcesOf(std::make_shared<TouchBody>(model), touches(), 2);
+    const auto one = forcesOf(std::make_shared<TouchableModel>(model), touches(), 1);
+    const auto two = forcesOf(std::make_shared<TouchableModel>(model), touches(), 2);
     EXPECT_EQ(one.size(), 120u + 110u + 70u);
     EXPECT_EQ(one, two);
     EXPECT_GT(one.back().norm(), 0);
@@ -66,11 +66,11 @@ TEST(TouchReplay, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(TouchReplay, DoesNotDependOnTheOrderOfTheColumns) {
   const auto model = build(6);
-  const auto whole = std::make_shared<TouchBody>(model);
+  const auto whole = std::make_shared<TouchableModel>(model);
   whole->columns()->compute(whole->columns()->nodesNear(whole->surface().places(), {0, 0, -25}),
                             {});
   EXPECT_EQ(forcesOf(whole, touches(), 2),
-            forcesOf(std::make_shared<TouchBody>(model), touches(), 2));
+            forcesOf(std::make_shared<TouchableModel>(model), touches(), 2));
 }
 
 TEST(TouchReplay, GivesTheForcesOfTheLiveLoopThroughASwapToo) {
@@ -120,7 +120,7 @@ TEST(TouchReplay, GivesTheForcesOfTheLiveLoopThroughASwapToo) {
     ASSERT_GE(recording.steps, 1u);
     std::vector<TouchSnapshot::Contact> pushed(recording.steps), grabbed(recording.steps);
     std::uint64_t endedAt = 0;
-    replay(std::make_shared<TouchBody>(model), recording, {}, [&](const TouchSnapshot& at) {
+    replay(std::make_shared<TouchableModel>(model), recording, {}, [&](const TouchSnapshot& at) {
       if (const auto* contact = at.find(push)) pushed[at.step - 1] = *contact;
       if (const auto* contact = at.find(grab)) grabbed[at.step - 1] = *contact;
       if (endedAt == 0 && at.step > 10 && at.contactCount == 0) endedAt = at.step;
@@ -147,14 +147,14 @@ TEST(TouchReplay, GivesTheForcesOfTheLiveLoopThroughASwapToo) {
 
 TEST(TouchReplay, CanBeCancelled) {
   std::stop_source stop;
-  bem::Job job;
+  Job job;
   job.stop = stop.get_token();
   int steps = 0;
-  EXPECT_THROW(replay(std::make_shared<TouchBody>(build(8)), touches(), job,
+  EXPECT_THROW(replay(std::make_shared<TouchableModel>(build(8)), touches(), job,
                       [&](const TouchSnapshot&) {
                         if (++steps == 5) stop.request_stop();
                       }),
-               bem::Cancelled);
+               Cancelled);
   EXPECT_EQ(steps, 5);
 }
 
@@ -168,9 +168,10 @@ TEST(TouchReplay, CommandsThatMakeNoSenseAreIgnored) {
   for (TouchId id = 1; id <= 100; ++id)
     recording.entries.push_back(
         {0, {Command::kBegin, id, {Kind::kForce, 8, 0}, {0, 0, 25}, {0, 0, -0.01}}});
-  replay(std::make_shared<TouchBody>(build(8)), recording, {}, [](const TouchSnapshot& snapshot) {
-    EXPECT_EQ(snapshot.contactCount, TouchSnapshot::kMostContacts);
-  });
+  replay(std::make_shared<TouchableModel>(build(8)), recording, {},
+         [](const TouchSnapshot& snapshot) {
+           EXPECT_EQ(snapshot.contactCount, TouchSnapshot::kMaxContacts);
+         });
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST_P(TouchSlide, TheForceHasNoStepsAroundTheSphere) {
   modeling::Project project = test::clampedSphere(3);
   project.mesh.engine = engine;
   project.mesh.elementLength = 7;
-  const auto body = std::make_shared<TouchBody>(buildTouchModel(project, {}, {}));
+  const auto body = std::make_shared<TouchableModel>(buildTouchModel(project, {}, {}));
   body->columns()->compute(
       body->columns()->nodesNear(body->surface().places(), Eigen::Vector3d::Zero()), {});
   std::printf("n = %d\n", body->surface().dofs().nodeCount());
@@ -47,8 +47,8 @@ TEST_P(TouchSlide, TheForceHasNoStepsAroundTheSphere) {
 /// and with them masks, are of other sizes from patch to patch.
 TEST(TouchSlide, TheForceHasNoKinksWherePatchesMeet) {
   modeling::Project project = test::clampedSphere(3);
-  project.mesh.engine = Engine::splines;
-  const auto body = std::make_shared<TouchBody>(buildTouchModel(project, {}, {}));
+  project.mesh.engine = Engine::kSplines;
+  const auto body = std::make_shared<TouchableModel>(buildTouchModel(project, {}, {}));
   body->columns()->compute(
       body->columns()->nodesNear(body->surface().places(), Eigen::Vector3d::Zero()), {});
   for (const double radius : {3.0, 6.0}) {
@@ -68,10 +68,10 @@ TEST(TouchSlide, TheForceHasNoKinksWherePatchesMeet) {
 // The solid's own faces meet at an angle of 0.12 degrees beside the corners of the cube that its
 // patches come from; triangles with their averaged normals smooth that away.
 INSTANTIATE_TEST_SUITE_P(Engines, TouchSlide,
-                         testing::Values(std::pair(Engine::triangles, Jumps{0.005, 0.006}),
-                                         std::pair(Engine::splines, Jumps{0.007, 0.009})),
+                         testing::Values(std::pair(Engine::kTriangles, Jumps{0.005, 0.006}),
+                                         std::pair(Engine::kSplines, Jumps{0.007, 0.009})),
                          [](const auto& tested) {
-                           return tested.param.first == Engine::splines ? "Splines" : "Triangles";
+                           return tested.param.first == Engine::kSplines ? "Splines" : "Triangles";
                          });
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "app/core/rebuild_pipeline.h"
-#include "app/core/touch.h"
+#include "app/core/results/touch.h"
+#include "app/core/session/rebuild_pipeline.h"
 #include "core_projects.h"
 #include "modeling/shapes/primitives.h"
 
@@ -94,7 +94,7 @@ TEST_P(Update, IsTouchedLikeAModelOfItsOwn) {
     const Vector3d ofUpdate = forceAt(*update, place), ofOwn = forceAt(*own, place);
     // Triangles are others on a dent that is hardly wider than they are: the mesh was carried
     // along.
-    const double limit = GetParam() == modeling::Engine::triangles ? 0.03 : 1e-4;
+    const double limit = GetParam() == modeling::Engine::kTriangles ? 0.03 : 1e-4;
     EXPECT_LE((ofUpdate - ofOwn).norm(), limit * ofOwn.norm()) << edit;
     EXPECT_GE((forceAt(*former, place) - ofOwn).norm(), 0.005 * ofOwn.norm()) << edit;
   }
@@ -168,7 +168,7 @@ TEST_P(Update, ComesFirstAndIsReplaced) {
 
 /// Averaged equations along the border of a support, which share points.
 TEST(SplineUpdate, FollowsEditsBesideABorderThatCutsPatches) {
-  modeling::Project project = sphere(modeling::Engine::splines);
+  modeling::Project project = sphere(modeling::Engine::kSplines);
   project.supports[0].where = modeling::Region::below(Vector3d(0.2, -0.1, 1), -15);
   project.mesh.elementLength = 9.0;
   const auto former = buildTouchModel(project, {}, {});
@@ -186,10 +186,10 @@ TEST(SplineUpdate, FollowsEditsBesideABorderThatCutsPatches) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, Update,
-                         testing::Values(modeling::Engine::triangles, modeling::Engine::splines),
+                         testing::Values(modeling::Engine::kTriangles, modeling::Engine::kSplines),
                          [](const auto& engine) {
-                           return engine.param == modeling::Engine::triangles ? "triangles"
-                                                                              : "splines";
+                           return engine.param == modeling::Engine::kTriangles ? "triangles"
+                                                                               : "splines";
                          });
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(Verification, AnUnknownNameIsRefusedWithThoseThatAreKnown) {
     FAIL() << "no error";
   } catch (const modeling::ModelingError& error) {
     const std::string message = error.what();
-    EXPECT_EQ(error.kind(), modeling::ModelingError::Kind::notFound);
+    EXPECT_EQ(error.kind(), modeling::ModelingError::Kind::kNotFound);
     for (const char* word :
          {"patch_linear_bottle", "kelvin_exterior_sphere", "c_sph_pole", "convergence_sphere"})
       EXPECT_NE(message.find(word), std::string::npos) << word;

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "app/core/touch_model.h"
+#include "app/core/model/touch_model.h"
 #include "app/verification/fem_case.h"
 #include "app/verification/verification.h"
 
@@ -19,7 +19,7 @@ const json& femCase(const std::string& id) {
 
 FemSolution solveTriangles(const std::string& id, double edgeLength, bool isRefined = false) {
   modeling::MeshSettings mesh;
-  mesh.engine = modeling::Engine::triangles;
+  mesh.engine = modeling::Engine::kTriangles;
   mesh.edgeLength = edgeLength;
   mesh.refinementLevels = isRefined ? 2 : 0;
   mesh.refineAtBorders = mesh.refineAtSharpEdges = isRefined;

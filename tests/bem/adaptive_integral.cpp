@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bem/kelvin.h"
+#include "bem/triangle/kelvin.h"
 
 namespace palpa::bem::test {
 namespace {

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <Eigen/Dense>
 #include <array>
 
-#include "bem/material.h"
+#include "bem/model/material.h"
 
 namespace palpa::bem::test {
 

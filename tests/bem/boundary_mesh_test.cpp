@@ -1,4 +1,4 @@
-#include "bem/boundary_mesh.h"
+#include "bem/model/boundary_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/error.h"
+#include "bem/base/error.h"
 
 namespace palpa::bem {
 namespace {

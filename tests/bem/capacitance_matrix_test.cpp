@@ -1,10 +1,10 @@
-#include "bem/capacitance_matrix.h"
+#include "bem/linalg/capacitance_matrix.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "bem/error.h"
+#include "bem/base/error.h"
 
 namespace palpa::bem {
 namespace {

@@ -3,9 +3,9 @@
 #include <random>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/error.h"
-#include "bem/nodal_switching.h"
-#include "bem/surface_point.h"
+#include "bem/base/error.h"
+#include "bem/contact/nodal_switching.h"
+#include "bem/model/surface_point.h"
 #include "written_out.h"
 
 namespace palpa::bem {

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "bem/dense_elimination.h"
+#include "bem/linalg/dense_elimination.h"
 
 namespace palpa::bem {
 namespace {

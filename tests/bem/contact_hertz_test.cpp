@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/triangle_contact_surface.h"
+#include "bem/triangle/triangle_contact_surface.h"
 #include "hertz.h"
 
 namespace palpa::bem {

@@ -1,4 +1,4 @@
-#include "bem/contact_simulation.h"
+#include "bem/contact/contact_simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/contact_solver.h"
-#include "bem/triangle_contact_surface.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/triangle/triangle_contact_surface.h"
 
 namespace palpa::bem {
 namespace {
@@ -61,7 +61,7 @@ TEST(ContactSimulation, GrabsAsTheExactSolverDoes) {
   simulation.begin({Kind::kGrab, 8}, kSide, {1, 0, 0});
   simulation.step();
   ASSERT_TRUE(simulation.converged());
-  ContactSolver exact(sphere().problem, sphere().slots, sphere().base);
+  BilateralContactSolver exact(sphere().problem, sphere().slots, sphere().base);
   exact.addGrab(makeContactMask(*sphere().surface, kTop, 8), Vector3d(0, 0.5, -2));
   exact.addGrab(makeContactMask(*sphere().surface, kSide, 8), Vector3d(1, 0, 0));
   const VectorXd forces = exact.forces();

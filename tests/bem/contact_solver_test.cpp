@@ -1,13 +1,13 @@
-#include "bem/contact_solver.h"
+#include "bem/contact/bilateral_contact_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/error.h"
-#include "bem/nodal_switching.h"
-#include "bem/results.h"
+#include "bem/base/error.h"
+#include "bem/contact/nodal_switching.h"
+#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 namespace {
@@ -37,7 +37,7 @@ struct Sphere {
   BoundaryField zero() const {
     return {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
   }
-  ContactSolver solver() const { return {problem, slots, zero()}; }
+  BilateralContactSolver solver() const { return {problem, slots, zero()}; }
   ContactMask mask(const Vector3d& at, double radius) const {
     return makeContactMask(mesh, slots, problem->dofs(), at, radius);
   }
@@ -92,8 +92,8 @@ TEST(ContactMask, RefusesATouchOnASupport) {
   EXPECT_THROW(sphere().mask({0, 0, -25}, 3), SolverError);
 }
 
-TEST(ContactSolver, GrabbedPlacesMoveAsTold) {
-  ContactSolver solver = sphere().solver();
+TEST(BilateralContactSolver, GrabbedPlacesMoveAsTold) {
+  BilateralContactSolver solver = sphere().solver();
   const ContactMask top = sphere().mask(kTop, 8), side = sphere().mask(kSide, 8);
   solver.addGrab(top, Vector3d(0, 0.5, -2));
   solver.addGrab(side, Vector3d(1, 0, 0));
@@ -104,8 +104,8 @@ TEST(ContactSolver, GrabbedPlacesMoveAsTold) {
   EXPECT_LE(sphere().problem->relativeResidual(field), 1e-10);
 }
 
-TEST(ContactSolver, ForceAndSupportBalance) {
-  ContactSolver solver = sphere().solver();
+TEST(BilateralContactSolver, ForceAndSupportBalance) {
+  BilateralContactSolver solver = sphere().solver();
   solver.addGrab(sphere().mask(kTop, 8), Vector3d(0, 0, -2));
   const VectorXd forces = solver.forces();
   const BoundaryField field = solver.field(forces);
@@ -119,8 +119,8 @@ TEST(ContactSolver, ForceAndSupportBalance) {
               0.5 * 2 * -forces[2], 0.005 * std::abs(forces[2]));
 }
 
-TEST(ContactSolver, EqualsTheSolutionForTheSameTractions) {
-  ContactSolver solver = sphere().solver();
+TEST(BilateralContactSolver, EqualsTheSolutionForTheSameTractions) {
+  BilateralContactSolver solver = sphere().solver();
   const ContactMask mask = sphere().mask({15, 0, 20}, 8);
   const Vector3d force(0.02, -0.01, -0.05);
   solver.addForce(mask, force);
@@ -135,25 +135,25 @@ TEST(ContactSolver, EqualsTheSolutionForTheSameTractions) {
   EXPECT_LE((field.p - expected.p).norm(), 1e-10 * expected.p.norm());
 }
 
-TEST(ContactSolver, DisplacementAndForceAreInverse) {
-  ContactSolver grabbed = sphere().solver();
+TEST(BilateralContactSolver, DisplacementAndForceAreInverse) {
+  BilateralContactSolver grabbed = sphere().solver();
   grabbed.addGrab(sphere().mask(kTop, 8), Vector3d(0.3, 0, -2));
   const VectorXd force = grabbed.forces();
-  ContactSolver pushed = sphere().solver();
+  BilateralContactSolver pushed = sphere().solver();
   pushed.addForce(sphere().mask(kTop, 8), force);
   const auto contact = pushed.contacts(pushed.forces()).front();
   EXPECT_LE((contact.displacement - Vector3d(0.3, 0, -2)).norm(), 1e-10);
   EXPECT_GT(contact.stiffness, 0);
 }
 
-TEST(ContactSolver, JoiningAndLeavingInAnyOrderGivesTheSameForces) {
+TEST(BilateralContactSolver, JoiningAndLeavingInAnyOrderGivesTheSameForces) {
   const Vector3d places[] = {kTop, kSide, {-25, 0, 0}, {0, 25, 0}, {0, -20, 15}};
-  ContactSolver straight = sphere().solver();
+  BilateralContactSolver straight = sphere().solver();
   straight.addGrab(sphere().mask(places[1], 7), Vector3d(1, 0, 0));
   straight.addForce(sphere().mask(places[3], 7), Vector3d(0, -0.1, 0));
   straight.addGrab(sphere().mask(places[4], 7), Vector3d(0, 0.5, 0));
 
-  ContactSolver winding = sphere().solver();
+  BilateralContactSolver winding = sphere().solver();
   const auto a = winding.addGrab(sphere().mask(places[0], 7), Vector3d(0, 0, -1));
   winding.addGrab(sphere().mask(places[1], 7), Vector3d(1, 0, 0));
   const auto b = winding.addForce(sphere().mask(places[2], 7), Vector3d(0.1, 0, 0));
@@ -168,15 +168,15 @@ TEST(ContactSolver, JoiningAndLeavingInAnyOrderGivesTheSameForces) {
   EXPECT_LE((found - expected).norm(), 1e-10 * expected.norm());
 }
 
-TEST(ContactSolver, RefusesTwoContactsAtOnePlace) {
-  ContactSolver solver = sphere().solver();
+TEST(BilateralContactSolver, RefusesTwoContactsAtOnePlace) {
+  BilateralContactSolver solver = sphere().solver();
   solver.addGrab(sphere().mask(kTop, 8), Vector3d(0, 0, -1));
   const VectorXd before = solver.forces();
   EXPECT_THROW(solver.addGrab(sphere().mask(kTop, 8), Vector3d(0, 0, -1)), SolverError);
   EXPECT_EQ(solver.forces(), before);
 }
 
-TEST(ContactSolver, AMaskOfOneNodeIsNodalSwitching) {
+TEST(BilateralContactSolver, AMaskOfOneNodeIsNodalSwitching) {
   const int node = nearestNode(sphere().mesh, kTop);
   const Vector3d displacement(0, 0, -1);
   ContactMask mask;
@@ -186,7 +186,7 @@ TEST(ContactSolver, AMaskOfOneNodeIsNodalSwitching) {
   const double area = nodalArea(sphere().mesh, node);
   mask.traction = {1 / area};
   mask.measure = {1};
-  ContactSolver solver = sphere().solver();
+  BilateralContactSolver solver = sphere().solver();
   solver.addGrab(mask, displacement);
 
   const auto& dofs = sphere().problem->dofs();
@@ -200,11 +200,11 @@ TEST(ContactSolver, AMaskOfOneNodeIsNodalSwitching) {
   EXPECT_LE((solver.forces() - force).norm(), 0.01 * force.norm());
 }
 
-TEST(ContactSolver, ReciprocityDefectIsSmallAndFalls) {
+TEST(BilateralContactSolver, ReciprocityDefectIsSmallAndFalls) {
   double defect[2];
   for (int k = 0; k < 2; ++k) {
     const Sphere body(k == 0 ? 10 : 14);  // 602 and 1,178 nodes
-    ContactSolver solver = body.solver();
+    BilateralContactSolver solver = body.solver();
     solver.addGrab(body.mask(kTop, 9), Vector3d::Zero());
     solver.addGrab(body.mask(kSide, 9), Vector3d::Zero());
     solver.addGrab(body.mask({0, -18, 17}, 9), Vector3d::Zero());
@@ -214,13 +214,13 @@ TEST(ContactSolver, ReciprocityDefectIsSmallAndFalls) {
   EXPECT_LT(defect[1], defect[0]);
 }
 
-TEST(ContactSolver, ForceIsContinuousWhenTheContactSlides) {
+TEST(BilateralContactSolver, ForceIsContinuousWhenTheContactSlides) {
   // Slides over three elements in 24 steps: neighbouring forces differ by no more than the place
   // explains.
   double previous = 0;
   for (int step = 0; step <= 24; ++step) {
     const double angle = 0.02 * step;
-    ContactSolver solver = sphere().solver();
+    BilateralContactSolver solver = sphere().solver();
     const Vector3d normal(std::sin(angle), 0, std::cos(angle));
     solver.addGrab(sphere().mask(25 * normal, 10), Vector3d(-normal));
     const double force = solver.forces().norm();
@@ -231,9 +231,9 @@ TEST(ContactSolver, ForceIsContinuousWhenTheContactSlides) {
   }
 }
 
-TEST(ContactSolver, ForceHardlyDependsOnTheMesh) {
+TEST(BilateralContactSolver, ForceHardlyDependsOnTheMesh) {
   const Sphere fine(14);
-  ContactSolver coarse = sphere().solver(), finer = fine.solver();
+  BilateralContactSolver coarse = sphere().solver(), finer = fine.solver();
   coarse.addGrab(sphere().mask(kTop, 12), Vector3d(0, 0, -1));
   finer.addGrab(fine.mask(kTop, 12), Vector3d(0, 0, -1));
   // Same mask radius, edges of 3.9 and 2.8 mm: second-order errors of a 12 mm bump.

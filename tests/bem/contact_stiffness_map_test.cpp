@@ -6,10 +6,10 @@
 #include <numeric>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/contact_simulation.h"
-#include "bem/contact_solver.h"
-#include "bem/stiffness_map.h"
-#include "bem/triangle_contact_surface.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/contact/contact_simulation.h"
+#include "bem/contact/stiffness_map.h"
+#include "bem/triangle/triangle_contact_surface.h"
 
 namespace palpa::bem {
 namespace {
@@ -72,7 +72,7 @@ constexpr double kRadius = 5;
 /// Force along the normal per displacement along it, sideways free: two solves with the exact
 /// solver, one grab at a time.
 double stiffnessByGrab(const Box& box, int node, const Vector3d& normal) {
-  ContactSolver solver(box.problem, box.slots, box.base);
+  BilateralContactSolver solver(box.problem, box.slots, box.base);
   const auto mask = makeContactMask(*box.surface, box.mesh.nodes[node], kRadius);
   solver.addForce(mask, normal);
   return 1 / solver.contacts(solver.forces()).front().displacement.dot(normal);

@@ -1,4 +1,4 @@
-#include "bem/contact_system.h"
+#include "bem/contact/frictional_contact_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -84,8 +84,8 @@ void expectLaws(const RandomContacts& contacts, const ContactForces& solution) {
   }
 }
 
-TEST(ContactSystem, MeetsTheLawsWithoutFriction) {
-  ContactSystem system;
+TEST(FrictionalContactSolver, MeetsTheLawsWithoutFriction) {
+  FrictionalContactSolver system;
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const RandomContacts contacts(1 + seed % 20, 0, seed);
@@ -96,8 +96,8 @@ TEST(ContactSystem, MeetsTheLawsWithoutFriction) {
   }
 }
 
-TEST(ContactSystem, MeetsCoulombsLaw) {
-  ContactSystem system;
+TEST(FrictionalContactSolver, MeetsCoulombsLaw) {
+  FrictionalContactSolver system;
   for (unsigned seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
     const RandomContacts contacts(1 + seed % 20, 0.1 + 0.0004 * seed, seed);
@@ -109,7 +109,7 @@ TEST(ContactSystem, MeetsCoulombsLaw) {
   }
 }
 
-TEST(ContactSystem, ToolsAtOnePlaceYieldALittle) {
+TEST(FrictionalContactSolver, ToolsAtOnePlaceYieldALittle) {
   // The same place twice, and its compliance a little indefinite as a discretised one may be. One
   // tool wants it 1 mm in, the other 2 mm; a third contact is elsewhere.
   RandomContacts contacts(3, 0, 5);
@@ -124,24 +124,24 @@ TEST(ContactSystem, ToolsAtOnePlaceYieldALittle) {
   contacts.conditions[0] = {Kind::kHold, {0, 0, -1}};
   contacts.conditions[1] = {Kind::kHold, {0, 0, -2}};
   contacts.conditions[2] = {Kind::kHold, {0, 0.5, 0}};
-  ContactSystem system;
+  FrictionalContactSolver system;
   ContactForces solution;
   system.solve(d, contacts.free, contacts.conditions, solution);
   EXPECT_FALSE(solution.converged);
-  EXPECT_GT(solution.residual, ContactSystem::kTolerance);
+  EXPECT_GT(solution.residual, FrictionalContactSolver::kTolerance);
   ASSERT_GT(solution.softness, 0);
   const VectorXd displaced = contacts.displacements(solution);
   // Where they contradict each other they meet in the middle, and elsewhere the law holds.
-  const double softness = ContactSystem::kSharedSoftness;
+  const double softness = FrictionalContactSolver::kSharedSoftness;
   EXPECT_NEAR(displaced[2], -1.5 / (1 + softness / 2), 0.01);
   EXPECT_NEAR(displaced[5], -1.5 / (1 + softness / 2), 0.01);
   EXPECT_LE((displaced.tail<3>() - Vector3d(0, 0.5, 0)).norm(), 1e-9);
   EXPECT_LE(solution.forces.norm(), 20);
-  EXPECT_LE(solution.iterations, ContactSystem::kMostNewton * 4);
+  EXPECT_LE(solution.iterations, FrictionalContactSolver::kMaxNewton * 4);
 }
 
-TEST(ContactSystem, TheSolutionWithoutFrictionDoesNotDependOnTheStart) {
-  ContactSystem system;
+TEST(FrictionalContactSolver, TheSolutionWithoutFrictionDoesNotDependOnTheStart) {
+  FrictionalContactSolver system;
   const RandomContacts contacts(12, 0, 7);
   ContactForces cold, warm;
   system.solve(contacts.compliance, contacts.free, contacts.conditions, cold);
@@ -153,11 +153,11 @@ TEST(ContactSystem, TheSolutionWithoutFrictionDoesNotDependOnTheStart) {
   EXPECT_EQ(warm.iterations, 0);
 }
 
-TEST(ContactSystem, LetsGoWhenTheToolIsWithdrawn) {
+TEST(FrictionalContactSolver, LetsGoWhenTheToolIsWithdrawn) {
   const MatrixXd compliance = MatrixXd::Identity(3, 3);
   const VectorXd free = VectorXd::Zero(3);
   ContactCondition condition{Kind::kUnilateral, {0, 0, -1}, {0, 0, -1}, 0.5};
-  ContactSystem system;
+  FrictionalContactSolver system;
   ContactForces solution;
   system.solve(compliance, free, {&condition, 1}, solution);
   EXPECT_NEAR(solution.forces[2], -1, 1e-9);
@@ -168,30 +168,30 @@ TEST(ContactSystem, LetsGoWhenTheToolIsWithdrawn) {
   EXPECT_EQ(solution.statuses[0], ContactStatus::kOpen);
 }
 
-TEST(ContactSystem, SlidesWhenDraggedTooFar) {
+TEST(FrictionalContactSolver, SlidesWhenDraggedTooFar) {
   // D = 1: dragging by 2 while pressing by 1 wants f_t = 2 > 0.5: it slips at f_t = 0.5.
   const MatrixXd compliance = MatrixXd::Identity(3, 3);
   const VectorXd free = VectorXd::Zero(3);
   const ContactCondition condition{Kind::kUnilateral, {2, 0, -1}, {0, 0, -1}, 0.5};
-  ContactSystem system;
+  FrictionalContactSolver system;
   ContactForces solution;
   system.solve(compliance, free, {&condition, 1}, solution);
   EXPECT_LE((solution.forces - Vector3d(0.5, 0, -1)).norm(), 1e-9);
   EXPECT_EQ(solution.statuses[0], ContactStatus::kSlipping);
 }
 
-TEST(ContactSystem, SaysWhenItCannotMeetTheLaws) {
+TEST(FrictionalContactSolver, SaysWhenItCannotMeetTheLaws) {
   // Not positive definite: no solution at all for a held contact.
   const MatrixXd compliance = MatrixXd::Zero(3, 3);
   const VectorXd free = VectorXd::Zero(3);
   const ContactCondition condition{Kind::kUnilateral, {0, 0, -1}, {0, 0, -1}, 0};
-  ContactSystem system;
+  FrictionalContactSolver system;
   ContactForces solution;
   MatrixXd indefinite = compliance;
   indefinite.diagonal() << 1e-3, 1e-3, -1e-3;
   system.solve(indefinite, free, {&condition, 1}, solution);
   EXPECT_FALSE(solution.converged);
-  EXPECT_GT(solution.residual, ContactSystem::kTolerance);
+  EXPECT_GT(solution.residual, FrictionalContactSolver::kTolerance);
   EXPECT_TRUE(solution.forces.allFinite());
 }
 

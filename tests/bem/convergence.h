@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "app/verification/exact/solved_body.h"

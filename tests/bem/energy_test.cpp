@@ -4,7 +4,7 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 namespace {

@@ -1,8 +1,8 @@
-#include "bem/gmres.h"
+#include "bem/linalg/gmres.h"
 
 #include <gtest/gtest.h>
 
-#include "bem/error.h"
+#include "bem/base/error.h"
 
 namespace palpa::bem {
 namespace {

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <functional>
 #include <vector>
 
-#include "bem/contact_simulation.h"
+#include "bem/contact/contact_simulation.h"
 
 /// Hertz's law on a sphere that is held at its bottom, for either discretisation.
 namespace palpa::bem::test {

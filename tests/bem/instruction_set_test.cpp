@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/assembly_kernel.h"
-#include "bem/boundary_mesh.h"
-#include "bem/flat_triangle_integrals.h"
-#include "bem/instruction_set.h"
-#include "bem/large_matrix.h"
+#include "bem/base/instruction_set.h"
+#include "bem/base/large_matrix.h"
+#include "bem/model/boundary_mesh.h"
+#include "bem/triangle/assembly_kernel.h"
+#include "bem/triangle/flat_triangle_integrals.h"
 
 namespace palpa::bem {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "adaptive_integral.h"
-#include "bem/assembly.h"
+#include "bem/triangle/assembly.h"
 
 namespace palpa::bem {
 namespace {

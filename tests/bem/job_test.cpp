@@ -1,4 +1,4 @@
-#include "bem/job.h"
+#include "base/job.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/parallel.h"
-#include "bem/reference_problem.h"
+#include "base/parallel.h"
+#include "bem/problem/reference_problem.h"
 
 namespace palpa::bem {
 namespace {

@@ -1,10 +1,10 @@
-#include "bem/kelvin.h"
+#include "bem/triangle/kelvin.h"
 
 #include <gtest/gtest.h>
 
 #include "app/verification/exact/exact_fields.h"
 #include "app/verification/exact/simple_meshes.h"
-#include "bem/assembly.h"
+#include "bem/triangle/assembly.h"
 
 namespace palpa::bem {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
-#include "bem/assembly.h"
-#include "bem/results.h"
+#include "bem/triangle/assembly.h"
+#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
-#include "bem/greens_columns.h"
-#include "bem/triangle_discretisation.h"
+#include "bem/problem/greens_columns.h"
+#include "bem/triangle/triangle_discretisation.h"
 
 namespace palpa::bem::test {
 using namespace verification;

@@ -1,4 +1,4 @@
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 
 #include <gtest/gtest.h>
 

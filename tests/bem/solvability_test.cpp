@@ -5,7 +5,7 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
-#include "bem/reference_problem.h"
+#include "bem/problem/reference_problem.h"
 
 namespace palpa::bem {
 namespace {

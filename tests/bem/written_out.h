@@ -1,6 +1,7 @@
 #pragma once
-#include "bem/assembly.h"
-#include "bem/boundary_conditions.h"
+
+#include "bem/model/boundary_conditions.h"
+#include "bem/triangle/assembly.h"
 
 namespace palpa::bem::test {
 

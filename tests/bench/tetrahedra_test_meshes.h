@@ -1,4 +1,5 @@
 #pragma once
+
 #include "bench/peers/tetrahedra.h"
 
 namespace palpa::bench::test {

@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::require(modeling::volume(imported.body) > 0.0, "a body without volume");
   } catch (const modeling::ModelingError& error) {
     fuzz::require(std::string_view(error.what()).starts_with(file.string() + ": "), error.what());
-    fuzz::require(error.kind() != modeling::ModelingError::Kind::io, error.what());
+    fuzz::require(error.kind() != modeling::ModelingError::Kind::kIo, error.what());
   }
   std::filesystem::remove(file);
   return 0;

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "app/core/model_cache.h"
+#include "app/core/model/model_cache.h"
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/preferences_dialog.h"

@@ -3,8 +3,8 @@
 #include <QPushButton>
 #include <thread>
 
-#include "app/gui/background_job.h"
-#include "app/gui/dialogs/progress_dialog.h"
+#include "app/gui/base/background_job.h"
+#include "app/gui/base/progress_dialog.h"
 #include "modeling/project/autosave.h"
 #include "tests/gui/window_fixture.h"
 
@@ -17,7 +17,7 @@ TEST_F(Files, AJobCanBeCancelledWhileTheWindowLives) {
   std::optional<int> result = 1;
   withDialog<ProgressDialog>(
       [&] {
-        result = runInBackground(*window_, "Working", [](const modeling::Job& job) {
+        result = runInBackground(*window_, "Working", [](const Job& job) {
           for (;;) {
             job.throwIfCancelled();
             job.report("count", 0.4);
@@ -38,7 +38,7 @@ TEST_F(Files, AJobCanBeCancelledWhileTheWindowLives) {
 
 TEST_F(Files, WhatAJobThrowsReachesTheCaller) {
   EXPECT_THROW(runInBackground(*window_, "Working",
-                               [](const modeling::Job&) -> int { throw std::runtime_error("no"); }),
+                               [](const Job&) -> int { throw std::runtime_error("no"); }),
                std::runtime_error);
 }
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "app/gui/canvas.h"
+#include "app/gui/base/canvas.h"
 #include "app/view/force_plot.h"
 #include "tests/gui/photographer.h"
 
@@ -52,8 +52,8 @@ void open(Photographer& p, const QString& project, const QString& tool) {
 /// The place where the body is seen nearest to a wish.
 QPoint onBody(Photographer& p, QPoint wish) {
   ViewportWidget& view = p.window().viewport();
-  constexpr int kStep = 4, kMost = 400;
-  for (int aside = 0; aside < kMost; aside += kStep)
+  constexpr int kStep = 4, kMaxPictures = 400;
+  for (int aside = 0; aside < kMaxPictures; aside += kStep)
     for (const int side : {-1, 1}) {
       // Well within it: both neighbours are on the body, too.
       const QPoint at = wish + QPoint(side * aside, 0);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "app/gui/docks/forces_dock.h"
-#include "app/gui/measures.h"
+#include "app/gui/base/measures.h"
 #include "app/gui/widgets/vector_edit.h"
 #include "tests/gui/window_fixture.h"
 

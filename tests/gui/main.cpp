@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 
 namespace {
 
@@ -24,7 +24,7 @@ class Watchdog : public testing::EmptyTestEventListener {
   void OnTestEnd(const testing::TestInfo&) override { note({}); }
 
  private:
-  static constexpr std::chrono::seconds kLongestTest{100};
+  static constexpr std::chrono::seconds kMaxTestTime{100};
 
   void note(const std::string& test) {
     const std::lock_guard lock(mutex_);
@@ -37,7 +37,7 @@ class Watchdog : public testing::EmptyTestEventListener {
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
       const int count = count_;
-      if (changed_.wait_for(lock, stop, kLongestTest, [&] { return count_ != count; }) ||
+      if (changed_.wait_for(lock, stop, kMaxTestTime, [&] { return count_ != count; }) ||
           stop.stop_requested() || test_.empty())
         continue;
       std::cerr << test_ << " does not end.";

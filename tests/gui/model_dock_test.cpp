@@ -13,7 +13,7 @@
 namespace palpa::gui {
 namespace {
 
-using Node = ModelTree::Node;
+using RowKind = ModelTree::RowKind;
 
 class ModelDock : public WindowTest {
  protected:
@@ -21,7 +21,7 @@ class ModelDock : public WindowTest {
 
   QTreeView& tree() { return *window_->findChild<QDockWidget*>("model")->findChild<QTreeView*>(); }
   const ModelTree& rows() { return *static_cast<const ModelTree*>(tree().model()); }
-  QModelIndex row(Node group, int i) { return rows().index(i, 0, rows().indexOf(group)); }
+  QModelIndex row(RowKind group, int i) { return rows().index(i, 0, rows().indexOf(group)); }
   void click(const QModelIndex& index, Qt::KeyboardModifiers modifiers = {}) {
     tree().scrollTo(index);
     QTest::mouseClick(tree().viewport(), Qt::LeftButton, modifiers,
@@ -48,14 +48,14 @@ class ModelDock : public WindowTest {
 
 TEST_F(ModelDock, ListsWhatTheProjectHolds) {
   const modeling::Solid& solid = *editor().solid();
-  EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kPatches)),
+  EXPECT_EQ(rows().rowCount(rows().indexOf(RowKind::kPatches)),
             static_cast<int>(solid.patches().size()));
-  EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kEdges)), static_cast<int>(solid.edges().size()));
-  EXPECT_EQ(row(Node::kSupports, 0).data().toString().toStdString(), nameOf(0));
-  EXPECT_FALSE(tree().isExpanded(rows().indexOf(Node::kPatches)));
-  EXPECT_FALSE(tree().isExpanded(rows().indexOf(Node::kEdges)));
+  EXPECT_EQ(rows().rowCount(rows().indexOf(RowKind::kEdges)), static_cast<int>(solid.edges().size()));
+  EXPECT_EQ(row(RowKind::kSupports, 0).data().toString().toStdString(), nameOf(0));
+  EXPECT_FALSE(tree().isExpanded(rows().indexOf(RowKind::kPatches)));
+  EXPECT_FALSE(tree().isExpanded(rows().indexOf(RowKind::kEdges)));
   // All else is there without scrolling.
-  EXPECT_LE(tree().visualRect(rows().indexOf(Node::kMesh)).bottom(), tree().viewport()->height());
+  EXPECT_LE(tree().visualRect(rows().indexOf(RowKind::kMesh)).bottom(), tree().viewport()->height());
   keepPicture("model-dock");
 }
 
@@ -67,7 +67,7 @@ TEST_F(ModelDock, ARowUnderThePointerShowsItsPatch) {
   const QImage before = picture();
   const auto showsAPatch = [&] {
     for (const int patch : {1, 4, 5}) {  // some lie on the far side
-      const QModelIndex index = row(Node::kPatches, patch);
+      const QModelIndex index = row(RowKind::kPatches, patch);
       tree().scrollTo(index);
       QTest::mouseMove(tree().viewport(), tree().visualRect(index).center());
       QApplication::processEvents();
@@ -82,50 +82,50 @@ TEST_F(ModelDock, ARowUnderThePointerShowsItsPatch) {
 }
 
 TEST_F(ModelDock, ChosenRowsAreSelectedAndBack) {
-  click(row(Node::kPatches, 1));
+  click(row(RowKind::kPatches, 1));
   EXPECT_EQ(editor().selection(), Selection::ofPatches({1}));
-  click(row(Node::kPatches, 3), Qt::ControlModifier);
+  click(row(RowKind::kPatches, 3), Qt::ControlModifier);
   EXPECT_EQ(editor().selection(), Selection::ofPatches({1, 3}));
-  click(row(Node::kSupports, 0), Qt::ControlModifier);  // another kind: alone
+  click(row(RowKind::kSupports, 0), Qt::ControlModifier);  // another kind: alone
   EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, nameOf(0)));
-  EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(Node::kSupports, 0)});
+  EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(RowKind::kSupports, 0)});
   editor().select(Selection::ofEdges({2}));
-  EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(Node::kEdges, 2)});
-  EXPECT_TRUE(tree().isExpanded(rows().indexOf(Node::kEdges)));
+  EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(RowKind::kEdges, 2)});
+  EXPECT_TRUE(tree().isExpanded(rows().indexOf(RowKind::kEdges)));
   editor().select(Selection::ofPoints({0}));
   EXPECT_TRUE(tree().selectionModel()->selectedRows().empty());
-  click(rows().indexOf(Node::kMaterial));
+  click(rows().indexOf(RowKind::kMaterial));
   EXPECT_TRUE(editor().selection().empty());
-  EXPECT_TRUE(tree().selectionModel()->isSelected(rows().indexOf(Node::kMaterial)));
+  EXPECT_TRUE(tree().selectionModel()->isSelected(rows().indexOf(RowKind::kMaterial)));
 }
 
 TEST_F(ModelDock, NamesAreEditedInTheTree) {
-  rename(row(Node::kPatches, 0), "lid");
+  rename(row(RowKind::kPatches, 0), "lid");
   EXPECT_EQ(editor().solid()->patches()[0].name, "lid");
   EXPECT_EQ(editor().selection(), Selection::ofPatches({0}));
-  rename(row(Node::kSupports, 0), "foot");
+  rename(row(RowKind::kSupports, 0), "foot");
   EXPECT_EQ(nameOf(0), "foot");
   EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, "foot"));
-  rename(rows().indexOf(Node::kProject), "My ball");
+  rename(rows().indexOf(RowKind::kProject), "My ball");
   EXPECT_EQ(editor().project().name, "My ball");
 }
 
 TEST_F(ModelDock, ANameBeingTypedCountsWhenTheWindowIsClosedAndNeverAfterwards) {
-  typeName(row(Node::kSupports, 0), "foot");
+  typeName(row(RowKind::kSupports, 0), "foot");
   withDialog<QMessageBox>([this] { window_->close(); },
                           [](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
   EXPECT_EQ(nameOf(0), "foot");
-  typeName(row(Node::kSupports, 0), "base");
+  typeName(row(RowKind::kSupports, 0), "base");
   window_.reset();  // not entered into a project that is gone
 }
 
 TEST_F(ModelDock, TakenAndEmptyNamesAreRefusedInWords) {
   const std::string before = text();
   QSignalSpy refused(&editor(), &Editor::refused);
-  rename(row(Node::kPatches, 0), QString::fromStdString(editor().solid()->patches()[1].name));
+  rename(row(RowKind::kPatches, 0), QString::fromStdString(editor().solid()->patches()[1].name));
   ASSERT_EQ(refused.count(), 1);
   EXPECT_TRUE(refused[0][0].toString().contains("already a patch named"));
-  rename(row(Node::kSupports, 0), " ");
+  rename(row(RowKind::kSupports, 0), " ");
   EXPECT_EQ(refused.count(), 2);
   EXPECT_EQ(text(), before);
 }
@@ -149,13 +149,13 @@ TEST_F(ModelDock, DeletesWhatCanBeDeletedAndSaysWhyOthersStay) {
   QTest::keyClick(&view(), Qt::Key_Delete);
   EXPECT_EQ(editor().project().supports.size(), supports - 1);
   editor().undo();
-  click(row(Node::kSupports, 0));
+  click(row(RowKind::kSupports, 0));
   QTest::keyClick(&tree(), Qt::Key_Delete);
   EXPECT_EQ(editor().project().supports.size(), supports - 1);
   EXPECT_TRUE(editor().selection().empty());
   EXPECT_FALSE(action("Delete")->isEnabled());
   editor().undo();
-  EXPECT_EQ(rows().rowCount(rows().indexOf(Node::kSupports)), static_cast<int>(supports));
+  EXPECT_EQ(rows().rowCount(rows().indexOf(RowKind::kSupports)), static_cast<int>(supports));
 }
 
 TEST_F(ModelDock, TheMenuOfARowDuplicatesAndSelectsPoints) {
@@ -172,11 +172,11 @@ TEST_F(ModelDock, TheMenuOfARowDuplicatesAndSelectsPoints) {
   };
   const std::size_t supports = editor().project().supports.size();
   const std::string name = nameOf(0);
-  choose(row(Node::kSupports, 0), "Duplicate");
+  choose(row(RowKind::kSupports, 0), "Duplicate");
   ASSERT_EQ(editor().project().supports.size(), supports + 1);
   EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, name + " 2"));
-  choose(row(Node::kPatches, 0), "Zoom to");
-  choose(row(Node::kPatches, 0), "Select points");
+  choose(row(RowKind::kPatches, 0), "Zoom to");
+  choose(row(RowKind::kPatches, 0), "Select points");
   const auto& net = editor().solid()->patches()[0].net;
   EXPECT_EQ(editor().selection().points.size(), net.size() * net[0].size());
 }

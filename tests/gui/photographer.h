@@ -1,4 +1,5 @@
 #pragma once
+
 #include <QApplication>
 #include <QDir>
 #include <QMouseEvent>
@@ -8,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 #include "modeling/editing/command.h"
 
 namespace palpa::gui {

@@ -1,7 +1,7 @@
 #include <QLabel>
 #include <QTreeWidget>
 
-#include "app/core/touch.h"
+#include "app/core/results/touch.h"
 #include "app/gui/docks/forces_dock.h"
 #include "tests/gui/window_fixture.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "app/gui/dialogs/number_dialog.h"
-#include "app/gui/point_groups.h"
+#include "app/gui/document/point_groups.h"
 #include "app/gui/tools/motion_geometry.h"
 #include "app/gui/tools/point_options.h"
 #include "tests/gui/window_fixture.h"

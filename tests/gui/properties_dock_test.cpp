@@ -7,7 +7,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/gui/tools/tool_box.h"
+#include "app/gui/workspace/tool_box.h"
 #include "app/gui/widgets/vector_edit.h"
 #include "tests/gui/window_fixture.h"
 

@@ -3,7 +3,7 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "tests/gui/window_fixture.h"
 
 namespace palpa::gui {

@@ -9,7 +9,7 @@
 #include <QUrl>
 #include <thread>
 
-#include "app/gui/background_job.h"
+#include "app/gui/base/background_job.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "modeling/project/project_file.h"
 #include "tests/gui/window_fixture.h"
@@ -156,7 +156,7 @@ TEST_F(Saving, SavingOverAnotherFileAsks) {
 
 TEST_F(Saving, ClosingEndsAJobFirst) {
   QTimer::singleShot(30, window_.get(), &QWidget::close);
-  const auto result = runInBackground(*window_, "Working", [&](const modeling::Job& job) {
+  const auto result = runInBackground(*window_, "Working", [&](const Job& job) {
     while (!job.stop.stop_requested()) std::this_thread::yield();
     return 1;
   });

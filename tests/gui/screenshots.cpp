@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "tests/gui/films.h"
 #include "tests/gui/photographer.h"
 

@@ -4,10 +4,10 @@
 #include <QLabel>
 #include <QTreeWidget>
 
-#include "app/core/touch.h"
-#include "app/core/touch_recording_file.h"
+#include "app/core/live/touch_recording_file.h"
+#include "app/core/results/touch.h"
 #include "app/gui/docks/forces_dock.h"
-#include "app/gui/simulate/hand_tool.h"
+#include "app/gui/simulate/simulate_tool.h"
 #include "modeling/project/project_file.h"
 #include "tests/gui/window_fixture.h"
 

@@ -42,12 +42,12 @@ TEST_F(Splines, TheEngineIsChosenInTheProperties) {
   EXPECT_EQ(engine->currentText(), "Automatic");
   engine->setFocus();
   for (int k = 0; k < 2; ++k) QTest::keyClick(engine, Qt::Key_Down);  // past "Splines"
-  ASSERT_EQ(editor().project().mesh.engine, modeling::Engine::triangles);
+  ASSERT_EQ(editor().project().mesh.engine, modeling::Engine::kTriangles);
   waitForModel();
   EXPECT_FALSE(editor().model()->setup().splines);
   editor().undo();
   editor().undo();
-  EXPECT_EQ(editor().project().mesh.engine, modeling::Engine::automatic);
+  EXPECT_EQ(editor().project().mesh.engine, modeling::Engine::kAutomatic);
   waitForModel();
   EXPECT_TRUE(editor().model()->setup().splines);
 }

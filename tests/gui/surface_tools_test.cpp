@@ -68,7 +68,7 @@ TEST_F(SurfaceTools, AClickedPatchIsHeldAndLetGoAgain) {
   ASSERT_EQ(project().supports.size(), supports + 1);
   const modeling::Support& made = project().supports.back();
   EXPECT_EQ(made.name, "support 1");
-  EXPECT_EQ(made.kind, modeling::Support::Kind::roller);
+  EXPECT_EQ(made.kind, modeling::Support::Kind::kRoller);
   ASSERT_EQ(made.where.parts.size(), 1u);
   EXPECT_EQ(std::get<modeling::PatchSet>(made.where.parts[0]).patches.size(), 1u);
   EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, "support 1"));

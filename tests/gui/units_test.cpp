@@ -1,8 +1,8 @@
-#include "app/gui/units.h"
+#include "app/gui/base/units.h"
 
 #include <gtest/gtest.h>
 
-#include "app/gui/condition_marks.h"
+#include "app/gui/view/condition_marks.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/tessellation.h"
 

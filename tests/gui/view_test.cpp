@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/gui/saved_view.h"
+#include "app/gui/view/saved_view.h"
 #include "tests/gui/window_fixture.h"
 
 namespace palpa::gui {

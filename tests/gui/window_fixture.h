@@ -13,7 +13,7 @@
 #include <memory>
 #include <string>
 
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 
 namespace palpa::gui {
 

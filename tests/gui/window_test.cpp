@@ -1,7 +1,7 @@
 #include <QSignalSpy>
 #include <set>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "tests/gui/window_fixture.h"
 
 namespace palpa::gui {

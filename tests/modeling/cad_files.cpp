@@ -36,7 +36,7 @@ void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
                   const std::string& stepUnit) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
   switch (cadFormatOf(path).value()) {
-    case CadFormat::step: {
+    case CadFormat::kStep: {
       STEPControl_Controller::Init();
       Interface_Static::SetCVal("write.step.unit", stepUnit.c_str());
       STEPControl_Writer writer;
@@ -45,7 +45,7 @@ void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
       Interface_Static::SetCVal("write.step.unit", "MM");
       break;
     }
-    case CadFormat::iges: {
+    case CadFormat::kIges: {
       IGESControl_Controller::Init();
       IGESControl_Writer writer("MM", 0);  // loose trimmed surfaces, the usual IGES file
       writer.AddShape(shape);
@@ -53,7 +53,7 @@ void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
       writer.Write(path.c_str());
       break;
     }
-    case CadFormat::brep:
+    case CadFormat::kBrep:
       BRepTools::Write(shape, path.c_str());
       break;
   }

@@ -79,7 +79,7 @@ TEST(Document, ADragIsOneStep) {
   Document document = boxDocument();
   const auto start = solidOf(document.project()).controlPoints();
   document.perform(move(7, {0.1, 0, 0}));
-  for (int k = 0; k < 9; ++k) document.perform(move(7, {0.1, 0, 0}), Merge::withLast);
+  for (int k = 0; k < 9; ++k) document.perform(move(7, {0.1, 0, 0}), Merge::kWithLast);
   EXPECT_NEAR(solidOf(document.project()).controlPoints()[7].x(), start[7].x() + 1.0, 1e-12);
   EXPECT_EQ(document.undoLabel(), "Move 1 control point");
   document.undo();
@@ -87,10 +87,10 @@ TEST(Document, ADragIsOneStep) {
   EXPECT_FALSE(document.canUndo());
   // Motions of another point, or after undo, redo or saving, do not merge.
   document.redo();
-  document.perform(move(7, {0, 1, 0}), Merge::withLast);
-  document.perform(move(8, {0, 1, 0}), Merge::withLast);
+  document.perform(move(7, {0, 1, 0}), Merge::kWithLast);
+  document.perform(move(8, {0, 1, 0}), Merge::kWithLast);
   document.markSaved();
-  document.perform(move(8, {0, 1, 0}), Merge::withLast);
+  document.perform(move(8, {0, 1, 0}), Merge::kWithLast);
   int steps = 0;
   for (; document.canUndo(); ++steps) document.undo();
   EXPECT_EQ(steps, 4);
@@ -100,10 +100,10 @@ TEST(Document, ADragBackToItsStartLeavesNothing) {
   Document document = boxDocument();
   document.perform(move(3, {1, 0, 0}));
   document.perform(move(7, {1, 0, 0}));
-  document.perform(move(7, {-1, 0, 0}), Merge::withLast);
+  document.perform(move(7, {-1, 0, 0}), Merge::kWithLast);
   EXPECT_EQ(document.undoLabel(), "Move 1 control point");
   // What follows of this drag must not run into the step before.
-  document.perform(move(3, {1, 0, 0}), Merge::withLast);
+  document.perform(move(3, {1, 0, 0}), Merge::kWithLast);
   document.undo();
   EXPECT_TRUE(document.canUndo());
   document.undo();
@@ -116,7 +116,7 @@ TEST(Document, TheResultOfADragDoesNotDependOnItsSteps) {
   Document coarse(fine.project());
   const MovePoints inflate{PointSelection::of({3, 4, 5}), MoveAlongNormal{0.5}, {8.0, {}}};
   fine.perform(inflate);
-  for (int k = 0; k < 3; ++k) fine.perform(inflate, Merge::withLast);
+  for (int k = 0; k < 3; ++k) fine.perform(inflate, Merge::kWithLast);
   MovePoints all = inflate;
   all.how = MoveAlongNormal{2.0};
   coarse.perform(all);
@@ -127,7 +127,7 @@ TEST(Document, ARefusedMotionOfADragKeepsTheLastOne) {
   Document document = boxDocument();
   document.perform(move(7, {1, 0, 0}));
   const Project before = document.project();
-  EXPECT_THROW(document.perform(move(7, {1e30, 0, 0}), Merge::withLast), ModelingError);
+  EXPECT_THROW(document.perform(move(7, {1e30, 0, 0}), Merge::kWithLast), ModelingError);
   EXPECT_FALSE(compare(before, document.project()).any());
   document.undo();
   EXPECT_TRUE(document.isClean());

@@ -34,8 +34,9 @@ TEST(PointSelection, ByPlaceInTheNets) {
   EXPECT_EQ(selected(PatchPoints{{"top", "side_xmax"}}).size(), 28U);  // a common edge of 4
   EXPECT_EQ(selected(NetPoints{"top", {}}).size(), 16U);
   EXPECT_EQ(selected(NetPoints{"top", {-1, std::nullopt}}),
-            selected(SidePoints{"top", Side::uMax}));
-  EXPECT_EQ(selected(NetPoints{"top", {std::nullopt, 0}}), selected(SidePoints{"top", Side::vMin}));
+            selected(SidePoints{"top", Side::kUMax}));
+  EXPECT_EQ(selected(NetPoints{"top", {std::nullopt, 0}}),
+            selected(SidePoints{"top", Side::kVMin}));
   EXPECT_EQ(selected(NetPoints{"top", {1, 2}}).front(), solidOf(box()).patches()[5].net[1][2]);
 }
 
@@ -266,18 +267,18 @@ TEST(EditKnots, RemovalKeepsSmoothEdgesSmooth) {
 }
 
 TEST(EditKnots, AnEdgeBecomesSmoothAndSharpAgain) {
-  const Project smooth = apply(SetEdge{"top", Side::uMax, true}, box()).project;
+  const Project smooth = apply(SetEdge{"top", Side::kUMax, true}, box()).project;
   EXPECT_LT(largestTangentAngle(solidOf(smooth)), 1e-6);
   const Change change = compare(box(), smooth);
   EXPECT_TRUE(change.edges);
   EXPECT_FALSE(change.topology);
-  const Project sharp = apply(SetEdge{"top", Side::uMax, false}, smooth).project;
+  const Project sharp = apply(SetEdge{"top", Side::kUMax, false}, smooth).project;
   EXPECT_EQ(solidOf(sharp).controlPoints(), solidOf(smooth).controlPoints());
-  EXPECT_FALSE(compare(smooth, apply(SetEdge{"top", Side::uMax, true}, smooth).project).any());
+  EXPECT_FALSE(compare(smooth, apply(SetEdge{"top", Side::kUMax, true}, smooth).project).any());
 }
 
 TEST(EditConditions, AddSetRemoveAndRename) {
-  const Support wall{"wall", Support::Kind::roller, Region::ofPatches({"side_xmin"}), {0, 0, 0}};
+  const Support wall{"wall", Support::Kind::kRoller, Region::ofPatches({"side_xmin"}), {0, 0, 0}};
   Project project = apply(AddSupport{wall}, box()).project;
   ASSERT_EQ(project.supports.size(), 2U);
   expectBegins(faultOf([&] { apply(AddSupport{wall}, project); }),

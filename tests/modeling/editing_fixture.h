@@ -16,7 +16,7 @@ inline Project editingProject(const Solid& solid) {
   project.body = solid;
   const Region low{
       {HalfSpace{{0, 0, 1}, -5.0}, PatchSet{{"bottom"}}, Stroke{{{20, 0, 0}, {20, 5, 3}}, 2.0}}};
-  project.supports = {{"base", Support::Kind::fixed, low, {0, 0, -0.25}}};
+  project.supports = {{"base", Support::Kind::kFixed, low, {0, 0, -0.25}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"top"}), 0.01}},
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
   project.touches = {{"poke", {0, 0, 25}, TouchForce{{0, 0, -1}}, 3.0}};

@@ -10,19 +10,19 @@ using Eigen::Vector3d;
 
 std::vector<Command> oneOfEach() {
   const PointSelection some{{PointIndices{{1, 2}}, PatchPoints{{"top"}},
-                             SidePoints{"top", Side::uMax}, NetPoints{"top", {-1, std::nullopt}},
+                             SidePoints{"top", Side::kUMax}, NetPoints{"top", {-1, std::nullopt}},
                              SlabPoints{{0, 0, 1}, 1.5, std::nullopt},
                              BoxPoints{{0, 0, 0}, {1, 1, 1.0 / 3.0}}, BallPoints{{1, 2, 3}, 4.5},
                              AllOf{{PointSelection::of({1, 2}), PointSelection::of({2, 3})}},
                              NoneOf{{PointSelection::of({4})}}}};
   const Reach reach{7.5, MirrorPlane{{1, 0, 0}, {1, 1, 0}}};
-  const Support support{"wall", Support::Kind::roller, Region::ofPatches({"top"}), {0, 0, 0.1}};
+  const Support support{"wall", Support::Kind::kRoller, Region::ofPatches({"top"}), {0, 0, 0.1}};
   const Load load{"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, 0, 1.0 / 3.0}}};
   const Touch touch{"poke", {0, 0, 20}, TouchDisplacement{{0, 0, -1}}, 3.0};
   MeshSettings mesh;
   mesh.edgeLength = 3.0;
   mesh.patchFactors = {{"top", 0.5}};
-  mesh.engine = Engine::triangles;
+  mesh.engine = Engine::kTriangles;
   mesh.accuracy = 0.003;
   mesh.elementLength = 1.5;
   return {MovePoints{some, MoveBy{{1, 2, 3}}, reach},
@@ -40,7 +40,7 @@ std::vector<Command> oneOfEach() {
           TransformSolid{Scaling{{1, 2, 3}, {1, 0, 0}}},
           TransformSolid{MirrorPlane{{0, 0, 0}, {1, 0, 0}}},
           MakePrimitive{{TorusShape{25.0, 8.0}, 3, 6}},
-          SetEdge{"top", Side::vMax, true},
+          SetEdge{"top", Side::kVMax, true},
           AddSupport{support},
           SetSupport{"base", support},
           RemoveSupport{"base"},

@@ -64,10 +64,11 @@ class RandomCommands {
       case 16:
         return SetEdge{patch(), kSides[upTo(3)], !oneIn(3)};
       case 17:
-        return AddSupport{{name(), Support::Kind::fixed, region(), vector(0.1)}};
+        return AddSupport{{name(), Support::Kind::kFixed, region(), vector(0.1)}};
       case 18:
-        return oneIn(2) ? Command(SetSupport{name(), {name(), Support::Kind::roller, region(), {}}})
-                        : Command(RemoveSupport{name()});
+        return oneIn(2)
+                   ? Command(SetSupport{name(), {name(), Support::Kind::kRoller, region(), {}}})
+                   : Command(RemoveSupport{name()});
       case 19:
         return AddLoad{{name(), Pressure{region(), number(0.1)}}};
       case 20:
@@ -244,7 +245,7 @@ Tally randomSession(const Solid& start, unsigned seed, int count) {
     const bool again = commands.oneIn(4);
     const Command command = again ? last : commands.next(before);
     try {
-      const Performed performed = document.perform(command, again ? Merge::withLast : Merge::no);
+      const Performed performed = document.perform(command, again ? Merge::kWithLast : Merge::kNo);
       expectCorrect(performed.change, before, document.project());
       expectSound(document.project());
       ++tally.done;

@@ -74,7 +74,7 @@ TEST(GeometryCheck, AControlPointPulledThroughTheOtherSide) {
   points[top] = {0, 0, -150.0};
   const Solid solid = sphere.withControlPoints(points);
   const auto findings = checkGeometry(meshOf(solid, 4.0), solid);
-  const GeometryFinding* found = find(findings, GeometryFault::selfIntersection);
+  const GeometryFinding* found = find(findings, GeometryFault::kSelfIntersection);
   ASSERT_TRUE(found) << allText(findings);
   EXPECT_TRUE(found->isError);
   EXPECT_EQ(found->patches, (std::vector<std::string>{"bottom", "top"}));
@@ -96,7 +96,7 @@ TEST(GeometryCheck, CrossingFacesOfABox) {
   const Solid solid = box.withControlPoints(points);
   const auto findings = checkGeometry(meshOf(solid, 3.0), solid);
   ASSERT_EQ(findings.size(), 1U) << allText(findings);
-  EXPECT_EQ(findings[0].fault, GeometryFault::selfIntersection);
+  EXPECT_EQ(findings[0].fault, GeometryFault::kSelfIntersection);
   EXPECT_EQ(findings[0].patches, (std::vector<std::string>{"bottom", "top"}));
   EXPECT_NEAR(findings[0].at.z(), 0.0, 0.1);
 }
@@ -109,11 +109,11 @@ TEST(GeometryCheck, AFaceFoldedInItsOwnPlane) {
     if (p.z() > 19.9 && std::abs(p.x()) < 19.0 && std::abs(p.y()) < 14.0) p.x() *= -5.0;
   const Solid solid = box.withControlPoints(points);
   const auto findings = checkGeometry(meshOf(solid, 3.0), solid);
-  const GeometryFinding* fold = find(findings, GeometryFault::foldedPatch);
+  const GeometryFinding* fold = find(findings, GeometryFault::kFoldedPatch);
   ASSERT_TRUE(fold) << allText(findings);
   EXPECT_EQ(fold->patches, std::vector<std::string>{"top"});
   EXPECT_NEAR(fold->at.z(), 20.0, 1e-9);
-  EXPECT_TRUE(find(findings, GeometryFault::selfIntersection)) << allText(findings);
+  EXPECT_TRUE(find(findings, GeometryFault::kSelfIntersection)) << allText(findings);
 }
 
 TEST(GeometryCheck, FoundInTheMeshItself) {
@@ -125,7 +125,7 @@ TEST(GeometryCheck, FoundInTheMeshItself) {
     const auto [a, b, c] = bad.triangles[10];
     bad.positions[a] += 2.5 * (0.5 * (bad.positions[b] + bad.positions[c]) - bad.positions[a]);
     const auto findings = checkGeometry(bad, sphere);
-    const GeometryFinding* found = find(findings, GeometryFault::invertedTriangle);
+    const GeometryFinding* found = find(findings, GeometryFault::kInvertedTriangle);
     ASSERT_TRUE(found) << allText(findings);
     EXPECT_TRUE(std::binary_search(found->triangles.begin(), found->triangles.end(), 10));
     EXPECT_NE(found->message.find("into the body near"), std::string::npos);
@@ -135,7 +135,7 @@ TEST(GeometryCheck, FoundInTheMeshItself) {
     const auto [a, b, c] = bad.triangles[10];
     bad.positions[a] = 0.5 * (bad.positions[b] + bad.positions[c]);
     const auto findings = checkGeometry(bad, sphere);
-    const GeometryFinding* found = find(findings, GeometryFault::zeroArea);
+    const GeometryFinding* found = find(findings, GeometryFault::kZeroArea);
     ASSERT_TRUE(found) << allText(findings);
     EXPECT_EQ(found->triangles, std::vector<int>{10});
   }
@@ -145,21 +145,21 @@ TEST(GeometryCheck, FoundInTheMeshItself) {
     bad.patchOfTriangle.erase(bad.patchOfTriangle.begin() + 20);
     const auto findings = checkGeometry(bad, sphere);
     ASSERT_EQ(findings.size(), 1U) << allText(findings);
-    EXPECT_EQ(findings[0].fault, GeometryFault::openEdge);
+    EXPECT_EQ(findings[0].fault, GeometryFault::kOpenEdge);
     EXPECT_EQ(findings[0].triangles.size(), 3U);
   }
   {
     SurfaceMesh bad = good;
     std::swap(bad.triangles[20][1], bad.triangles[20][2]);
     const auto findings = checkGeometry(bad, sphere);
-    EXPECT_TRUE(find(findings, GeometryFault::wrongOrientation)) << allText(findings);
-    EXPECT_FALSE(find(findings, GeometryFault::openEdge));
+    EXPECT_TRUE(find(findings, GeometryFault::kWrongOrientation)) << allText(findings);
+    EXPECT_FALSE(find(findings, GeometryFault::kOpenEdge));
   }
   {
     SurfaceMesh bad = good;
     for (auto& triangle : bad.triangles) std::swap(triangle[1], triangle[2]);
     const auto findings = checkGeometry(bad, sphere);
-    EXPECT_TRUE(find(findings, GeometryFault::insideOut)) << allText(findings);
+    EXPECT_TRUE(find(findings, GeometryFault::kInsideOut)) << allText(findings);
     EXPECT_NE(allText(findings).find("the enclosed volume is -"), std::string::npos);
   }
 }
@@ -193,12 +193,12 @@ TEST(GeometryCheck, TouchingIsAWarningAndPassingThroughAnError) {
   EXPECT_TRUE(findingsOf(twoBoxes({30, 0, 0})).empty());
   const auto touching = findingsOf(twoBoxes({10, 3, 3}));
   ASSERT_EQ(touching.size(), 1U) << allText(touching);
-  EXPECT_EQ(touching[0].fault, GeometryFault::touching);
+  EXPECT_EQ(touching[0].fault, GeometryFault::kTouching);
   EXPECT_FALSE(touching[0].isError);
   EXPECT_EQ(touching[0].patches, (std::vector<std::string>{"first", "second"}));
   const auto through = findingsOf(twoBoxes({9, 3, 3.1}));
   ASSERT_FALSE(through.empty());
-  EXPECT_EQ(through[0].fault, GeometryFault::selfIntersection) << allText(through);
+  EXPECT_EQ(through[0].fault, GeometryFault::kSelfIntersection) << allText(through);
   EXPECT_TRUE(through[0].isError);
   // One box inside the other does not cross it.
   MeshBody::Data nested;

@@ -37,7 +37,7 @@ TEST(MaterialLibrary, AnUnknownNameListsTheKnownOnes) {
     libraryMaterial("cheese");
     FAIL();
   } catch (const ModelingError& error) {
-    EXPECT_EQ(error.kind(), ModelingError::Kind::notFound);
+    EXPECT_EQ(error.kind(), ModelingError::Kind::kNotFound);
     EXPECT_NE(std::string(error.what()).find("\"Liver\""), std::string::npos);
   }
 }

@@ -245,7 +245,7 @@ TEST(MeshBodyMesh, AbsurdEdgeLengthsAreRefused) {
       meshOf(sphere, h);
       FAIL();
     } catch (const ModelingError& error) {
-      EXPECT_EQ(error.kind(), ModelingError::Kind::tooLarge) << error.what();
+      EXPECT_EQ(error.kind(), ModelingError::Kind::kTooLarge) << error.what();
     }
   }
   // However coarse: the body stays a body.

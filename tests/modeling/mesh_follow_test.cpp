@@ -105,7 +105,7 @@ TEST(Follow, RandomMovesKeepTrianglesSurfaceAndBorders) {
         const auto moves = randomMoves(c.solid, random, 2.0);
         const Solid solid = moved(c.solid, moves);
         const FollowResult result = followSolid(base, c.solid, solid, c.regions);
-        EXPECT_EQ(result.update.has_value(), result.whyAnew.empty());
+        EXPECT_EQ(result.update.has_value(), result.remeshReason.empty());
         if (!result.update) continue;
         ++updates;
         const SurfaceMesh& followed = result.update->mesh;
@@ -143,7 +143,7 @@ TEST(Follow, WithoutBordersNodesAreEvaluatedAtTheirParameters) {
   const SurfaceMesh base = meshOf(c, c.solid);
   const Solid solid = moved(c.solid, {{30, {1.0, -0.5, 0.7}}});
   const FollowResult result = followSolid(base, c.solid, solid);
-  ASSERT_TRUE(result.update) << result.whyAnew;
+  ASSERT_TRUE(result.update) << result.remeshReason;
   const SurfaceEvaluator surface(solid);
   for (std::size_t i = 0; i < base.positions.size(); ++i) {
     const SurfaceParameter& at = base.parameters[i];
@@ -176,7 +176,7 @@ TEST(Follow, StepByStepNodesStayOnTheMovingBorder) {
     for (Vector3d& p : points) p *= 1.0 + 0.004 * step;
     const Solid solid = c.solid.withControlPoints(points);
     const FollowResult result = followSolid(current, before, solid, c.regions);
-    ASSERT_TRUE(result.update) << result.whyAnew;
+    ASSERT_TRUE(result.update) << result.remeshReason;
     EXPECT_EQ(result.update->movedNodes.size(), base.positions.size());
     current = result.update->mesh;
     before = solid;
@@ -185,8 +185,8 @@ TEST(Follow, StepByStepNodesStayOnTheMovingBorder) {
   }
 }
 
-std::string whyAnew(const Case& c, const Solid& solid) {
-  return followSolid(meshOf(c, c.solid), c.solid, solid, c.regions).whyAnew;
+std::string remeshReason(const Case& c, const Solid& solid) {
+  return followSolid(meshOf(c, c.solid), c.solid, solid, c.regions).remeshReason;
 }
 
 TEST(Follow, SaysWhyTheSolidMustBeMeshedAnew) {
@@ -195,26 +195,26 @@ TEST(Follow, SaysWhyTheSolidMustBeMeshedAnew) {
   const auto has = [](const std::string& text, const char* part) {
     return testing::AssertionResult(text.find(part) != std::string::npos) << text;
   };
-  EXPECT_TRUE(has(whyAnew(sphere, makeSphere(25.0, 9)), "patches"));
+  EXPECT_TRUE(has(remeshReason(sphere, makeSphere(25.0, 9)), "patches"));
   // A point far out stretches its edges.
   int top = 0;
   for (std::size_t i = 0; i < sphere.solid.controlPoints().size(); ++i)
     if (sphere.solid.controlPoints()[i].z() > sphere.solid.controlPoints()[top].z())
       top = static_cast<int>(i);
-  EXPECT_TRUE(has(whyAnew(sphere, moved(sphere.solid, {{top, {0, 0, 60}}})), "edge near"));
+  EXPECT_TRUE(has(remeshReason(sphere, moved(sphere.solid, {{top, {0, 0, 60}}})), "edge near"));
   // A bulge that dips through the plane of the support.
-  EXPECT_FALSE(whyAnew(sphere, moved(sphere.solid, {{top, {0, 0, -100}}})).empty());
+  EXPECT_FALSE(remeshReason(sphere, moved(sphere.solid, {{top, {0, 0, -100}}})).empty());
 
   std::vector<MeshRegion> other = sphere.regions;
   other[0].where = Region::below({0, 0, 1}, -11.0);
   EXPECT_TRUE(
-      has(followSolid(meshOf(sphere, sphere.solid), sphere.solid, sphere.solid, other).whyAnew,
+      has(followSolid(meshOf(sphere, sphere.solid), sphere.solid, sphere.solid, other).remeshReason,
           "supports, loads"));
   // The box's top pressed onto the border of the half space.
   const Case& box = all[2];
   std::vector<Vector3d> points = box.solid.controlPoints();
   for (Vector3d& p : points) p.z() *= 0.3;
-  EXPECT_FALSE(whyAnew(box, box.solid.withControlPoints(points)).empty());
+  EXPECT_FALSE(remeshReason(box, box.solid.withControlPoints(points)).empty());
 }
 
 TEST(Follow, ASurfaceThatReachesAHalfSpaceElsewhereIsMeshedAnew) {
@@ -228,7 +228,8 @@ TEST(Follow, ASurfaceThatReachesAHalfSpaceElsewhereIsMeshedAnew) {
   EXPECT_TRUE(followSolid(meshOf(c, c.solid), c.solid, dented, c.regions).update);
   // The support's border at z = 0.4 is reached by the dent's rim in the bottom.
   c.regions = {{"base", Region::below({0, 0, 1}, 0.4), true}};
-  EXPECT_NE(whyAnew(c, dented).find("crossed the border"), std::string::npos) << whyAnew(c, dented);
+  EXPECT_NE(remeshReason(c, dented).find("crossed the border"), std::string::npos)
+      << remeshReason(c, dented);
 }
 
 TEST(Follow, MeshBodiesAndOtherMeshesAreCallersBugs) {

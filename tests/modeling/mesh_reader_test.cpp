@@ -67,13 +67,13 @@ TEST(MeshReader, AllFormatsGiveTheSameBody) {
   const double exact = volume(sphere);
   for (const auto& [bytes, format, precision] :
        std::vector<std::tuple<std::string, MeshFormat, double>>{
-           {test::stlText(sphere), MeshFormat::stl, 1e-12},
-           {test::stlBinary(sphere), MeshFormat::stl, 1e-6},
-           {test::stlBinary(sphere, "solid but binary"), MeshFormat::stl, 1e-6},
-           {test::objText(sphere), MeshFormat::obj, 1e-12},
-           {test::plyText(sphere, test::PlyKind::text), MeshFormat::ply, 1e-12},
-           {test::plyText(sphere, test::PlyKind::littleEndian), MeshFormat::ply, 1e-12},
-           {test::plyText(sphere, test::PlyKind::bigEndian), MeshFormat::ply, 1e-12}}) {
+           {test::stlText(sphere), MeshFormat::kStl, 1e-12},
+           {test::stlBinary(sphere), MeshFormat::kStl, 1e-6},
+           {test::stlBinary(sphere, "solid but binary"), MeshFormat::kStl, 1e-6},
+           {test::objText(sphere), MeshFormat::kObj, 1e-12},
+           {test::plyText(sphere, test::PlyKind::kText), MeshFormat::kPly, 1e-12},
+           {test::plyText(sphere, test::PlyKind::kLittleEndian), MeshFormat::kPly, 1e-12},
+           {test::plyText(sphere, test::PlyKind::kBigEndian), MeshFormat::kPly, 1e-12}}) {
     const MeshBody read = parse(bytes, format);
     EXPECT_EQ(read.positions().size(), sphere.positions().size());
     EXPECT_EQ(read.triangles().size(), sphere.triangles().size());
@@ -85,26 +85,26 @@ TEST(MeshReader, AllFormatsGiveTheSameBody) {
 TEST(MeshReader, TextWithOtherLineEndsAndLettersIsTheSame) {
   const MeshBody box = test::plainBox({1, 2, 3});
   for (std::string text : {test::stlText(box), test::objText(box)}) {
-    const MeshFormat format = text[0] == 's' ? MeshFormat::stl : MeshFormat::obj;
+    const MeshFormat format = text[0] == 's' ? MeshFormat::kStl : MeshFormat::kObj;
     std::string windows;
     for (char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
     EXPECT_NEAR(volume(parse(windows, format)), 6.0, 1e-12);
   }
   std::string shouting = test::stlText(box);
   for (char& c : shouting) c = static_cast<char>(std::toupper(c));
-  EXPECT_NEAR(volume(parse(shouting, MeshFormat::stl)), 6.0, 1e-12);
+  EXPECT_NEAR(volume(parse(shouting, MeshFormat::kStl)), 6.0, 1e-12);
 }
 
 TEST(MeshReader, ScaleTurnsUnitsIntoMillimetres) {
   const std::string text = test::stlText(test::plainBox({1, 2, 3}));
-  EXPECT_NEAR(volume(parse(text, MeshFormat::stl, 10.0)), 6000.0, 1e-9);
+  EXPECT_NEAR(volume(parse(text, MeshFormat::kStl, 10.0)), 6000.0, 1e-9);
   for (double scale : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(parse(text, MeshFormat::stl, scale), ModelingError);
-  EXPECT_THROW(parse(text, MeshFormat::stl, 1e8), ModelingError);
+    EXPECT_THROW(parse(text, MeshFormat::kStl, scale), ModelingError);
+  EXPECT_THROW(parse(text, MeshFormat::kStl, 1e8), ModelingError);
 }
 
 TEST(MeshReader, ObjReadsQuadsPolygonsAndNegativeIndices) {
-  const MeshBody box = parse(cube(0.0, 1), MeshFormat::obj);
+  const MeshBody box = parse(cube(0.0, 1), MeshFormat::kObj);
   EXPECT_NEAR(volume(box), 1.0, 1e-12);
   EXPECT_EQ(box.triangles().size(), 12U);
   // An L-shaped prism: its two ends are polygons that are not convex. Area 3, height 2.
@@ -112,13 +112,13 @@ TEST(MeshReader, ObjReadsQuadsPolygonsAndNegativeIndices) {
                                  "2 0 2", "2 1 2", "1 1 2", "1 2 2", "0 2 2"},
                                 {"6 5 4 3 2 1", "-6 -5 -4 -3 -2 -1", "1 2 8 7", "2 3 9 8",
                                  "3 4 10 9", "4 5 11 10", "5 6 12 11", "6 1 7 12"});
-  EXPECT_NEAR(volume(parse(prism, MeshFormat::obj)), 6.0, 1e-12);
-  EXPECT_NEAR(area(parse(prism, MeshFormat::obj)), 6.0 + 16.0, 1e-12);
-  EXPECT_EQ(parse(prism, MeshFormat::obj).faceNames().size(), 8U);
+  EXPECT_NEAR(volume(parse(prism, MeshFormat::kObj)), 6.0, 1e-12);
+  EXPECT_NEAR(area(parse(prism, MeshFormat::kObj)), 6.0 + 16.0, 1e-12);
+  EXPECT_EQ(parse(prism, MeshFormat::kObj).faceNames().size(), 8U);
   // The same polygon over two lines.
   std::string continued = prism;
   continued.replace(continued.find("f 6 5 4 3"), 9, "f 6 5 \\\n4 3");
-  EXPECT_NEAR(volume(parse(continued, MeshFormat::obj)), 6.0, 1e-12);
+  EXPECT_NEAR(volume(parse(continued, MeshFormat::kObj)), 6.0, 1e-12);
 }
 
 TEST(MeshReader, APolygonOfManyCornersIsCut) {
@@ -143,7 +143,7 @@ TEST(MeshReader, APolygonOfManyCornersIsCut) {
   }
   polygons.push_back(below);
   polygons.push_back(above);
-  const MeshBody disc = parse(obj(points, polygons), MeshFormat::obj);
+  const MeshBody disc = parse(obj(points, polygons), MeshFormat::kObj);
   EXPECT_NEAR(volume(disc), 0.5 * n * 100 * std::sin(2 * std::numbers::pi / n), 1e-3);
   EXPECT_EQ(disc.faceNames().size(), 3U);
 }
@@ -151,7 +151,7 @@ TEST(MeshReader, APolygonOfManyCornersIsCut) {
 TEST(MeshReader, GroupsObjectsAndMaterialsBecomeFaces) {
   const MeshBody cylinder = test::bodyOf(makeCylinder(10, 20), 4);
   for (const char* grouping : {"g", "o", "usemtl"}) {
-    const MeshBody read = parse(test::objText(cylinder, grouping), MeshFormat::obj);
+    const MeshBody read = parse(test::objText(cylinder, grouping), MeshFormat::kObj);
     EXPECT_EQ(read.faceNames(), cylinder.faceNames());
     for (std::size_t t = 0; t < read.triangles().size(); t += 7) {
       // Triangles are found again by their centres.
@@ -169,7 +169,7 @@ TEST(MeshReader, GroupsObjectsAndMaterialsBecomeFaces) {
     }
   }
   // One group for everything says nothing: sharp edges divide the surface.
-  EXPECT_EQ(parse("g all\n" + test::objText(cylinder), MeshFormat::obj).faceNames(),
+  EXPECT_EQ(parse("g all\n" + test::objText(cylinder), MeshFormat::kObj).faceNames(),
             (std::vector<std::string>{"face_1", "face_2", "face_3"}));
 }
 
@@ -182,7 +182,7 @@ TEST(MeshReader, FaceNamesAreCleanAndDistinct) {
     text.insert(at, name);
     at = text.find("f ", text.find('\n', at + name.size()));
   }
-  const MeshBody box = parse(text, MeshFormat::obj);
+  const MeshBody box = parse(text, MeshFormat::kObj);
   EXPECT_EQ(box.faceNames().size(), 5U);
   for (const std::string& name : box.faceNames()) {
     EXPECT_FALSE(name.empty());
@@ -192,7 +192,7 @@ TEST(MeshReader, FaceNamesAreCleanAndDistinct) {
 }
 
 TEST(MeshReader, SharpEdgesDivideASurfaceTheLargestFirst) {
-  const MeshBody box = parse(test::stlText(test::plainBox({1, 20, 30})), MeshFormat::stl);
+  const MeshBody box = parse(test::stlText(test::plainBox({1, 20, 30})), MeshFormat::kStl);
   ASSERT_EQ(box.faceNames().size(), 6U);
   std::vector<double> areas(6, 0.0);
   const auto& p = box.positions();
@@ -204,14 +204,14 @@ TEST(MeshReader, SharpEdgesDivideASurfaceTheLargestFirst) {
     EXPECT_NEAR(areas[i], (std::array{600, 600, 30, 30, 20, 20})[i], 1e-9);
   // Slivers along the edges change nothing.
   const MeshBody slivers = test::withSlivers(test::plainBox({1, 20, 30}));
-  EXPECT_EQ(parse(test::stlText(slivers), MeshFormat::stl).faceNames().size(), 6U);
+  EXPECT_EQ(parse(test::stlText(slivers), MeshFormat::kStl).faceNames().size(), 6U);
   // Bore, outside and two rings.
   const MeshBody bored = test::boredCylinder(20, 5, 30, 48);
-  EXPECT_EQ(parse(test::stlText(bored), MeshFormat::stl).faceNames().size(), 4U);
+  EXPECT_EQ(parse(test::stlText(bored), MeshFormat::kStl).faceNames().size(), 4U);
   // Rough as a rock: the number of faces stays sensible.
   const MeshBody rock = test::noisy(test::icosphere(20, 4), 0.4);
   EXPECT_LE(rock.triangles().size(), 5120U);
-  EXPECT_LE(parse(test::stlText(rock), MeshFormat::stl).faceNames().size(), 100U);
+  EXPECT_LE(parse(test::stlText(rock), MeshFormat::kStl).faceNames().size(), 100U);
 }
 
 TEST(MeshReader, WrongOrientationsAreRepaired) {
@@ -227,7 +227,7 @@ TEST(MeshReader, WrongOrientationsAreRepaired) {
   for (const auto& [a, b, c] : triangles)
     text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
             std::to_string(c + 1) + "\n";
-  EXPECT_NEAR(volume(parse(text, MeshFormat::obj)), volume(body), 1e-2);
+  EXPECT_NEAR(volume(parse(text, MeshFormat::kObj)), volume(body), 1e-2);
 }
 
 TEST(MeshReader, DoubledAndDegenerateTrianglesAreLeftOut) {
@@ -238,7 +238,7 @@ TEST(MeshReader, DoubledAndDegenerateTrianglesAreLeftOut) {
       "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 0\n"
       "vertex 1 0 0\nendloop\nendfacet\n";
   text.insert(text.find("endsolid"), facet + point);
-  EXPECT_EQ(parse(text, MeshFormat::stl).triangles().size(), 12U);
+  EXPECT_EQ(parse(text, MeshFormat::kStl).triangles().size(), 12U);
 }
 
 TEST(MeshReader, TrianglesWithoutAreaAreRemoved) {
@@ -248,7 +248,7 @@ TEST(MeshReader, TrianglesWithoutAreaAreRemoved) {
   text.insert(text.find("f "), "v 0.5 0 0\n");
   text += "f 1 2 9\n";
   text.replace(text.find("f 1 2 6 5"), 9, "f 1 9 2 6 5");
-  const MeshBody box = parse(text, MeshFormat::obj);
+  const MeshBody box = parse(text, MeshFormat::kObj);
   EXPECT_NEAR(volume(box), 1.0, 1e-12);
   EXPECT_EQ(box.faceNames().size(), 6U);
   const auto& p = box.positions();
@@ -259,7 +259,7 @@ TEST(MeshReader, TrianglesWithoutAreaAreRemoved) {
 TEST(MeshReader, ASurfaceOfFlatTrianglesOnlyIsNoBody) {
   // A tetrahedron with its corners on one line; found by fuzzing.
   expectRefused(obj({"0 0 0", "0 0 5", "0 0 4", "0 0 3"}, {"1 3 2", "1 2 4", "1 4 3", "2 3 4"}),
-                MeshFormat::obj, {"without area"});
+                MeshFormat::kObj, {"without area"});
 }
 
 TEST(MeshReader, RoundedCornersAreWelded) {
@@ -281,7 +281,7 @@ TEST(MeshReader, RoundedCornersAreWelded) {
     }
     text += "endloop\nendfacet\n";
   }
-  const MeshBody read = parse(text + "endsolid\n", MeshFormat::stl);
+  const MeshBody read = parse(text + "endsolid\n", MeshFormat::kStl);
   EXPECT_EQ(read.positions().size(), sphere.positions().size());
   EXPECT_NEAR(volume(read), volume(sphere), 1e-3);
 }
@@ -289,7 +289,7 @@ TEST(MeshReader, RoundedCornersAreWelded) {
 TEST(MeshReader, OpenSurfacesSayHowManyEdgesAndWhere) {
   std::string text = cube(0.0, 1);
   text.erase(text.rfind("f 2 4 8 6"));
-  expectRefused(text, MeshFormat::obj, {"4 open edges", "(1, 0, 0)", "close the surface"});
+  expectRefused(text, MeshFormat::kObj, {"4 open edges", "(1, 0, 0)", "close the surface"});
 }
 
 TEST(MeshReader, CrowdedEdgesAndVerticesAreNamed) {
@@ -297,21 +297,21 @@ TEST(MeshReader, CrowdedEdgesAndVerticesAreNamed) {
   std::string edge = cube(0.0, 1);
   edge += "v 2 -1 0\nv 1 -1 0\nv 2 0 0\nv 2 -1 1\nv 1 -1 1\nv 2 0 1\n";  // 9 … 14
   edge += "f 10 2 11 9\nf 13 12 14 6\nf 10 9 12 13\nf 9 11 14 12\nf 11 2 6 14\nf 2 10 13 6\n";
-  expectRefused(edge, MeshFormat::obj, {"1 edge has more than two triangles", "(1, 0, 0)"});
+  expectRefused(edge, MeshFormat::kObj, {"1 edge has more than two triangles", "(1, 0, 0)"});
   // A wall through the middle of a cube that is otherwise closed.
-  expectRefused(cube(0.0, 1) + "f 1 4 8 5\n", MeshFormat::obj, {"more than two triangles"});
+  expectRefused(cube(0.0, 1) + "f 1 4 8 5\n", MeshFormat::kObj, {"more than two triangles"});
   const std::string corner =
       obj({"0 0 0", "1 0 0", "0 1 0", "0 0 1", "-1 0 0", "0 -1 0", "0 0 -1"},
           {"1 3 2", "1 2 4", "1 4 3", "2 3 4", "1 6 5", "1 5 7", "1 7 6", "5 6 7"});
-  expectRefused(corner, MeshFormat::obj, {"1 single vertex", "(0, 0, 0)"});
+  expectRefused(corner, MeshFormat::kObj, {"1 single vertex", "(0, 0, 0)"});
 }
 
 TEST(MeshReader, SurfacesThatCutThemselvesAreRefused) {
-  expectRefused(cube(0.0, 1) + cube(0.5, 9), MeshFormat::obj, {"cuts or touches itself", "mm"});
-  expectRefused(cube(0.0, 1) + cube(2.0, 9), MeshFormat::obj, {"2 separate bodies"});
+  expectRefused(cube(0.0, 1) + cube(0.5, 9), MeshFormat::kObj, {"cuts or touches itself", "mm"});
+  expectRefused(cube(0.0, 1) + cube(2.0, 9), MeshFormat::kObj, {"2 separate bodies"});
   std::string many;
   for (int i = 0; i < 201; ++i) many += cube(2.0 * i, 8 * i + 1);
-  expectRefused(many, MeshFormat::obj, {"more than 200 closed surfaces"});
+  expectRefused(many, MeshFormat::kObj, {"more than 200 closed surfaces"});
 }
 
 TEST(MeshReader, AKleinBottleHasNoInside) {
@@ -337,12 +337,12 @@ TEST(MeshReader, AKleinBottleHasNoInside) {
       polygons.push_back(index(i, j) + " " + index(i + 1, j) + " " + index(i + 1, j + 1));
       polygons.push_back(index(i, j) + " " + index(i + 1, j + 1) + " " + index(i, j + 1));
     }
-  const std::string message = refusal(obj(points, polygons), MeshFormat::obj);
+  const std::string message = refusal(obj(points, polygons), MeshFormat::kObj);
   EXPECT_NE(message.find("one side only"), std::string::npos) << message;
 }
 
 TEST(MeshReader, SyntaxErrorsNameTheLine) {
-  const MeshFormat o = MeshFormat::obj;
+  const MeshFormat o = MeshFormat::kObj;
   expectRefused("v 1 2\n", o, {"line 1", "number is missing"});
   expectRefused("v 1 2 x\n", o, {"line 1", "\"x\""});
   expectRefused("v 1 2 nan\n", o, {"line 1", "not finite"});
@@ -355,14 +355,14 @@ TEST(MeshReader, SyntaxErrorsNameTheLine) {
   expectRefused("hello\n", o, {"line 1", "\"hello\"", "no statement"});
   expectRefused("curv 0 1 1 2\n", o, {"free-form"});
   expectRefused("", o, {"no triangles"});
-  const MeshFormat s = MeshFormat::stl;
+  const MeshFormat s = MeshFormat::kStl;
   expectRefused("", s, {"no STL file"});
   expectRefused("solid\nvertex 1 2 3\nvertex 1 2 3\nendfacet\n", s, {"line 4", "fewer than three"});
   expectRefused("solid\nfacet\nvertex 1 2 3\n", s, {"cut off"});
   expectRefused("solid\nfacet\nvertex 1 2 3\nfacet\n", s, {"line 4", "within a facet"});
   expectRefused("solid\nbananas\n", s, {"line 2", "bananas"});
   expectRefused("solid\nendsolid\n", s, {"no triangles"});
-  const MeshFormat p = MeshFormat::ply;
+  const MeshFormat p = MeshFormat::kPly;
   expectRefused("", p, {"no PLY file"});
   expectRefused("ply\nformat binary_middle_endian 1.0\n", p, {"line 2", "binary_middle_endian"});
   expectRefused("ply\nelement vertex 3\n", p, {"no end"});
@@ -386,28 +386,28 @@ TEST(MeshReader, SyntaxErrorsNameTheLine) {
 TEST(MeshReader, DeclaredCountsCannotTakeMemory) {
   std::string stl = test::stlBinary(test::plainBox({1, 1, 1}));
   stl.replace(80, 4, "\xff\xff\xff\xff");
-  expectRefused(stl, MeshFormat::stl, {"4294967295 triangles", "cut off"});
-  std::string ply = test::plyText(test::plainBox({1, 1, 1}), test::PlyKind::littleEndian);
+  expectRefused(stl, MeshFormat::kStl, {"4294967295 triangles", "cut off"});
+  std::string ply = test::plyText(test::plainBox({1, 1, 1}), test::PlyKind::kLittleEndian);
   ply.replace(ply.find("vertex 8"), 8, "vertex 18446744073709551615");
-  expectRefused(ply, MeshFormat::ply, {"18446744073709551615 elements", "bytes"});
+  expectRefused(ply, MeshFormat::kPly, {"18446744073709551615 elements", "bytes"});
   expectRefused("ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nend_header\n",
-                MeshFormat::ply, {"no triangles"});
+                MeshFormat::kPly, {"no triangles"});
   // A list longer than the file.
   std::string list =
       "ply\nformat binary_little_endian 1.0\nelement face 1\n"
       "property list uint double vertex_indices\nend_header\n";
   list += "\xff\xff\xff\xff";
-  expectRefused(list + "0123456789", MeshFormat::ply, {"impossible length"});
+  expectRefused(list + "0123456789", MeshFormat::kPly, {"impossible length"});
 }
 
 TEST(MeshReader, TruncatedFilesAreRefused) {
   const MeshBody sphere = test::icosphere(10, 1);
   for (const auto& [bytes, format] : std::vector<std::pair<std::string, MeshFormat>>{
-           {test::stlText(sphere), MeshFormat::stl},
-           {test::stlBinary(sphere), MeshFormat::stl},
-           {test::objText(sphere), MeshFormat::obj},
-           {test::plyText(sphere, test::PlyKind::text), MeshFormat::ply},
-           {test::plyText(sphere, test::PlyKind::bigEndian), MeshFormat::ply}})
+           {test::stlText(sphere), MeshFormat::kStl},
+           {test::stlBinary(sphere), MeshFormat::kStl},
+           {test::objText(sphere), MeshFormat::kObj},
+           {test::plyText(sphere, test::PlyKind::kText), MeshFormat::kPly},
+           {test::plyText(sphere, test::PlyKind::kBigEndian), MeshFormat::kPly}})
     for (std::size_t length = 0; length < bytes.size() * 97 / 100; length += 37)
       EXPECT_THROW(parse(std::string_view(bytes).substr(0, length), format), ModelingError)
           << length;
@@ -417,12 +417,12 @@ TEST(MeshReader, GarbageIsRefusedOrABody) {
   std::mt19937 random(7);
   const MeshBody box = test::plainBox({1, 2, 3});
   const std::vector<std::pair<std::string, MeshFormat>> seeds{
-      {test::stlText(box), MeshFormat::stl},
-      {test::stlBinary(box), MeshFormat::stl},
-      {test::objText(box, "g"), MeshFormat::obj},
-      {test::plyText(box, test::PlyKind::text), MeshFormat::ply},
-      {test::plyText(box, test::PlyKind::littleEndian), MeshFormat::ply},
-      {test::plyText(box, test::PlyKind::bigEndian), MeshFormat::ply}};
+      {test::stlText(box), MeshFormat::kStl},
+      {test::stlBinary(box), MeshFormat::kStl},
+      {test::objText(box, "g"), MeshFormat::kObj},
+      {test::plyText(box, test::PlyKind::kText), MeshFormat::kPly},
+      {test::plyText(box, test::PlyKind::kLittleEndian), MeshFormat::kPly},
+      {test::plyText(box, test::PlyKind::kBigEndian), MeshFormat::kPly}};
   int bodies = 0;
   for (int i = 0; i < 6000; ++i) {
     auto [bytes, format] = seeds[random() % seeds.size()];
@@ -471,12 +471,12 @@ TEST(MeshReader, FilesAreReadByTheirEnding) {
       EXPECT_NE(std::string(error.what()).find(path.string()), std::string::npos) << error.what();
       return error.kind();
     }
-    return ModelingError::Kind::tooLarge;
+    return ModelingError::Kind::kTooLarge;
   };
-  EXPECT_EQ(kindOf(folder / "none.obj"), ModelingError::Kind::notFound);
-  EXPECT_EQ(kindOf(folder / "box.step"), ModelingError::Kind::badInput);
+  EXPECT_EQ(kindOf(folder / "none.obj"), ModelingError::Kind::kNotFound);
+  EXPECT_EQ(kindOf(folder / "box.step"), ModelingError::Kind::kBadInput);
   std::filesystem::create_directories(folder / "folder.ply");
-  EXPECT_EQ(kindOf(folder / "folder.ply"), ModelingError::Kind::io);
+  EXPECT_EQ(kindOf(folder / "folder.ply"), ModelingError::Kind::kIo);
 }
 
 TEST(MeshReader, CanBeCancelledAndReportsProgress) {
@@ -490,13 +490,13 @@ TEST(MeshReader, CanBeCancelledAndReportsProgress) {
     EXPECT_GT(fraction, last);
     last = fraction;
   };
-  parseMesh(text, MeshFormat::stl, "file", {}, job);
+  parseMesh(text, MeshFormat::kStl, "file", {}, job);
   EXPECT_EQ(last, 1.0);
   last = -1.0;
   job.progress = [&](std::string_view, double fraction) {
     if (fraction > 0.5) stop.request_stop();
   };
-  EXPECT_THROW(parseMesh(text, MeshFormat::stl, "file", {}, job), Cancelled);
+  EXPECT_THROW(parseMesh(text, MeshFormat::kStl, "file", {}, job), Cancelled);
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(Mesh, RefusesBeforeItAllocates) {
     mesh(makeSphere(25.0), edgeLength(1e-4));
     FAIL();
   } catch (const ModelingError& error) {
-    EXPECT_EQ(error.kind(), ModelingError::Kind::tooLarge);
+    EXPECT_EQ(error.kind(), ModelingError::Kind::kTooLarge);
   }
   for (double h : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(mesh(makeSphere(25.0), edgeLength(h)), ModelingError);

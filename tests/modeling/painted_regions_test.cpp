@@ -280,7 +280,7 @@ TEST(Painted, StrokesAreTransformedWithTheBody) {
 
 TEST(Painted, MeshFollowsWithItsPaint) {
   Project project = editingProject(makeSphere(25.0));
-  project.supports = {{"paint", Support::Kind::fixed, {{Stroke{{{0, 0, 25}}, 10.0}}}, {0, 0, 0}}};
+  project.supports = {{"paint", Support::Kind::kFixed, {{Stroke{{{0, 0, 25}}, 10.0}}}, {0, 0, 0}}};
   const Solid& before = solidOf(project);
   const SurfaceMesh meshed = mesh(before, project.mesh, meshRegions(project));
   const Project after =
@@ -290,7 +290,7 @@ TEST(Painted, MeshFollowsWithItsPaint) {
           project)
           .project;
   const FollowResult followed = followSolid(meshed, before, solidOf(after), meshRegions(after));
-  ASSERT_TRUE(followed.update) << followed.whyAnew;
+  ASSERT_TRUE(followed.update) << followed.remeshReason;
   EXPECT_LT(borderFault(followed.update->mesh), 1e-8);
   // Paint that is moved over a body at rest takes the mesh along or asks for another.
   Project other = project;

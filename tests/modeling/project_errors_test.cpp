@@ -16,7 +16,7 @@ std::string goodText() {
   project.name = "box";
   project.material = {"rubber", 1.5, 0.45};
   project.body = makeBox({40, 30, 20});
-  project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
+  project.supports = {{"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"top"}), 0.25}}};
   project.touches = {{"poke", {0, 0, 20}, TouchDisplacement{{0, 0, -2}}, 3.0}};
   project.mesh.edgeLength = 4.0;

@@ -25,8 +25,8 @@ Project example() {
   project.primitive = Primitive{SphereShape{25.0}, 3, 7};
   const Region base{{HalfSpace{{0, 0, 1}, -20.0}, PatchSet{{"bottom"}},
                      Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5}}};
-  project.supports = {{"base", Support::Kind::fixed, base, Eigen::Vector3d::Zero()},
-                      {"guide", Support::Kind::roller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
+  project.supports = {{"base", Support::Kind::kFixed, base, Eigen::Vector3d::Zero()},
+                      {"guide", Support::Kind::kRoller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
                    {"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, -0.0, 1.0 / 3.0}}},
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
@@ -40,7 +40,7 @@ Project example() {
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
   project.mesh.patchFactors = {{"bottom", 1.0 / 3.0}, {"top", 0.5}};
-  project.mesh.engine = Engine::splines;
+  project.mesh.engine = Engine::kSplines;
   project.mesh.accuracy = 1.0 / 300;
   project.mesh.elementLength = 2.5;
   project.view = R"({"zoom":1.5,"camera":[1,2,3],"about":{"b":1,"a":null}})";
@@ -77,7 +77,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(std::get<Solid>(after.body).controlPoints(),
             std::get<Solid>(before.body).controlPoints());
   ASSERT_EQ(after.supports.size(), 2U);
-  EXPECT_EQ(after.supports[1].kind, Support::Kind::roller);
+  EXPECT_EQ(after.supports[1].kind, Support::Kind::kRoller);
   EXPECT_EQ(after.supports[1].displacement, Eigen::Vector3d(0, 0, -1e-3));
   ASSERT_EQ(after.supports[0].where.parts.size(), 3U);
   EXPECT_EQ(std::get<Stroke>(after.supports[0].where.parts[2]),
@@ -99,7 +99,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(after.mesh.refinementLevels, 2);
   EXPECT_TRUE(after.mesh.refineAtSharpEdges && after.mesh.refineAtBorders);
   EXPECT_EQ(after.mesh.patchFactors, before.mesh.patchFactors);
-  EXPECT_EQ(after.mesh.engine, Engine::splines);
+  EXPECT_EQ(after.mesh.engine, Engine::kSplines);
   EXPECT_EQ(after.mesh.accuracy, 1.0 / 300);
   EXPECT_EQ(after.mesh.elementLength, 2.5);
   EXPECT_EQ(std::get<SphereShape>(after.primitive->shape).radius, 25.0);
@@ -135,7 +135,7 @@ Project tetrahedron() {
   Project project;
   project.material = {"rubber", 1.5, 0.45};
   project.body = MeshBody(data);
-  project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"front"}), {0, 0, 0}}};
+  project.supports = {{"base", Support::Kind::kFixed, Region::ofPatches({"front"}), {0, 0, 0}}};
   project.mesh.patchFactors = {{"others", 2.0}};
   return project;
 }
@@ -184,7 +184,7 @@ TEST_F(ProjectFile, FailsToSaveWithoutHarm) {
     writeProject(example(), folder_ / "missing" / "ball.json");
     FAIL();
   } catch (const ModelingError& error) {
-    EXPECT_EQ(error.kind(), ModelingError::Kind::io);
+    EXPECT_EQ(error.kind(), ModelingError::Kind::kIo);
   }
   Project broken = example();
   const fs::path path = folder_ / "ball.json";
@@ -200,7 +200,7 @@ TEST_F(ProjectFile, NamesAMissingFile) {
     readProject(folder_ / "none.json");
     FAIL();
   } catch (const ModelingError& error) {
-    EXPECT_EQ(error.kind(), ModelingError::Kind::notFound);
+    EXPECT_EQ(error.kind(), ModelingError::Kind::kNotFound);
     EXPECT_NE(std::string(error.what()).find("none.json: there is no such file"),
               std::string::npos);
   }

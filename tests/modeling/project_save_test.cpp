@@ -35,7 +35,7 @@ std::string errorOf(std::string_view text, const fs::path& path, AtomicWriteOpti
   try {
     writeAtomically(text, path, options);
   } catch (const ModelingError& error) {
-    EXPECT_EQ(error.kind(), ModelingError::Kind::io);
+    EXPECT_EQ(error.kind(), ModelingError::Kind::kIo);
     return error.what();
   }
   return "no error";
@@ -91,7 +91,7 @@ TEST(ProjectSave, AFullDiskLeavesTheOldFileAndNothingElse) {
     try {
       writeProject(numbered(2), path);
     } catch (const ModelingError& error) {
-      ::_exit(error.kind() == ModelingError::Kind::io ? 7 : 8);
+      ::_exit(error.kind() == ModelingError::Kind::kIo ? 7 : 8);
     }
   });
   EXPECT_EQ(resultOf(child), 7);

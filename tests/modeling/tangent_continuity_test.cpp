@@ -86,7 +86,7 @@ TEST(TangentContinuity, MeasuresTheAngleBetweenTheNormals) {
 TEST(TangentContinuity, ReportsAFoldedEdge) {
   // The second row of the top folded back over the side: normals against each other.
   Solid box = makeBox({40, 30, 20}).withSmoothEdges(allEdges(makeBox({40, 30, 20})), true);
-  const int edge = box.edgeOf(5, Side::uMin);
+  const int edge = box.edgeOf(5, Side::kUMin);
   const EdgeBand band = bandOf(box, edge);
   std::vector<Vector3d> points = box.controlPoints();
   for (int k = 0; k < band.length(); ++k)

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "modeling/text.h"
+#include "base/text.h"
 
 namespace palpa::modeling::test {
 namespace {
@@ -63,8 +63,8 @@ std::string objText(const MeshBody& body, const std::string& grouping) {
 }
 
 std::string plyText(const MeshBody& body, PlyKind kind) {
-  const bool isText = kind == PlyKind::text;
-  const bool reversed = kind == PlyKind::bigEndian;
+  const bool isText = kind == PlyKind::kText;
+  const bool reversed = kind == PlyKind::kBigEndian;
   std::string bytes = "ply\nformat ";
   bytes += isText ? "ascii" : reversed ? "binary_big_endian" : "binary_little_endian";
   bytes += " 1.0\ncomment test\nelement vertex " + std::to_string(body.positions().size()) +

@@ -15,8 +15,8 @@
 #include <map>
 #include <sstream>
 
-#include "app/core/new_project.h"
-#include "app/core/session.h"
+#include "app/core/session/new_project.h"
+#include "app/core/session/session.h"
 #include "modeling/error.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/project/project_file.h"
@@ -82,7 +82,7 @@ std::string complaintOf(const std::function<void()>& work, const fs::path& path)
   try {
     work();
   } catch (const ModelingError& error) {
-    if (error.kind() != ModelingError::Kind::io)
+    if (error.kind() != ModelingError::Kind::kIo)
       return "wrong kind of error: " + std::string(error.what());
     if (std::string(error.what()).find(path.string()) == std::string::npos)
       return "the message does not name the file: " + std::string(error.what());
@@ -271,7 +271,7 @@ class Cache {
  public:
   explicit Cache(Campaign& campaign) : campaign_(campaign) {
     project_ = sphereOf(7);
-    project_.mesh.engine = modeling::Engine::triangles;
+    project_.mesh.engine = modeling::Engine::kTriangles;
     project_.mesh.edgeLength = 8;
     options_.cache = std::make_shared<app::ModelCache>(folder_.path() / "cache", 1e9);
     built_ = app::buildTouchModel(project_, {}, {});

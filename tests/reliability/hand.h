@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "app/core/touch_loop.h"
+#include "app/core/live/touch_loop.h"
 #include "tests/reliability/campaign.h"
 
 namespace palpa::reliability {

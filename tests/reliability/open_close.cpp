@@ -4,9 +4,9 @@
 #include <fstream>
 #include <thread>
 
-#include "app/core/new_project.h"
-#include "app/core/release.h"
-#include "app/core/session.h"
+#include "app/core/session/new_project.h"
+#include "app/core/session/session.h"
+#include "app/core/system/destroy_in_background.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/import.h"
 #include "modeling/project/project_file.h"
@@ -38,11 +38,11 @@ void writeMesh(const std::filesystem::path& file) {
 struct Files {
   explicit Files(std::filesystem::path in) : folder(std::move(in)) {
     modeling::Project sphere = app::makeProject(modeling::makeSphere(25), "sphere");
-    sphere.mesh.engine = modeling::Engine::triangles;
+    sphere.mesh.engine = modeling::Engine::kTriangles;
     sphere.mesh.edgeLength = 8;
     modeling::writeProject(sphere, folder / "triangles.json");
     modeling::Project cylinder = app::makeProject(modeling::makeCylinder(20, 40), "cylinder");
-    cylinder.mesh.engine = modeling::Engine::splines;
+    cylinder.mesh.engine = modeling::Engine::kSplines;
     cylinder.mesh.elementLength = 14;
     modeling::writeProject(cylinder, folder / "splines.json");
     writeMesh(folder / "mesh.obj");
@@ -67,7 +67,7 @@ std::unique_ptr<app::Session> open(const Files& files, const std::string& name) 
   if (name.ends_with(".json")) return std::make_unique<app::Session>(files.folder / name, options);
   modeling::Project project =
       app::makeProject(modeling::importBody(files.folder / name).body, name);
-  project.mesh.engine = modeling::Engine::triangles;
+  project.mesh.engine = modeling::Engine::kTriangles;
   project.mesh.edgeLength = 9;
   return std::make_unique<app::Session>(std::move(project), options);
 }

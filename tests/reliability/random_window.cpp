@@ -16,7 +16,7 @@
 #include <fstream>
 #include <thread>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/project/project_file.h"
 #include "modeling/shapes/primitives.h"

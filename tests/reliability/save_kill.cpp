@@ -42,7 +42,7 @@ class States {
     for (int k = pick(random, 1, 400); k > 0; --k)
       stroke.points.emplace_back(pickReal(random, -25, 25), pickReal(random, -25, 25), -25);
     project.supports.push_back(
-        {"painted", modeling::Support::Kind::fixed, {{stroke}}, Eigen::Vector3d::Zero()});
+        {"painted", modeling::Support::Kind::kFixed, {{stroke}}, Eigen::Vector3d::Zero()});
     return project;
   }
 

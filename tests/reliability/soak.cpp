@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "app/core/new_project.h"
-#include "app/core/touch.h"
+#include "app/core/results/touch.h"
+#include "app/core/session/new_project.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/reliability/hand.h"
 
@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 
 constexpr double kMiB = 1024.0 * 1024.0;
-constexpr int kMostContacts = 6;
+constexpr int kMaxContacts = 6;
 
 std::shared_ptr<const app::TouchModel> modelOf(modeling::Engine engine) {
   modeling::Project project = app::makeProject(modeling::makeSphere(25), "soak");
@@ -38,7 +38,7 @@ class Soak {
         model_(modelOf(engine)),
         places_(placesOf(*model_)),
         random_(seed),
-        hand_(loop_, seed, kMostContacts) {
+        hand_(loop_, seed, kMaxContacts) {
     number_ = loop_.setModel(model_);
     await([this](const app::TouchSnapshot& snapshot) {
       return snapshot.model == number_ && snapshot.columnsReady == 1;
@@ -111,13 +111,12 @@ class Soak {
   /// hand may hold, so that what comes needs no more.
   void touchMost() {
     std::vector<app::TouchId> balls;
-    for (int k = 0; k < kMostContacts; ++k) {
-      const Place& place = places_[places_.size() * static_cast<std::size_t>(k) / kMostContacts];
+    for (int k = 0; k < kMaxContacts; ++k) {
+      const Place& place = places_[places_.size() * static_cast<std::size_t>(k) / kMaxContacts];
       const bem::ContactTool ball{Kind::kProbe, 9};
       balls.push_back(loop_.begin(ball, place.at, place.at + (ball.radius - 2) * place.normal));
     }
-    await(
-        [](const app::TouchSnapshot& snapshot) { return snapshot.contactCount == kMostContacts; });
+    await([](const app::TouchSnapshot& snapshot) { return snapshot.contactCount == kMaxContacts; });
     const std::uint64_t enough = snapshot_.step + 20;
     await([=](const app::TouchSnapshot& snapshot) { return snapshot.step >= enough; });
     for (const app::TouchId ball : balls) loop_.end(ball);
@@ -153,8 +152,8 @@ int main(int argc, char** argv) {
   Random random(campaign.seed());
   Sums sums;
   // One body of each engine, in turns: a turn is a round.
-  Soak triangles(campaign, palpa::modeling::Engine::triangles, random());
-  Soak splines(campaign, palpa::modeling::Engine::splines, random());
+  Soak triangles(campaign, palpa::modeling::Engine::kTriangles, random());
+  Soak splines(campaign, palpa::modeling::Engine::kSplines, random());
   Usage before;
   bool isWarm = false;
   std::uint64_t stepsBefore = 0;

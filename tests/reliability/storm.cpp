@@ -6,11 +6,11 @@
 #include <mutex>
 #include <thread>
 
-#include "app/core/drawn_body.h"
-#include "app/core/session.h"
-#include "app/core/stiffness_worker.h"
-#include "app/core/touch.h"
-#include "app/core/touch_field.h"
+#include "app/core/live/stiffness_worker.h"
+#include "app/core/live/touch_field.h"
+#include "app/core/results/drawn_body.h"
+#include "app/core/results/touch.h"
+#include "app/core/session/session.h"
 #include "modeling/error.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/modeling/child_process.h"
@@ -31,7 +31,7 @@ modeling::Project startProject(modeling::Engine engine) {
   project.name = "storm";
   project.material = {"silicone", 0.1, 0.45};
   const modeling::Solid solid = modeling::makeSphere(25, 11);
-  project.supports.push_back({"base", modeling::Support::Kind::fixed,
+  project.supports.push_back({"base", modeling::Support::Kind::kFixed,
                               modeling::Region::ofPatches({solid.patches().front().name}),
                               Vector3d::Zero()});
   project.body = solid;
@@ -114,7 +114,7 @@ class Window {
 
   /// After the storm: everything settles to what the project says.
   void settle() {
-    session_.pipeline().hurry();
+    session_.pipeline().startPending();
     if (session_.document().isInGroup()) session_.endGroup();
     if (!wait()) return;
     if (pipeline().status().state == State::kCancelled) session_.rebuild();
@@ -220,7 +220,7 @@ class Window {
     return {pickReal(random_, -most, most), pickReal(random_, -most, most),
             pickReal(random_, -most, most)};
   }
-  void edit(const modeling::Command& command, modeling::Merge merge = modeling::Merge::no) {
+  void edit(const modeling::Command& command, modeling::Merge merge = modeling::Merge::kNo) {
     session_.perform(command, merge);
     ++edits_;
   }
@@ -234,7 +234,7 @@ class Window {
       edit(
           modeling::MovePoints{
               modeling::PointSelection::of({dragged}), modeling::MoveBy{way / motions}, {}},
-          i == 1 ? modeling::Merge::no : modeling::Merge::withLast);
+          i == 1 ? modeling::Merge::kNo : modeling::Merge::kWithLast);
       std::this_thread::sleep_for(std::chrono::milliseconds(pick(random_, 0, 8)));
       follow();
     }
@@ -260,7 +260,7 @@ class Window {
         // Without one nothing holds the body.
         if (project.supports.empty() || oneIn(random_, 3))
           edit(modeling::AddSupport{
-              {"half " + std::to_string(edits_), modeling::Support::Kind::fixed,
+              {"half " + std::to_string(edits_), modeling::Support::Kind::kFixed,
                modeling::Region::below(Vector3d(0.2, -0.1, 1), -15), Vector3d::Zero()}});
         else
           edit(modeling::RemoveSupport{project.supports.back().name});
@@ -274,8 +274,8 @@ class Window {
       case 3: {
         modeling::MeshSettings mesh = project.mesh;
         if (oneIn(random_, 2))
-          mesh.engine = mesh.engine == modeling::Engine::splines ? modeling::Engine::triangles
-                                                                 : modeling::Engine::splines;
+          mesh.engine = mesh.engine == modeling::Engine::kSplines ? modeling::Engine::kTriangles
+                                                                  : modeling::Engine::kSplines;
         mesh.edgeLength = pickReal(random_, 4, 7);
         edit(modeling::SetMesh{mesh});
         break;
@@ -342,13 +342,13 @@ class Window {
     const auto body = loop_.body(number_);
     if (!body) return;
     drawer_ = std::jthread([body](const std::stop_token& stop) {
-      bem::Job job;
+      Job job;
       job.stop = stop;
       try {
         modeling::DisplaySettings settings;
         settings.mostPieces = settings.leastPieces = 1;
         app::DrawnBody drawn(body->sharedModel(), settings, job);
-      } catch (const bem::Cancelled&) {
+      } catch (const Cancelled&) {
         // Another body is drawn by now.
       }
     });
@@ -435,7 +435,7 @@ void watch(Window& window, const std::stop_token& stop) {
 void round(Campaign& campaign, Random& random, int actions, Sums& sums) {
   const testing_support::TemporaryFolder folder;
   const auto engine =
-      campaign.rounds() % 2 ? modeling::Engine::splines : modeling::Engine::triangles;
+      campaign.rounds() % 2 ? modeling::Engine::kSplines : modeling::Engine::kTriangles;
   Window window(campaign, folder.path(), engine, random());
   {
     std::jthread watcher([&](const std::stop_token& stop) { watch(window, stop); });

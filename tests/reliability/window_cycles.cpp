@@ -11,9 +11,9 @@
 #include <cmath>
 #include <memory>
 
-#include "app/core/release.h"
-#include "app/gui/appearance.h"
-#include "app/gui/main_window.h"
+#include "app/core/system/destroy_in_background.h"
+#include "app/gui/base/appearance.h"
+#include "app/gui/window/main_window.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/reliability/campaign.h"

@@ -25,13 +25,13 @@
 #include <algorithm>
 #include <array>
 
-#include "app/gui/background_job.h"
+#include "app/gui/base/background_job.h"
 
 namespace palpa::reliability {
 namespace {
 
 constexpr int kAttendEvery = 15;     // ms
-constexpr int kMostAnswers = 30;     // to one dialog; then it is closed
+constexpr int kMaxAnswers = 30;      // to one dialog; then it is closed
 constexpr double kMemoryGiB = 0.25;  // of a model: fine meshes are refused, not built for minutes
 
 template <class List>
@@ -355,7 +355,7 @@ void WindowHand::answer(QWidget& dialog) {
   answers_ = answered_ == &dialog ? answers_ + 1 : 0;
   answered_ = &dialog;
   if (auto* files = qobject_cast<QFileDialog*>(&dialog)) return answerFileDialog(*files);
-  if (answers_ > kMostAnswers || oneIn(random_, 10)) {
+  if (answers_ > kMaxAnswers || oneIn(random_, 10)) {
     note("dialog closed", nameOf(dialog));
     QTest::keyClick(&dialog, Qt::Key_Escape);
     return;

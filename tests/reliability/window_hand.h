@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 #include "tests/reliability/campaign.h"
 
 class QAbstractItemView;

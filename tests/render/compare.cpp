@@ -15,7 +15,7 @@ namespace palpa::render_tests {
 namespace {
 
 constexpr int kBlock = 6;
-constexpr double kLargestBlock = 20;
+constexpr double kMaxBlock = 20;
 constexpr double kMean = 0.6;
 
 vtkSmartPointer<vtkImageData> read(const std::filesystem::path& path) {
@@ -57,7 +57,7 @@ void paint(vtkImageData* image, int left, int bottom, int right, int top, double
 }  // namespace
 
 bool Difference::acceptable() const {
-  return sameSize && largestBlock <= kLargestBlock && mean <= kMean;
+  return sameSize && largestBlock <= kMaxBlock && mean <= kMean;
 }
 
 std::string Difference::text() const {
@@ -65,7 +65,7 @@ std::string Difference::text() const {
   std::array<char, 160> line{};
   std::snprintf(line.data(), line.size(),
                 "largest block %.1f (at most %.0f), mean %.3f (at most %.1f)", largestBlock,
-                kLargestBlock, mean, kMean);
+                kMaxBlock, mean, kMean);
   return line.data();
 }
 

@@ -1,12 +1,12 @@
 // The analysis net: which knots are inserted for the spline discretisation.
-#include "app/core/analysis_net.h"
+#include "app/core/setup/spline_refinement.h"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <limits>
 
-#include "app/core/boundary_setup.h"
+#include "app/core/setup/boundary_setup.h"
 #include "bem/spline/spline_mask_widths.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
@@ -25,32 +25,32 @@ Project projectOf(modeling::Solid solid) {
   Project project;
   project.material = {"", 0.1, 0.45};
   project.body = std::move(solid);
-  project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
+  project.supports = {{"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
   return project;
 }
 
-AnalysisNet netOf(const Project& project) {
-  return analysisNet(project, ElementSizes::of(project.mesh, 6));
+SplineRefinement netOf(const Project& project) {
+  return splineRefinement(project, ElementSizes::of(project.mesh, 6));
 }
 
 const modeling::Solid& solidOf(const Project& project) {
   return std::get<modeling::Solid>(project.body);
 }
 
-const AnalysisNet::Chain& chainWith(const AnalysisNet& net, const modeling::Solid& solid,
-                                    const char* patch, int direction) {
-  for (const AnalysisNet::Chain& chain : net.chains)
+const SplineRefinement::Chain& chainWith(const SplineRefinement& net, const modeling::Solid& solid,
+                                         const char* patch, int direction) {
+  for (const SplineRefinement::Chain& chain : net.chains)
     for (const modeling::ChainLink& link : modeling::chainOf(solid, chain.first))
       if (link.at.patch == *solid.findPatch(patch) && link.at.direction == direction) return chain;
   throw std::logic_error("no chain");
 }
 
-TEST(AnalysisNet, IsTheSameSurfaceWithTheCoefficientsForeseen) {
+TEST(SplineRefinement, IsTheSameSurfaceWithTheCoefficientsForeseen) {
   for (const Project& project :
        {projectOf(modeling::makeBox({40, 30, 20})), projectOf(modeling::makeCylinder(20, 60)),
         projectOf(modeling::makeSphere(25))}) {
     const auto start = std::chrono::steady_clock::now();
-    const AnalysisNet net = netOf(project);
+    const SplineRefinement net = netOf(project);
     const auto made = std::chrono::steady_clock::now();
     const modeling::Solid fine = refined(solidOf(project), net);
     const auto inserted = std::chrono::steady_clock::now();
@@ -65,7 +65,7 @@ TEST(AnalysisNet, IsTheSameSurfaceWithTheCoefficientsForeseen) {
   }
 }
 
-TEST(AnalysisNet, RaisesLowDegreesToThree) {
+TEST(SplineRefinement, RaisesLowDegreesToThree) {
   Project project;
   project.body = modeling::makeBox({40, 30, 20});
   // A box with degree 1: eight points.
@@ -89,19 +89,19 @@ TEST(AnalysisNet, RaisesLowDegreesToThree) {
       for (int& point : row)
         point = static_cast<int>(std::lower_bound(used.begin(), used.end(), point) - used.begin());
   project.body = modeling::Solid(points, patches);
-  const AnalysisNet net = netOf(project);
+  const SplineRefinement net = netOf(project);
   const modeling::Solid fine = refined(solidOf(project), net);
   EXPECT_EQ(fine.patches()[0].degree[0], 3);
   EXPECT_EQ(static_cast<double>(fine.controlPoints().size()), net.coefficients);
   EXPECT_LT(modeling::sampledDistance(solidOf(project), fine), 1e-11);
 }
 
-TEST(AnalysisNet, GradesTowardsTheEdgesOfSupports) {
+TEST(SplineRefinement, GradesTowardsTheEdgesOfSupports) {
   Project project = projectOf(modeling::makeBox({40, 30, 20}));
   project.mesh.elementLength = 5;
   project.mesh.accuracy = 3e-3;
   const auto gaps = [&](const char* patch, int direction) {
-    const AnalysisNet net = netOf(project);
+    const SplineRefinement net = netOf(project);
     std::vector<double> knots = chainWith(net, solidOf(project), patch, direction).knots;
     knots.insert(knots.begin(), 0.0);
     knots.push_back(1.0);
@@ -129,12 +129,12 @@ TEST(AnalysisNet, GradesTowardsTheEdgesOfSupports) {
   EXPECT_TRUE(isEven(gaps("side_xmax", 1)));
 }
 
-TEST(AnalysisNet, GivesTouchesTheMasksTheyAskFor) {
+TEST(SplineRefinement, GivesTouchesTheMasksTheyAskFor) {
   for (const auto& entry : std::filesystem::directory_iterator("../projects")) {
     if (entry.path().extension() != ".json") continue;
     const Project project = modeling::readProject(entry.path());
     if (!std::holds_alternative<modeling::Solid>(project.body)) continue;
-    const AnalysisNet net = analysisNet(project);
+    const SplineRefinement net = splineRefinement(project);
     const bem::SplineSurface surface = splineSurfaceOf(refined(solidOf(project), net));
     const bem::SplineMaskWidths widths(surface);
     EXPECT_LE(net.coefficients, 1750) << entry.path();
@@ -150,28 +150,28 @@ TEST(AnalysisNet, GivesTouchesTheMasksTheyAskFor) {
 }
 
 /// Only around it: the same everywhere costs a multiple.
-TEST(AnalysisNet, RefinesAroundANarrowTouchAlone) {
+TEST(SplineRefinement, RefinesAroundANarrowTouchAlone) {
   Project project = projectOf(modeling::makeBox({40, 30, 20}));
-  const double plain = analysisNet(project).coefficients;
+  const double plain = splineRefinement(project).coefficients;
   project.touches = {{"poke", {5, 4, 20}, modeling::TouchDisplacement{{0, 0, -1}}, 2.0}};
-  const double poked = analysisNet(project).coefficients;
+  const double poked = splineRefinement(project).coefficients;
   EXPECT_GT(poked, 1.1 * plain);
   ElementSizes everywhere = ElementSizes::of(project.mesh, 2);
   everywhere.budget = std::numeric_limits<double>::infinity();
-  EXPECT_LT(poked, 0.4 * analysisNet(project, everywhere).coefficients);
+  EXPECT_LT(poked, 0.4 * splineRefinement(project, everywhere).coefficients);
 }
 
-TEST(AnalysisNet, PutsSmallElementsAcrossBordersAndUnderBumps) {
+TEST(SplineRefinement, PutsSmallElementsAcrossBordersAndUnderBumps) {
   Project project = projectOf(modeling::makeBox({40, 30, 20}));
   project.mesh.elementLength = 5;
   project.supports.clear();
   const double plain = netOf(project).coefficients;
   project.supports = {
-      {"dab", Support::Kind::fixed, Region{{modeling::Stroke{{{20, 15, 20}}, 2.0}}}, {0, 0, 0}}};
+      {"dab", Support::Kind::kFixed, Region{{modeling::Stroke{{{20, 15, 20}}, 2.0}}}, {0, 0, 0}}};
   const auto [low, high] = modeling::boundingBox(project.body);
   std::get<modeling::Stroke>(project.supports[0].where.parts[0]).points[0] =
       Vector3d((low.x() + high.x()) / 2, (low.y() + high.y()) / 2, high.z());
-  const AnalysisNet dab = netOf(project);
+  const SplineRefinement dab = netOf(project);
   EXPECT_GT(dab.coefficients, plain + 50);
   const auto& knots = chainWith(dab, solidOf(project), "top", 0).knots;
   double least = 1;
@@ -183,20 +183,20 @@ TEST(AnalysisNet, PutsSmallElementsAcrossBordersAndUnderBumps) {
   EXPECT_GT(netOf(project).coefficients, plain + 50);
 }
 
-TEST(AnalysisNet, FollowsTheWishFactorsAndTheBudget) {
+TEST(SplineRefinement, FollowsTheWishFactorsAndTheBudget) {
   Project project = projectOf(modeling::makeCylinder(20, 60));
   std::vector<double> counts;
   for (const double accuracy : {3e-2, 1e-2, 3e-3, 1e-3}) {
     project.mesh.accuracy = accuracy;
     const ElementSizes sizes = ElementSizes::of(project.mesh, 6);
-    counts.push_back(analysisNet(project, sizes).coefficients);
+    counts.push_back(splineRefinement(project, sizes).coefficients);
     EXPECT_LE(counts.back(), sizes.budget);
     if (counts.size() > 1) {
       EXPECT_GT(counts.back(), 1.1 * counts[counts.size() - 2]);
     }
   }
   project.mesh.elementLength = 4;
-  const AnalysisNet even = netOf(project);
+  const SplineRefinement even = netOf(project);
   EXPECT_EQ(even.interior, 4);
   project.mesh.patchFactors = {{"side_xmax", 0.5}};
   EXPECT_GT(netOf(project).coefficients, 1.2 * even.coefficients);
@@ -206,14 +206,14 @@ TEST(AnalysisNet, FollowsTheWishFactorsAndTheBudget) {
 }
 
 /// Moving a control point a little leaves the knots as they are.
-TEST(AnalysisNet, StaysWhenAControlPointMovesALittle) {
+TEST(SplineRefinement, StaysWhenAControlPointMovesALittle) {
   Project project = projectOf(modeling::makeSphere(25));
-  project.supports = {{"base", Support::Kind::fixed, Region::below({0, 0, 1}, -20), {0, 0, 0}}};
-  const AnalysisNet before = netOf(project);
+  project.supports = {{"base", Support::Kind::kFixed, Region::below({0, 0, 1}, -20), {0, 0, 0}}};
+  const SplineRefinement before = netOf(project);
   std::vector<Vector3d> points = solidOf(project).controlPoints();
   points[points.size() / 2] *= 1.002;
   project.body = solidOf(project).withControlPoints(points);
-  const AnalysisNet after = netOf(project);
+  const SplineRefinement after = netOf(project);
   ASSERT_EQ(after.chains.size(), before.chains.size());
   for (std::size_t c = 0; c < before.chains.size(); ++c)
     EXPECT_EQ(after.chains[c].knots, before.chains[c].knots);

@@ -24,18 +24,18 @@ Vector3d at(const BoundarySetup& setup, const bem::SplinePlace& place,
 
 }  // namespace
 
-BoundarySetup setupOf(const modeling::Project& project, const AnalysisNet& net) {
+BoundarySetup setupOf(const modeling::Project& project, const SplineRefinement& net) {
   return makeSplineSetup(
       project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)), net);
 }
 
 BoundarySetup setupOf(const modeling::Project& project) {
-  return setupOf(project, analysisNet(project, ElementSizes::of(project.mesh, kFingertip)));
+  return setupOf(project, splineRefinement(project, ElementSizes::of(project.mesh, kFingertip)));
 }
 
 SolvedSetup::SolvedSetup(BoundarySetup made) : setup(std::move(made)) {
   const auto problem = setup.discretisation->makeProblem(
-      setup.conditions.ofSlot, setup.material, {1e-5}, bem::Precision::kDouble, bem::Job{}, &times);
+      setup.conditions.ofSlot, setup.material, {1e-5}, bem::Precision::kDouble, Job{}, &times);
   field = problem->solveField(problem->dofs().knownField(setup.conditions));
 }
 

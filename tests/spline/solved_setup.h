@@ -1,12 +1,13 @@
 #pragma once
-#include "app/core/spline_setup.h"
-#include "bem/reference_problem.h"
+
+#include "app/core/setup/spline_setup.h"
+#include "bem/problem/reference_problem.h"
 #include "bem/spline/spline_discretisation.h"
 
 /// Projects as spline problems, without the cache and the triangles of a model.
 namespace palpa::app::test {
 
-BoundarySetup setupOf(const modeling::Project& project, const AnalysisNet& net);
+BoundarySetup setupOf(const modeling::Project& project, const SplineRefinement& net);
 /// With the net of the project for fingertips of 6 mm.
 BoundarySetup setupOf(const modeling::Project& project);
 

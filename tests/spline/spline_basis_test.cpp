@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "bem/spline/gauss_rule.h"
 #include "bem/spline/spline_collocation.h"
 #include "modeling/shapes/primitives.h"
@@ -49,7 +49,7 @@ TEST(BsplineBasis, RefusesKnotsThatDoNotFit) {
 }
 
 TEST(GaussRule, IntegratesPolynomialsOfDegreeTwiceItsPointsLessOne) {
-  for (int n = 1; n <= kMostGaussPoints; ++n) {
+  for (int n = 1; n <= kMaxGaussPoints; ++n) {
     const GaussRule& rule = gaussRule(n);
     for (int power = 0; power <= 2 * n; ++power) {
       double sum = 0;
@@ -63,7 +63,7 @@ TEST(GaussRule, IntegratesPolynomialsOfDegreeTwiceItsPointsLessOne) {
     }
   }
   EXPECT_THROW(gaussRule(0), std::out_of_range);
-  EXPECT_THROW(gaussRule(kMostGaussPoints + 1), std::out_of_range);
+  EXPECT_THROW(gaussRule(kMaxGaussPoints + 1), std::out_of_range);
 }
 
 TEST(SplineSurface, IsTheSolid) {

@@ -1,6 +1,6 @@
 #include "spline_body.h"
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "modeling/mesh/mesh.h"
 
 namespace palpa::bem::test {

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,10 +7,10 @@
 #include <functional>
 #include <memory>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "app/verification/exact/exact_fields.h"
 #include "app/verification/spline_body.h"
-#include "bem/reference_problem.h"
+#include "bem/problem/reference_problem.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
 #include "modeling/shapes/primitives.h"

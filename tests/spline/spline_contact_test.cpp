@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "allocation_counter.h"
-#include "bem/contact_solver.h"
-#include "bem/stiffness_map.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/contact/stiffness_map.h"
 #include "spline_body.h"
 #include "touched_body.h"
 
@@ -86,7 +86,7 @@ TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
 }
 
 TEST(SplineContact, ComplianceIsSymmetric) {
-  ContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
+  BilateralContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
   for (const Vector3d& at : {kTop, kSide, Vector3d(0, -18, 17), Vector3d(5, 3, 24)})
     solver.addForce(makeContactMask(sphere().surface(), at, 8), {0, 0, 0.1});
   std::printf("reciprocity defect %.1e\n", solver.reciprocityDefect());
@@ -94,7 +94,7 @@ TEST(SplineContact, ComplianceIsSymmetric) {
 }
 
 TEST(SplineContact, SupportsBalanceIt) {
-  ContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
+  BilateralContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
   solver.addGrab(makeContactMask(sphere().surface(), kTop, 10), Vector3d(0.5, 0.2, -1));
   const Eigen::VectorXd forces = solver.forces();
   const BoundaryField field = solver.field(forces);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "bem/spline/surface_part.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/knot_operations.h"

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "bem/instruction_set.h"
-#include "bem/kelvin.h"
+#include "bem/base/instruction_set.h"
+#include "bem/triangle/kelvin.h"
 
 namespace palpa::bem::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "bem/spline/spline_quadrature.h"
 
-#include "bem/parallel.h"
+#include "base/parallel.h"
 #include "bem/spline/spline_assembly.h"
 #include "spline_body.h"
 

@@ -1,5 +1,5 @@
 // From projects to the spline discretisation: the parts of supports and loads, and what is refused.
-#include "app/core/spline_setup.h"
+#include "app/core/setup/spline_setup.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <map>
 #include <numbers>
 
-#include "app/core/boundary_setup.h"
-#include "bem/error.h"
+#include "app/core/setup/boundary_setup.h"
+#include "bem/base/error.h"
 #include "bem/spline/spline_projection.h"
 #include "modeling/project/project_file.h"
 #include "modeling/solid/surface_evaluator.h"
@@ -60,15 +60,16 @@ TEST(SplineSetup, ExamplesHaveThePartsThatTrianglesHave) {
     project.loads = {{"lean", modeling::UniformTraction{mixed, {0.01, 0, 0.02}}},
                      {"blow", modeling::Pressure{painted, 0.03}},
                      {"poke", modeling::Bump{summit, radius, 0.01, {0, 0, -1}}}};
-    project.mesh.engine = modeling::Engine::splines;
+    project.mesh.engine = modeling::Engine::kSplines;
     project.mesh.patchFactors.clear();
     project.mesh.refinementLevels = 0;
     project.mesh.edgeLength = size.norm() / 50;
     const auto mesh = modeling::mesh(project.body, project.mesh, modeling::meshRegions(project));
-    const AnalysisNet net = analysisNet(project, ElementSizes::of(project.mesh, kFingertip));
+    const SplineRefinement net =
+        splineRefinement(project, ElementSizes::of(project.mesh, kFingertip));
     const BoundarySetup setup = makeBoundarySetup(project, mesh, &net);
     const bem::SplineSurface& surface = setup.splines->surface();
-    project.mesh.engine = modeling::Engine::triangles;
+    project.mesh.engine = modeling::Engine::kTriangles;
     const BoundarySetup triangles = makeBoundarySetup(project, mesh);
     std::printf("%s: n %d of %.0f foreseen, %d elements, %d slots, %.2f mm\n",
                 entry.path().stem().c_str(), surface.coefficientCount(), net.coefficients,
@@ -135,10 +136,11 @@ std::string faultOf(const Project& project) {
 
 TEST(SplineSetup, SupportsThatDisagreeAreNamed) {
   Project project = test::boxOfSplines();
-  project.supports = {{"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}},
-                      {"foot", Support::Kind::fixed, Region::below({0, 0, 1}, 5), {0, 0, 0}}};
+  project.supports = {{"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), {0, 0, 0}},
+                      {"foot", Support::Kind::kFixed, Region::below({0, 0, 1}, 5), {0, 0, 0}}};
   EXPECT_EQ(faultOf(project).find("supports \"base\" and \"foot\" both hold the surface near"), 0U);
-  project.supports[1] = {"side", Support::Kind::fixed, Region::ofPatches({"side_xmin"}), {1, 0, 0}};
+  project.supports[1] = {
+      "side", Support::Kind::kFixed, Region::ofPatches({"side_xmin"}), {1, 0, 0}};
   EXPECT_EQ(faultOf(project).find("supports \"side\" and \"base\" meet at"), 0U);
   project.supports[1].displacement.setZero();
   EXPECT_EQ(faultOf(project), "");

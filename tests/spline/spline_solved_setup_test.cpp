@@ -3,11 +3,11 @@
 
 #include <chrono>
 
-#include "app/core/boundary_setup.h"
+#include "app/core/setup/boundary_setup.h"
 #include "app/verification/analytic_case.h"
 #include "app/verification/fem_case.h"
 #include "app/verification/reference_data.h"
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 #include "solved_setup.h"
 #include "spline_body.h"
 
@@ -34,7 +34,7 @@ Solution solveFem(const std::string& id, double accuracy) {
   project.mesh.accuracy = accuracy;
   ElementSizes sizes = ElementSizes::of(project.mesh, kFingertip);
   sizes.budget = accuracy > 5e-3 ? 800 : 1200;  // what the cases are to be solved with
-  const AnalysisNet net = analysisNet(project, sizes);
+  const SplineRefinement net = splineRefinement(project, sizes);
   const auto start = std::chrono::steady_clock::now();
   const test::SolvedSetup solved(test::setupOf(project, net));
   const double seconds =
@@ -74,8 +74,8 @@ TEST(SplineSetup, FiniteElementCasesWithAutomaticKnots) {
 TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
   Project project = test::boxOfSplines();
   const Vector3d given(0.1, -0.2, 0.3);
-  project.supports = {{"foot", Support::Kind::fixed, Region::below({0, 0, 1}, 7.1), given},
-                      {"lid", Support::Kind::fixed, Region::ofPatches({"top"}), {0, 0, 0}}};
+  project.supports = {{"foot", Support::Kind::kFixed, Region::below({0, 0, 1}, 7.1), given},
+                      {"lid", Support::Kind::kFixed, Region::ofPatches({"top"}), {0, 0, 0}}};
   project.mesh.elementLength = 6;
   project.mesh.edgeLength = 3;
   const test::SolvedSetup solved(project);
@@ -89,12 +89,12 @@ TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
   EXPECT_LT(most, 0.03 * given.norm());
   EXPECT_LT(balance.norm(), 2e-3 * foot.norm());
   modeling::Project flat = project;
-  flat.mesh.engine = modeling::Engine::triangles;
+  flat.mesh.engine = modeling::Engine::kTriangles;
   const BoundarySetup triangles = makeBoundarySetup(
       flat, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
   const auto problem = bem::makeDenseReferenceProblem(
       triangles.mesh(), triangles.meshSlots(), triangles.conditions.ofSlot, triangles.material,
-      {1e-4}, bem::Precision::kDouble, bem::Job{});
+      {1e-4}, bem::Precision::kDouble, Job{});
   const auto field = problem->solveField(problem->dofs().knownField(triangles.conditions));
   const Vector3d expected = bem::tractionResultant(triangles.mesh(), triangles.meshSlots(),
                                                    field.p.col(0), triangles.supports[0].triangles)
@@ -108,7 +108,7 @@ TEST(SplineSetup, WhatIsPrescribedHoldsUpToTheBorder) {
 TEST(SplineSetup, FlatRollersAreExact) {
   Project project = test::boxOfSplines();
   const auto roller = [](const char* patch) {
-    return Support{patch, Support::Kind::roller, Region::ofPatches({patch}), {0, 0, 0}};
+    return Support{patch, Support::Kind::kRoller, Region::ofPatches({patch}), {0, 0, 0}};
   };
   project.supports = {roller("side_xmin"), roller("side_ymin"), roller("bottom")};
   project.loads = {{"press", modeling::Pressure{Region::ofPatches({"top"}), 0.002}}};
@@ -134,8 +134,8 @@ TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
   project.material = {"", 0.1, 0.3};
   project.body = modeling::makeCylinder(20, 20);
   const std::vector<std::string> sides{"side_xmin", "side_xmax", "side_ymin", "side_ymax"};
-  project.supports = {{"sleeve", Support::Kind::roller, Region::ofPatches(sides), {0, 0, 0}},
-                      {"base", Support::Kind::fixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
+  project.supports = {{"sleeve", Support::Kind::kRoller, Region::ofPatches(sides), {0, 0, 0}},
+                      {"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
   project.loads = {{"twist", modeling::Bump{{10, 0, 20}, 10, 0.01, {0, 1, 0}}}};
   project.mesh.edgeLength = 6;
   for (const double length : {8.0, 5.0}) {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <random>
 
-#include "bem/nodal_switching.h"
+#include "bem/contact/nodal_switching.h"
 #include "bem/spline/spline_assembly.h"
 #include "spline_body.h"
 #include "written_out.h"

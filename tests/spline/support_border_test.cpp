@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/boundary_setup.h"
+#include "app/core/setup/boundary_setup.h"
 #include "bem/spline/spline_equations.h"
 #include "bem/spline/surface_part.h"
 #include "spline_body.h"
@@ -82,7 +82,7 @@ Forces forces(const modeling::Body& shape, const Vector3d& normal, double below,
   Project project;
   project.material = {"", 0.1, 0.3};
   project.body = shape;
-  project.supports = {{"base", Support::Kind::fixed, Region::below(normal, below), {0, 0, 0}}};
+  project.supports = {{"base", Support::Kind::kFixed, Region::below(normal, below), {0, 0, 0}}};
   project.loads = {{"bump", modeling::Bump{{0, 0, top}, 8, 0.02, {0.2, 0, -1}}}};
   project.mesh.edgeLength = 4;
   project.mesh.elementLength = elementLength;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "bem/spline/surface_part.h"
 
 namespace palpa::bem::test {

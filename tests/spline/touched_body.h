@@ -1,10 +1,11 @@
 #pragma once
+
 #include <memory>
 #include <optional>
 
-#include "bem/contact_simulation.h"
+#include "bem/contact/contact_simulation.h"
 #include "bem/spline/spline_contact_surface.h"
-#include "bem/triangle_contact_surface.h"
+#include "bem/triangle/triangle_contact_surface.h"
 #include "modeling/solid/solid.h"
 
 namespace palpa::bem::test {

@@ -1,9 +1,9 @@
 #include "app/gui/actions/delete_action.h"
 
-#include "app/gui/docks/naming.h"
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/document/naming.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 

@@ -1,8 +1,8 @@
 #include "app/gui/actions/edit_actions.h"
 
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 

@@ -3,7 +3,7 @@
 #include <QAction>
 #include <QObject>
 
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

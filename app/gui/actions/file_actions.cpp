@@ -4,16 +4,16 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
-#include "app/core/new_project.h"
-#include "app/gui/appearance.h"
+#include "app/core/session/new_project.h"
+#include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/export_dialog.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
-#include "app/gui/editor.h"
-#include "app/gui/examples.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/document/examples.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 #include "modeling/exchange/cad_format.h"
 #include "modeling/exchange/import.h"
 #include "modeling/exchange/mesh_reader.h"

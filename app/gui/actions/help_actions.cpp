@@ -9,9 +9,9 @@
 
 #include "app/gui/dialogs/guide_window.h"
 #include "app/gui/dialogs/keys_dialog.h"
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 namespace {

@@ -1,11 +1,11 @@
 #include "app/gui/actions/point_actions.h"
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/number_dialog.h"
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
-#include "app/gui/point_groups.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
+#include "app/gui/document/point_groups.h"
 
 namespace palpa::gui {
 

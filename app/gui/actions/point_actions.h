@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/tools/point_options.h"
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

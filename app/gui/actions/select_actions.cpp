@@ -2,10 +2,10 @@
 
 #include <QActionGroup>
 
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
-#include "app/gui/point_groups.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
+#include "app/gui/document/point_groups.h"
 
 namespace palpa::gui {
 namespace {

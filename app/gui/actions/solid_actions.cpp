@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "app/gui/dialogs/transform_dialog.h"
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kMostDegree = 5;
+constexpr int kMaxDegree = 5;
 
 /// Enables the action, or disables it with the reason as its tool tip.
 void setPossible(QAction* action, const QString& obstacle) {
@@ -74,9 +74,9 @@ void SolidActions::update() {
     else if (selection.patches.empty())
       obstacle = tr("Select the patches whose degree is to be raised first.");
     else if (std::all_of(selection.patches.begin(), selection.patches.end(), [&](int patch) {
-               return solid->patches()[patch].degree[direction] >= kMostDegree;
+               return solid->patches()[patch].degree[direction] >= kMaxDegree;
              }))
-      obstacle = tr("The selected patches have the highest degree, %1.").arg(kMostDegree);
+      obstacle = tr("The selected patches have the highest degree, %1.").arg(kMaxDegree);
     setPossible(direction == 0 ? elevateU_ : elevateV_, obstacle);
   }
   for (bool smooth : {true, false}) {
@@ -98,8 +98,7 @@ void SolidActions::elevate(int direction) {
   const std::set<int> patches = editor.selection().patches;
   std::vector<int> degrees;
   for (int patch : patches)
-    degrees.push_back(
-        std::min(editor.solid()->patches()[patch].degree[direction] + 1, kMostDegree));
+    degrees.push_back(std::min(editor.solid()->patches()[patch].degree[direction] + 1, kMaxDegree));
   editor.beginGroup(tr("Elevate degree"));
   auto degree = degrees.begin();
   for (int patch : patches) {

@@ -3,11 +3,11 @@
 #include <QActionGroup>
 #include <cmath>
 
-#include "app/gui/appearance.h"
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/scene_controller.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/base/appearance.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/view/scene_controller.h"
+#include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 namespace {

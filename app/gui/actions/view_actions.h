@@ -4,9 +4,9 @@
 #include <QObject>
 #include <vector>
 
-#include "app/gui/menus.h"
-#include "app/gui/saved_view.h"
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/menus.h"
+#include "app/gui/view/saved_view.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

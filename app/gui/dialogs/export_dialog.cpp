@@ -29,14 +29,14 @@ constexpr Format kFormats[] = {
 
 }  // namespace
 
-ExportDialog::ExportDialog(const modeling::Project& project, QWidget* parent, What what)
+ExportDialog::ExportDialog(const modeling::Project& project, QWidget* parent, Subject subject)
     : QDialog(parent), format_(new QComboBox(this)), surface_(new QComboBox(this)) {
   setObjectName("export");
-  setWindowTitle(what == What::kBody ? tr("Export") : tr("Export deformed solid"));
+  setWindowTitle(subject == Subject::kBody ? tr("Export") : tr("Export deformed solid"));
   const bool isSolid = std::holds_alternative<modeling::Solid>(project.body);
   format_->setObjectName("format");
   for (const Format& format : kFormats) {
-    if (std::string_view(format.ending) == ".json" && what == What::kBody) continue;
+    if (std::string_view(format.ending) == ".json" && subject == Subject::kBody) continue;
     format_->addItem(tr(format.name), QString(format.ending));
     auto* items = qobject_cast<QStandardItemModel*>(format_->model());
     items->item(format_->count() - 1)->setEnabled(isSolid || !format.isCad);

@@ -3,7 +3,7 @@
 #include <QComboBox>
 #include <QDialog>
 
-#include "app/gui/export_body.h"
+#include "app/gui/document/export_body.h"
 
 namespace palpa::gui {
 
@@ -14,8 +14,8 @@ class ExportDialog : public QDialog {
 
  public:
   /// The body of the open project, or one that is not: a project file can hold that, too.
-  enum class What { kBody, kDeformedSolid };
-  ExportDialog(const modeling::Project& project, QWidget* parent, What what = What::kBody);
+  enum class Subject { kBody, kDeformedSolid };
+  ExportDialog(const modeling::Project& project, QWidget* parent, Subject subject = Subject::kBody);
 
   /// ".step", …
   QString ending() const;

@@ -16,9 +16,9 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kMargin = 24;        // beside the text
-constexpr int kWidestImage = 900;  // logical pixels
-constexpr int kLineHeight = 125;   // per cent
+constexpr int kMargin = 24;          // beside the text
+constexpr int kMaxImageWidth = 900;  // logical pixels
+constexpr int kLineHeight = 125;     // per cent
 
 /// The name by which links refer to a heading, as on the web: lower case, words joined by "-".
 QString anchorOf(QString heading) {
@@ -94,7 +94,7 @@ QVariant GuideReader::loadResource(int type, const QUrl& name) {
   if (type != QTextDocument::ImageResource) return found;
   QImage picture = found.value<QImage>();
   if (picture.isNull()) picture = QImage::fromData(found.toByteArray());
-  const int most = std::min(kWidestImage, viewport()->width() - 2 * kMargin - 4);
+  const int most = std::min(kMaxImageWidth, viewport()->width() - 2 * kMargin - 4);
   if (picture.isNull() || picture.width() <= most) return found;
   const double ratio = devicePixelRatioF();
   picture = picture.scaledToWidth(static_cast<int>(most * ratio), Qt::SmoothTransformation);

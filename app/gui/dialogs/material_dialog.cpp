@@ -11,8 +11,8 @@
 namespace palpa::gui {
 namespace {
 
-constexpr double kLeastModulus = 1e-9;  // MPa: a pascal's thousandth, softer than any gel
-constexpr double kMostModulus = 1e9;    // MPa: beyond diamond
+constexpr double kMinModulus = 1e-9;  // MPa: a pascal's thousandth, softer than any gel
+constexpr double kMaxModulus = 1e9;   // MPa: beyond diamond
 
 const modeling::LibraryMaterial& entryOf(int index) {
   return modeling::materialLibrary()[static_cast<std::size_t>(index)];
@@ -46,7 +46,7 @@ MaterialDialog::MaterialDialog(const Settings& settings, const modeling::Materia
   name_->setObjectName("name");
   modulus_->field().setObjectName("modulus");
   ratio_->field().setObjectName("ratio");
-  modulus_->setRange(kLeastModulus, kMostModulus);
+  modulus_->setRange(kMinModulus, kMaxModulus);
   // -1 itself is excluded.
   ratio_->setRange(std::nextafter(-1.0, 0.0), 0.5);
 

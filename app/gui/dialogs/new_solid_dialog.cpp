@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/core/new_project.h"
-#include "app/gui/appearance.h"
+#include "app/core/session/new_project.h"
+#include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/primitive_kinds.h"
 #include "modeling/body/body.h"
 #include "modeling/error.h"
@@ -91,7 +91,7 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   degree_->setRange(1, 5);
   degree_->setValue(3);
   controlPoints_->setObjectName("control points");
-  controlPoints_->setRange(0, modeling::kMostControlPoints);
+  controlPoints_->setRange(0, modeling::kMaxControlPoints);
   controlPoints_->setSpecialValueText(tr("automatic"));
   controlPoints_->setToolTip(tr("Per direction and patch; more can be added later with knots"));
   preview_->setObjectName("preview");
@@ -153,7 +153,7 @@ void NewSolidDialog::showKind(int kind) {
   for (const PrimitiveLength& length : kindOf(kind).lengths) {
     auto* row = new NumberRow(Quantity::kLength, settings_, this);
     row->field().setObjectName(QString::fromStdString(length.inWords));
-    row->setRange(length.mayBeZero ? 0.0 : modeling::kSmallestLength, modeling::kLargestLength);
+    row->setRange(length.mayBeZero ? 0.0 : modeling::kMinLength, modeling::kMaxLength);
     row->setValue(length.in(primitive_));
     connect(row, &NumberRow::changed, this, &NewSolidDialog::update);
     form_->insertRow(form_->rowCount() - kRowsOfAllShapes, length.label, row);

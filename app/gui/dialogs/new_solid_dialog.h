@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/gui/dialogs/fit_measurement.h"
-#include "app/gui/settings.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/base/settings.h"
+#include "app/gui/view/viewport_widget.h"
 #include "app/gui/widgets/number_row.h"
 #include "modeling/shapes/primitive.h"
 

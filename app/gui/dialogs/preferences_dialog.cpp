@@ -4,7 +4,7 @@
 #include <QGroupBox>
 #include <QVBoxLayout>
 
-#include "app/core/model_cache.h"
+#include "app/core/model/model_cache.h"
 
 namespace palpa::gui {
 namespace {

@@ -9,7 +9,7 @@
 #include <QSpinBox>
 #include <array>
 
-#include "app/gui/settings.h"
+#include "app/gui/base/settings.h"
 
 namespace palpa::gui {
 

@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <chrono>
 
-#include "app/gui/background_job.h"
+#include "app/gui/base/background_job.h"
 
 namespace palpa::gui {
 namespace {

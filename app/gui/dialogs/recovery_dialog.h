@@ -5,7 +5,7 @@
 #include <QTreeWidget>
 #include <functional>
 
-#include "app/gui/editor.h"
+#include "app/gui/document/editor.h"
 #include "modeling/project/autosave.h"
 
 namespace palpa::gui {

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 #include <numbers>
 
-#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/condition_choice.h"
 
 namespace palpa::gui {
 

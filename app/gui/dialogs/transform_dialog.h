@@ -5,7 +5,7 @@
 #include <QFormLayout>
 #include <QLabel>
 
-#include "app/gui/editor.h"
+#include "app/gui/document/editor.h"
 #include "app/gui/widgets/vector_edit.h"
 
 namespace palpa::gui {

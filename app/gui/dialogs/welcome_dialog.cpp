@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/appearance.h"
-#include "app/gui/examples.h"
+#include "app/gui/base/appearance.h"
+#include "app/gui/document/examples.h"
 
 namespace palpa::gui {
 namespace {

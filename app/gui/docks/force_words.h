@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <QString>
 
-#include "app/core/touch_loop.h"
-#include "app/gui/units.h"
+#include "app/core/live/touch_loop.h"
+#include "app/gui/base/units.h"
 
 // The words of the Forces panel.
 namespace palpa::gui {

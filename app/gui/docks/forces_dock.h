@@ -6,7 +6,7 @@
 #include <QTreeWidget>
 #include <map>
 
-#include "app/gui/settings.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/simulate/force_history.h"
 #include "app/gui/simulate/simulation.h"
 #include "app/gui/widgets/plot_widget.h"

@@ -1,6 +1,6 @@
 #include "app/gui/docks/history_dock.h"
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 
 namespace palpa::gui {
 namespace {

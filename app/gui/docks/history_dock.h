@@ -4,7 +4,7 @@
 #include <QListWidget>
 #include <QTimer>
 
-#include "app/gui/editor.h"
+#include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 

@@ -3,14 +3,14 @@
 #include <QHeaderView>
 #include <QMenu>
 
-#include "app/gui/appearance.h"
-#include "app/gui/docks/body_places.h"
-#include "app/gui/docks/naming.h"
-#include "app/gui/main_window.h"
+#include "app/gui/base/appearance.h"
+#include "app/gui/document/body_places.h"
+#include "app/gui/document/naming.h"
+#include "app/gui/window/main_window.h"
 
 namespace palpa::gui {
 
-using Node = ModelTree::Node;
+using RowKind = ModelTree::RowKind;
 
 ModelDock::ModelDock(const Workspace& workspace)
     : QDockWidget(tr("Model"), &workspace.window),
@@ -53,7 +53,7 @@ ModelDock::ModelDock(const Workspace& workspace)
   view_->viewport()->installEventFilter(this);
   connect(view_, &QAbstractItemView::entered, this, [this](const QModelIndex& index) {
     workspace_.scene.setHoveredPatch(
-        ModelTree::nodeOf(index) == Node::kPatch ? std::optional(index.row()) : std::nullopt);
+        ModelTree::kindOfRow(index) == RowKind::kPatch ? std::optional(index.row()) : std::nullopt);
   });
   connect(view_, &QAbstractItemView::viewportEntered, this,
           [this] { workspace_.scene.setHoveredPatch(std::nullopt); });
@@ -78,8 +78,8 @@ bool ModelDock::eventFilter(QObject* watched, QEvent* event) {
 
 void ModelDock::openUsual() {
   // The lists of patches and edges are long and stay closed.
-  for (const Node node :
-       {Node::kProject, Node::kBody, Node::kSupports, Node::kLoads, Node::kTouches})
+  for (const RowKind node :
+       {RowKind::kProject, RowKind::kBody, RowKind::kSupports, RowKind::kLoads, RowKind::kTouches})
     view_->expand(tree_->indexOf(node));
 }
 
@@ -118,8 +118,8 @@ void ModelDock::showMenu(const QPoint& at) {
   const QModelIndex row = view_->indexAt(at).siblingAtColumn(0);
   if (!row.isValid()) return;
   Editor& editor = workspace_.editor;
-  const Node node = ModelTree::nodeOf(row);
-  const bool isNamed = node == Node::kSupport || node == Node::kLoad || node == Node::kTouch;
+  const RowKind node = ModelTree::kindOfRow(row);
+  const bool isNamed = node == RowKind::kSupport || node == RowKind::kLoad || node == RowKind::kTouch;
   auto* menu = new QMenu(this);
   menu->setObjectName("modelMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -142,7 +142,7 @@ void ModelDock::showMenu(const QPoint& at) {
       deleteSelected(editor);
     })->setShortcut(QKeySequence::Delete);
   }
-  if (node == Node::kPatch && editor.solid())
+  if (node == RowKind::kPatch && editor.solid())
     add(tr("Select &points"), "net", [&editor] {
       editor.select(
           Selection::ofPoints(pointsOfPatches(editor.project().body, editor.selection().patches)));

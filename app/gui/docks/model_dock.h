@@ -4,7 +4,7 @@
 #include <QTreeView>
 
 #include "app/gui/docks/model_tree.h"
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

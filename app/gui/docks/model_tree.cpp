@@ -7,81 +7,81 @@
 #include <QPalette>
 #include <algorithm>
 
-#include "app/gui/appearance.h"
-#include "app/gui/docks/naming.h"
-#include "app/gui/overloaded.h"
+#include "app/gui/base/appearance.h"
+#include "app/gui/document/naming.h"
+#include "app/gui/base/overloaded.h"
 
 namespace palpa::gui {
 namespace {
 
-using Node = ModelTree::Node;
+using RowKind = ModelTree::RowKind;
 using Kind = Selection::Kind;
 
 /// The row above; the project for the project itself, which has none.
-Node parentOf(Node node) {
+RowKind parentOf(RowKind node) {
   switch (node) {
-    case Node::kPatches:
-    case Node::kEdges:
-      return Node::kBody;
-    case Node::kPatch:
-      return Node::kPatches;
-    case Node::kEdge:
-      return Node::kEdges;
-    case Node::kSupport:
-      return Node::kSupports;
-    case Node::kLoad:
-      return Node::kLoads;
-    case Node::kTouch:
-      return Node::kTouches;
+    case RowKind::kPatches:
+    case RowKind::kEdges:
+      return RowKind::kBody;
+    case RowKind::kPatch:
+      return RowKind::kPatches;
+    case RowKind::kEdge:
+      return RowKind::kEdges;
+    case RowKind::kSupport:
+      return RowKind::kSupports;
+    case RowKind::kLoad:
+      return RowKind::kLoads;
+    case RowKind::kTouch:
+      return RowKind::kTouches;
     default:
-      return Node::kProject;
+      return RowKind::kProject;
   }
 }
 
 /// What the rows below are, for nodes that hold a list; the node itself for all others.
-Node childOf(Node node) {
+RowKind childOf(RowKind node) {
   switch (node) {
-    case Node::kPatches:
-      return Node::kPatch;
-    case Node::kEdges:
-      return Node::kEdge;
-    case Node::kSupports:
-      return Node::kSupport;
-    case Node::kLoads:
-      return Node::kLoad;
-    case Node::kTouches:
-      return Node::kTouch;
+    case RowKind::kPatches:
+      return RowKind::kPatch;
+    case RowKind::kEdges:
+      return RowKind::kEdge;
+    case RowKind::kSupports:
+      return RowKind::kSupport;
+    case RowKind::kLoads:
+      return RowKind::kLoad;
+    case RowKind::kTouches:
+      return RowKind::kTouch;
     default:
       return node;
   }
 }
 
 /// The place in ModelTree::lists_ of what a node holds.
-std::optional<std::size_t> listOf(Node parent) {
+std::optional<std::size_t> listOf(RowKind parent) {
   switch (parent) {
-    case Node::kPatches:
+    case RowKind::kPatches:
       return 0;
-    case Node::kEdges:
+    case RowKind::kEdges:
       return 1;
-    case Node::kSupports:
+    case RowKind::kSupports:
       return 2;
-    case Node::kLoads:
+    case RowKind::kLoads:
       return 3;
-    case Node::kTouches:
+    case RowKind::kTouches:
       return 4;
     default:
       return std::nullopt;
   }
 }
 
-bool isListed(Node node) {
-  return node >= Node::kPatch;
+bool isListed(RowKind node) {
+  return node >= RowKind::kPatch;
 }
 
-std::optional<Kind> kindOf(Node node) {
-  if (node == Node::kSupport) return Kind::kSupport;
-  if (node == Node::kLoad) return Kind::kLoad;
-  if (node == Node::kTouch) return Kind::kTouch;
+std::optional<Kind> kindOf(RowKind node) {
+  if (node == RowKind::kSupport) return Kind::kSupport;
+  if (node == RowKind::kLoad) return Kind::kLoad;
+  if (node == RowKind::kTouch) return Kind::kTouch;
   return std::nullopt;
 }
 
@@ -107,7 +107,7 @@ ModelTree::ModelTree(Editor& editor, QObject* parent)
   });
   connect(&editor, &Editor::projectChanged, this, &ModelTree::showChange);
   connect(&editor.settings(), &Settings::changed, this, [this] {
-    const QModelIndex mesh = indexOf(Node::kMesh);
+    const QModelIndex mesh = indexOf(RowKind::kMesh);
     Q_EMIT dataChanged(mesh, mesh.siblingAtColumn(1));
   });
   showAll();
@@ -125,22 +125,22 @@ void ModelTree::showChange(const modeling::Change& change) {
     endResetModel();
     return;
   }
-  if (change.topology || change.patchNames) replace(Node::kPatches, patchLines());
-  if (change.topology || change.patchNames || change.edges) replace(Node::kEdges, edgeLines());
-  if (change.supports) replace(Node::kSupports, supportLines());
-  if (change.loads) replace(Node::kLoads, loadLines());
-  if (change.touches) replace(Node::kTouches, touchLines());
-  const auto touch = [this](Node node) {
+  if (change.topology || change.patchNames) replace(RowKind::kPatches, patchLines());
+  if (change.topology || change.patchNames || change.edges) replace(RowKind::kEdges, edgeLines());
+  if (change.supports) replace(RowKind::kSupports, supportLines());
+  if (change.loads) replace(RowKind::kLoads, loadLines());
+  if (change.touches) replace(RowKind::kTouches, touchLines());
+  const auto touch = [this](RowKind node) {
     const QModelIndex row = indexOf(node);
     Q_EMIT dataChanged(row, row.siblingAtColumn(1));
   };
-  if (change.name) touch(Node::kProject);
-  if (change.primitive || change.topology) touch(Node::kBody);
-  if (change.material) touch(Node::kMaterial);
-  if (change.mesh) touch(Node::kMesh);
+  if (change.name) touch(RowKind::kProject);
+  if (change.primitive || change.topology) touch(RowKind::kBody);
+  if (change.material) touch(RowKind::kMaterial);
+  if (change.mesh) touch(RowKind::kMesh);
 }
 
-void ModelTree::replace(Node parent, Lines lines) {
+void ModelTree::replace(RowKind parent, Lines lines) {
   Lines& old = lists_[*listOf(parent)];
   const QModelIndex row = indexOf(parent);
   const auto first = static_cast<int>(
@@ -169,25 +169,25 @@ void ModelTree::replace(Node parent, Lines lines) {
   Q_EMIT dataChanged(row, row.siblingAtColumn(1));
 }
 
-const ModelTree::Lines* ModelTree::linesOf(Node parent) const {
+const ModelTree::Lines* ModelTree::linesOf(RowKind parent) const {
   const auto list = listOf(parent);
   return list ? &lists_[*list] : nullptr;
 }
 
-const std::vector<Node>& ModelTree::fixedChildren(Node parent) const {
-  static const std::vector<Node> ofProject{Node::kBody,    Node::kSupports, Node::kLoads,
-                                           Node::kTouches, Node::kMaterial, Node::kMesh};
-  static const std::vector<Node> ofSolid{Node::kPatches, Node::kEdges};
-  static const std::vector<Node> ofMesh{Node::kPatches};
-  static const std::vector<Node> none;
-  if (parent == Node::kProject) return ofProject;
-  if (parent == Node::kBody) return hasEdges_ ? ofSolid : ofMesh;
+const std::vector<RowKind>& ModelTree::fixedChildren(RowKind parent) const {
+  static const std::vector<RowKind> ofProject{RowKind::kBody,    RowKind::kSupports, RowKind::kLoads,
+                                           RowKind::kTouches, RowKind::kMaterial, RowKind::kMesh};
+  static const std::vector<RowKind> ofSolid{RowKind::kPatches, RowKind::kEdges};
+  static const std::vector<RowKind> ofMesh{RowKind::kPatches};
+  static const std::vector<RowKind> none;
+  if (parent == RowKind::kProject) return ofProject;
+  if (parent == RowKind::kBody) return hasEdges_ ? ofSolid : ofMesh;
   return none;
 }
 
-QModelIndex ModelTree::indexOf(Node node) const {
-  const Node group = isListed(node) ? parentOf(node) : node;
-  if (group == Node::kProject) return createIndex(0, 0, static_cast<quintptr>(group));
+QModelIndex ModelTree::indexOf(RowKind node) const {
+  const RowKind group = isListed(node) ? parentOf(node) : node;
+  if (group == RowKind::kProject) return createIndex(0, 0, static_cast<quintptr>(group));
   const auto& siblings = fixedChildren(parentOf(group));
   const auto found = std::find(siblings.begin(), siblings.end(), group);
   if (found == siblings.end()) return {};
@@ -196,49 +196,49 @@ QModelIndex ModelTree::indexOf(Node node) const {
 
 QModelIndex ModelTree::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
-  if (!parent.isValid()) return createIndex(row, column, static_cast<quintptr>(Node::kProject));
-  const Node above = nodeOf(parent);
-  const Node node = linesOf(above) ? childOf(above) : fixedChildren(above)[row];
+  if (!parent.isValid()) return createIndex(row, column, static_cast<quintptr>(RowKind::kProject));
+  const RowKind above = kindOfRow(parent);
+  const RowKind node = linesOf(above) ? childOf(above) : fixedChildren(above)[row];
   return createIndex(row, column, static_cast<quintptr>(node));
 }
 
 QModelIndex ModelTree::parent(const QModelIndex& index) const {
-  if (!index.isValid() || nodeOf(index) == Node::kProject) return {};
-  return indexOf(parentOf(nodeOf(index)));
+  if (!index.isValid() || kindOfRow(index) == RowKind::kProject) return {};
+  return indexOf(parentOf(kindOfRow(index)));
 }
 
 int ModelTree::rowCount(const QModelIndex& parent) const {
   if (!parent.isValid()) return 1;
   if (parent.column() > 0) return 0;
-  const Node node = nodeOf(parent);
+  const RowKind node = kindOfRow(parent);
   if (const Lines* lines = linesOf(node)) return static_cast<int>(lines->size());
   return static_cast<int>(fixedChildren(node).size());
 }
 
-ModelTree::Line ModelTree::lineOf(Node node) const {
+ModelTree::Line ModelTree::lineOf(RowKind node) const {
   const modeling::Project& project = editor_.project();
   switch (node) {
-    case Node::kProject:
+    case RowKind::kProject:
       return {QString::fromStdString(project.name), {}, "model", tr("The project")};
-    case Node::kBody:
+    case RowKind::kBody:
       return {bodyTitle(project), {}, "solid", tr("The body that is modelled and touched")};
-    case Node::kPatches:
+    case RowKind::kPatches:
       return {hasEdges_ ? tr("Patches") : tr("Faces"), {}, "patch", {}};
-    case Node::kEdges:
+    case RowKind::kEdges:
       return {tr("Edges"), {}, "edge", {}};
-    case Node::kSupports:
+    case RowKind::kSupports:
       return {tr("Supports"), {}, "paint-support", tr("Where the body is held")};
-    case Node::kLoads:
+    case RowKind::kLoads:
       return {tr("Loads"), {}, "place-load", tr("What presses or pulls on the body")};
-    case Node::kTouches:
+    case RowKind::kTouches:
       return {tr("Touches"),
               {},
               "place-touch",
               tr("Where the project is touched; Simulate plays them")};
-    case Node::kMaterial:
+    case RowKind::kMaterial:
       return {tr("Material"), QString::fromStdString(project.material.name), "material",
               QString::fromStdString(project.material.name)};
-    case Node::kMesh:
+    case RowKind::kMesh:
       return {tr("Mesh"),
               shown(project.mesh.edgeLength, Quantity::kLength, editor_.settings().units(), 4),
               "wire", tr("Length of the mesh's edges")};
@@ -283,7 +283,7 @@ ModelTree::Lines ModelTree::edgeLines() const {
 ModelTree::Lines ModelTree::supportLines() const {
   Lines lines;
   for (const modeling::Support& each : editor_.project().supports) {
-    const bool isFixed = each.kind == modeling::Support::Kind::fixed;
+    const bool isFixed = each.kind == modeling::Support::Kind::kFixed;
     lines.push_back({QString::fromStdString(each.name), isFixed ? tr("fixed") : tr("roller"),
                      "paint-support",
                      isFixed ? tr("Held in all directions") : tr("Slides along the surface")});
@@ -322,7 +322,7 @@ ModelTree::Lines ModelTree::touchLines() const {
 
 QVariant ModelTree::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Node node = nodeOf(index);
+  const RowKind node = kindOfRow(index);
   const Lines* siblings = isListed(node) ? linesOf(parentOf(node)) : nullptr;
   if (siblings && index.row() >= static_cast<int>(siblings->size())) return {};
   const Line line = siblings ? (*siblings)[index.row()] : lineOf(node);
@@ -349,18 +349,18 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
 
 Qt::ItemFlags ModelTree::flags(const QModelIndex& index) const {
   Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-  const Node node = nodeOf(index);
-  const bool hasName = node == Node::kProject || (isListed(node) && node != Node::kEdge);
+  const RowKind node = kindOfRow(index);
+  const bool hasName = node == RowKind::kProject || (isListed(node) && node != RowKind::kEdge);
   if (index.column() == 0 && hasName) flags |= Qt::ItemIsEditable;
   return flags;
 }
 
 bool ModelTree::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0) return false;
-  const Node node = nodeOf(index);
+  const RowKind node = kindOfRow(index);
   const QString name = value.toString();
-  if (node == Node::kProject) return renameProject(editor_, name);
-  if (node == Node::kPatch) return renamePatch(editor_, index.row(), name);
+  if (node == RowKind::kProject) return renameProject(editor_, name);
+  if (node == RowKind::kPatch) return renamePatch(editor_, index.row(), name);
   return renameNamed(editor_, *selectionOf({index}, index).named, name);
 }
 
@@ -368,31 +368,31 @@ Selection ModelTree::selectionOf(const QModelIndexList& rows, const QModelIndex&
   Selection selection;
   QModelIndexList listed;
   for (const QModelIndex& row : rows)
-    if (row.column() == 0 && isListed(nodeOf(row))) listed.push_back(row);
+    if (row.column() == 0 && isListed(kindOfRow(row))) listed.push_back(row);
   if (listed.empty()) return selection;
   const bool currentCounts = listed.contains(current.siblingAtColumn(0));
   const QModelIndex leading = currentCounts ? current : listed.back();
-  const Node node = nodeOf(leading);
+  const RowKind node = kindOfRow(leading);
   if (const auto kind = kindOf(node))
     return Selection::of(*kind, data(leading.siblingAtColumn(0)).toString().toStdString());
   for (const QModelIndex& row : listed)
-    if (nodeOf(row) == node)
-      (node == Node::kPatch ? selection.patches : selection.edges).insert(row.row());
+    if (kindOfRow(row) == node)
+      (node == RowKind::kPatch ? selection.patches : selection.edges).insert(row.row());
   return selection;
 }
 
 QItemSelection ModelTree::rowsOf(const Selection& selection) const {
   QItemSelection rows;
-  const auto add = [&](Node parent, int row) {
+  const auto add = [&](RowKind parent, int row) {
     const QModelIndex above = indexOf(parent);
     if (row < rowCount(above)) rows.select(index(row, 0, above), index(row, 1, above));
   };
-  for (int patch : selection.patches) add(Node::kPatches, patch);
-  for (int edge : selection.edges) add(Node::kEdges, edge);
+  for (int patch : selection.patches) add(RowKind::kPatches, patch);
+  for (int edge : selection.edges) add(RowKind::kEdges, edge);
   if (selection.named) {
-    const Node parent = selection.named->kind == Kind::kSupport ? Node::kSupports
-                        : selection.named->kind == Kind::kLoad  ? Node::kLoads
-                                                                : Node::kTouches;
+    const RowKind parent = selection.named->kind == Kind::kSupport ? RowKind::kSupports
+                        : selection.named->kind == Kind::kLoad  ? RowKind::kLoads
+                                                                : RowKind::kTouches;
     const QString name = QString::fromStdString(selection.named->name);
     const Lines& lines = *linesOf(parent);
     for (int row = 0; row < static_cast<int>(lines.size()); ++row)

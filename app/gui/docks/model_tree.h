@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/editor.h"
+#include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 
@@ -17,7 +17,7 @@ class ModelTree : public QAbstractItemModel {
   Q_OBJECT
 
  public:
-  enum class Node : quintptr {
+  enum class RowKind : quintptr {
     kProject,
     kBody,
     kPatches,
@@ -36,9 +36,9 @@ class ModelTree : public QAbstractItemModel {
 
   ModelTree(Editor& editor, QObject* parent);
 
-  static Node nodeOf(const QModelIndex& index) { return static_cast<Node>(index.internalId()); }
+  static RowKind kindOfRow(const QModelIndex& index) { return static_cast<RowKind>(index.internalId()); }
   /// The row with everything of one kind: the node itself, or the parent of listed ones.
-  QModelIndex indexOf(Node node) const;
+  QModelIndex indexOf(RowKind node) const;
 
   /// What the chosen rows mean to the editor. Where they are of several kinds, the kind of
   /// `current` counts.
@@ -63,15 +63,15 @@ class ModelTree : public QAbstractItemModel {
 
   void showAll();
   void showChange(const modeling::Change& change);
-  Line lineOf(Node node) const;  // of the rows that are always there
+  Line lineOf(RowKind node) const;  // of the rows that are always there
   Lines patchLines() const;
   Lines edgeLines() const;
   Lines supportLines() const;
   Lines loadLines() const;
   Lines touchLines() const;
-  const Lines* linesOf(Node parent) const;
-  void replace(Node parent, Lines lines);
-  const std::vector<Node>& fixedChildren(Node parent) const;
+  const Lines* linesOf(RowKind parent) const;
+  void replace(RowKind parent, Lines lines);
+  const std::vector<RowKind>& fixedChildren(RowKind parent) const;
 
   Editor& editor_;
   bool hasEdges_ = true;

@@ -5,10 +5,10 @@
 #include <QFormLayout>
 #include <QFrame>
 
-#include "app/gui/docks/properties/pages.h"
-#include "app/gui/editor.h"
-#include "app/gui/main_window.h"
-#include "app/gui/tools/tool_box.h"
+#include "app/gui/properties/pages.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 namespace {

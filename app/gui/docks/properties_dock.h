@@ -5,10 +5,10 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/gui/docks/properties/property_page.h"
-#include "app/gui/editor.h"
-#include "app/gui/tools/tool.h"
-#include "app/gui/workspace.h"
+#include "app/gui/properties/property_page.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/view/tool.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/memory.h"
-#include "app/gui/appearance.h"
+#include "app/core/system/memory.h"
+#include "app/gui/base/appearance.h"
 
 namespace palpa::gui {
 namespace {

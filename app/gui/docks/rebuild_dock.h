@@ -7,7 +7,7 @@
 #include <QPushButton>
 #include <vector>
 
-#include "app/gui/editor.h"
+#include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 

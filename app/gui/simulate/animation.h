@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "app/gui/simulate/simulation.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 

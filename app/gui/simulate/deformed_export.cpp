@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
-#include "app/core/deformed_solid.h"
-#include "app/gui/background_job.h"
+#include "app/core/results/deformed_solid.h"
+#include "app/gui/base/background_job.h"
 #include "app/gui/dialogs/export_dialog.h"
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 
 namespace palpa::gui {
 namespace {
@@ -28,16 +28,14 @@ void exportDeformed(const Workspace& workspace, Simulation& simulation) {
     // Before a file is asked for: this fails for models of triangles.
     const modeling::Project deformed =
         app::deformedProject(workspace.editor.project(), *model, state->field, simulation.scale());
-    ExportDialog dialog(deformed, &workspace.window, ExportDialog::What::kDeformedSolid);
+    ExportDialog dialog(deformed, &workspace.window, ExportDialog::Subject::kDeformedSolid);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString file = workspace.window.files().askFileToWrite(dialog.windowTitle(),
                                                                  dialog.filter(), dialog.ending());
     if (file.isEmpty()) return;
-    const bool isDone =
-        runWorkInBackground(workspace.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
-                            [&](const modeling::Job& job) {
-                              exportBody(deformed, file.toStdString(), dialog.surface(), job);
-                            });
+    const bool isDone = runWorkInBackground(
+        workspace.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
+        [&](const Job& job) { exportBody(deformed, file.toStdString(), dialog.surface(), job); });
     if (isDone) Q_EMIT workspace.editor.said(tr("The deformed solid was exported to %1").arg(file));
   } catch (const std::exception& error) {
     Q_EMIT workspace.editor.refused(QString::fromStdString(error.what()));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/gui/simulate/simulation.h"
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

@@ -3,7 +3,7 @@
 #include <deque>
 #include <vector>
 
-#include "app/core/touch_snapshot.h"
+#include "app/core/live/touch_snapshot.h"
 
 namespace palpa::gui {
 

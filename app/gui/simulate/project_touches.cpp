@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/touch.h"
+#include "app/core/results/touch.h"
 
 namespace palpa::gui {
 namespace {

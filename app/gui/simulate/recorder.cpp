@@ -4,9 +4,9 @@
 #include <fstream>
 #include <map>
 
-#include "app/core/touch_replay.h"
-#include "app/core/touch_table.h"
-#include "bem/error.h"
+#include "app/core/live/touch_replay.h"
+#include "app/core/live/touch_table.h"
+#include "bem/base/error.h"
 
 namespace palpa::gui {
 
@@ -99,14 +99,14 @@ void Recorder::stopReplay() {
 }
 
 void Recorder::play(const std::shared_ptr<const app::TouchModel>& model,
-                    const app::TouchRecording& recording, const bem::Job& job,
+                    const app::TouchRecording& recording, const Job& job,
                     const std::function<void(const app::TouchSnapshot&)>& seen) {
-  app::replay(std::make_shared<const app::TouchBody>(model), recording, job, seen);
+  app::replay(std::make_shared<const app::TouchableModel>(model), recording, job, seen);
 }
 
 void Recorder::writeTable(const std::shared_ptr<const app::TouchModel>& model,
                           const app::TouchRecording& recording, const std::filesystem::path& file,
-                          const bem::Job& job) {
+                          const Job& job) {
   std::ofstream out(file);
   app::TouchTable table(out);
   std::uint64_t step = 0;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <thread>
 
-#include "app/core/touch_recording_file.h"
+#include "app/core/live/touch_recording_file.h"
 #include "app/gui/simulate/simulation.h"
 
 namespace palpa::gui {
@@ -37,12 +37,12 @@ class Recorder : public QObject {
   /// What a replay on the present body gives; each snapshot as soon as it is there, on the caller's
   /// thread. Throws SolverError, Cancelled.
   static void play(const std::shared_ptr<const app::TouchModel>& model,
-                   const app::TouchRecording& recording, const bem::Job& job,
+                   const app::TouchRecording& recording, const Job& job,
                    const std::function<void(const app::TouchSnapshot&)>& seen);
   /// Writes app::TouchTable. Throws std::runtime_error naming the file.
   static void writeTable(const std::shared_ptr<const app::TouchModel>& model,
                          const app::TouchRecording& recording, const std::filesystem::path& file,
-                         const bem::Job& job);
+                         const Job& job);
 
  Q_SIGNALS:
   /// isRecording(), isReplaying() or recording() changed.

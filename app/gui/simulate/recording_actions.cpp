@@ -5,11 +5,11 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 
-#include "app/gui/background_job.h"
+#include "app/gui/base/background_job.h"
 #include "app/gui/dialogs/picture_dialog.h"
-#include "app/gui/dialogs/progress_dialog.h"
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/base/progress_dialog.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 #include "app/gui/simulate/animation.h"
 #include "modeling/error.h"
 
@@ -148,14 +148,13 @@ void RecordingActions::exportTable() {
   const auto model = simulation_.body()->sharedModel();
   const app::TouchRecording recording = *recorder_.recording();
   try {
-    const bool isDone =
-        runWorkInBackground(workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
-                            [&](const modeling::Job& job) {
-                              bem::Job inner;
-                              inner.stop = job.stop;
-                              inner.progress = job.progress;
-                              Recorder::writeTable(model, recording, file.toStdString(), inner);
-                            });
+    const bool isDone = runWorkInBackground(
+        workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()), [&](const Job& job) {
+          Job inner;
+          inner.stop = job.stop;
+          inner.progress = job.progress;
+          Recorder::writeTable(model, recording, file.toStdString(), inner);
+        });
     if (isDone) Q_EMIT workspace_.editor.said(tr("Forces exported to %1").arg(file));
   } catch (const std::exception& error) {
     Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
@@ -173,8 +172,8 @@ bool RecordingActions::drawInto(const std::filesystem::path& folder, const QSize
   std::vector<app::TouchSnapshot> snapshots;
   std::uint64_t step = 0;
   const bool isPlayed =
-      runWorkInBackground(workspace_.window, tr("Replaying"), [&](const modeling::Job& job) {
-        bem::Job inner;
+      runWorkInBackground(workspace_.window, tr("Replaying"), [&](const Job& job) {
+        Job inner;
         inner.stop = job.stop;
         inner.progress = job.progress;
         Recorder::play(model, recording, inner, [&](const app::TouchSnapshot& snapshot) {
@@ -209,11 +208,10 @@ void RecordingActions::exportAnimation() {
     const std::filesystem::path folder =
         isVideo ? pictures.path().toStdString() : target.toStdString();
     if (!drawInto(folder, dialog.pictureSize())) return;
-    if (isVideo && !runWorkInBackground(workspace_.window, tr("Making the video"),
-                                        [&](const modeling::Job& job) {
-                                          makeVideo(folder, target.toStdString(),
-                                                    [&] { return job.stop.stop_requested(); });
-                                        }))
+    if (isVideo &&
+        !runWorkInBackground(workspace_.window, tr("Making the video"), [&](const Job& job) {
+          makeVideo(folder, target.toStdString(), [&] { return job.stop.stop_requested(); });
+        }))
       return;
     Q_EMIT workspace_.editor.said(
         isVideo

@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "app/gui/simulate/recorder.h"
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

@@ -3,10 +3,10 @@
 #include <QActionGroup>
 #include <QToolButton>
 
-#include "app/gui/main_window.h"
-#include "app/gui/menus.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/workspace/menus.h"
 #include "app/gui/simulate/deformed_export.h"
-#include "app/gui/tools/tool_box.h"
+#include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 
@@ -33,8 +33,8 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
           "modelling")},
       this, [this] { exportDeformed(workspace_, simulation_); }));
   connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
-  connect(&hand_, &HandOptions::changed, this, [this] {
-    if (simulation_.drawn()) simulation_.setFingertip(hand_.radius(*simulation_.drawn()));
+  connect(&options_, &SimulateOptions::changed, this, [this] {
+    if (simulation_.drawn()) simulation_.setFingertip(options_.radius(*simulation_.drawn()));
   });
   for (auto signal : {&Simulation::bodyChanged, &Simulation::leaving})
     connect(&simulation, signal, this, &SimulateActions::updatePlay);
@@ -74,7 +74,7 @@ void SimulateActions::addModes() {
 void SimulateActions::addTools() {
   const auto add = [this](Kind kind, const Menus::Item& item) {
     workspace_.tools.add(
-        std::make_unique<HandTool>(kind, workspace_.settings, simulation_, hand_, workspace_.view),
+        std::make_unique<SimulateTool>(kind, workspace_.settings, simulation_, options_, workspace_.view),
         workspace_.menus.simulate, item, Mode::kSimulate);
   };
   add(Kind::kGrab, {"hand-grab", tr("&Grab"), QKeySequence(Qt::Key_H),

@@ -2,11 +2,11 @@
 
 #include <QObject>
 
-#include "app/gui/simulate/hand_tool.h"
+#include "app/gui/simulate/simulate_tool.h"
 #include "app/gui/simulate/project_touches.h"
 #include "app/gui/simulate/recording_actions.h"
 #include "app/gui/simulate/simulation_view.h"
-#include "app/gui/workspace.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
@@ -27,7 +27,7 @@ class SimulateActions : public QObject {
   Workspace workspace_;
   Simulation& simulation_;
   SimulationView& pictures_;
-  HandOptions hand_;
+  SimulateOptions options_;
   ProjectTouches touches_;
   QAction* play_ = nullptr;
   QAction* model_ = nullptr;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/priority.h"
-#include "app/core/release.h"
-#include "app/core/touch.h"
-#include "bem/error.h"
+#include "app/core/results/touch.h"
+#include "app/core/system/destroy_in_background.h"
+#include "app/core/system/priority.h"
+#include "bem/base/error.h"
 
 namespace palpa::gui {
 namespace {
@@ -18,15 +18,15 @@ constexpr int kFrame = 16;          // ms between two frames at most
 constexpr double kHeadroom = 0.25;  // a range this much too large is made smaller
 /// As many triangles are drawn in time without a graphics card; more only where the mesh has them.
 constexpr double kTriangles = 8000;
-constexpr int kMostPieces = 8;  // of an edge of the mesh
+constexpr int kMaxPieces = 8;  // of an edge of the mesh
 
 /// The smallest range of colours: of the body's size, of Young's modulus.
-constexpr double kLeastShare = 0.005;
+constexpr double kMinShare = 0.005;
 
 modeling::DisplaySettings displaySettings(const app::TouchModel& model) {
   modeling::DisplaySettings settings;
   const double perTriangle = kTriangles / std::max(model.report().triangles, 1);
-  settings.mostPieces = std::clamp(static_cast<int>(std::sqrt(perTriangle)), 1, kMostPieces);
+  settings.mostPieces = std::clamp(static_cast<int>(std::sqrt(perTriangle)), 1, kMaxPieces);
   settings.leastPieces = std::min(settings.leastPieces, settings.mostPieces);
   return settings;
 }
@@ -164,7 +164,7 @@ bool Simulation::isBehind() const {
   return status.modelRevision != status.revision || snapshot_.model != loop_->status().newest;
 }
 
-std::shared_ptr<const app::TouchBody> Simulation::body() const {
+std::shared_ptr<const app::TouchableModel> Simulation::body() const {
   return field_ ? field_->body() : nullptr;
 }
 
@@ -217,7 +217,7 @@ void Simulation::makeDrawn(std::uint64_t number) {
   wantedNumber_ = number;
   maker_ = std::jthread([this, number, body](const std::stop_token& stop) {
     app::lowerThreadPriority();
-    bem::Job job;
+    Job job;
     job.stop = stop;
     try {
       auto drawn = std::make_shared<const app::DrawnBody>(body->sharedModel(),
@@ -227,7 +227,7 @@ void Simulation::makeDrawn(std::uint64_t number) {
       QMetaObject::invokeMethod(
           this, [this, number, drawn, field] { adopt(number, drawn, std::move(*field)); },
           Qt::QueuedConnection);
-    } catch (const bem::Cancelled&) {
+    } catch (const Cancelled&) {
       // The mode was left, or a newer body came.
     }
   });
@@ -241,8 +241,8 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
     wantedNumber_ = 0;  // made again, or already the next one
     return;
   }
-  if (field_) app::releaseElsewhere(std::shared_ptr<app::TouchField>(std::move(field_)));
-  if (drawn_) app::releaseElsewhere(std::move(drawn_));
+  if (field_) app::destroyInBackground(std::shared_ptr<app::TouchField>(std::move(field_)));
+  if (drawn_) app::destroyInBackground(std::move(drawn_));
   field_ = std::move(field);
   drawn_ = std::move(drawn);
   drawnNumber_ = number;
@@ -273,10 +273,10 @@ void Simulation::evaluate() {
 
 double Simulation::leastRange() const {
   if (quantity_ != app::SurfaceQuantity::kDisplacement)
-    return kLeastShare * drawn_->model().setup().material.youngsModulus;
+    return kMinShare * drawn_->model().setup().material.youngsModulus;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& node : drawn_->model().setup().mesh().nodes) box.extend(node);
-  return kLeastShare * box.diagonal().norm();
+  return kMinShare * box.diagonal().norm();
 }
 
 void Simulation::updateRange() {

@@ -8,12 +8,12 @@
 #include <set>
 #include <thread>
 
-#include "app/core/drawn_body.h"
-#include "app/core/stiffness_colours.h"
-#include "app/core/stiffness_worker.h"
-#include "app/core/touch_field.h"
-#include "app/core/touch_loop.h"
-#include "app/gui/editor.h"
+#include "app/core/live/stiffness_worker.h"
+#include "app/core/live/touch_field.h"
+#include "app/core/live/touch_loop.h"
+#include "app/core/results/drawn_body.h"
+#include "app/core/results/stiffness_colours.h"
+#include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 
@@ -72,7 +72,7 @@ class Simulation : public QObject {
   app::TouchWorker::Status columns() const { return loop_->status(); }
   app::TouchLoop& loop() { return *loop_; }
   /// The body whose pictures are drawn; null before the first.
-  std::shared_ptr<const app::TouchBody> body() const;
+  std::shared_ptr<const app::TouchableModel> body() const;
 
   /// Keeps body() and the picture as they are, whatever the loop says, until showLive().
   void freeze() { isLive_ = false; }

@@ -3,10 +3,10 @@
 #include <QObject>
 #include <map>
 
-#include "app/gui/scene_controller.h"
-#include "app/gui/settings.h"
+#include "app/gui/view/scene_controller.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/simulate/simulation.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 

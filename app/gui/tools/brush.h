@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "app/gui/surface_place.h"
+#include "app/gui/view/surface_place.h"
 #include "modeling/body/region.h"
 
 // What a round brush does on the surface.

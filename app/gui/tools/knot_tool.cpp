@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/condition_choice.h"
 #include "modeling/solid/isoparametric_line.h"
 
 namespace palpa::gui {

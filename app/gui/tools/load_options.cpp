@@ -3,7 +3,7 @@
 namespace palpa::gui {
 namespace {
 
-using What = LoadTool::What;
+using LoadKind = LoadTool::LoadKind;
 
 /// Shows or hides a field together with its label.
 void setRowVisible(QFormLayout* form, QWidget* field, bool isVisible) {
@@ -19,16 +19,16 @@ LoadOptions::LoadOptions(LoadTool& tool, Editor& editor, const Settings& setting
       editor_(editor),
       settings_(settings),
       form_(new QFormLayout(this)),
-      what_(new QComboBox(this)),
+      kind_(new QComboBox(this)),
       load_(new ConditionChoice(editor, Selection::Kind::kLoad, tr("New load"), this)),
       strength_(new QuantityEdit(Quantity::kStress, settings, this)),
       traction_(new VectorEdit(Quantity::kStress, settings, this)),
       radius_(new QuantityEdit(Quantity::kLength, settings, this)),
       share_(new QLabel(this)) {
   form_->setContentsMargins(0, 0, 0, 0);
-  what_->addItems({tr("Pressure"), tr("Uniform traction"), tr("Bump")});
+  kind_->addItems({tr("Pressure"), tr("Uniform traction"), tr("Bump")});
   share_->setWordWrap(true);
-  addRow(form_, tr("&Kind"), what_, "loadKind",
+  addRow(form_, tr("&Kind"), kind_, "loadKind",
          tr("Pressure acts along the normal, a traction in one direction, a bump around a point"));
   addRow(form_, tr("&Load"), load_, "placedLoad", tr("Which load gets the patches"));
   addRow(form_, tr("&Strength"), strength_, "loadStrength",
@@ -37,8 +37,8 @@ LoadOptions::LoadOptions(LoadTool& tool, Editor& editor, const Settings& setting
   addRow(form_, tr("&Radius"), radius_, "bumpRadius",
          tr("Distance from its middle at which the bump ends"));
   form_->addRow(share_);
-  connect(what_, &QComboBox::activated, this,
-          [this](int index) { tool_.setWhat(static_cast<What>(index)); });
+  connect(kind_, &QComboBox::activated, this,
+          [this](int index) { tool_.setKind(static_cast<LoadKind>(index)); });
   connect(strength_, &QuantityEdit::edited, this, [this](double v) { tool_.setStrength(v); });
   connect(traction_, &VectorEdit::edited, this,
           [this](const Eigen::Vector3d& v) { tool_.setTraction(v); });
@@ -52,17 +52,17 @@ LoadOptions::LoadOptions(LoadTool& tool, Editor& editor, const Settings& setting
 }
 
 void LoadOptions::refresh() {
-  const What what = tool_.what();
-  what_->setCurrentIndex(static_cast<int>(what));
+  const LoadKind kind = tool_.kind();
+  kind_->setCurrentIndex(static_cast<int>(what));
   load_->refresh(static_cast<std::size_t>(what));
   strength_->setValue(tool_.strength());
   traction_->setValue(tool_.traction());
   radius_->setValue(tool_.radius());
-  setRowVisible(form_, strength_, what != What::kTraction);
-  setRowVisible(form_, traction_, what == What::kTraction);
-  setRowVisible(form_, radius_, what == What::kBump);
+  setRowVisible(form_, strength_, what != LoadKind::kTraction);
+  setRowVisible(form_, traction_, what == LoadKind::kTraction);
+  setRowVisible(form_, radius_, what == LoadKind::kBump);
   const double modulus = editor_.project().material.youngsModulus;
-  const double most = what == What::kTraction ? tool_.traction().norm() : tool_.strength();
+  const double most = what == LoadKind::kTraction ? tool_.traction().norm() : tool_.strength();
   share_->setText(tr("%1 % of Young's modulus (%2)")
                       .arg(100.0 * most / modulus, 0, 'g', 3)
                       .arg(shown(modulus, Quantity::kStress, settings_.units(), 3)));

@@ -3,14 +3,14 @@
 #include <QComboBox>
 #include <QLabel>
 
-#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/condition_choice.h"
 #include "app/gui/tools/load_tool.h"
 #include "app/gui/widgets/quantity_edit.h"
 #include "app/gui/widgets/vector_edit.h"
 
 namespace palpa::gui {
 
-/// What can be set for placing loads.
+/// LoadKind can be set for placing loads.
 class LoadOptions : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class LoadOptions : public QWidget {
   Editor& editor_;
   const Settings& settings_;
   QFormLayout* form_;
-  QComboBox* what_;
+  QComboBox* kind_;
   ConditionChoice* load_;
   QuantityEdit* strength_;
   VectorEdit* traction_;

@@ -23,18 +23,18 @@ modeling::Region* regionOf(modeling::Load& load) {
 
 }  // namespace
 
-void LoadTool::setWhat(What what) {
-  if (what == what_) return;
+void LoadTool::setKind(LoadKind kind) {
+  if (kind == kind_) return;
   cancel();
   hideHover();
-  what_ = what;
+  kind_ = kind;
   Q_EMIT changed();
 }
 
 const modeling::Load* LoadTool::target() const {
   const auto name = selected(Kind::kLoad);
   const auto* load = name ? findNamed(editor_.project().loads, *name) : nullptr;
-  return load && load->what.index() == static_cast<std::size_t>(what_) ? load : nullptr;
+  return load && load->what.index() == static_cast<std::size_t>(kind_) ? load : nullptr;
 }
 
 double LoadTool::defaultStrength() const {
@@ -103,7 +103,7 @@ bool LoadTool::press(const PointerEvent& event) {
   if (event.button != Qt::LeftButton) return false;
   const auto place = scene_.placeAt(event.pixel);
   if (!place) return true;
-  if (what_ != What::kBump) {
+  if (kind_ != LoadKind::kBump) {
     clickPatch(place->patch);
     return true;
   }
@@ -129,7 +129,7 @@ void LoadTool::clickPatch(int patch) {
   }
   const auto& loads = editor_.project().loads;
   modeling::Load load;
-  if (what_ == What::kPressure) {
+  if (kind_ == LoadKind::kPressure) {
     load.name = freeName(tr("pressure").toStdString(), loads);
     load.what = modeling::Pressure{modeling::Region::ofPatches({name}), strength()};
   } else {
@@ -202,7 +202,7 @@ void LoadTool::drawBump() {
 void LoadTool::hover(const Eigen::Vector2d& pixel) {
   const auto place = scene_.placeAt(pixel);
   view::ToolDrawing drawing;
-  if (what_ == What::kBump) {
+  if (kind_ == LoadKind::kBump) {
     if (place) {
       for (auto& line : ringOnSurface(scene_.surface(), place->position, radius()))
         drawing.lines.push_back({std::move(line), Style::kGuide, true});
@@ -212,7 +212,7 @@ void LoadTool::hover(const Eigen::Vector2d& pixel) {
     if (place) {
       // An arrow along what would press or pull here.
       const Eigen::Vector3d force =
-          what_ == What::kPressure ? Eigen::Vector3d(-strength() * place->normal) : traction();
+          kind_ == LoadKind::kPressure ? Eigen::Vector3d(-strength() * place->normal) : traction();
       if (force.norm() > 0) {
         const Eigen::Vector3d along = 0.2 * bodySize() * force.normalized();
         const bool presses = force.dot(place->normal) < 0;
@@ -229,12 +229,12 @@ void LoadTool::hover(const Eigen::Vector2d& pixel) {
 }
 
 QString LoadTool::hint() const {
-  switch (what_) {
-    case What::kPressure:
+  switch (kind_) {
+    case LoadKind::kPressure:
       return tr(
           "Click patches to press on them, a loaded patch to take it away; strength in the "
           "options");
-    case What::kTraction:
+    case LoadKind::kTraction:
       return tr(
           "Click patches to pull at them, a loaded patch to take it away; vector in the "
           "options");

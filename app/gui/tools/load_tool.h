@@ -12,7 +12,7 @@ class LoadTool : public SurfaceTool {
 
  public:
   /// In the order of the alternatives of Load::what.
-  enum class What { kPressure, kTraction, kBump };
+  enum class LoadKind { kPressure, kTraction, kBump };
 
   using SurfaceTool::SurfaceTool;
 
@@ -24,8 +24,8 @@ class LoadTool : public SurfaceTool {
   QString hint() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
-  What what() const { return what_; }
-  void setWhat(What what);
+  LoadKind kind() const { return kind_; }
+  void setKind(LoadKind kind);
 
   /// Of the selected load of this kind, or of the next one. MPa; the peak of a bump.
   double strength() const;
@@ -45,7 +45,7 @@ class LoadTool : public SurfaceTool {
   void hover(const Eigen::Vector2d& pixel);
   void drawBump();
 
-  What what_ = What::kPressure;
+  LoadKind kind_ = LoadKind::kPressure;
   std::optional<double> strength_;           // MPa; a share of Young's modulus until it is set
   std::optional<Eigen::Vector3d> traction_;  // MPa, likewise
   std::optional<double> radius_;             // mm; a share of the body's size until it is set

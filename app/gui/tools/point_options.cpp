@@ -9,15 +9,15 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 #include "app/gui/widgets/quantity_edit.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr double kLeastFalloff = 1e-3;  // mm
-constexpr double kMostFalloff = 1e5;    // mm
+constexpr double kMinFalloff = 1e-3;  // mm
+constexpr double kMaxFalloff = 1e5;   // mm
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void PointOptions::setHasFalloff(bool has) {
 }
 
 void PointOptions::setFalloff(double radius) {
-  set(falloff_, std::clamp(radius, kLeastFalloff, kMostFalloff));
+  set(falloff_, std::clamp(radius, kMinFalloff, kMaxFalloff));
 }
 
 void PointOptions::setMirror(Mirror mirror) {
@@ -96,7 +96,7 @@ QWidget* PointOptions::makeWidget(const Settings& settings, QWidget* parent) {
   auto* radius = new QuantityEdit(Quantity::kLength, settings, widget);
   radius->setObjectName("falloffRadius");
   radius->setAccessibleName(tr("Falloff radius"));
-  radius->setRange(kLeastFalloff, kMostFalloff);
+  radius->setRange(kMinFalloff, kMaxFalloff);
   falloffRow->addWidget(radius);
   form->addRow(has, falloffRow);
   connect(has, &QCheckBox::toggled, this, &PointOptions::setHasFalloff);

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QWidget>
 
-#include "app/gui/editor.h"
+#include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 

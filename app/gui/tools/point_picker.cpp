@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/gui/point_groups.h"
+#include "app/gui/document/point_groups.h"
 
 namespace palpa::gui {
 

@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "app/gui/editor.h"
-#include "app/gui/scene_controller.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/view/scene_controller.h"
 #include "app/gui/tools/point_options.h"
-#include "app/gui/tools/pointer_event.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/view/pointer_event.h"
+#include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "app/gui/point_groups.h"
+#include "app/gui/document/point_groups.h"
 #include "app/gui/tools/motion_geometry.h"
 
 namespace palpa::gui {
@@ -240,12 +240,12 @@ void PointTool::apply(const Amount& amount, bool anew) {
   const bool isStep = editor.solid()->controlPoints() != motion_->before;
   const auto step = between(motion_->amount, amount);
   if (isStep && !anew && step) {
-    if (editor.perform(command(*motion_, *step), modeling::Merge::withLast))
+    if (editor.perform(command(*motion_, *step), modeling::Merge::kWithLast))
       motion_->amount = amount;
   } else {
     if (isStep) editor.undo();
     const bool isDone =
-        amount == neutral() || editor.perform(command(*motion_, amount), modeling::Merge::no);
+        amount == neutral() || editor.perform(command(*motion_, amount), modeling::Merge::kNo);
     motion_->amount = isDone ? amount : neutral();
   }
   isApplying_ = false;
@@ -341,7 +341,7 @@ bool PointTool::nudge(const QKeyEvent& event) {
   workspace_.editor.perform(
       modeling::MovePoints{modeling::PointSelection::of({points.begin(), points.end()}),
                            modeling::MoveBy{by}, options_.reach(*workspace_.editor.solid())},
-      event.isAutoRepeat() ? modeling::Merge::withLast : modeling::Merge::no);
+      event.isAutoRepeat() ? modeling::Merge::kWithLast : modeling::Merge::kNo);
   return true;
 }
 

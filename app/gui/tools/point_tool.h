@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/gui/tools/point_picker.h"
-#include "app/gui/tools/tool.h"
-#include "app/gui/workspace.h"
+#include "app/gui/view/tool.h"
+#include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/gui/point_groups.h"
+#include "app/gui/document/point_groups.h"
 #include "app/gui/tools/motion_geometry.h"
 #include "app/gui/tools/point_tool.h"
 #include "modeling/solid/surface_properties.h"

@@ -2,7 +2,7 @@
 
 #include "app/gui/actions/point_actions.h"
 #include "app/gui/actions/select_actions.h"
-#include "app/gui/main_window.h"
+#include "app/gui/window/main_window.h"
 #include "app/gui/tools/rotate_tool.h"
 #include "app/gui/tools/scale_tool.h"
 #include "app/gui/tools/select_tool.h"

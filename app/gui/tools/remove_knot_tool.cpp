@@ -1,6 +1,6 @@
 #include "app/gui/tools/remove_knot_tool.h"
 
-#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/condition_choice.h"
 #include "app/gui/widgets/quantity_edit.h"
 #include "modeling/error.h"
 #include "modeling/solid/isoparametric_line.h"

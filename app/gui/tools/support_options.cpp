@@ -6,23 +6,23 @@ SupportOptions::SupportOptions(SupportTool& tool, Editor& editor, const Settings
                                QWidget* parent)
     : QWidget(parent),
       tool_(tool),
-      way_(new QComboBox(this)),
+      brush_(new QComboBox(this)),
       support_(new ConditionChoice(editor, Selection::Kind::kSupport, tr("New support"), this)),
       kind_(new QComboBox(this)),
       radius_(new QuantityEdit(Quantity::kLength, settings, this)) {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
-  way_->addItems({tr("Patches"), tr("Brush")});
+  brush_->addItems({tr("Patches"), tr("Brush")});
   kind_->addItems({tr("Fixed"), tr("Roller")});
-  addRow(form, tr("Paint &with"), way_, "paintWay",
+  addRow(form, tr("Paint &with"), brush_, "paintWay",
          tr("Whole patches, or a round brush that paints anywhere"));
   addRow(form, tr("&Support"), support_, "paintedSupport", tr("Which support is painted"));
   addRow(form, tr("&Kind"), kind_, "supportKind",
          tr("Fixed holds the surface in all directions; a roller lets it slide along itself"));
   addRow(form, tr("Brush &radius"), radius_, "brushRadius",
          tr("Distance from the pointer up to which the surface is painted ([ and ])"));
-  connect(way_, &QComboBox::activated, this,
-          [this](int index) { tool_.setWay(static_cast<SupportTool::Way>(index)); });
+  connect(brush_, &QComboBox::activated, this,
+          [this](int index) { tool_.setBrush(static_cast<SupportTool::Brush>(index)); });
   connect(kind_, &QComboBox::activated, this,
           [this](int index) { tool_.setKind(static_cast<modeling::Support::Kind>(index)); });
   connect(radius_, &QuantityEdit::edited, this, [this](double radius) { tool_.setRadius(radius); });
@@ -34,12 +34,12 @@ SupportOptions::SupportOptions(SupportTool& tool, Editor& editor, const Settings
 }
 
 void SupportOptions::refresh() {
-  way_->setCurrentIndex(static_cast<int>(tool_.way()));
+  brush_->setCurrentIndex(static_cast<int>(tool_.brush()));
   support_->refresh();
   kind_->setCurrentIndex(static_cast<int>(tool_.kind()));
   radius_->setRange(1e-9, 1e9);
   if (!radius_->hasFocus()) radius_->setValue(tool_.radius());
-  radius_->setEnabled(tool_.way() == SupportTool::Way::kBrush);
+  radius_->setEnabled(tool_.brush() == SupportTool::Brush::kRound);
 }
 
 }  // namespace palpa::gui

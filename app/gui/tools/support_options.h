@@ -2,7 +2,7 @@
 
 #include <QComboBox>
 
-#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/condition_choice.h"
 #include "app/gui/tools/support_tool.h"
 #include "app/gui/widgets/quantity_edit.h"
 
@@ -19,7 +19,7 @@ class SupportOptions : public QWidget {
   void refresh();
 
   SupportTool& tool_;
-  QComboBox* way_;
+  QComboBox* brush_;
   ConditionChoice* support_;
   QComboBox* kind_;
   QuantityEdit* radius_;

@@ -28,11 +28,11 @@ void SupportTool::setRadius(double radius) {
   Q_EMIT changed();
 }
 
-void SupportTool::setWay(Way way) {
-  if (way == way_) return;
+void SupportTool::setBrush(Brush brush) {
+  if (brush == brush_) return;
   cancel();
   hideHover();
-  way_ = way;
+  brush_ = brush;
   Q_EMIT changed();
 }
 
@@ -81,7 +81,7 @@ bool SupportTool::press(const PointerEvent& event) {
   isPainting_ = true;
   hasBegunStroke_ = false;
   last_ = event.pixel;
-  erases_ = way_ == Way::kPatches ? namesPatch(painted().where, patchName(place->patch))
+  erases_ = brush_ == Brush::kPatch ? namesPatch(painted().where, patchName(place->patch))
                                   : (event.modifiers & Qt::ControlModifier) != 0;
   paintAlong(event.pixel);
   return true;
@@ -121,7 +121,7 @@ void SupportTool::paintAlong(const Eigen::Vector2d& pixel) {
       hasBegunStroke_ = false;  // past the edge of the body: what follows is another stroke
       continue;
     }
-    if (way_ == Way::kPatches)
+    if (brush_ == Brush::kPatch)
       paintPatch(place->patch);
     else if (erases_)
       eraseAt(place->position);
@@ -145,7 +145,7 @@ void SupportTool::paintAt(const Eigen::Vector3d& position) {
       hasBegunStroke_ && !parts.empty() ? std::get_if<modeling::Stroke>(&parts.back()) : nullptr;
   // A jump from one side of a silhouette to the other is no way along the surface.
   if (stroke && (stroke->points.back() - position).norm() > 4.0 * radius()) stroke = nullptr;
-  if (stroke && stroke->points.size() >= modeling::Stroke::kMostPoints) stroke = nullptr;
+  if (stroke && stroke->points.size() >= modeling::Stroke::kMaxPoints) stroke = nullptr;
   if (stroke) {
     if ((stroke->points.back() - position).norm() < kPointSpacing * radius()) return;
     stroke->points.push_back(position);
@@ -176,7 +176,7 @@ void SupportTool::eraseAt(const Eigen::Vector3d& position) {
 
 void SupportTool::hover(const Eigen::Vector2d& pixel) {
   const auto place = scene_.placeAt(pixel);
-  if (way_ == Way::kPatches) {
+  if (brush_ == Brush::kPatch) {
     scene_.setHoveredPatch(place ? std::optional(place->patch) : std::nullopt);
     view::ToolDrawing drawing;
     if (place) drawing.labels.push_back({place->position, patchName(place->patch)});
@@ -191,7 +191,7 @@ void SupportTool::hover(const Eigen::Vector2d& pixel) {
 }
 
 bool SupportTool::wantsKey(const QKeyEvent& event) const {
-  return way_ == Way::kBrush &&
+  return brush_ == Brush::kRound &&
          (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
 }
 
@@ -204,7 +204,7 @@ bool SupportTool::key(QKeyEvent* event) {
 }
 
 QString SupportTool::hint() const {
-  if (way_ == Way::kPatches)
+  if (brush_ == Brush::kPatch)
     return tr("Click a patch or drag over patches to hold them; click a held patch to let it go");
   return tr("Drag over the surface to hold it, Ctrl erases strokes; [ and ] change the radius (%1)")
       .arg(shownLength(radius()));

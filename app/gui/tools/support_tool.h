@@ -10,7 +10,7 @@ class SupportTool : public SurfaceTool {
   Q_OBJECT
 
  public:
-  enum class Way { kPatches, kBrush };
+  enum class Brush { kPatch, kRound };
 
   using SurfaceTool::SurfaceTool;
 
@@ -24,8 +24,8 @@ class SupportTool : public SurfaceTool {
   QString hint() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
-  Way way() const { return way_; }
-  void setWay(Way way);
+  Brush brush() const { return brush_; }
+  void setBrush(Brush brush);
   /// Of the brush, mm.
   double radius() const;
   void setRadius(double radius);
@@ -43,8 +43,8 @@ class SupportTool : public SurfaceTool {
   void paintAlong(const Eigen::Vector2d& pixel);
   void hover(const Eigen::Vector2d& pixel);
 
-  Way way_ = Way::kPatches;
-  modeling::Support::Kind newKind_ = modeling::Support::Kind::fixed;
+  Brush brush_ = Brush::kPatch;
+  modeling::Support::Kind newKind_ = modeling::Support::Kind::kFixed;
   std::optional<double> radius_;  // mm; a share of the body's size until it is set
   bool isPainting_ = false;
   bool erases_ = false;

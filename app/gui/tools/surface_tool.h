@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/editor.h"
-#include "app/gui/scene_controller.h"
-#include "app/gui/settings.h"
-#include "app/gui/tools/tool.h"
-#include "app/gui/viewport_widget.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/view/scene_controller.h"
+#include "app/gui/base/settings.h"
+#include "app/gui/view/tool.h"
+#include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 

@@ -1,11 +1,11 @@
 #include "app/gui/tools/surface_tools.h"
 
-#include "app/gui/menus.h"
+#include "app/gui/workspace/menus.h"
 #include "app/gui/tools/knot_tool.h"
 #include "app/gui/tools/load_tool.h"
 #include "app/gui/tools/remove_knot_tool.h"
 #include "app/gui/tools/support_tool.h"
-#include "app/gui/tools/tool_box.h"
+#include "app/gui/workspace/tool_box.h"
 #include "app/gui/tools/touch_tool.h"
 
 namespace palpa::gui {

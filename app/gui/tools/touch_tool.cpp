@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "app/gui/tools/condition_options.h"
+#include "app/gui/tools/condition_choice.h"
 #include "app/gui/widgets/quantity_edit.h"
 
 namespace palpa::gui {
@@ -148,7 +148,7 @@ QWidget* TouchTool::makeOptions(QWidget* parent) {
          tr("A grab moves the place; a fingertip and a ball press, but do not pull, and slide;"
             " a pin holds the place"));
   auto* friction = new QuantityEdit(Quantity::kNumber, settings_, options);
-  friction->setRange(0, modeling::kMostFriction);
+  friction->setRange(0, modeling::kMaxFriction);
   friction->setValue(friction_);
   addRow(form, tr("&Friction"), friction, "touchFriction",
          tr("Coulomb's coefficient of the fingertip or ball"));

@@ -7,21 +7,21 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kNoteTime = 12000;    // ms a note stays
-constexpr int kLongestShown = 240;  // characters of a message shown without asking for details
-constexpr int kMargin = 10;         // px to the widget below
-constexpr int kWidest = 720;        // px
+constexpr int kNoteTime = 12000;      // ms a note stays
+constexpr int kMaxShownLength = 240;  // characters of a message shown without asking for details
+constexpr int kMargin = 10;           // px to the widget below
+constexpr int kMaxWidth = 720;        // px
 
 /// The first line, shortened at a word: what is shown of a long message.
 QString beginning(const QString& text) {
   QString first = text.section('\n', 0, 0);
-  if (first.size() > kLongestShown)
-    first = first.left(kLongestShown).section(' ', 0, -2) + QStringLiteral(" …");
+  if (first.size() > kMaxShownLength)
+    first = first.left(kMaxShownLength).section(' ', 0, -2) + QStringLiteral(" …");
   return first;
 }
 
@@ -77,7 +77,7 @@ void MessageBar::add(Message message) {
 }
 
 void MessageBar::showNext() {
-  while (!waiting_.empty() && rows_->count() < kMost) {
+  while (!waiting_.empty() && rows_->count() < kMaxMessages) {
     QWidget* row = makeRow(waiting_.front());
     if (!waiting_.front().isError) leaveLater(row);
     waiting_.pop_front();
@@ -142,7 +142,7 @@ void MessageBar::remove(QWidget* row) {
 }
 
 void MessageBar::place() {
-  const int width = std::min(kWidest, parentWidget()->width() - 2 * kMargin);
+  const int width = std::min(kMaxWidth, parentWidget()->width() - 2 * kMargin);
   const int height =
       rows_->hasHeightForWidth() ? rows_->heightForWidth(width) : rows_->sizeHint().height();
   setGeometry((parentWidget()->width() - width) / 2, kMargin, width,

@@ -13,7 +13,7 @@ class MessageBar : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int kMost = 3;
+  static constexpr int kMaxMessages = 3;
 
   /// Lies over `under` and follows its size.
   explicit MessageBar(QWidget* under);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/appearance.h"
+#include "app/gui/base/appearance.h"
 
 namespace palpa::gui {
 namespace {

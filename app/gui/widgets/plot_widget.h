@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/gui/canvas.h"
+#include "app/gui/base/canvas.h"
 #include "app/view/force_plot.h"
 
 namespace palpa::gui {

@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <limits>
 
-#include "app/gui/settings.h"
+#include "app/gui/base/settings.h"
 
 namespace palpa::gui {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "bem/kelvin.h"
+#include "bem/triangle/kelvin.h"
 
 namespace palpa::verification {
 using namespace bem;

@@ -1,8 +1,9 @@
 #pragma once
+
 #include <Eigen/Dense>
 #include <functional>
 
-#include "bem/material.h"
+#include "bem/model/material.h"
 
 /// Exact solutions of linear elasticity without body forces, to compare with.
 namespace palpa::verification {

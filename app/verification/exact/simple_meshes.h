@@ -1,7 +1,8 @@
 #pragma once
+
 #include <functional>
 
-#include "bem/boundary_mesh.h"
+#include "bem/model/boundary_mesh.h"
 
 /// Boundary meshes of simple bodies, for whatever is to be checked of bem/ without the modeller.
 /// All nodes lie on the true surface; edge counts are the refinement parameter.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "bem/traction_projection.h"
+#include "bem/model/traction_projection.h"
 
 namespace palpa::verification {
 using namespace bem;

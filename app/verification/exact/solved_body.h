@@ -1,9 +1,10 @@
 #pragma once
+
 #include <functional>
 #include <memory>
 
 #include "app/verification/exact/exact_fields.h"
-#include "bem/reference_problem.h"
+#include "bem/problem/reference_problem.h"
 
 namespace palpa::verification {
 
@@ -32,7 +33,7 @@ struct SolvedBody {
   struct Options {
     bem::Precision precision = bem::Precision::kDouble;
     bem::AssemblyOptions assembly = {};
-    bem::Job job = {};
+    Job job = {};
   };
   SolvedBody(bem::BoundaryMesh bodyMesh, const bem::Material& bodyMaterial, const ExactField& exact,
              const ConditionOfTag& conditionOfTag, const Options& options);

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "bem/reference_problem.h"
+#include "bem/problem/reference_problem.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/project/project_file.h"
 

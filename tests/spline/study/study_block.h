@@ -1,4 +1,5 @@
 #pragma once
+
 #include "study_solutions.h"
 
 namespace palpa::bem::test {

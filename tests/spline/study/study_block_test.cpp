@@ -2,7 +2,7 @@
 // reaches the order of smooth fields. Reference: a graded cubic solution finer than all others.
 #include <gtest/gtest.h>
 
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 #include "study_block.h"
 
 namespace palpa::bem::test {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/spline_surface_of.h"
+#include "app/core/setup/to_spline_surface.h"
 #include "modeling/shapes/make_primitive.h"
 #include "spline_fem.h"
 #include "study_solutions.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "bem/results.h"
+#include "bem/triangle/results.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_fem.h"
 #include "study_solutions.h"

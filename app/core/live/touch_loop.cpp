@@ -1,0 +1,265 @@
+#include "app/core/live/touch_loop.h"
+
+#include <pthread.h>
+
+#include <ctime>
+#include <utility>
+
+#include "app/core/system/priority.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Whether a new model has the columns that the contacts need is looked at when columns have come,
+/// and after so many steps, as contacts move.
+constexpr int kStepsBetweenLooks = 16;
+constexpr std::chrono::milliseconds kRateWindow{250};
+/// How often the loop looks for new input between two steps.
+constexpr std::chrono::microseconds kLook{250};
+
+void sleepUntil(TouchLoop::Clock::time_point time) {
+  const auto since = std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch());
+  const std::timespec at{static_cast<std::time_t>(since.count() / 1'000'000'000),
+                         static_cast<long>(since.count() % 1'000'000'000)};
+  // std::this_thread::sleep_until() asks for the time twice more. Interrupted: a step comes early.
+  clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
+}
+
+void copyNodes(const std::vector<int>& nodes, std::uint64_t number,
+               LoopMailbox::ColumnRequest& wanted) {
+  wanted.number = number;
+  wanted.count = static_cast<int>(std::min<std::size_t>(
+      nodes.size(), static_cast<std::size_t>(LoopMailbox::ColumnRequest::kMaxNodes)));
+  std::copy_n(nodes.begin(), wanted.count, wanted.nodes.begin());
+}
+
+}  // namespace
+
+TouchLoop::TouchLoop(Options options)
+    : worker_(mail_, options,
+              [this](std::vector<Vector3d>& points) {
+                read(focusSnapshot_);
+                for (const auto& contact : focusSnapshot_.touched())
+                  points.push_back(contact.point.position);
+                const std::lock_guard lock(hoverMutex_);
+                if (hasHover_) points.push_back(hover_);
+              }),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+TouchLoop::~TouchLoop() {
+  thread_.request_stop();
+  LoopMailbox::signal(mail_.loopSignal);
+  thread_.join();
+  if (next_) retire(next_);
+  if (touched_) retire(touched_);
+  delete newRecording_.load();
+  delete finished_.load();
+}
+
+std::uint64_t TouchLoop::setModel(std::shared_ptr<const TouchModel> model) {
+  return worker_.setModel(std::move(model), input_.count());
+}
+
+void TouchLoop::expect(const Vector3d& point) {
+  if (!point.allFinite()) return;
+  const std::lock_guard lock(hoverMutex_);
+  hover_ = point;
+  hasHover_ = true;
+}
+
+void TouchLoop::read(TouchSnapshot& into) const {
+  const std::lock_guard lock(readers_);
+  results_.update();
+  into = results_.front();
+}
+
+void TouchLoop::startRecording(std::size_t most) {
+  auto recording = std::make_unique<TouchRecording>();
+  recording->entries.reserve(most);
+  const std::lock_guard lock(recorderMutex_);
+  delete newRecording_.exchange(recording.release());
+  isRecording_ = true;
+  LoopMailbox::signal(mail_.loopSignal);
+}
+
+TouchRecording TouchLoop::stopRecording() {
+  const std::lock_guard lock(recorderMutex_);
+  if (!std::exchange(isRecording_, false)) return {};
+  stopsRecording_.store(true, std::memory_order_release);
+  LoopMailbox::signal(mail_.loopSignal);
+  finished_.wait(nullptr);
+  const std::unique_ptr<TouchRecording> recording(finished_.exchange(nullptr));
+  return std::move(*recording);
+}
+
+void TouchLoop::run(const std::stop_token& stop) {
+  ::pthread_setname_np(::pthread_self(), kThreadName);
+  RealtimeScope punctual;
+  auto due = Clock::now();
+  rateSince_ = due;
+  for (;;) {
+    const std::uint32_t seen = mail_.loopSignal.load(std::memory_order_acquire);
+    if (stop.stop_requested()) return;
+    receiveModel();
+    if (next_) swapIfReady();
+    takeInput();
+    if (!touched_) {
+      publish();
+      mail_.loopSignal.wait(seen, std::memory_order_acquire);
+      due = Clock::now();
+      continue;
+    }
+    began_ = Clock::now();
+    touched_->player->step();
+    stepped_ = Clock::now();
+    ++step_;
+    if (recording_) ++recording_->steps;
+    askForColumns();
+    publish();
+    punctual.worked(began_, Clock::now());
+    // What came too late is not made up for: the hand has moved on. After a step that came early
+    // for its input the period begins anew.
+    due = due + kPeriod < began_ ? began_ + kPeriod : std::min(due, began_) + kPeriod;
+    waitUntil(due, began_ + kMinPeriod);
+  }
+}
+
+/// Until the next step is due or, from `earliest` on, there is input for it.
+void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) {
+  auto next = std::min(earliest, due);
+  for (;;) {
+    const auto now = Clock::now();
+    if (now < next) {
+      sleepUntil(next);
+      latencies_.lateness.add(Clock::now() - next);
+      continue;
+    }
+    if (next >= due || input_.hasNews()) return;
+    next = std::min(next + kLook, due);
+  }
+}
+
+void TouchLoop::receiveModel() {
+  LoopMailbox::ReadyModel* offer = mail_.offered.exchange(nullptr, std::memory_order_acq_rel);
+  if (!offer) return;
+  if (next_) retire(next_);
+  next_ = nullptr;
+  if (!offer->player || offer->ended > 0) {
+    input_.endAll(offer->ended, [this](const TouchCommand& command) { apply(command); });
+    if (touched_ && recording_) ++recording_->modelChanges;
+    if (touched_) retire(touched_);
+    touched_ = nullptr;
+  }
+  if (!offer->player) {
+    retire(offer);
+    return;
+  }
+  next_ = offer;
+  nextReady_ = -1;
+}
+
+/// The next body takes over as soon as it has the columns that the contacts need.
+void TouchLoop::swapIfReady() {
+  TouchStepper& player = *next_->player;
+  if (touched_ && !touched_->player->simulation().contacts().empty()) {
+    const int ready = player.body().columns()->readyCount();
+    if (ready == nextReady_ && ++stepsSinceLook_ < kStepsBetweenLooks) return;
+    nextReady_ = ready;
+    stepsSinceLook_ = 0;
+    player.takeOver(*touched_->player);
+    // Where the contacts still wait for columns of the old body nothing is lost by leaving it.
+    if (!player.missing().empty() && touched_->player->simulation().missed().empty()) {
+      copyNodes(player.missing(), next_->number, mail_.wanted.back().next);
+      mail_.wanted.back().touched.count = 0;
+      mail_.wanted.publish();
+      LoopMailbox::signal(mail_.workerSignal);
+      return;
+    }
+  }
+  if (touched_) {
+    retire(touched_);
+    if (recording_) ++recording_->modelChanges;
+  }
+  touched_ = std::exchange(next_, nullptr);
+}
+
+void TouchLoop::retire(LoopMailbox::ReadyModel* offer) {
+  offer->next = mail_.retired.load(std::memory_order_relaxed);
+  while (!mail_.retired.compare_exchange_weak(offer->next, offer, std::memory_order_release)) {
+  }
+  LoopMailbox::signal(mail_.workerSignal);
+}
+
+void TouchLoop::takeInput() {
+  // In this order: what began after a recording was started belongs to it.
+  const std::uint64_t begun = input_.begun();
+  takeRecorder();
+  if (touched_)
+    input_.take(begun, [this](const TouchCommand& command) { apply(command); });
+  else
+    input_.dropEnded();
+}
+
+void TouchLoop::takeRecorder() {
+  if (TouchRecording* begins = newRecording_.exchange(nullptr, std::memory_order_acq_rel)) {
+    recording_.reset(begins);
+    input_.repeat([this](const TouchCommand& command) { record(command); });
+  }
+  if (stopsRecording_.exchange(false, std::memory_order_acq_rel)) {
+    finished_.store(recording_ ? recording_.release() : new TouchRecording());
+    finished_.notify_all();
+  }
+}
+
+void TouchLoop::apply(const TouchCommand& command) {
+  record(command);
+  touched_->player->apply(command);
+}
+
+void TouchLoop::record(const TouchCommand& command) {
+  if (!recording_) return;
+  if (recording_->entries.size() < recording_->entries.capacity())
+    recording_->entries.push_back({recording_->steps, command});
+  else
+    recording_->isFull = true;
+}
+
+/// Tells the worker which columns the step missed.
+void TouchLoop::askForColumns() {
+  const std::vector<int>& missed = touched_->player->simulation().missed();
+  if (missed.empty()) return;
+  copyNodes(missed, touched_->number, mail_.wanted.back().touched);
+  mail_.wanted.back().next.count = 0;
+  mail_.wanted.publish();
+  LoopMailbox::signal(mail_.workerSignal);
+}
+
+void TouchLoop::publish() {
+  TouchSnapshot& snapshot = results_.back();
+  if (touched_) {
+    touched_->player->describe(snapshot);
+  } else {
+    static_cast<TouchSummary&>(snapshot) = {};
+  }
+  snapshot.step = step_;
+  snapshot.time = Clock::now();
+  if (const auto elapsed = snapshot.time - rateSince_; elapsed >= kRateWindow) {
+    rate_ = static_cast<double>(step_ - rateStep_) / std::chrono::duration<double>(elapsed).count();
+    rateSince_ = snapshot.time;
+    rateStep_ = step_;
+  }
+  snapshot.rate = touched_ ? rate_ : 0;
+  const auto time = snapshot.time;
+  results_.publish();
+  for (const auto said : input_.said()) {
+    latencies_.all.add(time - said);
+    latencies_.untilTaken.add(began_ - said);
+    latencies_.step.add(stepped_ - began_);
+    latencies_.publishing.add(time - stepped_);
+  }
+  input_.clearSaid();
+}
+
+}  // namespace palpa::app

@@ -1,0 +1,63 @@
+#include "app/core/live/touch_table.h"
+
+#include "base/text.h"
+
+namespace palpa::app {
+
+const char* nameOf(bem::ContactTool::Kind kind) {
+  using Kind = bem::ContactTool::Kind;
+  switch (kind) {
+    case Kind::kGrab:
+      return "grab";
+    case Kind::kPush:
+      return "push";
+    case Kind::kProbe:
+      return "probe";
+    case Kind::kForce:
+      return "force";
+  }
+  return "";
+}
+
+const char* nameOf(TouchSnapshot::Status status) {
+  using Status = TouchSnapshot::Status;
+  switch (status) {
+    case Status::kWaiting:
+      return "waiting";
+    case Status::kHeld:
+      return "held";
+    case Status::kOpen:
+      return "open";
+    case Status::kHolding:
+      return "holding";
+    case Status::kSticking:
+      return "sticking";
+    case Status::kSlipping:
+      return "slipping";
+  }
+  return "";
+}
+
+TouchTable::TouchTable(std::ostream& out) : out_(out) {
+  out_ << "time_s,contact,kind,status,at_x_mm,at_y_mm,at_z_mm,force_x_N,force_y_N,force_z_N,"
+          "force_N,displacement_x_mm,displacement_y_mm,displacement_z_mm,stiffness_N_per_mm,"
+          "converged\n";
+}
+
+void TouchTable::add(const TouchSnapshot& snapshot, std::uint64_t step) {
+  const auto write = [this](const Eigen::Vector3d& vector) {
+    for (int k = 0; k < 3; ++k) out_ << ',' << numberText(vector[k]);
+  };
+  for (const TouchSnapshot::Contact& contact : snapshot.touched()) {
+    out_ << numberText(1e-3 * static_cast<double>(step)) << ',' << contact.id << ','
+         << nameOf(contact.tool.kind) << ',' << nameOf(contact.status);
+    write(contact.point.position);
+    write(contact.force);
+    out_ << ',' << numberText(contact.force.norm());
+    write(contact.displacement);
+    out_ << ',' << numberText(contact.stiffness) << ',' << (snapshot.isConverged ? "yes" : "no")
+         << '\n';
+  }
+}
+
+}  // namespace palpa::app

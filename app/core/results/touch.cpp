@@ -1,0 +1,200 @@
+#include "app/core/results/touch.h"
+
+#include <algorithm>
+
+#include "app/core/live/touch_snapshot.h"
+#include "app/core/results/field_sample.h"
+#include "app/core/results/tool_trajectory.h"
+#include "bem/contact/bilateral_contact_solver.h"
+#include "bem/contact/contact_surface.h"
+#include "bem/contact/nodal_switching.h"
+
+namespace palpa::app {
+namespace {
+
+[[noreturn]] void badTouch(const std::string& message) {
+  throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
+}
+
+bem::ContactTool::Kind toolKind(const modeling::Touch& touch) {
+  using Kind = bem::ContactTool::Kind;
+  if (std::holds_alternative<modeling::TouchForce>(touch.action)) return Kind::kForce;
+  if (std::holds_alternative<modeling::TouchPush>(touch.action)) return Kind::kPush;
+  if (std::holds_alternative<modeling::TouchProbe>(touch.action)) return Kind::kProbe;
+  return Kind::kGrab;
+}
+
+/// Touches in the terms of the solvers, and what they tell in the end.
+class StaticTouchSolution {
+ public:
+  StaticTouchSolution(const TouchModel& model, const bem::ContactSurface& surface,
+                      std::span<const modeling::Touch> touches)
+      : model_(model), surface_(surface), touches_(touches) {
+    for (const modeling::Touch& touch : touches) {
+      const double* friction = modeling::frictionOf(touch);
+      const bem::ContactTool tool{toolKind(touch),
+                                  touch.radius.value_or(defaultTouchRadius(model.setup().mesh())),
+                                  friction ? *friction : 0.0};
+      if (friction)
+        tools_.push_back({tool, touch.at, modeling::vectorOf(touch)});
+      else
+        hold(touch, tool);
+    }
+    checkCount();
+  }
+
+  const std::vector<HeldPlace>& held() const { return held_; }
+  const std::vector<MovingTool>& tools() const { return tools_; }
+
+  /// The state of all touches; `base`: the field of loads and of the tools that are at rest.
+  TouchState describe(bem::BoundaryField base, const ToolsAtRest& tools) const {
+    bem::BilateralContactSolver solver(model_.problem(), model_.setup().discretisation->slots(),
+                                       std::move(base));
+    for (std::size_t k = 0; k < held_.size(); ++k) {
+      if (held_[k].tool.kind == bem::ContactTool::Kind::kForce)
+        solver.addForce(masks_[k], held_[k].value);
+      else
+        solver.addGrab(masks_[k], held_[k].value);
+    }
+    const Eigen::VectorXd forces = solver.forces();
+    const auto exact = solver.contacts(forces);
+    std::vector<TouchState::Contact> contacts;
+    std::size_t nextHeld = 0, nextTool = 0;
+    for (const modeling::Touch& touch : touches_) {
+      if (!modeling::frictionOf(touch))
+        contacts.push_back(describe(touch, exact[nextHeld++]));
+      else if (!tools.contacts.empty())
+        contacts.push_back(describe(touch, tools.contacts[nextTool++]));
+    }
+    TouchState state = model_.describe(solver.field(forces), std::move(contacts));
+    if (!tools.contacts.empty()) state.path = tools.path;
+    return state;
+  }
+
+ private:
+  void hold(const modeling::Touch& touch, const bem::ContactTool& tool) {
+    masks_.push_back(bem::makeContactMask(surface_, touch.at, tool.radius));
+    Eigen::Vector3d value = modeling::vectorOf(touch);
+    if (std::holds_alternative<modeling::TouchPin>(touch.action))
+      value += Eigen::Vector3d(masks_.back().displacement(model_.rest().field.u));
+    held_.push_back({tool, touch.at, value});
+  }
+
+  void checkCount() const {
+    if (tools_.empty()) return;
+    const auto balls = std::count_if(tools_.begin(), tools_.end(), [](const MovingTool& each) {
+      return each.tool.kind == bem::ContactTool::Kind::kProbe;
+    });
+    if (touches_.size() > TouchSnapshot::kMaxContacts)
+      badTouch("there are " + std::to_string(touches_.size()) +
+               " touches; beside pushes and probes at most " +
+               std::to_string(TouchSnapshot::kMaxContacts) + " can be played at once");
+    if (balls > TouchSnapshot::kMaxBalls)
+      badTouch("there are " + std::to_string(balls) + " probes; at most " +
+               std::to_string(TouchSnapshot::kMaxBalls) + " can be played at once");
+  }
+
+  TouchState::Contact describe(const modeling::Touch& touch,
+                               const bem::BilateralContactSolver::Contact& from) const {
+    TouchState::Contact contact{from.point.position, from.radius, from.force, from.displacement,
+                                from.stiffness};
+    contact.kind = modeling::kindOf(touch);
+    contact.name = touch.name;
+    contact.normal = surface_.normal(from.point);
+    return contact;
+  }
+
+  TouchState::Contact describe(const modeling::Touch& touch,
+                               const bem::ContactSimulation::Contact& from) const {
+    TouchState::Contact contact{from.point.position, from.tool.radius, from.force,
+                                from.displacement, from.stiffness};
+    contact.kind = modeling::kindOf(touch);
+    contact.name = touch.name;
+    contact.status = from.status;
+    contact.normal = surface_.normal(from.point);
+    contact.friction = from.tool.friction;
+    contact.tool = from.value;
+    contact.patch = from.patch;
+    // A fingertip's mask may be wider than asked for: the mesh cannot carry a narrower one.
+    if (from.tool.kind == bem::ContactTool::Kind::kPush && !from.patch.empty())
+      contact.radius = from.patch.front().radius;
+    return contact;
+  }
+
+  const TouchModel& model_;
+  const bem::ContactSurface& surface_;
+  std::span<const modeling::Touch> touches_;
+  std::vector<HeldPlace> held_;
+  std::vector<bem::ContactMask> masks_;  // of held_
+  std::vector<MovingTool> tools_;
+};
+
+/// The field of the loads and of the forces of tools.
+bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface& surface,
+                             const ToolsAtRest& tools, const Job& job) {
+  bem::BoundaryField field = model.rest().field;
+  bem::BoundaryField known{Eigen::MatrixXd::Zero(field.u.rows(), 1),
+                           Eigen::MatrixXd::Zero(field.p.rows(), 1)};
+  const std::vector<int>& firstSlot = model.setup().discretisation->slots().firstOfNode;
+  for (const auto& contact : tools.contacts)
+    for (const auto& each : contact.patch) {
+      const bem::ContactMask mask = bem::makeContactMask(surface, each.point.position, each.radius);
+      for (std::size_t k = 0; k < mask.nodes.size(); ++k)
+        for (int slot = firstSlot[mask.nodes[k]]; slot < firstSlot[mask.nodes[k] + 1]; ++slot)
+          known.p.middleRows<3>(3 * slot) += mask.traction[k] * each.force;
+    }
+  const bem::BoundaryField pressed =
+      model.problem()->solveField(known, bem::ReferenceProblem::Effort::kRefined, job);
+  field.u += pressed.u;
+  field.p += pressed.p;
+  return field;
+}
+
+}  // namespace
+
+double defaultTouchRadius(const bem::BoundaryMesh& mesh) {
+  return defaultTouchRadius(mesh.boundingSize());
+}
+
+TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches, int steps,
+                       const Job& job) {
+  const BoundarySetup& setup = model.setup();
+  for (const modeling::Touch& touch : touches)
+    checkNearSurface(setup.mesh(), touch.at, "the touch \"" + touch.name + "\"");
+  const auto shared = setup.discretisation->makeContactSurface(model.problem()->dofs());
+  const bem::ContactSurface& surface = *shared;
+  const StaticTouchSolution played(model, surface, touches);
+  if (played.tools().empty()) return played.describe(model.rest().field, {});
+  const ToolsAtRest tools = moveTools(model, surface, played.held(), played.tools(),
+                                      played.describe(model.rest().field, {}).field, steps, job);
+  bem::BoundaryField base = pressedBy(model, surface, tools, job);
+  return played.describe(std::move(base), tools);
+}
+
+TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& displacement) {
+  const BoundarySetup& setup = model.setup();
+  const bem::DegreesOfFreedom& dofs = model.problem()->dofs();
+  if (node < 0 || node >= dofs.nodeCount())
+    badTouch("there is no node " + std::to_string(node) + "; nodes are numbered from 0 to " +
+             std::to_string(dofs.nodeCount() - 1));
+  if (!dofs.isFree(node))
+    badTouch("node " + std::to_string(node) + " is held by a support; touch a free one");
+  auto greens = std::make_shared<bem::GreensFunction>(model.problem());
+  const bem::Discretisation& on = *setup.discretisation;
+  const Eigen::VectorXd unknown = model.problem()->solve(dofs.knownField(setup.conditions)).col(0);
+  const bem::Discretisation::Weights weights = on.placeWeights();
+  bem::NodalSwitching switching(greens, Eigen::VectorXd::Zero(dofs.nodalCount()), unknown,
+                                model.rest().field, weights);
+  switching.add(node);
+  // Free nodes have the frame of space, so the values are the components of the displacement.
+  auto solution = switching.solve(displacement);
+  const Eigen::Vector3d force = dofs.tractionScale() * on.area(node) * solution.switched;
+  Eigen::Vector3d moved = displacement;
+  for (bem::Discretisation::Weights::InnerIterator it(weights, node); it; ++it)
+    moved -= it.value() * model.rest().field.u.col(0).segment<3>(3 * it.col());
+  const double stiffness = moved.squaredNorm() > 0 ? force.dot(moved) / moved.squaredNorm() : 0.0;
+  return model.describe(std::move(solution.field),
+                        {{on.places()[node], 0.0, force, displacement, stiffness, "node"}});
+}
+
+}  // namespace palpa::app

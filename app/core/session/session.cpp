@@ -1,0 +1,135 @@
+#include "app/core/session/session.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "app/core/setup/boundary_setup.h"
+#include "modeling/project/project_file.h"
+
+namespace palpa::app {
+namespace {
+
+/// While a motion lasts, its build waits until the hand rests for this long.
+constexpr std::chrono::milliseconds kQuiet{100};
+
+/// Does the model of a project depend on what changed? Names do not need a new one, touches only
+/// with splines, whose elements rebuildIfNeeded them.
+bool concernsModel(const modeling::Change& change, const modeling::Project& project) {
+  return change.body() || change.material || change.supports || change.loads || change.mesh ||
+         (change.touches && usesSplines(project));
+}
+
+Session::Options withCache(Session::Options options) {
+  if (!options.cacheFolder.empty() && options.cacheLimit > 0)
+    options.build.cache = std::make_shared<ModelCache>(options.cacheFolder, options.cacheLimit);
+  return options;
+}
+
+}  // namespace
+
+Session::Session(modeling::Project project, Options options)
+    : document_(std::move(project)),
+      options_(withCache(std::move(options))),
+      pipeline_(std::make_unique<RebuildPipeline>(options_.build, options_.threads,
+                                                  options_.rebuildChanged)) {
+  if (!options_.autosaveFolder.empty())
+    autosave_ = std::make_unique<modeling::Autosave>(options_.autosaveFolder);
+  rebuild();
+}
+
+Session::Session(const std::filesystem::path& file, Options options)
+    : Session(modeling::readProject(file), std::move(options)) {
+  file_ = file;
+  pipeline_->keepModel();
+}
+
+Session::Session(const modeling::Snapshot& snapshot, Options options)
+    : Session(modeling::recover(snapshot), std::move(options)) {
+  if (!snapshot.original.empty()) file_ = snapshot.original;
+  recovered_ = true;
+  ++edits_;
+}
+
+modeling::Performed Session::perform(const modeling::Command& command, modeling::Merge merge) {
+  modeling::Performed performed = document_.perform(command, merge);
+  const bool isMotion = merge == modeling::Merge::kWithLast || document_.isInGroup();
+  rebuildIfNeeded(performed.change, isMotion ? kQuiet : std::chrono::milliseconds(0));
+  return performed;
+}
+
+modeling::Change Session::undo() {
+  modeling::Change change = document_.undo();
+  rebuildIfNeeded(change);
+  return change;
+}
+
+modeling::Change Session::redo() {
+  modeling::Change change = document_.redo();
+  rebuildIfNeeded(change);
+  return change;
+}
+
+modeling::Change Session::goToState(std::size_t position) {
+  modeling::Change change = document_.goToState(position);
+  rebuildIfNeeded(change);
+  return change;
+}
+
+modeling::Change Session::cancelGroup() {
+  modeling::Change change = document_.cancelGroup();
+  rebuildIfNeeded(change);
+  return change;
+}
+
+void Session::endGroup() {
+  document_.endGroup();
+  pipeline_->startPending();
+}
+
+void Session::rebuildIfNeeded(const modeling::Change& change, std::chrono::milliseconds quiet) {
+  if (!change.any()) return;
+  ++edits_;
+  if (concernsModel(change, project())) pipeline_->submit(project(), quiet);
+}
+
+void Session::save() {
+  if (!file_) throw std::logic_error("Session::save: the project has no file");
+  saveAs(*file_);
+}
+
+void Session::saveAs(const std::filesystem::path& file) {
+  modeling::writeProject(project(), file);
+  markSavedAs(file);
+}
+
+void Session::markSavedAs(const std::filesystem::path& file) {
+  file_ = file;
+  document_.markSaved();
+  recovered_ = false;
+  autosavedEdits_ = edits_;
+  pipeline_->keepModel();
+  close();
+}
+
+bool Session::autosaveIfDue(std::chrono::steady_clock::time_point now) {
+  if (!autosave_ || edits_ == autosavedEdits_) return false;
+  if (!isModified()) {  // undone: the file has everything
+    autosave_->remove();
+    autosavedEdits_ = edits_;
+    return false;
+  }
+  if (!autosaveDue_) autosaveDue_ = now + options_.autosaveEvery;
+  if (now < *autosaveDue_) return false;
+  autosaveDue_ = now + options_.autosaveEvery;  // should writing fail: not again at once
+  autosave_->write(project(), file_.value_or(std::filesystem::path()), edits_);
+  autosavedEdits_ = edits_;
+  autosaveDue_.reset();  // the next edit begins a new interval
+  return true;
+}
+
+void Session::close() {
+  if (autosave_) autosave_->remove();
+  autosaveDue_.reset();
+}
+
+}  // namespace palpa::app

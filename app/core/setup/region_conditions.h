@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "bem/model/traction_projection.h"
+#include "modeling/project/project.h"
+
+// What supports and loads demand, for both kinds of boundary elements. Regions are numbered as in
+// meshRegions(): those of the supports, then those of the loads that have one.
+namespace palpa::app {
+
+/// Tags of boundary elements: one per combination of regions that occurs, 0 for none.
+class RegionTags {
+ public:
+  /// Numbers the combinations in the order of the mesh's triangles.
+  explicit RegionTags(const modeling::SurfaceMesh& mesh);
+
+  const std::vector<int>& ofTriangle() const { return ofTriangle_; }
+  /// The tag for what has another tag and lies in one more region; combinations that no triangle
+  /// has get numbers of their own.
+  int with(int tag, int region);
+  /// Regions of a tag, ascending.
+  const std::vector<int>& regions(int tag) const { return combinations_[tag]; }
+  bool isIn(int tag, int region) const;
+
+ private:
+  int tagOf(const std::vector<int>& combination);
+
+  std::vector<std::vector<int>> combinations_{{}};
+  std::map<std::vector<int>, int> tags_{{{}, 0}};
+  std::vector<int> ofTriangle_;
+};
+
+/// The project's mesh with tags, checked.
+bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags);
+
+/// Which support holds each triangle; -1 for none. Throws SolverError (kBadCondition) when two
+/// supports claim the same place.
+std::vector<int> supportOfTriangle(const modeling::Project& project,
+                                   const modeling::SurfaceMesh& surface);
+
+/// The displacement that the supports meeting at a place prescribe: that of a fixed one, otherwise
+/// the shortest vector with all the rollers' normal components.
+class PrescribedDisplacement {
+ public:
+  /// `position`: mm, for the message. Throws SolverError (kBadCondition) when another support
+  /// prescribes something else.
+  void addFixed(const modeling::Support& support, const Eigen::Vector3d& position);
+  void addRoller(const modeling::Support& support, const Eigen::Vector3d& normal);
+  Eigen::Vector3d value() const;  ///< mm
+
+ private:
+  const modeling::Support* fixed_ = nullptr;
+  std::vector<std::pair<Eigen::Vector3d, double>> rows_;
+};
+
+/// What a load does to the surface of its region; a bump carries its own extent.
+struct LoadTraction {
+  bem::TractionFunction traction;
+  /// Length over which it varies, mm; infinite where it is smooth at the size of an element.
+  double featureLength;
+};
+LoadTraction loadTraction(const modeling::Load& load);
+
+}  // namespace palpa::app

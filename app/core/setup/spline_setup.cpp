@@ -1,0 +1,110 @@
+#include "app/core/setup/spline_setup.h"
+
+#include <map>
+#include <numeric>
+
+#include "app/core/setup/region_conditions.h"
+#include "app/core/setup/support_borders.h"
+#include "app/core/setup/to_spline_surface.h"
+#include "bem/spline/spline_discretisation.h"
+#include "bem/spline/spline_projection.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+using modeling::Support;
+
+/// Supports that overlap, or that meet with different displacements, are found on the mesh: there
+/// both kinds of elements say the same.
+void checkSupports(const modeling::Project& project, const modeling::SurfaceMesh& mesh) {
+  const std::vector<int> owner = supportOfTriangle(project, mesh);
+  std::map<int, PrescribedDisplacement> ofNode;
+  for (std::size_t t = 0; t < owner.size(); ++t)
+    if (owner[t] >= 0 && project.supports[owner[t]].kind == Support::Kind::kFixed)
+      for (const int node : mesh.triangles[t])
+        ofNode[node].addFixed(project.supports[owner[t]], mesh.positions[node]);
+}
+
+/// The surface cut into the parts of supports and loads.
+bem::SplineSurface taggedSurface(const modeling::Project& project, const modeling::Solid& solid,
+                                 RegionTags& tags) {
+  bem::SplineSurface surface = splineSurfaceOf(solid);
+  const std::vector<modeling::MeshRegion> regions = modeling::meshRegions(project);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const auto region = static_cast<int>(r);
+    surface = bem::withPart(
+        surface, surfacePart(regions[r].where, solid),
+        [&](int tag) { return tags.with(tag, region); },
+        r < project.supports.size() ? bem::Tearing::kTorn : bem::Tearing::kWhole);
+  }
+  return surface;
+}
+
+std::vector<int> elementsIn(const bem::SplineSurface& surface, const RegionTags& tags, int region) {
+  std::vector<int> elements;
+  for (int e = 0; e < surface.elementCount(); ++e)
+    if (tags.isIn(surface.elements()[e].tag, region)) elements.push_back(e);
+  return elements;
+}
+
+void applySupports(const modeling::Project& project, const RegionTags& tags, BoundarySetup& setup) {
+  const bem::SplineSurface& surface = setup.splines->surface();
+  std::map<int, PrescribedDisplacement> ofCoefficient;
+  const auto& slots = setup.splines->slots().slots;
+  for (std::size_t s = 0; s < slots.size(); ++s) {
+    const auto& regions = tags.regions(slots[s].tag);
+    const auto supportCount = static_cast<int>(project.supports.size());
+    if (regions.empty() || regions.front() >= supportCount ||
+        surface.barelyReaches(slots[s].node, slots[s].tag, slots[s].smoothingGroup))
+      continue;
+    const Support& support = project.supports[regions.front()];
+    if (support.kind == Support::Kind::kFixed) {
+      setup.conditions.ofSlot[s] = bem::SlotCondition::kFixed;
+      ofCoefficient[slots[s].node].addFixed(support, surface.controlPoints()[slots[s].node]);
+    } else {
+      setup.conditions.ofSlot[s] = bem::SlotCondition::kRoller;
+      ofCoefficient[slots[s].node].addRoller(support, slots[s].normal);
+    }
+  }
+  for (const auto& [coefficient, prescribed] : ofCoefficient)
+    setup.conditions.displacement.segment<3>(3 * coefficient) = prescribed.value();
+}
+
+void applyLoads(const modeling::Project& project, const RegionTags& tags, BoundarySetup& setup) {
+  const bem::SplineSurface& surface = setup.splines->surface();
+  auto region = static_cast<int>(project.supports.size());
+  for (const modeling::Load& load : project.loads) {
+    std::vector<int> elements(surface.elements().size());
+    std::iota(elements.begin(), elements.end(), 0);
+    if (modeling::regionOf(load)) elements = elementsIn(surface, tags, region++);
+    const LoadTraction what = loadTraction(load);
+    setup.addLoad(load.name, bem::projectTraction(surface, setup.splines->tractions(), elements,
+                                                  what.traction, what.featureLength));
+  }
+}
+
+}  // namespace
+
+BoundarySetup makeSplineSetup(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
+                              const SplineRefinement& net) {
+  checkSupports(project, mesh);
+  const auto& design = std::get<modeling::Solid>(project.body);
+  auto solid = std::make_shared<const modeling::Solid>(refined(design, net));
+  RegionTags tags(mesh);
+  bem::SplineSurface surface = taggedSurface(project, *solid, tags);
+  const auto splines = std::make_shared<const bem::SplineDiscretisation>(
+      boundaryMesh(mesh, tags.ofTriangle()), std::move(surface), splineTriangles(design, mesh));
+  BoundarySetup setup(project, splines);
+  setup.splines = splines;
+  setup.splineRefinement = std::move(solid);
+  for (std::size_t s = 0; s < project.supports.size(); ++s)
+    setup.supports.push_back({project.supports[s].name, mesh.trianglesOfRegion[s],
+                              elementsIn(splines->surface(), tags, static_cast<int>(s)),
+                              project.supports[s].kind == Support::Kind::kFixed});
+  applySupports(project, tags, setup);
+  applyLoads(project, tags, setup);
+  return setup;
+}
+
+}  // namespace palpa::app

@@ -1,0 +1,167 @@
+#include "app/core/setup/support_borders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "modeling/mesh/region_border.h"
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kMinSamples = 24, kMaxSamples = 96;  ///< pieces of a patch per direction
+constexpr double kInwards = 0.01;  ///< of the patch: how far off an edge its two sides are asked
+
+bool contains(const bem::SurfacePart& part, int patch, const Vector3d& x) {
+  return part.hasPatch(patch) || (part.level && part.level(x) < 0);
+}
+
+/// Does a part end along most of an edge?
+bool endsAlong(const modeling::SurfaceEvaluator& surface, const modeling::SolidEdge& edge,
+               const bem::SurfacePart& part) {
+  constexpr int kPlaces = 5;
+  int differ = 0;
+  for (int k = 0; k < kPlaces; ++k) {
+    std::array<bool, 2> isInside{};
+    for (int use = 0; use < 2; ++use) {
+      const modeling::PatchEdge& at = edge.uses[use];
+      const int along = directionOf(at.side);
+      const bool isUpper = at.side == modeling::Side::kUMax || at.side == modeling::Side::kVMax;
+      const double fraction = (k + 0.5) / kPlaces;
+      std::array<double, 2> fractions{};
+      fractions[along] = use == 1 && edge.reversed ? 1 - fraction : fraction;
+      fractions[1 - along] = isUpper ? 1 - kInwards : kInwards;
+      std::array<double, 2> parameter{};
+      for (int d = 0; d < 2; ++d) {
+        const auto [low, high] = surface.range(at.patch, d);
+        parameter[d] = low + fractions[d] * (high - low);
+      }
+      isInside[use] =
+          contains(part, at.patch, surface.position(at.patch, parameter[0], parameter[1]));
+    }
+    differ += isInside[0] != isInside[1] ? 1 : 0;
+  }
+  return 2 * differ > kPlaces;
+}
+
+/// Samples of a patch in a grid, and where the sign of a level function changes between them.
+class PatchSamples {
+ public:
+  PatchSamples(const modeling::SurfaceEvaluator& surface, int patch, int pieces,
+               const bem::LevelFunction& level)
+      : patch_(patch), pieces_(pieces) {
+    for (int d = 0; d < 2; ++d) range_[d] = surface.range(patch, d);
+    for (int j = 0; j <= pieces; ++j)
+      for (int i = 0; i <= pieces; ++i) {
+        positions_.push_back(surface.position(patch, parameter(0, i), parameter(1, j)));
+        levels_.push_back(level(positions_.back()));
+      }
+  }
+
+  void addPlaces(double radius, std::vector<SupportBorders::Place>& places) const {
+    for (int j = 0; j <= pieces_; ++j)
+      for (int i = 0; i <= pieces_; ++i)
+        for (int d = 0; d < 2; ++d) {
+          const std::array<int, 2> next{i + (d == 0 ? 1 : 0), j + (d == 1 ? 1 : 0)};
+          if (next[d] > pieces_) continue;
+          const double here = levels_[index(i, j)], there = levels_[index(next[0], next[1])];
+          if ((here < 0) == (there < 0)) continue;
+          SupportBorders::Place place{patch_, {parameter(0, i), parameter(1, j)}, {}, radius};
+          place.parameters[d] += here / (here - there) * (range_[d][1] - range_[d][0]) / pieces_;
+          const std::array<double, 2> slope{slopeAlong(0, i, j), slopeAlong(1, i, j)};
+          const double size = std::hypot(slope[0], slope[1]);
+          if (!(size > 0)) continue;
+          for (int e = 0; e < 2; ++e) place.along[e] = std::abs(slope[e]) / size;
+          places.push_back(place);
+        }
+  }
+
+ private:
+  double parameter(int d, int k) const {
+    return range_[d][0] + (range_[d][1] - range_[d][0]) * k / pieces_;
+  }
+  int index(int i, int j) const { return i + j * (pieces_ + 1); }
+  double slopeAlong(int d, int i, int j) const {
+    const int k = d == 0 ? i : j, low = std::max(k - 1, 0), high = std::min(k + 1, pieces_);
+    const int a = d == 0 ? index(low, j) : index(i, low);
+    const int b = d == 0 ? index(high, j) : index(i, high);
+    const double length = (positions_[b] - positions_[a]).norm();
+    return length > 0 ? (levels_[b] - levels_[a]) / length : 0;
+  }
+
+  int patch_, pieces_;
+  std::array<std::array<double, 2>, 2> range_{};
+  std::vector<Vector3d> positions_;
+  std::vector<double> levels_;
+};
+
+double thinnestStroke(const modeling::Region& region) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (const modeling::RegionPart& part : region.parts)
+    if (const auto* stroke = std::get_if<modeling::Stroke>(&part))
+      radius = std::min(radius, stroke->radius);
+  return radius;
+}
+
+}  // namespace
+
+bem::SurfacePart surfacePart(const modeling::Region& region, const modeling::Solid& solid) {
+  bem::SurfacePart part;
+  part.patches.resize(solid.patches().size(), false);
+  std::vector<modeling::RegionBorder> borders;
+  std::vector<modeling::Stroke> strokes;
+  for (const modeling::RegionPart& each : region.parts) {
+    if (const auto* set = std::get_if<modeling::PatchSet>(&each)) {
+      for (const std::string& name : set->patches)
+        if (const auto patch = solid.findPatch(name)) part.patches[*patch] = true;
+    } else if (const auto* half = std::get_if<modeling::HalfSpace>(&each)) {
+      borders.emplace_back(*half);
+    } else {
+      strokes.push_back(std::get<modeling::Stroke>(each));
+    }
+  }
+  if (!strokes.empty()) borders.emplace_back(std::move(strokes));
+  if (borders.empty()) return part;
+  const auto shared =
+      std::make_shared<const std::vector<modeling::RegionBorder>>(std::move(borders));
+  part.level = [shared](const Vector3d& x) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const modeling::RegionBorder& border : *shared)
+      least = std::min(least, border.value(x) / border.slope());
+    return least;
+  };
+  return part;
+}
+
+SupportBorders supportBorders(const modeling::Solid& solid,
+                              const modeling::SurfaceEvaluator& surface,
+                              std::span<const modeling::Region> supports) {
+  SupportBorders borders;
+  borders.edges.resize(solid.edges().size(), false);
+  for (const modeling::Region& region : supports) {
+    const bem::SurfacePart part = surfacePart(region, solid);
+    for (std::size_t e = 0; e < solid.edges().size(); ++e)
+      if (endsAlong(surface, solid.edges()[e], part)) borders.edges[e] = true;
+    if (!part.level) continue;
+    const double radius = thinnestStroke(region);
+    for (int patch = 0; patch < surface.patchCount(); ++patch) {
+      if (part.hasPatch(patch)) continue;
+      double reach = 0;  // of the patch's control points about one of them
+      const auto& net = solid.patches()[patch].net;
+      const Vector3d& first = solid.controlPoints()[net[0][0]];
+      for (const auto& row : net)
+        for (const int point : row)
+          reach = std::max(reach, (solid.controlPoints()[point] - first).norm());
+      if (std::abs(part.level(first)) > reach) continue;
+      const int pieces =
+          std::clamp(static_cast<int>(std::min(3 * reach / radius, 1e6)), kMinSamples, kMaxSamples);
+      PatchSamples(surface, patch, pieces, part.level).addPlaces(radius, borders.places);
+    }
+  }
+  return borders;
+}
+
+}  // namespace palpa::app

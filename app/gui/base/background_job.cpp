@@ -1,0 +1,109 @@
+#include "app/gui/base/background_job.h"
+
+#include <QApplication>
+#include <QEventLoop>
+#include <QTimer>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+#include "app/gui/base/progress_dialog.h"
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kPatience = 400;  // ms until the dialog appears
+constexpr int kRefresh = 50;    // ms between two looks at the progress
+
+/// Of the running job; only the window's thread uses it.
+std::stop_source* running_ = nullptr;
+
+/// What the worker tells the window.
+struct Shared {
+  std::mutex mutex;
+  std::string phase;
+  double fraction = 0;
+  bool isDone = false;
+};
+
+/// Keeps `running_` right, whatever is thrown.
+struct Registration {
+  explicit Registration(std::stop_source& stop) { running_ = &stop; }
+  ~Registration() { running_ = nullptr; }
+};
+
+}  // namespace
+
+bool isBackgroundJobRunning() {
+  return running_ != nullptr;
+}
+
+void cancelBackgroundJob() {
+  if (running_) running_->request_stop();
+}
+
+bool runWorkInBackground(QWidget& window, const QString& title, const BackgroundWork& work) {
+  if (running_) throw std::logic_error("runWorkInBackground: another job is running");
+  std::stop_source stop;
+  const Registration registration(stop);
+  Shared shared;
+  std::exception_ptr failure;
+  QEventLoop loop;
+
+  Job job;
+  job.stop = stop.get_token();
+  job.progress = [&shared](std::string_view phase, double fraction) {
+    const std::lock_guard lock(shared.mutex);
+    shared.phase = phase;
+    shared.fraction = fraction;
+  };
+  std::jthread worker([&] {
+    try {
+      work(job);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    const std::lock_guard lock(shared.mutex);
+    shared.isDone = true;
+    QMetaObject::invokeMethod(&loop, &QEventLoop::quit, Qt::QueuedConnection);
+  });
+  const auto isDone = [&] {
+    const std::lock_guard lock(shared.mutex);
+    return shared.isDone;
+  };
+
+  // Input that arrives before the dialog is kept for later: most jobs end within this time.
+  QApplication::setOverrideCursor(Qt::BusyCursor);
+  QTimer patience;
+  patience.setSingleShot(true);
+  QObject::connect(&patience, &QTimer::timeout, &loop, &QEventLoop::quit);
+  patience.start(kPatience);
+  while (!isDone() && patience.isActive()) loop.exec(QEventLoop::ExcludeUserInputEvents);
+  QApplication::restoreOverrideCursor();
+
+  if (!isDone()) {
+    ProgressDialog dialog(title, &window);
+    QObject::connect(&dialog, &QDialog::rejected, &dialog, [&stop] { stop.request_stop(); });
+    QTimer refresh;
+    QObject::connect(&refresh, &QTimer::timeout, &dialog, [&] {
+      const std::lock_guard lock(shared.mutex);
+      dialog.showProgress(QString::fromStdString(shared.phase), shared.fraction,
+                          stop.stop_requested());
+    });
+    refresh.start(kRefresh);
+    dialog.open();
+    while (!isDone()) loop.exec();
+  }
+  worker.join();
+  if (failure) {
+    try {
+      std::rethrow_exception(failure);
+    } catch (const Cancelled&) {
+      return false;
+    }
+  }
+  return !stop.stop_requested();
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,142 @@
+#include "app/gui/base/settings.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace palpa::gui {
+namespace {
+
+constexpr std::array<const char*, 5> kUnitKeys{"units/length", "units/force", "units/stress",
+                                               "units/angle", "units/number"};
+
+double finiteOr(const QVariant& value, double fallback, double most) {
+  bool isNumber = false;
+  const double number = value.toDouble(&isNumber);
+  return isNumber && std::isfinite(number) && number >= 0 && number <= most ? number : fallback;
+}
+
+int between(const QVariant& value, int low, int high, int fallback) {
+  bool isNumber = false;
+  const int number = value.toInt(&isNumber);
+  return isNumber && number >= low && number <= high ? number : fallback;
+}
+
+}  // namespace
+
+Settings::Settings(QObject* parent)
+    : QObject(parent), file_(QSettings::IniFormat, QSettings::UserScope, "palpa", "palpa") {
+  for (std::size_t i = 0; i < kUnitKeys.size(); ++i) {
+    const QString symbol = file_.value(kUnitKeys[i]).toString();
+    const auto units = unitsOf(static_cast<Quantity>(i));
+    const auto found = std::find_if(units.begin(), units.end(),
+                                    [&](const Unit& unit) { return unit.symbol == symbol; });
+    if (found != units.end()) units_.chosen[i] = static_cast<int>(found - units.begin());
+  }
+}
+
+void Settings::set(const QString& key, const QVariant& value) {
+  if (file_.value(key) == value) return;
+  file_.setValue(key, value);
+  Q_EMIT changed();
+}
+
+Theme Settings::theme() const {
+  return file_.value("theme").toString() == "dark" ? Theme::kDark : Theme::kLight;
+}
+
+void Settings::setTheme(Theme theme) {
+  set("theme", theme == Theme::kDark ? "dark" : "light");
+}
+
+void Settings::setUnits(const ShownUnits& units) {
+  if (units == units_) return;
+  units_ = units;
+  for (std::size_t i = 0; i < kUnitKeys.size(); ++i)
+    file_.setValue(kUnitKeys[i], units_.of(static_cast<Quantity>(i)).symbol);
+  Q_EMIT changed();
+}
+
+int Settings::threads() const {
+  return between(file_.value("threads"), 0, 1024, 0);
+}
+
+void Settings::setThreads(int threads) {
+  set("threads", threads);
+}
+
+double Settings::memoryLimitGiB() const {
+  return finiteOr(file_.value("memoryLimitGiB"), 0, 1e6);
+}
+
+void Settings::setMemoryLimitGiB(double limit) {
+  set("memoryLimitGiB", limit);
+}
+
+double Settings::cacheLimitGiB() const {
+  return finiteOr(file_.value("cacheLimitGiB"), 4, 1e6);
+}
+
+void Settings::setCacheLimitGiB(double limit) {
+  set("cacheLimitGiB", limit);
+}
+
+int Settings::autosaveSeconds() const {
+  return between(file_.value("autosaveSeconds"), 5, 86400, 60);
+}
+
+void Settings::setAutosaveSeconds(int seconds) {
+  set("autosaveSeconds", seconds);
+}
+
+QStringList Settings::recentFiles() const {
+  return file_.value("recentFiles").toStringList().mid(0, kMaxRecentFiles);
+}
+
+void Settings::addRecentFile(const QString& file) {
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  QStringList files = recentFiles();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  set("recentFiles", files.mid(0, kMaxRecentFiles));
+}
+
+void Settings::removeRecentFile(const QString& file) {
+  QStringList files = recentFiles();
+  files.removeAll(file);
+  set("recentFiles", files);
+}
+
+void Settings::clearRecentFiles() {
+  set("recentFiles", QStringList());
+}
+
+QString Settings::lastFolder() const {
+  const QString folder = file_.value("lastFolder").toString();
+  return QDir(folder).exists() ? folder : QDir::homePath();
+}
+
+void Settings::setLastFolder(const QString& folder) {
+  set("lastFolder", folder);
+}
+
+QByteArray Settings::windowGeometry() const {
+  return file_.value("window/geometry").toByteArray();
+}
+
+QByteArray Settings::windowState() const {
+  return file_.value("window/state").toByteArray();
+}
+
+void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
+  file_.setValue("window/geometry", geometry);
+  file_.setValue("window/state", state);
+}
+
+bool Settings::isFirstRun() const {
+  return !file_.contains("window/state");
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,197 @@
+#include <Eigen/Geometry>
+#include <QAction>
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "app/gui/document/naming.h"
+#include "app/gui/properties/pages.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/window/main_window.h"
+#include "app/gui/base/measures.h"
+#include "modeling/error.h"
+#include "modeling/project/material_library.h"
+
+namespace palpa::gui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Properties", text);
+}
+
+/// Constants that a person changes are no longer those of the library's material.
+void renameWhenChanged(modeling::Material& material) {
+  const auto& library = modeling::materialLibrary();
+  const bool isOfLibrary = std::any_of(library.begin(), library.end(), [&](const auto& each) {
+    return each.material.name == material.name;
+  });
+  if (isOfLibrary) material.name += tr(", changed").toStdString();
+}
+
+void addMaterial(PropertyPage& page) {
+  Editor& editor = page.editor();
+  page.addSection(tr("Material"));
+  page.addFact(tr("Name"), "materialName",
+               [&editor] { return QString::fromStdString(editor.project().material.name); });
+  page.addQuantity(
+      tr("&Young's modulus"), "youngsModulus", Quantity::kStress,
+      [&editor] { return editor.project().material.youngsModulus; },
+      [&editor](double modulus) {
+        modeling::Material material = editor.project().material;
+        material.youngsModulus = modulus;
+        renameWhenChanged(material);
+        return editor.perform(modeling::SetMaterial{material});
+      });
+  page.addQuantity(
+      tr("&Poisson's ratio"), "poissonRatio", Quantity::kNumber,
+      [&editor] { return editor.project().material.poissonRatio; },
+      [&editor](double ratio) {
+        modeling::Material material = editor.project().material;
+        material.poissonRatio = ratio;
+        renameWhenChanged(material);
+        return editor.perform(modeling::SetMaterial{material});
+      });
+  if (auto* choose = page.workspace().window.findChild<QAction*>("Material"))
+    page.addButton(tr("Choo&se …"), "chooseMaterial", "material", [choose] { choose->trigger(); });
+}
+
+QString nodesText(const Editor& editor) {
+  const modeling::Project& project = editor.project();
+  try {
+    const double nodes =
+        modeling::estimateNodeCount(project.body, project.mesh, modeling::meshRegions(project));
+    if (!std::isfinite(nodes) || nodes > modeling::kMaxNodes)
+      return tr("far too many: more than %L1").arg(modeling::kMaxNodes, 0, 'f', 0);
+    return tr("about %L1").arg(nodes, 0, 'f', 0);
+  } catch (const modeling::ModelingError& error) {
+    return QString::fromStdString(error.what());
+  }
+}
+
+using ChangeMesh = std::function<bool(const std::function<void(modeling::MeshSettings&)>&)>;
+
+/// What a solid is computed with, and how fine.
+void addEngine(PropertyPage& page, const ChangeMesh& change) {
+  Editor& editor = page.editor();
+  page.addChoice(
+      tr("Compu&ted with"), "engine", {tr("Automatic"), tr("Splines"), tr("Triangles")},
+      [&editor] { return static_cast<int>(editor.project().mesh.engine); },
+      [change](int engine) {
+        return change([&](auto& mesh) { mesh.engine = static_cast<modeling::Engine>(engine); });
+      });
+  page.addQuantity(
+          tr("Accuracy &wish, %"), "accuracy", Quantity::kNumber,
+          [&editor] { return 100 * editor.project().mesh.accuracy; },
+          [change](double percent) {
+            return change([&](auto& mesh) {
+              mesh.accuracy = percent / 100;
+              mesh.elementLength.reset();
+            });
+          })
+      ->setRange(0.01, 10);
+  page.addSlowFact(tr("Spline elements"), "splineElements", [&editor] {
+    const auto model = editor.model();
+    if (!model) return QString("…");
+    const app::BoundarySetup& setup = model->setup();
+    if (!setup.splines) return tr("none: triangles");
+    return tr("%L1, %L2 coefficients")
+        .arg(setup.discretisation->elementCount())
+        .arg(setup.discretisation->displacementCount());
+  });
+}
+
+void addMesh(PropertyPage& page) {
+  Editor& editor = page.editor();
+  page.addSection(tr("Mesh"));
+  // One setting changed, the others as they are.
+  const ChangeMesh change = [&editor](const std::function<void(modeling::MeshSettings&)>& edit) {
+    modeling::MeshSettings mesh = editor.project().mesh;
+    edit(mesh);
+    return editor.perform(modeling::SetMesh{mesh});
+  };
+  if (editor.solid()) addEngine(page, change);
+  page.addQuantity(
+      tr("&Edge length"), "edgeLength", Quantity::kLength,
+      [&editor] { return editor.project().mesh.edgeLength; },
+      [change](double length) { return change([&](auto& mesh) { mesh.edgeLength = length; }); });
+  page.addCount(
+      tr("&Refinement"), "refinementLevels", 0, 6,
+      [&editor] { return editor.project().mesh.refinementLevels; },
+      [change](int levels) { return change([&](auto& mesh) { mesh.refinementLevels = levels; }); });
+  page.addCheck(
+      tr("Finer at s&harp edges"), "refineAtSharpEdges",
+      [&editor] { return editor.project().mesh.refineAtSharpEdges; },
+      [change](bool on) { return change([&](auto& mesh) { mesh.refineAtSharpEdges = on; }); });
+  page.addCheck(
+      tr("Finer at &borders of supports"), "refineAtBorders",
+      [&editor] { return editor.project().mesh.refineAtBorders; },
+      [change](bool on) { return change([&](auto& mesh) { mesh.refineAtBorders = on; }); });
+  page.addSlowFact(tr("Nodes"), "nodes", [&editor] { return nodesText(editor); });
+  for (const auto& [patch, unused] : editor.project().mesh.patchFactors)
+    page.addQuantity(
+            tr("%1 ×").arg(QString::fromStdString(patch)),
+            "factor " + QString::fromStdString(patch), Quantity::kNumber,
+            [&editor, patch = patch] {
+              const auto& factors = editor.project().mesh.patchFactors;
+              const auto found = factors.find(patch);
+              return found == factors.end() ? 1.0 : found->second;
+            },
+            [change, patch = patch](double factor) {
+              return change([&](auto& mesh) {
+                if (factor == 1.0)
+                  mesh.patchFactors.erase(patch);
+                else
+                  mesh.patchFactors[patch] = factor;
+              });
+            })
+        ->setRange(0.05, 20);
+  page.addNote(
+      tr("Each level of refinement halves the edges there. Select a patch to give it a "
+         "finer or coarser mesh."));
+}
+
+void addBody(PropertyPage& page) {
+  Editor& editor = page.editor();
+  page.addSection(tr("Body"));
+  page.addFact(tr("Size"), "size", [&page] {
+    // Of the surface as shown; the control points stand farther out.
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : page.workspace().scene.surface().positions)
+      box.extend(place);
+    const Eigen::Vector3d size = box.sizes();
+    return QStringList{page.shownLength(size.x()), page.shownLength(size.y()),
+                       page.shownLength(size.z())}
+        .join(QStringLiteral(" × "));
+  });
+  page.addSlowFact(tr("Volume"), "volume", [&page] {
+    return shownVolume(modeling::volume(page.editor().project().body),
+                       page.workspace().settings.units());
+  });
+  page.addSlowFact(tr("Area"), "area", [&page] {
+    return shownArea(modeling::area(page.editor().project().body),
+                     page.workspace().settings.units());
+  });
+  page.addFact(editor.solid() ? tr("Patches") : tr("Faces"), "patches", [&editor] {
+    return QString::number(modeling::patchNames(editor.project().body).size());
+  });
+  if (editor.solid())
+    page.addFact(tr("Control points"), "points", [&editor] {
+      return editor.solid() ? QString::number(editor.solid()->controlPoints().size()) : QString();
+    });
+}
+
+}  // namespace
+
+void addProjectRows(PropertyPage& page) {
+  Editor& editor = page.editor();
+  page.addSection(tr("Project"));
+  page.addText(
+      tr("&Name"), "name", [&editor] { return QString::fromStdString(editor.project().name); },
+      [&editor](const QString& name) { return renameProject(editor, name); });
+  addPrimitiveRows(page);
+  addMaterial(page);
+  addMesh(page);
+  addBody(page);
+}
+
+}  // namespace palpa::gui

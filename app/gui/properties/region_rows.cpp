@@ -1,0 +1,222 @@
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+
+#include "app/gui/base/appearance.h"
+#include "app/gui/properties/pages.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/base/overloaded.h"
+
+namespace palpa::gui {
+namespace {
+
+using modeling::HalfSpace;
+using modeling::PatchSet;
+using modeling::Region;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Properties", text);
+}
+
+class RegionRows {
+ public:
+  RegionRows(PropertyPage& page, PropertyPage::Get<Region> get, PropertyPage::Set<Region> set)
+      : page_(page), get_(std::move(get)), set_(std::move(set)) {}
+
+  void add() const {
+    const Region region = get_();
+    page_.addSection(tr("Where"));
+    int strokes = 0;
+    for (std::size_t i = 0; i < region.parts.size(); ++i)
+      std::visit(Overloaded{[&](const PatchSet& set) { addPatches(i, set); },
+                            [&](const HalfSpace&) { addHalfSpace(i); },
+                            [&](const modeling::Stroke& stroke) {
+                              const QString radius = page_.shownLength(stroke.radius);
+                              addRemovable(tr("Stroke %1, radius %2").arg(++strokes).arg(radius),
+                                           QString("part%1").arg(i), withoutPart(i));
+                            }},
+                 region.parts[i]);
+    addButtons(region);
+  }
+
+ private:
+  using Edit = std::function<void(Region&)>;
+
+  Edit withoutPart(std::size_t part) const {
+    return [part](Region& region) {
+      if (part < region.parts.size())
+        region.parts.erase(region.parts.begin() + static_cast<std::ptrdiff_t>(part));
+    };
+  }
+
+  /// A line of text with a button behind it that removes what it names.
+  void addRemovable(const QString& text, const QString& name, Edit remove) const {
+    auto* row = new QWidget(&page_);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* label = new QLabel(text, row);
+    label->setWordWrap(true);
+    auto* button = new QToolButton(row);
+    button->setObjectName(name + "Remove");
+    button->setIcon(icon("delete"));
+    button->setToolTip(tr("Take this out of the region"));
+    button->setAccessibleName(tr("Remove %1").arg(text));
+    button->setFocusPolicy(Qt::StrongFocus);
+    auto* refusal = new QLabel(row);
+    refusal->setObjectName("refusal");
+    refusal->setWordWrap(true);
+    refusal->hide();
+    layout->addWidget(label, 1);
+    layout->addWidget(refusal, 2);
+    layout->addWidget(button);
+    page_.addWidget(row);
+    QObject::connect(button, &QToolButton::clicked, &page_,
+                     [*this, button, remove] { change(button, remove); });
+  }
+
+  void addPatches(std::size_t part, const PatchSet& set) const {
+    for (const std::string& name : set.patches)
+      addRemovable(tr("Patch %1").arg(QString::fromStdString(name)),
+                   QString("patch %1").arg(QString::fromStdString(name)),
+                   [part, name, remove = withoutPart(part)](Region& region) {
+                     if (part >= region.parts.size()) return;
+                     auto* patches = std::get_if<PatchSet>(&region.parts[part]);
+                     if (!patches) return;
+                     std::erase(patches->patches, name);
+                     if (patches->patches.empty()) remove(region);
+                   });
+  }
+
+  void addHalfSpace(std::size_t part) const {
+    addRemovable(tr("Everything on one side of a plane"), QString("part%1").arg(part),
+                 withoutPart(part));
+    const auto read = [get = get_, part] {
+      const Region region = get();
+      const auto* half =
+          part < region.parts.size() ? std::get_if<HalfSpace>(&region.parts[part]) : nullptr;
+      return half ? *half : HalfSpace();
+    };
+    const auto write = [get = get_, set = set_, part](const HalfSpace& half) {
+      Region region = get();
+      if (part >= region.parts.size()) return false;
+      region.parts[part] = half;
+      return set(region);
+    };
+    page_.addVector(
+        tr("Normal, away from that side"), QString("normal%1").arg(part), Quantity::kNumber,
+        [read] { return read().normal; },
+        [read, write](const Eigen::Vector3d& normal) {
+          HalfSpace half = read();
+          half.normal = normal;
+          return write(half);
+        });
+    page_.addQuantity(
+        tr("Height along it"), QString("below%1").arg(part), Quantity::kLength,
+        [read] { return read().below; },
+        [read, write](double below) {
+          HalfSpace half = read();
+          half.below = below;
+          return write(half);
+        });
+  }
+
+  void addButtons(const Region& region) const {
+    auto* row = new QWidget(&page_);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 4, 0, 0);
+    const auto button = [&](const QString& text, const QString& name, const QString& tip) {
+      auto* made = new QToolButton(row);
+      made->setText(text);
+      made->setObjectName(name);
+      made->setToolTip(tip);
+      made->setFocusPolicy(Qt::StrongFocus);
+      made->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+      made->setIcon(icon("add"));
+      layout->addWidget(made);
+      return made;
+    };
+    auto* patch = button(tr("Patch"), "addPatch", tr("Add a patch to the region"));
+    patch->setPopupMode(QToolButton::InstantPopup);
+    patch->setMenu(patchMenu(region, patch));
+    patch->setEnabled(!patch->menu()->isEmpty());
+    auto* half = button(tr("Half-space"), "addHalfSpace",
+                        tr("Add everything on one side of a plane; begins with the lowest tenth"));
+    layout->addStretch();
+    page_.addWidget(row);
+    QObject::connect(half, &QToolButton::clicked, &page_, [*this, half] {
+      const auto box = modeling::boundingBox(page_.editor().project().body);
+      const double below = box[0].z() + 0.1 * (box[1].z() - box[0].z());
+      change(half, [below](Region& to) {
+        to.parts.push_back(HalfSpace{Eigen::Vector3d::UnitZ(), below});
+      });
+    });
+  }
+
+  /// The patches that the region does not name yet.
+  QMenu* patchMenu(const Region& region, QToolButton* button) const {
+    std::set<std::string> named;
+    for (const modeling::RegionPart& part : region.parts)
+      if (const auto* set = std::get_if<PatchSet>(&part))
+        named.insert(set->patches.begin(), set->patches.end());
+    auto* menu = new QMenu(button);
+    menu->setStyleSheet(QStringLiteral("QMenu { menu-scrollable: 1; }"));  // there may be hundreds
+    for (const std::string& name : modeling::patchNames(page_.editor().project().body))
+      if (!named.contains(name))
+        QObject::connect(menu->addAction(QString::fromStdString(name)), &QAction::triggered, &page_,
+                         [*this, button, name] { addPatch(button, name); });
+    return menu;
+  }
+
+  void addPatch(QWidget* button, const std::string& name) const {
+    change(button, [&name](Region& to) {
+      for (modeling::RegionPart& part : to.parts)
+        if (auto* set = std::get_if<PatchSet>(&part)) {
+          set->patches.push_back(name);
+          return;
+        }
+      to.parts.push_back(PatchSet{{name}});
+    });
+  }
+
+  void change(QWidget* field, const Edit& edit) const {
+    page_.attempt(field, [&] {
+      Region region = get_();
+      edit(region);
+      if (region.parts.empty()) {
+        Q_EMIT page_.editor().refused(
+            tr("A region needs at least one part; add another one first, or delete the whole "
+               "thing in the Model panel."));
+        return false;
+      }
+      return set_(region);
+    });
+  }
+
+  PropertyPage& page_;
+  PropertyPage::Get<Region> get_;
+  PropertyPage::Set<Region> set_;
+};
+
+}  // namespace
+
+void addRegionRows(PropertyPage& page, PropertyPage::Get<Region> get,
+                   PropertyPage::Set<Region> set) {
+  RegionRows(page, std::move(get), std::move(set)).add();
+}
+
+QString regionKey(const Region& region) {
+  QString key;
+  for (const modeling::RegionPart& part : region.parts)
+    std::visit(Overloaded{[&](const PatchSet& set) {
+                            for (const std::string& name : set.patches)
+                              key += "|" + QString::fromStdString(name);
+                            key += ";";
+                          },
+                          [&](const HalfSpace&) { key += "half;"; },
+                          [&](const auto&) { key += QString("other%1;").arg(part.index()); }},
+               part);
+  return key;
+}
+
+}  // namespace palpa::gui

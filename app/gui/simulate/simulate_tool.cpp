@@ -1,0 +1,278 @@
+#include "app/gui/simulate/simulate_tool.h"
+
+#include <Eigen/Geometry>
+#include <QKeyEvent>
+#include <utility>
+
+namespace palpa::gui {
+namespace {
+
+using Kind = bem::ContactTool::Kind;
+using Style = view::ToolDrawing::Style;
+
+constexpr double kNotch = 0.05;   // of the radius: how far a notch of the wheel presses
+constexpr double kPinReach = 12;  // pixels
+
+/// Drawn mm per mm of displacement; 1 where displacements are not drawn, so that the hand still can
+/// touch.
+double drawnScale(const Simulation& simulation) {
+  return simulation.scale() > 0 ? simulation.scale() : 1;
+}
+
+/// N per mm by which the arrow of a given force is pulled: about the stiffness of a half-space
+/// under a disc, so that the pull looks like what it does.
+double forcePerLength(const app::DrawnBody& body, double radius) {
+  return 2 * body.model().setup().material.youngsModulus * radius;
+}
+
+}  // namespace
+
+SimulateTool::SimulateTool(Kind kind, Settings& settings, Simulation& simulation, SimulateOptions& options,
+                   ViewportWidget& widget)
+    : kind_(kind),
+      settings_(settings),
+      simulation_(simulation),
+      options_(options),
+      widget_(widget) {
+  connect(&simulation, &Simulation::activeChanged, this, [this] {
+    hold_.reset();
+    Q_EMIT changed();
+  });
+  connect(&simulation, &Simulation::bodyChanged, this, &Tool::changed);
+  connect(&simulation, &Simulation::framed, this, [this] {
+    const int pins = simulation_.snapshot().contactCount;
+    if (std::exchange(pins_, pins) != pins) Q_EMIT changed();
+  });
+}
+
+std::optional<SimulateTool::Place> SimulateTool::placeAt(const Eigen::Vector2d& pixel) const {
+  const app::DrawnBody* body = simulation_.drawn();
+  if (!body) return std::nullopt;
+  const auto hit = widget_.viewport().surfaceAt(pixel);
+  if (!hit) return std::nullopt;
+  const auto& [a, b, c] = body->mesh().triangles[static_cast<std::size_t>(hit->triangle)];
+  const auto& drawn = simulation_.shape().positions;
+  const Eigen::Vector3d p = drawn[b] - drawn[a], q = drawn[c] - drawn[a],
+                        r = hit->position - drawn[a];
+  const Eigen::Vector3d area = p.cross(q);
+  const double s = r.cross(q).dot(area) / area.squaredNorm();
+  const double t = p.cross(r).dot(area) / area.squaredNorm();
+  const auto& unloaded = body->mesh().positions;
+  const auto& normals = simulation_.shape().normals;
+  return Place{(1 - s - t) * unloaded[a] + s * unloaded[b] + t * unloaded[c], hit->position,
+               ((1 - s - t) * normals[a] + s * normals[b] + t * normals[c]).normalized()};
+}
+
+std::optional<app::TouchId> SimulateTool::pinAt(const Eigen::Vector2d& pixel) const {
+  if (!simulation_.drawn()) return std::nullopt;
+  std::optional<app::TouchId> nearest;
+  double least = kPinReach * widget_.devicePixelRatioF();
+  for (const auto& contact : simulation_.snapshot().touched()) {
+    if (simulation_.isOver(contact.id)) continue;
+    const Eigen::Vector3d drawn =
+        contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
+    const double distance = (widget_.viewport().toPixel(drawn) - pixel).norm();
+    if (distance > least) continue;
+    least = distance;
+    nearest = contact.id;
+  }
+  return nearest;
+}
+
+bool SimulateTool::press(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  widget_.viewport().setToolDrawing({});
+  if (const auto pin = pinAt(event.pixel)) {
+    const auto& contact = *simulation_.snapshot().find(*pin);
+    const Eigen::Vector3d drawn =
+        contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
+    const bem::BoundaryMesh& mesh = simulation_.drawn()->model().setup().mesh();
+    const double gain = contact.tool.kind == Kind::kForce
+                            ? forcePerLength(*simulation_.drawn(), contact.tool.radius)
+                            : 1;
+    hold_ = Hold{*pin,
+                 contact.tool.kind,
+                 gain,
+                 drawnScale(simulation_),
+                 contact.value,
+                 drawn,
+                 mesh.normal(contact.point.triangle),
+                 event.pixel,
+                 Eigen::Vector3d::Zero(),
+                 Eigen::Vector3d::Zero()};
+    Q_EMIT changed();
+    return true;
+  }
+  const auto place = placeAt(event.pixel);
+  if (!place) return true;
+  const double radius = options_.radius(*simulation_.drawn());
+  const bem::ContactTool tool{kind_, radius,
+                              SimulateOptions::isPushing(kind_) ? options_.friction() : 0};
+  // It begins without a jump: where the place is, touching, or without force.
+  const Eigen::Vector3d displaced =
+      simulation_.displacementAt(simulation_.body()->surface().tree().nearest(place->at));
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();
+  if (kind_ == Kind::kGrab) start = displaced;
+  if (kind_ == Kind::kPush) start = place->at + displaced;
+  if (kind_ == Kind::kProbe) start = place->at + displaced + radius * place->normal;
+  const auto id = simulation_.begin(tool, place->at, start);
+  if (!id) return true;
+  hold_ = Hold{*id,
+               kind_,
+               kind_ == Kind::kForce ? forcePerLength(*simulation_.drawn(), radius) : 1,
+               drawnScale(simulation_),
+               start,
+               place->drawn,
+               place->normal,
+               event.pixel,
+               Eigen::Vector3d::Zero(),
+               Eigen::Vector3d::Zero()};
+  widget_.setCursor(cursor());
+  Q_EMIT changed();
+  return true;
+}
+
+void SimulateTool::pull(const Eigen::Vector2d& pixel, bool alongNormal) {
+  if (alongNormal != hold_->alongNormal) {
+    hold_->alongNormal = alongNormal;
+    hold_->done = hold_->motion;
+    hold_->from = pixel;
+  }
+  const view::Viewport& viewport = widget_.viewport();
+  const Eigen::Vector3d place = hold_->place + hold_->done;
+  const auto at = [&](const Eigen::Vector2d& where) {
+    return alongNormal ? viewport.onLine(where, place, hold_->normal)
+                       : std::optional(viewport.inViewPlane(where, place));
+  };
+  const auto before = at(hold_->from), now = at(pixel);
+  if (!before || !now || !now->allFinite()) return;
+  hold_->motion = hold_->done + (*now - *before);
+  follow();
+}
+
+void SimulateTool::follow() {
+  // The motion is one in the picture. Displacements are drawn larger there, places on the surface
+  // are not: what presses goes along the surface as far as the hand, and into it by the part that
+  // is drawn as far.
+  Eigen::Vector3d moved = hold_->motion / hold_->scale;
+  if (SimulateOptions::isPushing(hold_->kind)) {
+    const Eigen::Vector3d inwards = hold_->normal * hold_->normal.dot(hold_->motion);
+    moved = hold_->motion - inwards + inwards / hold_->scale;
+  }
+  simulation_.move(hold_->id, hold_->start + hold_->gain * moved);
+}
+
+bool SimulateTool::move(const PointerEvent& event) {
+  pointer_ = event.pixel;
+  if (!hold_) {
+    drawHover(event.pixel);
+    return false;
+  }
+  pull(event.pixel, (event.modifiers & Qt::ControlModifier) != 0);
+  return true;
+}
+
+void SimulateTool::drawHover(const Eigen::Vector2d& pixel) {
+  view::ToolDrawing drawing;
+  if (const auto place = placeAt(pixel)) {
+    drawing.dots.push_back({place->drawn, pinAt(pixel) ? Style::kHovered : Style::kPreview});
+    simulation_.expect(place->at);
+  }
+  widget_.viewport().setToolDrawing(drawing);
+  widget_.update();
+}
+
+bool SimulateTool::release(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton || !hold_) return false;
+  const bool stays = (event.modifiers & Qt::ShiftModifier) != 0;
+  if (!stays) simulation_.letGo(hold_->id);
+  hold_.reset();
+  widget_.setCursor(cursor());
+  Q_EMIT changed();
+  return true;
+}
+
+bool SimulateTool::doubleClick(const PointerEvent& event) {
+  if (event.button != Qt::LeftButton) return false;
+  if (const auto pin = pinAt(event.pixel)) {
+    simulation_.letGo(*pin);
+    return true;
+  }
+  return press(event);
+}
+
+bool SimulateTool::wheel(const PointerEvent&, double notches) {
+  if (!hold_ || !simulation_.drawn()) return false;
+  const Eigen::Vector3d step =
+      -notches * kNotch * options_.radius(*simulation_.drawn()) * hold_->scale * hold_->normal;
+  hold_->done += step;
+  hold_->motion += step;
+  follow();
+  return true;
+}
+
+void SimulateTool::leave() {
+  if (hold_) return;
+  widget_.viewport().setToolDrawing({});
+  widget_.update();
+}
+
+bool SimulateTool::wantsKey(const QKeyEvent& event) const {
+  return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
+}
+
+bool SimulateTool::key(QKeyEvent* event) {
+  if (!wantsKey(*event)) return false;
+  const auto pin = hold_ ? std::nullopt : pinAt(pointer_);
+  if (pin) simulation_.letGo(*pin);
+  return true;
+}
+
+bool SimulateTool::cancel() {
+  if (hold_) {
+    simulation_.letGo(hold_->id);
+    hold_.reset();
+    widget_.setCursor(cursor());
+    Q_EMIT changed();
+    return true;
+  }
+  if (!simulation_.isActive() || simulation_.snapshot().contactCount == 0) return false;
+  simulation_.letGoOfAll();
+  return true;
+}
+
+void SimulateTool::deactivate() {
+  if (hold_) cancel();
+  widget_.viewport().setToolDrawing({});
+}
+
+QCursor SimulateTool::cursor() const {
+  return hold_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
+}
+
+QString SimulateTool::hint() const {
+  if (hold_)
+    return tr("Ctrl or the wheel: along the normal. Shift when letting go: it stays as a pin");
+  if (!simulation_.drawn()) return tr("Touching begins as soon as the first model is built");
+  if (pins_ > 0)
+    return tr(
+        "A press on a pin takes hold of it; a double click or Delete lets go of it, Escape of "
+        "all");
+  switch (kind_) {
+    case Kind::kGrab:
+      return tr("Press on the surface and drag: it follows the hand");
+    case Kind::kPush:
+      return tr("Press on the surface, push in with the wheel or Ctrl, drag to slide");
+    case Kind::kProbe:
+      return tr("Press on the surface to set a ball on it, push in with the wheel or Ctrl");
+    case Kind::kForce:
+      return tr("Press on the surface and drag out a force");
+  }
+  return {};
+}
+
+QWidget* SimulateTool::makeOptions(QWidget* parent) {
+  return options_.makeFields(kind_, settings_, simulation_, parent);
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,49 @@
+#include "app/gui/view/geometry_warnings.h"
+
+namespace palpa::gui {
+namespace {
+
+using modeling::GeometryFault;
+
+/// A few words beside the sign; the dock has the sentence.
+QString shortText(GeometryFault fault) {
+  switch (fault) {
+    case GeometryFault::kSelfIntersection:
+      return GeometryWarnings::tr("cuts through itself");
+    case GeometryFault::kTouching:
+      return GeometryWarnings::tr("touches itself");
+    case GeometryFault::kInvertedTriangle:
+      return GeometryWarnings::tr("points inwards");
+    case GeometryFault::kZeroArea:
+      return GeometryWarnings::tr("no area");
+    case GeometryFault::kOpenEdge:
+      return GeometryWarnings::tr("hole or gap");
+    case GeometryFault::kWrongOrientation:
+      return GeometryWarnings::tr("sides disagree");
+    case GeometryFault::kInsideOut:
+      return GeometryWarnings::tr("inside out");
+    case GeometryFault::kFoldedPatch:
+      return GeometryWarnings::tr("folded");
+  }
+  return {};
+}
+
+}  // namespace
+
+GeometryWarnings::GeometryWarnings(Editor& editor, ViewportWidget& widget)
+    : QObject(&widget), editor_(editor), widget_(widget) {
+  connect(&editor, &Editor::rebuildChanged, this, &GeometryWarnings::show);
+}
+
+void GeometryWarnings::show() {
+  app::GeometryError::Findings findings = editor_.rebuildStatus().findings;
+  if (findings == shown_) return;
+  shown_ = std::move(findings);
+  std::vector<view::WarningMarker> markers;
+  for (const modeling::GeometryFinding& finding : *shown_)
+    markers.push_back({finding.at, shortText(finding.fault).toStdString()});
+  widget_.viewport().setWarnings(markers);
+  widget_.update();
+}
+
+}  // namespace palpa::gui

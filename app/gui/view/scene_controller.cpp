@@ -1,0 +1,232 @@
+#include "app/gui/view/scene_controller.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "app/gui/view/condition_marks.h"
+#include "app/gui/document/point_groups.h"
+
+namespace palpa::gui {
+namespace {
+
+using view::HandleState;
+using view::Mark;
+
+/// The least of two fields, either of which may be empty: their union.
+void unite(std::vector<double>& field, const std::vector<double>& other) {
+  if (field.empty()) {
+    field = other;
+    return;
+  }
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] = std::min(field[i], other[i]);
+}
+
+}  // namespace
+
+SceneController::SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget)
+    : QObject(&widget), editor_(editor), settings_(settings), widget_(widget) {
+  connect(&editor, &Editor::projectReplaced, this, [this] {
+    showProject();
+    if (isShown_) widget_.viewport().fit();
+  });
+  connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
+  connect(&editor, &Editor::selectionChanged, this, &SceneController::showTouches);
+  connect(&settings, &Settings::changed, this, [this] {
+    if (isShown_) showLoads();  // with their strengths
+  });
+  showProject();
+  widget_.viewport().fit();
+}
+
+void SceneController::setShown(bool shown) {
+  if (shown == isShown_) return;
+  isShown_ = shown;
+  if (shown) {
+    showProject();
+    return;
+  }
+  view::Viewport& viewport = widget_.viewport();
+  viewport.setControlNet({});
+  viewport.setGizmo(std::nullopt);
+  viewport.setLoadArrows({});
+  viewport.setTouchMarkers({});
+  viewport.setToolDrawing({});
+  viewport.setRegions({}, {});
+}
+
+void SceneController::showProject() {
+  // Also while nothing of it is shown: surface() is that of the present body.
+  const modeling::Solid* solid = editor_.solid();
+  tessellation_ = solid ? std::make_unique<modeling::Tessellation>(*solid) : nullptr;
+  if (solid) shape_ = tessellation_->evaluate(solid->controlPoints());
+  if (!isShown_) return;
+  hovered_.reset();
+  hoveredPatch_.reset();
+  following_.clear();
+  if (!solid) {
+    showMeshBody();
+    return;
+  }
+  widget_.viewport().setBody({shape_.positions, shape_.normals, tessellation_->triangles(),
+                              tessellation_->patchOfTriangle(), tessellation_->borders(),
+                              tessellation_->knotLines()});
+  setPatches(tessellation_->triangles(), tessellation_->patchOfTriangle());
+  widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
+  netSize_ = solid->controlPoints().size();
+  showRegions();
+  showMarks();
+  showSelection();
+  showLoads();
+  showTouches();
+}
+
+void SceneController::showMeshBody() {
+  const auto& body = std::get<modeling::MeshBody>(editor_.project().body);
+  view::ViewportBody shown;
+  for (std::size_t t = 0; t < body.triangles().size(); ++t) {
+    const auto& [a, b, c] = body.triangles()[t];
+    const auto& p = body.positions();
+    const Eigen::Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]).normalized();
+    const int first = static_cast<int>(shown.positions.size());
+    shown.positions.insert(shown.positions.end(), {p[a], p[b], p[c]});
+    shown.normals.insert(shown.normals.end(), 3, normal);
+    shown.triangles.push_back({first, first + 1, first + 2});
+    shown.patchOfTriangle.push_back(body.faceOfTriangle()[t]);
+  }
+  widget_.viewport().setBody(shown);
+  setPatches(shown.triangles, shown.patchOfTriangle);
+  shape_ = {shown.positions, shown.normals};
+  widget_.viewport().setControlNet({});
+  netSize_ = 0;
+  widget_.viewport().setGizmo(std::nullopt);
+  showRegions();
+  showMarks();
+  showLoads();
+  showTouches();
+}
+
+void SceneController::setPatches(const std::vector<view::Triangle>& triangles,
+                                 const std::vector<int>& patchOfTriangle) {
+  patchOfTriangle_ = patchOfTriangle;
+  patchOfPosition_.clear();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const int corner : triangles[t]) {
+      if (static_cast<std::size_t>(corner) >= patchOfPosition_.size())
+        patchOfPosition_.resize(static_cast<std::size_t>(corner) + 1, 0);
+      patchOfPosition_[static_cast<std::size_t>(corner)] = patchOfTriangle[t];
+    }
+  }
+}
+
+void SceneController::showChange(const modeling::Change& change) {
+  if (change.topology) {
+    showProject();
+    return;
+  }
+  if (!change.movedPoints.empty() && tessellation_)
+    shape_ = tessellation_->evaluate(editor_.solid()->controlPoints());
+  if (!isShown_) return;
+  if (!change.movedPoints.empty() && tessellation_) {
+    const auto& points = editor_.solid()->controlPoints();
+    widget_.viewport().moveBody(shape_.positions, shape_.normals);
+    widget_.viewport().moveControlPoints(points);
+    showSelection();
+    widget_.updateQuickly();
+  }
+  const bool isMoved = !change.movedPoints.empty();
+  if (change.supports || change.loads || isMoved) showRegions();
+  if (change.loads || isMoved) showLoads();
+  if (change.touches) showTouches();
+}
+
+void SceneController::showRegions() {
+  const modeling::Project& project = editor_.project();
+  const auto fieldOf = [&](const modeling::Region& region) {
+    return modeling::regionField(region, project.body, shape_.positions, patchOfPosition_);
+  };
+  std::vector<double> supports, loads;
+  for (const modeling::Support& support : project.supports) unite(supports, fieldOf(support.where));
+  for (const modeling::Load& load : project.loads)
+    if (const modeling::Region* region = modeling::regionOf(load)) unite(loads, fieldOf(*region));
+  widget_.viewport().setRegions(supports, loads);
+}
+
+void SceneController::showMarks() {
+  if (!isShown_) return;
+  const std::set<int>& selected = editor_.selection().patches;
+  std::vector<Mark> marks(patchOfTriangle_.size(), Mark::kNone);
+  for (std::size_t t = 0; t < marks.size(); ++t) {
+    if (selected.contains(patchOfTriangle_[t])) marks[t] = Mark::kSelected;
+    if (patchOfTriangle_[t] == hoveredPatch_) marks[t] = Mark::kHovered;
+  }
+  widget_.viewport().setMarks(marks);
+}
+
+void SceneController::showLoads() {
+  widget_.viewport().setLoadArrows(loadArrows(editor_.project(), surface(), settings_.units()));
+  widget_.update();
+}
+
+void SceneController::showTouches() {
+  if (!isShown_) return;
+  widget_.viewport().setTouchMarkers(touchMarkers(editor_.project(), editor_.selection()));
+  widget_.update();
+}
+
+void SceneController::showSelection() {
+  const modeling::Solid* solid = editor_.solid();
+  // An edit may announce the selection while the view still has the net before it.
+  if (!isShown_ || !solid || solid->controlPoints().size() != netSize_) return;
+  const std::set<int> moved = pointsOf(editor_.selection(), *solid);
+  std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
+  for (int point : moved) states[point] = HandleState::kFollowing;
+  for (int point : following_) states[point] = HandleState::kFollowing;
+  if (hovered_) states[*hovered_] = HandleState::kHovered;
+  for (int point : editor_.selection().points) states[point] = HandleState::kSelected;
+  widget_.viewport().setHandleStates(states);
+  std::optional<view::Gizmo> gizmo;
+  if (gizmoKind_ && !moved.empty()) {
+    gizmo = view::Gizmo{meanOf(moved, *solid), std::nullopt, axis_, *gizmoKind_};
+    const Eigen::Vector3d normal = meanNormal(moved, *solid);
+    if (*gizmoKind_ != view::GizmoKind::kScale && !normal.isZero()) gizmo->normal = normal;
+  }
+  widget_.viewport().setGizmo(gizmo);
+  if (markedPatches_ != editor_.selection().patches) {
+    markedPatches_ = editor_.selection().patches;
+    showMarks();
+  }
+  widget_.update();
+}
+
+void SceneController::setGizmoKind(std::optional<view::GizmoKind> kind) {
+  gizmoKind_ = kind;
+  showSelection();
+}
+
+void SceneController::setFollowing(std::set<int> points) {
+  if (points == following_) return;
+  following_ = std::move(points);
+  showSelection();
+}
+
+void SceneController::setHoveredPatch(std::optional<int> patch) {
+  if (patch == hoveredPatch_) return;
+  hoveredPatch_ = patch;
+  showMarks();
+  widget_.update();
+}
+
+void SceneController::setHovered(std::optional<int> point) {
+  if (point == hovered_) return;
+  hovered_ = point;
+  showSelection();
+}
+
+void SceneController::setGizmoAxis(view::GizmoAxis axis) {
+  if (axis == axis_) return;
+  axis_ = axis;
+  showSelection();
+}
+
+}  // namespace palpa::gui

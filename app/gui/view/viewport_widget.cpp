@@ -1,0 +1,240 @@
+#include "app/gui/view/viewport_widget.h"
+
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+#include <utility>
+
+namespace palpa::gui {
+namespace {
+
+constexpr int kRestAfterComputing = 500;  // ms
+constexpr int kRest = 150;                // ms without movement until a fine picture is drawn
+constexpr double kLongFrame = 20;         // ms that a fine picture takes where OpenGL is software
+
+}  // namespace
+
+ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent) {
+  viewport_ = std::make_unique<view::Viewport>(canvas_.window(), devicePixelRatioF());
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(320, 240);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  restTimer_.setSingleShot(true);
+  connect(&restTimer_, &QTimer::timeout, this, [this] {
+    isMoving_ = false;
+    update();
+  });
+}
+
+ViewportWidget::~ViewportWidget() {
+  canvas_.makeCurrent();
+  viewport_.reset();
+}
+
+void ViewportWidget::setTool(Tool* tool) {
+  tool_ = tool;
+  setCursor(tool ? tool->cursor() : QCursor(Qt::ArrowCursor));
+}
+
+void ViewportWidget::updateQuickly() {
+  isMoving_ = true;
+  restTimer_.start(kRest);
+  update();
+}
+
+void ViewportWidget::setComputing(bool computing) {
+  if (computing == isComputing_) return;
+  isComputing_ = computing;
+  if (computing || lastFineFrame_ <= kLongFrame) return;
+  // Panels tell of the result first, and the worker still estimates the condition number.
+  isMoving_ = true;
+  restTimer_.start(kRestAfterComputing);
+}
+
+void ViewportWidget::fitCanvas() {
+  const double ratio = devicePixelRatioF();
+  const QSize size(static_cast<int>(std::lround(width() * ratio)),
+                   static_cast<int>(std::lround(height() * ratio)));
+  if (canvas_.size() == size && viewport_->pixelRatio() == ratio) return;
+  canvas_.resize(size);
+  viewport_->setPixelRatio(ratio);
+}
+
+void ViewportWidget::resizeEvent(QResizeEvent*) {
+  fitCanvas();
+}
+
+void ViewportWidget::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (!canvas_.isValid()) {
+    painter.fillRect(rect(), palette().window());
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("The solid cannot be drawn: this display offers no OpenGL 3.2. Install "
+                        "a graphics driver, or Mesa, which draws without one."));
+    return;
+  }
+  QElapsedTimer timer;
+  timer.start();
+  fitCanvas();  // another screen may have other pixels
+  canvas_.makeCurrent();
+  if (!std::exchange(isWarm_, true)) viewport_->warmUp();
+  const bool isQuick = isMoving_ || (isComputing_ && lastFineFrame_ > kLongFrame);
+  viewport_->render(isQuick ? view::Quality::kQuick : view::Quality::kFine);
+  QImage image = canvas_.image();
+  image.setDevicePixelRatio(devicePixelRatioF());
+  painter.drawImage(0, 0, image);
+  lastFrame_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  if (!isQuick) lastFineFrame_ = lastFrame_;
+  Q_EMIT framePainted();
+}
+
+void ViewportWidget::writePicture(const std::filesystem::path& file, const QSize& size) {
+  canvas_.makeCurrent();
+  // Lines, handles and letters grow with the picture.
+  viewport_->setPixelRatio(static_cast<double>(size.height()) / std::max(1, height()));
+  canvas_.resize(size);
+  const auto restore = [this] {
+    fitCanvas();
+    update();
+  };
+  try {
+    viewport_->writePng(file);
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+}
+
+Eigen::Vector2d ViewportWidget::toDevice(const QPointF& point) const {
+  return Eigen::Vector2d(point.x(), point.y()) * devicePixelRatioF();
+}
+
+PointerEvent ViewportWidget::pointerEvent(const QMouseEvent& event) const {
+  return {toDevice(event.position()), event.button(), event.buttons(), event.modifiers()};
+}
+
+void ViewportWidget::mousePressEvent(QMouseEvent* event) {
+  setFocus(Qt::MouseFocusReason);
+  noticeReleases(*event);
+  last_ = toDevice(event->position());
+  if (event->button() == Qt::RightButton && tool_ && tool_->press(pointerEvent(*event))) {
+    pressed_ = Qt::RightButton;
+    return;
+  }
+  const bool middle = event->button() == Qt::MiddleButton;
+  const bool altLeft =
+      event->button() == Qt::LeftButton && (event->modifiers() & Qt::AltModifier) != 0;
+  if (middle || altLeft || event->button() == Qt::RightButton) {
+    const bool pan =
+        (event->modifiers() & Qt::ShiftModifier) != 0 || event->button() == Qt::RightButton;
+    navigation_ = pan ? Navigation::kPan : Navigation::kOrbit;
+    navigating_ = event->button();
+    return;
+  }
+  pressed_ = event->button();
+  if (tool_) tool_->press(pointerEvent(*event));
+}
+
+void ViewportWidget::noticeReleases(const QMouseEvent& event) {
+  Qt::MouseButtons held = event.buttons();
+  if (event.type() == QEvent::MouseButtonPress) held.setFlag(event.button(), false);
+  if ((held & navigating_) == 0) {
+    navigation_ = Navigation::kNone;
+    navigating_ = Qt::NoButton;
+  }
+  if (pressed_ == Qt::NoButton || (held & pressed_) != 0) return;
+  const Qt::MouseButton released = std::exchange(pressed_, Qt::NoButton);
+  if (tool_) tool_->release({last_, released, event.buttons(), event.modifiers()});
+}
+
+void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
+  noticeReleases(*event);
+  if (navigation_ != Navigation::kNone) {
+    navigate(toDevice(event->position()));
+    return;
+  }
+  last_ = toDevice(event->position());
+  if (tool_) {
+    tool_->move(pointerEvent(*event));
+    setCursor(tool_->cursor());
+  }
+}
+
+void ViewportWidget::navigate(const Eigen::Vector2d& pixel) {
+  const Eigen::Vector2d step = pixel - last_;
+  if (navigation_ == Navigation::kOrbit)
+    viewport_->orbit(step);
+  else
+    viewport_->pan(step, last_);
+  last_ = pixel;
+  updateQuickly();
+}
+
+void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == navigating_) {
+    navigation_ = Navigation::kNone;
+    navigating_ = Qt::NoButton;
+    return;
+  }
+  if (event->button() == pressed_) pressed_ = Qt::NoButton;
+  if (tool_) tool_->release(pointerEvent(*event));
+}
+
+void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+  noticeReleases(*event);
+  last_ = toDevice(event->position());
+  pressed_ = event->button();
+  if (tool_) tool_->doubleClick(pointerEvent(*event));
+}
+
+void ViewportWidget::wheelEvent(QWheelEvent* event) {
+  // Touchpads send parts of a notch.
+  const double notches = event->angleDelta().y() / 120.0;
+  if (notches == 0.0) return;
+  const PointerEvent at{toDevice(event->position()), Qt::NoButton, event->buttons(),
+                        event->modifiers()};
+  if (tool_ && tool_->wheel(at, notches)) return;
+  viewport_->zoom(std::pow(1.15, notches), toDevice(event->position()));
+  updateQuickly();
+  event->accept();
+}
+
+void ViewportWidget::leaveEvent(QEvent*) {
+  if (tool_) tool_->leave();
+}
+
+void ViewportWidget::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    if (!tool_ || !tool_->cancel()) Q_EMIT escaped();
+    return;
+  }
+  if (tool_ && tool_->key(event)) return;
+  QWidget::keyPressEvent(event);
+}
+
+bool ViewportWidget::event(QEvent* event) {
+  // Keys that a tool takes must not reach the shortcuts of the menus first (x, y, z, digits while
+  // a selection is dragged).
+  if (event->type() == QEvent::ShortcutOverride && tool_) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape || tool_->wantsKey(*key)) {
+      event->accept();
+      return true;
+    }
+  }
+  // Tab would otherwise move the focus before the tool sees it.
+  if (event->type() == QEvent::KeyPress && tool_) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Tab && tool_->wantsKey(*key)) {
+      keyPressEvent(key);
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace palpa::gui

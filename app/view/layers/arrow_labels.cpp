@@ -1,0 +1,83 @@
+#include "app/view/arrow_labels.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace palpa::view {
+namespace {
+
+bool isInside(const Eigen::Vector2d& pixel, const Eigen::Vector2d& picture) {
+  return (pixel.array() >= 0).all() && (pixel.array() <= picture.array()).all();
+}
+
+}  // namespace
+
+double PixelBox::overlap(const PixelBox& other) const {
+  const Eigen::Vector2d common = high.cwiseMin(other.high) - low.cwiseMax(other.low);
+  return std::max(0.0, common.x()) * std::max(0.0, common.y());
+}
+
+std::optional<SeenArrow> seenPart(const Eigen::Vector2d& held, const Eigen::Vector2d& free,
+                                  const Eigen::Vector2d& picture) {
+  if (!held.allFinite() || !free.allFinite()) return std::nullopt;
+  if (!isInside(held, picture) || isInside(free, picture)) return SeenArrow{held, free};
+  double share = 1;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    if (free[k] < 0) share = std::min(share, held[k] / (held[k] - free[k]));
+    if (free[k] > picture[k]) share = std::min(share, (picture[k] - held[k]) / (free[k] - held[k]));
+  }
+  return SeenArrow{held, held + share * (free - held)};
+}
+
+void addArrowCover(const SeenArrow& arrow, double width, std::vector<PixelBox>& taken) {
+  constexpr int kMaxSteps = 24;
+  const Eigen::Vector2d along = arrow.free - arrow.held;
+  const int count = std::clamp(static_cast<int>(along.norm() / width), 1, kMaxSteps);
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5 * width);
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector2d center = arrow.held + (i + 0.5) / count * along;
+    taken.push_back({center - half, center + half});
+  }
+}
+
+ArrowLabelPlace placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture,
+                                double gap, const std::vector<PixelBox>& taken,
+                                std::optional<int> before) {
+  constexpr double kBetter = 0.7;  // of what the place before covers: worth moving
+  const Eigen::Vector2d ahead =
+      wish.along.norm() > 0 ? Eigen::Vector2d(wish.along.normalized()) : Eigen::Vector2d(0, -1);
+  const Eigen::Vector2d half = 0.5 * wish.size;
+  const bool endIsSeen = isInside(wish.end, picture);
+  ArrowLabelPlace best{{wish.end, wish.end}, 0};
+  double least = std::numeric_limits<double>::infinity();
+  int choice = -1;
+  for (const double distance : {1.0, 2.2, 4.0, 7.0}) {
+    // No further back than to the side: there lies the arrow.
+    for (const int step : {0, 1, -1, 2, -2, 3, -3, 4, -4}) {
+      ++choice;
+      const Eigen::Vector2d away = Eigen::Rotation2Dd(step * std::numbers::pi / 8) * ahead;
+      // The label touches a circle about the end, in that direction.
+      Eigen::Vector2d center = wish.end + distance * gap * away + half.cwiseProduct(away);
+      if (endIsSeen) center = center.cwiseMin(picture - half).cwiseMax(half);
+      const PixelBox box{(center - half).array().round(), (center + half).array().round()};
+      const bool isBefore = choice == before;
+      PixelBox needed = box;
+      if (before && !isBefore) {
+        needed.low.array() -= gap;
+        needed.high.array() += gap;
+      }
+      double covered = 0;
+      for (const PixelBox& other : taken) covered += needed.overlap(other);
+      if (isBefore) covered *= kBetter;
+      if (covered >= least) continue;
+      least = covered;
+      best = {box, choice};
+      if (least == 0) return best;
+    }
+  }
+  return best;
+}
+
+}  // namespace palpa::view

@@ -1,0 +1,196 @@
+#include "bem/contact/contact_compliance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+}  // namespace
+
+ContactCompliance::ContactCompliance(const ContactSurface& surface, const GreensColumns& columns,
+                                     const BoundaryField& base)
+    : surface_(surface),
+      columns_(columns),
+      base_(base),
+      workspace_(surface.makeWorkspace()),
+      rowStamp_(surface.dofs().nodeCount(), 0),
+      rowOfNode_(surface.dofs().nodeCount(), 0) {}
+
+void ContactCompliance::resize(int count) {
+  const auto kept = 3 * std::min<Index>(count, size());
+  masks_.resize(count);
+  Eigen::MatrixXd raw = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+  raw.topLeftCorner(kept, kept) = raw_.topLeftCorner(kept, kept);
+  raw_ = std::move(raw);
+  free_.conservativeResizeLike(Eigen::VectorXd::Zero(3 * count));
+  isStale_ = true;
+}
+
+void ContactCompliance::remove(int first, int count) {
+  const Index after = 3 * (size() - first - count);
+  masks_.erase(masks_.begin() + first, masks_.begin() + first + count);
+  std::vector<Index> kept;
+  for (Index k = 0; k < 3 * first; ++k) kept.push_back(k);
+  for (Index k = 0; k < after; ++k) kept.push_back(3 * (first + count) + k);
+  raw_ = Eigen::MatrixXd(raw_(kept, kept));
+  free_ = Eigen::VectorXd(free_(kept));
+  isStale_ = true;
+}
+
+bool ContactCompliance::misses(const ContactMask& mask) {
+  bool any = false;
+  for (const int node : mask.nodes) {
+    if (columns_.has(node)) continue;
+    missing_.push_back(node);
+    any = true;
+  }
+  return any;
+}
+
+bool ContactCompliance::place(int index, const SurfacePoint& point, double radius) {
+  Entry& entry = masks_[index];
+  if (entry.isPlaced && entry.mask.point.triangle == point.triangle &&
+      entry.mask.point.position == point.position &&
+      entry.mask.radius == surface_.maskRadius(point, radius)) {
+    misses(entry.mask);
+    return true;
+  }
+  const bool isPlaced = surface_.makeMask(point, radius, *workspace_, spare_);
+  if (isPlaced && misses(spare_) && entry.isPlaced && columns_.hasAll(entry.mask.nodes))
+    return true;  // stays where it is
+  std::swap(entry.mask, spare_);
+  entry.isPlaced = isPlaced;
+  entry.isCurrent = false;
+  return isPlaced;
+}
+
+void ContactCompliance::clear(int index) {
+  masks_[index].isPlaced = false;
+  masks_[index].isCurrent = false;
+}
+
+void ContactCompliance::collectRows(bool onlyChanged) {
+  ++stamp_;
+  rows_.clear();
+  for (int k = 0; k < size(); ++k) {
+    if (!masks_[k].isReady || (onlyChanged && masks_[k].isCurrent)) continue;
+    for (const int node : masks_[k].mask.measureNodes) {
+      if (rowStamp_[node] == stamp_) continue;
+      rowStamp_[node] = stamp_;
+      rowOfNode_[node] = static_cast<int>(rows_.size());
+      rows_.push_back(node);
+    }
+  }
+}
+
+void ContactCompliance::respond(int index) {
+  const ContactMask& mask = masks_[index].mask;
+  const DegreesOfFreedom& dofs = surface_.dofs();
+  const auto rowCount = static_cast<Index>(rows_.size());
+  if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
+  response_.topRows(3 * rowCount).setZero();
+  for (std::size_t k = 0; k < mask.nodes.size(); ++k) {
+    const auto weight = static_cast<float>(mask.traction[k] / dofs.tractionScale());
+    for (int axis = 0; axis < 3; ++axis) {
+      const float* column = columns_.column(mask.nodes[k], axis);
+      float* sum = response_.col(axis).data();
+      for (Index i = 0; i < rowCount; ++i) {
+        const float* from = column + 3 * rows_[i];
+        sum[3 * i] += weight * from[0];
+        sum[3 * i + 1] += weight * from[1];
+        sum[3 * i + 2] += weight * from[2];
+      }
+    }
+  }
+  // At held nodes the unknowns are tractions in the held directions: they do not move there.
+  for (Index i = 0; i < rowCount; ++i) {
+    if (dofs.isFree(rows_[i])) continue;
+    Eigen::Matrix3f along = Eigen::Matrix3f::Zero();
+    const Eigen::Matrix3f frame = dofs.frame(rows_[i]).cast<float>();
+    for (int k = dofs.constrained(rows_[i]); k < 3; ++k)
+      along += frame.col(k) * response_.row(3 * i + k);
+    response_.middleRows<3>(3 * i) = along;
+  }
+}
+
+Matrix3d ContactCompliance::measure(int index) const {
+  const ContactMask& mask = masks_[index].mask;
+  Matrix3d sum = Matrix3d::Zero();
+  for (std::size_t k = 0; k < mask.measureNodes.size(); ++k)
+    sum += mask.measure[k] *
+           response_.middleRows<3>(3 * rowOfNode_[mask.measureNodes[k]]).cast<double>();
+  return sum;
+}
+
+void ContactCompliance::measureBase(int index) {
+  const ContactMask& mask = masks_[index].mask;
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t k = 0; k < mask.measureNodes.size(); ++k)
+    sum += mask.measure[k] * base_.u.col(0).segment<3>(3 * mask.measureNodes[k]);
+  free_.segment<3>(3 * index) = sum;
+}
+
+void ContactCompliance::update() {
+  bool anyChanged = false;
+  for (int k = 0; k < size(); ++k) {
+    Entry& entry = masks_[k];
+    entry.isReady = entry.isPlaced && columns_.hasAll(entry.mask.nodes);
+    anyChanged = anyChanged || (entry.isReady && !entry.isCurrent);
+    if (entry.isReady || entry.isZero) continue;
+    raw_.middleRows<3>(3 * k).setZero();
+    raw_.middleCols<3>(3 * k).setZero();
+    free_.segment<3>(3 * k).setZero();
+    entry.isCurrent = false;
+    entry.isZero = true;
+    isStale_ = true;
+  }
+  if (anyChanged) {
+    isStale_ = true;
+    // Those that changed, or whose columns have come, against all; then the others against those.
+    collectRows(false);
+    for (int b = 0; b < size(); ++b) {
+      if (!masks_[b].isReady || masks_[b].isCurrent) continue;
+      respond(b);
+      for (int a = 0; a < size(); ++a)
+        if (masks_[a].isReady) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
+      measureBase(b);
+    }
+    collectRows(true);
+    for (int b = 0; b < size(); ++b) {
+      if (!masks_[b].isReady || !masks_[b].isCurrent) continue;
+      respond(b);
+      for (int a = 0; a < size(); ++a)
+        if (masks_[a].isReady && !masks_[a].isCurrent) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
+    }
+    for (Entry& entry : masks_) {
+      entry.isCurrent = entry.isReady;
+      entry.isZero = entry.isZero && !entry.isReady;
+    }
+  }
+  if (isStale_) symmetrise();
+}
+
+void ContactCompliance::symmetrise() {
+  isStale_ = false;
+  compliance_.resize(raw_.rows(), raw_.cols());
+  compliance_ = 0.5 * (raw_ + raw_.transpose());
+  defect_ = 0;
+  for (int k = 0; k < size(); ++k) {
+    if (!masks_[k].isReady) continue;
+    const double own = compliance_.block<3, 3>(3 * k, 3 * k).squaredNorm();
+    double worst = 0;
+    for (int a = 0; a < size(); ++a)
+      if (masks_[a].isReady)
+        worst = std::max(
+            worst, (raw_.block<3, 3>(3 * a, 3 * k) - raw_.block<3, 3>(3 * k, 3 * a).transpose())
+                       .squaredNorm());
+    defect_ = std::max(defect_, std::sqrt(worst / own));
+  }
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "bem/model/boundary_conditions.h"
+#include "bem/model/surface_point.h"
+
+namespace palpa::bem {
+
+/// A contact's pressure mask (James & Pai, A unified treatment of elastostatic contact simulation,
+/// Haptics-e 2001): a smooth bump of traction around a surface point, carried by the free
+/// displacement coefficients around it: their known traction acts on all their slots. A force f (N)
+/// acts as the traction field f times Φ; the work-conjugate displacement is the mean d = ∫ Φ u dΓ.
+/// Independent of the mesh in the limit, and continuous when the point slides.
+struct ContactMask {
+  SurfacePoint point{};
+  double radius = 0;                    ///< mm; at least what was asked for
+  std::vector<int> nodes;               ///< displacement coefficients whose slots carry traction
+  std::vector<double> traction;         ///< their coefficients of Φ, 1/mm^2; ∫ Φ dΓ = 1
+  std::vector<int> measureNodes;        ///< displacement coefficients that enter d
+  std::vector<double> measure;          ///< their weights; they sum to 1
+  std::vector<Eigen::Vector3d> points;  ///< on the true surface, mm
+  std::vector<double> pointWeights;     ///< ∫ Φ f dΓ = Σ weight f(point); they sum to 1
+
+  /// d = ∫ Φ u dΓ for every column of u (3 rows per coefficient): 3 x columns.
+  Eigen::MatrixXd displacement(const Eigen::MatrixXd& u) const;
+};
+
+class ContactSurface;
+
+/// The mask (1 - (ρ/radius)^2)^2 for ρ = |x - point| < radius, projected onto the free coefficients
+/// of the connected piece of surface around the point and normalised. The radius is raised to
+/// ContactSurface::narrowestMask() if it is smaller: a narrower bump cannot be represented. Throws
+/// SolverError (kBadCondition) when supports hold all of the touched place.
+ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d& at,
+                            double radius);
+
+}  // namespace palpa::bem

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bem/linalg/lu_factorisation.h"
+#include "bem/problem/reference_problem.h"
+#include "bem/triangle/assembly.h"
+
+namespace palpa::bem {
+
+/// y += matrix * x in double precision, on all cores, touching only columns whose factors are not
+/// zero. Throws Cancelled.
+template <class Scalar>
+void addProduct(const LargeMatrix<Scalar>& matrix, const Eigen::MatrixXd& x, Eigen::MatrixXd& y,
+                const Job& job);
+
+/// A reference problem whose operators are stored as dense matrices of `Stored` and whose system is
+/// factorised in `Factor`.
+template <class Stored, class Factor>
+class DenseReferenceProblem final : public ReferenceProblem {
+ public:
+  DenseReferenceProblem(DegreesOfFreedom dofMap, BoundaryOperators<Stored> operators,
+                        const Job& job);
+  /// What write() wrote.
+  DenseReferenceProblem(DegreesOfFreedom dofMap, const ByteSource& source);
+  void write(const ByteSink& sink) const override;
+
+  const BoundaryOperators<Stored>& operators() const { return operators_; }
+
+  Eigen::MatrixXd residual(const BoundaryField& field, const Job& job) const override;
+  Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
+  double conditionEstimate(const Job& job) const override {
+    return factors_.conditionEstimate(job);
+  }
+  std::size_t bytes() const override {
+    return operators_.H.bytes() + operators_.G.bytes() + factors_.bytes();
+  }
+
+  /// That of a problem with such operators, however its system is factorised.
+  static constexpr Refinement kRefinement{std::is_same_v<Factor, double> ? 2 : 8,
+                                          std::is_same_v<Stored, double> ? 1e-13 : 1e-9};
+
+ private:
+  BoundaryOperators<Stored> operators_;
+  LuFactorisation<Factor> factors_;
+};
+
+}  // namespace palpa::bem

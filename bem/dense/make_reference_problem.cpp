@@ -1,0 +1,151 @@
+#include "bem/dense/make_reference_problem.h"
+
+#include <chrono>
+
+#include "bem/dense/dense_reference_problem.h"
+#include "bem/spline/spline_assembly.h"
+#include "bem/spline/spline_discretisation.h"
+#include "bem/triangle/triangle_discretisation.h"
+
+namespace palpa::bem {
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Calls make(Stored{}, Factor{}) for the scalars of a precision.
+template <class Make>
+std::unique_ptr<ReferenceProblem> inPrecision(Precision precision, const DegreesOfFreedom& dofs,
+                                              const Make& make) {
+  switch (choosePrecision(precision, dofs.nodeCount())) {
+    case Precision::kMixed:
+      return make(double{}, float{});
+    case Precision::kSingle:
+      return make(float{}, float{});
+    default:
+      return make(double{}, double{});
+  }
+}
+
+/// `assembleOperators(Scalar{})` yields the operators in the precision of a Scalar.
+template <class Assemble>
+std::unique_ptr<ReferenceProblem> make(Precision precision, DegreesOfFreedom dofs,
+                                       const Assemble& assembleOperators, const Job& job,
+                                       ReferenceProblemTimes* times) {
+  return inPrecision(precision, dofs, [&](auto stored, auto factor) {
+    const auto start = std::chrono::steady_clock::now();
+    auto operators = assembleOperators(stored);
+    if (times) times->assemble = secondsSince(start);
+    const auto assembled = std::chrono::steady_clock::now();
+    auto problem = std::make_unique<DenseReferenceProblem<decltype(stored), decltype(factor)>>(
+        std::move(dofs), std::move(operators), job);
+    if (times) times->factorise = secondsSince(assembled);
+    return problem;
+  });
+}
+
+std::unique_ptr<ReferenceProblem> read(Precision precision, DegreesOfFreedom dofs,
+                                       const ByteSource& source) {
+  return inPrecision(precision, dofs, [&](auto stored, auto factor) {
+    return std::make_unique<DenseReferenceProblem<decltype(stored), decltype(factor)>>(
+        std::move(dofs), source);
+  });
+}
+
+DegreesOfFreedom solvableDofs(const BoundaryMesh& mesh, const TractionSlots& slots,
+                              const ProblemInputs& inputs) {
+  inputs.material.validate();
+  DegreesOfFreedom dofs(mesh, slots, inputs.conditions, inputs.material);
+  checkSolvable(mesh, inputs.conditions, dofs, inputs.material);
+  return dofs;
+}
+
+DegreesOfFreedom solvableDofs(const SplineSurface& surface, const SplineTractions& tractions,
+                              const ProblemInputs& inputs) {
+  inputs.material.validate();
+  const double size = surface.boundingSize();
+  DegreesOfFreedom dofs(tractions.slots, inputs.conditions, inputs.material, size);
+  checkSolvable(surface.controlPoints(), size, surface.closedSurfaceCount(), inputs.conditions,
+                dofs, inputs.material);
+  return dofs;
+}
+
+/// Calls `use` with the shape and slots of a discretisation: mesh and traction slots, or spline
+/// surface and spline tractions.
+template <class Use>
+std::unique_ptr<ReferenceProblem> withShape(const Discretisation& discretisation, const Use& use) {
+  if (const auto* splines = dynamic_cast<const SplineDiscretisation*>(&discretisation))
+    return use(splines->surface(), splines->tractions());
+  const auto& triangles = dynamic_cast<const TriangleDiscretisation&>(discretisation);
+  return use(triangles.mesh(), triangles.slots());
+}
+
+}  // namespace
+
+Precision choosePrecision(Precision wanted, int nodeCount) {
+  // Double factors take twice as long as single ones; up to this size they fit the rebuild budget
+  // of a small body.
+  constexpr int kDoubleUpTo = 800;
+  if (wanted != Precision::kAutomatic) return wanted;
+  return nodeCount <= kDoubleUpTo ? Precision::kDouble : Precision::kSingle;
+}
+
+double estimateBytes(int nodeCount, int slotCount, Precision precision) {
+  const Precision chosen = choosePrecision(precision, nodeCount);
+  const double n = 3.0 * nodeCount, q = 3.0 * slotCount;
+  const double stored = chosen == Precision::kSingle ? 4 : 8;
+  const double factor = chosen == Precision::kDouble ? 8 : 4;
+  return n * (n * stored + q * stored + n * factor);
+}
+
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(const BoundaryMesh& mesh,
+                                                            const TractionSlots& slots,
+                                                            const ProblemInputs& inputs,
+                                                            const Job& job,
+                                                            ReferenceProblemTimes* times) {
+  DegreesOfFreedom dofs = solvableDofs(mesh, slots, inputs);
+  const auto points = dofs.collocationPoints(mesh, slots);
+  return make(
+      inputs.precision, std::move(dofs),
+      [&](auto scalar) {
+        return assemble<decltype(scalar)>(mesh, slots, points, inputs.material, inputs.assembly,
+                                          job);
+      },
+      job, times);
+}
+
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(const SplineSurface& surface,
+                                                            const SplineTractions& tractions,
+                                                            const ProblemInputs& inputs,
+                                                            const Job& job,
+                                                            ReferenceProblemTimes* times) {
+  DegreesOfFreedom dofs = solvableDofs(surface, tractions, inputs);
+  const SplineEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
+  return make(
+      inputs.precision, std::move(dofs),
+      [&](auto scalar) {
+        return assemble<decltype(scalar)>(surface, tractions, equations, inputs.material,
+                                          inputs.assembly, job);
+      },
+      job, times);
+}
+
+std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(const Discretisation& discretisation,
+                                                            const ProblemInputs& inputs,
+                                                            const Job& job,
+                                                            ReferenceProblemTimes* times) {
+  return withShape(discretisation, [&](const auto& shape, const auto& slots) {
+    return makeDenseReferenceProblem(shape, slots, inputs, job, times);
+  });
+}
+
+std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(const Discretisation& discretisation,
+                                                            const ProblemInputs& inputs,
+                                                            const ByteSource& source) {
+  return withShape(discretisation, [&](const auto& shape, const auto& slots) {
+    return read(inputs.precision, solvableDofs(shape, slots, inputs), source);
+  });
+}
+
+}  // namespace palpa::bem

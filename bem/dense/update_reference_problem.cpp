@@ -1,0 +1,269 @@
+#include "bem/dense/update_reference_problem.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <typeinfo>
+
+#include "base/parallel.h"
+#include "bem/dense/updated_reference_problem.h"
+#include "bem/spline/spline_assembly.h"
+#include "bem/spline/spline_discretisation.h"
+#include "bem/triangle/triangle_discretisation.h"
+
+namespace palpa::bem {
+namespace {
+
+/// Share of an assembly from which on it is not worth the memory of the changes.
+constexpr double kMaxShare = 0.75;
+
+/// What of a discretisation has moved.
+struct Motion {
+  std::vector<bool> isOwnRow;  ///< by equation: integrated anew as a whole
+  ElementPart moved;
+
+  std::vector<int> equations() const { return indicesWhere(isOwnRow); }
+  std::vector<int> others() const { return indicesWhere(isOwnRow, false); }
+
+  /// Of the work of a whole assembly: rows once, moved elements for the others before and after.
+  double share(int elementCount) const {
+    const auto count = static_cast<double>(isOwnRow.size());
+    const double rows = static_cast<double>(std::count(isOwnRow.begin(), isOwnRow.end(), true));
+    return rows / count + 2 * (1 - rows / count) * static_cast<double>(moved.elements.size()) /
+                              std::max(elementCount, 1);
+  }
+};
+
+/// The part of elements with these corners or functions.
+template <class Functions, class Slots>
+ElementPart partOf(std::vector<int> elements, int coefficientCount, int slotCount,
+                   const Functions& functions, const Slots& slots) {
+  std::vector<bool> hasCoefficient(coefficientCount), hasSlot(slotCount);
+  for (const int e : elements) {
+    for (const int k : functions(e)) hasCoefficient[k] = true;
+    for (const int s : slots(e)) hasSlot[s] = true;
+  }
+  return {std::move(elements), indicesWhere(hasCoefficient), indicesWhere(hasSlot)};
+}
+
+/// Do the same directions and slots of the same coefficients carry unknowns?
+bool isAlike(const DegreesOfFreedom& a, const DegreesOfFreedom& b) {
+  if (a.nodeCount() != b.nodeCount() || a.slotCount() != b.slotCount() ||
+      a.extraSlots() != b.extraSlots())
+    return false;
+  for (int k = 0; k < a.nodeCount(); ++k)
+    if (a.constrained(k) != b.constrained(k)) return false;
+  return true;
+}
+
+std::optional<Motion> motion(const BoundaryMesh& before, const BoundaryMesh& mesh,
+                             const TractionSlots& slots,
+                             const std::vector<CollocationPoint>& pointsBefore,
+                             const std::vector<CollocationPoint>& points) {
+  if (before.nodeCount() != mesh.nodeCount() || before.triangles != mesh.triangles ||
+      before.smoothingGroups != mesh.smoothingGroups || before.tags != mesh.tags ||
+      pointsBefore.size() != points.size())
+    return std::nullopt;
+  Motion motion;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    motion.isOwnRow.push_back(points[p].position != pointsBefore[p].position ||
+                              points[p].triangle != pointsBefore[p].triangle);
+  const auto hasMoved = [&](int node) { return before.nodes[node] != mesh.nodes[node]; };
+  std::vector<int> elements;
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+    if (std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), hasMoved))
+      elements.push_back(t);
+  motion.moved = partOf(
+      std::move(elements), mesh.nodeCount(),
+      slots.count(), [&](int t) -> const auto& { return mesh.triangles[t]; },
+      [&](int t) -> const auto& { return slots.ofCorner[t]; });
+  return motion;
+}
+
+std::optional<Motion> motion(const SplineSurface& before, const SplineSurface& surface,
+                             const SplineTractions& tractions,
+                             const SplineEquations& equationsBefore,
+                             const SplineEquations& equations) {
+  std::optional<std::vector<int>> elements = surface.movedElements(before);
+  const auto &weights = equations.weights, &weightsBefore = equationsBefore.weights;
+  if (!elements || weights.rows() != weightsBefore.rows() ||
+      weights.cols() != weightsBefore.cols() || weights.nonZeros() != weightsBefore.nonZeros())
+    return std::nullopt;
+  Motion motion;
+  motion.isOwnRow.assign(weights.rows(), false);
+  const std::vector<int> place = placesIn(*elements, surface.elementCount());
+  for (Eigen::Index p = 0; p < weights.cols(); ++p) {
+    const SplineCollocationPoint& point = equations.points[p];
+    // A point on the border of what moved does not move, but its free term may change.
+    const bool hasMoved =
+        point.position != equationsBefore.points[p].position ||
+        std::any_of(point.places.begin(), point.places.end(),
+                    [&](const SplinePlace& at) { return place[at.element] >= 0; });
+    Eigen::SparseMatrix<double>::InnerIterator w(weights, p), old(weightsBefore, p);
+    for (; w && old; ++w, ++old) {
+      if (w.row() != old.row()) return std::nullopt;
+      if (hasMoved || w.value() != old.value()) motion.isOwnRow[w.row()] = true;
+    }
+    if (w || old) return std::nullopt;
+  }
+  motion.moved = partOf(
+      std::move(*elements), surface.coefficientCount(),
+      tractions.slots.count(), [&](int e) -> const auto& { return surface.functions(e); },
+      [&](int e) -> const auto& { return tractions.ofFunction[e]; });
+  return motion;
+}
+
+/// Takes from new rows those of the base.
+template <class Scalar>
+void subtractRows(const LargeMatrix<Scalar>& base, const std::vector<int>& equations,
+                  LargeMatrix<Scalar>& rows, const Job& job) {
+  constexpr std::ptrdiff_t kColumnsPerTask = 256;
+  const Eigen::Index some = static_cast<Eigen::Index>(equations.size()), all = base.rows() / 3;
+  parallelFor((base.cols() + kColumnsPerTask - 1) / kColumnsPerTask, job, "",
+              [&](std::ptrdiff_t task) {
+                const auto end = std::min<Eigen::Index>(base.cols(), (task + 1) * kColumnsPerTask);
+                for (Eigen::Index j = task * kColumnsPerTask; j < end; ++j)
+                  for (int c = 0; c < 3; ++c)
+                    for (Eigen::Index k = 0; k < some; ++k)
+                      rows.data()[j * rows.rows() + c * some + k] -=
+                          base.data()[j * base.rows() + c * all + equations[k]];
+              });
+}
+
+template <class Scalar>
+void subtract(const LargeMatrix<Scalar>& old, LargeMatrix<Scalar>& matrix) {
+  matrix.view() -= old.view();
+}
+
+/// `newRows`(scalar, equations): their rows of the new operators; `partBefore` and `partAfter`
+/// (scalar, part, others): what the moved elements add to the rows of the others. The scalar tells
+/// what to compute in.
+template <class Scalar, class Rows, class Before, class After>
+OperatorChange<Scalar> changeOf(const BoundaryOperators<Scalar>& base, Motion motion,
+                                const Rows& newRows, const Before& partBefore,
+                                const After& partAfter, const Job& job) {
+  OperatorChange<Scalar> change;
+  change.equations = motion.equations();
+  change.others = motion.others();
+  job.report("assemble", 0);
+  change.rows = newRows(Scalar{}, change.equations);
+  subtractRows(base.H, change.equations, change.rows.H, job);
+  subtractRows(base.G, change.equations, change.rows.G, job);
+  job.report("assemble", 0.4);
+  change.columns = partAfter(Scalar{}, motion.moved, change.others);
+  job.report("assemble", 0.7);
+  const BoundaryOperators<Scalar> old = partBefore(Scalar{}, motion.moved, change.others);
+  subtract(old.H, change.columns.H);
+  subtract(old.G, change.columns.G);
+  job.report("assemble", 1);
+  change.moved = std::move(motion.moved);
+  return change;
+}
+
+/// Calls make(problem) for the kind of dense problem that `base` is; null for another.
+template <class Make>
+std::unique_ptr<ReferenceProblem> forDense(const std::shared_ptr<const ReferenceProblem>& base,
+                                           const Make& make) {
+  if (auto dense = std::dynamic_pointer_cast<const DenseReferenceProblem<float, float>>(base))
+    return make(std::move(dense));
+  if (auto dense = std::dynamic_pointer_cast<const DenseReferenceProblem<double, double>>(base))
+    return make(std::move(dense));
+  if (auto dense = std::dynamic_pointer_cast<const DenseReferenceProblem<double, float>>(base))
+    return make(std::move(dense));
+  return nullptr;
+}
+
+template <class Rows, class Before, class After>
+std::unique_ptr<ReferenceProblem> update(const std::shared_ptr<const ReferenceProblem>& base,
+                                         DegreesOfFreedom dofs, Motion motion, const Rows& newRows,
+                                         const Before& partBefore, const After& partAfter,
+                                         const Job& job, ReferenceProblemTimes* times) {
+  return forDense(
+      base,
+      [&]<class Stored, class Factor>(
+          std::shared_ptr<const DenseReferenceProblem<Stored, Factor>> dense)
+          -> std::unique_ptr<ReferenceProblem> {
+        const auto start = std::chrono::steady_clock::now();
+        auto change = changeOf<Stored>(dense->operators(), std::move(motion), newRows, partBefore,
+                                       partAfter, job);
+        if (times)
+          *times = {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                    0};
+        dofs.setTractionScale(dense->dofs().tractionScale());
+        return std::make_unique<UpdatedReferenceProblem<Stored, Factor>>(
+            std::move(dofs), std::move(dense), std::move(change));
+      });
+}
+
+std::unique_ptr<ReferenceProblem> updateTriangles(
+    const std::shared_ptr<const ReferenceProblem>& base, const BoundaryMesh& before,
+    const BoundaryMesh& mesh, const TractionSlots& slots, const ProblemInputs& inputs,
+    const Job& job, ReferenceProblemTimes* times) {
+  DegreesOfFreedom dofs(mesh, slots, inputs.conditions, inputs.material);
+  if (!isAlike(base->dofs(), dofs)) return nullptr;
+  const TractionSlots slotsBefore(before);
+  const auto points = dofs.collocationPoints(mesh, slots);
+  auto moved =
+      motion(before, mesh, slots, base->dofs().collocationPoints(before, slotsBefore), points);
+  if (!moved || moved->share(mesh.triangleCount()) > kMaxShare) return nullptr;
+  const auto some = [&](const std::vector<int>& equations) {
+    std::vector<CollocationPoint> chosen;
+    for (const int e : equations) chosen.push_back(points[e]);
+    return chosen;
+  };
+  return update(
+      base, std::move(dofs), std::move(*moved),
+      [&]<class Scalar>(Scalar, const std::vector<int>& equations) {
+        return assemble<Scalar>(mesh, slots, some(equations), inputs.material, inputs.assembly, job);
+      },
+      [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& equations) {
+        return assemblePart<Scalar>(before, slotsBefore, part, some(equations), inputs.material, inputs.assembly,
+                                    job);
+      },
+      [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& equations) {
+        return assemblePart<Scalar>(mesh, slots, part, some(equations), inputs.material, inputs.assembly, job);
+      },
+      job, times);
+}
+
+std::unique_ptr<ReferenceProblem> updateSplines(
+    const std::shared_ptr<const ReferenceProblem>& base, const SplineSurface& before,
+    const SplineSurface& surface, const SplineTractions& tractions, const ProblemInputs& inputs,
+    const Job& job, ReferenceProblemTimes* times) {
+  DegreesOfFreedom dofs(tractions.slots, inputs.conditions, inputs.material, surface.boundingSize());
+  if (!isAlike(base->dofs(), dofs)) return nullptr;
+  const SplineEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
+  auto moved =
+      motion(before, surface, tractions,
+             splineEquations(before, SplineTractions(before), dofs.extraSlots()), equations);
+  if (!moved || moved->share(surface.elementCount()) > kMaxShare) return nullptr;
+  const auto partOn = [&](const SplineSurface& shape) {
+    return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {
+      return assemblePart<Scalar>(shape, tractions, part, equations.only(some), inputs.material, inputs.assembly,
+                                  job);
+    };
+  };
+  return update(
+      base, std::move(dofs), std::move(*moved),
+      [&]<class Scalar>(Scalar, const std::vector<int>& some) {
+        return assemble<Scalar>(surface, tractions, equations.only(some), inputs.material, inputs.assembly, job);
+      },
+      partOn(before), partOn(surface), job, times);
+}
+
+}  // namespace
+
+std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(
+    const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
+    const Discretisation& after, const ProblemInputs& inputs, const Job& job,
+    ReferenceProblemTimes* times) {
+  if (typeid(before) != typeid(after)) return nullptr;
+  if (const auto* splines = dynamic_cast<const SplineDiscretisation*>(&after))
+    return updateSplines(base, dynamic_cast<const SplineDiscretisation&>(before).surface(),
+                         splines->surface(), splines->tractions(), inputs, job, times);
+  const auto& triangles = dynamic_cast<const TriangleDiscretisation&>(after);
+  return updateTriangles(base, before.mesh(), triangles.mesh(), triangles.slots(), inputs, job,
+                         times);
+}
+
+}  // namespace palpa::bem

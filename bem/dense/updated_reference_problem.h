@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "bem/dense/dense_reference_problem.h"
+#include "bem/model/element_part.h"
+
+namespace palpa::bem {
+
+/// By how much operators change when some elements move: in the rows of some equations everywhere,
+/// in those of the others in the columns that belong to the moved elements. New less old.
+template <class Scalar>
+struct OperatorChange {
+  std::vector<int> equations, others;  ///< ascending; together all equations
+  ElementPart moved;
+  BoundaryOperators<Scalar> rows;     ///< of `equations`, all columns
+  BoundaryOperators<Scalar> columns;  ///< of `others`, for the coefficients and slots of `moved`
+
+  /// Adds the change of G p - H u to a residual.
+  void addTo(const BoundaryField& field, Eigen::MatrixXd& residual, const Job& job) const;
+  std::size_t bytes() const {
+    return rows.H.bytes() + rows.G.bytes() + columns.H.bytes() + columns.G.bytes();
+  }
+};
+
+/// A dense problem after a change of its operators: A = A0 + Δ. Solved by GMRES for
+/// (1 + A0^-1 Δ) v = A0^-1 r, which converges in few steps: for a small edit Δ has a low rank, for
+/// a small motion it is small itself.
+template <class Stored, class Factor>
+class UpdatedReferenceProblem final : public ReferenceProblem {
+ public:
+  /// `dofs`: like those of `base`, with the same scale of tractions.
+  UpdatedReferenceProblem(DegreesOfFreedom dofs,
+                          std::shared_ptr<const DenseReferenceProblem<Stored, Factor>> base,
+                          OperatorChange<Stored> change);
+
+  Eigen::MatrixXd residual(const BoundaryField& field, const Job& job) const override;
+  Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
+  /// Of the problem whose factors are used.
+  double conditionEstimate(const Job& job) const override { return base_->conditionEstimate(job); }
+  /// `base` included.
+  std::size_t bytes() const override { return base_->bytes() + change_.bytes(); }
+  void write(const ByteSink& sink) const override;
+
+ private:
+  /// Δ v
+  Eigen::MatrixXd changeOfSystem(const Eigen::MatrixXd& v, const Job& job) const;
+
+  std::shared_ptr<const DenseReferenceProblem<Stored, Factor>> base_;
+  OperatorChange<Stored> change_;
+};
+
+}  // namespace palpa::bem

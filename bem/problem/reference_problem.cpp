@@ -1,0 +1,54 @@
+#include "bem/problem/reference_problem.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace palpa::bem {
+
+using Eigen::MatrixXd;
+
+MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, const Job& job) const {
+  const int rounds = effort == Effort::kFast ? 1 : refinement_.rounds;
+  MatrixXd v = MatrixXd::Zero(dofs().count(), known.u.cols());
+  BoundaryField field = known;
+  double previous = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < rounds; ++round) {
+    const MatrixXd step = correction(residual(field, job), job);
+    const double change = step.norm();
+    if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
+    v += step;
+    previous = change;
+    if (change <= refinement_.change * v.norm() || round + 1 == rounds) break;
+    field = dofs().expand(v, MatrixXd());
+    field.u += known.u;
+    field.p += known.p;
+  }
+  return v;
+}
+
+double ReferenceProblem::relativeResidual(const BoundaryField& field, const Job& job) const {
+  const auto largest = [](const MatrixXd& x) -> Eigen::RowVectorXd {
+    return x.colwise().lpNorm<Eigen::Infinity>();
+  };
+  const MatrixXd rest = MatrixXd::Zero(field.u.rows(), field.u.cols());
+  const Eigen::RowVectorXd sizes = largest(residual({rest, field.p}, job)).cwiseMax(1e-300);
+  return largest(residual(field, job)).cwiseQuotient(sizes).maxCoeff();
+}
+
+BoundaryField ReferenceProblem::solveField(const BoundaryField& known, Effort effort,
+                                           const Job& job) const {
+  BoundaryField field = dofs().expand(solve(known, effort, job), MatrixXd());
+  field.u += known.u;
+  field.p += known.p;
+  return field;
+}
+
+MatrixXd ReferenceProblem::greensColumns(std::span<const int> columns, Effort effort,
+                                         const Job& job) const {
+  const auto states = static_cast<Eigen::Index>(columns.size());
+  MatrixXd unit = MatrixXd::Zero(dofs().nodalCount(), states);
+  for (Eigen::Index k = 0; k < states; ++k) unit(columns[k], k) = 1.0;
+  return solve(dofs().expand(MatrixXd::Zero(dofs().count(), states), unit), effort, job);
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "bem/model/triangle_tree.h"
+
+namespace palpa::bem {
+
+/// Newton's method over the points of a mesh: from `start`, each time by what `stepFrom(point)`
+/// says, changes of the weights of the triangle's second and third corner; no step is longer than
+/// `scale` mm. Where a step leaves its triangle it goes on at the nearest point of the mesh. Ends
+/// when steps are 1e-12 of the scale: far below what can be felt.
+template <class StepFrom>
+SurfacePoint walkToFoot(const BoundaryMesh& mesh, const TriangleTree& tree,
+                        const SurfacePoint& start, double scale, const StepFrom& stepFrom) {
+  constexpr int kMaxSteps = 16;
+  constexpr double kEnough = 1e-12;
+  SurfacePoint at = start;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const auto& c = mesh.triangles[at.triangle];
+    Eigen::Vector2d by = stepFrom(at);
+    const Eigen::Vector3d& origin = mesh.nodes[c[0]];
+    const Eigen::Vector3d ab = mesh.nodes[c[1]] - origin;
+    const Eigen::Vector3d ac = mesh.nodes[c[2]] - origin;
+    const double length = (by[0] * ab + by[1] * ac).norm();
+    if (length > scale) by *= scale / length;
+    const Eigen::Vector3d before = at.position;
+    const Eigen::Vector3d weights = at.weights + Eigen::Vector3d(-by[0] - by[1], by[0], by[1]);
+    if (weights.minCoeff() >= 0) {
+      at.weights = weights;
+      at.position = mesh.point(at.triangle, weights);
+    } else {
+      at = tree.nearest(before + by[0] * ab + by[1] * ac);
+    }
+    if ((at.position - before).norm() <= kEnough * scale) break;
+  }
+  return at;
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bem/model/boundary_conditions.h"
+#include "bem/model/derived_quantities.h"
+#include "bem/model/surface_point.h"
+
+namespace palpa::bem {
+
+/// Force and moment about the origin that the tractions `p` (3 per slot, MPa) exert on the body
+/// over the given triangles; exact for the linear tractions.
+Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots,
+                            const Eigen::VectorXd& p, std::span<const int> triangles);
+
+/// Strain energy 1/2 ∫ p.u dΓ in N mm = mJ, of a field without body forces, with u between the
+/// nodes from `DisplacementRecovery`. TriangleContactSurface does it twenty times as fast.
+double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
+                    const Eigen::VectorXd& p);
+
+/// Cauchy stress at every slot (MPa), from the traction and the tangential derivatives of the
+/// displacement: with n the normal, sigma n = p and, in the tangent plane, Hooke's law in the form
+///   sigma_ab = 2 G [ e_ab + nu / (1 - nu) e_cc delta_ab ] + nu / (1 - nu) p_n delta_ab,
+/// regular at nu = 0.5 (Brebbia, Telles & Wrobel, sect. 5.8). Each slot takes the area-weighted
+/// mean of its triangles.
+std::vector<Eigen::Matrix3d> surfaceStress(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                           const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                           const Material& material);
+
+/// The same at one place: `frame` has two tangents and the normal as columns, `slopes` are the
+/// derivatives of the displacement along the tangents.
+Eigen::Matrix3d surfaceStress(const Eigen::Matrix3d& frame,
+                              const Eigen::Matrix<double, 3, 2>& slopes,
+                              const Eigen::Vector3d& traction, const Material& material);
+
+/// sqrt(3/2 s:s) with s the deviator of `stress`.
+double vonMises(const Eigen::Matrix3d& stress);
+
+/// Displacement at any surface point from the boundary integral equation there (Sloan's iterate of
+/// the collocation solution), mm. As accurate as the nodal values, whereas interpolation between
+/// nodes loses a second-order term that is several per cent under a load a few elements wide.
+Eigen::Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                    const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                    const Material& material, const SurfacePoint& place);
+
+/// Somigliana's identity: u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u. The displacement integrals are
+/// exact; those of the stress are taken by subdivision to about 1e-6. Empty for a point outside the
+/// body. Closer to the surface than a small part of an element the stress inherits the kinks of the
+/// linear field: use `surfaceStress` there.
+std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                           const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                           const Material& material, const Eigen::Vector3d& point);
+
+}  // namespace palpa::bem

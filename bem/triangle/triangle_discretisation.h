@@ -1,0 +1,48 @@
+#pragma once
+
+#include "bem/problem/discretisation.h"
+
+namespace palpa::bem {
+
+/// Linear displacements and tractions on the flat triangles of the mesh: the coefficients are the
+/// values at the nodes and slots.
+class TriangleDiscretisation final : public Discretisation {
+ public:
+  explicit TriangleDiscretisation(BoundaryMesh mesh) : Discretisation(std::move(mesh)) {}
+
+  const TractionSlots& slots() const override { return meshSlots(); }
+  const std::vector<Eigen::Vector3d>& places() const override { return mesh().nodes; }
+  Weights placeWeights() const override;
+  int elementCount() const override { return mesh().triangleCount(); }
+
+  DegreesOfFreedom degreesOfFreedom(const std::vector<SlotCondition>& conditions,
+                                    const Material& material) const override;
+  void checkSolvable(const std::vector<SlotCondition>& conditions,
+                     const Material& material) const override;
+  void write(const ByteSink& sink) const override;
+
+  BoundaryField valuesOnMesh(const BoundaryField& field) const override { return field; }
+  Weights displacementWeights(std::span<const SurfacePoint> places) const override;
+
+  double area(int coefficient) const override { return nodalArea(mesh(), coefficient); }
+  Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const override;
+  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
+  std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                             const Material& material) const override;
+  Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;
+  Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                 const Eigen::VectorXd& p, const Material& material) const override;
+  Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const override;
+  Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
+                                     const Eigen::VectorXd& p,
+                                     const Material& material) const override;
+  BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
+                               const Material& material, const Job& job) const override;
+  std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
+                                             const Material& material,
+                                             const Eigen::Vector3d& point) const override;
+
+  std::unique_ptr<ContactSurface> makeContactSurface(const DegreesOfFreedom& dofs) const override;
+};
+
+}  // namespace palpa::bem

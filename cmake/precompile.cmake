@@ -1,0 +1,39 @@
+# Precompiled headers: most of what the compiler reads are headers of other projects. The build is correct without
+# them (-DPALPA_PRECOMPILE=OFF): every file includes what it uses. docs/decisions/025-precompiled-headers.md has figures.
+option(PALPA_PRECOMPILE "Precompile headers of the standard library, Eigen, Qt, VTK and others" ON)
+
+set(palpa_standard_headers <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <filesystem> <fstream>
+  <functional> <limits> <map> <memory> <mutex> <numbers> <numeric> <optional> <set> <span> <sstream> <stdexcept> <string>
+  <string_view> <thread> <tuple> <utility> <variant> <vector>)
+
+# palpa_precompile(TARGET HEADER…): precompiles the standard library and these headers for the target.
+function(palpa_precompile target)
+  if(PALPA_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${palpa_standard_headers} ${ARGN})
+  endif()
+endfunction()
+
+# palpa_precompiled_set(NAME HEADER…): headers that several targets share. LIBRARIES of the set give their folders.
+function(palpa_precompiled_set name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
+  if(PALPA_PRECOMPILE)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp CONTENT "")
+    add_library(palpa_precompiled_${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
+    target_link_libraries(palpa_precompiled_${name} PRIVATE palpa_options ${ARG_LIBRARIES})
+    palpa_precompile(palpa_precompiled_${name} ${ARG_HEADERS})
+  endif()
+endfunction()
+
+# palpa_use_precompiled(NAME TARGET…)
+function(palpa_use_precompiled name)
+  if(PALPA_PRECOMPILE)
+    foreach(target IN LISTS ARGN)
+      target_precompile_headers(${target} REUSE_FROM palpa_precompiled_${name})
+    endforeach()
+  endif()
+endfunction()
+
+# palpa_compile_apart(FILE…): files whose compiler options no precompiled header fits.
+function(palpa_compile_apart)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()

@@ -1,0 +1,176 @@
+#include "modeling/exchange/sandboxed_read.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <vector>
+
+#include "base/text.h"
+#include "modeling/error.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr double kPatience = 20.0;  // waiting for the program, in its own seconds
+constexpr const char* kProgram = "palpa-read-cad";
+
+std::filesystem::path findProgram(const std::string& source) {
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  for (const auto& folder : {here, here.parent_path() / "libexec" / "palpa"})
+    if (::access((folder / kProgram).c_str(), X_OK) == 0) return folder / kProgram;
+  throw ModelingError(source + ": the program " + kProgram +
+                          ", which reads CAD files first, is not beside this one in " +
+                          here.string() + "; install Palpa again",
+                      ModelingError::Kind::kNotFound);
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(number_);
+    number_ = -1;
+  }
+
+ private:
+  int number_;
+};
+
+/// A file without a name that holds `text`, to be read from its beginning.
+int fileInMemory(const std::string& text) {
+  const int file = ::memfd_create("cad", MFD_CLOEXEC);
+  std::size_t done = 0;
+  while (file >= 0 && done < text.size()) {
+    const ssize_t count = ::write(file, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) break;
+    done += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+  }
+  if (file >= 0 && (done < text.size() || ::lseek(file, 0, SEEK_SET) != 0)) {
+    ::close(file);
+    return -1;
+  }
+  return file;
+}
+
+/// Started with posix_spawn: a plain fork() of a program with threads may inherit a lock that
+/// nobody will ever open.
+pid_t start(std::vector<std::string> words, int input, int output) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  // The parent's signals: what it ignores or blocks would be ignored or blocked there as well.
+  posix_spawnattr_t attributes;
+  ::posix_spawnattr_init(&attributes);
+  sigset_t all, none;
+  ::sigfillset(&all);
+  ::sigemptyset(&none);
+  ::posix_spawnattr_setsigdefault(&attributes, &all);
+  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  pid_t process = -1;
+  const int error =
+      ::posix_spawn(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+  ::posix_spawnattr_destroy(&attributes);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return error == 0 ? process : -1;
+}
+
+/// Collects the child's message until it ends; kills it when time is up or the job is stopped.
+class Child {
+ public:
+  Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
+  ~Child() {
+    if (process_ > 0) {
+      ::kill(process_, SIGKILL);
+      waitForEnd();
+    }
+    ::close(pipe_);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// False when the time is up.
+  bool listen(double seconds, const Job& job) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    std::array<char, 4096> buffer;
+    while (std::chrono::steady_clock::now() < end) {
+      job.throwIfCancelled();
+      pollfd waiting{pipe_, POLLIN, 0};
+      constexpr int kMilliseconds = 10;
+      if (::poll(&waiting, 1, kMilliseconds) <= 0) continue;
+      const ssize_t count = ::read(pipe_, buffer.data(), buffer.size());
+      if (count == 0) return true;
+      if (count > 0) message_.append(buffer.data(), static_cast<std::size_t>(count));
+    }
+    return false;
+  }
+
+  int waitForEnd() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = -1;
+    return status;
+  }
+
+  const std::string& message() const { return message_; }
+
+ private:
+  pid_t process_;
+  int pipe_;
+  std::string message_;
+};
+
+}  // namespace
+
+void readInSandbox(const std::filesystem::path& path, const std::string& text,
+                   const ImportOptions& options, double seconds, const Job& job) {
+  const std::string source = path.string();
+  const std::filesystem::path program = findProgram(source);
+  std::array<int, 2> ends{-1, -1};
+  const Descriptor input(fileInMemory(text));
+  if (input.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw ModelingError(source + ": no memory or pipe for " + kProgram, ModelingError::Kind::kIo);
+  Descriptor output(ends[1]);
+  const pid_t process =
+      start({program.string(), std::to_string(::getpid()), numberText(seconds), source,
+             numberText(options.edgeLength), numberText(options.tolerance)},
+            input.number(), output.number());
+  output.close();
+  Child child(process, ends[0]);
+  if (process < 0)
+    throw ModelingError(source + ": " + program.string() + " could not be started",
+                        ModelingError::Kind::kIo);
+  const bool ended = child.listen(kPatience * seconds, job);
+  const int status = ended ? child.waitForEnd() : 0;
+  if (!ended || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
+    throw ModelingError(source + ": OpenCASCADE works on it for longer than " +
+                            shortNumberText(seconds) + " s; the file is damaged or too complicated",
+                        ModelingError::Kind::kTooLarge);
+  const int failed = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
+  if (failed >= kSandboxFailed)
+    throw ModelingError(child.message(), static_cast<ModelingError::Kind>(failed - kSandboxFailed));
+  if (failed != 0) throw ModelingError(source + ": OpenCASCADE fails on it; the file is damaged");
+}
+
+}  // namespace palpa::modeling

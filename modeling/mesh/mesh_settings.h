@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "modeling/body/region.h"
+
+namespace palpa::modeling {
+
+/// Boundary elements of a body: splines on its patches, or flat triangles.
+enum class Engine { kAutomatic, kSplines, kTriangles };
+
+struct MeshSettings {
+  double edgeLength = 5.0;   ///< target length of triangle legs in mm, > 0
+  int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
+  bool refineAtSharpEdges = false;
+  bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
+  /// Patches on which edge and element lengths are multiplied by a factor, 0.05 … 20; 1 for all
+  /// others. Patches around them get as many pieces as needed to fit.
+  std::map<std::string, double> patchFactors{};
+  Engine engine = Engine::kAutomatic;
+  /// Target relative error of displacements and reactions with splines, 1e-4 … 0.1; sets the size
+  /// of the spline elements unless elementLength does.
+  double accuracy = 0.01;
+  /// Size of the spline elements away from borders in mm, > 0; multiplied by patchFactors.
+  std::optional<double> elementLength{};
+
+  bool operator==(const MeshSettings&) const = default;
+
+  /// Checks everything but the names in patchFactors. Throws ModelingError that begins with `path`
+  /// and names the field.
+  void validate(const std::string& path = "mesh") const;
+};
+
+/// A region the mesh is fitted to. `name` appears in messages ("supports[0] \"base\"").
+struct MeshRegion {
+  std::string name;
+  Region where;
+  bool refineBorder = true;
+};
+
+}  // namespace palpa::modeling

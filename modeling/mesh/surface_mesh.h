@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "modeling/mesh/region_border.h"
+#include "modeling/solid/edge_curve.h"
+
+namespace palpa::modeling {
+
+/// Closed, oriented triangle mesh of a body's surface.
+///
+/// Every node lies on the spline surface; every triangle lies in one patch; nodes on edges and in
+/// corners are shared. Triangles are counter-clockwise seen from outside. Nodes with close numbers
+/// are close in space (patch by patch along a Hilbert curve in the parameters).
+struct SurfaceMesh {
+  std::vector<Eigen::Vector3d> positions;    ///< mm
+  std::vector<SurfaceParameter> parameters;  ///< per node, in the first of its patches
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> patchOfTriangle;
+  std::vector<int> smoothingGroupOfTriangle;        ///< normals are continuous inside a group
+  std::vector<std::vector<int>> trianglesOfRegion;  ///< per region passed to mesh(), ascending
+  std::vector<RegionBorder> borders;  ///< the distinct half spaces and paintings of the regions
+  std::vector<std::uint64_t> bordersOfTriangle;  ///< bit k: inside borders[k]
+};
+
+struct MeshQuality {
+  double smallestAngle = 0.0;  ///< degrees
+  double largestAspect = 0.0;  ///< longest side over the height on it times √3/2; 1 = equilateral
+  double shortestEdge = 0.0;   ///< mm
+  double meanEdge = 0.0;       ///< mm
+  double longestEdge = 0.0;    ///< mm
+};
+
+MeshQuality measureQuality(const SurfaceMesh& mesh);
+
+}  // namespace palpa::modeling
