@@ -4,9 +4,9 @@
 
 namespace palpa {
 
-/// An error that input or environment causes: a bad file, an unsolvable problem, no memory. The
-/// message says what is wrong, where, and what the user can do about it. The libraries throw
-/// subclasses that tell the kinds apart (bem::SolverError, modeling::ModelingError).
+/// Error caused by input or environment: a bad file, an unsolvable problem, too little memory. The
+/// message names the place, the problem and the remedy. The libraries throw subclasses that
+/// distinguish kinds (bem::SolverError, modeling::ModelingError).
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -5,11 +5,11 @@
 
 namespace palpa {
 
-/// A part of an immutable object that is made when it is first asked for, from any thread.
+/// Part of an immutable object that is computed on first use, from any thread.
 template <class Part>
 class Lazy {
  public:
-  /// The part; the first call makes it from the arguments. When that throws, the next call tries
+  /// The part; the first call constructs it from the arguments. If that throws, the next call tries
   /// again.
   template <class... Arguments>
   const Part& get(const Arguments&... arguments) const {

@@ -14,7 +14,7 @@ int workerCount(const Job& job) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
+void parallelFor(std::ptrdiff_t count, const Job& job, std::optional<Phase> phase,
                  const std::function<void(std::ptrdiff_t)>& body) {
   std::atomic<std::ptrdiff_t> next = 0;
   std::atomic<bool> failed = false;
@@ -30,8 +30,7 @@ void parallelFor(std::ptrdiff_t count, const Job& job, std::string_view phase,
         body(index);
         const std::scoped_lock lock(mutex);
         ++done;
-        if (!phase.empty())
-          job.report(phase, static_cast<double>(done) / static_cast<double>(count));
+        if (phase) job.report(*phase, static_cast<double>(done) / static_cast<double>(count));
       } catch (...) {
         const std::scoped_lock lock(mutex);
         if (!firstError) firstError = std::current_exception();

@@ -7,8 +7,8 @@
 
 namespace palpa {
 
-/// Scratch memory for the tasks of a parallel loop: each borrows a piece and gives it back, so that
-/// there are as many as threads work, made when first needed.
+/// Scratch memory for the tasks of a parallel loop. Each task takes a piece and gives it back, so
+/// there are as many pieces as working threads. Pieces are made when first needed.
 template <class Piece>
 class ScratchPool {
  public:

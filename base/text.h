@@ -30,7 +30,7 @@ inline std::string shortNumberText(double value) {
 }
 
 /// "(1.5, -2, 30) mm": four significant digits per coordinate, for messages. Coordinates below
-/// 1e-9 of the largest one are rounding errors and read as 0.
+/// 1e-9 of the largest one are rounding errors and are written as 0.
 inline std::string placeText(const Eigen::Vector3d& place) {
   const double noise = 1e-9 * place.cwiseAbs().maxCoeff();
   const auto shown = [&](int k) {
