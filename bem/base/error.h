@@ -6,15 +6,15 @@
 
 namespace palpa::bem {
 
-/// A problem that cannot be solved as given. Callers tell the cases apart by kind(), never by the
-/// text of the message.
+/// Error of a problem that cannot be solved as given. Callers distinguish the cases by kind(),
+/// never by the text of the message.
 class SolverError : public Error {
  public:
   enum class Kind {
     kBadMesh,         ///< open, degenerate or badly oriented surface
     kBadMaterial,     ///< constants outside the range of linear elasticity
     kBadCondition,    ///< contradicting or useless boundary data
-    kNotHeld,         ///< a rigid motion is left free
+    kNotFixed,        ///< the supports leave a rigid motion free
     kIncompressible,  ///< nu = 0.5 with the displacement prescribed everywhere
     kTooLarge,        ///< the memory estimate exceeds the limit
     kSingular,        ///< the factorisation broke down

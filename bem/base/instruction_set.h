@@ -4,7 +4,7 @@ namespace palpa::bem {
 
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
-/// The widest one that this processor has and this program was built for.
+/// The widest set that this processor supports and this program was built for.
 InstructionSet instructionSet();
 /// Its name, for reports: "avx512", "avx2" or "baseline".
 const char* instructionSetName();

@@ -9,8 +9,8 @@ namespace palpa::bem {
 template <class Batch>
 inline Batch inverseSquareRoot(const Batch& x) {
 #ifdef __AVX512F__
-  // Two Newton steps on the processor's 14-bit estimate: several times faster than a division and a
-  // square root.
+  // Two Newton steps from the processor's 14-bit estimate are several times faster than a division
+  // and a square root.
   if constexpr (std::is_same_v<Batch, xsimd::batch<double, xsimd::avx512f>>) {
     const Batch half = Batch(0.5) * x;
     Batch y(_mm512_rsqrt14_pd(x));

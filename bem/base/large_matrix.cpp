@@ -10,8 +10,8 @@ namespace palpa::bem::detail {
 namespace {
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
-/// Whole huge pages from half of one on: to clear one takes less time than to fault in its 512
-/// small ones.
+/// Rounds up to whole huge pages from half a huge page on: clearing one takes less time than the
+/// faults of its 512 small pages.
 std::size_t inWholePages(std::size_t bytes) {
   return bytes < kHugePage / 2 ? bytes : (bytes + kHugePage - 1) / kHugePage * kHugePage;
 }

@@ -7,15 +7,14 @@
 namespace palpa::bem {
 
 namespace detail {
-/// Zeroed memory straight from the system, in huge pages where there are any; throws
-/// std::bad_alloc.
+/// Zeroed memory from the operating system, in huge pages if available. Throws std::bad_alloc.
 void* allocatePages(std::size_t bytes);
 void releasePages(void* memory, std::size_t bytes) noexcept;
 }  // namespace detail
 
-/// A dense column-major matrix for the operators, which take hundreds of megabytes. Born zeroed,
-/// movable, not copyable. Its pages come untouched from the system: filling ordinary heap memory of
-/// this size costs more in page faults than the integrals that go into it.
+/// Dense column-major matrix for the operators, which take hundreds of megabytes. Initially zero,
+/// movable, not copyable. Huge pages, because page faults of ordinary heap memory of this size cost
+/// more than the computation of the integrals.
 template <class Scalar>
 class LargeMatrix {
  public:

@@ -4,10 +4,10 @@
 
 namespace palpa::bem {
 
-/// A point of a symmetric quadrature rule on a triangle.
+/// Point of a symmetric quadrature rule on a triangle.
 struct TrianglePoint {
   double barycentric[3];
-  double weight;  ///< the weights of a rule sum to 1, so multiply by the area
+  double weight;  ///< the weights of a rule sum to 1
 };
 
 /// Gauss-type rules on the triangle after D. A. Dunavant, High degree efficient symmetrical

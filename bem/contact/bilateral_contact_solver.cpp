@@ -116,7 +116,8 @@ Eigen::VectorXd BilateralContactSolver::forces() const {
     if (!entries_[k].grabbed) forces.segment<3>(row) = entries_[k].given;
     missing.segment<3>(row) = entries_[k].given;
   }
-  // What the grabbed contacts have to add to the displacements that are there without them.
+  // Difference between the prescribed displacements and the displacements without the grabbed
+  // contacts.
   missing -= baseDisplacements_ + compliance_ * forces;
   const auto rows = rowsOf(true);
   forces(rows) = capacitance_.solve(missing(rows));

@@ -62,7 +62,7 @@ bool ContactCompliance::place(int index, const SurfacePoint& point, double radiu
   }
   const bool isPlaced = surface_.makeMask(point, radius, *workspace_, spare_);
   if (isPlaced && misses(spare_) && entry.isPlaced && columns_.hasAll(entry.mask.nodes))
-    return true;  // stays where it is
+    return true;  // stays at its previous point
   std::swap(entry.mask, spare_);
   entry.isPlaced = isPlaced;
   entry.isCurrent = false;
@@ -107,7 +107,7 @@ void ContactCompliance::respond(int index) {
       }
     }
   }
-  // At held nodes the unknowns are tractions in the held directions: they do not move there.
+  // At fixed nodes the unknowns in the fixed directions are tractions; the displacements are zero.
   for (Index i = 0; i < rowCount; ++i) {
     if (dofs.isFree(rows_[i])) continue;
     Eigen::Matrix3f along = Eigen::Matrix3f::Zero();
@@ -151,7 +151,7 @@ void ContactCompliance::update() {
   }
   if (anyChanged) {
     isStale_ = true;
-    // Those that changed, or whose columns have come, against all; then the others against those.
+    // Changed or newly ready masks against all masks; then the other masks against these.
     collectRows(false);
     for (int b = 0; b < size(); ++b) {
       if (!masks_[b].isReady || masks_[b].isCurrent) continue;

@@ -8,43 +8,46 @@
 
 namespace palpa::bem {
 
-/// Masks on a body and the compliance D = Ψ^T Xi Φ between them, kept up to date while masks come,
-/// go and slide, from whatever columns of Xi are there. Masks keep their place in the list.
+/// Masks on a body and the compliance D = Ψ^T Xi Φ between them. The compliance is updated from the
+/// available columns of Xi while masks are added, removed and slide. Masks keep their index in the
+/// list.
 ///
-/// Not thread-safe. After the first few calls nothing is allocated as long as masks do not grow.
+/// Not thread-safe. After the first few calls no memory is allocated as long as masks do not grow.
 ///
-/// A mask that is placed elsewhere before the columns of the new place are there stays where it is
-/// until they come: what slides ahead of the columns does not lose its force.
+/// A mask placed at a point whose columns are not yet available stays at its previous point until
+/// they are: a contact that slides faster than the columns arrive keeps its force.
 class ContactCompliance {
  public:
-  /// `base`: the field without contacts. All three must outlive the set.
+  /// `base`: the field without contacts. All three arguments must outlive this object.
   ContactCompliance(const ContactSurface& surface, const GreensColumns& columns,
                     const BoundaryField& base);
 
   int size() const { return static_cast<int>(masks_.size()); }
   void resize(int count);
-  /// Those behind move forward.
+  /// Removes `count` masks; the masks after them move forward.
   void remove(int first, int count);
 
-  /// Puts a mask at a surface point. False, and the mask is empty, when a support holds the place.
+  /// Places a mask of `radius` (mm) at a surface point. Returns false and leaves the mask empty if
+  /// a support fixes the place.
   bool place(int index, const SurfacePoint& point, double radius);
   void clear(int index);
   bool isPlaced(int index) const { return masks_[index].isPlaced; }
-  /// Were the columns there that the mask needs, at the last update()? Only then was it included.
+  /// True if all Green's columns of the mask were available at the last update(). Only such masks
+  /// are included in the compliance.
   bool isReady(int index) const { return masks_[index].isReady; }
-  /// Displacement coefficients whose columns place() has missed since the last forgetMissing();
-  /// some appear twice.
+  /// Displacement coefficients whose columns were not available to place() since the last
+  /// forgetMissing(); some appear twice.
   const std::vector<int>& missing() const { return missing_; }
   void forgetMissing() { missing_.clear(); }
   const ContactMask& mask(int index) const { return masks_[index].mask; }
 
-  /// Brings the compliance up to date. Masks that are empty or not ready have zero blocks.
+  /// Updates the compliance. Masks that are empty or not ready have zero blocks.
   void update();
-  /// 3 x 3 per mask, mm/N, symmetrised.
+  /// Compliance, 3 x 3 per mask, mm/N, symmetrised.
   const Eigen::MatrixXd& compliance() const { return compliance_; }
-  /// Displacements of the masks without any contact force, mm.
+  /// Displacements of the masks without contact forces, 3 per mask, mm.
   const Eigen::VectorXd& freeDisplacements() const { return free_; }
-  /// Largest |D_ab - D_ba^T| over |D_aa| at the last update.
+  /// Error indicator: the largest |D_ab - D_ba^T| over |D_aa| at the last update.
   double reciprocityDefect() const { return defect_; }
 
  private:
@@ -52,18 +55,18 @@ class ContactCompliance {
     ContactMask mask;
     bool isPlaced = false;
     bool isReady = false;
-    bool isCurrent = false;  // its blocks of raw_ belong to the mask
+    bool isCurrent = false;  // its blocks of raw_ are computed for the present mask
     bool isZero = true;      // its blocks of raw_ are zero
   };
-  /// Adds those of a mask's nodes to missing_ that have no columns; are there any?
+  /// Adds the nodes of a mask without columns to missing_; returns true if there are any.
   bool misses(const ContactMask& mask);
-  /// The union of the measure nodes of some masks, as rows.
+  /// Collects the union of the measured nodes of some masks in rows_.
   void collectRows(bool onlyChanged);
-  /// Xi Φ of a mask in these rows.
+  /// Computes Xi Φ of a mask in these rows.
   void respond(int index);
   void measureBase(int index);
   void symmetrise();
-  /// Ψ^T of a mask applied to the response.
+  /// Applies Ψ^T of a mask to the response.
   Eigen::Matrix3d measure(int index) const;
 
   const ContactSurface& surface_;
@@ -76,13 +79,12 @@ class ContactCompliance {
   Eigen::MatrixXd raw_, compliance_;
   Eigen::VectorXd free_;
   double defect_ = 0;
-  bool isStale_ = true;             // compliance_ does not belong to raw_
+  bool isStale_ = true;             // compliance_ is older than raw_
   std::vector<int> rows_;           // displacement coefficients
   std::vector<unsigned> rowStamp_;  // per displacement coefficient
   std::vector<int> rowOfNode_;
   unsigned stamp_ = 0;
-  Eigen::Matrix<float, Eigen::Dynamic, 3>
-      response_;  // more rows than needed, so that it seldom grows
+  Eigen::Matrix<float, Eigen::Dynamic, 3> response_;  // with spare rows, so that it seldom grows
 };
 
 }  // namespace palpa::bem

@@ -20,7 +20,7 @@ ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d
   if (surface.makeMask(surface.nearest(at), radius, *workspace, mask)) return mask;
   throw SolverError(SolverError::Kind::kBadCondition,
                     "the place touched at " + placeText(mask.point.position) +
-                        " is held by a support; touch the body where it is free");
+                        " is fixed by a support; touch a free place");
 }
 
 }  // namespace palpa::bem

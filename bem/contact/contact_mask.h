@@ -7,17 +7,17 @@
 
 namespace palpa::bem {
 
-/// A contact's pressure mask (James & Pai, A unified treatment of elastostatic contact simulation,
-/// Haptics-e 2001): a smooth bump of traction around a surface point, carried by the free
-/// displacement coefficients around it: their known traction acts on all their slots. A force f (N)
+/// Pressure mask of a contact (James & Pai, A unified treatment of elastostatic contact simulation,
+/// Haptics-e 2001): a smooth bump of traction around a surface point, represented by the free
+/// displacement coefficients around it, whose known traction acts on all their slots. A force f (N)
 /// acts as the traction field f times Φ; the work-conjugate displacement is the mean d = ∫ Φ u dΓ.
-/// Independent of the mesh in the limit, and continuous when the point slides.
+/// The mask is independent of the mesh in the limit, and continuous when the point slides.
 struct ContactMask {
   SurfacePoint point{};
-  double radius = 0;                    ///< mm; at least what was asked for
+  double radius = 0;                    ///< mm; at least the requested radius
   std::vector<int> nodes;               ///< displacement coefficients whose slots carry traction
   std::vector<double> traction;         ///< their coefficients of Φ, 1/mm^2; ∫ Φ dΓ = 1
-  std::vector<int> measureNodes;        ///< displacement coefficients that enter d
+  std::vector<int> measureNodes;        ///< displacement coefficients that contribute to d
   std::vector<double> measure;          ///< their weights; they sum to 1
   std::vector<Eigen::Vector3d> points;  ///< on the true surface, mm
   std::vector<double> pointWeights;     ///< ∫ Φ f dΓ = Σ weight f(point); they sum to 1
@@ -28,10 +28,10 @@ struct ContactMask {
 
 class ContactSurface;
 
-/// The mask (1 - (ρ/radius)^2)^2 for ρ = |x - point| < radius, projected onto the free coefficients
-/// of the connected piece of surface around the point and normalised. The radius is raised to
-/// ContactSurface::narrowestMask() if it is smaller: a narrower bump cannot be represented. Throws
-/// SolverError (kBadCondition) when supports hold all of the touched place.
+/// Mask (1 - (ρ/radius)^2)^2 for ρ = |x - point| < radius (mm), projected onto the free
+/// coefficients of the connected piece of surface around the point and normalised. A radius below
+/// ContactSurface::narrowestMask() is raised to it, because narrower bumps cannot be represented.
+/// Throws SolverError (kBadCondition) if supports fix the whole touched place.
 ContactMask makeContactMask(const ContactSurface& surface, const Eigen::Vector3d& at,
                             double radius);
 

@@ -5,7 +5,7 @@
 
 #include "bem/contact/contact_simulation.h"
 
-// Where masks are, and how far from a ball: what ContactSimulation knows of geometry.
+// Geometry of ContactSimulation: positions of masks and their gaps to a ball.
 
 namespace palpa::bem {
 namespace {
@@ -16,24 +16,25 @@ using Kind = ContactTool::Kind;
 
 constexpr int kRings = 4;
 constexpr int kLattice = 1 + 3 * kRings * (kRings + 1);
-static_assert(kLattice == ContactSimulation::kProbeMasks);
-/// The lattice reaches this much farther than the contact between two balls would (H. Hertz).
+static_assert(kLattice == ContactTool::kBallMasks);
+/// Radius of the lattice over the contact radius of two balls (H. Hertz).
 constexpr double kMargin = 1.3;
-/// Masks of the lattice overlap: radius over spacing, where the spacing is at least that of the
-/// coefficients. The narrowest that the mesh can carry (1.25) would do, but how wide these are in
-/// effect depends on where they lie among the nodes: by up to a third of their mean ρ^2, which is
-/// felt.
+/// Overlap of the lattice's masks: radius over spacing, where the spacing is at least the spacing
+/// of the coefficients. The narrowest masks that the mesh can represent (1.25) would cover the
+/// surface, but their effective width depends on their position among the nodes: their mean ρ^2
+/// varies by up to a third, which the user feels.
 constexpr double kOverlap = 1.7;
-/// A lattice point that lies farther than this part of the spacing from the surface point it falls
-/// on (beyond an edge of the body) is left out.
+/// A lattice point is omitted if its distance from the surface point it projects to (beyond an edge
+/// of the body) exceeds this fraction of the spacing.
 constexpr double kFarthest = 0.6;
-/// Places are looked for from this part of a mask's radius above the surface.
+/// Height above the surface, over a mask's radius, from which surface points are searched.
 constexpr double kLift = 0.2;
-/// A mask of radius r on a half-space yields to the force F of a ball by c F / (E* r), c =
-/// 0.7665 (the mean under (1 - ρ^2 / r^2)^2), a circle of contact a by Hertz's a^2 / R with F = 4/3
-/// E* a^3 / R. So a mask that stands for a circle x = a / r must meet the ball when that has come
-/// nearer by (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4 c / 3; up to the larger x at which this
-/// is the mean gap r^2 / 8 R of a mask that is pressed all over. Other masks begin to press there.
+/// Contact narrower than its mask. A mask of radius r on a half-space yields to the force F of a
+/// ball by c F / (E* r), c = 0.7665 (the mean under (1 - ρ^2 / r^2)^2); a contact circle of radius
+/// a yields by Hertz's a^2 / R with F = 4/3 E* a^3 / R. A mask that represents a circle x = a / r
+/// must therefore touch the ball after an approach of (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4
+/// c / 3. This holds up to the larger x (kNarrowContact) at which the approach equals the mean gap
+/// r^2 / 8 R of a fully pressed mask. There other masks begin to press.
 constexpr double kNarrow = 1.022, kNarrowContact = 0.77466, kWideContact = 1;
 
 /// Points of a hexagonal lattice with spacing 1 around the origin, ring by ring.
@@ -54,7 +55,7 @@ const std::array<Vector2d, kLattice>& lattice() {
   return points;
 }
 
-/// `direction` turned as little as needed to lie in the plane across the unit normal.
+/// `direction` rotated by the smallest angle into the plane perpendicular to the unit normal.
 Vector3d inPlane(const Vector3d& direction, const Vector3d& normal) {
   const Vector3d flat = direction - normal * normal.dot(direction);
   return flat.norm() > 1e-6 ? flat.normalized() : normal.unitOrthogonal();
@@ -63,21 +64,24 @@ Vector3d inPlane(const Vector3d& direction, const Vector3d& normal) {
 }  // namespace
 
 void ContactSimulation::placeMasks(Contact& contact) {
-  if (!contact.tool.isPushing()) {
-    set_.place(contact.firstMask, contact.point, contact.tool.radius);
-    return;
+  if (contact.tool.presses()) {
+    contact.point = footOf(contact);
+    contact.across = inPlane(contact.across, surface_.normal(contact.point));
   }
-  contact.point = footOf(contact);
-  contact.across = inPlane(contact.across, surface_.normal(contact.point));
-  if (contact.tool.kind == Kind::kPush)
-    set_.place(contact.firstMask, contact.point, contact.tool.radius);
-  else
-    placeProbe(contact);
+  switch (contact.tool.kind) {
+    case Kind::kGrab:
+    case Kind::kForce:
+    case Kind::kPush:
+      set_.place(contact.firstMask, contact.point, contact.tool.radius);
+      break;
+    case Kind::kBall:
+      placeBall(contact);
+  }
 }
 
-/// The surface point below a tool's reference. Looked for from a little above the surface: the
-/// nearest point moves without jumps seen from outside a convex mesh, but jumps from face to face
-/// seen from inside.
+/// Surface point below a tool's reference. The search starts slightly above the surface: seen from
+/// outside a convex mesh the nearest point moves continuously, seen from inside it jumps from face
+/// to face.
 SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
   const Vector3d normal = surface_.normal(contact.point);
   const double height = normal.dot(contact.reference - contact.point.position);
@@ -86,7 +90,8 @@ SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
   return surface_.foot(contact.reference, surface_.tree().nearest(from));
 }
 
-/// Of the surface around a contact, from normals at a distance (mm); positive where it bulges.
+/// Mean curvature of the surface around a contact, 1/mm, from normals at a distance (mm); positive
+/// where the surface is convex.
 double ContactSimulation::meanCurvature(const Contact& contact, double distance) const {
   const Vector3d normal = surface_.normal(contact.point);
   const Vector3d across = normal.cross(contact.across);
@@ -101,13 +106,14 @@ double ContactSimulation::meanCurvature(const Contact& contact, double distance)
   return sum / 4;
 }
 
-/// The masks of a ball: wherever the surface without it reaches into it, the contact lies within
-/// that part. The lattice is as fine as the mesh, or wide enough to cover the contact.
-void ContactSimulation::placeProbe(Contact& contact) {
+/// Places the masks of a ball. The contact lies within the region in which the surface without the
+/// ball's force would penetrate the ball. The lattice is as fine as the mesh, or wide enough to
+/// cover the contact.
+void ContactSimulation::placeBall(Contact& contact) {
   const double radius = contact.tool.radius;
   const Vector3d normal = surface_.normal(contact.point);
   const Vector3d along = contact.across, across = normal.cross(along);
-  const Vector3d ball = contact.value - contact.lifted;  // as the surface without it sees it
+  const Vector3d ball = contact.value - contact.lifted;  // relative to the surface without it
   const double depth =
       std::clamp(radius - (ball - contact.point.position).dot(normal), 0.0, 2 * radius);
   const double finest = surface_.maskSpacing(contact.point);
@@ -119,7 +125,7 @@ void ContactSimulation::placeProbe(Contact& contact) {
   for (int k = 0; k < contact.maskCount; ++k) {
     const int mask = contact.firstMask + k;
     const Vector2d at = spacing * lattice()[k];
-    // Most of a wide lattice is so far from the ball that the surface need not be looked at.
+    // Most of a wide lattice is too far from the ball to need a search on the surface.
     if (k > 0 && (beside + at).norm() >= radius + kFarthest * spacing) {
       set_.clear(mask);
       continue;
@@ -138,16 +144,15 @@ void ContactSimulation::placeProbe(Contact& contact) {
   }
 }
 
-/// How far a mask of the unloaded surface is from a ball along the direction `m` of its pressure,
-/// in the mean: ∫ Φ [m . (x - c) - √(R^2 - t^2)] dΓ with t what lies across m, for which the
-/// surface is taken where it is now. That is what the mask's mean displacement must make up for.
-/// (At the middle alone the gap would be smaller by the mask's radius squared over 8 radii of
-/// curvature.)
+/// Mean gap between a mask of the unloaded surface and a ball along the pressure direction `m`, mm:
+/// ∫ Φ [m . (x - c) - √(R^2 - t^2)] dΓ, where t is the distance across m of the displaced surface
+/// from the centre c. The mean displacement of the mask must close this gap. (The gap at the middle
+/// is smaller by the squared radius of the mask over 8 radii of curvature.)
 ///
-/// A projected bump has tails with small weights of either sign. Two things keep them from being
-/// felt as waves of the force while the ball slides: where it is steeper than 45 degrees the ball
-/// goes on as the paraboloid that touches it there; and a contact narrower than its mask meets what
-/// a bump of exactly the mask's radius would, by its ∫ Φ ρ^2 dΓ = r^2 / 4.
+/// A projected bump has tails with small weights of either sign. They would cause waves of the
+/// force while the ball slides; two measures prevent this. Where the ball is steeper than 45
+/// degrees, it is replaced by the paraboloid that touches it there. A contact narrower than its
+/// mask has the gap of a bump with exactly the mask's radius, by its ∫ Φ ρ^2 dΓ = r^2 / 4.
 double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vector3d& m) const {
   const double radius = contact.tool.radius, square = radius * radius;
   const Vector3d now = displacementOf(mask);
@@ -167,14 +172,14 @@ double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vect
     spread += on.pointWeights[k] * (on.points[k] - on.point.position).squaredNorm();
   }
   if (mask != contact.firstMask) return gap;
-  // A contact much narrower than its one mask.
+  // The contact is much narrower than its single mask.
   const double middle = gapAt(surface_.smoothPosition(on.point));
   const double all = gap - middle, approach = -middle - m.dot(contact.lifted);
   if (approach <= 0 || all <= 0) return all > 0 ? middle : gap;
   const double offset = all * on.radius * on.radius / (4 * spread);
   const double part = std::sqrt(approach / (8 * offset));
   if (part < kNarrowContact) return middle + 8 * offset * part * part * (1 - kNarrow * part);
-  // From there on, gradually, the mean over the mask as it is, as over all others.
+  // From here, gradual transition to the true mean over the mask, as for all other masks.
   const double wide = std::min((part - kNarrowContact) / (kWideContact - kNarrowContact), 1.0);
   return middle + offset + wide * (all - offset);
 }

@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Kind = ContactTool::Kind;
 
-/// Sliding within a step ends when places move by less than this part of the mask's radius.
+/// Sliding within a step ends when places move by less than this fraction of the mask's radius.
 constexpr double kSettled = 1e-6;
 
 }  // namespace
@@ -27,9 +27,9 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   contact.tool = tool;
   contact.value = value;
   contact.point = surface_.nearest(at);
-  contact.reference = tool.isPushing() ? value : at;
+  contact.reference = tool.presses() ? value : at;
   contact.firstMask = set_.size();
-  contact.maskCount = tool.kind == Kind::kProbe ? kProbeMasks : 1;
+  contact.maskCount = tool.maskCount();
   contact.patch.reserve(contact.maskCount);
   set_.resize(contact.firstMask + contact.maskCount);
   conditions_.resize(set_.size());
@@ -96,7 +96,8 @@ void ContactSimulation::takeOver(const ContactSimulation& other) {
 const std::vector<int>& ContactSimulation::missing() {
   set_.forgetMissing();
   for (Contact& contact : contacts_) {
-    // Where a tool is looked for depends on where it was before, so step() must find that again.
+    // The search for the foot depends on its previous result, so step() must start from the same
+    // point.
     const SurfacePoint point = contact.point;
     const Vector3d across = contact.across;
     placeMasks(contact);
@@ -148,7 +149,7 @@ Vector3d ContactSimulation::displacementOf(int mask) const {
   return displacements_.segment<3>(3 * mask);
 }
 
-/// Notes by how much all else moves the middle of a contact.
+/// Stores the displacement of a contact's middle caused by everything except the contact.
 void ContactSimulation::lift(Contact& contact) const {
   const Index middle = 3 * contact.firstMask, count = 3 * contact.maskCount;
   contact.lifted =
@@ -156,35 +157,43 @@ void ContactSimulation::lift(Contact& contact) const {
       set_.compliance().block(middle, middle, 3, count) * forces_.forces.segment(middle, count);
 }
 
-/// What the laws demand of a contact's masks.
+/// Sets the conditions of a contact's masks.
 void ContactSimulation::demand(const Contact& contact) {
   for (int k = 0; k < contact.maskCount; ++k) {
     const int mask = contact.firstMask + k;
     ContactCondition& condition = conditions_[mask];
     condition = {};
     if (!set_.isPlaced(mask) || !set_.isReady(mask)) {
-      condition.kind = ContactCondition::Kind::kForce;  // none
+      condition.kind = ContactCondition::Kind::kForce;  // zero force
       continue;
     }
     condition.value = contact.value;
-    if (contact.tool.kind == Kind::kForce) condition.kind = ContactCondition::Kind::kForce;
-    if (!contact.tool.isPushing()) continue;
-    condition.kind = ContactCondition::Kind::kUnilateral;
+    switch (contact.tool.kind) {
+      case Kind::kGrab:
+        continue;
+      case Kind::kForce:
+        condition.kind = ContactCondition::Kind::kForce;
+        continue;
+      case Kind::kPush:
+      case Kind::kBall:
+        condition.kind = ContactCondition::Kind::kUnilateral;
+    }
     condition.friction = contact.tool.friction;
     const SurfacePoint& point = set_.mask(mask).point;
     const Vector3d outward = surface_.normal(point);
     condition.normal = -outward;
     double closed = 0;
-    if (contact.tool.kind == Kind::kProbe) {
-      // Away from the ball's centre, seen from where the place is now.
+    if (contact.tool.kind == Kind::kBall) {
+      // Away from the ball's centre, for the displaced position of the place.
       const Vector3d away = point.position + displacementOf(mask) - contact.value;
       if (away.dot(outward) < 0) condition.normal = away.normalized();
       closed = -gapToBall(contact, mask, condition.normal);
     } else {
       closed = condition.normal.dot(contact.value - surface_.smoothPosition(point));
     }
-    // The gap, linear in d, along the normal; along the surface the slip against what the mask's
-    // place would do if it stuck to the tool from where it was met, or last slipped to.
+    // Along the normal: the gap, linear in d. Along the surface: the slip relative to the
+    // displacement the place would have if it had stuck to the tool since the first contact or the
+    // last slip.
     const Vector3d& m = condition.normal;
     const Anchor& anchor = anchors_[mask];
     const Vector3d stuck =
@@ -210,18 +219,18 @@ void ContactSimulation::read(Contact& contact) {
   const Vector3d caused = contact.displacement - set_.freeDisplacements().segment<3>(3 * middle);
   const double squared = caused.squaredNorm();
   contact.stiffness = squared > 0 ? contact.force.dot(caused) / squared : 0.0;
-  contact.status = !set_.isPlaced(middle)      ? Status::kHeld
-                   : !set_.isReady(middle)     ? Status::kWaiting
-                   : !contact.tool.isPushing() ? Status::kHolding
-                   : !isPressing               ? Status::kOpen
-                   : isSlipping                ? Status::kSlipping
-                                               : Status::kSticking;
+  contact.status = !set_.isPlaced(middle)    ? Status::kFixed
+                   : !set_.isReady(middle)   ? Status::kWaiting
+                   : !contact.tool.presses() ? Status::kGrabbed
+                   : !isPressing             ? Status::kOpen
+                   : isSlipping              ? Status::kSlipping
+                                             : Status::kSticking;
 }
 
-/// Lets what friction remembers of every mask follow where it slipped, and the reference of the
-/// tool where its middle did; returns the motion of that over the tool's radius.
+/// Updates the anchors of slipping masks, and the reference of the tool if its middle mask slips;
+/// returns the motion of the reference over the tool's radius.
 double ContactSimulation::slide(Contact& contact) {
-  if (!contact.tool.isPushing()) return 0;
+  if (!contact.tool.presses()) return 0;
   const int middle = contact.firstMask;
   for (int mask = middle; mask < middle + contact.maskCount; ++mask) {
     Anchor& anchor = anchors_[mask];
@@ -230,7 +239,7 @@ double ContactSimulation::slide(Contact& contact) {
     anchor.isKnown = set_.isPlaced(mask) && set_.isReady(mask);
   }
   if (forces_.statuses[middle] == ContactStatus::kSticking) return 0;
-  // Above the place that is under the tool now, or that it would meet first.
+  // Above the place below the tool, or the place that it would touch first.
   const Vector3d normal = surface_.normal(contact.point);
   const Vector3d moved = displacementOf(middle);
   const Vector3d next = contact.value - (moved - normal * normal.dot(moved));

@@ -7,74 +7,103 @@
 
 namespace palpa::bem {
 
-/// What touches the body, and how.
+/// Tool that touches the body.
 struct ContactTool {
   enum class Kind {
-    kGrab,   ///< holds the place: all three components of its displacement follow the hand
-    kPush,   ///< a fingertip's pressure mask that presses but does not pull; it slides, with
-             ///< friction
-    kProbe,  ///< a rigid ball that presses but does not pull; the contact grows with depth
-    kForce,  ///< a given force on the place
+    kGrab,  ///< prescribes all three components of the place's displacement
+    kPush,  ///< a fingertip's pressure mask that presses but does not pull and slides with friction
+    kBall,  ///< a rigid ball that does the same; the contact grows with depth
+    kForce,  ///< a prescribed force on the place
   };
   Kind kind = Kind::kGrab;
-  double radius = 6;    ///< mm; of the mask, for kProbe of the ball
-  double friction = 0;  ///< Coulomb's coefficient of kPush and kProbe, 0 … 10
+  double radius = 6;    ///< mm; radius of the mask, for kBall of the ball
+  double friction = 0;  ///< Coulomb's coefficient of tools that press, 0 … 10
 
-  bool isPushing() const { return kind == Kind::kPush || kind == Kind::kProbe; }
+  static constexpr int kBallMasks = 61;
+
+  /// True if the tool presses but does not pull and slides with friction.
+  constexpr bool presses() const {
+    switch (kind) {
+      case Kind::kGrab:
+      case Kind::kForce:
+        return false;
+      case Kind::kPush:
+      case Kind::kBall:
+        return true;
+    }
+    return false;
+  }
+  /// Number of pressure masks that the tool may need.
+  constexpr int maskCount() const {
+    switch (kind) {
+      case Kind::kGrab:
+      case Kind::kForce:
+      case Kind::kPush:
+        return 1;
+      case Kind::kBall:
+        return kBallMasks;
+    }
+    return 1;
+  }
+  bool hasPatch() const { return maskCount() > 1; }
 };
 
-/// Any number of contacts on one body over time: grabbed places stay, pushing tools slide along the
-/// surface, let go and come back. Advanced in steps, a thousand a second; each step is a static
-/// equilibrium, and friction remembers the step before. The same steps give the same forces, bit
-/// for bit.
+/// Simulation of any number of contacts on one body over time: grabbed places stay, pushing tools
+/// slide along the surface, lift off and return. It advances in steps, up to a thousand per second.
+/// Each step is a static equilibrium with friction relative to the previous step. Equal steps give
+/// bitwise equal forces.
 ///
-/// A pushing tool knows the place in which it would touch without tangential displacement, its
-/// reference. Its masks sit around the surface point below the reference: one under kPush, up to
-/// kProbeMasks on a hexagonal lattice under kProbe, as close as the mesh can carry them. While the
-/// middle one sticks, the reference stays and the surface is dragged along; when it slips, the
-/// reference is where the tool has come to. Friction remembers for every mask by how much its place
-/// was displaced, as seen from the tool, when it was met or last slipped: that is what sticks.
+/// The reference of a pushing tool is the position at which it would touch without tangential
+/// displacement. Its masks lie around the surface point below the reference: one mask for kPush, up
+/// to ContactTool::kBallMasks on a hexagonal lattice for kBall, as dense as the mesh allows. While
+/// the middle mask sticks, the reference stays and the surface follows the tool; when it slips, the
+/// reference moves to the tool. For friction, each mask stores the displacement of its place
+/// relative to the tool at the first contact or at the last slip; a sticking mask keeps this
+/// displacement.
 ///
-/// Not thread-safe. After the first few steps with as many contacts step() allocates nothing.
+/// Not thread-safe. After the first few steps with equally many contacts step() allocates no
+/// memory.
 class ContactSimulation {
  public:
   using Id = int;
-  static constexpr int kProbeMasks = 61;
 
-  /// All three must outlive the simulation; `base`: the field without contacts.
+  /// `base`: the field without contacts. All three arguments must outlive the simulation.
   ContactSimulation(const ContactSurface& surface, const GreensColumns& columns,
                     const BoundaryField& base);
 
-  /// Begins a contact at the surface point nearest to `at` (unloaded shape, mm). Its value is, for
-  /// kGrab, the displacement of the place (mm); for kPush the position of the tip and for kProbe
-  /// that of the ball's centre (mm, in space); for kForce the force (N).
+  /// Begins a contact at the surface point nearest to `at` (unloaded shape, mm). `value` is the
+  /// displacement of the place (mm) for kGrab, the position of the tip (mm) for kPush, the position
+  /// of the ball's centre (mm) for kBall, and the force (N) for kForce.
   Id begin(const ContactTool& tool, const Eigen::Vector3d& at, const Eigen::Vector3d& value);
+  /// Sets the value of an existing contact, as in begin().
   void set(Id id, const Eigen::Vector3d& value);
+  /// Ends an existing contact.
   void end(Id id);
+  /// Ends all contacts.
   void clear();
 
   /// Takes over all contacts of a simulation on another body, usually an edited version of this
-  /// one, with their forces and what friction remembers; whatever this one held is forgotten.
-  /// Grabbed places stay at the same point of the same triangle when both meshes have the same
-  /// triangles, at the nearest point otherwise; pushing tools stay where they are in space. On an
-  /// equal body the next step gives the forces that the other would have given.
+  /// body, with their forces and friction state; the contacts of this simulation are discarded.
+  /// Grabbed places stay at the same point of the same triangle if both meshes have the same
+  /// triangles, otherwise at the nearest point; pushing tools keep their position in space. On an
+  /// equal body the next step gives the same forces as `other` would give.
   void takeOver(const ContactSimulation& other);
 
-  /// Places the masks as step() will and returns the coefficients whose columns it would miss, some
-  /// of them twice. Valid until the next call of anything else.
+  /// Places the masks as step() will, and returns the displacement coefficients whose columns are
+  /// not available; some appear twice. Valid until the next call of another function.
   const std::vector<int>& missing();
-  /// The same of the last step().
+  /// Coefficients without columns at the last step().
   const std::vector<int>& missed() const { return set_.missing(); }
 
-  /// Finds the equilibrium. `slides`: how often at most sliding tools may take another place within
-  /// the step; one is enough when steps follow each other quickly, several for a step on its own.
+  /// Computes the equilibrium. `slides`: maximum number of moves of sliding tools within the step;
+  /// one suffices for a rapid sequence of steps, a single step needs several.
   void step(int slides = 1);
 
   enum class Status : unsigned char {
-    kWaiting,   ///< the columns of the place are not there yet; no force
-    kHeld,      ///< a support holds the place; no force
+    kWaiting,   ///< the columns of the place are not available yet; no force
+    kFixed,     ///< a support fixes the place; no force
     kOpen,      ///< a pushing tool does not touch
-    kHolding,   ///< a grabbed place or a given force
+    kGrabbed,   ///< a grabbed place or a given force
     kSticking,  ///< presses and does not slide
     kSlipping,  ///< presses and slides
   };
@@ -95,26 +124,27 @@ class ContactSimulation {
     double stiffness = 0;
     std::vector<PatchForce> patch;  ///< of the masks that carry force
 
-    // Of the simulation alone.
-    Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< mm, see above
+    // Internal to the simulation.
+    Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< mm, see the class comment
     Eigen::Vector3d across = Eigen::Vector3d::UnitX();    ///< direction of the lattice
-    /// mm, of the middle, by all else than this contact's own force
+    /// Displacement of the middle caused by everything except this contact's force, mm.
     Eigen::Vector3d lifted = Eigen::Vector3d::Zero();
     int firstMask = 0, maskCount = 0;
   };
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// Null if there is no such contact.
   const Contact* find(Id id) const;
 
-  /// Did the last step meet all laws? When not, they are those of tools that are a little soft
-  /// (FrictionalContactSolver; softness() says by how much), or, when also these were not found,
-  /// those of the step before; the next step goes on from where the solver was.
+  /// True if the last step satisfied all contact laws. Otherwise the forces belong to slightly soft
+  /// tools (see FrictionalContactSolver; softness() returns their softness) or, if no such solution
+  /// was found, to the previous step. The next step resumes the solver from its last iterate.
   bool converged() const { return forces_.converged; }
   double softness() const { return forces_.softness; }
   int maskCount() const { return set_.size(); }
-  /// What the laws demanded of a mask (0 … maskCount() - 1) in the last step, and what came of it.
+  /// Condition and result of a mask (0 … maskCount() - 1) in the last step.
   struct MaskState {
     const ContactMask& mask;
-    const ContactCondition& condition;  ///< kForce of nothing when the mask is not used
+    const ContactCondition& condition;  ///< kForce with zero force if the mask is unused
     ContactStatus status;
     Eigen::Vector3d force;         ///< N
     Eigen::Vector3d displacement;  ///< mm
@@ -123,8 +153,8 @@ class ContactSimulation {
   double residual() const { return forces_.residual; }
   double reciprocityDefect() const { return set_.reciprocityDefect(); }
 
-  /// The tractions of all contacts: 3 numbers (MPa) for each of `nodes`, displacement coefficients
-  /// that appear once. With GreensColumns they give the field.
+  /// Tractions of all contacts: one vector (MPa) for each of `nodes`, which are distinct
+  /// displacement coefficients. With GreensColumns they give the field.
   void tractions(std::vector<int>& nodes, std::vector<Eigen::Vector3d>& values) const;
 
  private:
@@ -132,7 +162,7 @@ class ContactSimulation {
   void placeMasks(Contact& contact);
   SurfacePoint footOf(const Contact& contact) const;
   double meanCurvature(const Contact& contact, double distance) const;
-  void placeProbe(Contact& contact);
+  void placeBall(Contact& contact);
   void lift(Contact& contact) const;
   double gapToBall(const Contact& contact, int mask, const Eigen::Vector3d& m) const;
   void demand(const Contact& contact);
@@ -145,14 +175,14 @@ class ContactSimulation {
   FrictionalContactSolver system_;
   std::vector<Contact> contacts_;
   std::vector<ContactCondition> conditions_;  // one per mask
-  /// What friction remembers of a mask: the displacement that sticks, less the tool's position, mm.
+  /// Friction state of a mask: the sticking displacement minus the tool's position, mm.
   struct Anchor {
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
-    bool isKnown = false;  // was the mask in use in the last step?
+    bool isKnown = false;  // true if the mask was used in the last step
   };
   std::vector<Anchor> anchors_;  // one per mask
   ContactForces forces_, before_;
-  Eigen::VectorXd attempt_;  // where the solver was when it found nothing; otherwise empty
+  Eigen::VectorXd attempt_;  // last iterate of the solver if it failed; otherwise empty
   Eigen::VectorXd displacements_;
   Id next_ = 0;
 };

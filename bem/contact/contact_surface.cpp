@@ -15,7 +15,7 @@ ContactSurface::ContactSurface(const BoundaryMesh& mesh, const TractionSlots& me
       dofs_(dofs),
       tree_(mesh),
       acrossSharpEdge_(3 * mesh.triangles.size(), -1) {
-  // Each edge appears once in each direction.
+  // Each edge appears once per direction.
   std::map<std::pair<int, int>, int> open;
   for (int edge = 0; edge < 3 * mesh.triangleCount(); ++edge) {
     const auto& c = mesh.triangles[edge / 3];

@@ -9,11 +9,12 @@
 
 namespace palpa::bem {
 
-/// What contacts need to know of a body's surface, made once per model so that masks can be made a
-/// thousand times a second. Two kinds: TriangleContactSurface and SplineContactSurface. Places are
-/// named by points of a triangle mesh; masks and fields are in the displacement coefficients of the
-/// problem, which are nodes of that mesh or control points of splines. Immutable; const use from
-/// several threads is safe, each with a Workspace of its own. What it was made of must outlive it.
+/// Surface of a body for contacts, made once per model so that masks can be computed a thousand
+/// times per second. Subclasses: TriangleContactSurface and SplineContactSurface. Surface points
+/// are named by points of a triangle mesh; masks and fields are in the displacement coefficients of
+/// the problem: nodes of that mesh, or control points of splines. Immutable; const use from several
+/// threads is safe if each thread has its own Workspace. The objects that the surface was
+/// constructed from must outlive it.
 class ContactSurface {
  public:
   virtual ~ContactSurface() = default;
@@ -21,49 +22,49 @@ class ContactSurface {
   ContactSurface& operator=(const ContactSurface&) = delete;
 
   const BoundaryMesh& mesh() const { return mesh_; }
-  /// Of the mesh.
+  /// Slots of the mesh.
   const TractionSlots& meshSlots() const { return meshSlots_; }
   const TriangleTree& tree() const { return tree_; }
 
-  /// Of the problem: the traction coefficients of each displacement coefficient.
+  /// Slots of the problem: the traction coefficients of each displacement coefficient.
   const TractionSlots& slots() const { return slots_; }
   const DegreesOfFreedom& dofs() const { return dofs_; }
-  /// Where each displacement coefficient weighs most, mm.
+  /// Position at which each displacement coefficient has the most weight, mm.
   virtual const std::vector<Eigen::Vector3d>& places() const = 0;
-  /// The displacement coefficient that weighs most at a node of the mesh; -1 where a support holds
-  /// it.
+  /// Displacement coefficient with the most weight at a node of the mesh; -1 if a support fixes it.
   virtual int coefficientAt(int meshNode) const = 0;
 
-  /// A point of the surface by its name in the mesh.
+  /// Surface point for a point of a mesh triangle with the barycentric coordinates `weights`.
   virtual SurfacePoint at(int triangle, const Eigen::Vector3d& weights) const = 0;
-  /// The point of the surface nearest to `x`.
+  /// Surface point nearest to `x` (mm).
   virtual SurfacePoint nearest(const Eigen::Vector3d& x) const = 0;
-  /// The surface point below a tool: where the line along the surface's normal goes through `tool`.
-  /// Newton's method from `start`, a point near it such as the nearest one of the mesh; that
-  /// point's surface only, so that at a sharp edge the foot stays where the face ends.
+  /// Surface point below a tool: the point whose normal line passes through `tool` (mm). Newton's
+  /// method from `start`, a nearby point such as the nearest point of the mesh. It stays on the
+  /// smooth surface around `start`: at a sharp edge the foot stays on the border of the face.
   virtual SurfacePoint foot(const Eigen::Vector3d& tool, const SurfacePoint& start) const = 0;
 
-  /// The same point, by a name in that of the faces that meet there in a sharp edge whose normal is
-  /// most along `direction`.
+  /// The same point, named by the face whose normal is most along `direction`, of the faces that
+  /// meet at the point in a sharp edge.
   SurfacePoint facing(const SurfacePoint& point, const Eigen::Vector3d& direction) const;
 
   /// Outward unit normal, continuous along smooth faces.
   virtual Eigen::Vector3d normal(const SurfacePoint& point) const = 0;
-  /// Where the body's true surface is at a point, mm.
+  /// Position of a point on the true surface of the body, mm.
   virtual Eigen::Vector3d smoothPosition(const SurfacePoint& point) const = 0;
 
-  /// The narrowest mask that the coefficients can carry at a point, mm; continuous along the
-  /// surface.
+  /// Radius of the narrowest mask that the coefficients can represent at a point, mm; continuous
+  /// along the surface.
   virtual double narrowestMask(const SurfacePoint& point) const = 0;
-  /// The radius of the mask that carries one of `radius` (mm) at a point: `radius` where the
-  /// coefficients can carry that, else the narrowest they can. It goes from the one to the other
-  /// smoothly while the narrowest is at most a tenth wider than what is asked, and is narrower
-  /// than that by up to 1.5 % there.
+  /// Radius of the mask used at a point for a requested `radius` (mm): `radius` if the coefficients
+  /// can represent it, otherwise the narrowest mask. The transition is smooth while the narrowest
+  /// mask is at most a tenth wider than `radius`; there the result is smaller than the narrowest
+  /// radius by up to 1.5 %.
   double maskRadius(const SurfacePoint& point, double radius) const;
-  /// How close masks beside each other may be placed there, mm: as the coefficients.
+  /// Smallest useful distance between adjacent masks at a point, mm: the spacing of the
+  /// coefficients.
   virtual double maskSpacing(const SurfacePoint& point) const = 0;
 
-  /// Memory that making masks needs; reused, so that nothing is allocated after the first few.
+  /// Memory for making masks, reused so that no memory is allocated after the first few masks.
   class Workspace {
    public:
     virtual ~Workspace() = default;
@@ -73,8 +74,8 @@ class ContactSurface {
   };
   virtual std::unique_ptr<Workspace> makeWorkspace() const = 0;
 
-  /// As makeContactMask(), into `mask`, with a workspace of this surface. False, with an empty
-  /// mask, when supports hold all of the touched place.
+  /// Computes the mask of makeContactMask() in `mask`, with a workspace of this surface. Returns
+  /// false and leaves an empty mask if supports fix the whole touched place.
   virtual bool makeMask(const SurfacePoint& point, double radius, Workspace& workspace,
                         ContactMask& mask) const = 0;
 
@@ -91,8 +92,7 @@ class ContactSurface {
   const TractionSlots& slots_;
   const DegreesOfFreedom& dofs_;
   TriangleTree tree_;
-  std::vector<int>
-      acrossSharpEdge_;  // per triangle and corner: of the edge to the next; -1: smooth
+  std::vector<int> acrossSharpEdge_;  // [3 triangle + corner]: next edge; -1: smooth
 };
 
 }  // namespace palpa::bem

@@ -30,7 +30,7 @@ FieldEvaluator::FieldEvaluator(const ContactSurface& surface, const GreensColumn
       reactions_.push_back({dof, weight.slot, weight.traction});
   }
   for (int node = 0; node < dofs.nodeCount(); ++node)
-    if (!dofs.isFree(node)) heldNodes_.push_back(node);
+    if (!dofs.isFree(node)) fixedNodes_.push_back(node);
 }
 
 void FieldEvaluator::evaluate(std::span<const PatchForce> patches, bool withTractions,
@@ -40,7 +40,7 @@ void FieldEvaluator::evaluate(std::span<const PatchForce> patches, bool withTrac
   const std::size_t known = kept_.size();
   for (const PatchForce& patch : patches) {
     if (Kept* kept = find(patch)) {
-      // It was there before, so it may stay for some time.
+      // The mask was in the same place before, so it is likely to stay: storing its response pays.
       if (kept->response.rows() == 0) sum(*kept);
       unknowns_.noalias() += kept->response * patch.force.cast<float>();
       addTraction(kept->mask, patch.force);
@@ -115,12 +115,12 @@ void FieldEvaluator::addNodes() {
   }
 }
 
-/// As DegreesOfFreedom::expand(), for one state and with most of the work done before.
+/// Computes DegreesOfFreedom::expand() for one state, with the precomputed reactions.
 void FieldEvaluator::expand(bool withTractions, BoundaryField& field) const {
   const DegreesOfFreedom& dofs = surface_.dofs();
   field.u.resize(dofs.nodalCount(), 1);
   field.u.col(0) = base_.u.col(0) + unknowns_.head(dofs.nodalCount()).cast<double>();
-  for (const int node : heldNodes_) {
+  for (const int node : fixedNodes_) {
     Vector3d moved = base_.u.col(0).segment<3>(3 * node);
     for (int k = dofs.constrained(node); k < 3; ++k)
       moved += dofs.frame(node).col(k) * static_cast<double>(unknowns_[3 * node + k]);

@@ -8,34 +8,34 @@
 
 namespace palpa::bem {
 
-/// The field on the whole boundary that belongs to the forces of contacts: u = base + Xi Φ f. What
-/// a mask does to the body, three columns, is kept as long as the mask stays where it is, so that
-/// the field of contacts at rest costs three columns each; masks that have moved are summed node by
-/// node. In single precision, as the columns.
+/// Evaluator of the field u = base + Xi Φ f on the whole boundary for contact forces f. The
+/// response to a mask, three columns, is stored while the mask stays in place, so contacts at rest
+/// cost three columns each; masks that have moved are summed node by node. In single precision,
+/// like the columns.
 ///
-/// Not thread-safe, but may work beside the simulation that has the contacts.
+/// Not thread-safe, but may run concurrently with the simulation that provides the forces.
 class FieldEvaluator {
  public:
-  /// All three must outlive it; `base`: the field without contacts.
+  /// `base`: the field without contacts. All three arguments must outlive the evaluator.
   FieldEvaluator(const ContactSurface& surface, const GreensColumns& columns,
                  const BoundaryField& base);
 
-  /// Patches whose columns are not there are left out. The field has one column; its `p` is left
-  /// alone unless `withTractions`.
+  /// Evaluates the field of some patch forces; patches without columns are omitted. `field` has one
+  /// column; its `p` is unchanged unless `withTractions`.
   void evaluate(std::span<const ContactSimulation::PatchForce> patches, bool withTractions,
                 BoundaryField& field);
 
-  /// Masks whose columns are summed.
+  /// Number of masks with a stored response.
   int keptCount() const;
 
  private:
   struct Kept {
     ContactMask mask;
     double asked = 0;                                  // radius
-    Eigen::Matrix<float, Eigen::Dynamic, 3> response;  // Xi Φ; no rows before it is summed
+    Eigen::Matrix<float, Eigen::Dynamic, 3> response;  // Xi Φ; no rows before it is computed
     bool isUsed = false;
   };
-  /// The mask at the place of a patch; null when it is not there yet.
+  /// Stored mask of a patch; null if there is none.
   Kept* find(const ContactSimulation::PatchForce& patch);
   void addMask(const ContactSimulation::PatchForce& patch);
   void sum(Kept& kept) const;
@@ -49,20 +49,20 @@ class FieldEvaluator {
   std::unique_ptr<ContactSurface::Workspace> workspace_;
   std::vector<Kept> kept_;
 
-  // Of one evaluation.
+  // State of one evaluation.
   Eigen::VectorXf unknowns_;
-  std::vector<Eigen::Vector3d> traction_;  // per coefficient, MPa, of all contacts
+  std::vector<Eigen::Vector3d> traction_;  // per coefficient, MPa, sum of all contacts
   std::vector<int> loaded_;                // nodes whose traction_ is not zero
-  std::vector<Eigen::Vector3d> direct_;    // per node: that of masks that are not kept
+  std::vector<Eigen::Vector3d> direct_;    // per node: traction of masks without a stored response
   std::vector<unsigned char> isLoaded_;    // per node
 
-  // Of the supports: what unknowns that are tractions do.
+  // Effect of unknown tractions at supports.
   struct Reaction {
     int dof, slot;
     Eigen::Vector3d traction;
   };
   std::vector<Reaction> reactions_;
-  std::vector<int> heldNodes_;
+  std::vector<int> fixedNodes_;
 };
 
 }  // namespace palpa::bem

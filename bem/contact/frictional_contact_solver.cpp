@@ -14,7 +14,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Kind = ContactCondition::Kind;
 
-/// What a Newton's step costs beside the elimination, per contact, in multiplications.
+/// Cost of a Newton step besides the elimination, per contact, in multiplications.
 constexpr double kContactWork = 1000;
 
 struct Projected {
@@ -22,11 +22,11 @@ struct Projected {
   ContactStatus status;
 };
 
-/// The force that the laws allow nearest to f - penalty (d - value).
+/// Admissible force nearest to f - penalty (d - value).
 Projected project(const ContactCondition& condition, const Vector3d& f, const Vector3d& d,
                   double penalty) {
   const Vector3d trial = f - penalty * (d - condition.value);
-  if (condition.kind == Kind::kHold) return {trial, ContactStatus::kHeld};
+  if (condition.kind == Kind::kGrab) return {trial, ContactStatus::kGrabbed};
   if (condition.kind == Kind::kForce) return {condition.value, ContactStatus::kForced};
   const double pressing = trial.dot(condition.normal);
   if (pressing <= 0) return {Vector3d::Zero(), ContactStatus::kOpen};
@@ -66,7 +66,7 @@ void FrictionalContactSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& com
       solution.forces = stiff_;
       continue;
     }
-    // By how much the laws themselves are missed.
+    // The residual refers to the laws without softness.
     solution.softness = std::max(solution.softness, softness);
     statuses_ = solution.statuses;
     start(problem, solution);
@@ -79,9 +79,9 @@ void FrictionalContactSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& com
   solution.residual = residual(problem, solution);
 }
 
-/// Notes how soft contacts must be that hold or press at the place of another, and returns the
-/// largest. By what one of two can still yield along with the other held, as a part of what it
-/// yields alone.
+/// Stores the softness of contacts that grab or press at the place of another contact, and returns
+/// the largest softness. The criterion is the compliance of one of two contacts while the other is
+/// grabbed, as a fraction of its compliance alone.
 double FrictionalContactSolver::findSharedPlaces(const Problem& problem) {
   const auto count = static_cast<Index>(problem.conditions.size());
   shared_.setZero(count);
@@ -144,10 +144,11 @@ void FrictionalContactSolver::start(const Problem& problem, ContactForces& solut
   solution.statuses.resize(problem.conditions.size());
   penalty_.resize(count);
   for (Index k = 0; k < count; ++k) {
-    // A mask that is not used has no compliance and must have a given force.
+    // An unused mask has zero compliance and must have a prescribed force.
     const double trace = problem.compliance.block<3, 3>(3 * k, 3 * k).trace();
     penalty_[k] = trace > 0 ? 3.0 / trace : 0.0;
-    // Given forces hold from the start, so that they do not disturb the statuses of the others.
+    // Prescribed forces hold from the start, so that they do not disturb the statuses of the
+    // others.
     if (problem.conditions[k].kind == Kind::kForce)
       solution.forces.segment<3>(3 * k) = problem.conditions[k].value;
   }
@@ -177,7 +178,7 @@ double FrictionalContactSolver::newtonWork(const ContactForces& solution) {
 }
 
 void FrictionalContactSolver::newtonStep(const Problem& problem, ContactForces& solution) {
-  // Contacts whose force is known (open or given) are taken out of the system.
+  // Contacts with known force (open or prescribed) are eliminated from the system.
   const auto count = static_cast<Index>(problem.conditions.size());
   step_.setZero(3 * count);
   active_.clear();
@@ -200,7 +201,7 @@ void FrictionalContactSolver::newtonStep(const Problem& problem, ContactForces& 
     const Vector3d f = solution.forces.segment<3>(3 * k);
     const Vector3d off = displacements_.segment<3>(3 * k) - condition.value;
     const double r = penalty_[k];
-    // The laws are F(f, d) = 0 with the derivatives A by d and B by f.
+    // The laws are F(f, d) = 0 with the derivatives A with respect to d and B with respect to f.
     Matrix3d a = r * Matrix3d::Identity(), b = Matrix3d::Zero();
     Vector3d value = r * off;
     if (solution.statuses[k] == ContactStatus::kSlipping) {
@@ -219,7 +220,7 @@ void FrictionalContactSolver::newtonStep(const Problem& problem, ContactForces& 
       system.block<3, 3>(row, 3 * static_cast<Index>(j)).noalias() =
           a * problem.compliance.block<3, 3>(3 * k, 3 * active_[j]);
     system.block<3, 3>(row, row) += b;
-    Vector3d moved = Vector3d::Zero();  // by the contacts taken out
+    Vector3d moved = Vector3d::Zero();  // by the eliminated contacts
     for (Index j = 0; j < count; ++j)
       if (!step_.segment<3>(3 * j).isZero(0))
         moved += problem.compliance.block<3, 3>(3 * k, 3 * j) * step_.segment<3>(3 * j);

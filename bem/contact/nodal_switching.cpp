@@ -5,9 +5,10 @@
 
 namespace palpa::bem {
 
-NodalSwitching::NodalSwitching(std::shared_ptr<GreensFunction> greens, Eigen::VectorXd known,
-                               Eigen::VectorXd unknown, BoundaryField field, Weights weights)
-    : greens_(std::move(greens)),
+NodalSwitching::NodalSwitching(std::shared_ptr<const ReferenceProblem> problem,
+                               Eigen::VectorXd known, Eigen::VectorXd unknown, BoundaryField field,
+                               Weights weights)
+    : problem_(std::move(problem)),
       known_(std::move(known)),
       unknown_(std::move(unknown)),
       field_(std::move(field)),
@@ -15,7 +16,7 @@ NodalSwitching::NodalSwitching(std::shared_ptr<GreensFunction> greens, Eigen::Ve
       columns_(unknown_.size(), 0) {}
 
 NodalSwitching::Row NodalSwitching::rowOf(int dof) const {
-  const DegreesOfFreedom& dofs = greens_->problem().dofs();
+  const DegreesOfFreedom& dofs = problem_->dofs();
   const int node = dof / 3;
   Row row;
   if (weights_.size() > 0 && !dofs.isConstrained(dof)) {
@@ -54,9 +55,7 @@ Eigen::MatrixXd NodalSwitching::measure(std::size_t first, const Eigen::MatrixXd
 void NodalSwitching::add(int node) {
   assert(std::find(nodes_.begin(), nodes_.end(), node) == nodes_.end());
   const std::vector<int> joining = dofsOf(node);
-  greens_->ensure(joining);
-  Eigen::MatrixXd fresh(unknown_.size(), 3);
-  for (int k = 0; k < 3; ++k) fresh.col(k) = greens_->column(joining[k]);
+  const Eigen::MatrixXd fresh = problem_->greensColumns(joining);
 
   const std::size_t old = rows_.size();
   for (const int dof : joining) rows_.push_back(rowOf(dof));
@@ -107,9 +106,9 @@ NodalSwitching::Solution NodalSwitching::solve(const Eigen::VectorXd& values) co
   const Eigen::VectorXd switched = capacitance_.solve(measured - values);
   v += columns_ * switched;
 
-  // In the field, a switched displacement is what was prescribed (or v has its coefficient) and the
-  // switched traction what was solved for.
-  const DegreesOfFreedom& dofs = greens_->problem().dofs();
+  // In the field, the displacement of a switched node is prescribed (or v has its coefficient) and
+  // its traction is solved for.
+  const DegreesOfFreedom& dofs = problem_->dofs();
   Eigen::VectorXd change = v - unknown_;
   Eigen::VectorXd knownChange = Eigen::VectorXd::Zero(known_.size());
   for (Eigen::Index s = 0; s < count; ++s) {

@@ -5,43 +5,45 @@
 #include <vector>
 
 #include "bem/linalg/capacitance_matrix.h"
-#include "bem/problem/greens_function.h"
+#include "bem/problem/reference_problem.h"
 
 namespace palpa::bem {
 
-/// The seed's Capacitance Matrix Algorithm: nodes whose type of boundary condition is exchanged (a
-/// free node is given a displacement, a held node a traction) without solving the large system
-/// again (James & Pai, ArtDefo, SIGGRAPH 1999, sect. 4; Jun & Cho, sect. 3.2). With E the columns
-/// of the identity of the switched degrees of freedom S,
+/// Capacitance Matrix Algorithm: exchanges the type of boundary condition of nodes (a free node
+/// gets a prescribed displacement, a fixed node a traction) without solving the large system again
+/// (James & Pai, ArtDefo, SIGGRAPH 1999, sect. 4; Jun & Cho, sect. 3.2). With E the columns of the
+/// identity for the switched degrees of freedom S,
 ///   C = -E^T Xi E,   v0 = [Xi (I - E E^T) - E E^T] v̄,   v = v0 + (E + Xi E) C^-1 E^T v0.
 ///
-/// Where coefficients are not values, as those of splines, what is given at a free one is the
-/// displacement at its place, a weighted sum of coefficients: E^T on the left becomes R, whose rows
-/// are these weights.
+/// Spline coefficients are not values: the prescribed value at a free coefficient is the
+/// displacement at its place, a weighted sum of coefficients. The left factor E^T then becomes R,
+/// whose rows are these weights.
 class NodalSwitching {
  public:
   /// `known`: the known values of the reference problem (dofs().nodalCount() rows, scaled tractions
-  /// and mm); `unknown`: its solution v for them and for all loads; `field`: the whole field, loads
-  /// included. `weights`: of the displacement coefficients in the displacement at the place of each
-  /// (Discretisation::placeWeights()); empty when that is the coefficient itself.
+  /// and mm); `unknown`: its solution v for them and for all loads; `field`: the whole field
+  /// including loads. `weights`: weights of the displacement coefficients in the displacement at
+  /// each place (Discretisation::placeWeights()); empty if that displacement is the coefficient
+  /// itself.
   using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  NodalSwitching(std::shared_ptr<GreensFunction> greens, Eigen::VectorXd known,
+  NodalSwitching(std::shared_ptr<const ReferenceProblem> problem, Eigen::VectorXd known,
                  Eigen::VectorXd unknown, BoundaryField field, Weights weights = {});
 
   /// Switches all three degrees of freedom of a node, or switches them back. A node may be switched
-  /// once; an extra traction at an edge between two supports is not part of it.
+  /// once; an extra traction at an edge between two supports is not included.
   void add(int node);
   void remove(int node);
   const std::vector<int>& nodes() const { return nodes_; }
 
-  /// The new known values of the switched nodes, 3 per node in their frames and in the order of
-  /// nodes(): displacement at its place in mm for a node that was free, traction / tractionScale
-  /// for one that was held.
+  /// Solution for new known values of the switched nodes.
   struct Solution {
-    Eigen::VectorXd v;         ///< all unknowns; those of switched nodes are of the other kind
+    Eigen::VectorXd v;         ///< all unknowns; at switched nodes of the exchanged kind
     Eigen::VectorXd switched;  ///< the unknowns of the switched degrees of freedom, 3 per node
     BoundaryField field;
   };
+  /// Solves for `values`: 3 per switched node in its frame, in the order of nodes(): the
+  /// displacement at its place (mm) for a node that was free, traction / tractionScale for a node
+  /// that was fixed.
   Solution solve(const Eigen::VectorXd& values) const;
 
  private:
@@ -49,20 +51,20 @@ class NodalSwitching {
     int dof;
     double weight;
   };
-  /// What is given at a switched degree of freedom, in terms of the others.
+  /// Prescribed value of a switched degree of freedom in terms of the other values.
   struct Row {
-    std::vector<Term> unknown, known;  ///< of v, of held displacements
-    double rest = 0;                   ///< what the reference problem has beside the unknown terms
+    std::vector<Term> unknown, known;  ///< of v, of prescribed displacements
+    double rest = 0;  ///< remainder in the reference problem besides the unknown terms
     bool isOwnUnknown = true;
   };
   std::vector<int> dofsOf(int node) const { return {3 * node, 3 * node + 1, 3 * node + 2}; }
   Row rowOf(int dof) const;
-  /// Rows [first, …) of R for states that are columns of v, each for a unit of the known value of
-  /// the degrees of freedom of `nodes`, three columns each.
+  /// Rows [first, …) of R for states that are columns of v: three columns per node of `nodes`, for
+  /// unit known values of its degrees of freedom.
   Eigen::MatrixXd measure(std::size_t first, const Eigen::MatrixXd& states,
                           const std::vector<int>& nodes) const;
 
-  std::shared_ptr<GreensFunction> greens_;
+  std::shared_ptr<const ReferenceProblem> problem_;
   Eigen::VectorXd known_, unknown_;
   BoundaryField field_;
   Weights weights_;

@@ -11,16 +11,16 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Nodes per piece of work: some milliseconds, and worth a workspace of its own.
-constexpr std::ptrdiff_t kPiece = 32;
+/// Nodes per task: some milliseconds, enough to justify a workspace per task.
+constexpr std::ptrdiff_t kPerTask = 32;
 
-/// Ψ^T Xi Φ of one mask, all of whose columns are there.
+/// Compliance Ψ^T Xi Φ of one mask with all columns available.
 Matrix3d complianceOf(const ContactMask& mask, const GreensColumns& columns,
                       const DegreesOfFreedom& dofs) {
   Matrix3d sum = Matrix3d::Zero();
   for (std::size_t m = 0; m < mask.measureNodes.size(); ++m) {
     const int measured = mask.measureNodes[m];
-    Matrix3d moved = Matrix3d::Zero();  // of the node, along its own directions, per unit force
+    Matrix3d moved = Matrix3d::Zero();  // displacement of the node in its frame per unit force
     for (std::size_t k = 0; k < mask.nodes.size(); ++k)
       for (int axis = 0; axis < 3; ++axis)
         moved.col(axis) += mask.traction[k] * Eigen::Map<const Eigen::Vector3f>(
@@ -28,7 +28,7 @@ Matrix3d complianceOf(const ContactMask& mask, const GreensColumns& columns,
                                                   3 * static_cast<std::ptrdiff_t>(measured))
                                                   .cast<double>();
     if (!dofs.isFree(measured)) {
-      // The unknowns in the held directions are tractions: the node does not move there.
+      // In the fixed directions the unknowns are tractions and the displacements zero.
       moved.topRows(dofs.constrained(measured)).setZero();
       moved = (dofs.frame(measured) * moved).eval();
     }
@@ -63,14 +63,14 @@ int StiffnessMap::update(const GreensColumns& columns, const Job& job) {
   std::vector<std::size_t> wanted;
   for (std::size_t k = 0; k < nodes_.size(); ++k)
     if (isReady_[k] == 0 && columns.has(nodes_[k].coefficient)) wanted.push_back(k);
-  // A copy: what was cancelled leaves no trace.
+  // Works on copies, so that a cancelled call changes nothing.
   std::vector<double> compliances = compliances_;
   std::vector<char> isReady = isReady_;
   const auto count = static_cast<std::ptrdiff_t>(wanted.size());
-  parallelFor((count + kPiece - 1) / kPiece, job, "stiffness", [&](std::ptrdiff_t piece) {
+  parallelFor((count + kPerTask - 1) / kPerTask, job, Phase::kStiffness, [&](std::ptrdiff_t task) {
     const auto workspace = surface_.makeWorkspace();
     ContactMask mask;
-    for (std::ptrdiff_t i = piece * kPiece; i < std::min(count, (piece + 1) * kPiece); ++i) {
+    for (std::ptrdiff_t i = task * kPerTask; i < std::min(count, (task + 1) * kPerTask); ++i) {
       job.throwIfCancelled();
       const std::size_t k = wanted[static_cast<std::size_t>(i)];
       const bool isPlaced = surface_.makeMask(nodes_[k].point, radius_, *workspace, mask);
@@ -81,7 +81,8 @@ int StiffnessMap::update(const GreensColumns& columns, const Job& job) {
       for (int slot = surface_.meshSlots().firstOfNode[node];
            slot < surface_.meshSlots().firstOfNode[node + 1]; ++slot) {
         const Vector3d& normal = surface_.meshSlots().slots[slot].normal;
-        // Positive for the exact problem; beside a support a coarse mesh may miss that.
+        // Positive for the exact problem; a coarse mesh may give negative values beside a
+        // support.
         compliances[slot] = std::max(0.0, normal.dot(compliance * normal));
       }
       isReady[k] = 1;

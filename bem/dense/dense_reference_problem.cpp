@@ -26,26 +26,22 @@ LargeMatrix<Factor> systemMatrix(const BoundaryOperators<Stored>& operators,
   const auto H = operators.H.view();
   const auto G = operators.G.view();
   constexpr std::ptrdiff_t kColumnsPerTask = 64;
-  parallelFor((dofs.count() + kColumnsPerTask - 1) / kColumnsPerTask, job, "",
-              [&](std::ptrdiff_t k) {
-                const auto end = std::min<std::ptrdiff_t>(dofs.count(), (k + 1) * kColumnsPerTask);
-                for (auto dof = static_cast<int>(k * kColumnsPerTask); dof < end; ++dof) {
-                  auto column = A.view().col(dof);
-                  const auto addColumn = [&](const auto& source, double factor) {
-                    if (factor != 0)
-                      column += static_cast<Factor>(factor) * source.template cast<Factor>();
-                  };
-                  if (dof < dofs.nodalCount() && !dofs.isConstrained(dof)) {
-                    const int node = dof / 3;
-                    for (int i = 0; i < 3; ++i)
-                      addColumn(H.col(3 * node + i), dofs.frame(node)(i, dof % 3));
-                  } else {
-                    for (const auto& weight : dofs.tractionOf(dof))
-                      for (int i = 0; i < 3; ++i)
-                        addColumn(G.col(3 * weight.slot + i), -weight.traction[i]);
-                  }
-                }
-              });
+  parallelFor((dofs.count() + kColumnsPerTask - 1) / kColumnsPerTask, job, [&](std::ptrdiff_t k) {
+    const auto end = std::min<std::ptrdiff_t>(dofs.count(), (k + 1) * kColumnsPerTask);
+    for (auto dof = static_cast<int>(k * kColumnsPerTask); dof < end; ++dof) {
+      auto column = A.view().col(dof);
+      const auto addColumn = [&](const auto& source, double factor) {
+        if (factor != 0) column += static_cast<Factor>(factor) * source.template cast<Factor>();
+      };
+      if (dof < dofs.nodalCount() && !dofs.isConstrained(dof)) {
+        const int node = dof / 3;
+        for (int i = 0; i < 3; ++i) addColumn(H.col(3 * node + i), dofs.frame(node)(i, dof % 3));
+      } else {
+        for (const auto& weight : dofs.tractionOf(dof))
+          for (int i = 0; i < 3; ++i) addColumn(G.col(3 * weight.slot + i), -weight.traction[i]);
+      }
+    }
+  });
   return A;
 }
 
@@ -75,7 +71,7 @@ void addProduct(const LargeMatrix<Scalar>& matrix, const MatrixXd& x, MatrixXd& 
                            static_cast<int>(x.cols()),
                            y.data()};
   const AddProduct<Scalar> product = addProductForThisProcessor<Scalar>();
-  parallelFor((matrix.rows() + kRowsPerTask - 1) / kRowsPerTask, job, "", [&](std::ptrdiff_t k) {
+  parallelFor((matrix.rows() + kRowsPerTask - 1) / kRowsPerTask, job, [&](std::ptrdiff_t k) {
     ProductTask<Scalar> part = task;
     part.rowBegin = k * kRowsPerTask;
     part.rowEnd = std::min(part.rows, part.rowBegin + kRowsPerTask);
@@ -120,7 +116,7 @@ MatrixXd DenseReferenceProblem<Stored, Factor>::residual(const BoundaryField& fi
 template <class Stored, class Factor>
 MatrixXd DenseReferenceProblem<Stored, Factor>::correction(const MatrixXd& r,
                                                            const Job& job) const {
-  // Each column is scaled to 1 so that single precision neither overflows nor loses small states.
+  // Each column is scaled to 1, so that single precision neither overflows nor loses small states.
   const Eigen::RowVectorXd scale = r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
   Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
       (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();

@@ -9,20 +9,20 @@
 
 namespace palpa::bem {
 
-/// y += matrix * x in double precision, on all cores, touching only columns whose factors are not
-/// zero. Throws Cancelled.
+/// y += matrix * x in double precision on the job's threads. Reads only columns whose factors are
+/// not zero. Throws Cancelled.
 template <class Scalar>
 void addProduct(const LargeMatrix<Scalar>& matrix, const Eigen::MatrixXd& x, Eigen::MatrixXd& y,
                 const Job& job);
 
-/// A reference problem whose operators are stored as dense matrices of `Stored` and whose system is
-/// factorised in `Factor`.
+/// Reference problem with operators stored as dense matrices of `Stored` and a system factorised in
+/// `Factor`.
 template <class Stored, class Factor>
 class DenseReferenceProblem final : public ReferenceProblem {
  public:
   DenseReferenceProblem(DegreesOfFreedom dofMap, BoundaryOperators<Stored> operators,
                         const Job& job);
-  /// What write() wrote.
+  /// Reads the output of write().
   DenseReferenceProblem(DegreesOfFreedom dofMap, const ByteSource& source);
   void write(const ByteSink& sink) const override;
 
@@ -37,7 +37,7 @@ class DenseReferenceProblem final : public ReferenceProblem {
     return operators_.H.bytes() + operators_.G.bytes() + factors_.bytes();
   }
 
-  /// That of a problem with such operators, however its system is factorised.
+  /// Refinement of every problem with such operators.
   static constexpr Refinement kRefinement{std::is_same_v<Factor, double> ? 2 : 8,
                                           std::is_same_v<Stored, double> ? 1e-13 : 1e-9};
 

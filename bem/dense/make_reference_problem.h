@@ -5,9 +5,11 @@
 #include "base/byte_stream.h"
 #include "base/job.h"
 #include "bem/problem/discretisation.h"
-#include "bem/spline/spline_tractions.h"
 
 namespace palpa::bem {
+
+class SplineSurface;
+struct SplineTractions;
 
 /// The precision that kAutomatic stands for at a number of nodes.
 Precision choosePrecision(Precision wanted, int nodeCount);

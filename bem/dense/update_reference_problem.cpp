@@ -14,18 +14,19 @@
 namespace palpa::bem {
 namespace {
 
-/// Share of an assembly from which on it is not worth the memory of the changes.
+/// Largest share of a full assembly for which an update pays.
 constexpr double kMaxShare = 0.75;
 
-/// What of a discretisation has moved.
+/// Moved part of a discretisation.
 struct Motion {
-  std::vector<bool> isOwnRow;  ///< by equation: integrated anew as a whole
+  std::vector<bool> isOwnRow;  ///< by equation: integrated from scratch
   ElementPart moved;
 
   std::vector<int> equations() const { return indicesWhere(isOwnRow); }
   std::vector<int> others() const { return indicesWhere(isOwnRow, false); }
 
-  /// Of the work of a whole assembly: rows once, moved elements for the others before and after.
+  /// Share of the work of a full assembly: integrated rows, and moved elements for the other rows
+  /// before and after the motion.
   double share(int elementCount) const {
     const auto count = static_cast<double>(isOwnRow.size());
     const double rows = static_cast<double>(std::count(isOwnRow.begin(), isOwnRow.end(), true));
@@ -34,7 +35,7 @@ struct Motion {
   }
 };
 
-/// The part of elements with these corners or functions.
+/// Part of the given elements: their corners or functions and their slots.
 template <class Functions, class Slots>
 ElementPart partOf(std::vector<int> elements, int coefficientCount, int slotCount,
                    const Functions& functions, const Slots& slots) {
@@ -46,7 +47,7 @@ ElementPart partOf(std::vector<int> elements, int coefficientCount, int slotCoun
   return {std::move(elements), indicesWhere(hasCoefficient), indicesWhere(hasSlot)};
 }
 
-/// Do the same directions and slots of the same coefficients carry unknowns?
+/// True if the same directions and slots of the same coefficients have unknowns.
 bool isAlike(const DegreesOfFreedom& a, const DegreesOfFreedom& b) {
   if (a.nodeCount() != b.nodeCount() || a.slotCount() != b.slotCount() ||
       a.extraSlots() != b.extraSlots())
@@ -94,7 +95,7 @@ std::optional<Motion> motion(const SplineSurface& before, const SplineSurface& s
   const std::vector<int> place = placesIn(*elements, surface.elementCount());
   for (Eigen::Index p = 0; p < weights.cols(); ++p) {
     const SplineCollocationPoint& point = equations.points[p];
-    // A point on the border of what moved does not move, but its free term may change.
+    // A point on the border of the moved part does not move, but its free term may change.
     const bool hasMoved =
         point.position != equationsBefore.points[p].position ||
         std::any_of(point.places.begin(), point.places.end(),
@@ -113,21 +114,20 @@ std::optional<Motion> motion(const SplineSurface& before, const SplineSurface& s
   return motion;
 }
 
-/// Takes from new rows those of the base.
+/// Subtracts the rows of the base from new rows.
 template <class Scalar>
 void subtractRows(const LargeMatrix<Scalar>& base, const std::vector<int>& equations,
                   LargeMatrix<Scalar>& rows, const Job& job) {
   constexpr std::ptrdiff_t kColumnsPerTask = 256;
   const Eigen::Index some = static_cast<Eigen::Index>(equations.size()), all = base.rows() / 3;
-  parallelFor((base.cols() + kColumnsPerTask - 1) / kColumnsPerTask, job, "",
-              [&](std::ptrdiff_t task) {
-                const auto end = std::min<Eigen::Index>(base.cols(), (task + 1) * kColumnsPerTask);
-                for (Eigen::Index j = task * kColumnsPerTask; j < end; ++j)
-                  for (int c = 0; c < 3; ++c)
-                    for (Eigen::Index k = 0; k < some; ++k)
-                      rows.data()[j * rows.rows() + c * some + k] -=
-                          base.data()[j * base.rows() + c * all + equations[k]];
-              });
+  parallelFor((base.cols() + kColumnsPerTask - 1) / kColumnsPerTask, job, [&](std::ptrdiff_t task) {
+    const auto end = std::min<Eigen::Index>(base.cols(), (task + 1) * kColumnsPerTask);
+    for (Eigen::Index j = task * kColumnsPerTask; j < end; ++j)
+      for (int c = 0; c < 3; ++c)
+        for (Eigen::Index k = 0; k < some; ++k)
+          rows.data()[j * rows.rows() + c * some + k] -=
+              base.data()[j * base.rows() + c * all + equations[k]];
+  });
 }
 
 template <class Scalar>
@@ -135,9 +135,9 @@ void subtract(const LargeMatrix<Scalar>& old, LargeMatrix<Scalar>& matrix) {
   matrix.view() -= old.view();
 }
 
-/// `newRows`(scalar, equations): their rows of the new operators; `partBefore` and `partAfter`
-/// (scalar, part, others): what the moved elements add to the rows of the others. The scalar tells
-/// what to compute in.
+/// `newRows`(scalar, equations): rows of the new operators; `partBefore` and `partAfter` (scalar,
+/// part, others): contribution of the moved elements to the other rows. The scalar gives the
+/// precision.
 template <class Scalar, class Rows, class Before, class After>
 OperatorChange<Scalar> changeOf(const BoundaryOperators<Scalar>& base, Motion motion,
                                 const Rows& newRows, const Before& partBefore,
@@ -145,17 +145,17 @@ OperatorChange<Scalar> changeOf(const BoundaryOperators<Scalar>& base, Motion mo
   OperatorChange<Scalar> change;
   change.equations = motion.equations();
   change.others = motion.others();
-  job.report("assemble", 0);
+  job.report(Phase::kAssemble, 0);
   change.rows = newRows(Scalar{}, change.equations);
   subtractRows(base.H, change.equations, change.rows.H, job);
   subtractRows(base.G, change.equations, change.rows.G, job);
-  job.report("assemble", 0.4);
+  job.report(Phase::kAssemble, 0.4);
   change.columns = partAfter(Scalar{}, motion.moved, change.others);
-  job.report("assemble", 0.7);
+  job.report(Phase::kAssemble, 0.7);
   const BoundaryOperators<Scalar> old = partBefore(Scalar{}, motion.moved, change.others);
   subtract(old.H, change.columns.H);
   subtract(old.G, change.columns.G);
-  job.report("assemble", 1);
+  job.report(Phase::kAssemble, 1);
   change.moved = std::move(motion.moved);
   return change;
 }
@@ -214,23 +214,28 @@ std::unique_ptr<ReferenceProblem> updateTriangles(
   return update(
       base, std::move(dofs), std::move(*moved),
       [&]<class Scalar>(Scalar, const std::vector<int>& equations) {
-        return assemble<Scalar>(mesh, slots, some(equations), inputs.material, inputs.assembly, job);
+        return assemble<Scalar>(mesh, slots, some(equations), inputs.material, inputs.assembly,
+                                job);
       },
       [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& equations) {
-        return assemblePart<Scalar>(before, slotsBefore, part, some(equations), inputs.material, inputs.assembly,
-                                    job);
+        return assemblePart<Scalar>(before, slotsBefore, part, some(equations), inputs.material,
+                                    inputs.assembly, job);
       },
       [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& equations) {
-        return assemblePart<Scalar>(mesh, slots, part, some(equations), inputs.material, inputs.assembly, job);
+        return assemblePart<Scalar>(mesh, slots, part, some(equations), inputs.material,
+                                    inputs.assembly, job);
       },
       job, times);
 }
 
-std::unique_ptr<ReferenceProblem> updateSplines(
-    const std::shared_ptr<const ReferenceProblem>& base, const SplineSurface& before,
-    const SplineSurface& surface, const SplineTractions& tractions, const ProblemInputs& inputs,
-    const Job& job, ReferenceProblemTimes* times) {
-  DegreesOfFreedom dofs(tractions.slots, inputs.conditions, inputs.material, surface.boundingSize());
+std::unique_ptr<ReferenceProblem> updateSplines(const std::shared_ptr<const ReferenceProblem>& base,
+                                                const SplineSurface& before,
+                                                const SplineSurface& surface,
+                                                const SplineTractions& tractions,
+                                                const ProblemInputs& inputs, const Job& job,
+                                                ReferenceProblemTimes* times) {
+  DegreesOfFreedom dofs(tractions.slots, inputs.conditions, inputs.material,
+                        surface.boundingSize());
   if (!isAlike(base->dofs(), dofs)) return nullptr;
   const SplineEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
   auto moved =
@@ -239,14 +244,15 @@ std::unique_ptr<ReferenceProblem> updateSplines(
   if (!moved || moved->share(surface.elementCount()) > kMaxShare) return nullptr;
   const auto partOn = [&](const SplineSurface& shape) {
     return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {
-      return assemblePart<Scalar>(shape, tractions, part, equations.only(some), inputs.material, inputs.assembly,
-                                  job);
+      return assemblePart<Scalar>(shape, tractions, part, equations.only(some), inputs.material,
+                                  inputs.assembly, job);
     };
   };
   return update(
       base, std::move(dofs), std::move(*moved),
       [&]<class Scalar>(Scalar, const std::vector<int>& some) {
-        return assemble<Scalar>(surface, tractions, equations.only(some), inputs.material, inputs.assembly, job);
+        return assemble<Scalar>(surface, tractions, equations.only(some), inputs.material,
+                                inputs.assembly, job);
       },
       partOn(before), partOn(surface), job, times);
 }

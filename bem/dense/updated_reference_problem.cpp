@@ -65,7 +65,7 @@ MatrixXd UpdatedReferenceProblem<Stored, Factor>::changeOfSystem(const MatrixXd&
   BoundaryField difference = base_->dofs().expand(v, MatrixXd());
   difference.u = after.u - difference.u;
   difference.p = after.p - difference.p;
-  // Mostly nothing: frames and projections change where rollers hold moved faces.
+  // Usually zero; frames and projections change only where rollers guide moved faces.
   MatrixXd r = difference.u.isZero(0) && difference.p.isZero(0)
                    ? MatrixXd(MatrixXd::Zero(dofs().count(), v.cols()))
                    : base_->residual(difference, job);
@@ -86,7 +86,7 @@ MatrixXd UpdatedReferenceProblem<Stored, Factor>::correction(const MatrixXd& r,
 
 template <class Stored, class Factor>
 void UpdatedReferenceProblem<Stored, Factor>::write(const ByteSink&) const {
-  throw std::logic_error("UpdatedReferenceProblem: has no factors of its own to be written");
+  throw std::logic_error("UpdatedReferenceProblem: only a full rebuild can be stored");
 }
 
 template struct OperatorChange<double>;

@@ -8,8 +8,8 @@
 
 namespace palpa::bem {
 
-/// By how much operators change when some elements move: in the rows of some equations everywhere,
-/// in those of the others in the columns that belong to the moved elements. New less old.
+/// Change of operators when some elements move, new minus old: all columns in the rows of some
+/// equations, and the columns of the moved elements in the other rows.
 template <class Scalar>
 struct OperatorChange {
   std::vector<int> equations, others;  ///< ascending; together all equations
@@ -24,22 +24,22 @@ struct OperatorChange {
   }
 };
 
-/// A dense problem after a change of its operators: A = A0 + Δ. Solved by GMRES for
-/// (1 + A0^-1 Δ) v = A0^-1 r, which converges in few steps: for a small edit Δ has a low rank, for
-/// a small motion it is small itself.
+/// Dense problem after a change of its operators: A = A0 + Δ. GMRES solves
+/// (1 + A0^-1 Δ) v = A0^-1 r and converges in few steps, because Δ has a low rank after a small
+/// edit and is small after a small motion.
 template <class Stored, class Factor>
 class UpdatedReferenceProblem final : public ReferenceProblem {
  public:
-  /// `dofs`: like those of `base`, with the same scale of tractions.
+  /// `dofs`: the same unknowns and scale of tractions as in `base`.
   UpdatedReferenceProblem(DegreesOfFreedom dofs,
                           std::shared_ptr<const DenseReferenceProblem<Stored, Factor>> base,
                           OperatorChange<Stored> change);
 
   Eigen::MatrixXd residual(const BoundaryField& field, const Job& job) const override;
   Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
-  /// Of the problem whose factors are used.
+  /// Condition number of the problem whose factors are used.
   double conditionEstimate(const Job& job) const override { return base_->conditionEstimate(job); }
-  /// `base` included.
+  /// Including `base`.
   std::size_t bytes() const override { return base_->bytes() + change_.bytes(); }
   void write(const ByteSink& sink) const override;
 

@@ -13,10 +13,9 @@ void CapacitanceMatrix::append(const Eigen::MatrixXd& column, const Eigen::Matri
   const Eigen::FullPivLU<Eigen::MatrixXd> factors(schur);
   const double smallest = factors.matrixLU().diagonal().cwiseAbs().minCoeff();
   if (!(smallest > 1e-11 * corner.cwiseAbs().maxCoeff()))
-    throw SolverError(
-        SolverError::Kind::kSingular,
-        "a contact coincides with others: it has no displacement of its own. Move it, "
-        "or remove one of them");
+    throw SolverError(SolverError::Kind::kSingular,
+                      "a contact coincides with others, so its displacement cannot be chosen "
+                      "independently. Move it, or remove one of them");
   const Eigen::MatrixXd schurInverse = factors.inverse();
 
   Eigen::MatrixXd matrix(s + b, s + b), inverse(s + b, s + b);

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Index;
 using System = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-constexpr Index kPanel = 8;  // columns that are eliminated together
+constexpr Index kPanel = 8;  // columns eliminated together
 
 /// Swaps the row with the largest entry of a column, from `row` on down, into `row`.
 void pivot(System& a, Index row, Index column) {

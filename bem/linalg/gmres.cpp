@@ -11,19 +11,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The small least-squares problem of one column: its Hessenberg matrix, turned into a triangle by
-/// Givens rotations as it grows.
+/// Small least-squares problem of one column: its Hessenberg matrix, which Givens rotations make
+/// triangular while it grows.
 class HessenbergColumn {
  public:
-  HessenbergColumn(double norm, int mostSteps)
-      : norm_(norm), triangle_(mostSteps + 1, mostSteps), right_(VectorXd::Zero(mostSteps + 1)) {
+  HessenbergColumn(double norm, int maxSteps)
+      : norm_(norm), triangle_(maxSteps + 1, maxSteps), right_(VectorXd::Zero(maxSteps + 1)) {
     right_[0] = norm;
   }
 
-  /// Of the residual, over the norm of b.
+  /// Norm of the residual divided by the norm of b.
   double residual() const { return norm_ > 0 ? std::abs(right_[steps_]) / norm_ : 0; }
 
-  /// A further column: the projections on the basis and what is left, steps + 2 numbers.
+  /// Appends a column: the projections on the basis and the norm of the rest, steps + 2 numbers.
   void add(VectorXd column) {
     for (int k = 0; k < steps_; ++k) rotate(rotations_[k], column[k], column[k + 1]);
     Eigen::JacobiRotation<double> rotation;
@@ -36,7 +36,7 @@ class HessenbergColumn {
     ++steps_;
   }
 
-  /// Factors of the basis vectors.
+  /// Coefficients of the solution in the basis.
   VectorXd solution() const {
     return triangle_.topLeftCorner(steps_, steps_)
         .triangularView<Eigen::Upper>()
@@ -60,16 +60,16 @@ class HessenbergColumn {
 }  // namespace
 
 GmresSolution gmres(const std::function<MatrixXd(const MatrixXd&)>& apply, const MatrixXd& b,
-                    double tolerance, int mostSteps, const Job& job) {
+                    double tolerance, int maxSteps, const Job& job) {
   const Eigen::RowVectorXd norms = b.colwise().norm();
   std::vector<MatrixXd> basis{b * norms.cwiseMax(1e-300).cwiseInverse().asDiagonal()};
   std::vector<HessenbergColumn> columns;
-  for (Index c = 0; c < b.cols(); ++c) columns.emplace_back(norms[c], mostSteps);
+  for (Index c = 0; c < b.cols(); ++c) columns.emplace_back(norms[c], maxSteps);
   const auto isDone = [&](const HessenbergColumn& column) {
     return column.residual() <= tolerance;
   };
   GmresSolution result;
-  while (result.steps < mostSteps && !std::all_of(columns.begin(), columns.end(), isDone)) {
+  while (result.steps < maxSteps && !std::all_of(columns.begin(), columns.end(), isDone)) {
     job.throwIfCancelled();
     MatrixXd next = apply(basis.back());
     ++result.steps;

@@ -10,14 +10,14 @@ namespace palpa::bem {
 struct GmresSolution {
   Eigen::MatrixXd x;
   int steps = 0;        ///< applications of the map
-  double residual = 0;  ///< norm of b - A x over that of b, the largest of all columns
+  double residual = 0;  ///< |b - A x| / |b|, the largest of all columns
 };
 
 /// Solves A x = b for several right-hand sides together by GMRES without restarts (Saad and Schultz
 /// 1986), a Krylov space per column. `apply`: A times the columns of a matrix. Stops when all
-/// columns have reached the tolerance, or after `mostSteps`. Memory: one matrix like b per step.
+/// columns have reached the tolerance, or after `maxSteps`. Memory: one matrix like b per step.
 /// Throws Cancelled.
 GmresSolution gmres(const std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>& apply,
-                    const Eigen::MatrixXd& b, double tolerance, int mostSteps, const Job& job);
+                    const Eigen::MatrixXd& b, double tolerance, int maxSteps, const Job& job);
 
 }  // namespace palpa::bem

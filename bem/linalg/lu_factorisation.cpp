@@ -20,14 +20,14 @@ extern "C" void openblas_set_num_threads(int threads);
 namespace palpa::bem {
 namespace {
 
-/// The threads are ours: see BlockedLu. Process-wide.
+/// Makes OpenBLAS use one thread, for the whole process: see BlockedLu.
 void useOneBlasThread() {
   static const bool once = (openblas_set_num_threads(1), true);
   static_cast<void>(once);
 }
 
-/// Columns per block. Narrow blocks share out small matrices evenly; wide ones make matrix products
-/// fast, and no block of an update takes longer than 20 ms up to 40,000 unknowns.
+/// Columns per block. Narrow blocks distribute small matrices evenly; wide ones make matrix
+/// products fast. No update of a block takes longer than 20 ms up to 40,000 unknowns.
 Eigen::Index blockWidth(Eigen::Index n) {
   return n <= 600 ? 48 : n <= 1500 ? 96 : n <= 4000 ? 128 : 192;
 }
@@ -80,10 +80,10 @@ void lacn2(lapack_int n, double* v, double* x, lapack_int* signs, double* estima
   LAPACKE_dlacn2(n, v, x, signs, estimate, next, saved);
 }
 
-/// The factorisation by blocks of columns that threads share: updates of blocks by a panel of
-/// factors are handed out one by one, in the order of the panels, and whoever has updated the next
-/// panel factors it while the others go on. Each block sees the same operations on any number of
-/// threads. OpenBLAS's own threads wait for each other in busy loops: with another program on one
+/// Factorisation by blocks of columns on several threads. Updates of blocks by a panel of factors
+/// are handed out one by one, in the order of the panels; the thread that has updated the next
+/// panel factors it while the others continue. Each block sees the same operations on any number of
+/// threads. The threads of OpenBLAS wait for each other in busy loops: with another program on one
 /// of two cores they took ten times as long as one thread.
 template <class Scalar>
 class BlockedLu {
@@ -102,8 +102,8 @@ class BlockedLu {
     reportFactored(0);
     // Panel k updates the blocks k + 1 … blocks - 1.
     const std::ptrdiff_t workers = std::min<std::ptrdiff_t>(workerCount(job_), blocks_);
-    parallelFor(workers, job_, "", [&](std::ptrdiff_t) { work(); });
-    parallelFor(blocks_ - 1, job_, "",
+    parallelFor(workers, job_, [&](std::ptrdiff_t) { work(); });
+    parallelFor(blocks_ - 1, job_,
                 [&](std::ptrdiff_t block) { swapRows(block, (block + 1) * width_, n_); });
   }
 
@@ -132,18 +132,18 @@ class BlockedLu {
 
   void reportFactored(Eigen::Index block) const {
     const double left = 1.0 - static_cast<double>(endOf(block)) / static_cast<double>(n_);
-    job_.report("factorise", 1.0 - left * left * left);
+    job_.report(Phase::kFactorise, 1.0 - left * left * left);
   }
 
-  /// The next update, once what it needs is there; false when there is none.
+  /// Waits for the next update that can run; false if there is none left.
   bool next(Eigen::Index& panel, Eigen::Index& block) {
     std::unique_lock lock(mutex_);
     if (nextBlock_ == blocks_) nextBlock_ = ++nextPanel_ + 1;
     if (nextBlock_ >= blocks_) return false;
     panel = nextPanel_;
     block = nextBlock_++;
-    // A panel is factored before its own block's update counts as done. Whatever is waited for was
-    // handed out earlier, so somebody is at it.
+    // A panel is factored before the update of its block counts as done. Every update that a thread
+    // waits for was handed out earlier, so another thread works on it.
     changed_.wait(
         lock, [&] { return isStopped_ || (updates_[panel] == panel && updates_[block] == panel); });
     return !isStopped_;
@@ -186,7 +186,7 @@ class BlockedLu {
   std::vector<int>& pivots_;
   const Job& job_;
 
-  std::mutex mutex_;  // guards what follows, and the progress sink
+  std::mutex mutex_;  // guards the members below and the progress callback
   std::condition_variable changed_;
   Eigen::Index nextPanel_ = 0, nextBlock_ = 1;
   std::vector<Eigen::Index> updates_;  ///< per block: panels that have updated it
@@ -206,12 +206,12 @@ LuFactorisation<Scalar>::LuFactorisation(LargeMatrix<Scalar> matrix, const Job& 
 template <class Scalar>
 void LuFactorisation<Scalar>::solveInPlace(
     Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides, const Job& job) const {
-  // The library solves for one column three times as fast as for two, and for 96 columns together
-  // twice as fast as for 24 and 24. Two tasks at least; the same ones on any number of threads.
+  // OpenBLAS solves for one column three times as fast as for two, and for 96 columns together
+  // twice as fast as in parts of 24. At least two tasks; the same tasks on any number of threads.
   const Eigen::Index columns = rightHandSides.cols(),
                      perTask =
                          columns <= 6 ? 1 : std::clamp<Eigen::Index>((columns + 1) / 2, 8, 96);
-  parallelFor((columns + perTask - 1) / perTask, job, "", [&](std::ptrdiff_t k) {
+  parallelFor((columns + perTask - 1) / perTask, job, [&](std::ptrdiff_t k) {
     const Eigen::Index first = k * perTask;
     getrs('N', static_cast<lapack_int>(size()),
           static_cast<lapack_int>(std::min(perTask, columns - first)), matrix_.data(),
@@ -222,8 +222,7 @@ void LuFactorisation<Scalar>::solveInPlace(
 template <class Scalar>
 double LuFactorisation<Scalar>::conditionEstimate(const Job& job) const {
   const auto n = static_cast<lapack_int>(size());
-  // On page borders: the library adds up magnitudes in an order that depends on where a vector
-  // lies.
+  // Aligned to pages: the order in which OpenBLAS sums magnitudes depends on the address.
   LargeMatrix<Scalar> v(n, 1), x(n, 1);
   std::vector<lapack_int> signs(size());
   std::array<lapack_int, 3> saved{};

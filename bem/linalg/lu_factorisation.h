@@ -8,15 +8,15 @@
 
 namespace palpa::bem {
 
-/// P A = L U with partial pivoting, in place, through LAPACK and BLAS (float or double). By blocks
-/// of columns on the job's threads; the factors do not depend on their number.
+/// P A = L U with partial pivoting by LAPACK and BLAS, in float or double. Blocks of columns are
+/// distributed over the job's threads; the factors do not depend on the number of threads.
 template <class Scalar>
 class LuFactorisation {
  public:
-  /// Takes the square matrix over. Throws SolverError (kSingular) when a pivot vanishes, Cancelled
-  /// on stop.
+  /// Factorises the square matrix in its memory. Throws SolverError (kSingular) if a pivot
+  /// vanishes; Cancelled.
   LuFactorisation(LargeMatrix<Scalar> matrix, const Job& job);
-  /// What write() wrote, of a matrix with `size` rows.
+  /// Reads the output of write() for a matrix with `size` rows.
   LuFactorisation(Eigen::Index size, const ByteSource& source);
   void write(const ByteSink& sink) const;
 
@@ -28,8 +28,8 @@ class LuFactorisation {
   void solveInPlace(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides,
                     const Job& job = {}) const;
 
-  /// LAPACK's estimate of the condition number in the 1-norm: about five solutions. Throws
-  /// Cancelled between two of them.
+  /// LAPACK's estimate of the condition number in the 1-norm. Costs about five solutions. Throws
+  /// Cancelled.
   double conditionEstimate(const Job& job = {}) const;
 
  private:

@@ -2,30 +2,33 @@
 
 #include <algorithm>
 
+#include "bem/model/collocation.h"
+
 namespace palpa::bem {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Normals closer than this (sine of the angle) are taken as one face: a curved face meets itself
-/// at such angles across mesh edges.
+/// Sine of the angle up to which normals belong to one face: the triangles of a curved face meet at
+/// such angles.
 constexpr double kSameFace = 0.2;
 
-/// Orthonormal frame whose first `constrained` columns span what the supports at a node hold.
-std::pair<Matrix3d, int> heldDirections(const std::vector<Vector3d>& rollerNormals, bool fixed) {
+/// Orthonormal frame whose first `constrained` columns span the directions that the supports of a
+/// node fix.
+std::pair<Matrix3d, int> fixedDirections(const std::vector<Vector3d>& rollerNormals, bool fixed) {
   if (fixed) return {Matrix3d::Identity(), 3};
   Matrix3d frame = Matrix3d::Zero();
-  int held = 0;
+  int fixedCount = 0;
   for (const Vector3d& normal : rollerNormals) {
     Vector3d rest = normal;
-    for (int k = 0; k < held; ++k) rest -= frame.col(k).dot(normal) * frame.col(k);
-    if (held < 3 && rest.norm() > kSameFace) frame.col(held++) = rest.normalized();
+    for (int k = 0; k < fixedCount; ++k) rest -= frame.col(k).dot(normal) * frame.col(k);
+    if (fixedCount < 3 && rest.norm() > kSameFace) frame.col(fixedCount++) = rest.normalized();
   }
-  if (held == 0) return {Matrix3d::Identity(), 0};
-  if (held == 1) frame.col(1) = frame.col(0).unitOrthogonal();
-  if (held < 3) frame.col(2) = frame.col(0).cross(frame.col(1));
-  return {frame, held};
+  if (fixedCount == 0) return {Matrix3d::Identity(), 0};
+  if (fixedCount == 1) frame.col(1) = frame.col(0).unitOrthogonal();
+  if (fixedCount < 3) frame.col(2) = frame.col(0).cross(frame.col(1));
+  return {frame, fixedCount};
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ DegreesOfFreedom::DegreesOfFreedom(const TractionSlots& slots,
         return other.dot(normal) > 0 && other.cross(normal).norm() < kSameFace;
       });
     };
-    const auto holdFully = [&](int slot) {
+    const auto fixFully = [&](int slot) {
       const Vector3d& normal = slots.slots[slot].normal;
       projectors_[slot] = Matrix3d::Identity();
       if (!isNewFace(normal)) return;
@@ -58,18 +61,18 @@ DegreesOfFreedom::DegreesOfFreedom(const TractionSlots& slots,
       fixedNormals.push_back(normal);
     };
     for (int s = slots.firstOfNode[k]; s < slots.firstOfNode[k + 1]; ++s)
-      if (conditions[s] == SlotCondition::kFixed) holdFully(s);
+      if (conditions[s] == SlotCondition::kFixed) fixFully(s);
     for (int s = slots.firstOfNode[k]; s < slots.firstOfNode[k + 1]; ++s) {
       if (conditions[s] != SlotCondition::kRoller) continue;
       const Vector3d& normal = slots.slots[s].normal;
       rollerNormals.push_back(normal);
       projectors_[s] = normal * normal.transpose();
       // The whole displacement of the node is known, so a roller on another face than the fixed one
-      // needs a reaction of its own. Its tangential traction there is left to the equations too.
-      if (!fixedNormals.empty() && isNewFace(normal)) holdFully(s);
+      // needs a separate reaction, whose tangential part is unknown, too.
+      if (!fixedNormals.empty() && isNewFace(normal)) fixFully(s);
     }
     std::tie(nodes_[k].frame, nodes_[k].constrained) =
-        heldDirections(rollerNormals, !fixedNormals.empty());
+        fixedDirections(rollerNormals, !fixedNormals.empty());
   }
 }
 

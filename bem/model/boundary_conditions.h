@@ -5,20 +5,21 @@
 #include <vector>
 
 #include "bem/model/boundary_mesh.h"
-#include "bem/model/collocation.h"
 #include "bem/model/material.h"
 
 namespace palpa::bem {
 
-/// What is known at a traction slot.
+struct CollocationPoint;
+
+/// Known quantity at a traction slot.
 enum class SlotCondition {
   kTraction,  ///< the traction (zero where nothing is applied)
   kFixed,     ///< the displacement
   kRoller     ///< the normal displacement and the tangential traction (frictionless guide)
 };
 
-/// Data of a mixed boundary value problem. Only the components that the conditions declare known
-/// are read.
+/// Data of a mixed boundary value problem. Components that the conditions do not declare known are
+/// ignored.
 struct BoundaryConditions {
   std::vector<SlotCondition> ofSlot;
   Eigen::VectorXd displacement;  ///< 3 per node, mm
@@ -41,15 +42,14 @@ struct BoundaryField {
   Eigen::MatrixXd p;
 };
 
-/// Which quantity is unknown where: the map from a vector of unknowns v and its conjugate known
-/// values to a boundary field.
+/// Map from a vector of unknowns v and the conjugate known values to a boundary field.
 ///
-/// Every node owns three degrees of freedom along an orthonormal frame. The first
-/// `constrained(node)` directions of the frame are those in which a support holds the node: there
-/// the displacement is known and v is a traction that acts on the supporting slots. In the others
-/// the displacement is the unknown and the known value is a traction that acts on all slots of the
-/// node. So each degree of freedom is a pair (displacement, traction) of which either may be the
-/// known one; exchanging the two is what the capacitance method does.
+/// Every node has three degrees of freedom along an orthonormal frame. A support fixes the node in
+/// the first `constrained(node)` directions of the frame: there the displacement is known and v is
+/// a traction that acts on the slots of the support. In the other directions the displacement is
+/// unknown and the known value is a traction that acts on all slots of the node. So each degree of
+/// freedom is a pair (displacement, traction) of which either is known; the capacitance method
+/// exchanges the two.
 ///
 /// Where two faces with prescribed displacement meet in a sharp edge, one traction per node is not
 /// enough. Each further face gets an extra traction (the jump) and an extra collocation point
@@ -76,7 +76,7 @@ class DegreesOfFreedom {
   const Eigen::Matrix3d& frame(int node) const { return nodes_[node].frame; }
   bool isFree(int node) const { return nodes_[node].constrained == 0; }
   double tractionScale() const { return tractionScale_; }
-  /// Takes that of another shape of the same body, MPa: then their unknowns mean the same.
+  /// Takes the scale of another shape of the same body, MPa, so that both have the same unknowns.
   void setTractionScale(double scale) { tractionScale_ = scale; }
   int slotCount() const { return static_cast<int>(projectors_.size()); }
   /// Slots whose extra traction is unknown, in the order of the last unknowns.
@@ -108,21 +108,20 @@ class DegreesOfFreedom {
   std::vector<Node> nodes_;
   std::vector<int> firstSlotOfNode_;
   std::vector<SlotCondition> conditions_;
-  std::vector<Eigen::Matrix3d> projectors_;  ///< per slot: onto the directions its support holds
+  std::vector<Eigen::Matrix3d> projectors_;  ///< per slot: onto the directions its support fixes
   std::vector<int> extraSlots_;
   double tractionScale_;
 };
 
-/// Names of the rigid motions that the supports leave free, for people; empty when the body is
-/// held.
+/// Names of the rigid motions that the supports leave free, for messages; empty if there is none.
 std::vector<std::string> freeRigidMotions(const BoundaryMesh& mesh, const DegreesOfFreedom& dofs);
 /// The same for displacement coefficients at any places (mm): nodes or control points.
 std::vector<std::string> freeRigidMotions(const std::vector<Eigen::Vector3d>& places, double size,
                                           const DegreesOfFreedom& dofs);
 
-/// Throws SolverError unless the body is held (kNotHeld) and the data determine the pressure of a
-/// (nearly) incompressible body (kIncompressible): not held everywhere at nu = 0.5, no closed
-/// cavity above 0.47.
+/// Throws SolverError if the supports leave a rigid motion free (kNotFixed) or the data do not
+/// determine the pressure of a (nearly) incompressible body (kIncompressible): fixed everywhere at
+/// nu = 0.5, or with a closed cavity above 0.47.
 void checkSolvable(const BoundaryMesh& mesh, const std::vector<SlotCondition>& conditions,
                    const DegreesOfFreedom& dofs, const Material& material);
 /// The same for displacement coefficients at any places; `closedSurfaces`: 1 and one per cavity.

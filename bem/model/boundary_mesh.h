@@ -6,18 +6,17 @@
 
 namespace palpa::bem {
 
-/// A closed surface of flat triangles, the geometry that boundary elements are built on. Outward
-/// orientation: the corners run counter-clockwise seen from outside. Hollow bodies have several
-/// closed components, the inner ones oriented away from the material as well.
+/// Closed surface of flat triangles, the geometry of boundary elements. Orientation: the corners
+/// run counter-clockwise seen from outside. Hollow bodies have several closed components, of which
+/// the inner ones are also oriented away from the material.
 struct BoundaryMesh {
   std::vector<Eigen::Vector3d> nodes;         ///< positions, mm
   std::vector<std::array<int, 3>> triangles;  ///< node indices
   /// Per triangle: triangles of one group meet smoothly, so the traction is continuous across their
   /// common edges; across the border of two groups (a sharp edge) it may jump.
   std::vector<int> smoothingGroups;
-  /// Per triangle: the part of the surface that carries one kind of boundary condition (0 where
-  /// nothing was said). The traction may also jump where two parts meet, as at the border of a
-  /// support.
+  /// Per triangle: part of the surface with one kind of boundary condition; 0 by default. The
+  /// traction may also jump where two parts meet, for instance at the border of a support.
   std::vector<int> tags;
 
   int nodeCount() const { return static_cast<int>(nodes.size()); }
@@ -35,14 +34,14 @@ struct BoundaryMesh {
   double boundingSize() const;    ///< diagonal of the bounding box, mm
   double meanEdgeLength() const;  ///< mm
 
-  /// Throws SolverError (kBadMesh) unless sizes match, indices are in range, numbers finite,
-  /// triangles have area, every edge is used exactly once in each direction, and the enclosed
-  /// volume is positive.
+  /// Throws SolverError (kBadMesh) if sizes differ, an index is out of range, a number is not
+  /// finite, a triangle has no area, an edge is not used exactly once in each direction, or the
+  /// enclosed volume is not positive.
   void validate() const;
 };
 
-/// The unknown-carrying places of the traction field: one per (node, smoothing group, tag). Ordered
-/// by node, then group, then tag.
+/// Coefficients of the traction field: one slot per (node, smoothing group, tag). Ordered by node,
+/// then group, then tag.
 struct TractionSlots {
   struct Slot {
     int node;

@@ -7,9 +7,9 @@
 
 namespace palpa::bem {
 
-/// Where the boundary integral equation is demanded to hold. Each point lies in (or at a corner of)
-/// a host triangle; its barycentric weights say which displacement coefficients make up u(x), which
-/// is all that the free term needs.
+/// Point at which the boundary integral equation is satisfied. It lies in a host triangle or at a
+/// corner of it; the barycentric weights of the displacement coefficients give u(x) for the free
+/// term.
 struct CollocationPoint {
   Eigen::Vector3d position;  ///< mm
   int triangle;              ///< a triangle that contains the point
@@ -19,8 +19,8 @@ struct CollocationPoint {
 /// One point per node, in node order.
 std::vector<CollocationPoint> nodalCollocation(const BoundaryMesh& mesh);
 
-/// A point inside the triangle of `slot` that lies most squarely in the slot's face, moved from the
-/// slot's node by `shift` (in (0, 1)) of the way to the opposite edge. Such points supply the
+/// A point inside the triangle of `slot` with the widest corner at the slot's node, moved from the
+/// node towards the opposite edge by the fraction `shift`, in (0, 1). Such points supply the
 /// equations for the second and third traction of a node where faces with prescribed displacement
 /// meet in a sharp edge.
 CollocationPoint shiftedCollocation(const BoundaryMesh& mesh, const TractionSlots& slots, int slot,

@@ -7,9 +7,9 @@
 
 namespace palpa::bem {
 
-/// The displacement between nodes to third order. Linear interpolation of (accurate) nodal values
-/// cuts the tip off the displacement under a narrow load. Here gradients are recovered at the slots
-/// as area-weighted means of those of the triangles around, and each edge becomes a cubic: in a
+/// Displacement between nodes to third order. Linear interpolation of (accurate) nodal values cuts
+/// the tip off the displacement under a narrow load. Instead the gradient at a slot is the
+/// area-weighted mean of the gradients of the surrounding triangles, and each edge is a cubic: in a
 /// triangle
 ///   u = sum_a λ_a u_a + sum_{a<b} λ_a λ_b b_ab,  b_ab = (grad u_a - grad u_b)(x_b - x_a) / 2.
 /// Linear in the nodal values, exact for quadratic fields on a regular flat mesh, one-sided at

@@ -11,7 +11,7 @@ struct ElementPart {
   std::vector<int> elements, coefficients, slots;
 };
 
-/// Place of each of `count` indices in an ascending list of some; -1: not in it.
+/// Position of each of `count` indices in an ascending list of some of them; -1: not in the list.
 inline std::vector<int> placesIn(std::span<const int> some, int count) {
   std::vector<int> places(count, -1);
   for (std::size_t k = 0; k < some.size(); ++k) places[some[k]] = static_cast<int>(k);

@@ -39,8 +39,8 @@ std::string describe(const RigidMotion& motion, const Vector3d& center, double s
          formatVector(shown) + " mm";
 }
 
-/// Rigid motions in reduced row echelon form, whose vectors have as many zeros as possible and so
-/// read as single translations and rotations.
+/// Reduced row echelon form of rigid motions: its vectors have as many zeros as possible, so that
+/// messages can name single translations and rotations.
 std::vector<RigidMotion> sparseBasis(Eigen::MatrixXd basis) {
   Eigen::Index rank = 0;
   // Rotations are eliminated first, so that the last vectors are pure translations.
@@ -86,12 +86,12 @@ std::vector<std::string> freeRigidMotions(const std::vector<Vector3d>& places, d
                                           const DegreesOfFreedom& dofs) {
   Vector3d center = Vector3d::Zero();
   for (const Vector3d& p : places) center += p / static_cast<double>(places.size());
-  // Held against total motion of the held nodes, in the mean square: a motion that hardly moves
-  // them along the held directions is free. Normals of a curved guide are off by the order of (h /
-  // R)^2, so a ball in a frictionless socket shows 1e-4 here.
+  // Motion of the fixed nodes along their fixed directions relative to their whole motion, mean
+  // squares: a motion is free if this ratio is small. Normals of a curved guide are off by the
+  // order of (h / R)^2, so a ball in a frictionless socket shows 1e-4 here.
   constexpr double kFree = 1e-3;
   using Gram = Eigen::Matrix<double, 6, 6>;
-  Gram held = Gram::Zero(), total = Gram::Zero();
+  Gram fixed = Gram::Zero(), total = Gram::Zero();
   const auto motionAlong = [&](const Vector3d& x, const Vector3d& direction) {
     RigidMotion row;
     row << direction, (x - center).cross(direction) / size;
@@ -101,12 +101,12 @@ std::vector<std::string> freeRigidMotions(const std::vector<Vector3d>& places, d
     for (int d = 0; dofs.constrained(k) > 0 && d < 3; ++d) {
       const RigidMotion row = motionAlong(places[k], dofs.frame(k).col(d));
       total += row * row.transpose();
-      if (d < dofs.constrained(k)) held += row * row.transpose();
+      if (d < dofs.constrained(k)) fixed += row * row.transpose();
     }
-  if (held.isZero()) return {"all translations", "all rotations"};
+  if (fixed.isZero()) return {"all translations", "all rotations"};
   total += 1e-9 * total.trace() *
-           Gram::Identity();  // held nodes on one line do not feel a turn about it
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Gram> solver(held, total);
+           Gram::Identity();  // fixed nodes on one line do not move when the body rotates about it
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Gram> solver(fixed, total);
   Eigen::MatrixXd freeMotions(0, 6);
   for (int k = 0; k < 6; ++k)
     if (solver.eigenvalues()[k] < kFree) {
@@ -131,12 +131,12 @@ void checkSolvable(const std::vector<Vector3d>& places, double size, int closedS
   if (!motions.empty()) {
     std::string list;
     for (const auto& name : motions) list += (list.empty() ? "" : "; ") + name;
-    throw SolverError(SolverError::Kind::kNotHeld,
-                      "the body is not held: its supports leave free: " + list +
+    throw SolverError(SolverError::Kind::kNotFixed,
+                      "the body is not fixed: its supports leave free: " + list +
                           ". Add a fixed support, or rollers in other directions");
   }
-  // The normal field of a cavity alone solves the homogeneous equations at nu = 0.5: near it, the
-  // pressure in the cavity is lost in discretisation errors (a hollow sphere: 4 % at 0.3, 44 % at
+  // The normal field on a cavity solves the homogeneous equations at nu = 0.5, so near 0.5
+  // discretisation errors exceed the pressure in the cavity (a hollow sphere: 4 % at 0.3, 44 % at
   // 0.49, n = 500 to 800).
   constexpr double kCavityLimit = 0.47;
   if (material.poissonRatio > kCavityLimit && closedSurfaces > 1)
@@ -150,7 +150,7 @@ void checkSolvable(const std::vector<Vector3d>& places, double size, int closedS
                    [](SlotCondition c) { return c == SlotCondition::kTraction; });
   if (heldEverywhere && !conditions.empty() && material.poissonRatio > 0.5 - 1e-6)
     throw SolverError(SolverError::Kind::kIncompressible,
-                      "the material is incompressible (Poisson's ratio 0.5) and the supports hold "
+                      "the material is incompressible (Poisson's ratio 0.5) and the supports fix "
                       "the whole surface, so the pressure inside is undetermined. Leave a part of "
                       "the surface free, or use a Poisson's ratio below 0.5");
 }

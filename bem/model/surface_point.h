@@ -4,12 +4,12 @@
 
 namespace palpa::bem {
 
-/// A point of the triangulated surface.
+/// Point of the triangulated surface.
 struct SurfacePoint {
   int triangle;
   Eigen::Vector3d weights;   ///< barycentric coordinates
   Eigen::Vector3d position;  ///< mm
-  double distance;           ///< mm, from the point that was asked about
+  double distance;           ///< mm, from the requested point
 };
 
 /// The point of one triangle nearest to `point`.

@@ -41,8 +41,8 @@ void visitQuadraturePoints(const BoundaryMesh& mesh, std::span<const int> triang
     double longest = 0;
     for (int k = 0; k < 3; ++k)
       longest = std::max(longest, (mesh.nodes[c[(k + 1) % 3]] - mesh.nodes[c[k]]).norm());
-    // The triangle is cut into cells^2 congruent ones; the cap keeps a wild feature length from
-    // hanging.
+    // The triangle is cut into cells^2 congruent cells; the limit bounds the time for tiny feature
+    // lengths.
     const int cells = static_cast<int>(std::clamp(std::ceil(longest / cellSize), 1.0, 64.0));
     const double weight = mesh.area(t) / (cells * cells);
     const auto visitCell = [&](double i, double j, double sign) {

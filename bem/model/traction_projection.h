@@ -10,11 +10,11 @@
 
 namespace palpa::bem {
 
-/// A given traction (MPa) at a surface point with unit outward normal.
+/// Traction (MPa) at a surface point with a unit outward normal.
 using TractionFunction =
     std::function<Eigen::Vector3d(const Eigen::Vector3d& point, const Eigen::Vector3d& normal)>;
 
-/// A load on a part of the surface, as tractions that the boundary elements can carry.
+/// Load on a part of the surface.
 struct SurfaceLoad {
   std::vector<int> triangles;  ///< where the function is integrated; zero elsewhere
   TractionFunction traction;
@@ -24,9 +24,9 @@ struct SurfaceLoad {
 };
 
 /// L2 projection of the load onto the piecewise linear tractions, 3 per slot: ∫ N_s (p - t) dΓ = 0
-/// for every slot. Keeps the net force and, because linear functions of position are in the space
-/// of each group, the net moment. Sampling at nodes keeps neither and was measured to cost a factor
-/// 5 to 15 in accuracy.
+/// for every slot. Preserves the net force and, because linear functions of position are in the
+/// space of each group, the net moment. Sampling at nodes preserves neither; measured errors are 5
+/// to 15 times larger.
 Eigen::VectorXd projectTraction(const BoundaryMesh& mesh, const TractionSlots& slots,
                                 const SurfaceLoad& load);
 

@@ -15,13 +15,13 @@ namespace palpa::bem {
 
 class ContactSurface;
 
-/// How displacements and tractions on a body's surface are made of coefficients, and all that
-/// depends on it: the operators, and the results. Two kinds: linear functions on triangles
-/// (TriangleDiscretisation), whose coefficients are the values at nodes and slots, and splines on
-/// the patches of a solid (SplineDiscretisation).
+/// Representation of displacements and tractions on a body's surface by coefficients, and the
+/// results that depend on it. Two kinds: linear functions on triangles (TriangleDiscretisation),
+/// whose coefficients are the values at nodes and slots, and splines on the patches of a solid
+/// (SplineDiscretisation).
 ///
-/// Either has a triangle mesh: places on the surface are named by it, and results are shown on it.
-/// For splines it is the surface alone; how fine it is does not change what is computed.
+/// Both have a triangle mesh, which names surface points and shows results. For splines the mesh
+/// represents the surface only; its edge length does not change the results.
 ///
 /// Immutable; const use from several threads is safe.
 class Discretisation {
@@ -29,19 +29,19 @@ class Discretisation {
   virtual ~Discretisation() = default;
 
   const BoundaryMesh& mesh() const { return mesh_; }
-  /// Of the mesh: sides of its nodes.
+  /// Slots of the mesh: one per node and adjacent face.
   const TractionSlots& meshSlots() const { return meshSlots_; }
 
   /// The coefficients: one displacement coefficient per "node" of these slots, one traction
   /// coefficient per slot.
   virtual const TractionSlots& slots() const = 0;
-  /// Where each displacement coefficient weighs most, mm.
+  /// Position at which each displacement coefficient has the most weight, mm.
   virtual const std::vector<Eigen::Vector3d>& places() const = 0;
   /// Weights of the displacement coefficients at places: one row each.
   using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-  /// Those of the displacements at places(): the identity for triangles.
+  /// Weights of the displacements at places(): the identity for triangles.
   virtual Weights placeWeights() const = 0;
-  /// Elements that coefficients are integrated over: triangles, or elements of splines.
+  /// Number of elements of integration: triangles, or elements of splines.
   virtual int elementCount() const = 0;
 
   int displacementCount() const { return static_cast<int>(places().size()); }
@@ -51,7 +51,7 @@ class Discretisation {
   /// See bem::checkSolvable().
   virtual void checkSolvable(const std::vector<SlotCondition>& conditions,
                              const Material& material) const = 0;
-  /// All that the operators depend on, for a hash.
+  /// Writes everything that the operators depend on, for a hash.
   virtual void write(const ByteSink& sink) const = 0;
 
   /// Values at the nodes and slots of the mesh of a field in coefficients.
@@ -59,12 +59,12 @@ class Discretisation {
   /// Weights of the displacement coefficients at any places.
   virtual Weights displacementWeights(std::span<const SurfacePoint> places) const = 0;
 
-  /// ∫ of the function of a displacement coefficient, mm^2: the force per unit of its traction.
+  /// Integral of the function of a displacement coefficient, mm^2: the force per unit of traction.
   virtual double area(int coefficient) const = 0;
-  /// Of the traction coefficients `p` over some elements, on the body.
+  /// Force and moment of the traction coefficients `p` of some elements on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
-  /// Strain energy 1/2 ∫ p.u dΓ, mJ. ContactSurface has it, too, for triangles twenty times as
-  /// fast.
+  /// Strain energy 1/2 ∫ p.u dΓ, mJ. For triangles ContactSurface::strainEnergy() is twenty times
+  /// as fast.
   virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const = 0;
   /// Cauchy stress at the slots of the mesh, MPa.
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
@@ -73,22 +73,22 @@ class Discretisation {
   /// Σ N_j u_j at a place, mm.
   virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
                                       const Eigen::VectorXd& u) const = 0;
-  /// As accurately as it is known, mm: one more iterate.
+  /// Most accurate displacement at a place, mm: one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                          const Eigen::VectorXd& p,
                                          const Material& material) const = 0;
   virtual Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const = 0;
-  /// How far the displacement at a place misses the boundary integral equation there, mm: what one
-  /// more iterate would change it by. The residual between the collocation points, where it is not
-  /// zero by construction, so an estimate of the error of u.
+  /// Defect of the displacement in the boundary integral equation at a place, mm: the change by one
+  /// more iterate. Zero at collocation points by construction; between them an estimate of the
+  /// error of u.
   virtual Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
                                              const Eigen::VectorXd& p,
                                              const Material& material) const = 0;
-  /// Estimated error of a field that solves a problem of this discretisation, exact less computed,
-  /// as far as functions can carry it: the unknowns that the residual between the collocation
-  /// points calls for. With displacementDefect(), which tells what varies within elements, an
-  /// estimate of the whole error, also of the soft modes of slender bodies (bending), which leave
-  /// almost no residual. A column per state. Zero for triangles. Throws Cancelled.
+  /// Estimated error (exact minus computed) of a field that solves a problem of this
+  /// discretisation: the part that the functions can represent, computed from the residual between
+  /// the collocation points. displacementDefect() adds the part that varies within elements.
+  /// Includes the soft modes of slender bodies (bending), which have almost no residual. One column
+  /// per state. Zero for triangles. Throws Cancelled.
   virtual BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
                                        const Material& material, const Job& job) const = 0;
   /// Empty for a point outside of the body.
@@ -97,7 +97,7 @@ class Discretisation {
                                                      const Material& material,
                                                      const Eigen::Vector3d& point) const = 0;
 
-  /// What contacts need to know of the surface; this and `dofs` must outlive it.
+  /// The surface for contacts; this object and `dofs` must outlive it.
   virtual std::unique_ptr<ContactSurface> makeContactSurface(
       const DegreesOfFreedom& dofs) const = 0;
 

@@ -19,8 +19,9 @@ GreensColumns::GreensColumns(std::shared_ptr<const ReferenceProblem> problem)
   try {
     columns_ = LargeMatrix<float>(rows_, 3 * static_cast<Eigen::Index>(nodes_.size()));
   } catch (const std::bad_alloc&) {
-    throw SolverError(SolverError::Kind::kTooLarge,
-                      "there is no memory for the Green's function; take a larger edge length");
+    throw SolverError(
+        SolverError::Kind::kTooLarge,
+        "there is too little memory for the Green's function; choose a larger edge length");
   }
 }
 
@@ -42,7 +43,7 @@ void GreensColumns::compute(std::span<const int> nodes, const Job& job,
     job.throwIfCancelled();
     const std::size_t last = std::min(missing.size(), first + kBlock);
     dofs.clear();
-    // BLAS treats the columns at the end of a block otherwise when their number is odd.
+    // BLAS treats the last columns of a block differently if their number is odd.
     for (std::size_t k = first; k < first + kBlock; ++k)
       for (int axis = 0; axis < 3; ++axis)
         dofs.push_back(3 * missing[std::min(k, last - 1)] + axis);
@@ -54,7 +55,8 @@ void GreensColumns::compute(std::span<const int> nodes, const Job& job,
       if (isReady_[index].exchange(1, std::memory_order_release) == 0)
         readyCount_.fetch_add(1, std::memory_order_release);
     }
-    job.report("Green's function", static_cast<double>(last) / static_cast<double>(missing.size()));
+    job.report(Phase::kGreensFunction,
+               static_cast<double>(last) / static_cast<double>(missing.size()));
   }
 }
 

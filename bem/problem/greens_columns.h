@@ -10,24 +10,24 @@
 
 namespace palpa::bem {
 
-/// The columns of Xi that belong to free nodes (displacement coefficients), filled in while they
-/// are already used: one writer at a time computes blocks of columns, any number of readers use
-/// those that are there. In single precision (unrefined: about 1e-5 relative). Memory: 12 n rows()
-/// bytes, n the free nodes, reserved at once but taken from the system only as columns come.
+/// Columns of Xi of free nodes (displacement coefficients), computed while others are in use: one
+/// writer at a time computes blocks of columns, any number of readers use the available ones.
+/// Single precision (unrefined: about 1e-5 relative). Memory: 12 n rows() bytes for n free nodes,
+/// reserved at once but taken from the system only when columns are computed.
 class GreensColumns {
  public:
-  /// Throws SolverError (kTooLarge) when the memory cannot be reserved.
+  /// Throws SolverError (kTooLarge) if the memory cannot be reserved.
   explicit GreensColumns(std::shared_ptr<const ReferenceProblem> problem);
 
   const ReferenceProblem& problem() const { return *problem_; }
 
-  /// Are the three columns of a node there? Always false for a node that is not free.
+  /// True if the three columns of a node are available; always false for a node that is not free.
   bool has(int node) const {
     return indexOfNode_[node] >= 0 &&
            isReady_[indexOfNode_[node]].load(std::memory_order_acquire) != 0;
   }
   bool hasAll(std::span<const int> nodes) const;
-  /// Free nodes whose columns are there.
+  /// Number of free nodes with available columns.
   int readyCount() const { return readyCount_.load(std::memory_order_acquire); }
   int nodeCount() const { return static_cast<int>(nodes_.size()); }
   bool isComplete() const { return readyCount() == nodeCount(); }
@@ -39,24 +39,24 @@ class GreensColumns {
   }
   Eigen::Index rows() const { return rows_; }
 
-  /// Computes the missing ones of these nodes' columns, in blocks; nodes that are not free are
-  /// skipped. Other threads may read meanwhile; only one may compute. Throws Cancelled and keeps
-  /// what it had. Blocks have the same size always (filled up with what is there already), so that
-  /// a column does not depend on those it was computed with.
+  /// Computes the missing columns of these nodes in blocks; skips nodes that are not free. Other
+  /// threads may read meanwhile; only one may compute. Throws Cancelled and keeps the finished
+  /// blocks. All blocks have the same size (the last node is repeated), so that a column does not
+  /// depend on the other columns of its block.
   void compute(std::span<const int> nodes, const Job& job,
                ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFast);
 
-  /// The free nodes in the order in which they had best be computed when the hand is at a point:
-  /// nearest first. `places`: of all nodes (ContactSurface::places()).
+  /// The free nodes ordered by their distance from a point, nearest first: the order of computation
+  /// for a touch there. `places`: of all nodes (ContactSurface::places()).
   std::vector<int> nodesNear(const std::vector<Eigen::Vector3d>& places,
                              const Eigen::Vector3d& point) const;
 
   std::size_t bytes() const { return columns_.bytes(); }
-  /// Of one block.
+  /// Memory that compute() needs for a block.
   double blockBytes() const { return 3.0 * kBlock * static_cast<double>(rows_) * sizeof(float); }
 
-  /// From now on columns are computed by another problem that has the same operators and degrees of
-  /// freedom: one that was built anew from the same mesh. Not while another thread computes.
+  /// Computes further columns with another problem that has the same operators and degrees of
+  /// freedom: a full rebuild from the same mesh. Not while another thread computes.
   void continueWith(std::shared_ptr<const ReferenceProblem> same) { problem_ = std::move(same); }
 
   /// Nodes per block of compute(): enough for the solver to be efficient, few enough to stop soon.

@@ -7,6 +7,7 @@
 
 namespace palpa::bem {
 
+/// Accuracy of the operators.
 struct AssemblyOptions {
   /// Relative error allowed in the integrals over one element, measured against the norm of their
   /// 3 x 3 block. Supported range [1e-9, 1e-3].
@@ -29,6 +30,7 @@ struct ProblemInputs {
   Precision precision = Precision::kAutomatic;
 };
 
+/// Durations of the stages of makeDenseReferenceProblem().
 struct ReferenceProblemTimes {
   double assemble = 0;   ///< s
   double factorise = 0;  ///< s

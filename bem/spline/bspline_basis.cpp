@@ -10,8 +10,8 @@ namespace {
 
 using Values = std::array<double, kMaxSplineDegree + 1>;
 
-/// Cox and de Boor's recursion (de Boor, A Practical Guide to Splines, 1978, chapter X) in the span
-/// that begins at knots[index].
+/// Basis functions at t by the recursion of Cox and de Boor (de Boor, A Practical Guide to Splines,
+/// 1978, chapter X) in the span that begins at knots[index].
 Values coxDeBoor(const std::vector<double>& knots, int degree, int index, double t) {
   Values value{1.0};
   for (int p = 1; p <= degree; ++p) {
@@ -38,7 +38,7 @@ BsplineBasis::BsplineBasis(int degree, std::vector<double> knots)
     if (knots_[k] < knots_[k + 1]) spans_.push_back({knots_[k], knots_[k + 1], k - degree});
   if (spans_.empty()) throw std::invalid_argument("BsplineBasis: the knots do not increase");
 
-  // Interpolation of the recursion's values gives the polynomials.
+  // Interpolating the values of the recursion yields the polynomials.
   Eigen::MatrixXd powers(size, size);
   Eigen::VectorXd nodes(size);
   for (int k = 0; k < size; ++k) {

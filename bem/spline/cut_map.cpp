@@ -39,7 +39,7 @@ CutMap::Value CutMap::evaluate(const Values& polynomial, double x) {
 }
 
 CutMap::Image CutMap::at(double s, double t) const {
-  // `along` the interval, `across` between the graphs.
+  // `along` runs along the interval, `across` between the graphs.
   const double along = axis_ == 0 ? s : t, across = axis_ == 0 ? t : s;
   const Value low = evaluate(lower_, 2 * along - 1), high = evaluate(upper_, 2 * along - 1);
   const double height = high.value - low.value;

@@ -8,41 +8,43 @@
 
 namespace palpa::bem {
 
-/// A part of a knot rectangle that a curve bounds: in (u, v), or (v, u), the points between two
-/// graphs over an interval. Local coordinates (s, t) run over the unit square and keep the
+/// Map from the unit square onto a part of a knot rectangle bounded by a curve: in (u, v), or in
+/// (v, u), the points between two graphs over an interval. The local coordinates (s, t) have the
 /// orientation of (u, v).
 class CutMap {
  public:
   static constexpr int kPoints = 9;
   using Values = std::array<double, kPoints>;
-  /// Where the graphs are to be given: from -1 to 1 (Chebyshev-Lobatto).
+  /// Node k = 0 … kPoints - 1 at which the graphs are given: from -1 to 1 (Chebyshev-Lobatto).
   static double node(int k);
 
-  /// Graphs over u (axis 0) or v (axis 1) from `begin` to `end`, by their values at the nodes.
+  /// Part between two graphs over u (axis 0) or over v (axis 1), from `begin` to `end`. `lower` and
+  /// `upper` are the values of the graphs at the nodes.
   CutMap(int axis, double begin, double end, const Values& lower, const Values& upper);
 
   bool operator==(const CutMap&) const = default;
 
   struct Image {
     Eigen::Vector2d parameters;  ///< (u, v)
-    Eigen::Matrix2d derivative;  ///< of (u, v) by (s, t); positive determinant
+    Eigen::Matrix2d derivative;  ///< of (u, v) with respect to (s, t); determinant > 0
   };
   Image at(double s, double t) const;
-  /// Local coordinates of (u, v), none outside of the part (beyond `slack` of the unit square).
+  /// Local coordinates of (u, v); none if the point lies outside the part by more than `slack` of
+  /// the unit square.
   std::optional<Eigen::Vector2d> invert(double u, double v, double slack) const;
 
-  /// All of it, byte by byte, for a hash.
+  /// Writes all data byte by byte, for a hash.
   void write(const ByteSink& sink) const;
 
  private:
   struct Value {
-    double value, slope;  ///< by the coordinate from -1 to 1
+    double value, slope;  ///< with respect to the coordinate from -1 to 1
   };
   static Value evaluate(const Values& polynomial, double x);
 
   int axis_;
   double begin_, end_;
-  Values lower_, upper_;  ///< polynomials, by powers
+  Values lower_, upper_;  ///< polynomial coefficients, by power
 };
 
 }  // namespace palpa::bem

@@ -8,8 +8,8 @@
 namespace palpa::bem {
 namespace {
 
-/// Golub and Welsch, Math. Comp. 23 (1969) 221-230: the points are the eigenvalues of the Jacobi
-/// matrix of Legendre's polynomials.
+/// Gauss rule by Golub and Welsch, Math. Comp. 23 (1969) 221-230: the points are the eigenvalues of
+/// the Jacobi matrix of the Legendre polynomials.
 GaussRule makeRule(int count) {
   Eigen::VectorXd beside(std::max(count - 1, 1));
   for (int k = 1; k < count; ++k) beside[k - 1] = k / std::sqrt(4.0 * k * k - 1);

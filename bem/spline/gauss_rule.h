@@ -11,7 +11,8 @@ struct GaussRule {
 
 inline constexpr int kMaxGaussPoints = 24;
 
-/// The rule with `count` (1 … 24) points, exact for polynomials of degree 2 count - 1; made once.
+/// Rule with `count` (1 … 24) points, exact for polynomials of degree 2 count - 1. Every rule is
+/// computed once. Throws std::out_of_range if `count` is out of range.
 const GaussRule& gaussRule(int count);
 
 }  // namespace palpa::bem

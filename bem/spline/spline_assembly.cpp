@@ -16,17 +16,18 @@ namespace {
 
 constexpr int kPointsPerTask = kSplineLanes;
 
-/// What a thread needs; used again from task to task.
+/// Memory of one thread, reused from task to task.
 struct Scratch {
   SplineRows::Sums sums;                                 ///< of one point
   std::array<std::vector<double>, kPointsPerTask> T, U;  ///< of the points of a task
 };
 
-/// Coefficients whose blocks are made at once, so that they stay in the nearest cache.
+/// Number of coefficients whose blocks are computed together, so that they stay in the nearest
+/// cache.
 constexpr std::size_t kCoefficientsAtOnce = 32;
 
-/// Copies the blocks that the sums of a task's points make to their rows of a matrix, which has
-/// columns for some of the coefficients.
+/// Computes the blocks of a task's points from their sums and copies them to their rows of a
+/// matrix, which has columns for the given coefficients.
 template <class Scalar>
 void copyRows(void (*makeBlocks)(const MakeBlocksTask&), const KelvinConstants& constants,
               const std::array<std::vector<double>, kPointsPerTask>& sums, std::ptrdiff_t begin,
@@ -48,7 +49,7 @@ void copyRows(void (*makeBlocks)(const MakeBlocksTask&), const KelvinConstants& 
           const double* from = blocks[j][3 * c + i];
           Scalar* to = matrix.data() + static_cast<std::ptrdiff_t>(3 * (first + j) + c) * rows +
                        i * pointCount + begin;
-          // A length known beforehand is copied without a call.
+          // A length known at compile time is copied without a function call.
           const auto cast = [](double value) { return static_cast<Scalar>(value); };
           if (isFull)
             std::transform(from, from + kPointsPerTask, to, cast);
@@ -58,17 +59,17 @@ void copyRows(void (*makeBlocks)(const MakeBlocksTask&), const KelvinConstants& 
   }
 }
 
-/// What the sums of points are taken over, and the columns that they go to.
+/// Elements over which the sums of points are taken, and the columns of the result.
 struct Columns {
   std::optional<std::span<const int>> elements;  ///< none: all
   std::span<const int> coefficients, slots;
 };
 
-/// Rows of points, [i * count + point].
+/// Rows of the points, ordered as [i * count + point].
 template <class Scalar>
 BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
                                  std::span<const SplineCollocationPoint> points,
-                                 std::string_view phase, const Job& job) {
+                                 std::optional<Phase> phase, const Job& job) {
   const auto m = static_cast<std::ptrdiff_t>(points.size());
   const auto triple = [](std::span<const int> some) {
     return 3 * static_cast<Eigen::Index>(some.size());
@@ -97,21 +98,21 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
   return result;
 }
 
-/// Points whose rows are held at once before they are added to those of equations: few enough for a
-/// few MiB, but with so many columns no fewer than keep all threads busy.
+/// Number of points whose rows are stored at once before they are added to the rows of equations:
+/// small enough for a few MiB, but for many columns at least large enough to keep all threads busy.
 std::size_t pointsAtOnce(Eigen::Index columns) {
   constexpr Eigen::Index kNumbers = 4'000'000, kMinRows = 128;
   return static_cast<std::size_t>(std::max(kNumbers / (3 * columns), kMinRows));
 }
 
-/// Consecutive points that weigh in the same equations, as all points of an element do.
+/// Consecutive points with nonzero weights in the same equations, such as all points of an element.
 struct PointGroup {
   Eigen::Index first, count;
   std::vector<Eigen::Index> equations;
   Eigen::MatrixXd weights;  ///< (equation, point)
 };
 
-/// Of the points first … first + count - 1; PointGroup::first counts from there.
+/// Groups of the points first … first + count - 1; PointGroup::first is relative to `first`.
 std::vector<PointGroup> groupsOf(const Eigen::SparseMatrix<double>& weights, Eigen::Index first,
                                  Eigen::Index count) {
   std::vector<PointGroup> groups;
@@ -137,7 +138,7 @@ std::vector<PointGroup> groupsOf(const Eigen::SparseMatrix<double>& weights, Eig
 
 constexpr Eigen::Index kColumnsPerTask = 64;
 
-/// Adds the rows of points, times their weights, to those of the equations, for some columns.
+/// Adds the weighted rows of points to the rows of the equations, for some columns.
 template <class Scalar>
 void addWeighted(const LargeMatrix<Scalar>& ofPoints, const std::vector<PointGroup>& groups,
                  Eigen::Index firstColumn, LargeMatrix<Scalar>& ofEquations) {
@@ -158,10 +159,10 @@ void addWeighted(const LargeMatrix<Scalar>& ofPoints, const std::vector<PointGro
   }
 }
 
-/// Rows of equations: weighted sums of those of their points.
+/// Rows of equations: weighted sums of the rows of their points.
 template <class Scalar>
 BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
-                                 const SplineEquations& equations, std::string_view phase,
+                                 const SplineEquations& equations, std::optional<Phase> phase,
                                  const Job& job) {
   const std::span points(equations.points);
   if (equations.isCollocation()) return rowsOf<Scalar>(rows, columns, points, phase, job);
@@ -178,7 +179,7 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
     const auto some = points.subspan(first, std::min(atOnce, points.size() - first));
     Job ofSome = job;
     if (job.progress)
-      ofSome.progress = [&](std::string_view name, double fraction) {
+      ofSome.progress = [&](Phase name, double fraction) {
         job.progress(
             name, (static_cast<double>(first) + fraction * static_cast<double>(some.size())) / all);
       };
@@ -186,7 +187,7 @@ BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
     const std::vector<PointGroup> groups =
         groupsOf(equations.weights, static_cast<Eigen::Index>(first),
                  static_cast<Eigen::Index>(some.size()));
-    parallelFor(tasksOf(result.H) + tasksOf(result.G), job, "", [&](std::ptrdiff_t task) {
+    parallelFor(tasksOf(result.H) + tasksOf(result.G), job, [&](std::ptrdiff_t task) {
       const Eigen::Index ofG = task - tasksOf(result.H);
       if (ofG < 0)
         addWeighted(ofPoints.H, groups, task * kColumnsPerTask, result.H);
@@ -208,7 +209,7 @@ BoundaryOperators<Scalar> allRows(const SplineSurface& surface, const SplineTrac
   std::vector<int> coefficients(surface.coefficientCount()), slots(tractions.slots.count());
   std::iota(coefficients.begin(), coefficients.end(), 0);
   std::iota(slots.begin(), slots.end(), 0);
-  return rowsOf<Scalar>(rows, {std::nullopt, coefficients, slots}, points, "assemble", job);
+  return rowsOf<Scalar>(rows, {std::nullopt, coefficients, slots}, points, Phase::kAssemble, job);
 }
 
 }  // namespace
@@ -236,7 +237,8 @@ BoundaryOperators<Scalar> assemblePart(const SplineSurface& surface,
   material.validate();
   const SplineQuadrature quadrature(surface, options.tolerance, job);
   const SplineRows rows(surface, tractions, material, quadrature);
-  return rowsOf<Scalar>(rows, {part.elements, part.coefficients, part.slots}, equations, "", job);
+  return rowsOf<Scalar>(rows, {part.elements, part.coefficients, part.slots}, equations,
+                        std::nullopt, job);
 }
 
 template BoundaryOperators<double> assemble(const SplineSurface&, const SplineTractions&,

@@ -2,8 +2,8 @@
 
 #include "bem/spline/spline_kernel.h"
 
-/// Components of Kelvin's blocks from the sums of their kernels (spline_kernel.h), for numbers and
-/// for batches of them.
+/// Components of Kelvin's blocks computed from the sums of their kernels (spline_kernel.h), for
+/// numbers and for batches of numbers.
 namespace palpa::bem::detail {
 
 inline constexpr int kPackedSum[3][3] = {{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};

@@ -15,9 +15,9 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
   return std::find(list.begin(), list.end(), coefficient) != list.end();
 }
 
-/// For a function whose Greville point lies on the other side of a border: its middle on the
-/// elements of its own side, weighted by its square, in the patch where it weighs most, of faces
-/// that meet sharply in the first.
+/// Places for a torn function whose Greville point lies on the other side of the border: the mean
+/// position on the elements that use the coefficient, weighted by the squared function, in the
+/// patch with the largest weight. Where faces meet at a sharp edge, the first face is used.
 std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
   int group = std::numeric_limits<int>::max();
   for (int e = 0; e < surface.elementCount(); ++e)
@@ -107,7 +107,7 @@ std::optional<SplineCollocationPoint> shiftedCollocation(const SplineSurface& su
         const auto& own = basis[d].spans()[element.span[d]];
         const double middle = (own.lower + own.upper) / 2, size = own.upper - own.lower;
         if (std::abs(std::abs(parameter[d] - middle) - size / 2) > 1e-9 * size) continue;
-        // Only off borders across which the part ends.
+        // Shift only away from borders at which the part ends.
         std::array<int, 2> span = element.span;
         const int step = parameter[d] < middle ? -1 : 1;
         span[d] += step;

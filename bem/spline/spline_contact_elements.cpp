@@ -15,21 +15,22 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Gauss points of an element per narrowest radius: bumps are integrated to about 1e-3, and as
-/// smoothly as they are (once differentiable) wherever they slide.
+/// Gauss points of an element per narrowest radius: the integrals of bumps have errors of about
+/// 1e-3 and are as smooth as the bumps (once differentiable) when these slide.
 constexpr double kPointsPerRadius = 10;
-/// Of the part of a polynomial that is not constant, over the whole knot rectangle, where only a
-/// piece of it is to be approximated: polynomials that are small on the piece are large elsewhere.
+/// Weight of the non-constant part of a polynomial over the whole knot rectangle, used where only a
+/// piece of the rectangle is approximated: polynomials that are small on the piece are large
+/// elsewhere.
 constexpr double kSmoothing = 1e-3;
 
 /// Values at the points of a rule on an element: rows are points.
 struct Points {
   Eigen::MatrixX3d positions;
   VectorXd weights;  ///< mm^2
-  MatrixXd basis;    ///< [point][function of the list, those with the same coefficient summed]
+  MatrixXd basis;  ///< [point][function of the list; functions with equal coefficients are summed]
 };
 
-/// `list`: the distinct coefficients, `indices`: of each function of the element in it.
+/// `list`: the distinct coefficients of the element; `indices`: the index of each function in it.
 Points pointsOf(const SplineSurface& surface, int index, const std::array<int, 2>& counts,
                 Index size, const std::vector<int>& indices) {
   const SplineElement& element = surface.elements()[index];
@@ -53,14 +54,14 @@ Points pointsOf(const SplineSurface& surface, int index, const std::array<int, 2
   return result;
 }
 
-/// ∫ (f - mean f)^2 dΓ over the knot rectangle of a cut element as a matrix.
+/// Matrix of ∫ (f - mean f)^2 dΓ over the knot rectangle of a cut element.
 MatrixXd variance(const SplineSurface& surface, int index, Index size,
                   const std::vector<int>& indices) {
   const SplineElement& element = surface.elements()[index];
   const SplinePatch& patch = surface.patches()[element.patch];
   const auto& spanU = patch.basis[0].spans()[element.span[0]];
   const auto& spanV = patch.basis[1].spans()[element.span[1]];
-  // The area per unit of the parameters hardly varies within it; only its size matters here.
+  // The area per unit of the parameters hardly varies within the rectangle; only its size matters.
   const SplineJet jet = surface.evaluate({index, 0.5, 0.5});
   const double scale =
       jet.areaVector().norm() / surface.parameters({index, 0.5, 0.5}).derivative.determinant();
@@ -108,12 +109,11 @@ SplineContactElements::SplineContactElements(const SplineSurface& surface,
     : elements_(surface.elements().size()), around_(surface.controlPoints().size()) {
   connectCells(surface);
   constexpr int kElementsPerTask = 8;
-  parallelFor((count() + kElementsPerTask - 1) / kElementsPerTask, {}, "",
-              [&](std::ptrdiff_t task) {
-                const auto begin = static_cast<int>(task) * kElementsPerTask;
-                for (int e = begin; e < std::min(count(), begin + kElementsPerTask); ++e)
-                  fill(surface, tractions, e, narrowest);
-              });
+  parallelFor((count() + kElementsPerTask - 1) / kElementsPerTask, {}, [&](std::ptrdiff_t task) {
+    const auto begin = static_cast<int>(task) * kElementsPerTask;
+    for (int e = begin; e < std::min(count(), begin + kElementsPerTask); ++e)
+      fill(surface, tractions, e, narrowest);
+  });
   VectorXd integrals = VectorXd::Zero(surface.coefficientCount());
   for (int e = 0; e < count(); ++e) {
     const Element& element = elements_[e];
@@ -152,7 +152,7 @@ void SplineContactElements::fill(const SplineSurface& surface, const SplineTract
     const int degree = patch.basis[d].degree();
     forBumps[d] = static_cast<int>(std::clamp(std::ceil(kPointsPerRadius * length[d] / finest),
                                               degree + 3.0, 1.0 * kMaxGaussPoints));
-    forMeans[d] = (degree + 4) / 2;  // exact for a quadratic function times one of the splines
+    forMeans[d] = (degree + 4) / 2;  // exact for a quadratic function times a spline
   }
   const Points bumps = pointsOf(surface, index, forBumps, size, indices);
   const MatrixXd weighted = bumps.weights.asDiagonal() * bumps.basis;
@@ -170,8 +170,8 @@ void SplineContactElements::fill(const SplineSurface& surface, const SplineTract
   element.weightedBasis = means.weights.asDiagonal() * means.basis;
 }
 
-/// Cells of a patch meet where their spans do, those of different patches where a side has the same
-/// control points.
+/// Connects cells: cells of one patch meet where their spans do; cells of different patches meet if
+/// their sides have the same control points.
 void SplineContactElements::connectCells(const SplineSurface& surface) {
   cellOf_.resize(surface.elements().size());
   std::map<std::vector<int>, std::vector<std::pair<int, int>>> atBorder;  // (cell, side)

@@ -3,7 +3,7 @@
 #include "bem/spline/spline_contact_surface.h"
 #include "bem/triangle/contact_foot.h"
 
-// Where the points of a spline surface are: what SplineContactSurface knows of geometry.
+// Geometry of SplineContactSurface: surface points, feet and normals.
 
 namespace palpa::bem {
 namespace {
@@ -12,8 +12,8 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// What masks of a lattice overlap by, radius over spacing: so they are never narrower than the
-/// splines can carry.
+/// Overlap of the masks of a lattice, radius over spacing: the masks are never narrower than the
+/// splines can represent.
 constexpr double kOverlap = 1.7;
 constexpr double kSingular = 1e-6;
 
@@ -24,7 +24,7 @@ struct Basis1d {
     const double s = (parameter - span.lower) * span.scale - 1;
     const int size = span.degree + 1;
     for (int f = 0; f < size; ++f) {
-      double v = 0, first = 0, second = 0;  // the last one half of the second derivative
+      double v = 0, first = 0, second = 0;  // `second` is half of the second derivative
       for (int m = span.degree; m >= 0; --m) {
         second = second * s + first;
         first = first * s + v;
@@ -42,7 +42,7 @@ struct Jet2 {
            uu = Vector3d::Zero(), uv = Vector3d::Zero(), vv = Vector3d::Zero();
 };
 
-/// By parameters of the patch.
+/// Position and derivatives with respect to the patch parameters.
 Jet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) {
   const SplineElement& element = surface.elements()[at.element];
   const auto& basis = surface.patches()[element.patch].basis;
@@ -63,8 +63,8 @@ Jet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) {
   return jet;
 }
 
-/// Newton's step towards (tool - x) . x_u = (tool - x) . x_v = 0; where the tool is beyond the
-/// centre of curvature, without what depends on curvature.
+/// Newton step towards (tool - x) . x_u = (tool - x) . x_v = 0. If the tool lies beyond the centre
+/// of curvature, the step omits the curvature terms.
 Vector2d stepToFoot(const Jet2& jet, const Vector3d& tool) {
   const Vector3d off = tool - jet.position;
   const Vector2d right(off.dot(jet.u), off.dot(jet.v));
@@ -99,7 +99,7 @@ SurfacePoint SplineContactSurface::foot(const Vector3d& tool, const SurfacePoint
   const BoundaryMesh& triangles = mesh();
   SurfacePoint onMesh = start;
   onMesh.position = triangles.point(start.triangle, start.weights);
-  // No step is longer than the narrowest mask: more than the nearest point of the mesh can be off.
+  // Steps are limited to the narrowest mask, which exceeds the error of the nearest mesh point.
   onMesh =
       walkToFoot(triangles, tree(), onMesh, narrowestMask(start), [&](const SurfacePoint& from) {
         const Jet2 jet = evaluate(mesh_.surface(), mesh_.at(from));
@@ -114,7 +114,7 @@ SurfacePoint SplineContactSurface::foot(const Vector3d& tool, const SurfacePoint
 }
 
 Vector3d SplineContactSurface::normal(const SurfacePoint& point) const {
-  // A little inside the triangle where the derivatives are parallel.
+  // Slightly inside the triangle where the derivatives are parallel.
   for (const double inwards : {0.0, 1e-3, 1e-2}) {
     const Vector3d weights = (1 - inwards) * point.weights + Vector3d::Constant(inwards / 3);
     const Jet2 jet = evaluate(mesh_.surface(), mesh_.at(point.triangle, weights));

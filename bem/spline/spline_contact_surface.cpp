@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Where less than this part of the bump falls on free coefficients, a support holds the place.
+/// If a smaller part of the bump lies on free coefficients, the place counts as fixed by a support.
 constexpr double kMinPart = 0.02;
 
 }  // namespace
@@ -52,7 +52,7 @@ SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const Degrees
       elements_(mesh.surface(), mesh.tractions(), widths_.ofFunctions()) {
   for (const SplineCollocationPoint& point : grevilleCollocation(mesh.surface()))
     places_.push_back(point.position);
-  coefficientAt_.assign(mesh.mesh().nodes.size(), -2);  // -2: not seen yet
+  coefficientAt_.assign(mesh.mesh().nodes.size(), -2);  // -2: not visited yet
   std::vector<double> basis;
   for (int t = 0; t < mesh.mesh().triangleCount(); ++t)
     for (int corner = 0; corner < 3; ++corner) {
@@ -61,7 +61,7 @@ SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const Degrees
       const SplineMesh::Point at = mesh.at(t, Vector3d::Unit(corner));
       mesh.surface().evaluateBasis(at.element, at.parameters, basis);
       const std::vector<int>& functions = mesh.surface().functions(at.element);
-      double most = 1e-6;  // what is less is rounding
+      double most = 1e-6;  // smaller values are rounding errors
       int best = -1;
       for (std::size_t f = 0; f < basis.size(); ++f) {
         if (basis[f] <= most || !dofs.isFree(functions[f])) continue;
@@ -107,9 +107,9 @@ bool SplineContactSurface::makeMask(const SurfacePoint& point, double radius,
   return false;
 }
 
-/// The coefficients of the bump (1 - (ρ/radius)^2)^2 on the elements that reach into the ball and
-/// hang together with the touched one: the far side of a thin body must not be touched as well.
-/// What would fall on held coefficients is left out. Returns the integral of the bump.
+/// Computes the coefficients of the bump (1 - (ρ/radius)^2)^2 on the elements that reach into the
+/// ball and are connected with the touched element: the far side of a thin body must stay
+/// untouched. The part on fixed coefficients is omitted. Returns the integral of the bump.
 double SplineContactSurface::project(const Vector3d& middle, double radius, Workspace& work,
                                      ContactMask& mask) const {
   const double inverse = 1.0 / (radius * radius);
@@ -151,7 +151,7 @@ double SplineContactSurface::project(const Vector3d& middle, double radius, Work
   return integral;
 }
 
-/// ∫ Φ N_j dΓ, and points for other means; returns ∫ Φ dΓ.
+/// Computes ∫ Φ N_j dΓ, and points for other means; returns ∫ Φ dΓ.
 double SplineContactSurface::measure(Workspace& work, ContactMask& mask) const {
   work.around_.clear();
   for (const int node : mask.nodes)

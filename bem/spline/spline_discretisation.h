@@ -8,11 +8,12 @@
 
 namespace palpa::bem {
 
-/// Splines on the patches of a solid. Elements are those of the spline surface.
+/// Discretisation with splines on the patches of a solid. Its elements are the elements of the
+/// spline surface.
 class SplineDiscretisation final : public Discretisation {
  public:
-  /// `triangles`: the place on the patches of each triangle of the mesh. Equal tags of triangles
-  /// and elements mean the same part of the surface.
+  /// `triangles`: one per triangle of the mesh, its position on the patches. Equal tags of
+  /// triangles and elements denote the same part of the surface.
   SplineDiscretisation(BoundaryMesh mesh, SplineSurface surface,
                        std::vector<SplineMesh::Triangle> triangles);
   SplineDiscretisation(const SplineDiscretisation&) = delete;

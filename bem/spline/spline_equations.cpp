@@ -9,12 +9,12 @@
 namespace palpa::bem {
 namespace {
 
-/// Gauss points per direction on the pieces of a cut element: with 3, pieces carried fewer points
+/// Gauss points per direction on the pieces of a cut element. With 3, pieces carried fewer points
 /// than they have functions, and small nets became singular.
 constexpr int kPointsOfPiece = 4;
 
-/// Whole elements share most of their functions with their neighbours: as many points per direction
-/// as there are functions per element, but no fewer than 2.
+/// Points per direction on a whole element, which shares most of its functions with its neighbours:
+/// as many as there are functions per element, but at least 2.
 int pointsPerDirection(const SplineSurface& surface, int index) {
   const SplineElement& element = surface.elements()[index];
   if (surface.elementsAt(element.patch, element.span[0], element.span[1]).size() > 1)
@@ -62,7 +62,7 @@ class Builder {
  private:
   using Weight = Eigen::Triplet<double>;
 
-  /// The equation that function f of an element belongs to there.
+  /// Equation that contains function f of an element.
   int equationOf(int element, std::size_t f) const {
     const int extra = ofExtraSlot_[tractions_.ofFunction[element][f]];
     return extra >= 0 ? extra : surface_.functions(element)[f];
@@ -73,7 +73,7 @@ class Builder {
     equations_.points.push_back(std::move(point));
   }
 
-  /// Adds an element's share of ∫ N_k r dΓ to the equations that are averages.
+  /// Adds an element's share of ∫ N_k r dΓ to the averaged equations.
   void average(int element) {
     const std::size_t functions = surface_.functions(element).size();
     bool isAsked = false;
@@ -104,7 +104,7 @@ class Builder {
   const SplineSurface& surface_;
   const SplineTractions& tractions_;
   int count_;
-  std::vector<int> ofExtraSlot_;  ///< its equation, -1 for other slots
+  std::vector<int> ofExtraSlot_;  ///< equation of the slot; -1 for other slots
   std::vector<bool> isAveraged_;  ///< by equation
   std::vector<Weight> weights_;
   std::vector<double> basis_;

@@ -19,7 +19,7 @@ constexpr int kPoints = 6;  // per direction: exact for products of two function
 Eigen::VectorXd gluedCoefficients(const SplineSurface& surface, const Eigen::VectorXd& u) {
   int netSize = surface.coefficientCount();
   std::vector<int> unknownOf(static_cast<std::size_t>(netSize),
-                             -1);  // of control points of the net
+                             -1);  // per control point of the net
   int count = 0;
   for (int k = 0; k < surface.coefficientCount(); ++k) {
     const int origin = surface.tornFrom(k);
@@ -44,7 +44,7 @@ Eigen::VectorXd gluedCoefficients(const SplineSurface& surface, const Eigen::Vec
                     [&](const SplinePlace& place, const SplineJet&, double weight) {
                       surface.evaluateBasis(place, basis);
                       const std::vector<int>& functions = surface.functions(place.element);
-                      Vector3d torn = Vector3d::Zero();  // their part of the displacement
+                      Vector3d torn = Vector3d::Zero();  // displacement by the torn functions
                       for (std::size_t f = 0; f < basis.size(); ++f)
                         if (unknownOf[surface.tornFrom(functions[f])] >= 0)
                           torn += basis[f] * u.segment<3>(3 * functions[f]);

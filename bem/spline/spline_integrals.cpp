@@ -18,7 +18,7 @@ struct Workspace {
   SplinePoints points;
 };
 
-/// The coefficients of an element's functions as columns.
+/// Copies the coefficients of an element's functions into columns.
 void gather(const Eigen::VectorXd& from, const std::vector<int>& list, Matrix3Xd& to) {
   to.resize(3, static_cast<Index>(list.size()));
   for (std::size_t f = 0; f < list.size(); ++f)
@@ -37,7 +37,7 @@ SplineIntegrals::SplineIntegrals(const SplineSurface& surface, const SplineTract
   const std::ptrdiff_t count = surface.elementCount();
   const SplinePlacement placement(surface);
   ScratchPool<Workspace> pool([] { return Workspace{}; });
-  parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, "", [&](std::ptrdiff_t task) {
+  parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, [&](std::ptrdiff_t task) {
     Workspace work = pool.take();
     for (auto e = static_cast<int>(task * kElementsPerTask);
          e < std::min(count, (task + 1) * kElementsPerTask); ++e) {

@@ -4,12 +4,12 @@
 
 #include "bem/spline/bspline_basis.h"
 
-/// The inner loops of the spline discretisation, compiled once per instruction set: placing
-/// quadrature points on an element, summing Kelvin's kernels over them, adding the sums to those of
-/// the whole surface, and making the blocks of the operators from them.
+/// Inner loops of the spline discretisation, compiled once per instruction set: placing quadrature
+/// points on an element, summing Kelvin's kernels over them, adding the sums of an element to the
+/// sums of the whole surface, and computing the blocks of the operators from the sums.
 namespace palpa::bem {
 
-/// Points and functions come in multiples of this; what is added to fill up has weight zero.
+/// Points and functions are padded to multiples of this number; padding has weight zero.
 inline constexpr int kSplineLanes = 8;
 constexpr int roundUpToLanes(int count) {
   return (count + kSplineLanes - 1) / kSplineLanes * kSplineLanes;
@@ -20,21 +20,22 @@ inline constexpr int kMaxElementFunctions = (kMaxSplineDegree + 1) * (kMaxSpline
 struct PlacePointsTask {
   SpanPolynomials direction[2];
   const double* points;  ///< control points of the element's functions, 3 each, mm
-  int count;             ///< of quadrature points, a multiple of kSplineLanes
+  int count;             ///< number of quadrature points, a multiple of kSplineLanes
   const double *u, *v;   ///< their parameters
-  const double* weight;  ///< their weights in the plane of the parameters
+  const double* weight;  ///< their weights in the parameter plane
   // Results:
   double* geometry;  ///< [kPointValues][count], see SplinePoints
-  /// Products of the functions, [point][functionStride], what is beyond them stays; null: not
-  /// wanted.
+  /// Products of the functions, [point][functionStride]; entries beyond the last function keep
+  /// their values. Null if not needed.
   double* basis;
   int functionStride;  ///< a multiple of kSplineLanes
 };
 
-/// Position (mm), outward area vector times weight (mm^2), and the length of that.
+/// Values per point: position (mm), outward area vector times weight (mm^2), and the length of this
+/// vector.
 inline constexpr int kPointValues = 7;
 
-/// Values of the functions of a span: values[point][function].
+/// Tabulates the functions of a span: values[point][function].
 struct TabulateTask {
   SpanPolynomials polynomials;
   const double* points;  ///< parameters
@@ -42,33 +43,35 @@ struct TabulateTask {
   double* values;
 };
 
-/// Sums of Kelvin's kernels at one collocation point, before the constants of the material. With
-/// r = y - x, for one function N:
+/// Sums of Kelvin's kernels at one collocation point, without the material constants. With r = y -
+/// x, R = |r| and one function N:
 ///   0 … 5:   ∫ N r r / R^3, in the order 00, 01, 11, 02, 12, 22
 ///   6 … 11:  ∫ N (r.n) r r / R^5, in the same order
 ///   12 … 14: ∫ N r × n / R^3
 inline constexpr int kKernelSums = 15, kKernelSumsU = 6, kKernelSumsT = 9;
 inline constexpr int kKernelStride = 16;
 struct alignas(64) KernelSums {
-  double of[kKernelStride];  ///< the last one means nothing
+  double of[kKernelStride];  ///< the last entry is unused
 };
 
+/// Sums Kelvin's kernels times the functions over the quadrature points of one element.
 struct SumKernelsTask {
   const double* x;  ///< collocation point, 3 coordinates in mm; not one of the quadrature points
-  int used;         ///< quadrature points that have a weight
-  int count;        ///< with those that fill up, a multiple of kSplineLanes
-  const double* geometry;  ///< as above
-  /// Points per direction of a tensor rule, at most kSplineLanes, with the functions along u and v
-  /// in basis[0] and [1], [point][function]; 0: any points, with all functions in basis[0],
-  /// [point][functionStride].
+  int used;         ///< number of quadrature points with a weight
+  int count;        ///< number including padding, a multiple of kSplineLanes
+  const double* geometry;  ///< as in PlacePointsTask
+  /// Points per direction of a tensor rule, at most kSplineLanes, with the functions along u in
+  /// basis[0] and along v in basis[1], [point][function]. 0: arbitrary points, with all functions
+  /// in basis[0], [point][functionStride].
   int perDirection;
   const double* basis[2];
-  int functions[2];  ///< their numbers; without a tensor rule the first is that of all
+  int functions[2];  ///< numbers of functions in `basis`; without a tensor rule the first counts
+                     ///< all functions
   int functionStride;
-  KernelSums* sums;  ///< per function, added to
+  KernelSums* sums;  ///< one per function; the sums are added to them
 };
 
-/// Adds the sums of an element's functions to those of their coefficients.
+/// Adds the sums of an element's functions to the sums of their coefficients.
 struct AddSumsTask {
   const KernelSums* sums;
   int functions;
@@ -76,21 +79,22 @@ struct AddSumsTask {
   double *T, *U;                    ///< [coefficient][kKernelSumsT], [slot][kKernelSumsU]
 };
 
-/// What the constants of a material make of the sums of Kelvin's kernels (kelvin.h).
+/// Material constants that multiply the sums of Kelvin's kernels (kelvin.h).
 struct KelvinConstants {
   double weightU, weightT;      ///< 1 / (16 pi G (1 - nu)), -1 / (8 pi (1 - nu))
   double diagonalU, diagonalT;  ///< 3 - 4 nu, 1 - 2 nu
 };
 
-/// The 3 x 3 blocks of some coefficients, for kSplineLanes collocation points at once.
+/// Computes the 3 x 3 blocks of some coefficients for kSplineLanes collocation points at once.
 struct MakeBlocksTask {
   KelvinConstants constants;
-  /// Of each point, [coefficient][kKernelSumsT] or [coefficient][kKernelSumsU], readable
-  /// kSumsPadding numbers beyond their end.
+  /// One per point: [coefficient][kKernelSumsT] or [coefficient][kKernelSumsU]. kSumsPadding
+  /// numbers beyond the end must be readable.
   const double* sums[kSplineLanes];
   const int* coefficients;
   int count;
-  double* blocks;  ///< [which of them][3 c + i][point], component (i, c); aligned to 64 bytes
+  double*
+      blocks;  ///< [index into coefficients][3 c + i][point], component (i, c); aligned to 64 bytes
 };
 inline constexpr int kSumsPadding = kSplineLanes;
 
@@ -112,7 +116,7 @@ void sumKernelsAvx512(const SumKernelsTask&);
 void makeBlocksUAvx512(const MakeBlocksTask&);
 void makeBlocksTAvx512(const MakeBlocksTask&);
 
-/// The fastest variants this processor can run.
+/// Fastest variants of the loops that this processor supports.
 struct SplineKernel {
   void (*placePoints)(const PlacePointsTask&);
   void (*tabulate)(const TabulateTask&);

@@ -7,7 +7,7 @@ SplineKernel splineKernelForThisProcessor() {
 #ifdef PALPA_X86_VARIANTS
   switch (instructionSet()) {
     case InstructionSet::kAvx512:
-      // Six and nine sums fit batches of four better than those of eight.
+      // Six or nine sums fit batches of four better than batches of eight.
       return {placePointsAvx512, tabulateAvx512,    sumKernelsAvx512,
               addSumsAvx2,       makeBlocksUAvx512, makeBlocksTAvx512};
     case InstructionSet::kAvx2:

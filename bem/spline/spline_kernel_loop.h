@@ -9,7 +9,7 @@
 #include "bem/spline/spline_kernel.h"
 #include "bem/spline/transpose.h"
 
-/// The loops of spline_kernel.h, included by one source file per instruction set.
+/// Loops of spline_kernel.h, included by one source file per instruction set.
 namespace palpa::bem::detail {
 
 template <class Batch>
@@ -95,7 +95,7 @@ void tabulate(const TabulateTask& task) {
   }
 }
 
-/// Kelvin's kernels times the weights at some points of the task, one lane each.
+/// Kelvin's kernels times the weights at some points of the task, one point per lane.
 template <class Batch>
 [[gnu::always_inline]] inline void evaluateKernels(const SumKernelsTask& task, int first,
                                                    Batch (&kernel)[kKernelStride]) {
@@ -125,8 +125,8 @@ template <class Batch>
   kernel[15] = Batch(0.0);
 }
 
-/// out[f] += Σ_k weights[k][f] in[k] for `Size` functions f, with in and out KernelSums in steps of
-/// so many; without kAdd out is overwritten.
+/// out[f] += Σ_k weights[k][f] in[k] for `Size` functions f; `in` and `out` are KernelSums with the
+/// given strides. Without kAdd, out is overwritten.
 template <class Batch, int Size, bool kAdd>
 [[gnu::always_inline]] inline void contract(const KernelSums* in, int inStep, int count,
                                             const double* weights, std::ptrdiff_t weightStride,
@@ -152,7 +152,7 @@ template <class Batch, int Size, bool kAdd>
   }
 }
 
-/// Calls body(std::integral_constant<int, size>) for a size of 1 … kMaxSplineDegree + 1.
+/// Calls body(std::integral_constant<int, size>) for a size in 1 … kMaxSplineDegree + 1.
 template <class Body>
 void withSize(int size, const Body& body) {
   static_assert(kMaxSplineDegree == 5);
@@ -176,7 +176,8 @@ template <class Arch>
 void sumKernels(const SumKernelsTask& task) {
   using Batch = xsimd::batch<double, Arch>;
   constexpr int kLanes = static_cast<int>(Batch::size);
-  constexpr int kMaxPoints = kSplineLanes * kSplineLanes;  // of a tensor rule, and at a time
+  constexpr int kMaxPoints =
+      kSplineLanes * kSplineLanes;  // of a tensor rule, and processed at a time
   constexpr int kMaxSize = kMaxSplineDegree + 1;
   KernelSums kernels[kMaxPoints];
   const auto evaluate = [&](int begin, int end) {
@@ -188,7 +189,7 @@ void sumKernels(const SumKernelsTask& task) {
   };
   const int n = task.perDirection;
   if (n > 0) {
-    // The functions are products, and so are the sums: along u first, row by row, then along v.
+    // The functions are products, so the sums factorise: along u first, row by row, then along v.
     evaluate(0, task.count);
     KernelSums rows[kSplineLanes * kMaxSize];
     const int inU = task.functions[0];
@@ -237,7 +238,7 @@ template <class Arch, class Block>
 void makeBlocks(const MakeBlocksTask& task) {
   using Batch = xsimd::batch<double, Arch>;
   constexpr int kLanes = static_cast<int>(Batch::size), kSums = Block::kSums;
-  // Of the points, sum by sum.
+  // [sum][point].
   alignas(64) double sums[roundUpToLanes(kSums)][kSplineLanes];
   for (int j = 0; j < task.count; ++j) {
     const auto at = static_cast<std::ptrdiff_t>(kSums) * task.coefficients[j];

@@ -10,16 +10,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a sample reaches, in the width there: farther, coarse elements widen masks on fine ones
-/// beside them; less far, bends remain as narrow waves. No place is without samples: it is 0.87 of
-/// the length of a cubic element.
+/// Reach of a sample over the width there. With a larger reach, coarse elements widen masks on
+/// adjacent fine ones; with a smaller one, kinks remain as narrow waves. Every point has samples in
+/// reach: the reach is 0.87 times the length of a cubic element.
 constexpr double kReach = 0.5;
 constexpr int kSamplesPerDirection = 3;
-/// Elements reach beyond the sphere around their outermost samples by less than this part of it.
+/// Elements extend beyond the sphere around their outermost samples by less than this part of it.
 constexpr double kBeyondSamples = 0.5;
 
-/// How far functions on even elements spread that are as large as the one at a place, in the
-/// direction in which they are longest, mm.
+/// Spread of functions on uniform elements of the size at a place, in the direction in which these
+/// are longest, mm.
 double spreadAt(const SplineSurface& surface, const SplinePlace& place, const SplineJet& jet) {
   const SplineElement& element = surface.elements()[place.element];
   Eigen::Matrix<double, 3, 2> along;

@@ -7,30 +7,31 @@
 
 namespace palpa::bem {
 
-/// How narrow masks may be at the places of a spline surface: kMinWidth times how far basis
-/// functions spread on even elements as long as those around (the standard deviation of a function:
-/// of cubic elements h 0.58 h). That functions are narrower at borders of patches does not help: a
-/// bump reaches over them onto the elements beside.
+/// Widths of the narrowest masks at the points of a spline surface: kMinWidth times the spread of
+/// basis functions on uniform elements of the local size (the standard deviation of a function:
+/// 0.58 h for cubic elements of size h). Functions are narrower at the borders of patches, but this
+/// does not allow narrower masks: a bump extends over the border onto the adjacent elements.
 ///
-/// Elements change their size from patch to patch, and with a bend in it where patches meet, which
-/// a finger slid over them would feel. So the field is a mean over the elements around the place,
+/// Element sizes differ between patches and have a kink where patches meet; a user who slides a
+/// finger over it would feel it. The width is therefore a mean over the elements around the point,
 ///   w(x) = Σ_q a_q φ_q / w_q / Σ_q a_q φ_q / w_q^2,  φ_q = (1 - |x - x_q|^2 / (c w_q)^2)^2 within
 ///   c w_q,
-/// over Gauss points x_q of areas a_q with the widths w_q of their elements: once continuously
-/// differentiable in x, exact where w_q is constant, and between the smallest and the largest w_q
-/// within the reach.
+/// over Gauss points x_q of areas a_q with the widths w_q of their elements. It is once
+/// continuously differentiable in x, exact where w_q is constant, and lies between the smallest and
+/// the largest w_q within reach.
 ///
-/// Immutable; about 0.3 µs per place.
+/// Immutable. A query takes about 0.3 µs.
 class SplineMaskWidths {
  public:
-  /// Of uniform cubic elements h the narrowest radius is 1.73 h, of quadratic ones 1.5 h.
+  /// The narrowest radius is 1.73 h for uniform cubic elements of size h, and 1.5 h for quadratic
+  /// ones.
   static constexpr double kMinWidth = 3;
 
   explicit SplineMaskWidths(const SplineSurface& surface);
 
-  /// The mean width where a function is, per displacement coefficient, mm.
+  /// Mean width over the support of the function of each displacement coefficient, mm.
   const std::vector<double>& ofFunctions() const { return ofFunctions_; }
-  /// At a point of the surface in an element, mm.
+  /// Width at a surface point x (mm) in an element, mm.
   double at(int element, const Eigen::Vector3d& x) const;
 
  private:
@@ -42,13 +43,13 @@ class SplineMaskWidths {
   };
   struct Samples {  // of an element
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    double radius = 0;  // around the samples, mm
-    double reach = 0;   // around all places that they reach, mm
+    double radius = 0;  // bounding sphere of the samples, mm
+    double reach = 0;   // bounding sphere of all points that they reach, mm
     std::vector<Sample> list;
   };
   std::vector<double> ofFunctions_;
   std::vector<Samples> samples_;        // per element
-  std::vector<std::vector<int>> near_;  // per element: those whose samples may reach it
+  std::vector<std::vector<int>> near_;  // per element: elements whose samples may reach it
 };
 
 }  // namespace palpa::bem

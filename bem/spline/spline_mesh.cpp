@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 using Weights = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// `weights` for each component of vectors that are stored one after another.
+/// Applies `weights` to each component of vectors stored one after another.
 void apply(const Weights& weights, const Eigen::MatrixXd& from, Eigen::MatrixXd& to) {
   to.resize(3 * weights.rows(), from.cols());
   for (Eigen::Index column = 0; column < from.cols(); ++column) {
@@ -66,7 +66,7 @@ SplineMesh::Point SplineMesh::at(int triangle, const Vector3d& weights) const {
     middle += in.corners[corner] / 3;
   }
   const auto& patch = surface_.patches()[in.patch];
-  // Of the elements that meet at a corner, that which the triangle lies in.
+  // Of the elements that meet at a corner, choose the one that contains the triangle.
   std::array<int, 2> span{};
   for (int d = 0; d < 2; ++d) {
     const auto& knots = patch.basis[d].knots();

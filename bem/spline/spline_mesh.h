@@ -9,20 +9,21 @@
 
 namespace palpa::bem {
 
-/// A triangle mesh on a spline surface, as people see and touch it: which splines weigh how much at
-/// its nodes, and where on the patches a point of a triangle is. Triangles lie in one patch and in
-/// one part each (equal tags of triangles and elements mean the same part), but may reach over
-/// several elements. Immutable; const use from several threads is safe. Surface, tractions, mesh
-/// and slots must outlive it.
+/// Triangle mesh on a spline surface, used for display and for naming surface points: the weights
+/// of the splines at the mesh nodes, and the position of triangle points on the patches. Each
+/// triangle lies in one patch and in one part (equal tags of triangles and elements denote the same
+/// part) but may extend over several elements. Immutable; const use from several threads is safe.
+/// Surface, tractions, mesh and slots must outlive it.
 class SplineMesh {
  public:
-  /// The patch of a triangle and the parameters of its corners in it.
+  /// Patch of a triangle and the parameters of its corners.
   struct Triangle {
     int patch;
     std::array<Eigen::Vector2d, 3> corners;
   };
 
-  /// `meshSlots`: of the mesh; `triangles`: one per triangle of the mesh. About 2 µs per corner.
+  /// `meshSlots`: slots of the mesh; `triangles`: one per triangle of the mesh. Takes about 2 µs
+  /// per corner.
   SplineMesh(const SplineSurface& surface, const SplineTractions& tractions,
              const BoundaryMesh& mesh, const TractionSlots& meshSlots,
              std::vector<Triangle> triangles);
@@ -33,8 +34,8 @@ class SplineMesh {
   const TractionSlots& meshSlots() const { return meshSlots_; }
   const Triangle& triangle(int index) const { return triangles_[index]; }
 
-  /// A point of the true surface: an element of the triangle's part, and parameters in its patch,
-  /// which may lie a little outside of the element where a border was cut.
+  /// Point of the true surface: an element of the triangle's part, and parameters in the patch of
+  /// the element. The parameters may lie slightly outside the element where a border was cut.
   struct Point {
     int element;
     Eigen::Vector2d parameters;
@@ -42,14 +43,16 @@ class SplineMesh {
   Point at(const SurfacePoint& point) const { return at(point.triangle, point.weights); }
   Point at(int triangle, const Eigen::Vector3d& weights) const;
 
-  /// Weights of the displacement coefficients at the nodes: u of node k is row k times u_j.
+  /// Weights of the displacement coefficients at the nodes, one row per node: u of node k is row k
+  /// times u_j.
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& nodeWeights() const { return nodeWeights_; }
-  /// Weights of the traction coefficients at the slots of the mesh.
+  /// Weights of the traction coefficients at the slots of the mesh, one row per slot.
   const Eigen::SparseMatrix<double, Eigen::RowMajor>& slotWeights() const { return slotWeights_; }
 
-  /// Displacements of the nodes (3 per node) from coefficients (3 each), column by column.
+  /// Displacements of the nodes (3 rows per node) from coefficients (3 rows each), column by
+  /// column.
   void displacements(const Eigen::MatrixXd& coefficients, Eigen::MatrixXd& ofNodes) const;
-  /// Tractions of the mesh's slots (3 per slot) from coefficients.
+  /// Tractions of the mesh's slots (3 rows per slot) from coefficients, column by column.
   void tractions(const Eigen::MatrixXd& coefficients, Eigen::MatrixXd& ofSlots) const;
 
  private:

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr int kMaxSteps = 40, kMaxHalvings = 8;
 
-/// The step of Gauss and Newton, along the border where it would leave the element.
+/// Gauss-Newton step, projected onto the border where it would leave the element.
 Vector2d boundedStep(const SplineElement& element, const Vector2d& from, Matrix2d normal,
                      const Vector2d& slope) {
   normal += 1e-14 * normal.trace() * Matrix2d::Identity();
@@ -90,7 +90,7 @@ SplineCollocationPoint surfacePlaces(const SplineSurface& surface, const SplineM
   point.position = surface.evaluate(own).position;
   if (!isOnBorder(surface.patches()[patch], at.parameters)) return point;
 
-  // What meets there shares the heaviest coefficient.
+  // Elements that meet at the point share the coefficient with the largest weight.
   std::vector<double> basis;
   surface.evaluateBasis(own, basis);
   const auto heaviest = std::max_element(basis.begin(), basis.end()) - basis.begin();

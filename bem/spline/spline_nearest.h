@@ -5,18 +5,18 @@
 
 namespace palpa::bem {
 
-/// A point of the surface and its distance from the one that was asked about, mm.
+/// Surface point and its distance from the query point, mm.
 struct SplineFoot {
   SplinePlace place;
   double distance;
 };
 
-/// The point of an element nearest to x, by Newton's method from the nearest of nine; exact for
-/// points on the element and near it, otherwise perhaps a local minimum.
+/// Point of an element nearest to x (mm), by Newton's method started from the nearest of nine
+/// points. Exact for points on or near the element; otherwise possibly a local minimum.
 SplineFoot nearestOnElement(const SplineSurface& surface, int element, const Eigen::Vector3d& x);
 
-/// A point of the surface as a collocation point: in all elements that contain it, its own first,
-/// across the borders of patches too.
+/// Surface point as a collocation point: its places in all elements that contain it, the element of
+/// `at` first, across patch borders too.
 SplineCollocationPoint surfacePlaces(const SplineSurface& surface, const SplineMesh::Point& at);
 
 }  // namespace palpa::bem

@@ -8,7 +8,7 @@
 
 namespace palpa::bem {
 
-/// A rectangle in an element, in its local coordinates.
+/// Rectangle in the local coordinates of an element.
 struct SplineCell {
   std::array<double, 2> lower, upper;
 };
@@ -26,14 +26,14 @@ struct SplineRule {
   void addTensor(const SplineCell& cell, int pointsPerDirection);
 };
 
-/// Quadrature points on one element with the values of its functions, in the layout of
+/// Quadrature points on one element with the values of its functions, in the memory layout of
 /// spline_kernel.h.
 struct SplinePoints {
-  int used = 0;                  ///< that have a weight
-  int count = 0;                 ///< with those that fill up
+  int used = 0;                  ///< number of points with a weight
+  int count = 0;                 ///< number including padding
   std::vector<double> geometry;  ///< [kPointValues][count]
-  /// Points per direction of a tensor rule whose functions are given along u and v; 0: `basis` is a
-  /// table of their products, [point][stride].
+  /// Points per direction of a tensor rule whose functions are given separately along u and v. 0:
+  /// `basis` is a table of their products, [point][stride].
   int perDirection = 0;
   std::vector<double> basis;  ///< of a tensor rule: [point along u][function], then the same for v
 
@@ -54,25 +54,26 @@ class SplinePlacement {
   explicit SplinePlacement(const SplineSurface& surface);
 
   const SplineSurface& surface() const { return surface_; }
-  /// Of functions that are not zero on an element.
+  /// Number of functions that are nonzero on an element.
   int functionCount(int element) const { return elements_[element].functions; }
-  /// Between the values of one point and the next in SplinePoints::basis.
+  /// Distance between the values of consecutive points in SplinePoints::basis.
   int stride(int element) const { return roundUpToLanes(elements_[element].functions); }
-  /// The larger of both directions.
+  /// Larger degree of the two directions.
   int degree(int element) const;
 
-  /// Of functions along u (0) or v (1).
+  /// Number of functions along u (0) or v (1).
   int functionsAlong(int element, int direction) const {
     return elements_[element].direction[direction].degree + 1;
   }
 
-  /// With a table of products. `rule` is left as parameters of the patch and filled up.
+  /// Places the points of `rule`, with a table of products. On return `rule` holds parameters of
+  /// the patch and is padded.
   void place(int element, SplineRule& rule, SplinePoints& points) const;
-  /// The points of a tensor Gauss rule with at most kSplineLanes points per direction, with the
-  /// functions along u and v unless the element is cut. `rule` is scratch.
+  /// Places a tensor Gauss rule with at most kSplineLanes points per direction, with separate
+  /// functions along u and v unless the element is cut. `rule` is scratch memory.
   void placeTensor(int element, const SplineCell& cell, int pointsPerDirection, SplineRule& rule,
                    SplinePoints& points) const;
-  /// Where the points lie and how large area vectors are, without the functions.
+  /// Positions and sizes of area vectors only, without the functions.
   void placeGeometry(int element, SplineRule& rule, SplinePoints& points) const {
     place(element, rule, points, false);
   }

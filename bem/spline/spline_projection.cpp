@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 constexpr int kPoints = 6;  ///< per direction: exact for products of two functions of degree 5
 constexpr int kMaxCells = 64;
 
-/// Solves ∫ N_a (Σ N_b x_b - f) dΓ = 0.
+/// Solves ∫ N_a (Σ N_b x_b - f) dΓ = 0 for x.
 Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vector<int>>& unknowns,
                         int count, const std::vector<int>& elements, const SplineFunction& function,
                         double featureLength) {

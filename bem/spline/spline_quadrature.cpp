@@ -31,17 +31,18 @@ bool contains(const SplineCell& cell, const SplinePlace& place) {
   return true;
 }
 
-/// Distance over the radius of a cell from which a tensor rule keeps a relative error. Measured
-/// over spheres, cylinders, tori and plates of degree 3 (tests/spline/spline_quadrature_test.cpp):
-/// at most 12 rho^-2n near, rho = 0.93 (R + sqrt(R^2 - 1)), and 0.1 3^(3-n) R^(p-2n) farther off,
-/// where what the functions of degree p leave over of the rule's 2n - 1 has to carry the kernel.
+/// Smallest distance over the radius of a cell at which a tensor rule keeps a relative error.
+/// Measured on spheres, cylinders, tori and plates of degree 3
+/// (tests/spline/spline_quadrature_test.cpp): the error is at most 12 rho^-2n near the cell, with
+/// rho = 0.93 (R + sqrt(R^2 - 1)), and 0.1 3^(3-n) R^(p-2n) at larger distances, where the rule's
+/// degree 2n - 1 minus the degree p of the functions is left for the kernel.
 double ratioFor(int points, int degree, double error) {
   const double rho = std::pow(12 / error, 1.0 / (2 * points)) / 0.93;
   const double left = std::max(2 * points - degree, 1);
   return std::max((rho + 1 / rho) / 2, std::pow(0.1 * std::pow(3.0, 3 - points) / error, 1 / left));
 }
 
-/// Of the entries, over the largest of `exact`.
+/// Largest difference of the entries, over the largest entry of `exact`.
 double largestDifference(const std::vector<double>& values, const std::vector<double>& exact) {
   double difference = 0, largest = 0;
   for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -51,8 +52,8 @@ double largestDifference(const std::vector<double>& values, const std::vector<do
   return difference / largest;
 }
 
-/// Points per direction that integrate the functions times the area vectors of an uncut element of
-/// a degree exactly: polynomials of degree 3 degree - 1 in either direction.
+/// Points per direction for exact integrals of the functions times the area vectors of an uncut
+/// element of a degree: polynomials of degree 3 degree - 1 in each direction.
 int exactPoints(int degree) {
   return (3 * degree + 1) / 2;
 }
@@ -64,14 +65,15 @@ SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double toleranc
       placement_(surface),
       kernel_(splineKernelForThisProcessor()),
       accuracy_{std::clamp(tolerance, 1e-12, 1e-2), 0},
-      // What is left has an area like the third power of its size, kernels like the first.
+      // The remaining area is proportional to the third power of its size, the kernels to the
+      // first.
       cornerLevels_(2 + static_cast<int>(std::ceil(-std::log2(accuracy_.error) / 2))) {
   accuracy_.radial = std::max(3, static_cast<int>(std::lround(-std::log10(accuracy_.error))));
   constexpr std::ptrdiff_t kElementsPerTask = 16;
   const std::ptrdiff_t count = surface.elementCount();
   elements_.resize(count);
   ScratchPool<Workspace> pool([] { return Workspace{}; });
-  parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, "", [&](std::ptrdiff_t task) {
+  parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, [&](std::ptrdiff_t task) {
     Workspace work = pool.take();
     const std::ptrdiff_t end = std::min(count, (task + 1) * kElementsPerTask);
     for (std::ptrdiff_t e = task * kElementsPerTask; e < end; ++e)
@@ -149,7 +151,7 @@ SplineQuadrature::Cell SplineQuadrature::cellIn(int element, const SplineCell& c
       result.radius = std::max(result.radius, (at(i, j) - result.center).norm());
       result.cornerMetric[corner++] = points.areaSize()[i + 3 * j];
     }
-  // The middle lines do not vanish where an edge is collapsed.
+  // The middle lines have a positive length even where an edge is collapsed.
   result.length = {(at(2, 1) - at(0, 1)).norm(), (at(1, 2) - at(1, 0)).norm()};
   return result;
 }
@@ -195,7 +197,7 @@ void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& 
     return;
   }
   const bool varies = metricVaries(cell, place);
-  if (varies && depth >= cornerLevels_) return;  // what is left is as small as the tolerance
+  if (varies && depth >= cornerLevels_) return;  // the remainder is as small as the tolerance
   if (!varies && (!cell.isLong() || depth >= kMaxDepth)) {
     addPolar(surface_, cell.cell, place, accuracy_, work.rule);
     return;

@@ -10,15 +10,16 @@
 
 namespace palpa::bem {
 
-/// Integrates Kelvin's kernels times the functions of spline elements, from any collocation point.
-/// Far elements take a tensor Gauss rule of 3 to 8 points per direction by their distance over
-/// their radius; nearer ones are divided until the rule of 8 does. An element that contains the
-/// point is divided while it is long, and what still contains it is integrated in polar coordinates
-/// around the point in the metric of the surface there, in which all integrands are smooth; the
-/// part of T that has no limit drops out in the assembly. Where the surface has no metric, in a
-/// corner in which both derivatives are parallel, cells are halved towards the point instead.
+/// Integrates Kelvin's kernels times the functions of spline elements for any collocation point.
+/// Far elements use a tensor Gauss rule of 3 to 8 points per direction, selected by their distance
+/// over their radius. Nearer elements are subdivided until the rule of 8 points suffices. An
+/// element that contains the point is subdivided while it is elongated; the part that still
+/// contains the point is integrated in polar coordinates around the point in the surface metric
+/// there, in which all integrands are smooth. The part of T without a limit cancels in the
+/// assembly. Where the metric is singular (a corner in which both derivatives are parallel), cells
+/// are halved towards the point instead.
 ///
-/// Const use from several threads is safe, each with a Workspace of its own. Memory: about 90
+/// Const use from several threads is safe if each thread has its own Workspace. Memory: about 90
 /// points per element.
 class SplineQuadrature {
  public:
@@ -26,11 +27,11 @@ class SplineQuadrature {
                        kMaxPoints = 8;  ///< points per direction of the tensor rules
 
   /// `tolerance`: relative error allowed in the integrals over one element, [1e-12, 1e-2]. The
-  /// surface must outlive it. About 3 µs per element and core; does not depend on the number of
-  /// threads. Throws Cancelled.
+  /// surface must outlive the quadrature. Takes about 3 µs per element and core; the result does
+  /// not depend on the number of threads. Throws Cancelled if the job was stopped.
   SplineQuadrature(const SplineSurface& surface, double tolerance, const Job& job = {});
 
-  /// Memory of one thread, and what integrate() leaves behind.
+  /// Memory of one thread, including the result of integrate().
   struct Workspace {
     std::vector<KernelSums> sums;  ///< per function, see spline_kernel.h
 
@@ -41,31 +42,32 @@ class SplineQuadrature {
     std::vector<std::pair<SplineCell, int>> cells;
   };
 
-  /// Distance of a point from the middle of an element over the element's radius.
+  /// Distance of a point (mm) from the centre of an element over the element's radius.
   double ratio(int element, const Eigen::Vector3d& x) const {
     return (x - elements_[element].whole.center).norm() / elements_[element].whole.radius;
   }
-  /// mm from an element, at least; less where the element leaves its ball.
+  /// Estimated distance of a point from an element, mm: distance from its bounding sphere. It is a
+  /// lower bound, except where the element leaves the sphere.
   double distance(int element, const Eigen::Vector3d& x) const {
     return (x - elements_[element].whole.center).norm() - elements_[element].whole.radius;
   }
   int stride(int element) const { return placement_.stride(element); }
 
-  /// The points at which integrate() sums: valid until the workspace is used again.
+  /// Points at which integrate() sums; valid until the workspace is used again.
   const SplinePoints& points(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
                              Workspace& work) const;
 
-  /// Sums of one element from x, into work.sums. `inside`: the place of x in the element, null when
-  /// the element does not contain it.
+  /// Computes the sums of one element for x (mm) in work.sums. `inside`: the place of x in the
+  /// element; null if the element does not contain x.
   void integrate(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
                  Workspace& work) const;
-  /// Adds work.sums to those of the coefficients of an element's functions, [coefficient]
-  /// [kKernelSumsT] and [slot][kKernelSumsU].
+  /// Adds work.sums to the sums of the coefficients of an element's functions: T is
+  /// [coefficient][kKernelSumsT], U is [slot][kKernelSumsU].
   void addTo(const std::vector<int>& coefficients, const std::vector<int>& slots,
              const Workspace& work, double* T, double* U) const;
 
  private:
-  static constexpr int kMaxKept = 6;  ///< larger rules are needed near elements only
+  static constexpr int kMaxKept = 6;  ///< larger rules are needed only near elements
 
   struct Cell {
     SplineCell cell;
@@ -79,29 +81,31 @@ class SplineQuadrature {
   };
   struct Element {
     Cell whole;
-    std::vector<Cell> parts;  ///< the first division
-    /// From how many radii on so many points per direction do.
+    std::vector<Cell> parts;  ///< after the first subdivision
+    /// Smallest distance over radius at which each number of points per direction suffices.
     std::array<double, kMaxPoints + 1> ratio;
     std::array<SplinePoints, kMaxKept - kMinPoints + 1> rules;
   };
-  /// Cells longer than this are divided before the polar rule: beyond, radii vary too much over the
-  /// angles.
+  /// Cells with a larger aspect ratio are subdivided before the polar rule, because radii would
+  /// vary too much over the angles.
   static constexpr double kMaxAspect = 1.7;
 
   void prepare(int element, Workspace& work);
-  /// Integrals of the functions times the area vectors: what a rule must do, however far the point.
+  /// Integrals of the functions times the area vectors: a minimum requirement for a rule at any
+  /// distance.
   std::vector<double> moments(int element, const SplinePoints& points) const;
   int pointsFor(const Element& element, double ratio) const;
   Cell cellIn(int element, const SplineCell& cell, Workspace& work) const;
-  /// Halves of a long cell, quarters of others.
+  /// Halves an elongated cell and quarters other cells.
   void divide(int element, const Cell& cell, Workspace& work, std::vector<Cell>& parts) const;
   void addNear(int element, const Cell& cell, const Eigen::Vector3d& x, int depth,
                Workspace& work) const;
   void addSingular(int element, const Cell& cell, const Eigen::Vector3d& x,
                    const SplinePlace& place, int depth, Workspace& work) const;
-  /// Is the metric at a place another than elsewhere in a cell, as in a corner where it vanishes?
+  /// True if the metric at a place differs from the rest of a cell, as in a corner where it
+  /// vanishes.
   bool metricVaries(const Cell& cell, const SplinePlace& place) const;
-  /// The points of a polar rule into work.rule, and work.cells.
+  /// Collects the points of a polar rule in work.rule, and the cells of tensor rules in work.cells.
   void collect(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
                Workspace& work) const;
 
@@ -109,7 +113,7 @@ class SplineQuadrature {
   SplinePlacement placement_;
   SplineKernel kernel_;
   SingularAccuracy accuracy_;
-  int cornerLevels_;  ///< halvings towards a corner where the surface has no metric
+  int cornerLevels_;  ///< halvings towards a corner with a singular metric
   std::vector<Element> elements_;
 };
 

@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 
 constexpr double kTolerance = 1e-6;
 
-/// The nearest point of the surface; for points far from it, one of the nearest.
+/// Nearest surface point; for points far from the surface, one of the nearest.
 SplineFoot nearestOnSurface(const SplineSurface& surface, const SplineQuadrature& quadrature,
                             const Vector3d& x) {
   constexpr std::size_t kMaxTrials = 16;
@@ -69,7 +69,7 @@ Vector3d SplineResults::displacementDefect(const SplineMesh::Point& at, const Ei
 
 Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const Material& material,
                                                const Job& job) const {
-  // Two points per direction lie off the collocation points of any degree.
+  // With two points per direction, no point coincides with a collocation point of any degree.
   constexpr int kPoints = 2;
   constexpr std::ptrdiff_t kElementsPerTask = 4;
   struct Sample {
@@ -88,15 +88,16 @@ Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const
   ScratchPool<SplineRows::Sums> pool([] { return SplineRows::Sums{}; });
   const auto count = static_cast<std::ptrdiff_t>(samples.size());
   constexpr std::ptrdiff_t kPerTask = kElementsPerTask * kPoints * kPoints;
-  parallelFor((count + kPerTask - 1) / kPerTask, job, "estimate errors", [&](std::ptrdiff_t task) {
-    SplineRows::Sums sums = pool.take();
-    for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
-      Sample& sample = samples[k];
-      rows.integrate({surface_.evaluate(sample.place).position, {sample.place}}, sums, job);
-      sample.residual = rows.residual(sums, field.u, field.p);
-    }
-    pool.giveBack(std::move(sums));
-  });
+  parallelFor(
+      (count + kPerTask - 1) / kPerTask, job, Phase::kErrorEstimate, [&](std::ptrdiff_t task) {
+        SplineRows::Sums sums = pool.take();
+        for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
+          Sample& sample = samples[k];
+          rows.integrate({surface_.evaluate(sample.place).position, {sample.place}}, sums, job);
+          sample.residual = rows.residual(sums, field.u, field.p);
+        }
+        pool.giveBack(std::move(sums));
+      });
 
   const Index functions = surface_.coefficientCount();
   Eigen::MatrixXd average = Eigen::MatrixXd::Zero(3 * functions, field.u.cols());
@@ -137,7 +138,7 @@ std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd&
     const SplinePoints& points = quadrature_.points(e, x, nullptr, work);
     for (int k = 0; k < points.used; ++k) {
       const double size = points.areaSize()[k];
-      if (!(size > 0)) continue;  // where the surface has no metric
+      if (!(size > 0)) continue;  // the metric is singular
       const Vector3d y(points.position(0)[k], points.position(1)[k], points.position(2)[k]);
       const Vector3d area(points.area(0)[k], points.area(1)[k], points.area(2)[k]);
       const Vector3d normal = area / size;

@@ -9,32 +9,33 @@
 
 namespace palpa::bem {
 
-/// What boundary integrals tell of fields in spline coefficients: u (3 per displacement
-/// coefficient, mm) and p (3 per traction slot, MPa). Surface and tractions must outlive it; const
-/// use from several threads is safe. Integrals over elements to 1e-6.
+/// Results that boundary integrals give for fields in spline coefficients: u (3 per displacement
+/// coefficient, mm) and p (3 per traction slot, MPa). Integrals over elements have a tolerance of
+/// 1e-6. Surface and tractions must outlive the results; const use from several threads is safe.
 class SplineResults {
  public:
   SplineResults(const SplineSurface& surface, const SplineTractions& tractions,
                 const Job& job = {});
 
-  /// C^-1 r, mm: what one more iterate, C u'(x) = ∫ U p - ⨍ T u, changes u by at a point x of the
-  /// surface, with the residual of the regularised identity
+  /// C^-1 r, mm: the change of u at a surface point x by one more iteration C u'(x) = ∫ U p - ⨍ T
+  /// u, with the residual of the regularised identity
   ///   r(x) = ∫ U p dΓ - ∫ T [u(y) - u(x)] dΓ
-  /// and the free term C (1/2 at smooth points). r is zero at collocation points. About 1 µs per
-  /// element.
+  /// and the free term C (1/2 at smooth points). r is zero at collocation points. Takes about 1 µs
+  /// per element.
   Eigen::Vector3d displacementDefect(const SplineMesh::Point& at, const Eigen::VectorXd& u,
                                      const Eigen::VectorXd& p, const Material& material) const;
 
-  /// The residuals r of fields, averaged over the surface with each function N_j: component c of
-  /// function j in row 3 j + c, a column per field. About 4 µs per pair of elements and core.
-  /// Throws Cancelled.
+  /// Residuals r of fields, averaged over the surface with each function N_j: component c of
+  /// function j in row 3 j + c, one column per field. Takes about 4 µs per pair of elements and
+  /// core. Throws Cancelled if the job was stopped.
   Eigen::MatrixXd averageResidual(const BoundaryField& field, const Material& material,
                                   const Job& job) const;
 
-  /// Somigliana's identities u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u for what is left of the
-  /// fields after the linear field of the nearest surface point has been taken away, which fulfils
-  /// them exactly: so integrands stay bounded as x approaches the surface, and the state goes over
-  /// into that on the surface. Empty for a point outside the body. About 5 µs per element.
+  /// Displacement and stress at a point x (mm) inside the body, by Somigliana's identities u = ∫ U
+  /// p - ∫ T u, sigma = ∫ D p - ∫ S u. They are applied to the fields minus the linear field of the
+  /// nearest surface point, which satisfies them exactly: so the integrands stay bounded as x
+  /// approaches the surface, and the state converges to the surface state. Empty for a point
+  /// outside the body. Takes about 5 µs per element.
   std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material,
                                              const Eigen::Vector3d& x) const;
@@ -45,8 +46,8 @@ class SplineResults {
   SplineQuadrature quadrature_;
 };
 
-/// See Discretisation::estimatedError(): A0 v = r̄ with the averaged residuals in the rows of the
-/// functions' collocation points.
+/// Error estimate, see Discretisation::estimatedError(): solves A0 v = r̄ with the averaged
+/// residuals in the rows of the functions' collocation points.
 BoundaryField estimatedError(const SplineResults& results, const ReferenceProblem& problem,
                              const BoundaryField& field, const Material& material, const Job& job);
 

@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Gauss points on an interval for a function whose nearest poles lie at `center` ± i pi/2: the
-/// error falls like rho^-2n with rho of the Bernstein ellipse through them.
+/// Number of Gauss points on an interval for a function whose nearest poles lie at `center` ± i
+/// pi/2: the error is proportional to rho^-2n with rho of the Bernstein ellipse through the poles.
 int pointsForPoles(double first, double last, double error) {
   const double half = (last - first) / 2;
   const std::complex<double> pole(-(first + last) / 2 / half, std::numbers::pi / 2 / half);
@@ -42,9 +42,10 @@ bool isFoldedCorner(const SplineSurface& surface, const SplineCell& cell,
 
 void addFoldedCorner(const SplineSurface& surface, const SplineCell& cell, const SplinePlace& place,
                      const SingularAccuracy& accuracy, SplineRule& rule) {
-  // Both derivatives lie on one line, pointing apart (a round cap's corner on its rim), so that a
-  // ray from the corner into the cell exists along which the surface leaves it only quadratically.
-  // In parameters, angles are gathered around that ray, the more the nearer the corner.
+  // Both derivatives lie on one line and point apart (the corner of a round cap on its rim). So a
+  // ray from the corner into the cell exists along which the distance of the surface from the
+  // corner grows only quadratically. In parameters, the angles are concentrated around this ray,
+  // the more the nearer the corner.
   const SplineJet jet = surface.evaluate(place);
   const std::array<double, 2> size{
       place.u - cell.lower[0] < cell.upper[0] - place.u ? cell.upper[0] - cell.lower[0]
@@ -95,15 +96,15 @@ void addPolar(const SplineSurface& surface, const SplineCell& cell, const Spline
   const double cellArea = (cell.upper[0] - cell.lower[0]) * (cell.upper[1] - cell.lower[1]);
   for (int side = 0; side < 4; ++side) {
     const Vector2d a = corner[side] - center, b = corner[(side + 1) % 4] - center;
-    const double area = a[0] * b[1] - a[1] * b[0];  // twice that of the triangle
+    const double area = a[0] * b[1] - a[1] * b[0];  // twice the area of the triangle
     if (area < 1e-9 * cellArea) continue;
     const auto image = [&](const Vector2d& p) { return Vector2d(columnU * p[0] + columnV * p[1]); };
     const Vector2d from = image(a), edge = image(b) - from;
     const double length = edge.norm();
     const double start = from.dot(edge) / length, end = start + length;
     const double height = std::abs(from[0] * edge[1] - from[1] * edge[0]) / length;
-    // Along the side at the distance `height`, t = height sinh w: distances are height cosh w, so
-    // that no integrand has poles nearer than ± i pi/2.
+    // Along the side at distance `height`, t = height sinh w: distances are height cosh w, so no
+    // integrand has poles nearer than ± i pi/2.
     const double first = std::asinh(start / height), last = std::asinh(end / height);
     const int count = pointsForPoles(first, last, accuracy.error);
     const GaussRule &angular = gaussRule(count), &radial = gaussRule(accuracy.radial);

@@ -10,7 +10,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Sine of the angle between both derivatives below which slopes along the surface mean nothing.
+/// Sine of the angle between both derivatives below which tangential derivatives are meaningless.
 constexpr double kFlattest = 0.05;
 
 Vector3d sum(const std::vector<double>& weights, const std::vector<int>& indices,
@@ -86,7 +86,7 @@ SplineSurfaceState splineSurfaceState(const SplineSurface& surface,
              tangents.slopes.col(static_cast<Index>(f)).transpose();
   state.stress = surfaceStress(tangents.frame, along, traction, material);
 
-  // Across the surface: p_a = G (u_a,n + u_n,a) and p_n = 2 G [e_nn + nu / (1 - 2 nu) e_kk].
+  // Normal derivatives: p_a = G (u_a,n + u_n,a) and p_n = 2 G [e_nn + nu / (1 - 2 nu) e_kk].
   const double nu = material.poissonRatio, shear = material.shear();
   const Vector3d inFrame = tangents.frame.transpose() * traction;
   Matrix3d local;

@@ -135,7 +135,7 @@ int SplineSurface::closedSurfaceCount() const {
     while (parent[point] != point) point = parent[point] = parent[parent[point]];
     return point;
   };
-  // The nets know nothing of torn functions' other sides.
+  // The nets do not contain the second coefficients of torn functions.
   int count = 0;
   for (int k = 0; k < coefficientCount(); ++k) count += tornFrom_[k] == k ? 1 : 0;
   for (const SplinePatch& patch : patches_)

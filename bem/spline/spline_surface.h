@@ -12,28 +12,28 @@
 
 namespace palpa::bem {
 
-/// One tensor-product B-spline patch. Its control points are indices into the surface's list;
-/// patches share those on their common edges, so fields are continuous across.
+/// Tensor-product B-spline patch. Its control points are indices into the list of the surface;
+/// patches share the points on common edges, so fields are continuous across them.
 struct SplinePatch {
   std::array<BsplineBasis, 2> basis;  ///< along u and v
   std::vector<int> net;               ///< point of (i, j) at i + j basis[0].count()
-  /// Patches of one group meet smoothly: the traction is continuous across their common edges.
+  /// Patches of one group join smoothly: the traction is continuous across their common edges.
   int smoothingGroup = 0;
 
   bool operator==(const SplinePatch&) const = default;
 };
 
-/// A rectangle between knots of a patch, or a piece of one that the border of a part bounds. Tags
-/// as in BoundaryMesh.
+/// Knot rectangle of a patch, or a piece of one bounded by the border of a part. Tags as in
+/// BoundaryMesh.
 struct SplineElement {
   int patch;
   std::array<int, 2> span;
-  std::array<double, 2> lower, upper;  ///< local coordinates: parameters, or those of the CutMap
+  std::array<double, 2> lower, upper;  ///< in patch parameters, or in CutMap coordinates
   int tag = 0;
   int cut = -1;  ///< index of the CutMap; -1: none
 };
 
-/// A place on the surface by an element and its local coordinates.
+/// Surface point, given by an element and its local coordinates.
 struct SplinePlace {
   int element;
   double u, v;
@@ -42,17 +42,18 @@ struct SplinePlace {
 /// Position and first derivatives, mm per unit of the local coordinates.
 struct SplineJet {
   Eigen::Vector3d position, du, dv;
-  /// Outward; its length is the area per unit of the parameters.
+  /// Outward; its length is the area per unit of the local coordinates.
   Eigen::Vector3d areaVector() const { return du.cross(dv); }
 };
 
-/// A closed surface of B-spline patches with outward normals du × dv: geometry and basis of the
-/// spline discretisation. The control points are the places of the displacement coefficients: the
+/// Closed surface of B-spline patches with outward normals du × dv: geometry and basis of the
+/// spline discretisation. Control point P_j is the position of displacement coefficient u_j: the
 /// displaced body is the surface with points P_j + u_j. Const use from several threads is safe.
 class SplineSurface {
  public:
-  /// The caller vouches that the surface is closed and oriented (modeling::Solid is); throws
-  /// std::invalid_argument when sizes or indices do not fit.
+  /// Surface with the given control points, mm. The caller must ensure that the surface is closed
+  /// and oriented (modeling::Solid is). Throws std::invalid_argument if sizes or indices do not
+  /// fit.
   SplineSurface(std::vector<Eigen::Vector3d> controlPoints, std::vector<SplinePatch> patches);
 
   const std::vector<Eigen::Vector3d>& controlPoints() const { return controlPoints_; }
@@ -60,39 +61,44 @@ class SplineSurface {
   const std::vector<SplineElement>& elements() const { return elements_; }
   int coefficientCount() const { return static_cast<int>(controlPoints_.size()); }
   int elementCount() const { return static_cast<int>(elements_.size()); }
-  double boundingSize() const;  ///< diagonal of the control points' box, mm
-  /// Closed pieces of the surface: 1 and one per cavity.
+  double boundingSize() const;  ///< diagonal of the bounding box of the control points, mm
+  /// Number of closed pieces of the surface: 1 plus one per cavity.
   int closedSurfaceCount() const;
 
-  /// Declares the part of the surface an element belongs to.
+  /// Assigns an element to the part of the surface with the given tag.
   void setTag(int element, int tag) { elements_[element].tag = tag; }
   int smoothingGroup(int element) const {
     return patches_[elements_[element].patch].smoothingGroup;
   }
 
-  /// The elements between two knots in either direction: one, or the pieces of a cut one.
+  /// Elements of the knot rectangle (spanU, spanV) of a patch: one, or the pieces of a cut one.
   const std::vector<int>& elementsAt(int patch, int spanU, int spanV) const {
     return elementsOfCell_[firstCell_[patch] +
                            spanV * static_cast<int>(patches_[patch].basis[0].spans().size()) +
                            spanU];
   }
-  /// The place in an element of parameters in its knot rectangle; none when they are not in it.
+  /// Place in an element of the parameters (u, v) of its patch; none if they lie outside the
+  /// element.
   std::optional<SplinePlace> placeIn(int element, double u, double v) const;
-  /// Parameters of a place, and their derivatives by the local coordinates.
+  /// Parameters of a place, and their derivatives with respect to the local coordinates.
   CutMap::Image parameters(const SplinePlace& place) const;
   bool isCut(int element) const { return elements_[element].cut >= 0; }
 
-  /// Replaces an element by pieces of it, in its local coordinates where they have no map and by
-  /// maps into them; the first takes its index.
+  /// Replaces an element by its pieces. A piece without a map is given in the local coordinates of
+  /// the element, a piece with a map by the map into them. The first piece takes the index of the
+  /// element.
   void replaceElement(int element, const std::vector<SplineElement>& pieces,
                       const std::vector<std::optional<CutMap>>& maps);
-  /// Gives a function another coefficient on some elements, one flag per element; returns it.
+  /// Tears a function: gives it a second coefficient on the elements whose flag is set, one flag
+  /// per element. Returns the new coefficient.
   int tear(int coefficient, const std::vector<bool>& elements);
-  /// The coefficient of the net that stands for one: itself, or the one it was torn from.
+  /// Coefficient of the control net that corresponds to `coefficient`: itself, or the coefficient
+  /// it was torn from.
   int tornFrom(int coefficient) const { return tornFrom_[coefficient]; }
+  /// True if the border of a part separates the coefficient's function into two sides.
   bool isTorn(int coefficient) const { return isTorn_[coefficient]; }
-  /// Marks a function that reaches into the part with a tag, on the faces of a smoothing group, by
-  /// so little that the part does not count there.
+  /// Marks a function whose share of the part with tag `tag`, on the faces of smoothing group
+  /// `group`, is so small that the part is ignored for it.
   void setBarelyReaches(int coefficient, int tag, int group) {
     barelyReaches_.insert({coefficient, tag, group});
   }
@@ -100,29 +106,29 @@ class SplineSurface {
     return barelyReaches_.contains({coefficient, tag, group});
   }
 
-  /// Coefficients of the functions that are not zero on an element, (degree u + 1) (degree v + 1),
-  /// u fastest. Some appear twice where an edge is collapsed.
+  /// Coefficients of the functions that are nonzero on an element, (degree u + 1) (degree v + 1), u
+  /// fastest. Where an edge is collapsed, some appear twice.
   const std::vector<int>& functions(int element) const { return functions_[element]; }
-  /// The values of these functions.
+  /// Values of these functions at a place.
   void evaluateBasis(const SplinePlace& place, std::vector<double>& values) const;
-  /// The same by parameters of the patch, also outside of the element: its polynomials go on.
+  /// Values at the patch parameters, also outside the element: its polynomials are extrapolated.
   void evaluateBasis(int element, const Eigen::Vector2d& parameters,
                      std::vector<double>& values) const;
-  /// Values, and derivatives by the parameters of the patch.
+  /// Values, and derivatives with respect to the patch parameters.
   struct BasisJet {
     std::vector<double> values, du, dv;
   };
   void evaluateBasis(int element, const Eigen::Vector2d& parameters, BasisJet& jet) const;
 
   SplineJet evaluate(const SplinePlace& place) const;
-  /// Unit outward normal; a little inside the element where the derivatives are parallel.
+  /// Unit outward normal; evaluated slightly inside the element where the derivatives are parallel.
   Eigen::Vector3d normal(const SplinePlace& place) const;
 
-  /// The elements whose geometry differs in any bit from that of the same surface with other
-  /// control points; none at all when patches, knots, elements, tags or tears differ.
+  /// Elements whose geometry differs in any bit from `before`, the same surface with other control
+  /// points; none if patches, knots, elements, tags or torn functions differ.
   std::optional<std::vector<int>> movedElements(const SplineSurface& before) const;
 
-  /// All of it, byte by byte, for a hash.
+  /// Writes all data byte by byte, for a hash.
   void write(const ByteSink& sink) const;
 
  private:
@@ -131,7 +137,8 @@ class SplineSurface {
   std::vector<int> firstCell_;
   std::vector<std::vector<int>> elementsOfCell_;
   std::vector<SplineElement> elements_;
-  /// Inside the coordinates of another cut when the piece was cut before; -1: of the patch.
+  /// `inside`: the cut whose coordinates contain this one, if the piece was cut before; -1 for the
+  /// coordinates of the patch.
   struct Cut {
     CutMap map;
     int inside;

@@ -66,8 +66,8 @@ SplineTractions::SplineTractions(const SplineSurface& surface) {
     for (const int coefficient : surface.functions(e))
       list.push_back(index[{coefficient, surface.smoothingGroup(e), surface.elements()[e].tag}]);
   }
-  // A function's normal is that at its Greville point. Functions whose point lies in the part of
-  // another tag take the nearest element of their own.
+  // The normal of a function is the surface normal at its Greville point. Functions whose point
+  // lies in the part of another tag use their nearest element.
   const auto all = occurrences(surface);
   for (int k = 0; k < surface.coefficientCount(); ++k)
     for (const SplineOccurrence& at : all[k])

@@ -7,28 +7,29 @@
 
 namespace palpa::bem {
 
-/// A function of a patch: place (i, j) of its net.
+/// Occurrence of a function in a patch: position (i, j) in its net.
 struct SplineOccurrence {
   int patch, i, j;
 };
 
-/// The places in the nets at which each coefficient stands.
+/// Occurrences of each coefficient in the nets, indexed by coefficient.
 std::vector<std::vector<SplineOccurrence>> occurrences(const SplineSurface& surface);
 
-/// The elements of a patch that contain a point of it: up to four.
+/// Places of a point of a patch in all elements of the patch that contain it: up to four.
 std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, double u, double v);
 
-/// The elements that meet at the Greville point of a function of a patch, with its parameters.
+/// Places, in the elements that meet there, of the Greville point of a function of a patch.
 std::vector<SplinePlace> grevillePlaces(const SplineSurface& surface, const SplineOccurrence& at);
 
-/// The coefficients of the traction field: one per (displacement coefficient, smoothing group,
-/// tag), as TractionSlots has for nodes. So the traction jumps at sharp edges and where a support
-/// begins, which a single-valued one pays for with errors of 18 to 29 %. `slots.ofCorner` is empty.
+/// Coefficients of the traction field: one per (displacement coefficient, smoothing group, tag), as
+/// TractionSlots defines for nodes. The traction therefore jumps at sharp edges and at the border
+/// of a support; a single-valued traction has errors of 18 to 29 % there. `slots.ofCorner` is
+/// empty.
 struct SplineTractions {
   explicit SplineTractions(const SplineSurface& surface);
 
   TractionSlots slots;
-  /// Per element: the slot of each of its functions.
+  /// Slots of the functions of each element: [element][function].
   std::vector<std::vector<int>> ofFunction;
 };
 

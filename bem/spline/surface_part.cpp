@@ -13,13 +13,13 @@ namespace {
 
 constexpr int kSamples = 9;   ///< per direction, to find where the border runs
 constexpr int kMaxDepth = 6;  ///< halvings of a knot rectangle
-/// Slices along the side of a rectangle that are thinner, in parts of it, are not cut off: the
-/// border then runs along the side.
+/// Slices along the side of a rectangle that are thinner than this fraction of it are not cut off:
+/// the border then runs along the side.
 constexpr double kThinnest = 1e-3;
-constexpr double kSteepest = 2;  ///< of a graph, in units of its rectangle
-/// Of a function's area on one side of the border, or of that on one face there, below which it
-/// counts for the other side: so little that the rounding of the factorisation, which grows like
-/// the inverse of the share, would cost more digits than the function brings. In single precision
+constexpr double kSteepest = 2;  ///< maximum slope of a graph, in units of its rectangle
+/// Share of a function's area on one side of the border, or on one face there, below which it
+/// counts for the other side. The rounding error of the factorisation grows like the inverse of the
+/// share: a smaller share would cost more digits than the function contributes. In single precision
 /// four digits are left.
 constexpr double kMinShare = 1e-3;
 
@@ -31,7 +31,7 @@ struct Rectangle {
   double size(int direction) const { return upper[direction] - lower[direction]; }
 };
 
-/// Cuts the rectangle of one element.
+/// Cuts the knot rectangle of one element into pieces.
 class Cutter {
  public:
   struct Piece {
@@ -82,14 +82,14 @@ class Cutter {
     }
   }
 
-  /// Does the border cross the line at `along`, from end to end of the rectangle?
+  /// True if the border crosses the line at `along` between both ends of the rectangle.
   bool crosses(const Rectangle& r, int axis, double along) const {
     return (level(axis, along, r.lower[1 - axis]) < 0) !=
            (level(axis, along, r.upper[1 - axis]) < 0);
   }
 
   /// Adds pieces if the border is a graph over an interval of `axis` that begins or ends at an end
-  /// of the rectangle, and does not come back elsewhere.
+  /// of the rectangle, and does not cross the rectangle elsewhere.
   bool addGraph(const Rectangle& r, int axis) {
     std::array<bool, kSamples> has{};
     for (int k = 0; k < kSamples; ++k) has[k] = crosses(r, axis, r.at(axis, k / (kSamples - 1.0)));
@@ -105,7 +105,7 @@ class Cutter {
         const double middle = (low + high) / 2;
         (crosses(r, axis, middle) == has[0] ? low : high) = middle;
       }
-      // A crossing at either end must be on the side of the graph.
+      // A crossing at either end must be on the same side as the graph.
       const double border = has[0] ? low : high;
       (has[0] ? part.upper : part.lower)[axis] = border;
       (has[0] ? rest.lower : rest.upper)[axis] = border;
@@ -142,7 +142,7 @@ class Cutter {
     return true;
   }
 
-  /// Where the border crosses the line at `along`; none when it does so more than once.
+  /// Crossing of the border and the line at `along`; none if it is not unique.
   std::optional<double> rootOn(const Rectangle& r, int axis, double along) const {
     double low = r.lower[1 - axis], high = r.upper[1 - axis];
     const bool first = level(axis, along, low) < 0, last = level(axis, along, high) < 0;
@@ -154,7 +154,7 @@ class Cutter {
       before = here;
     }
     if (changes > 1) return {};
-    if (first == last) {  // at the end of the graph the border meets a corner of the rectangle
+    if (first == last) {  // the border meets a corner of the rectangle at the end of the graph
       const double a = std::abs(level(axis, along, low)), b = std::abs(level(axis, along, high));
       return a < b ? low : high;
     }
@@ -171,7 +171,7 @@ class Cutter {
   std::vector<Piece> pieces_;
 };
 
-/// Area of the functions, ∫ N_j dΓ, on elements inside and outside of a part.
+/// Areas of the functions, ∫ N_j dΓ, on elements inside and outside a part.
 struct Areas {
   std::vector<double> inside, outside;
   std::vector<std::map<int, double>> insideOfGroup;  ///< by smoothing group
@@ -198,8 +198,8 @@ Areas areasOf(const SplineSurface& surface, const std::vector<bool>& isInside) {
   return areas;
 }
 
-/// The pieces of an element, none when the border of the part leaves it whole; `isInside`: whether
-/// the whole is.
+/// Pieces of an element; none if the border of the part does not cut it. `isInside` receives
+/// whether the whole element is inside.
 std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
                                     const SurfacePart& part, bool& isInside) {
   isInside = part.hasPatch(surface.elements()[element].patch);
@@ -208,7 +208,7 @@ std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
   const Eigen::Vector3d middle =
       surface.evaluate({element, (e.lower[0] + e.upper[0]) / 2, (e.lower[1] + e.upper[1]) / 2})
           .position;
-  // The element lies in the hull of its control points.
+  // The element lies in the convex hull of its control points.
   double radius = 0;
   for (const int point : surface.functions(element))
     radius = std::max(radius, (surface.controlPoints()[point] - middle).norm());
@@ -222,8 +222,8 @@ std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
 }
 
 /// Functions whose elements in one patch lie on both sides of the border, whether it cuts elements
-/// or runs along knots. Along an edge of a patch nothing needs to be torn: functions do not reach
-/// across it.
+/// or runs along knots. Along the edge of a patch no function needs tearing, because functions do
+/// not extend across it.
 std::vector<bool> cutFunctions(const SplineSurface& surface, const std::vector<bool>& isInside) {
   std::vector<std::map<int, bool>> sideInPatch(surface.controlPoints().size());
   std::vector<bool> isCut(surface.controlPoints().size(), false);
@@ -236,7 +236,7 @@ std::vector<bool> cutFunctions(const SplineSurface& surface, const std::vector<b
   return isCut;
 }
 
-/// The functions that the border of a part cuts get a coefficient for each side.
+/// Gives the functions that the border of a part cuts one coefficient per side.
 void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isInside) {
   const std::vector<bool> isCut = cutFunctions(surface, isInside);
   const Areas areas = areasOf(surface, isInside);

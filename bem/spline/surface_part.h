@@ -7,38 +7,41 @@
 
 namespace palpa::bem {
 
-/// Negative inside of a part of the surface, positive outside, zero on its border; by position, mm.
-/// Like a distance it changes by at most 1 mm per mm.
+/// Function of the position (mm): negative inside a part of the surface, positive outside, zero on
+/// the border. Like a distance it changes by at most 1 mm per mm.
 using LevelFunction = std::function<double(const Eigen::Vector3d&)>;
 
-/// A part of a surface: some whole patches, and what a level function says of the others.
+/// Part of a surface: some whole patches, and the region of the other patches where a level
+/// function is negative.
 struct SurfacePart {
-  std::vector<bool> patches;  ///< per patch; empty: none
-  LevelFunction level;        ///< null: nothing of the others
+  std::vector<bool> patches;  ///< per patch; empty: no whole patches
+  LevelFunction level;        ///< null: no other patches
 
   bool hasPatch(int patch) const { return !patches.empty() && patches[patch]; }
 };
 
+/// Treatment of functions that the border of a part cuts.
 enum class Tearing {
-  kTorn,  ///< functions that the border cuts get a coefficient for each side
+  kTorn,  ///< functions cut by the border get one coefficient per side
   kWhole
 };
 
-/// Gives the elements inside a part the tag that `tagInside` says for the one they have. Knot
-/// rectangles that its border crosses are cut along it into pieces of their own.
+/// Surface in which the elements inside a part have the tag `tagInside` returns for their present
+/// tag. Knot rectangles crossed by the border of the part are cut along it into separate elements.
 ///
-/// What is known inside of a support, the displacement, must not reach across the border by the
-/// width of a function: functions that the border cuts are torn, each side gets a coefficient of
-/// its own (SplineSurface::tornFrom). A function with less than a thousandth of its area on one
-/// side is not torn but belongs to the other side (SplineSurface::barelyReaches). Loads cut without
-/// tearing: their tractions jump, displacements do not.
+/// The displacement is prescribed inside a support, and this must not affect the surface beyond the
+/// border within the width of a function. Functions cut by the border are therefore torn: each side
+/// gets its own coefficient (SplineSurface::tornFrom). A function with less than a thousandth of
+/// its area on one side is not torn; it belongs to the other side (SplineSurface::barelyReaches).
+/// Loads cut elements without tearing functions: tractions jump at their border, displacements do
+/// not.
 ///
-/// The border may have any shape that is simple within a 64th of a knot rectangle; what is finer is
-/// taken as inside or outside by its middle, and slices thinner than a thousandth of a rectangle
-/// are not cut off. Parts may be cut one after another.
+/// The border may have any shape that is simple within a 64th of a knot rectangle. Finer features
+/// count as inside or outside by their midpoint, and slices thinner than a thousandth of a
+/// rectangle are not cut off. Parts may be cut one after another.
 SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
                        const std::function<int(int)>& tagInside, Tearing tearing);
-/// A support below the zero of a level function with a tag of its own.
+/// Surface cut by a support with the tag `tag`, which lies where `level` is negative.
 SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag);
 
 }  // namespace palpa::bem

@@ -6,8 +6,9 @@
 
 namespace palpa::bem::detail {
 
-/// Stores batches so that each lane's values lie together: out[lane * kCount + k] = batch[k][lane].
-/// `out` is aligned to the size of a batch, kCount a multiple of its lanes.
+/// Stores batches so that the values of each lane are contiguous: out[lane * kCount + k] =
+/// batch[k][lane]. `out` is aligned to the size of a batch; kCount is a multiple of the number of
+/// lanes.
 template <class Batch, std::size_t kCount>
 [[gnu::always_inline]] inline void storeTransposed(const Batch (&batch)[kCount], double* out) {
   constexpr std::size_t kLanes = Batch::size;

@@ -39,7 +39,7 @@ struct ElementTable {
         slotCount(tractions.count()) {
     for (int t = 0; t < mesh.triangleCount(); ++t) add(mesh, t);
   }
-  /// The triangles of a part; coefficients and slots are counted within it.
+  /// The triangles of a part; coefficients and slots are numbered within it.
   ElementTable(const BoundaryMesh& mesh, const TractionSlots& tractions, const ElementPart& part)
       : coefficientCount(static_cast<int>(part.coefficients.size())),
         slotCount(static_cast<int>(part.slots.size())) {
@@ -78,7 +78,7 @@ struct PointTable {
     }
   }
 
-  /// Counts hosts within a part; points with a host outside of it have no free term.
+  /// Numbers hosts within a part; points with a host outside of it have no free term.
   void translate(const std::vector<int>& coefficientIn) {
     for (std::size_t p = 0; p < hostNodes.size(); ++p) {
       bool isInside = true;
@@ -96,7 +96,7 @@ struct PointTable {
 template <class Scalar>
 BoundaryOperators<Scalar> assembleTables(const ElementTable& elements, const PointTable& points,
                                          const Material& material, const AssemblyOptions& options,
-                                         std::string_view phase, const Job& job) {
+                                         std::optional<Phase> phase, const Job& job) {
   material.validate();
   const auto m = static_cast<std::ptrdiff_t>(points.hostNodes.size());
   BoundaryOperators<Scalar> result{
@@ -132,7 +132,7 @@ BoundaryOperators<Scalar> assembleTables(const ElementTable& elements, const Poi
   task.cancelledContext = &job.stop;
   const AssembleRows<Scalar> assembleRows = assembleRowsForThisProcessor<Scalar>();
 
-  // Tiles are lent from a stack, one per working thread.
+  // One tile per working thread.
   constexpr std::size_t kBlock = 9 * kTilePoints;
   const std::size_t tileSize = kBlock * (task.displacementCount + task.tractionCount);
   ScratchPool<LargeMatrix<double>> pool(
@@ -158,7 +158,7 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
                                    const Material& material, const AssemblyOptions& options,
                                    const Job& job) {
   return assembleTables<Scalar>(ElementTable(mesh, slots), PointTable(mesh, points), material,
-                                options, "assemble", job);
+                                options, Phase::kAssemble, job);
 }
 
 template <class Scalar>
@@ -169,7 +169,8 @@ BoundaryOperators<Scalar> assemblePart(const BoundaryMesh& mesh, const TractionS
                                        const Job& job) {
   PointTable table(mesh, points);
   table.translate(placesIn(part.coefficients, mesh.nodeCount()));
-  return assembleTables<Scalar>(ElementTable(mesh, slots, part), table, material, options, "", job);
+  return assembleTables<Scalar>(ElementTable(mesh, slots, part), table, material, options,
+                                std::nullopt, job);
 }
 
 template BoundaryOperators<double> assemble(const BoundaryMesh&, const TractionSlots&,

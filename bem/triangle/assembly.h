@@ -11,7 +11,7 @@
 
 namespace palpa::bem {
 
-/// The discretised boundary integral equation H u = G p with m collocation points, n displacement
+/// Discretised boundary integral equation H u = G p with m collocation points, n displacement
 /// coefficients and q traction slots. Rows: component c of point i is row c m + i. Columns:
 /// component c of coefficient j is column 3 j + c. u in mm, p in MPa; H is dimensionless, G in
 /// mm/MPa.
@@ -30,10 +30,10 @@ BoundaryOperators<Scalar> assemble(const BoundaryMesh& mesh, const TractionSlots
                                    const Material& material, const AssemblyOptions& options,
                                    const Job& job);
 
-/// What some triangles add to the rows: H with columns for the coefficients of `part`, G for its
-/// slots. Each row of H sums to zero for points in nodes of the part. So the difference of two such
-/// shares, after and before these triangles moved, is by how much the operators changed at points
-/// that did not: elsewhere on a closed surface the free term does not change.
+/// Contribution of some triangles to the rows: H with columns for the coefficients of `part`, G for
+/// its slots. Each row of H sums to zero for points in nodes of the part. The difference between
+/// the contributions after and before these triangles moved is the change of the operators at
+/// points that did not move: elsewhere on a closed surface the free term does not change.
 template <class Scalar>
 BoundaryOperators<Scalar> assemblePart(const BoundaryMesh& mesh, const TractionSlots& slots,
                                        const ElementPart& part,

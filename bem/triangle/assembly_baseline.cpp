@@ -2,7 +2,7 @@
 
 namespace palpa::bem {
 
-// Whatever every processor of the target platform has (SSE2 on x86-64).
+// The instruction set of every processor of the platform (SSE2 on x86-64).
 using Baseline = xsimd::default_arch;
 
 void assembleRowsBaseline(const AssemblyTask<double>& task) {

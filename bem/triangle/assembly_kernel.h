@@ -15,13 +15,12 @@ struct QuadratureRange {
   double rule7;
 };
 
-/// Collocation points that are worked on together. Their rows are summed in a small buffer,
-/// [coefficient][3 x 3 components][point], where one element touches a few contiguous places, and
-/// copied out once: adding to the columns of the large matrices directly costs more in cache misses
-/// than the integrals.
+/// Collocation points of one tile. Their rows are summed in a small buffer, [coefficient][3 x 3
+/// components][point], where one element changes a few contiguous pieces, and then copied to the
+/// large matrices: adding to their columns directly costs more in cache misses than the integrals.
 inline constexpr int kTilePoints = 16;
 
-/// One call's worth of assembly: all rows of up to kTilePoints collocation points. Plain pointers,
+/// Task of one call: assembly of all rows of up to kTilePoints collocation points. Plain pointers,
 /// because the loop is compiled for several instruction sets.
 /// Row of point i, component c: c * pointCount + i. Column of coefficient j, component c: 3 j + c.
 /// Column-major.
@@ -29,8 +28,8 @@ template <class Scalar>
 struct AssemblyTask {
   const double* position[3];  ///< collocation points by component, pointCount each
   std::ptrdiff_t pointCount, pointBegin, pointEnd;
-  const int* hostNodes;       ///< 3 per point: the coefficients that make up u there
-  const double* hostWeights;  ///< and their weights
+  const int* hostNodes;       ///< 3 per point: displacement coefficients that determine u there
+  const double* hostWeights;  ///< their weights
   std::ptrdiff_t displacementCount, tractionCount;  ///< coefficients
   const FlatTriangle* triangles;
   const double* corners;            ///< 9 per triangle: the positions of its corners, mm
@@ -46,24 +45,24 @@ struct AssemblyTask {
   Scalar* H;      ///< (3 pointCount) x (3 displacement coefficients)
   Scalar* G;      ///< (3 pointCount) x (3 traction coefficients)
   double* tileH;  ///< scratch of this call: 9 kTilePoints values per displacement coefficient
-  double* tileG;  ///< and per traction coefficient; both 64-byte aligned
+  double* tileG;  ///< the same per traction coefficient; both 64-byte aligned
   bool (*cancelled)(const void*);
   const void* cancelledContext;
 };
 
-/// Integrates over all elements, adds the free term to H and stores the rows; returns early when
+/// Integrates over all elements, adds the free term to H and stores the rows. Returns early if
 /// cancelled.
 template <class Scalar>
 using AssembleRows = void (*)(const AssemblyTask<Scalar>&);
 
-/// y += A x over some columns and a range of rows, in double precision whatever the storage of A:
-/// what iterative refinement needs of its residuals.
+/// y += A x over some columns and a range of rows, in double precision for any storage of A, as
+/// iterative refinement needs it for residuals.
 template <class Scalar>
 struct ProductTask {
   const Scalar* matrix;  ///< column-major
   std::ptrdiff_t rows;   ///< also the leading dimension of y
   std::ptrdiff_t rowBegin, rowEnd;
-  const int* columns;  ///< the columns of A that take part
+  const int* columns;  ///< columns of A to use
   std::ptrdiff_t columnCount;
   const double*
       x;  ///< per right-hand side k: x + k xStride, indexed by column of A; zeros are skipped
@@ -74,13 +73,13 @@ struct ProductTask {
 template <class Scalar>
 using AddProduct = void (*)(const ProductTask<Scalar>&);
 
-/// The fastest variants this processor can run.
+/// Fastest variants that this processor supports.
 template <class Scalar>
 AssembleRows<Scalar> assembleRowsForThisProcessor();
 template <class Scalar>
 AddProduct<Scalar> addProductForThisProcessor();
 
-// One set per instruction set; only call what the processor supports.
+// One group per instruction set, to be called only if the processor supports it.
 void assembleRowsAvx512(const AssemblyTask<double>&);
 void assembleRowsAvx512(const AssemblyTask<float>&);
 void addProductAvx512(const ProductTask<double>&);

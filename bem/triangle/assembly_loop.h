@@ -3,9 +3,10 @@
 #include "bem/triangle/assembly_kernel.h"
 #include "bem/triangle/flat_triangle_integrals.h"
 
-/// The assembly loop, included by one source file per instruction set. It knows neither what an
-/// element's geometry is nor what its basis functions are: an element type brings `integrate` and
-/// `kBasisCount`.
+/// The assembly loop, included by one source file per instruction set. Every function template has
+/// the instruction set (`Arch`, or a `Batch` of it) as a parameter: the linker keeps one of several
+/// equal instances, which must not be one that this processor cannot run. An element type brings
+/// its geometry (`integrate`) and the number of its basis functions (`kBasisCount`).
 namespace palpa::bem::detail {
 
 template <class Batch, class Scalar>
@@ -96,9 +97,9 @@ inline void addElement(const AssemblyTask<Scalar>& task, std::ptrdiff_t element,
 }
 
 /// A translation of the whole body needs no traction, so each row of 3 x 3 blocks of H sums to
-/// zero. What is missing is the free term (and, at a node, its own singular block), which belongs
-/// to the coefficients of u(x).
-template <class Scalar>
+/// zero. The difference is the free term (at a node together with the singular block of the node)
+/// and belongs to the coefficients of u(x).
+template <class Arch, class Scalar>
 void addFreeTerm(const AssemblyTask<Scalar>& task) {
   constexpr int kBlock = 9 * kTilePoints;
   double sum[kBlock] = {};
@@ -117,11 +118,11 @@ void addFreeTerm(const AssemblyTask<Scalar>& task) {
 }
 
 /// Copies a tile to its rows of a matrix.
-template <class Scalar>
+template <class Arch, class Scalar>
 void storeTile(const AssemblyTask<Scalar>& task, const double* tile, std::ptrdiff_t coefficients,
                Scalar* matrix) {
   constexpr std::ptrdiff_t kCancelPeriod =
-      128;  // the first tile brings in the memory of all columns
+      128;  // the first tile faults in the pages of all columns
   const std::ptrdiff_t points = task.pointEnd - task.pointBegin;
   for (std::ptrdiff_t coefficient = 0; coefficient < coefficients; ++coefficient) {
     if (coefficient % kCancelPeriod == 0 && task.cancelled(task.cancelledContext)) return;
@@ -141,7 +142,6 @@ void storeTile(const AssemblyTask<Scalar>& task, const double* tile, std::ptrdif
 template <class Arch, class Scalar>
 void addProduct(const ProductTask<Scalar>& task) {
   // Plain loops: the compiler vectorises them for the instruction set this file is compiled for.
-  // `Arch` keeps the instances apart.
   for (std::ptrdiff_t c = 0; c < task.columnCount; ++c) {
     const int column = task.columns[c];
     const Scalar* a = task.matrix + column * task.rows;
@@ -164,7 +164,7 @@ void assembleRows(const AssemblyTask<Scalar>& task) {
   Batch x[kBatches][3];
   for (int b = 0; b < kBatches; ++b)
     for (int i = 0; i < 3; ++i) {
-      // Lanes past the end repeat the last point; what they sum up is not stored.
+      // Lanes past the end repeat the last point; their sums are not stored.
       alignas(64) double lanes[kLanes];
       for (int lane = 0; lane < kLanes; ++lane) {
         const std::ptrdiff_t point = task.pointBegin + b * kLanes + lane;
@@ -186,9 +186,9 @@ void assembleRows(const AssemblyTask<Scalar>& task) {
       addElement<Batch>(task, index, integrals, b * kLanes);
     }
   }
-  addFreeTerm(task);
-  storeTile(task, task.tileH, task.displacementCount, task.H);
-  storeTile(task, task.tileG, task.tractionCount, task.G);
+  addFreeTerm<Arch>(task);
+  storeTile<Arch>(task, task.tileH, task.displacementCount, task.H);
+  storeTile<Arch>(task, task.tileG, task.tractionCount, task.G);
 }
 
 }  // namespace palpa::bem::detail

@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 constexpr double kSingular = 1e-6;
 
-/// Newton's step for the points of one triangle's plane: x + c1 ab + c2 ac, where the smooth normal
-/// changes by c1 (n_b - n_a) + c2 (n_c - n_a), shall have its offset to the tool along the normal.
+/// Newton's step in the plane of a triangle: at x + c1 ab + c2 ac, where the smooth normal has
+/// changed by c1 (n_b - n_a) + c2 (n_c - n_a), the offset to the tool is to be along the normal.
 Vector2d newtonStep(const TriangleContactSurface& surface, const Vector3d& tool,
                     const SurfacePoint& at) {
   const auto& c = surface.mesh().triangles[at.triangle];
@@ -45,8 +45,8 @@ Vector2d newtonStep(const TriangleContactSurface& surface, const Vector3d& tool,
 }  // namespace
 
 SurfacePoint TriangleContactSurface::foot(const Vector3d& tool, const SurfacePoint& start) const {
-  // No step is longer than the narrowest mask: more than the nearest point of a smooth surface can
-  // be off.
+  // The narrowest mask limits the step: on a smooth surface the nearest point is closer to the
+  // foot.
   SurfacePoint at =
       walkToFoot(mesh(), tree(), start, narrowestMask(start),
                  [&](const SurfacePoint& from) { return newtonStep(*this, tool, from); });

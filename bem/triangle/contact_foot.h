@@ -4,10 +4,10 @@
 
 namespace palpa::bem {
 
-/// Newton's method over the points of a mesh: from `start`, each time by what `stepFrom(point)`
-/// says, changes of the weights of the triangle's second and third corner; no step is longer than
-/// `scale` mm. Where a step leaves its triangle it goes on at the nearest point of the mesh. Ends
-/// when steps are 1e-12 of the scale: far below what can be felt.
+/// Newton's method over the points of a mesh, from `start`. `stepFrom(point)` returns the step as
+/// changes of the weights of the triangle's second and third corner; no step is longer than `scale`
+/// mm. A step that leaves its triangle continues at the nearest point of the mesh. Ends when steps
+/// are below 1e-12 of the scale.
 template <class StepFrom>
 SurfacePoint walkToFoot(const BoundaryMesh& mesh, const TriangleTree& tree,
                         const SurfacePoint& start, double scale, const StepFrom& stepFrom) {

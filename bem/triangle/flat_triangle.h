@@ -2,10 +2,9 @@
 
 namespace palpa::bem {
 
-/// A flat triangle as the integration routines want it: a frame with the first corner as origin,
-/// the first edge along the first axis and the outward normal as the third. Plain numbers, no
-/// Eigen, because this is read in code that is compiled several times for different instruction
-/// sets.
+/// Flat triangle in the form that the integrals use: a frame with the first corner as origin, the
+/// first edge along the first axis and the outward normal as the third axis. Plain numbers, no
+/// Eigen, because code that reads them is compiled for several instruction sets.
 struct FlatTriangle {
   double origin[3];       ///< first corner, mm
   double axis[2][3];      ///< unit in-plane axes
@@ -16,10 +15,10 @@ struct FlatTriangle {
   double corner[3][2];    ///< in the frame, mm
   double gradient[3][2];  ///< of the three linear basis functions, in the frame, 1/mm
   double tangent[3][2];   ///< unit direction of the edge from corner k to corner k + 1
-  double length[3];       ///< of that edge, mm
+  double length[3];       ///< of the same edge, mm
 };
 
-/// From the positions of the corners, counter-clockwise seen from outside.
+/// `corners`: positions, counter-clockwise seen from outside.
 FlatTriangle makeFlatTriangle(const double (&positions)[3][3]);
 
 /// Integrals over one element for one basis function N, with r = y - x, R = |r|, d = r.n (a batch

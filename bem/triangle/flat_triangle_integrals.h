@@ -10,7 +10,7 @@
 /// of collocation points at once. `Batch` is an xsimd batch of doubles, or plain double.
 namespace palpa::bem {
 
-/// Which of the ten different products stands for N_a N_b N_c.
+/// Index of the product N_a N_b N_c among the ten different ones.
 inline constexpr int kProductIndex[3][3][3] = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}},
                                                {{1, 3, 4}, {3, 6, 7}, {4, 7, 8}},
                                                {{2, 4, 5}, {4, 7, 8}, {5, 8, 9}}};
@@ -56,7 +56,7 @@ inline void outerSum(const Batch (&r)[3][3], const Batch (&half)[3][3], Batch (&
         xsimd::fma(r[1][kRow[k]], half[1][kColumn[k]], r[2][kRow[k]] * half[2][kColumn[k]]));
 }
 
-/// `condition ? a : b`, lane by lane; the plain form lets the same formulas run on doubles.
+/// `condition ? a : b`, lane by lane; the overload for double serves the same formulas.
 inline double choose(bool condition, double a, double b) {
   return condition ? a : b;
 }
@@ -93,7 +93,7 @@ struct PlacedRule {
   const double (*productWeight)[10];  ///< see RuleProducts
 };
 
-/// Plain quadrature; for collocation points at some distance (see `QuadratureRange`). `corners` are
+/// Quadrature for distant collocation points (see `QuadratureRange`). `corners` are
 /// the 9 coordinates of the triangle's corners. With r = sum_b N_b r_b (r_b from the collocation
 /// point to the corners), all integrals are combinations of ∫ N_a N_b N_c / R^3 and / R^5: twenty
 /// sums that stay in registers.
@@ -135,8 +135,8 @@ inline void integrateByRule(const FlatTriangle& triangle, const double* corners,
 /// Closed form, for any position of the collocation point: far, near, in the triangle's plane, and
 /// (as a principal value for basis functions that do not vanish there) in the triangle itself. At a
 /// corner, the integrals of that corner's own basis function have no principal value over one
-/// triangle alone; what is returned for them is finite and has to be replaced (`assemble` does so
-/// by rigid-body translation).
+/// triangle alone; the returned values are finite and must be replaced (`assemble` does so by
+/// rigid-body translation).
 ///
 /// Derivation: with ρ the in-plane part of r and z = d, every integral is reduced to edge integrals
 /// by the divergence theorem in the plane (grad(1/R) = -ρ/R^3 and so on), as for the Laplace
@@ -149,7 +149,7 @@ inline void integrateByRule(const FlatTriangle& triangle, const double* corners,
 template <class Batch>
 inline void integrateClosedForm(const FlatTriangle& t, const Batch (&x)[3],
                                 TriangleIntegrals<Batch>& out) {
-  // Distances below rounding are lifted to it: at a corner, 1/R meets factors that vanish there.
+  // Distances are at least the rounding error: at a corner, 1/R has factors that vanish there.
   const Batch tiny(1e-14 * t.radius), tinySquared(1e-28 * t.radius * t.radius);
   const Batch zero(0.0);
   const Batch q[3] = {x[0] - t.origin[0], x[1] - t.origin[1], x[2] - t.origin[2]};

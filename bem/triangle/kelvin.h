@@ -7,8 +7,8 @@
 namespace palpa::bem {
 
 /// Kelvin's solution for a point force in an infinite elastic body, evaluated point by point. The
-/// assembly uses the batched integrals of `flat_triangle.h`; these functions are the plain form for
-/// checks, interior points and the baseline of the benchmark.
+/// assembly uses the batched integrals of `flat_triangle.h`; these functions serve checks, interior
+/// points and the baseline of the benchmark.
 ///
 /// With r = y - x, R = |r|, e = r / R, n the unit outward normal at y (Brebbia, Telles & Wrobel,
 /// Boundary Element Techniques, 1984, eqs 5.9 and 5.10):
@@ -27,9 +27,8 @@ Eigen::Matrix3d kelvinTraction(const Eigen::Vector3d& x, const Eigen::Vector3d& 
                                const Eigen::Vector3d& n, const Material& material);
 
 /// Kernels of the stress at the interior point x (same source, eqs 5.44 and 5.45): sigma = ∫ D p dΓ
-/// - ∫ S u dΓ. `weightTraction` returns the stress that the traction p at y contributes,
-/// `weightDisplacement` the one that the displacement u at y contributes (already with its minus
-/// sign), both per unit area, MPa/mm^2.
+/// - ∫ S u dΓ. The first function returns the contribution of the traction p at y, the second one
+/// of the displacement u at y (including the minus sign), both per unit area, MPa/mm^2.
 Eigen::Matrix3d kelvinStressFromTraction(const Eigen::Vector3d& x, const Eigen::Vector3d& y,
                                          const Eigen::Vector3d& p, const Material& material);
 Eigen::Matrix3d kelvinStressFromDisplacement(const Eigen::Vector3d& x, const Eigen::Vector3d& y,

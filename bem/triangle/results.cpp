@@ -83,7 +83,7 @@ class StressIntegral {
 
  private:
   static constexpr int kDeepest = 12;
-  /// Distance over cell radius from which the 16-point rule is good to about 1e-7.
+  /// Distance over cell radius from which the 16-point rule has errors of about 1e-7.
   static constexpr double kFar = 4.0;
 
   Matrix3d add(const Cell& cell, double part, int depth) const {

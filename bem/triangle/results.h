@@ -17,7 +17,7 @@ Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots
                             const Eigen::VectorXd& p, std::span<const int> triangles);
 
 /// Strain energy 1/2 ∫ p.u dΓ in N mm = mJ, of a field without body forces, with u between the
-/// nodes from `DisplacementRecovery`. TriangleContactSurface does it twenty times as fast.
+/// nodes from `DisplacementRecovery`. TriangleContactSurface is twenty times as fast.
 double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
                     const Eigen::VectorXd& p);
 
@@ -40,16 +40,16 @@ Eigen::Matrix3d surfaceStress(const Eigen::Matrix3d& frame,
 double vonMises(const Eigen::Matrix3d& stress);
 
 /// Displacement at any surface point from the boundary integral equation there (Sloan's iterate of
-/// the collocation solution), mm. As accurate as the nodal values, whereas interpolation between
-/// nodes loses a second-order term that is several per cent under a load a few elements wide.
+/// the collocation solution), mm. As accurate as the nodal values; interpolation between nodes
+/// lacks a second-order term of several per cent under a load a few elements wide.
 Eigen::Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
                                     const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                     const Material& material, const SurfacePoint& place);
 
 /// Somigliana's identity: u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u. The displacement integrals are
-/// exact; those of the stress are taken by subdivision to about 1e-6. Empty for a point outside the
-/// body. Closer to the surface than a small part of an element the stress inherits the kinks of the
-/// linear field: use `surfaceStress` there.
+/// exact; the stress integrals use subdivision, to about 1e-6. Empty for a point outside the body.
+/// Very close to the surface, compared with an element, the stress has the kinks of the linear
+/// field: use `surfaceStress` there.
 std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                            const Material& material, const Eigen::Vector3d& point);

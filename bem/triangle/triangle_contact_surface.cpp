@@ -14,13 +14,13 @@ using Eigen::Vector3d;
 /// Integration cells are at most this part of the radius.
 constexpr double kCell = 1.0 / 4;
 
-/// Nodes on which the bump's mean is below this fade out of the projection. Without it a node that
-/// the bump just reaches would change the coefficients of all others at once, and the force of a
-/// sliding contact would step by half a per cent.
+/// Nodes whose mean of the bump is below this fade out of the projection. Otherwise a node that the
+/// bump just reaches would change the coefficients of all others at once, and the force of a
+/// sliding contact would jump by half a per cent.
 constexpr double kFade = 0.002;
 constexpr double kMaxFading = 1e9;
 
-/// Of the projection's residual, relative: far below what can be felt or drawn.
+/// Relative residual of the projection.
 constexpr double kProjectionTolerance = 1e-13;
 constexpr int kMaxIterations = 200;
 
@@ -77,7 +77,7 @@ class TriangleContactSurface::Workspace final : public ContactSurface::Workspace
   std::vector<int> touched_, around_, nodeIndex_, measureIndex_;
   std::vector<double> coefficients_;  // of the measure
   Eigen::Index count_ = 0;            // nodes of the mask
-  // One number per node of the mask; longer than needed, so that they seldom grow.
+  // One number per node of the mask; longer than needed, to allocate rarely.
   Eigen::VectorXd right_, residual_, search_, image_, diagonal_, fade_;
 };
 
@@ -134,8 +134,8 @@ bool TriangleContactSurface::makeMask(const SurfacePoint& point, double radius,
   return true;
 }
 
-/// Triangles that reach into the ball and hang together with the touched one: the far side of a
-/// thin body must not be touched as well.
+/// Triangles that reach into the ball and are connected to the touched one: the far side of a thin
+/// body must not be touched.
 void TriangleContactSurface::collectTriangles(const SurfacePoint& point, double radius,
                                               Workspace& work) const {
   work.touched_.clear();
@@ -214,8 +214,8 @@ double TriangleContactSurface::integrateBump(const SurfacePoint& point, double r
 
 /// Solves (M + F) φ = ∫ N b dΓ for the coefficients of the bump b: M is the mass matrix of the free
 /// nodes over the whole surface, F = m_k (kFade / mean of b at k)^2 on the diagonal, m_k = ∫ N_k.
-/// Conjugate gradients with the diagonal, which leaves a condition number below 20 whatever the
-/// size of the elements (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
+/// Conjugate gradients with the diagonal, with a condition number below 20 for any size of the
+/// elements (A. J. Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
 void TriangleContactSurface::project(Workspace& work, std::vector<double>& coefficients) const {
   const Eigen::Index count = work.count_;
   auto right = work.right_.head(count), residual = work.residual_.head(count);

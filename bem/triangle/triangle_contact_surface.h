@@ -9,7 +9,7 @@ namespace palpa::bem {
 
 /// The surface of linear functions on triangles: neighbours, the search tree, the recovery weights.
 ///
-/// Costs about 20 µs per triangle to make, 600 bytes per triangle to keep.
+/// Construction takes about 20 µs, storage 600 bytes per triangle.
 class TriangleContactSurface final : public ContactSurface {
  public:
   TriangleContactSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
@@ -23,7 +23,7 @@ class TriangleContactSurface final : public ContactSurface {
   }
   SurfacePoint nearest(const Eigen::Vector3d& x) const override { return tree().nearest(x); }
   /// Along the smooth normal. The nearest point of the triangles would stay at an edge while the
-  /// tool moves by its height times the angle between them, and then startPending on.
+  /// tool moves by its height times the angle between the triangles, and then jump.
   SurfacePoint foot(const Eigen::Vector3d& tool, const SurfacePoint& start) const override;
 
   /// Interpolated from the corners' slots.

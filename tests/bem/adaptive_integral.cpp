@@ -39,8 +39,8 @@ const GaussRule& gauss() {
   return rule;
 }
 
-/// Calls visit(barycentric weights, area weight) over pieces of the triangle that are small against
-/// their distance from x. Pieces below `smallest` times the triangle's size are dropped.
+/// Calls visit(barycentric weights, area weight) for pieces of the triangle that are small compared
+/// with their distance from x. Pieces below `smallest` times the triangle's size are omitted.
 void visitPieces(const Corners& corners, const Matrix3d& cell, const Vector3d& x, double smallest,
                  const std::function<void(const Vector3d&, double)>& visit) {
   constexpr double kFar = 3.0;
@@ -83,7 +83,7 @@ Vector3d positionOf(const Corners& c, const Vector3d& weights) {
   return weights[0] * c[0] + weights[1] * c[1] + weights[2] * c[2];
 }
 
-/// PV ∫ r/R^3 over the triangle for x inside it, each edge bisected towards x.
+/// PV ∫ r/R^3 over the triangle for x inside it; each edge is bisected towards x.
 Vector3d principalValue(const Corners& corners, const Vector3d& x, const Vector3d& normal) {
   Vector3d sum = Vector3d::Zero();
   const GaussRule& rule = gauss();

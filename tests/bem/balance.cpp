@@ -1,4 +1,6 @@
 #include "balance.h"
+#include "bem/dense/make_reference_problem.h"
+#include "bem/model/traction_projection.h"
 
 #include <cstdio>
 
@@ -30,8 +32,8 @@ BalanceDefect balance(const char* name, BoundaryMesh mesh, int fixedTag, const V
   BoundaryConditions given(mesh, slots);
   given.ofSlot = conditions;
   given.traction = projectTraction(mesh, slots, load);
-  const auto problem = makeDenseReferenceProblem(mesh, slots, conditions, material, {},
-                                                 Precision::kAutomatic, Job{});
+  const auto problem =
+      makeDenseReferenceProblem(mesh, slots, {conditions, material, {}, Precision::kAutomatic});
   const BoundaryField field = problem->solveField(problem->dofs().knownField(given));
   const Resultant applied = integrateLoad(mesh, load);
   const Resultant all = tractionResultant(mesh, slots, field.p.col(0), allTriangles(mesh));

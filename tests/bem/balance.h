@@ -1,6 +1,6 @@
 #pragma once
 
-/// Collocation fulfils the balance of forces and moments only in the limit; the defect is an honest
+/// Balance of forces and moments. Collocation satisfies it only in the limit, so the defect is an
 /// indicator of the error.
 namespace palpa::bem::test {
 
@@ -10,7 +10,7 @@ struct BalanceDefect {
   double moment;  ///< about the middle of the support, over force times lever arm
 };
 
-/// Sphere of radius 25 mm held below z = -20 mm, bump load of radius 12 mm near the top.
+/// Sphere of radius 25 mm fixed below z = -20 mm, bump load of radius 12 mm near the top.
 BalanceDefect sphereBalance(int cells);
 
 /// Cylinder of radius 20 and height 60 mm clamped at the base, the same load on its side near the

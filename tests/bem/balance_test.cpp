@@ -5,7 +5,7 @@
 namespace palpa::bem {
 namespace {
 
-// The limits are those of design/bem.md: 1 % at 600 nodes, 0.3 % at 2,500 (slow tests).
+// Limits: 1 % at 600 nodes, 0.3 % at 2,500 (slow tests).
 TEST(Balance, SphereIsWithinOnePercentAt600NodesAndImproves) {
   const auto coarse = test::sphereBalance(7), fine = test::sphereBalance(10);
   EXPECT_LE(fine.force, 0.01);

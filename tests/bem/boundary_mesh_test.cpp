@@ -20,7 +20,7 @@ BoundaryMesh box() {
   return verification::boxMesh({0, 0, 0}, {4, 3, 2}, 4, 3, 2);
 }
 
-/// The message of the refusal, which must be of kind kBadMesh; empty when there was none.
+/// Message of the error, which must have the kind kBadMesh; empty if there was none.
 std::string refusal(const BoundaryMesh& mesh) {
   try {
     mesh.validate();
@@ -44,9 +44,9 @@ TEST(BoundaryMesh, MeasuresOfABox) {
   EXPECT_LT(mesh.meanEdgeLength(), std::sqrt(2.0));
 }
 
-TEST(BoundaryMesh, MeasuresAreThoseOfTheTrueBodiesInTheLimit) {
+TEST(BoundaryMesh, MeasuresConvergeToTheTrueBodies) {
   constexpr double kPi = std::numbers::pi;
-  // Chords of 24 and more segments per turn: 1 - cos(pi/24) = 0.9 % twice.
+  // Chords of at least 24 segments per turn: 1 - cos(pi/24) = 0.9 %, twice.
   EXPECT_NEAR(verification::sphereMesh(10, 8).volume(), 4 / 3.0 * kPi * 1e3, 0.02 * 4189);
   EXPECT_NEAR(verification::hollowSphereMesh(5, 10, 6, 8).volume(), 4 / 3.0 * kPi * 875,
               0.02 * 3665);
@@ -65,7 +65,7 @@ TEST(BoundaryMesh, AcceptsEveryTestBody) {
   EXPECT_EQ(refusal(verification::torusMesh(10, 3, 16, 8)), "");
 }
 
-TEST(BoundaryMesh, RefusesNothingAtAll) {
+TEST(BoundaryMesh, RefusesAnEmptyMesh) {
   expectInMessage(refusal(BoundaryMesh{}), "no triangles");
 }
 
@@ -100,7 +100,7 @@ TEST(BoundaryMesh, RefusesCoordinatesThatAreNotFinite) {
   }
 }
 
-TEST(BoundaryMesh, RefusesASurfaceThatIsInsideOut) {
+TEST(BoundaryMesh, RefusesAnInvertedSurface) {
   BoundaryMesh mesh = box();
   for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
   expectInMessage(refusal(mesh), "inside out");
@@ -135,7 +135,7 @@ TEST(BoundaryMesh, RefusesListsOfDifferentLength) {
   expectInMessage(refusal(mesh), "one entry per triangle");
 }
 
-TEST(TractionSlots, ThreeAtACornerTwoAtAnEdgeOneInAFace) {
+TEST(TractionSlots, ThreeAtACornerTwoAtAnEdgeOneOnAFace) {
   const BoundaryMesh mesh = box();
   const TractionSlots slots(mesh);
   std::map<int, int> nodesWith;
@@ -160,7 +160,7 @@ TEST(TractionSlots, BelongToTheirNodeAndFace) {
       EXPECT_EQ(slot.node, mesh.triangles[t][corner]);
       EXPECT_EQ(slot.tag, mesh.tags[t]);
       EXPECT_EQ(slot.smoothingGroup, mesh.smoothingGroups[t]);
-      // No averaging of normals across a sharp edge.
+      // Normals are not averaged across a sharp edge.
       EXPECT_LE((slot.normal - mesh.normal(t)).norm(), 1e-14);
     }
 }
@@ -182,7 +182,8 @@ TEST(TractionSlots, SplitAtTheBorderOfASupportOnASmoothFace) {
 
 TEST(TractionSlots, MeanNormalOfASphereIsRadial) {
   const BoundaryMesh mesh = verification::sphereMesh(10, 8);
-  // One cell spans 11 degrees: its skew, a quarter of that squared in radians, is left.
+  // One cell spans 11 degrees; the remaining error is its skew, a quarter of 11 degrees squared, in
+  // radians.
   for (const auto& slot : TractionSlots(mesh).slots)
     EXPECT_LE((slot.normal - mesh.nodes[slot.node].normalized()).norm(), 0.01);
 }

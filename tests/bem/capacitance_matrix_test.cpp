@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A well conditioned unsymmetric matrix of which the tests take rows and columns.
+/// Well conditioned unsymmetric matrix from which the tests take rows and columns.
 MatrixXd testMatrix(Index size) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -23,7 +23,7 @@ MatrixXd testMatrix(Index size) {
   return matrix;
 }
 
-TEST(CapacitanceMatrix, RandomJoiningAndLeavingEqualsSolvingAnew) {
+TEST(CapacitanceMatrix, RandomAddingAndRemovingEqualsAFreshSolve) {
   const MatrixXd full = testMatrix(90);
   CapacitanceMatrix capacitance;
   std::vector<Index> members;  // rows of `full`, three at a time
@@ -45,8 +45,8 @@ TEST(CapacitanceMatrix, RandomJoiningAndLeavingEqualsSolvingAnew) {
     const MatrixXd expected = full(members, members);
     ASSERT_EQ(capacitance.matrix(), expected);
     const VectorXd right = VectorXd::LinSpaced(expected.rows(), -1, 2);
-    const VectorXd anew = expected.partialPivLu().solve(right);
-    ASSERT_LE((capacitance.solve(right) - anew).norm(), 1e-12 * (1 + anew.norm()));
+    const VectorXd direct = expected.partialPivLu().solve(right);
+    ASSERT_LE((capacitance.solve(right) - direct).norm(), 1e-12 * (1 + direct.norm()));
   }
 }
 
@@ -55,7 +55,7 @@ TEST(CapacitanceMatrix, RefusesADependentRowAndKeepsWorking) {
   CapacitanceMatrix capacitance;
   const std::vector<Index> first{0, 1, 2};
   capacitance.append(MatrixXd(0, 3), MatrixXd(3, 0), full(first, first));
-  // The same place once more: identical rows and columns.
+  // The same place again: identical rows and columns.
   EXPECT_THROW(capacitance.append(full(first, first), full(first, first), full(first, first)),
                SolverError);
   EXPECT_EQ(capacitance.size(), 3);

@@ -11,11 +11,11 @@ TEST(DenseElimination, SolvesSystemsOfAllSizes) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
   for (int size = 1; size <= 70; ++size) {
-    Eigen::MatrixXd room = Eigen::MatrixXd::Zero(size + 5, size + 9);  // a part of a larger one
+    Eigen::MatrixXd room = Eigen::MatrixXd::Zero(size + 5, size + 9);  // part of a larger matrix
     auto system = room.topLeftCorner(size, size + 1);
     for (int i = 0; i < size; ++i)
       for (int j = 0; j <= size; ++j) system(i, j) = number(random);
-    system(0, 0) = 0;  // has to be exchanged
+    system(0, 0) = 0;  // requires pivoting
     if (size == 1) system(0, 0) = 2;
     const Eigen::MatrixXd a = system.leftCols(size);
     const Eigen::VectorXd b = system.col(size);
@@ -27,7 +27,7 @@ TEST(DenseElimination, SolvesSystemsOfAllSizes) {
   }
 }
 
-TEST(DenseElimination, SaysThatASystemIsSingular) {
+TEST(DenseElimination, ReportsASingularSystem) {
   Eigen::MatrixXd system(2, 3);
   system << 1, 2, 1, 2, 4, 3;
   solveByElimination(system);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/verification/exact/simple_meshes.h"
+#include "bem/dense/make_reference_problem.h"
 #include "bem/triangle/triangle_contact_surface.h"
 #include "hertz.h"
 
@@ -12,9 +13,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A sphere fixed below z = -20 mm whose mesh becomes fine towards its top: the cube sphere under
-/// the conformal map tan(θ/2) -> tan(θ/2) / finer, which leaves triangles similar to what they
-/// were.
+/// Sphere fixed below z = -20 mm with a mesh that is refined towards its top: the cube sphere under
+/// the conformal map tan(θ/2) -> tan(θ/2) / finer, which keeps the shape of the triangles.
 BoundaryMesh refinedSphere(int n, double finer) {
   BoundaryMesh mesh = verification::sphereMesh(test::kHertzRadius, n);
   for (Vector3d& node : mesh.nodes) {
@@ -28,20 +28,19 @@ BoundaryMesh refinedSphere(int n, double finer) {
   return mesh;
 }
 
-TEST(Hertz, ARigidBallOnASphere) {
+TEST(Hertz, RigidBallOnASphere) {
   const BoundaryMesh mesh = refinedSphere(20, 5);  // n = 2,402; edges of 0.55 mm at the top
   const TractionSlots slots(mesh);
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
     conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-  const std::shared_ptr<const ReferenceProblem> problem =
-      makeDenseReferenceProblem(mesh, slots, conditions, test::kHertzMaterial, AssemblyOptions{},
-                                Precision::kAutomatic, Job{});
+  const std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
+      mesh, slots, {conditions, test::kHertzMaterial, {}, Precision::kAutomatic});
   const TriangleContactSurface surface(mesh, slots, problem->dofs());
   GreensColumns columns(problem);
   const BoundaryField base{VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
   // Contact circles from twice the longest edges to a sixth of the sphere's radius: 2 masks wide at
-  // first, which is what the error comes from; 7 at the end.
+  // first, which causes the error; 7 masks at the end.
   test::expectHertz(
       {surface, columns, base}, {1.2, 1.7, 2.2, 2.7, 3.2, 3.7, 4.2},
       [](double a) { return a < 2 ? 0.04 : 0.015; }, 0.02);

@@ -1,4 +1,5 @@
 #include "bem/contact/contact_simulation.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using Eigen::VectorXd;
 using Kind = ContactTool::Kind;
 using Status = ContactSimulation::Status;
 
-/// A sphere of radius 25 mm, fixed below z = -20, silicone-like, with all its columns.
+/// Silicone-like sphere of radius 25 mm, fixed below z = -20 mm, with all its columns.
 struct Sphere {
   BoundaryMesh mesh;
   TractionSlots slots;
@@ -30,8 +31,8 @@ struct Sphere {
     std::vector<SlotCondition> conditions;
     for (const auto& slot : slots.slots)
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-    problem = makeDenseReferenceProblem(mesh, slots, conditions, {0.1, 0.45}, AssemblyOptions{},
-                                        Precision::kDouble, Job{});
+    problem =
+        makeDenseReferenceProblem(mesh, slots, {conditions, {0.1, 0.45}, {}, Precision::kDouble});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
     surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
@@ -55,7 +56,7 @@ const Sphere& sphere() {
 
 const Vector3d kTop(0, 0, 25), kSide(25, 0, 0);
 
-TEST(ContactSimulation, GrabsAsTheExactSolverDoes) {
+TEST(ContactSimulation, GrabsLikeTheExactSolver) {
   ContactSimulation simulation = sphere().simulation();
   simulation.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
   simulation.begin({Kind::kGrab, 8}, kSide, {1, 0, 0});
@@ -65,7 +66,7 @@ TEST(ContactSimulation, GrabsAsTheExactSolverDoes) {
   exact.addGrab(makeContactMask(*sphere().surface, kTop, 8), Vector3d(0, 0.5, -2));
   exact.addGrab(makeContactMask(*sphere().surface, kSide, 8), Vector3d(1, 0, 0));
   const VectorXd forces = exact.forces();
-  // Columns are kept in single precision.
+  // Columns are stored in single precision.
   EXPECT_LE((simulation.contacts()[0].force - forces.head<3>()).norm(), 1e-5 * forces.norm());
   EXPECT_LE((simulation.contacts()[1].force - forces.tail<3>()).norm(), 1e-5 * forces.norm());
 }
@@ -76,7 +77,7 @@ TEST(ContactSimulation, PushesButDoesNotPull) {
   simulation.step(5);
   const auto pressed = *simulation.find(id);
   EXPECT_LT(pressed.force[2], 0);
-  // The mesh's normal at the pole is off the axis by half a degree.
+  // The mesh normal at the pole deviates from the axis by half a degree.
   EXPECT_NEAR(pressed.displacement[2], -1, 0.02);
   EXPECT_LE(pressed.force.head<2>().norm(), 0.01 * std::abs(pressed.force[2]));
   simulation.set(id, {0, 0, 25.1});
@@ -97,16 +98,16 @@ TEST(ContactSimulation, AFrictionlessToolSlidesWithoutTangentialForce) {
     EXPECT_LE((contact.force - normal * normal.dot(contact.force)).norm(),
               1e-6 * contact.force.norm());
   }
-  // It has come along: the contact is below the tool.
+  // The contact has followed: it is below the tool.
   const auto& contact = *simulation.find(id);
   EXPECT_NEAR(contact.point.position[0], 25 * std::sin(1.0), 0.6);
 }
 
 TEST(ContactSimulation, TheForceHasNoStepsWhenSliding) {
-  for (const Kind kind : {Kind::kPush, Kind::kProbe}) {
+  for (const Kind kind : {Kind::kPush, Kind::kBall}) {
     ContactSimulation simulation = sphere().simulation();
-    const double radius = kind == Kind::kProbe ? 12 : 8;
-    const double distance = kind == Kind::kProbe ? 25 + 12 - 1.5 : 23.5;
+    const double radius = kind == Kind::kBall ? 12 : 8;
+    const double distance = kind == Kind::kBall ? 25 + 12 - 1.5 : 23.5;
     const auto id = simulation.begin({kind, radius, 0}, kTop, {0, 0, distance});
     simulation.step(10);
     double last = simulation.find(id)->force.norm(), largest = 0, jump = 0;
@@ -119,13 +120,13 @@ TEST(ContactSimulation, TheForceHasNoStepsWhenSliding) {
       largest = std::max(largest, force);
       last = force;
     }
-    // Each step moves the tool by 5 to 7 µm: a force that varies by 10 % along an element would
+    // Each step moves the tool by 5 to 7 µm: a force that varied by 10 % along an element would
     // change by 0.02 %.
     EXPECT_LE(jump, 0.002 * largest);
   }
 }
 
-TEST(ContactSimulation, FrictionHoldsThenSlidesAndTakesEnergy) {
+TEST(ContactSimulation, FrictionSticksThenSlidesAndDissipatesEnergy) {
   ContactSimulation simulation = sphere().simulation();
   const auto id = simulation.begin({Kind::kPush, 8, 0.3}, kTop, {0, 0, 23});
   simulation.step();
@@ -146,9 +147,9 @@ TEST(ContactSimulation, FrictionHoldsThenSlidesAndTakesEnergy) {
   EXPECT_TRUE(slipped);
 }
 
-TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
+TEST(ContactSimulation, TheContactOfABallGrowsWithDepth) {
   ContactSimulation simulation = sphere().simulation();
-  const auto id = simulation.begin({Kind::kProbe, 200, 0}, kTop, {0, 0, 225});
+  const auto id = simulation.begin({Kind::kBall, 200, 0}, kTop, {0, 0, 225});
   std::size_t masks = 0;
   double force = 0;
   for (const double depth : {0.01, 0.1, 0.5, 1.5, 3.0, 6.0}) {
@@ -168,7 +169,7 @@ TEST(ContactSimulation, AProbesContactGrowsWithDepth) {
 TEST(ContactSimulation, TheSameStepsGiveTheSameForces) {
   const auto play = [] {
     ContactSimulation simulation = sphere().simulation();
-    const auto push = simulation.begin({Kind::kProbe, 15, 0.4}, kTop, {0, 0, 39});
+    const auto push = simulation.begin({Kind::kBall, 15, 0.4}, kTop, {0, 0, 39});
     simulation.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
     std::vector<Vector3d> forces;
     for (int k = 0; k < 50; ++k) {
@@ -181,9 +182,9 @@ TEST(ContactSimulation, TheSameStepsGiveTheSameForces) {
   EXPECT_EQ(play(), play());
 }
 
-TEST(ContactSimulation, OthersStayWhenOneEnds) {
+TEST(ContactSimulation, OtherContactsStayWhenOneEnds) {
   ContactSimulation simulation = sphere().simulation();
-  const auto a = simulation.begin({Kind::kProbe, 15, 0}, kTop, {0, 0, 39});
+  const auto a = simulation.begin({Kind::kBall, 15, 0}, kTop, {0, 0, 39});
   const auto b = simulation.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
   simulation.step(5);
   simulation.end(a);
@@ -196,11 +197,11 @@ TEST(ContactSimulation, OthersStayWhenOneEnds) {
   EXPECT_EQ(simulation.find(a), nullptr);
 }
 
-TEST(ContactSimulation, ATouchGoesOnInAnotherSimulation) {
+TEST(ContactSimulation, AContactContinuesInAnotherSimulation) {
   const auto play = [](bool isSwapped) {
     ContactSimulation first = sphere().simulation(), second = sphere().simulation();
     ContactSimulation* touched = &first;
-    const auto push = first.begin({Kind::kProbe, 15, 0.2}, kTop, {0, 0, 39});
+    const auto push = first.begin({Kind::kBall, 15, 0.2}, kTop, {0, 0, 39});
     first.begin({Kind::kPush, 8, 0.3}, {0, 25, 0}, {0, 24, 0});
     first.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0.3});
     std::vector<Vector3d> forces;
@@ -226,7 +227,7 @@ TEST(ContactSimulation, ATouchGoesOnInAnotherSimulation) {
   EXPECT_LE(off, 1e-9 * largest);
 }
 
-TEST(ContactSimulation, WhatSlidesAheadOfItsColumnsKeepsItsForce) {
+TEST(ContactSimulation, AToolThatSlidesAheadOfItsColumnsKeepsItsForce) {
   GreensColumns few(sphere().problem);
   few.compute(makeContactMask(*sphere().surface, kTop, 8).nodes, Job{});
   ContactSimulation simulation(*sphere().surface, few, sphere().base);
@@ -254,14 +255,14 @@ TEST(ContactSimulation, WaitsForColumnsAndRefusesHeldPlaces) {
   GreensColumns none(sphere().problem);
   ContactSimulation simulation(*sphere().surface, none, sphere().base);
   const auto id = simulation.begin({Kind::kGrab, 8}, kTop, {0, 0, -1});
-  const auto held = simulation.begin({Kind::kPush, 3}, {0, 0, -25}, {0, 0, -24});
+  const auto fixed = simulation.begin({Kind::kPush, 3}, {0, 0, -25}, {0, 0, -24});
   simulation.step();
   EXPECT_EQ(simulation.find(id)->status, Status::kWaiting);
   EXPECT_EQ(simulation.find(id)->force.norm(), 0);
-  EXPECT_EQ(simulation.find(held)->status, Status::kHeld);
+  EXPECT_EQ(simulation.find(fixed)->status, Status::kFixed);
   none.compute(makeContactMask(*sphere().surface, kTop, 8).nodes, Job{});
   simulation.step();
-  EXPECT_EQ(simulation.find(id)->status, Status::kHolding);
+  EXPECT_EQ(simulation.find(id)->status, Status::kGrabbed);
   EXPECT_LT(simulation.find(id)->force[2], 0);
 }
 

@@ -1,4 +1,6 @@
 #include "bem/contact/bilateral_contact_solver.h"
+#include "bem/contact/nodal_switching.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +8,8 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "bem/base/error.h"
-#include "bem/contact/nodal_switching.h"
 #include "bem/triangle/results.h"
+#include "bem/triangle/triangle_contact_surface.h"
 
 namespace palpa::bem {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// A sphere of radius 25 mm, fixed below z = -20, silicone-like.
+/// Silicone-like sphere of radius 25 mm, fixed below z = -20 mm.
 struct Sphere {
   BoundaryMesh mesh;
   TractionSlots slots;
@@ -25,8 +27,8 @@ struct Sphere {
   explicit Sphere(int n) : mesh(tagged(n)), slots(mesh) {
     for (const auto& slot : slots.slots)
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-    problem = makeDenseReferenceProblem(mesh, slots, conditions, {0.1, 0.45}, AssemblyOptions{},
-                                        Precision::kDouble, Job{});
+    problem =
+        makeDenseReferenceProblem(mesh, slots, {conditions, {0.1, 0.45}, {}, Precision::kDouble});
   }
   static BoundaryMesh tagged(int n) {
     BoundaryMesh mesh = verification::sphereMesh(25, n);
@@ -39,7 +41,7 @@ struct Sphere {
   }
   BilateralContactSolver solver() const { return {problem, slots, zero()}; }
   ContactMask mask(const Vector3d& at, double radius) const {
-    return makeContactMask(mesh, slots, problem->dofs(), at, radius);
+    return makeContactMask(TriangleContactSurface(mesh, slots, problem->dofs()), at, radius);
   }
   std::vector<int> triangles(int tag) const {
     std::vector<int> list;
@@ -56,14 +58,14 @@ const Sphere& sphere() {
 
 const Vector3d kTop(0, 0, 25), kSide(25, 0, 0);
 
-TEST(ContactMask, IsNormalisedAndReadsRigidTranslationsExactly) {
+TEST(ContactMask, IsNormalisedAndMeasuresRigidTranslationsExactly) {
   const ContactMask mask = sphere().mask({10, 12, 19}, 9);
   EXPECT_NEAR(std::accumulate(mask.measure.begin(), mask.measure.end(), 0.0), 1.0, 1e-12);
   VectorXd translated(3 * sphere().mesh.nodeCount());
   for (int k = 0; k < sphere().mesh.nodeCount(); ++k)
     translated.segment<3>(3 * k) = Vector3d(0.1, -0.2, 0.3);
   EXPECT_LE((mask.displacement(translated) - Vector3d(0.1, -0.2, 0.3)).norm(), 1e-14);
-  // ∫ Φ dΓ = 1: a force of 1 N as tractions has the resultant 1 N.
+  // ∫ Φ dΓ = 1: a force of 1 N applied as tractions has the resultant 1 N.
   VectorXd p = VectorXd::Zero(3 * sphere().slots.count());
   for (std::size_t k = 0; k < mask.nodes.size(); ++k)
     p[3 * sphere().slots.firstOfNode[mask.nodes[k]]] = mask.traction[k];
@@ -71,7 +73,7 @@ TEST(ContactMask, IsNormalisedAndReadsRigidTranslationsExactly) {
               1.0, 1e-12);
 }
 
-TEST(ContactMask, IsNoNarrowerThanTheMeshCanCarry) {
+TEST(ContactMask, IsNoNarrowerThanTheMeshCanRepresent) {
   const ContactMask mask = sphere().mask(kTop, 0.01);
   EXPECT_GT(mask.radius, 2 * 3.0);
   EXPECT_LT(mask.radius, 3 * 5.0);
@@ -84,7 +86,8 @@ TEST(ContactMask, DoesNotTouchTheFarSideOfAThinBody) {
   for (const auto& slot : slots.slots)
     conditions.push_back(slot.tag == 0 ? SlotCondition::kFixed : SlotCondition::kTraction);
   const DegreesOfFreedom dofs(plate, slots, conditions, {0.1, 0.3});
-  const ContactMask mask = makeContactMask(plate, slots, dofs, {0, 0, 2}, 6);
+  const ContactMask mask =
+      makeContactMask(TriangleContactSurface(plate, slots, dofs), {0, 0, 2}, 6);
   for (const int node : mask.nodes) EXPECT_EQ(plate.nodes[node][2], 2.0);
 }
 
@@ -92,13 +95,13 @@ TEST(ContactMask, RefusesATouchOnASupport) {
   EXPECT_THROW(sphere().mask({0, 0, -25}, 3), SolverError);
 }
 
-TEST(BilateralContactSolver, GrabbedPlacesMoveAsTold) {
+TEST(BilateralContactSolver, GrabbedPlacesMoveAsPrescribed) {
   BilateralContactSolver solver = sphere().solver();
   const ContactMask top = sphere().mask(kTop, 8), side = sphere().mask(kSide, 8);
   solver.addGrab(top, Vector3d(0, 0.5, -2));
   solver.addGrab(side, Vector3d(1, 0, 0));
   const BoundaryField field = solver.field(solver.forces());
-  // D is symmetrised, so the means are met to the reciprocity defect, below 1 % at this mesh.
+  // D is symmetrised, so the means have the reciprocity defect, below 1 % on this mesh.
   EXPECT_LE((top.displacement(field.u) - Vector3d(0, 0.5, -2)).norm(), 0.01 * 2);
   EXPECT_LE((side.displacement(field.u) - Vector3d(1, 0, 0)).norm(), 0.01 * 2);
   EXPECT_LE(sphere().problem->relativeResidual(field), 1e-10);
@@ -114,7 +117,7 @@ TEST(BilateralContactSolver, ForceAndSupportBalance) {
   EXPECT_LT(forces[2], 0);
   EXPECT_NEAR(reaction.force[2], -forces[2], 0.01 * std::abs(forces[2]));
   EXPECT_NEAR(reaction.force[0], 0, 1e-3 * std::abs(forces[2]));
-  // Work of the contact is the strain energy.
+  // The work of the contact is the strain energy.
   EXPECT_NEAR(strainEnergy(sphere().mesh, sphere().slots, field.u.col(0), field.p.col(0)),
               0.5 * 2 * -forces[2], 0.005 * std::abs(forces[2]));
 }
@@ -146,7 +149,7 @@ TEST(BilateralContactSolver, DisplacementAndForceAreInverse) {
   EXPECT_GT(contact.stiffness, 0);
 }
 
-TEST(BilateralContactSolver, JoiningAndLeavingInAnyOrderGivesTheSameForces) {
+TEST(BilateralContactSolver, AddingAndRemovingInAnyOrderGivesTheSameForces) {
   const Vector3d places[] = {kTop, kSide, {-25, 0, 0}, {0, 25, 0}, {0, -20, 15}};
   BilateralContactSolver straight = sphere().solver();
   straight.addGrab(sphere().mask(places[1], 7), Vector3d(1, 0, 0));
@@ -190,9 +193,8 @@ TEST(BilateralContactSolver, AMaskOfOneNodeIsNodalSwitching) {
   solver.addGrab(mask, displacement);
 
   const auto& dofs = sphere().problem->dofs();
-  NodalSwitching switching(std::make_shared<GreensFunction>(sphere().problem),
-                           VectorXd::Zero(dofs.nodalCount()), VectorXd::Zero(dofs.count()),
-                           sphere().zero());
+  NodalSwitching switching(sphere().problem, VectorXd::Zero(dofs.nodalCount()),
+                           VectorXd::Zero(dofs.count()), sphere().zero());
   switching.add(node);
   const Vector3d force =
       dofs.tractionScale() * area * switching.solve(displacement).switched.head<3>();
@@ -215,8 +217,8 @@ TEST(BilateralContactSolver, ReciprocityDefectIsSmallAndFalls) {
 }
 
 TEST(BilateralContactSolver, ForceIsContinuousWhenTheContactSlides) {
-  // Slides over three elements in 24 steps: neighbouring forces differ by no more than the place
-  // explains.
+  // Slides over three elements in 24 steps: the forces of consecutive steps differ by no more than
+  // the change of place explains.
   double previous = 0;
   for (int step = 0; step <= 24; ++step) {
     const double angle = 0.02 * step;

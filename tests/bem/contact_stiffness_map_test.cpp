@@ -9,6 +9,7 @@
 #include "bem/contact/bilateral_contact_solver.h"
 #include "bem/contact/contact_simulation.h"
 #include "bem/contact/stiffness_map.h"
+#include "bem/dense/make_reference_problem.h"
 #include "bem/triangle/triangle_contact_surface.h"
 
 namespace palpa::bem {
@@ -17,9 +18,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-enum class Held { kFixed, kRoller };
+enum class Support { kFixed, kRoller };
 
-/// A box of 20 x 20 x 10 mm whose bottom is held; its edges are sharp.
+/// Box of 20 x 20 x 10 mm with sharp edges whose bottom is fixed.
 struct Box {
   BoundaryMesh mesh;
   TractionSlots slots;
@@ -28,13 +29,13 @@ struct Box {
   std::unique_ptr<TriangleContactSurface> surface;
   std::unique_ptr<GreensColumns> columns;
 
-  explicit Box(Held bottom)
+  explicit Box(Support bottom)
       : mesh(verification::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4)), slots(mesh) {
     constexpr int kLeft = 0, kBottom = 4;  // tags
     std::vector<SlotCondition> conditions;
     for (const auto& slot : slots.slots) {
-      // Rollers alone would let it slide: one side is fixed, too.
-      if (bottom == Held::kRoller)
+      // Rollers alone would let the box slide, so one side is fixed as well.
+      if (bottom == Support::kRoller)
         conditions.push_back(slot.tag == kLeft     ? SlotCondition::kFixed
                              : slot.tag == kBottom ? SlotCondition::kRoller
                                                    : SlotCondition::kTraction);
@@ -42,8 +43,8 @@ struct Box {
         conditions.push_back(slot.tag == kBottom ? SlotCondition::kFixed
                                                  : SlotCondition::kTraction);
     }
-    problem = makeDenseReferenceProblem(mesh, slots, conditions, {1.0, 0.3}, AssemblyOptions{},
-                                        Precision::kDouble, Job{});
+    problem =
+        makeDenseReferenceProblem(mesh, slots, {conditions, {1.0, 0.3}, {}, Precision::kDouble});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
     surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
@@ -69,7 +70,7 @@ struct Box {
 
 constexpr double kRadius = 5;
 
-/// Force along the normal per displacement along it, sideways free: two solves with the exact
+/// Force along the normal per normal displacement, free to move sideways: two solves with the exact
 /// solver, one grab at a time.
 double stiffnessByGrab(const Box& box, int node, const Vector3d& normal) {
   BilateralContactSolver solver(box.problem, box.slots, box.base);
@@ -97,20 +98,20 @@ void expectGrabs(Box& box) {
   EXPECT_GT(compared, 15);
 }
 
-TEST(StiffnessMap, IsWhatGrabsMadeOneByOneFeel) {
-  Box box(Held::kFixed);
+TEST(StiffnessMap, EqualsSingleGrabs) {
+  Box box(Support::kFixed);
   expectGrabs(box);
 }
 
 TEST(StiffnessMap, BesideRollersMeasuredNodesMoveOnlyAlongThem) {
-  Box box(Held::kRoller);
+  Box box(Support::kRoller);
   expectGrabs(box);
 }
 
-/// The loop's own contacts: a grab along the normal that is held sideways, too, is at least as
+/// Contacts of the simulation: a grab along the normal that is also fixed sideways is at least as
 /// stiff, and a finger without friction exactly as stiff.
-TEST(StiffnessMap, IsWhatAFingerWithoutFrictionFeels) {
-  Box box(Held::kFixed);
+TEST(StiffnessMap, EqualsAFingerWithoutFriction) {
+  Box box(Support::kFixed);
   box.computeAll();
   StiffnessMap map(*box.surface, kRadius);
   map.update(*box.columns, {});
@@ -129,7 +130,7 @@ TEST(StiffnessMap, IsWhatAFingerWithoutFrictionFeels) {
 }
 
 TEST(StiffnessMap, IsSofterFarFromTheSupport) {
-  Box box(Held::kFixed);
+  Box box(Support::kFixed);
   box.computeAll();
   StiffnessMap map(*box.surface, kRadius);
   map.update(*box.columns, {});
@@ -138,8 +139,8 @@ TEST(StiffnessMap, IsSofterFarFromTheSupport) {
   EXPECT_GT(map.compliances()[high], 1.5 * map.compliances()[low]);
 }
 
-TEST(StiffnessMap, GrowsWhileColumnsCome) {
-  Box box(Held::kFixed);
+TEST(StiffnessMap, FillsWhileColumnsArrive) {
+  Box box(Support::kFixed);
   StiffnessMap map(*box.surface, kRadius);
   EXPECT_EQ(map.update(*box.columns, {}), 0);
   EXPECT_EQ(map.readyCount(), 0);
@@ -155,7 +156,7 @@ TEST(StiffnessMap, GrowsWhileColumnsCome) {
   box.computeAll();
   EXPECT_EQ(map.update(*box.columns, {}), map.nodeCount() - first);
   EXPECT_TRUE(map.isComplete());
-  // In two parts as at once, and on any number of threads.
+  // In two parts as in one, and on any number of threads.
   Job alone;
   alone.threads = 1;
   StiffnessMap whole(*box.surface, kRadius);
@@ -163,15 +164,15 @@ TEST(StiffnessMap, GrowsWhileColumnsCome) {
   EXPECT_EQ(map.compliances(), whole.compliances());
 }
 
-TEST(StiffnessMap, CancelledKeepsWhatWasThere) {
-  Box box(Held::kFixed);
+TEST(StiffnessMap, ACancelledUpdateKeepsThePreviousMap) {
+  Box box(Support::kFixed);
   box.computeAll();
   StiffnessMap map(*box.surface, kRadius);
   std::stop_source stop;
   Job job;
   job.stop = stop.get_token();
-  job.progress = [&](std::string_view phase, double) {
-    EXPECT_EQ(phase, "stiffness");
+  job.progress = [&](Phase phase, double) {
+    EXPECT_EQ(phase, Phase::kStiffness);
     stop.request_stop();
   };
   EXPECT_THROW(map.update(*box.columns, job), Cancelled);

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Kind = ContactCondition::Kind;
 
-/// Contacts at random places of an incompressible whole space, each a smeared force, whose
+/// Contacts at random places of an incompressible whole space. Each is a smeared force, so the
 /// compliance is positive definite (R. Cortez, The method of regularized Stokeslets, SIAM J. Sci.
 /// Comput. 23 (2001) 1204-1225).
 struct RandomContacts {
@@ -40,7 +40,7 @@ struct RandomContacts {
     for (int k = 0; k < count; ++k) {
       ContactCondition condition;
       const double kind = unit(random);
-      condition.kind = kind < -0.6 ? Kind::kHold : kind < -0.3 ? Kind::kForce : Kind::kUnilateral;
+      condition.kind = kind < -0.6 ? Kind::kGrab : kind < -0.3 ? Kind::kForce : Kind::kUnilateral;
       condition.value = vector();
       condition.normal = vector().normalized();
       condition.friction = friction;
@@ -52,7 +52,7 @@ struct RandomContacts {
   }
 };
 
-/// The laws, written out.
+/// Checks the contact laws directly.
 void expectLaws(const RandomContacts& contacts, const ContactForces& solution) {
   const VectorXd d = contacts.displacements(solution);
   const double size = std::max(solution.forces.norm(), 1e-3);
@@ -62,7 +62,7 @@ void expectLaws(const RandomContacts& contacts, const ContactForces& solution) {
     const ContactCondition& condition = contacts.conditions[k];
     const Vector3d f = solution.forces.segment<3>(row);
     const Vector3d off = d.segment<3>(row) - condition.value;
-    if (condition.kind == Kind::kHold) {
+    if (condition.kind == Kind::kGrab) {
       EXPECT_LE(off.norm(), 1e-7);
     } else if (condition.kind == Kind::kForce) {
       EXPECT_EQ(f, condition.value);
@@ -74,8 +74,8 @@ void expectLaws(const RandomContacts& contacts, const ContactForces& solution) {
       const Vector3d tangential = f - pressing * condition.normal;
       EXPECT_LE(tangential.norm(), condition.friction * pressing + 1e-7 * size);
       const Vector3d slip = off - gap * condition.normal;
-      if (pressing <= 1e-6 * size) continue;  // open: may move as it likes
-      // Friction takes energy, and all that it can: f_t . w = -|f_t| |w|, with the full bound.
+      if (pressing <= 1e-6 * size) continue;  // open: the displacement is arbitrary
+      // Friction dissipates the maximum energy: f_t . w = -|f_t| |w|, with the full bound.
       EXPECT_LE(tangential.dot(slip) + tangential.norm() * slip.norm(), 1e-6 * size);
       if (slip.norm() > 1e-6) {
         EXPECT_NEAR(tangential.norm(), condition.friction * pressing, 1e-6 * size);
@@ -84,7 +84,7 @@ void expectLaws(const RandomContacts& contacts, const ContactForces& solution) {
   }
 }
 
-TEST(FrictionalContactSolver, MeetsTheLawsWithoutFriction) {
+TEST(FrictionalContactSolver, SatisfiesTheLawsWithoutFriction) {
   FrictionalContactSolver system;
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
@@ -96,7 +96,7 @@ TEST(FrictionalContactSolver, MeetsTheLawsWithoutFriction) {
   }
 }
 
-TEST(FrictionalContactSolver, MeetsCoulombsLaw) {
+TEST(FrictionalContactSolver, SatisfiesCoulombsLaw) {
   FrictionalContactSolver system;
   for (unsigned seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
@@ -109,9 +109,9 @@ TEST(FrictionalContactSolver, MeetsCoulombsLaw) {
   }
 }
 
-TEST(FrictionalContactSolver, ToolsAtOnePlaceYieldALittle) {
-  // The same place twice, and its compliance a little indefinite as a discretised one may be. One
-  // tool wants it 1 mm in, the other 2 mm; a third contact is elsewhere.
+TEST(FrictionalContactSolver, ToolsAtOnePlaceAreSlightlySoft) {
+  // The same place twice, with a slightly indefinite compliance as a discretised one may be. One
+  // tool prescribes 1 mm inwards, the other 2 mm; a third contact is elsewhere.
   RandomContacts contacts(3, 0, 5);
   contacts.free.setZero();
   auto& d = contacts.compliance;
@@ -121,9 +121,9 @@ TEST(FrictionalContactSolver, ToolsAtOnePlaceYieldALittle) {
   }
   d.block<3, 3>(3, 3) = d.block<3, 3>(0, 0) = Eigen::Matrix3d::Identity();
   d.block<3, 3>(0, 3) = d.block<3, 3>(3, 0) = 1.0005 * Eigen::Matrix3d::Identity();
-  contacts.conditions[0] = {Kind::kHold, {0, 0, -1}};
-  contacts.conditions[1] = {Kind::kHold, {0, 0, -2}};
-  contacts.conditions[2] = {Kind::kHold, {0, 0.5, 0}};
+  contacts.conditions[0] = {Kind::kGrab, {0, 0, -1}};
+  contacts.conditions[1] = {Kind::kGrab, {0, 0, -2}};
+  contacts.conditions[2] = {Kind::kGrab, {0, 0.5, 0}};
   FrictionalContactSolver system;
   ContactForces solution;
   system.solve(d, contacts.free, contacts.conditions, solution);
@@ -131,7 +131,7 @@ TEST(FrictionalContactSolver, ToolsAtOnePlaceYieldALittle) {
   EXPECT_GT(solution.residual, FrictionalContactSolver::kTolerance);
   ASSERT_GT(solution.softness, 0);
   const VectorXd displaced = contacts.displacements(solution);
-  // Where they contradict each other they meet in the middle, and elsewhere the law holds.
+  // Where the tools contradict each other, the displacement is the mean; elsewhere the law holds.
   const double softness = FrictionalContactSolver::kSharedSoftness;
   EXPECT_NEAR(displaced[2], -1.5 / (1 + softness / 2), 0.01);
   EXPECT_NEAR(displaced[5], -1.5 / (1 + softness / 2), 0.01);
@@ -148,12 +148,12 @@ TEST(FrictionalContactSolver, TheSolutionWithoutFrictionDoesNotDependOnTheStart)
   warm.forces = VectorXd::Constant(36, 3.0);
   system.solve(contacts.compliance, contacts.free, contacts.conditions, warm);
   EXPECT_LE((warm.forces - cold.forces).norm(), 1e-7 * cold.forces.norm());
-  // A warm start has nothing left to do.
+  // A warm start is already converged.
   system.solve(contacts.compliance, contacts.free, contacts.conditions, warm);
   EXPECT_EQ(warm.iterations, 0);
 }
 
-TEST(FrictionalContactSolver, LetsGoWhenTheToolIsWithdrawn) {
+TEST(FrictionalContactSolver, ReleasesWhenTheToolIsWithdrawn) {
   const MatrixXd compliance = MatrixXd::Identity(3, 3);
   const VectorXd free = VectorXd::Zero(3);
   ContactCondition condition{Kind::kUnilateral, {0, 0, -1}, {0, 0, -1}, 0.5};
@@ -169,7 +169,7 @@ TEST(FrictionalContactSolver, LetsGoWhenTheToolIsWithdrawn) {
 }
 
 TEST(FrictionalContactSolver, SlidesWhenDraggedTooFar) {
-  // D = 1: dragging by 2 while pressing by 1 wants f_t = 2 > 0.5: it slips at f_t = 0.5.
+  // D = 1: dragging by 2 while pressing by 1 requires f_t = 2 > 0.5, so it slips at f_t = 0.5.
   const MatrixXd compliance = MatrixXd::Identity(3, 3);
   const VectorXd free = VectorXd::Zero(3);
   const ContactCondition condition{Kind::kUnilateral, {2, 0, -1}, {0, 0, -1}, 0.5};
@@ -180,8 +180,8 @@ TEST(FrictionalContactSolver, SlidesWhenDraggedTooFar) {
   EXPECT_EQ(solution.statuses[0], ContactStatus::kSlipping);
 }
 
-TEST(FrictionalContactSolver, SaysWhenItCannotMeetTheLaws) {
-  // Not positive definite: no solution at all for a held contact.
+TEST(FrictionalContactSolver, ReportsUnsatisfiableLaws) {
+  // Not positive definite: a grabbed contact has no solution.
   const MatrixXd compliance = MatrixXd::Zero(3, 3);
   const VectorXd free = VectorXd::Zero(3);
   const ContactCondition condition{Kind::kUnilateral, {0, 0, -1}, {0, 0, -1}, 0};

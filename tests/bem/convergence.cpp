@@ -44,11 +44,12 @@ std::vector<ConvergenceStep> sphereConvergence(double poissonRatio, const std::v
 }
 
 std::vector<ConvergenceStep> cylinderConvergence(double poissonRatio,
-                                                 const std::vector<int>& around, bool topHeld) {
+                                                 const std::vector<int>& around, bool topFixed) {
   std::vector<BoundaryMesh> meshes;
   for (const int n : around) meshes.push_back(cylinderMesh(20, 60, n, n / 2));
-  const std::vector<int> held = topHeld ? std::vector<int>{1, 2} : std::vector<int>{1};
-  return converge(topHeld ? "held cyl" : "cylinder", poissonRatio, meshes, held, {30, 18, 40});
+  const std::vector<int> fixedTags = topFixed ? std::vector<int>{1, 2} : std::vector<int>{1};
+  return converge(topFixed ? "fixed cyl" : "cylinder", poissonRatio, meshes, fixedTags,
+                  {30, 18, 40});
 }
 
 }  // namespace palpa::bem::test

@@ -5,7 +5,7 @@
 namespace palpa::bem {
 namespace {
 
-/// Linear elements: the displacement error falls with the square of the mesh size.
+/// Linear elements: the displacement error is proportional to the square of the mesh size.
 constexpr double kOrder = 1.9;
 
 TEST(ConvergenceFine, SphereIsOfSecondOrder) {
@@ -13,15 +13,15 @@ TEST(ConvergenceFine, SphereIsOfSecondOrder) {
     EXPECT_GE(test::sphereConvergence(nu, {9, 13, 19}).back().order, kOrder) << "nu = " << nu;
 }
 
-TEST(ConvergenceFine, CylinderHeldAtBothEndsIsOfSecondOrder) {
+TEST(ConvergenceFine, CylinderFixedAtBothEndsIsOfSecondOrder) {
   for (const double nu : {0.3, 0.5})
     EXPECT_GE(test::cylinderConvergence(nu, {24, 36, 52}, true).back().order, kOrder)
         << "nu = " << nu;
 }
 
 TEST(ConvergenceFine, SlenderCantileverIsNearlyOfSecondOrder) {
-  // A slender body held at one end bends by its own small error of the moment, and the order is
-  // still on its way: measured 1.74 to 1.80 between 162 and 1,692 nodes, graded or not.
+  // A slender body fixed at one end bends under the small error of the moment, and the order is
+  // still increasing: measured 1.74 to 1.80 between 162 and 1,692 nodes, graded or not.
   for (const double nu : {0.3, 0.5})
     EXPECT_GE(test::cylinderConvergence(nu, {24, 36, 52}, false).back().order, 1.7)
         << "nu = " << nu;

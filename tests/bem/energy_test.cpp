@@ -4,6 +4,8 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
+#include "bem/dense/make_reference_problem.h"
+#include "bem/model/traction_projection.h"
 #include "bem/triangle/results.h"
 
 namespace palpa::bem {
@@ -12,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Sphere of radius 25 mm, held below z = -20 mm, with bump loads on it.
+/// Sphere of radius 25 mm, fixed below z = -20 mm, with bump loads.
 struct LoadedSphere {
   BoundaryMesh mesh;
   TractionSlots slots;
@@ -25,8 +27,8 @@ struct LoadedSphere {
         slots(mesh) {
     for (const auto& slot : slots.slots)
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-    problem = makeDenseReferenceProblem(mesh, slots, conditions, {0.1, 0.45}, {},
-                                        Precision::kDouble, Job{});
+    problem =
+        makeDenseReferenceProblem(mesh, slots, {conditions, {0.1, 0.45}, {}, Precision::kDouble});
   }
   VectorXd load(const Vector3d& center, const Vector3d& direction) const {
     constexpr double kRadius = 12;
@@ -45,7 +47,7 @@ struct LoadedSphere {
     given.traction = traction;
     return problem->solveField(problem->dofs().knownField(given));
   }
-  /// ∫ p.u dΓ of one state's tractions over another's displacements.
+  /// ∫ p.u dΓ of the tractions of one state and the displacements of another.
   double work(const VectorXd& p, const VectorXd& u) const {
     return 2 * strainEnergy(mesh, slots, u, p);
   }
@@ -57,13 +59,13 @@ TEST(Energy, IsHalfTheWorkOfTheLoads) {
   const LoadedSphere sphere(9);
   const VectorXd load = sphere.load(kTop, kPush);
   const BoundaryField field = sphere.solve(load);
-  // The support does not move, so its tractions do no work: the two sums are the same integral.
+  // The support does not move, so its tractions do no work: both sums are the same integral.
   const double energy = strainEnergy(sphere.mesh, sphere.slots, field.u.col(0), field.p.col(0));
   EXPECT_GT(energy, 0);
   EXPECT_NEAR(energy, 0.5 * sphere.work(load, field.u.col(0)), 1e-12 * energy);
 }
 
-TEST(Energy, OfAUniformTensionIsKnown) {
+TEST(Energy, OfAUniformTensionIsExact) {
   // Rod of 4 x 3 x 2 mm, E = 0.1 MPa, 0.002 MPa along x, on three rollers: sigma^2 / 2E times the
   // volume.
   const Material material{0.1, 0.3};
@@ -77,8 +79,8 @@ TEST(Energy, OfAUniformTensionIsKnown) {
               0.002 * 0.002 / 0.2 * 24, 1e-8 * 4.8e-4);  // as the patch test
 }
 
-/// Betti: the work of each load on the other's displacements is the same; collocation keeps that
-/// only in the limit.
+/// Betti's theorem: each of two loads does the same work on the displacements of the other.
+/// Collocation satisfies it only in the limit.
 double reciprocityDefect(int cells) {
   const LoadedSphere sphere(cells);
   const VectorXd first = sphere.load(kTop, kPush), second = sphere.load(kSide, kPull);

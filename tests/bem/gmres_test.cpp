@@ -24,7 +24,7 @@ TEST(Gmres, SolvesEveryColumnToItsTolerance) {
   EXPECT_LT(solution.steps, 30);
 }
 
-/// In exact arithmetic as many steps as the identity's change has ranks, and one.
+/// In exact arithmetic the number of steps is the rank of the change of the identity plus one.
 TEST(Gmres, NeedsFewStepsForAChangeOfLowRank) {
   std::srand(2);
   const MatrixXd A =
@@ -35,8 +35,8 @@ TEST(Gmres, NeedsFewStepsForAChangeOfLowRank) {
   EXPECT_LE(solution.residual, 1e-9);
 }
 
-TEST(Gmres, SaysHowFarItCame) {
-  // A cyclic shift leaves the residual as it is until the last step.
+TEST(Gmres, ReportsTheResidualReached) {
+  // A cyclic shift does not reduce the residual until the last step.
   const auto shift = [](const MatrixXd& v) {
     MatrixXd moved(v.rows(), v.cols());
     for (Eigen::Index k = 0; k < v.rows(); ++k) moved.row((k + 1) % v.rows()) = v.row(k);

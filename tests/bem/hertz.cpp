@@ -23,12 +23,13 @@ void settle(const HertzBody& body, ContactSimulation& simulation) {
   }
 }
 
-/// What a load on the top moves it by beyond a half-space, mm/N: the compliance of the whole sphere
-/// and its support. Of a fingertip with a given force, so from masks and columns alone.
+/// Displacement at the top per unit load in addition to a half-space, mm/N: the compliance of the
+/// whole sphere and its support. Computed for a fingertip with a given force, so from masks and
+/// columns alone.
 ///
-/// The mean displacement under (1 - ρ^2 / r^2)^2 on a half-space is that of its transform 48 J_3(k)
-/// / k^3 with Boussinesq's 2 / (E* k): d = F / (π E* r) ∫ (48 J_3 / k^3)^2 dk, with Weber's and
-/// Schafheitlin's ∫ J_3^2 k^-6 dk = Γ(6) Γ(1/2) / (2^6 Γ(7/2)^2 Γ(13/2)).
+/// The mean displacement under (1 - ρ^2 / r^2)^2 on a half-space follows from its transform 48
+/// J_3(k) / k^3 and Boussinesq's 2 / (E* k): d = F / (π E* r) ∫ (48 J_3 / k^3)^2 dk, with the
+/// integral of Weber and Schafheitlin ∫ J_3^2 k^-6 dk = Γ(6) Γ(1/2) / (2^6 Γ(7/2)^2 Γ(13/2)).
 double farCompliance(const HertzBody& body, double radius) {
   ContactSimulation simulation(body.surface, body.columns, body.base);
   const auto id = simulation.begin({Kind::kForce, radius}, kTop, {0, 0, -1});
@@ -40,7 +41,7 @@ double farCompliance(const HertzBody& body, double radius) {
   return -simulation.find(id)->displacement[2] - halfSpace;
 }
 
-/// Slope of a line through points, by least squares.
+/// Slope of the least-squares line through points.
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -61,7 +62,7 @@ void expectHertz(const HertzBody& body, const std::vector<double>& circles,
     const double effective = 1 / (1 / kHertzRadius + 1 / ball);
     const double factor = 4.0 / 3 * kPlane * std::sqrt(effective);
     ContactSimulation simulation(body.surface, body.columns, body.base);
-    const auto id = simulation.begin({Kind::kProbe, ball, 0}, kTop, kTop + Vector3d(0, 0, ball));
+    const auto id = simulation.begin({Kind::kBall, ball, 0}, kTop, kTop + Vector3d(0, 0, ball));
     std::vector<double> forces, approaches;
     for (const double a : circles) {
       SCOPED_TRACE(testing::Message() << "ball " << ball << " mm, a = " << a << " mm");

@@ -5,29 +5,29 @@
 
 #include "bem/contact/contact_simulation.h"
 
-/// Hertz's law on a sphere that is held at its bottom, for either discretisation.
+/// Hertz's law on a sphere that is fixed at its bottom, for either discretisation.
 namespace palpa::bem::test {
 
 constexpr double kHertzRadius = 25;  ///< mm, of the body about the origin
 constexpr Material kHertzMaterial{0.1, 0.45};
 
-/// The body as contacts see it, without loads.
+/// The body for contacts, without loads.
 struct HertzBody {
   const ContactSurface& surface;
   GreensColumns& columns;
   const BoundaryField& base;
 };
 
-/// Presses rigid balls (25 and 100 mm) on its top until the circle of contact should have each of
-/// the given radii (mm, ascending) and expects the force of Hertz's law, to within `tolerance` of
-/// the radius, and its exponent over the depth.
+/// Presses rigid balls (25 and 100 mm) on the top of the body until the contact circle should have
+/// each of the given radii (mm, ascending). Expects the force of Hertz's law, within `tolerance` as
+/// a function of the radius, and its exponent over the depth.
 ///
 /// Two spheres approach by δ under F = 4/3 E* √R δ^1.5 with 1/R the sum of curvatures, over a
-/// circle a = √(R δ) (K. L. Johnson, Contact Mechanics, 4.22-4.24; analytic.json has the same),
-/// when both are half-spaces at the scale of a. Here the body is a sphere held at its bottom: the
-/// whole sphere and its support yield by C F more, C the compliance under a bump as wide as the
-/// contact's pressure (the same mean of ρ^2: r^2 / 4 = 2 a^2 / 5) less that of a half-space. What
-/// is left is of the order (a / R)^2.
+/// circle a = √(R δ) (K. L. Johnson, Contact Mechanics, 4.22-4.24; analytic.json has the same), if
+/// both are half-spaces at the scale of a. Here the body is a sphere fixed at its bottom: the whole
+/// sphere and its support yield by an additional C F, where C is the compliance under a bump as
+/// wide as the contact pressure (equal mean of ρ^2: r^2 / 4 = 2 a^2 / 5) minus the compliance of a
+/// half-space. The remaining error is of the order (a / R)^2.
 void expectHertz(const HertzBody& body, const std::vector<double>& circles,
                  const std::function<double(double)>& tolerance, double exponentTolerance);
 

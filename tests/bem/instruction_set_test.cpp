@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// All blocks of a small sphere for points just under its nodes, by one instruction set. (At a node
-/// itself its own block of H is arbitrary before `assemble` replaces it.)
+/// All blocks of a small sphere for points just below its nodes, by one instruction set. (At a node
+/// its diagonal block of H is arbitrary until `assemble` replaces it.)
 struct Assembled {
   LargeMatrix<double> H, G;
 
@@ -31,7 +31,7 @@ struct Assembled {
     std::vector<FlatTriangle> triangles;
     for (const Vector3d& node : mesh.nodes)
       for (int i = 0; i < 3; ++i) position[i].push_back(0.97 * node[i]);
-    // Zero weights keep the free term out.
+    // Zero weights omit the free term.
     const std::vector<int> hostNodes(3 * n, 0);
     const std::vector<double> hostWeights(3 * n, 0.0);
     for (const auto& t : mesh.triangles) {
@@ -77,9 +77,9 @@ double difference(const LargeMatrix<double>& a, const LargeMatrix<double>& b) {
   return (a.view() - b.view()).lpNorm<Eigen::Infinity>() / b.view().lpNorm<Eigen::Infinity>();
 }
 
-/// A batch chooses one kind of integration for all its points, and batches are 2, 4 or 8 wide, so
-/// with real ranges the sets differ by the quadrature error where a batch straddles a border. Here
-/// each kind is used for all elements in turn, and rounding alone is left.
+/// A batch uses one kind of integration for all its points, and batches are 2, 4 or 8 wide. With
+/// the real ranges the instruction sets would differ by the quadrature error where a batch
+/// straddles a limit. Here each kind is used for all elements in turn, so only rounding remains.
 void expectAgreement(AssembleRows<double> rows) {
   constexpr double kNever = 1e9;
   for (const QuadratureRange range :
@@ -90,7 +90,7 @@ void expectAgreement(AssembleRows<double> rows) {
   }
 }
 
-TEST(InstructionSets, TheChosenOneIsOneOfThem) {
+TEST(InstructionSets, TheSelectedOneIsKnown) {
   const std::string name = instructionSetName();
   EXPECT_TRUE(name == "avx512" || name == "avx2" || name == "baseline") << name;
   expectAgreement(assembleRowsForThisProcessor<double>());

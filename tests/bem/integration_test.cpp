@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 using test::Corners;
 using test::ElementBlocks;
 
-/// The element's entries of H and G as `assemble` computes them, for one collocation point. Zero
-/// weights keep the free term out.
+/// The element's entries of H and G computed by `assemble` for one collocation point. Zero weights
+/// omit the free term.
 ElementBlocks assembledBlocks(const Corners& corners, const Vector3d& x, const Material& material,
                               double tolerance) {
   BoundaryMesh mesh;
@@ -33,8 +33,8 @@ ElementBlocks assembledBlocks(const Corners& corners, const Vector3d& x, const M
   return blocks;
 }
 
-/// Largest difference of a block relative to the block's norm; blocks of T that vanish (coplanar at
-/// nu = 0.5) must vanish.
+/// Largest difference of a block relative to the block's norm; zero blocks of T (coplanar at nu =
+/// 0.5) must be zero.
 double blockError(const ElementBlocks& found, const ElementBlocks& exact) {
   double worst = 0;
   for (int a = 0; a < 3; ++a) {
@@ -65,7 +65,8 @@ struct Sampler {
     std::normal_distribution<double> normal;
     return Vector3d(normal(random), normal(random), normal(random)).normalized();
   }
-  /// Longest edge 2 mm, anywhere, in any attitude; every second one a sliver of up to 30:1.
+  /// Random triangle with longest edge 2 mm, position and orientation; every second one a sliver of
+  /// up to 30:1.
   Corners triangle(int sample) {
     const double aspect = sample % 2 == 0 ? uniform(1, 2) : std::pow(30, uniform(0, 1));
     const Vector3d along = 2 * direction();
@@ -76,7 +77,7 @@ struct Sampler {
   Material material(int sample) {
     return {1.0, sample % 3 == 0 ? 0.5 : sample % 3 == 1 ? 0.3 : uniform(-0.95, 0.5)};
   }
-  /// Any direction, coplanar, nearly coplanar, or through a corner.
+  /// Random direction: arbitrary, coplanar, nearly coplanar, or through a corner.
   Vector3d directionFrom(const Corners& c, int sample) {
     const Vector3d any = direction(), normal = normalOf(c);
     const Vector3d inPlane = (any - any.dot(normal) * normal).normalized();
@@ -102,10 +103,10 @@ TEST_P(IntegrationTolerance, HoldsForEveryBlockFromNearToFar) {
   double worst = 0;
   for (int sample = 0; sample < kSamples; ++sample) {
     const Corners c = sampler.triangle(sample);
-    // In the plane T vanishes at nu = 0.5, and a relative error would be that of nothing.
+    // In the plane T vanishes at nu = 0.5, so its relative error is undefined.
     const bool coplanar = sample % 5 == 0 || sample % 5 == 2;
     const Material material = coplanar ? Material{1.0, 0.3} : sampler.material(sample);
-    // 1.2 to 60 radii: outside the triangle, and past the last change of rule.
+    // 1.2 to 60 radii: outside the triangle, and beyond the last change of rule.
     const double ratio = 1.2 * std::pow(50, sampler.uniform(0, 1));
     const Vector3d x = centroidOf(c) + ratio * radiusOf(c) * sampler.directionFrom(c, sample);
     const double error = blockError(assembledBlocks(c, x, material, tolerance),
@@ -119,8 +120,8 @@ TEST_P(IntegrationTolerance, HoldsForEveryBlockFromNearToFar) {
 INSTANTIATE_TEST_SUITE_P(Tolerances, IntegrationTolerance,
                          ::testing::Values(1e-3, 1e-5, 1e-7, 1e-9));
 
-/// Rounding of the closed form near a triangle of up to 30:1, measured 1e-12 (blocks of T close to
-/// the border of a sliver).
+/// Rounding error of the closed form near a triangle of up to 30:1, measured 1e-12 (blocks of T
+/// close to the border of a sliver).
 constexpr double kClosedForm = 1e-11;
 
 TEST(ClosedForm, HoldsDownToAThousandthOfTheElement) {
@@ -129,7 +130,7 @@ TEST(ClosedForm, HoldsDownToAThousandthOfTheElement) {
   for (int sample = 0; sample < 1500; ++sample) {
     const Corners c = sampler.triangle(sample);
     const bool coplanar = sample / 3 % 5 >= 3;
-    // In the plane T vanishes at nu = 0.5, and a relative error would be that of nothing.
+    // In the plane T vanishes at nu = 0.5, so its relative error is undefined.
     const Material material = coplanar ? Material{1.0, 0.3} : sampler.material(sample);
     const double height = 2e-3 * std::pow(1000, sampler.uniform(0, 1));
     const Vector3d normal = normalOf(c);
@@ -149,7 +150,7 @@ TEST(ClosedForm, HoldsDownToAThousandthOfTheElement) {
       case 3:  // in the plane, beyond an edge
         x = onEdge + height * (c[(sample + 1) % 3] - c[sample % 3]).cross(normal).normalized();
         break;
-      default:  // on the continuation of an edge
+      default:  // on the extension of an edge
         x = c[sample % 3] + height * (c[sample % 3] - c[(sample + 1) % 3]).normalized();
     }
     const double error = blockError(assembledBlocks(c, x, material, 1e-7),
@@ -172,7 +173,7 @@ TEST(ClosedForm, IsThePrincipalValueInsideTheElement) {
     const double error =
         blockError(assembledBlocks(c, x, material, 1e-7), test::integrateInPlace(c, x, material));
     worst = std::max(worst, error);
-    // Close to x the reference's N - N(x) is a difference of rounded numbers.
+    // Close to x the N - N(x) of the reference is a difference of rounded numbers.
     EXPECT_LE(error, 1e-8) << "sample " << sample;
   }
   std::printf("principal value inside the element: worst block %.1e\n", worst);
@@ -187,10 +188,10 @@ TEST(ClosedForm, HoldsAtTheCorners) {
     const ElementBlocks found = assembledBlocks(c, c[corner], material, 1e-7);
     const ElementBlocks exact = test::integrateAdaptively(c, c[corner], material);
     for (int a = 0; a < 3; ++a) {
-      // The reference leaves out a core of 1e-12 of the triangle.
+      // The reference omits a core of 1e-12 of the triangle.
       EXPECT_LE((found.U[a] - exact.U[a]).norm(), 1e-10 * exact.U[a].norm()) << sample;
       EXPECT_TRUE(found.T[a].allFinite());
-      // The corner's own T comes from rigid-body translation.
+      // The T of the corner itself follows from rigid-body translation.
       if (a != corner) {
         EXPECT_LE((found.T[a] - exact.T[a]).norm(), 1e-10 * std::max(exact.T[a].norm(), 1e-3));
       }
@@ -213,9 +214,9 @@ TEST(Integration, DoesNotDependOnTheOrderOfTheCorners) {
       fromTurned.U[(a + 1) % 3] = turned.U[a];
       fromTurned.T[(a + 1) % 3] = turned.T[a];
       fromFlipped.U[(3 - a) % 3] = flipped.U[a];
-      fromFlipped.T[(3 - a) % 3] = -flipped.T[a];  // the normal points the other way
+      fromFlipped.T[(3 - a) % 3] = -flipped.T[a];  // the normal is reversed
     }
-    // Rounding of the closed form grows with the distance until the rules take over at 5 radii.
+    // Rounding of the closed form grows with the distance up to 5 radii, where the rules begin.
     EXPECT_LE(blockError(fromTurned, straight), 2e-10) << "at " << ratio << " radii";
     EXPECT_LE(blockError(fromFlipped, straight), 2e-10) << "at " << ratio << " radii";
   }

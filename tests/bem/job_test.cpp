@@ -1,4 +1,5 @@
 #include "base/job.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@
 namespace palpa::bem {
 namespace {
 
-/// A sphere of 218 nodes that is fixed in its lower part.
+/// Sphere of 218 nodes with a fixed lower part.
 struct Sphere {
   BoundaryMesh mesh = verification::sphereMesh(25, 6);
   std::unique_ptr<TractionSlots> slots;
@@ -27,55 +28,54 @@ struct Sphere {
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
   }
   std::unique_ptr<ReferenceProblem> solve(const Job& job) const {
-    return makeDenseReferenceProblem(mesh, *slots, conditions, {0.1, 0.45}, {}, Precision::kDouble,
-                                     job);
+    return makeDenseReferenceProblem(mesh, *slots,
+                                     {conditions, {0.1, 0.45}, {}, Precision::kDouble}, job);
   }
 };
 
 TEST(Job, ProgressIsMonotoneWithinEachPhaseAndEndsAtOne) {
   for (const int threads : {1, 2}) {
-    std::map<std::string, double> last;
-    std::vector<std::string> order;
+    std::map<Phase, double> last;
+    std::vector<Phase> order;
     Job job;
     job.threads = threads;
-    job.progress = [&](std::string_view phase, double fraction) {
-      if (phase.empty()) return;
-      const auto [place, isNew] = last.try_emplace(std::string(phase), 0.0);
+    job.progress = [&](Phase phase, double fraction) {
+      const auto [place, isNew] = last.try_emplace(phase, 0.0);
       if (isNew) order.emplace_back(phase);
-      EXPECT_GE(fraction, place->second) << phase;
-      EXPECT_LE(fraction, 1.0) << phase;
+      EXPECT_GE(fraction, place->second) << nameOf(phase);
+      EXPECT_LE(fraction, 1.0) << nameOf(phase);
       place->second = fraction;
     };
     Sphere().solve(job);
-    ASSERT_EQ(order, (std::vector<std::string>{"assemble", "factorise"}));
-    EXPECT_EQ(last["assemble"], 1.0);
-    EXPECT_EQ(last["factorise"], 1.0);
+    ASSERT_EQ(order, (std::vector{Phase::kAssemble, Phase::kFactorise}));
+    EXPECT_EQ(last[Phase::kAssemble], 1.0);
+    EXPECT_EQ(last[Phase::kFactorise], 1.0);
   }
 }
 
-TEST(Job, StoppedBeforeItStartsDoesNothing) {
+TEST(Job, StoppedBeforeTheStartDoesNothing) {
   std::stop_source source;
   source.request_stop();
   Job job;
   job.stop = source.get_token();
   int reports = 0;
-  job.progress = [&](std::string_view, double) { ++reports; };
+  job.progress = [&](Phase, double) { ++reports; };
   EXPECT_THROW(Sphere().solve(job), Cancelled);
   EXPECT_EQ(reports, 0);
 }
 
 TEST(Job, StopsFromItsProgressCallbackInEveryPhase) {
   const Sphere sphere;
-  for (const std::string wanted : {"assemble", "factorise"}) {
+  for (const Phase wanted : {Phase::kAssemble, Phase::kFactorise}) {
     std::stop_source source;
     Job job;
     job.stop = source.get_token();
-    std::string lastPhase;
-    job.progress = [&](std::string_view phase, double) {
+    std::optional<Phase> lastPhase;
+    job.progress = [&](Phase phase, double) {
       lastPhase = phase;
       if (phase == wanted) source.request_stop();
     };
-    EXPECT_THROW(sphere.solve(job), Cancelled) << wanted;
+    EXPECT_THROW(sphere.solve(job), Cancelled) << nameOf(wanted);
     EXPECT_EQ(lastPhase, wanted);
   }
 }
@@ -85,7 +85,7 @@ TEST(Job, ACancelledSolveCanBeRepeated) {
   std::stop_source source;
   Job stopped;
   stopped.stop = source.get_token();
-  stopped.progress = [&](std::string_view, double) { source.request_stop(); };
+  stopped.progress = [&](Phase, double) { source.request_stop(); };
   EXPECT_THROW(sphere.solve(stopped), Cancelled);
   EXPECT_GT(sphere.solve(Job{})->conditionEstimate(), 1.0);
 }
@@ -95,7 +95,7 @@ TEST(ParallelFor, CallsEveryIndexOnce) {
     std::vector<std::atomic<int>> calls(1000);
     Job job;
     job.threads = threads;
-    parallelFor(1000, job, "", [&](std::ptrdiff_t k) { ++calls[k]; });
+    parallelFor(1000, job, [&](std::ptrdiff_t k) { ++calls[k]; });
     for (const auto& count : calls) EXPECT_EQ(count, 1);
   }
 }
@@ -104,7 +104,7 @@ TEST(ParallelFor, PassesOnTheFirstExceptionAndStopsTheRest) {
   Job job;
   job.threads = 2;
   std::atomic<int> calls = 0;
-  EXPECT_THROW(parallelFor(100000, job, "",
+  EXPECT_THROW(parallelFor(100000, job,
                            [&](std::ptrdiff_t k) {
                              ++calls;
                              if (k == 10) throw std::runtime_error("eleventh");
@@ -113,8 +113,8 @@ TEST(ParallelFor, PassesOnTheFirstExceptionAndStopsTheRest) {
   EXPECT_LT(calls, 100000);
 }
 
-TEST(ParallelFor, NothingToDoIsNothing) {
-  parallelFor(0, Job{}, "", [](std::ptrdiff_t) { FAIL(); });
+TEST(ParallelFor, AcceptsZeroTasks) {
+  parallelFor(0, Job{}, [](std::ptrdiff_t) { FAIL(); });
 }
 
 }  // namespace

@@ -22,9 +22,9 @@ class Kernels : public ::testing::TestWithParam<double> {
 
 class CompressibleKernels : public Kernels {};
 
-TEST_P(Kernels, TractionIsThatOfTheDisplacement) {
+TEST_P(Kernels, TractionFollowsFromTheDisplacement) {
   // Differences of order 4 with a step of 1e-3 of the distance: about 1e-11 of the gradient. Near
-  // nu = 0.5 Hooke's law multiplies that by nu / (1 - 2 nu).
+  // nu = 0.5 Hooke's law multiplies this error by nu / (1 - 2 nu).
   const Vector3d normal = Vector3d(0.2, -0.7, 0.4).normalized();
   for (int i = 0; i < 3; ++i) {
     const Matrix3d gradient = differences(
@@ -35,8 +35,8 @@ TEST_P(Kernels, TractionIsThatOfTheDisplacement) {
     const Vector3d traction =
         kelvinTraction(kSource, kField, normal, material()).row(i).transpose();
     if (GetParam() == 0.5) {
-      // The pressure is not determined by the displacement; what is left is free of volume change
-      // and has the right shear.
+      // The displacement does not determine the pressure; the remaining part has no volume change
+      // and the correct shear.
       EXPECT_NEAR(gradient.trace(), 0, 1e-9 * gradient.norm());
       const Vector3d shearPart = material().shear() * (gradient + gradient.transpose()) * normal;
       EXPECT_LE((traction - shearPart).cross(normal).norm(), 1e-9 * traction.norm());
@@ -113,7 +113,7 @@ TEST_P(CompressibleKernels, StressKernelsAreHookesLawOfTheDisplacementKernels) {
 }
 
 TEST_P(Kernels, StressKernelsHoldAlsoInTheIncompressibleLimit) {
-  // Continuity in nu ties nu = 0.5 to the values that the differences confirm.
+  // By continuity in nu, nu = 0.5 must agree with the values that the differences confirm.
   const Material almost{0.1, GetParam() - 1e-7};
   const Vector3d p(0.3, -0.5, 0.8), u(-0.2, 0.9, 0.4), n = Vector3d(1, 2, -1).normalized();
   const Matrix3d D = kelvinStressFromTraction(kSource, kField, p, material());
@@ -131,12 +131,12 @@ TEST_P(Kernels, DisplacementIsReciprocal) {
 
 INSTANTIATE_TEST_SUITE_P(PoissonRatios, Kernels,
                          ::testing::Values(-0.5, 0.0, 0.3, 0.45, 0.49, 0.5));
-// At nu = 0.5 the stress needs the pressure, which the displacement alone does not tell.
+// At nu = 0.5 the stress needs the pressure, which the displacement does not determine.
 INSTANTIATE_TEST_SUITE_P(PoissonRatios, CompressibleKernels,
                          ::testing::Values(-0.5, 0.0, 0.3, 0.45, 0.49));
 
-/// ∫ T dΓ over a closed mesh as `assemble` computes it. Zero weights keep the free term out, so at
-/// points of the surface the principal value is left.
+/// ∫ T dΓ over a closed mesh computed by `assemble`. Zero weights omit the free term, so at points
+/// of the surface it is the principal value.
 Matrix3d totalTraction(const BoundaryMesh& mesh, const Vector3d& x, double nu) {
   const auto operators =
       assemble<double>(mesh, TractionSlots(mesh), {{x, 0, Vector3d::Zero()}}, {0.1, nu}, {}, {});
@@ -145,7 +145,7 @@ Matrix3d totalTraction(const BoundaryMesh& mesh, const Vector3d& x, double nu) {
   return sum;
 }
 
-// Every block is good to 1e-7, and their absolute values add up to about 2.
+// Every block has an error of at most 1e-7, and the absolute values of the blocks sum to about 2.
 constexpr double kSumTolerance = 2e-7;
 
 TEST(ClosedSurface, TractionOfAUnitForceBalancesItInsideAndVanishesOutside) {
@@ -168,19 +168,19 @@ TEST(ClosedSurface, InsideAHollowBodyTheCavityIsOutside) {
   EXPECT_LE((totalTraction(mesh, {0, 17, 3}, 0.3) + Matrix3d::Identity()).norm(), kSumTolerance);
 }
 
-TEST(ClosedSurface, OnTheSurfaceTheFreeTermIsLeft) {
-  // On a face the free term is half the identity whatever the material; the point is not a node.
+TEST(ClosedSurface, OnTheSurfaceTheFreeTermRemains) {
+  // On a face the free term is half the identity for any material; the point is not a node.
   const BoundaryMesh box = verification::boxMesh({-20, -15, 0}, {20, 15, 20}, 8, 6, 4);
   for (const double nu : {-0.5, 0.3, 0.5}) {
     const Vector3d face = box.point(3, Vector3d(0.5, 0.3, 0.2));
     EXPECT_LE((totalTraction(box, face, nu) + 0.5 * Matrix3d::Identity()).norm(), kSumTolerance);
-    // ... and on an edge between two triangles of one face.
+    // The same holds on an edge between two triangles of one face.
     const Vector3d edge = box.point(3, Vector3d(0.5, 0.5, 0));
     EXPECT_LE((totalTraction(box, edge, nu) + 0.5 * Matrix3d::Identity()).norm(), kSumTolerance);
   }
 }
 
-/// Free term c of a node: minus the sum of the row's blocks without its own.
+/// Free term c of a node: minus the sum of the row's blocks except the diagonal block.
 Matrix3d freeTerm(const BoundaryMesh& mesh, const Vector3d& at, double nu) {
   const auto operators =
       assemble<double>(mesh, TractionSlots(mesh), nodalCollocation(mesh), {0.1, nu}, {}, {});
@@ -193,10 +193,10 @@ Matrix3d freeTerm(const BoundaryMesh& mesh, const Vector3d& at, double nu) {
   return diagonal;
 }
 
-TEST(ClosedSurface, FreeTermOfABoxIsTheShareOfTheBodyAtThePoint) {
-  // At a node of a box, own flat elements contribute no T that a rotation by 90 or 180 degrees
-  // would not cancel in the mean: the trace of the diagonal block is that of c, 3 times 1/2, 1/4,
-  // 1/8.
+TEST(ClosedSurface, FreeTermOfABoxIsTheSolidAngleFraction) {
+  // At a node of a box, the adjacent flat elements contribute no T that a rotation by 90 or 180
+  // degrees would not cancel in the mean: the trace of the diagonal block equals the trace of c, 3
+  // times 1/2, 1/4, 1/8.
   const BoundaryMesh box = verification::boxMesh({0, 0, 0}, {20, 20, 20}, 4, 4, 4);
   for (const double nu : {-0.5, 0.3, 0.5}) {
     EXPECT_NEAR(freeTerm(box, {10, 10, 0}, nu).trace(), 1.5, 3 * kSumTolerance);

@@ -17,8 +17,8 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-/// The cylinder that is clamped at the base and twisted and pulled at the top by exact data of no
-/// particular field: only the transformation matters.
+/// Cylinder clamped at the base and twisted and pulled at the top by exact data of an arbitrary
+/// field: only the transformation matters.
 verification::ExactField loads(const Material& material) {
   return verification::kelvinField({30, 18, 70}, {0.3, -0.2, 0.6}, material);
 }
@@ -31,7 +31,7 @@ BoundaryMesh cylinder() {
   return verification::cylinderMesh(20, 60, 16, 8);
 }
 
-TEST(Objectivity, ResultsTurnAndMoveWithTheBody) {
+TEST(Objectivity, ResultsRotateAndTranslateWithTheBody) {
   const Matrix3d turn =
       Eigen::AngleAxisd(1.1, Vector3d(0.3, -0.8, 0.5).normalized()).toRotationMatrix();
   const Vector3d shift(300, -120, 45);
@@ -48,8 +48,8 @@ TEST(Objectivity, ResultsTurnAndMoveWithTheBody) {
       turn * Eigen::Map<const MatrixXd>(here.field.u.data(), 3, here.field.u.size() / 3);
   const MatrixXd p =
       turn * Eigen::Map<const MatrixXd>(here.field.p.data(), 3, here.field.p.size() / 3);
-  // Batches of points may change the rule where a distance lies on a border: the tolerance of the
-  // integrals, 1e-7, on single blocks.
+  // Batches of points may change the rule where a distance lies on a limit: the error is the
+  // tolerance of the integrals, 1e-7, in single blocks.
   EXPECT_LE((u.reshaped() - there.field.u.col(0)).norm(), 1e-7 * u.norm());
   EXPECT_LE((p.reshaped() - there.field.p.col(0)).norm(), 1e-7 * p.norm());
 }
@@ -97,7 +97,7 @@ TEST(Objectivity, ResultsDoNotDependOnTheNumberingOfNodesAndTriangles) {
     difference = std::max(difference, (base.field.u.col(0).segment<3>(3 * k) -
                                        other.field.u.col(0).segment<3>(3 * newIndex[k]))
                                           .norm());
-  // Other neighbours in a batch change the rule at borders: the tolerance of the integrals.
+  // Other neighbours in a batch change the rule at limits: the tolerance of the integrals.
   EXPECT_LE(difference, 1e-7 * base.field.u.lpNorm<Eigen::Infinity>());
   EXPECT_NEAR(strainEnergy(base.mesh, base.slots, base.field.u.col(0), base.field.p.col(0)),
               strainEnergy(other.mesh, other.slots, other.field.u.col(0), other.field.p.col(0)),

@@ -11,9 +11,9 @@ namespace {
 using Eigen::Vector3d;
 using verification::SolvedBody;
 
-// The linear elements contain every linear field, and on flat faces the traction too: what is left
-// is the tolerance of the integrals (1e-7 of single blocks, next to none in their sum) times the
-// condition of the problem.
+// The linear elements contain every linear field, and on flat faces the traction too. The remaining
+// error is the tolerance of the integrals (1e-7 in single blocks, nearly zero in their sum) times
+// the condition of the problem.
 constexpr double kExact = 1e-8;
 
 verification::ConditionOfTag conditions(std::vector<int> fixed, std::vector<int> rollers) {
@@ -60,8 +60,8 @@ TEST_P(PatchTest, BoxIsExact) {
 }
 
 TEST_P(PatchTest, PlateIsExact) {
-  // 40 x 40 x 2 mm with one cell through the thickness: elements 2.8 times as long as the plate is
-  // thick face each other.
+  // 40 x 40 x 2 mm with one cell through the thickness: the elements that face each other are 2.8
+  // times as long as the plate is thick.
   for (const double nu : {0.3, 0.49, 0.5}) {
     const Material material{0.1, nu};
     if (nu == 0.5 && GetParam().fixed.size() == 6) continue;
@@ -88,10 +88,11 @@ INSTANTIATE_TEST_SUITE_P(FixedMeetsRoller, PatchTest,
                          ::testing::Values(Patch{"FixedAndRoller", {4}, {0, 3}}),
                          [](const auto& patch) { return patch.param.name; });
 
-/// Order of the displacement error of a linear field on a curved body whose part z < `cut` is held.
-/// The traction of the exact field is taken with the mesh's normals, so the polyhedron itself would
-/// be solved exactly were it not for the traction, continuous in the elements' space and
-/// discontinuous in truth: that is the second-order error measured here.
+/// Checks the order of the displacement error of a linear field on a curved body whose part z <
+/// `cut` is fixed. The traction of the exact field is computed with the mesh's normals, so the
+/// polyhedron would be solved exactly if the elements could represent the traction. The traction is
+/// discontinuous, but continuous in the space of the elements: this causes the second-order error
+/// measured here.
 void expectSecondOrder(const char* name, double cut, double nu,
                        const std::vector<BoundaryMesh>& meshes) {
   const Material material{0.1, nu};

@@ -2,6 +2,7 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
+#include "bem/dense/make_reference_problem.h"
 
 namespace palpa::bem {
 namespace {
@@ -12,7 +13,7 @@ struct Difference {
   double displacement, traction;
 };
 
-/// Largest difference to the solution in double precision, over the largest value.
+/// Largest difference from the solution in double precision, over the largest value.
 Difference differenceTo(const verification::SolvedBody& expected,
                         const verification::SolvedBody& found) {
   return {(found.field.u - expected.field.u).lpNorm<Eigen::Infinity>() /
@@ -21,7 +22,7 @@ Difference differenceTo(const verification::SolvedBody& expected,
               expected.field.p.lpNorm<Eigen::Infinity>()};
 }
 
-TEST(Precision, SinglePrecisionCostsLittleAgainstTheDiscretisation) {
+TEST(Precision, SinglePrecisionErrorIsSmallAgainstTheDiscretisation) {
   for (const double nu : {0.3, 0.49, 0.5}) {
     const Material material{0.1, nu};
     const auto exact = verification::kelvinField({8, -5, 38}, {0.03, -0.02, 0.06}, material);
@@ -42,14 +43,14 @@ TEST(Precision, SinglePrecisionCostsLittleAgainstTheDiscretisation) {
     // Refined with residuals in double precision: rounding times the condition (about 1e3).
     EXPECT_LE(mixed.displacement, 1e-12);
     EXPECT_LE(mixed.traction, 1e-12);
-    // Entries rounded to 6e-8, errors that mostly cancel in sums; measured 4e-8 and 1e-7.
+    // Entries rounded to 6e-8, with errors that mostly cancel in sums; measured 4e-8 and 1e-7.
     EXPECT_LE(single.displacement, 1e-6);
     EXPECT_LE(single.traction, 3e-6);
     EXPECT_LE(single.displacement, 1e-3 * full.maxDisplacementError(exact));
   }
 }
 
-TEST(Precision, MemoryEstimateIsWhatIsUsed) {
+TEST(Precision, MemoryEstimateEqualsTheMemoryUsed) {
   for (const Precision precision : {Precision::kDouble, Precision::kMixed, Precision::kSingle}) {
     const Material material{0.1, 0.3};
     const verification::SolvedBody body(
@@ -58,7 +59,7 @@ TEST(Precision, MemoryEstimateIsWhatIsUsed) {
         [](int tag) { return tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction; },
         {precision, {}});
     const double estimate = estimateBytes(body.mesh.nodeCount(), body.slots.count(), precision);
-    // The pivots are not in the estimate.
+    // The estimate does not include the pivots.
     EXPECT_NEAR(static_cast<double>(body.problem->bytes()), estimate, 0.02 * estimate);
   }
 }

@@ -16,7 +16,7 @@ using verification::SolvedBody;
 
 const Vector3d kSource(8, -5, 45), kForce(0.03, -0.02, 0.06);
 
-/// A sphere of radius 25 mm in the field of a point force 20 mm above it.
+/// Sphere of radius 25 mm in the field of a point force 20 mm above it.
 struct Sphere {
   verification::ExactField exact;
   SolvedBody body;
@@ -47,7 +47,7 @@ double surfaceStressError(const Sphere& sphere) {
   return std::sqrt(sum / body.slots.count()) / largestStress(sphere);
 }
 
-TEST(SurfaceStress, ConvergesToThatOfThePointForce) {
+TEST(SurfaceStress, ConvergesToTheStressOfThePointForce) {
   for (const double nu : {0.3, 0.5}) {
     const double coarse = surfaceStressError(Sphere(6, nu)),
                  fine = surfaceStressError(Sphere(11, nu));
@@ -73,7 +73,7 @@ TEST(SurfaceStress, IsExactForALinearFieldOnABox) {
   }
 }
 
-TEST(InteriorState, IsThatOfThePointForce) {
+TEST(InteriorState, EqualsTheStateOfThePointForce) {
   for (const double nu : {0.3, 0.5}) {
     const Sphere sphere(9, nu);
     const SolvedBody& body = sphere.body;
@@ -104,7 +104,7 @@ TEST(InteriorState, IsEmptyOutsideTheBodyAndInItsCavity) {
   EXPECT_TRUE(interiorState(mesh, slots, u, p, {0.1, 0.3}, {0, 17, 0}));
 }
 
-TEST(SurfaceDisplacement, IsAsGoodBetweenTheNodesAsAtThem) {
+TEST(SurfaceDisplacement, IsAsAccurateBetweenTheNodesAsAtThem) {
   const Sphere sphere(9, 0.45);
   const SolvedBody& body = sphere.body;
   double scale = 0, atNodes = 0, between = 0, interpolated = 0;

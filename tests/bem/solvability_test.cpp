@@ -5,6 +5,7 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
+#include "bem/dense/make_reference_problem.h"
 #include "bem/problem/reference_problem.h"
 
 namespace palpa::bem {
@@ -34,7 +35,7 @@ Refusal refusal(const BoundaryMesh& mesh, const Material& material,
 }
 
 void expectNotHeld(const Refusal& refusal, std::initializer_list<const char*> freeMotions) {
-  EXPECT_EQ(refusal.kind, Kind::kNotHeld);
+  EXPECT_EQ(refusal.kind, Kind::kNotFixed);
   for (const char* motion : freeMotions)
     EXPECT_NE(refusal.message.find(motion), std::string::npos)
         << "'" << motion << "' is missing in: " << refusal.message;
@@ -69,7 +70,7 @@ TEST(Solvability, NamesTheMotionThatTwoRollerPlanesLeave) {
   expectNotHeld(refusal(box(), kRubber, rollersOn({0, 4})), {"translation along y"});
 }
 
-TEST(Solvability, ThreeRollerPlanesHold) {
+TEST(Solvability, ThreeRollerPlanesSuffice) {
   EXPECT_EQ(refusal(box(), kRubber, rollersOn({0, 2, 4})).message, "accepted");
 }
 
@@ -86,14 +87,14 @@ TEST(Solvability, NamesARotationAboutAnAxisThatIsNotAtTheOrigin) {
 }
 
 TEST(Solvability, NamesTheRotationsOfABallInASocket) {
-  // The mesh's normals are not quite radial, so the frictionless socket seems to resist a little.
+  // The mesh normals are not quite radial, so the frictionless socket seems to resist slightly.
   for (const int n : {4, 8})
     expectNotHeld(refusal(verification::sphereMesh(5, n), kRubber, rollersOn({0})),
                   {"rotation about the axis along x", "rotation about the axis along y",
                    "rotation about the axis along z"});
 }
 
-TEST(Solvability, ASmallFixedPlaceHolds) {
+TEST(Solvability, ASmallFixedPlaceSuffices) {
   BoundaryMesh mesh = verification::sphereMesh(5, 12);
   for (int t = 0; t < mesh.triangleCount(); ++t)
     mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -4.8 ? 1 : 0;
@@ -117,7 +118,7 @@ TEST(Solvability, ANearlyIncompressibleBodyWithACavityIsRefused) {
   EXPECT_EQ(refusal(mesh, kRubber, fixedPart).message, "accepted");
 }
 
-TEST(Solvability, OneFixedFaceHolds) {
+TEST(Solvability, OneFixedFaceSuffices) {
   const auto fixedBase = [](int tag) {
     return tag == 4 ? SlotCondition::kFixed : SlotCondition::kTraction;
   };
@@ -137,11 +138,11 @@ TEST(Solvability, AnIncompressibleBodyNeedsAFreePlace) {
   EXPECT_EQ(refusal(box(), {0.1, 0.49}, fixed).message, "accepted");
 }
 
-TEST(Solvability, TheProblemItselfRefusesToo) {
+TEST(Solvability, TheProblemRefusesToo) {
   const BoundaryMesh mesh = box();
   const TractionSlots slots(mesh);
   const std::vector<SlotCondition> free(slots.slots.size(), SlotCondition::kTraction);
-  EXPECT_THROW(makeDenseReferenceProblem(mesh, slots, free, kRubber, {}, Precision::kDouble, Job{}),
+  EXPECT_THROW(makeDenseReferenceProblem(mesh, slots, {free, kRubber, {}, Precision::kDouble}),
                SolverError);
 }
 

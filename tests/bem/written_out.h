@@ -5,7 +5,7 @@
 
 namespace palpa::bem::test {
 
-/// The two matrices of A v + Ā v̄ = 0, written out column by column from H and G: the definition
+/// The two matrices of A v + Ā v̄ = 0, computed column by column from H and G: the definition
 /// against which the capacitance method is checked.
 struct WrittenOut {
   Eigen::MatrixXd A, ABar;

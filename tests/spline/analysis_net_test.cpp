@@ -30,7 +30,9 @@ Project projectOf(modeling::Solid solid) {
 }
 
 SplineRefinement netOf(const Project& project) {
-  return splineRefinement(project, ElementSizes::of(project.mesh, 6));
+  return splineRefinement(project,
+                          modeling::SurfaceEvaluator(std::get<modeling::Solid>(project.body)),
+                          ElementSizes::of(project.mesh, 6));
 }
 
 const modeling::Solid& solidOf(const Project& project) {
@@ -109,7 +111,7 @@ TEST(SplineRefinement, GradesTowardsTheEdgesOfSupports) {
     for (std::size_t k = 1; k < knots.size(); ++k) result.push_back(knots[k] - knots[k - 1]);
     return result;
   };
-  // The base is held: its own directions are graded at both ends, evenly in between.
+  // The base is fixed: both directions of its patch are graded at both ends, evenly in between.
   const std::vector<double> across = gaps("bottom", 0);
   EXPECT_LT(across.front(), 0.6 * across[across.size() / 2]);
   EXPECT_NEAR(across.front(), across.back(), 1e-12);
@@ -134,12 +136,14 @@ TEST(SplineRefinement, GivesTouchesTheMasksTheyAskFor) {
     if (entry.path().extension() != ".json") continue;
     const Project project = modeling::readProject(entry.path());
     if (!std::holds_alternative<modeling::Solid>(project.body)) continue;
-    const SplineRefinement net = splineRefinement(project);
+    const SplineRefinement net =
+        splineRefinement(project, modeling::SurfaceEvaluator(solidOf(project)),
+                         ElementSizes::of(project.mesh, fingertipRadius(project)));
     const bem::SplineSurface surface = splineSurfaceOf(refined(solidOf(project), net));
     const bem::SplineMaskWidths widths(surface);
     EXPECT_LE(net.coefficients, 1750) << entry.path();
     for (const modeling::Touch& touch : project.touches) {
-      if (std::holds_alternative<modeling::TouchProbe>(touch.action)) continue;
+      if (touch.kind == modeling::TouchKind::kBall) continue;
       const bem::SplinePlace place = bem::test::nearestPlace(surface, touch.at);
       const double mask = widths.at(place.element, surface.evaluate(place).position);
       std::printf("%s, n %.0f, %s: mask %.2f for %.2f mm\n", project.name.c_str(), net.coefficients,
@@ -152,13 +156,15 @@ TEST(SplineRefinement, GivesTouchesTheMasksTheyAskFor) {
 /// Only around it: the same everywhere costs a multiple.
 TEST(SplineRefinement, RefinesAroundANarrowTouchAlone) {
   Project project = projectOf(modeling::makeBox({40, 30, 20}));
-  const double plain = splineRefinement(project).coefficients;
-  project.touches = {{"poke", {5, 4, 20}, modeling::TouchDisplacement{{0, 0, -1}}, 2.0}};
-  const double poked = splineRefinement(project).coefficients;
+  const double plain = ProjectGeometry(project).refinement().coefficients;
+  project.touches = {{"poke", {5, 4, 20}, modeling::TouchKind::kGrab, {0, 0, -1}, 2.0}};
+  const double poked = ProjectGeometry(project).refinement().coefficients;
   EXPECT_GT(poked, 1.1 * plain);
   ElementSizes everywhere = ElementSizes::of(project.mesh, 2);
   everywhere.budget = std::numeric_limits<double>::infinity();
-  EXPECT_LT(poked, 0.4 * splineRefinement(project, everywhere).coefficients);
+  EXPECT_LT(poked, 0.4 * splineRefinement(project, modeling::SurfaceEvaluator(solidOf(project)),
+                                          everywhere)
+                             .coefficients);
 }
 
 TEST(SplineRefinement, PutsSmallElementsAcrossBordersAndUnderBumps) {
@@ -189,7 +195,8 @@ TEST(SplineRefinement, FollowsTheWishFactorsAndTheBudget) {
   for (const double accuracy : {3e-2, 1e-2, 3e-3, 1e-3}) {
     project.mesh.accuracy = accuracy;
     const ElementSizes sizes = ElementSizes::of(project.mesh, 6);
-    counts.push_back(splineRefinement(project, sizes).coefficients);
+    counts.push_back(splineRefinement(project, modeling::SurfaceEvaluator(solidOf(project)), sizes)
+                         .coefficients);
     EXPECT_LE(counts.back(), sizes.budget);
     if (counts.size() > 1) {
       EXPECT_GT(counts.back(), 1.1 * counts[counts.size() - 2]);

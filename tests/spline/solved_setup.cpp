@@ -1,8 +1,10 @@
 #include "solved_setup.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <cmath>
 
 #include "bem/spline/spline_projection.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/shapes/primitives.h"
 
 namespace palpa::app::test {
@@ -25,17 +27,20 @@ Vector3d at(const BoundarySetup& setup, const bem::SplinePlace& place,
 }  // namespace
 
 BoundarySetup setupOf(const modeling::Project& project, const SplineRefinement& net) {
-  return makeSplineSetup(
-      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)), net);
+  const ProjectGeometry geometry(project, net);
+  return makeSplineSetup(geometry, modeling::mesh(project.body, project.mesh, geometry.regions()));
 }
 
 BoundarySetup setupOf(const modeling::Project& project) {
-  return setupOf(project, splineRefinement(project, ElementSizes::of(project.mesh, kFingertip)));
+  const modeling::SurfaceEvaluator surface(std::get<modeling::Solid>(project.body));
+  return setupOf(project,
+                 splineRefinement(project, surface, ElementSizes::of(project.mesh, kFingertip)));
 }
 
 SolvedSetup::SolvedSetup(BoundarySetup made) : setup(std::move(made)) {
-  const auto problem = setup.discretisation->makeProblem(
-      setup.conditions.ofSlot, setup.material, {1e-5}, bem::Precision::kDouble, Job{}, &times);
+  const auto problem = bem::makeDenseReferenceProblem(
+      *setup.discretisation,
+      {setup.conditions.ofSlot, setup.material, {1e-5}, bem::Precision::kDouble}, Job{}, &times);
   field = problem->solveField(problem->dofs().knownField(setup.conditions));
 }
 

@@ -16,7 +16,8 @@ std::unique_ptr<SplineDiscretisation> discretised(
   settings.edgeLength = edgeLength;
   const modeling::SurfaceMesh from = modeling::mesh(solid, settings);
   BoundaryMesh mesh{from.positions, from.triangles, from.smoothingGroupOfTriangle, {}};
-  std::vector<SplineMesh::Triangle> triangles = app::splineTriangles(solid, from);
+  std::vector<SplineMesh::Triangle> triangles =
+      app::splineTriangles(solid, modeling::SurfaceEvaluator(solid), from);
   for (const SplineMesh::Triangle& triangle : triangles) {
     const Eigen::Vector2d middle =
         (triangle.corners[0] + triangle.corners[1] + triangle.corners[2]) / 3;

@@ -19,17 +19,17 @@
 
 namespace palpa::bem::test {
 
-// Most bodies of these tests are those of the verification.
+// Most bodies of these tests are bodies of the verification.
 using namespace verification;
 
-/// The discretisation of a solid whose elements have the tags that `tagOf` gives for their middles,
-/// with a mesh of edges of some length on it, mm. Tags should change at borders of patches only:
-/// triangles take that of the element under their middle.
+/// Discretisation of a solid whose elements have the tags that `tagOf` returns for their centres,
+/// with a mesh of the given edge length, mm. Tags should change at borders of patches only:
+/// triangles take the tag of the element under their centroid.
 std::unique_ptr<SplineDiscretisation> discretised(
     const modeling::Solid& solid, double edgeLength,
     const std::function<int(const Eigen::Vector3d&)>& tagOf);
 
-/// Held where the tag is 1.
+/// Fixed where the tag is 1.
 std::vector<SlotCondition> fixedWhereTagged(const TractionSlots& slots);
 
 }  // namespace palpa::bem::test

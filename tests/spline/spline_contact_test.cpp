@@ -21,7 +21,7 @@ const Vector3d kTop(0, 0, kRadius), kSide(kRadius, 0, 0);
 /// Cubic splines with elements of 4.9 mm, n = 602, fixed on the lowest of six patches.
 SplineTouched& sphere() {
   static auto* shared = [] {
-    auto* body = new SplineTouched(modeling::makeSphere(kRadius, 11), Held{}, kMaterial, 5);
+    auto* body = new SplineTouched(modeling::makeSphere(kRadius, 11), FixedBelow{}, kMaterial, 5);
     body->computeAll();
     return body;
   }();
@@ -30,8 +30,8 @@ SplineTouched& sphere() {
 
 /// The same sphere of fine triangles.
 TriangleTouched& fineSphere() {
-  static auto* shared =
-      new TriangleTouched(fittedMesh(modeling::makeSphere(kRadius, 11), Held{}, 3.3, 1), kMaterial);
+  static auto* shared = new TriangleTouched(
+      fittedMesh(modeling::makeSphere(kRadius, 11), FixedBelow{}, 3.3, 1), kMaterial);
   return *shared;
 }
 
@@ -63,14 +63,14 @@ TEST(SplineContact, AgreesWithFineTrianglesOnASphere) {
     expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0.5}, at, at - outward, 0.01);
     // One mask, not much wider than the contact, carries the ball: 1.26 and 1.20 N at the top,
     // where six masks of finer splines (n = 2,322) have 1.21 N.
-    expectAgreement(sphere(), fineSphere(), {Kind::kProbe, 60, 0}, at, at + 58.5 * outward, 0.06);
+    expectAgreement(sphere(), fineSphere(), {Kind::kBall, 60, 0}, at, at + 58.5 * outward, 0.06);
   }
 }
 
 TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
   const modeling::Solid solid = modeling::makeBox({40, 30, 20});
-  SplineTouched box(halved(halved(halved(solid))), Held{}, kMaterial, 5);
-  TriangleTouched triangles(fittedMesh(solid, Held{}, 3.5, 1), kMaterial);
+  SplineTouched box(halved(halved(halved(solid))), FixedBelow{}, kMaterial, 5);
+  TriangleTouched triangles(fittedMesh(solid, FixedBelow{}, 3.5, 1), kMaterial);
   std::printf("n = %d splines, %d triangle nodes, narrowest %.2f\n", box.splines.coefficientCount(),
               triangles.mesh.nodeCount(),
               box.surface().narrowestMask(box.surface().nearest({3, 2, 20})));
@@ -78,11 +78,11 @@ TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
   expectAgreement(box, triangles, {Kind::kGrab, 9}, top, {0.3, 0.2, -1}, 0.015);
   expectAgreement(box, triangles, {Kind::kGrab, 9}, rim, {0.3, 0.2, -1}, 0.03);
   expectAgreement(box, triangles, {Kind::kPush, 9, 0}, side, side - Vector3d(1, 0, 0), 0.015);
-  expectAgreement(box, triangles, {Kind::kProbe, 100, 0}, top, top + Vector3d(0, 0, 99), 0.03);
-  // Masks beyond the sharp edge are those of the edge, pressed from above. Only two of them side by
+  expectAgreement(box, triangles, {Kind::kBall, 100, 0}, top, top + Vector3d(0, 0, 99), 0.03);
+  // Masks beyond the sharp edge are masks of the edge, pressed from above. Only two of them side by
   // side are narrower than the contact.
   const Vector3d beside(11, 2, 20);
-  expectAgreement(box, triangles, {Kind::kProbe, 60, 0}, beside, beside + Vector3d(0, 0, 59), 0.06);
+  expectAgreement(box, triangles, {Kind::kBall, 60, 0}, beside, beside + Vector3d(0, 0, 59), 0.06);
 }
 
 TEST(SplineContact, ComplianceIsSymmetric) {
@@ -98,12 +98,12 @@ TEST(SplineContact, SupportsBalanceIt) {
   solver.addGrab(makeContactMask(sphere().surface(), kTop, 10), Vector3d(0.5, 0.2, -1));
   const Eigen::VectorXd forces = solver.forces();
   const BoundaryField field = solver.field(forces);
-  std::vector<int> held;
+  std::vector<int> fixed;
   for (int e = 0; e < sphere().splines.elementCount(); ++e)
-    if (sphere().splines.elements()[e].tag == 1) held.push_back(e);
+    if (sphere().splines.elements()[e].tag == 1) fixed.push_back(e);
   Vector3d reaction = Vector3d::Zero();
   std::vector<double> basis;
-  visitSplinePoints(sphere().splines, held, 6, INFINITY,
+  visitSplinePoints(sphere().splines, fixed, 6, INFINITY,
                     [&](const SplinePlace& place, const SplineJet&, double weight) {
                       sphere().splines.evaluateBasis(place, basis);
                       for (std::size_t f = 0; f < basis.size(); ++f)
@@ -118,10 +118,10 @@ TEST(SplineContact, SupportsBalanceIt) {
 /// Half of what is allowed to triangles (ContactSimulation.TheForceHasNoStepsWhenSliding), over an
 /// edge of patches.
 TEST(SplineContact, TheForceHasNoStepsWhenSliding) {
-  for (const Kind kind : {Kind::kPush, Kind::kProbe}) {
+  for (const Kind kind : {Kind::kPush, Kind::kBall}) {
     ContactSimulation simulation = sphere().simulation();
-    const double radius = kind == Kind::kProbe ? 12 : 8;
-    const double distance = kind == Kind::kProbe ? 25 + 12 - 1.5 : 23.5;
+    const double radius = kind == Kind::kBall ? 12 : 8;
+    const double distance = kind == Kind::kBall ? 25 + 12 - 1.5 : 23.5;
     const auto tool = [&](int k) -> Vector3d {
       const double angle = 0.6 + 0.0002 * k;
       return distance * Vector3d(std::sin(angle), 0.1, std::cos(angle)).normalized();
@@ -147,13 +147,13 @@ TEST(SplineContact, TheForceHasNoStepsWhenSliding) {
 TEST(SplineContact, StepsDoNotAllocate) {
   ContactSimulation simulation = sphere().simulation();
   const auto push = simulation.begin({Kind::kPush, 8, 0.3}, kTop, 24 * Vector3d::UnitZ());
-  const auto probe = simulation.begin({Kind::kProbe, 10, 0.2}, -kSide, {-34, 0, 0});
+  const auto ball = simulation.begin({Kind::kBall, 10, 0.2}, -kSide, {-34, 0, 0});
   simulation.begin({Kind::kGrab, 8}, kSide, {-1, 0, 0});
   const auto move = [&] {
     for (int k = 0; k <= 60; ++k) {
       const double t = std::sin(2 * std::numbers::pi * k / 60);
       simulation.set(push, 23 * Vector3d(std::sin(0.3 * t), 0, std::cos(0.3 * t)));
-      simulation.set(probe, Vector3d(-(34 - t) * std::cos(0.2 * t), 34 * std::sin(0.2 * t), 0));
+      simulation.set(ball, Vector3d(-(34 - t) * std::cos(0.2 * t), 34 * std::sin(0.2 * t), 0));
       simulation.step();
     }
   };

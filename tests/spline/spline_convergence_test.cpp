@@ -32,11 +32,11 @@ std::vector<Step> converge(const char* name, const std::vector<SplineSurface>& s
 TEST(SplineConvergence, OtherBodies) {
   const Material material{0.1, 0.3};
   const auto series = [&](const char* name, const modeling::Solid& solid, int refinements,
-                          const auto& held, const ExactField& exact) {
+                          const auto& fixed, const ExactField& exact) {
     std::vector<SplineSurface> surfaces;
     modeling::Solid fine = solid;
     for (int k = 0;; ++k) {
-      surfaces.push_back(heldWhere(app::splineSurfaceOf(fine), held));
+      surfaces.push_back(fixedWhere(app::splineSurfaceOf(fine), fixed));
       if (k == refinements) break;
       fine = halved(fine);
     }
@@ -52,11 +52,11 @@ TEST(SplineConvergence, OtherBodies) {
   };
   // The nets of cylinder and box are too coarse at first to see the source: 3 element lengths off.
   expectLast(series("cylinder", cylinder, 2, base, aside), 1.5e-3, 3.5);
-  expectLast(series("held cylinder", cylinder, 2, ends, aside), 1.2e-3, 3);
+  expectLast(series("fixed cylinder", cylinder, 2, ends, aside), 1.2e-3, 3);
   const ExactField above = kelvinField({10, 5, 35}, {0.03, -0.02, 0.06}, material);
   const auto box = modeling::makeBox({40, 30, 20});
   expectLast(series("box", box, 3, base, above), 5e-4, 4);
-  // Two held faces meet in a sharp edge, three in a corner.
+  // Two fixed faces meet in a sharp edge, three in a corner.
   const auto corner = [](const Vector3d& x) {
     return x.z() < 1e-6 || x.x() < -20 + 1e-6 || x.y() < -15 + 1e-6;
   };

@@ -1,4 +1,5 @@
 #include "bem/spline/spline_discretisation.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <cstring>
 
@@ -86,14 +87,14 @@ TEST(SplineDiscretisation, AProblemIsReadBackBitForBit) {
                               [](const Vector3d& x) { return isBelow(x) ? 1 : 0; });
   const auto conditions = fixedWhereTagged(on->slots());
   for (const Precision precision : {Precision::kDouble, Precision::kMixed, Precision::kSingle}) {
-    const auto made = on->makeProblem(conditions, kMaterial, {1e-5}, precision, Job{});
+    const auto made = makeDenseReferenceProblem(*on, {conditions, kMaterial, {1e-5}, precision});
     std::vector<std::byte> stored;
     made->write([&](std::span<const std::byte> bytes) {
       stored.insert(stored.end(), bytes.begin(), bytes.end());
     });
     std::size_t at = 0;
-    const auto read =
-        on->readProblem(conditions, kMaterial, precision, [&](std::span<std::byte> bytes) {
+    const auto read = readDenseReferenceProblem(
+        *on, {conditions, kMaterial, {}, precision}, [&](std::span<std::byte> bytes) {
           ASSERT_LE(at + bytes.size(), stored.size());
           std::memcpy(bytes.data(), &stored[at], bytes.size());
           at += bytes.size();

@@ -10,8 +10,8 @@ using Eigen::VectorXd;
 
 const Vector3d kForce(0.03, -0.02, 0.06);
 
-/// Root mean squares over the surface, over that of the exact displacement, and largest values over
-/// the largest error.
+/// Root mean squares over the surface relative to the exact displacement, and largest values
+/// relative to the largest error.
 struct Effectivity {
   double error = 0, defect = 0, estimate = 0;
   double largestDefect = 0, largestEstimate = 0;
@@ -55,7 +55,7 @@ struct Case {
   const char* name;
   modeling::Solid solid;
   int halvings;
-  std::function<bool(const Vector3d&)> held;
+  std::function<bool(const Vector3d&)> isFixed;
   Vector3d source;
 };
 
@@ -66,7 +66,8 @@ Effectivity effectivity(const Case& each, double nu) {
   const ExactField exact = kelvinField(each.source, kForce, material);
   return effectivity(
       each.name,
-      SplineBody(heldWhere(app::splineSurfaceOf(fine), each.held), material, exact, {1e-6}), exact);
+      SplineBody(fixedWhere(app::splineSurfaceOf(fine), each.isFixed), material, exact, {1e-6}),
+      exact);
 }
 
 /// The defect alone is 0.3 to 0.8 of the error, also of its largest value.

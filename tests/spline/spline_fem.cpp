@@ -1,4 +1,5 @@
 #include "spline_fem.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,9 +47,9 @@ modeling::Solid cylinderWithKnots(const std::vector<double>& heights,
   return solid;
 }
 
-SplineSurface heldCylinder(const modeling::Solid& cylinder, bool atTop) {
+SplineSurface fixedCylinder(const modeling::Solid& cylinder, bool atTop) {
   SplineSurface surface =
-      heldWhere(app::splineSurfaceOf(cylinder), [](const Vector3d& x) { return x.z() < 1e-6; });
+      fixedWhere(app::splineSurfaceOf(cylinder), [](const Vector3d& x) { return x.z() < 1e-6; });
   if (!atTop) return surface;
   for (int e = 0; e < surface.elementCount(); ++e) {
     const SplineElement& element = surface.elements()[e];
@@ -59,7 +60,7 @@ SplineSurface heldCylinder(const modeling::Solid& cylinder, bool atTop) {
   return surface;
 }
 
-SplineSurface heldSphere(int controlPoints, const std::vector<double>& fractions) {
+SplineSurface fixedSphere(int controlPoints, const std::vector<double>& fractions) {
   modeling::Solid solid = modeling::makeSphere(25, controlPoints);
   for (const int d : {0, 1}) solid = withKnots(std::move(solid), "top", d, fractions);
   return withPart(
@@ -92,8 +93,9 @@ FemSolution solveFem(const json& reference, const SplineSurface& surface,
   for (int e = 0; e < surface.elementCount(); ++e) all.push_back(e);
   if (load) conditions.traction = projectTraction(surface, tractions, all, load, loadRadius);
   ReferenceProblemTimes times;
-  const auto problem = makeDenseReferenceProblem(surface, tractions, conditions.ofSlot, material,
-                                                 {1e-5}, Precision::kAutomatic, Job{}, &times);
+  const auto problem = makeDenseReferenceProblem(
+      surface, tractions, {conditions.ofSlot, material, {1e-5}, Precision::kAutomatic}, Job{},
+      &times);
   const BoundaryField field = problem->solveField(problem->dofs().knownField(conditions));
 
   FemSolution solution;

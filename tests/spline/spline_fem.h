@@ -8,7 +8,7 @@
 #include "app/verification/reference_data.h"
 #include "spline_body.h"
 
-/// The finite element solutions of fem.json with splines whose knots are chosen by hand.
+/// The finite element solutions of fem.json with splines with manually chosen knots.
 namespace palpa::bem::test {
 
 /// A case of fem.json by its name.
@@ -23,7 +23,7 @@ struct FemSolution {
   ReferenceProblemTimes times;
 };
 
-/// Solves a case on a surface whose held elements have the tag 1 or 2. `given`: their displacement
+/// Solves a case on a surface whose fixed elements have the tag 1 or 2. `given`: their displacement
 /// by control point; they take constants.
 FemSolution solveFem(const nlohmann::json& reference, const SplineSurface& surface,
                      const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& given,
@@ -41,11 +41,11 @@ modeling::Solid withKnots(modeling::Solid solid, const std::string& patch, int d
 /// (mm) and, around and in the caps, at fractions of a quarter.
 modeling::Solid cylinderWithKnots(const std::vector<double>& heights,
                                   const std::vector<double>& fractions);
-/// The same, held at its base (tag 1) and, if asked for, at its top (tag 2).
-SplineSurface heldCylinder(const modeling::Solid& cylinder, bool atTop);
+/// The same, fixed at its base (tag 1) and, if asked for, at its top (tag 2).
+SplineSurface fixedCylinder(const modeling::Solid& cylinder, bool atTop);
 
-/// The sphere of the cases, R = 25 mm, held below z = -20 mm, with a net of this size and knots at
+/// The sphere of the cases, R = 25 mm, fixed below z = -20 mm, with a net of this size and knots at
 /// fractions of its top and along the bands that begin there.
-SplineSurface heldSphere(int controlPoints, const std::vector<double>& fractions);
+SplineSurface fixedSphere(int controlPoints, const std::vector<double>& fractions);
 
 }  // namespace palpa::bem::test

@@ -34,7 +34,7 @@ Vector3d still(const Vector3d&) {
 
 TEST(SplineFem, CylinderPushedAtItsSide) {
   const json reference = femCase("a_cyl_side");
-  const SplineSurface surface = heldCylinder(
+  const SplineSurface surface = fixedCylinder(
       cylinderWithKnots({0.7, 2.5, 6, 11, 17, 22, 26, 30, 34, 38, 43, 51}, kTowardsRims), false);
   const FemErrors errors =
       solve(reference, surface, still, bumpOf(reference), reference["load"]["a"]);
@@ -47,7 +47,7 @@ TEST(SplineFem, CylinderPushedAtItsSide) {
 TEST(SplineFem, SphereHeldInAHalfSpaceThatCutsItsPatches) {
   const json reference = femCase("c_sph_pole");
   // Finer at the load and, in the bands around the bottom, where the border of the support runs.
-  const SplineSurface surface = heldSphere(9, {0.04, 0.08, 0.12, 0.42, 0.58, 0.88, 0.92, 0.96});
+  const SplineSurface surface = fixedSphere(9, {0.04, 0.08, 0.12, 0.42, 0.58, 0.88, 0.92, 0.96});
   const FemErrors errors =
       solve(reference, surface, still, bumpOf(reference), reference["load"]["a"]);
   EXPECT_LE(errors.atLoad, 6e-3);
@@ -59,7 +59,7 @@ TEST(SplineFem, SphereHeldInAHalfSpaceThatCutsItsPatches) {
 TEST(SplineFem, CylinderPressedBetweenBondedPlates) {
   for (const char* id : {"b_cyl_push_nu0.30", "b_cyl_push_nu0.45"}) {
     const json reference = femCase(id);
-    const SplineSurface surface = heldCylinder(
+    const SplineSurface surface = fixedCylinder(
         cylinderWithKnots({0.7, 2.5, 6, 12, 20, 30, 40, 48, 54, 57.5, 59.3}, kTowardsRims), true);
     const Vector3d top = vectorOf(reference["top"]);
     const FemErrors errors = solve(

@@ -181,7 +181,7 @@ TEST(SplineMask, RadiusIsWhatIsAskedWhereThatIsCarried) {
 
 /// A plate of 2 mm: what is touched is one side.
 TEST(SplineMask, LeavesTheFarSideAlone) {
-  const SplineTouched plate(halved(halved(halved(modeling::makeBox({60, 2, 60})))), Held{},
+  const SplineTouched plate(halved(halved(halved(modeling::makeBox({60, 2, 60})))), FixedBelow{},
                             kMaterial, 6);
   const auto workspace = plate.surface().makeWorkspace();
   ContactMask mask;

@@ -1,3 +1,4 @@
+#include "modeling/mesh/mesh.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {
@@ -20,8 +21,9 @@ TEST(SplineMesh, NodesLieOnTheSplines) {
     for (const modeling::Solid& analysed : {solid, halved(solid)}) {
       const SplineSurface surface = app::splineSurfaceOf(analysed);
       const SplineTractions tractions(surface);
-      const SplineMesh on(surface, tractions, mesh, meshSlots,
-                          app::splineTriangles(solid, triangles));
+      const SplineMesh on(
+          surface, tractions, mesh, meshSlots,
+          app::splineTriangles(solid, modeling::SurfaceEvaluator(solid), triangles));
       Eigen::VectorXd points(3 * surface.coefficientCount());
       for (int k = 0; k < surface.coefficientCount(); ++k)
         points.segment<3>(3 * k) = surface.controlPoints()[k];

@@ -127,7 +127,7 @@ TEST(SplineAssembly, StopsWhenAsked) {
   std::stop_source source;
   Job job;
   job.stop = source.get_token();
-  job.progress = [&](std::string_view, double) { source.request_stop(); };
+  job.progress = [&](Phase, double) { source.request_stop(); };
   EXPECT_THROW(
       assemble<double>(surface, tractions, grevilleCollocation(surface), {0.1, 0.3}, {1e-5}, job),
       Cancelled);
@@ -140,17 +140,17 @@ TEST(SplinePatchTest, LinearFields) {
   for (const double nu : {0.0, 0.3, 0.5}) {
     const Material material{0.1, nu};
     const ExactField exact = linearField(generalGradient(nu == 0.5), {0.1, -0.2, 0.3}, material);
-    const SplineBody box(heldWhere(app::splineSurfaceOf(modeling::makeBox({40, 30, 20})), base),
+    const SplineBody box(fixedWhere(app::splineSurfaceOf(modeling::makeBox({40, 30, 20})), base),
                          material, exact, {1e-8});
     EXPECT_LT(box.displacementError(exact), 1e-7) << nu;
     EXPECT_LT(box.tractionError(exact), 1e-6) << nu;
-    const SplineBody plate(heldWhere(app::splineSurfaceOf(modeling::makeBox({60, 60, 3})), base),
+    const SplineBody plate(fixedWhere(app::splineSurfaceOf(modeling::makeBox({60, 60, 3})), base),
                            material, exact, {1e-8});
     EXPECT_LT(plate.displacementError(exact), 1e-6) << nu;
-    const SplineBody sphere(heldWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)),
-                                      [](const Vector3d& x) {
-                                        return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
-                                      }),
+    const SplineBody sphere(fixedWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)),
+                                       [](const Vector3d& x) {
+                                         return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
+                                       }),
                             material, exact, {1e-6});
     EXPECT_LT(sphere.displacementError(exact), 3e-5) << nu;
   }

@@ -73,7 +73,7 @@ TEST(SplineIntegrals, AFaceCarriesStressTimesArea) {
   const LinearBody body(modeling::makeBox({40, 30, 20}));
   const SplineIntegrals integrals(body.surface, body.tractions);
   const SplineSurface tagged =
-      heldWhere(body.surface, [](const Vector3d& x) { return x.z() > 20 - 1e-9; });
+      fixedWhere(body.surface, [](const Vector3d& x) { return x.z() > 20 - 1e-9; });
   std::vector<int> top;
   for (const int e : allElements(tagged))
     if (tagged.elements()[e].tag == 1) top.push_back(e);
@@ -145,9 +145,9 @@ TEST(SplineInteriorState, IsThatOfAPointForceUpToTheSurface) {
   for (const double nu : {0.3, 0.5}) {
     const Material material{0.1, nu};
     const ExactField exact = kelvinField({20, 15, 40}, kForce, material);
-    const SplineBody body(heldWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)), isBelow),
+    const SplineBody body(fixedWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)), isBelow),
                           material, exact, {1e-6});
-    // Farther in errors are smaller; at the surface that of its tractions is all there is.
+    // Errors are smaller farther inside; at the surface only the error of the tractions remains.
     for (const auto& [depth, displacement, stress] : {std::tuple(2.0, 5e-4, 1e-3),
                                                       {0.5, 1e-3, 8e-3},
                                                       {0.1, 1e-3, 1.2e-2},

@@ -12,6 +12,7 @@
 #include "app/core/setup/boundary_setup.h"
 #include "bem/base/error.h"
 #include "bem/spline/spline_projection.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/project/project_file.h"
 #include "modeling/solid/surface_evaluator.h"
 #include "solved_setup.h"
@@ -65,12 +66,12 @@ TEST(SplineSetup, ExamplesHaveThePartsThatTrianglesHave) {
     project.mesh.refinementLevels = 0;
     project.mesh.edgeLength = size.norm() / 50;
     const auto mesh = modeling::mesh(project.body, project.mesh, modeling::meshRegions(project));
-    const SplineRefinement net =
-        splineRefinement(project, ElementSizes::of(project.mesh, kFingertip));
-    const BoundarySetup setup = makeBoundarySetup(project, mesh, &net);
+    const SplineRefinement net = splineRefinement(project, modeling::SurfaceEvaluator(*solid),
+                                                  ElementSizes::of(project.mesh, kFingertip));
+    const BoundarySetup setup = makeBoundarySetup(ProjectGeometry(project, net), mesh);
     const bem::SplineSurface& surface = setup.splines->surface();
     project.mesh.engine = modeling::Engine::kTriangles;
-    const BoundarySetup triangles = makeBoundarySetup(project, mesh);
+    const BoundarySetup triangles = makeBoundarySetup(ProjectGeometry(project), mesh);
     std::printf("%s: n %d of %.0f foreseen, %d elements, %d slots, %.2f mm\n",
                 entry.path().stem().c_str(), surface.coefficientCount(), net.coefficients,
                 surface.elementCount(), setup.discretisation->slots().count(), net.interior);

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "bem/contact/nodal_switching.h"
+#include "bem/dense/make_reference_problem.h"
 #include "bem/spline/spline_assembly.h"
 #include "spline_body.h"
 #include "written_out.h"
@@ -16,8 +17,8 @@ using Eigen::VectorXd;
 const Material kMaterial{0.1, 0.4};
 const AssemblyOptions kOptions{1e-6};
 
-/// The problem in which tractions (of free coefficients) and displacements (of held ones) are
-/// unknowns s of their own and what is given instead are further equations,
+/// The problem in which tractions (of free coefficients) and displacements (of fixed ones) are
+/// additional unknowns s and the values given instead are further equations,
 ///   A v + Ā (v̄ + E s) = b,  R (u of v and v̄ + E s) = values,
 /// solved as a whole.
 VectorXd solvedAtOnce(const SplineDiscretisation& on, const DegreesOfFreedom& dofs,
@@ -61,13 +62,13 @@ VectorXd solvedAtOnce(const SplineDiscretisation& on, const DegreesOfFreedom& do
 }
 
 TEST(NodalSwitching, OfSplinesGivesTheDisplacementAtTheGrevillePoint) {
-  // A ball whose lower sixth is held. Tractions and displacements are given everywhere at random;
+  // A ball whose lower sixth is fixed. Tractions and displacements are given everywhere at random;
   // coefficients of any kind join and leave, neighbours and those beside the support among them.
   const auto ball = discretised(modeling::makeSphere(25, 5), 12, [](const Eigen::Vector3d& x) {
     return x.z() < -std::max(std::abs(x.x()), std::abs(x.y())) ? 1 : 0;
   });
-  const std::shared_ptr<const ReferenceProblem> problem = ball->makeProblem(
-      fixedWhereTagged(ball->slots()), kMaterial, kOptions, Precision::kDouble, Job{});
+  const std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
+      *ball, {fixedWhereTagged(ball->slots()), kMaterial, kOptions, Precision::kDouble});
   const DegreesOfFreedom& dofs = problem->dofs();
   ASSERT_TRUE(dofs.extraSlots().empty());
   const auto operators =
@@ -86,12 +87,11 @@ TEST(NodalSwitching, OfSplinesGivesTheDisplacementAtTheGrevillePoint) {
     if (dofs.isFree(ball->slots().slots[s].node)) slotLoad[3 * s] = 1e-3 * normal(random);
   given.p += slotLoad;
   const VectorXd load = operators.G.view() * slotLoad;
-  NodalSwitching switching(std::make_shared<GreensFunction>(problem), known,
-                           problem->solve(given).col(0), problem->solveField(given),
+  NodalSwitching switching(problem, known, problem->solve(given).col(0), problem->solveField(given),
                            ball->placeWeights());
 
   const MatrixXd weights = ball->placeWeights();
-  int besideTheSupport = 0, held = 0;
+  int besideTheSupport = 0, fixed = 0;
   for (int step = 0; step < 14; ++step) {
     const std::vector<int>& members = switching.nodes();
     if (step % 4 == 3) {
@@ -101,7 +101,7 @@ TEST(NodalSwitching, OfSplinesGivesTheDisplacementAtTheGrevillePoint) {
       while (std::find(members.begin(), members.end(), node) != members.end())
         node = (node + 1) % dofs.nodeCount();
       switching.add(node);
-      held += dofs.isFree(node) ? 0 : 1;
+      fixed += dofs.isFree(node) ? 0 : 1;
       for (int j = 0; j < dofs.nodeCount(); ++j)
         if (dofs.isFree(node) && !dofs.isFree(j) && weights(node, j) > 0.01) {
           ++besideTheSupport;
@@ -123,7 +123,7 @@ TEST(NodalSwitching, OfSplinesGivesTheDisplacementAtTheGrevillePoint) {
     }
   }
   EXPECT_GE(besideTheSupport, 1);
-  EXPECT_GE(held, 1);
+  EXPECT_GE(fixed, 1);
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "app/core/setup/boundary_setup.h"
+#include "bem/dense/make_reference_problem.h"
 #include "bem/spline/spline_equations.h"
 #include "bem/spline/surface_part.h"
+#include "modeling/mesh/mesh.h"
 #include "spline_body.h"
 
 namespace palpa::bem::test {
@@ -17,7 +19,7 @@ using modeling::Support;
 
 const Material kMaterial{0.1, 0.3};
 
-/// Largest error of u, over the least possible one, of a body held below planes at different
+/// Largest error of u, over the least possible one, of a body fixed below planes at different
 /// heights, with the field of a point force outside as data.
 double worstOverLeast(const SplineSurface& surface, const Vector3d& source,
                       const Vector3d& across) {
@@ -87,10 +89,11 @@ Forces forces(const modeling::Body& shape, const Vector3d& normal, double below,
   project.mesh.edgeLength = 4;
   project.mesh.elementLength = elementLength;
   const app::BoundarySetup setup = app::makeBoundarySetup(
-      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+      app::ProjectGeometry(project),
+      modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
   const SplineSurface& surface = setup.splines->surface();
-  const auto problem = setup.discretisation->makeProblem(setup.conditions.ofSlot, setup.material,
-                                                         {1e-5}, precision, Job{});
+  const auto problem = makeDenseReferenceProblem(
+      *setup.discretisation, {setup.conditions.ofSlot, setup.material, {1e-5}, precision});
   const BoundaryField field = problem->solveField(problem->dofs().knownField(setup.conditions));
   Forces result{Vector3d::Zero(), setup.loads[0].resultant.force};
   std::vector<double> basis;

@@ -82,10 +82,10 @@ TEST(SurfacePart, TearsFunctionsOnlyAtTheBorder) {
   }
   // Nothing is cut where the border runs along edges of patches.
   const SplineSurface box = app::splineSurfaceOf(modeling::makeBox({40, 30, 20}));
-  const SplineSurface held = withPart(
+  const SplineSurface fixed = withPart(
       box, [](const Vector3d& x) { return x.z() - 1e-6; }, 1);
-  EXPECT_EQ(held.coefficientCount(), box.coefficientCount());
-  EXPECT_NEAR(areaWithTag(held, 1), 1200, 1e-9) << "the base alone";
+  EXPECT_EQ(fixed.coefficientCount(), box.coefficientCount());
+  EXPECT_NEAR(areaWithTag(fixed, 1), 1200, 1e-9) << "the base alone";
 }
 
 /// With exact data on both sides, tearing does no harm: the border is free to be anywhere.
@@ -98,9 +98,9 @@ TEST(SurfacePart, KeepsTheAccuracyOfASmoothField) {
                               sphere, [&](const Vector3d& x) { return x.z() - level; }, 1),
                           material, exact, {1e-5});
     const double error = body.displacementError(exact);
-    std::printf("held below %g: n %d, error of u %.2e\n", level, body.surface.coefficientCount(),
+    std::printf("fixed below %g: n %d, error of u %.2e\n", level, body.surface.coefficientCount(),
                 error);
-    EXPECT_LT(error, 6e-4);  // 3.1e-4 with a whole patch held
+    EXPECT_LT(error, 6e-4);  // 3.1e-4 with a whole patch fixed
   }
 }
 

@@ -1,10 +1,12 @@
 #include "touched_body.h"
+#include "bem/dense/make_reference_problem.h"
 
 #include <cmath>
 #include <numeric>
 
 #include "app/core/setup/to_spline_surface.h"
 #include "bem/spline/surface_part.h"
+#include "modeling/mesh/mesh.h"
 
 namespace palpa::bem::test {
 
@@ -52,26 +54,27 @@ int lowestPatch(const modeling::Solid& solid) {
   return best;
 }
 
-SplineSurface fixedSurface(const modeling::Solid& solid, Held held) {
+SplineSurface fixedSurface(const modeling::Solid& solid, FixedBelow fixedBelow) {
   SplineSurface surface = app::splineSurfaceOf(solid);
-  if (held)
+  if (fixedBelow)
     return withPart(
-        surface, [held](const Vector3d& x) { return x.z() - *held; }, 1);
+        surface, [fixedBelow](const Vector3d& x) { return x.z() - *fixedBelow; }, 1);
   const int patch = lowestPatch(solid);
   for (int e = 0; e < surface.elementCount(); ++e)
     if (surface.elements()[e].patch == patch) surface.setTag(e, 1);
   return surface;
 }
 
-modeling::SurfaceMesh meshOf(const modeling::Solid& solid, Held held, double edgeLength,
+modeling::SurfaceMesh meshOf(const modeling::Solid& solid, FixedBelow fixedBelow, double edgeLength,
                              int levels) {
   modeling::MeshSettings settings;
   settings.edgeLength = edgeLength;
   settings.refinementLevels = levels;
   settings.refineAtBorders = settings.refineAtSharpEdges = levels > 0;
   const std::vector<modeling::MeshRegion> regions{
-      {"base", held ? modeling::Region::below(Vector3d::UnitZ(), *held)
-                    : modeling::Region::ofPatches({solid.patches()[lowestPatch(solid)].name})}};
+      {"base", fixedBelow
+                   ? modeling::Region::below(Vector3d::UnitZ(), *fixedBelow)
+                   : modeling::Region::ofPatches({solid.patches()[lowestPatch(solid)].name})}};
   return modeling::mesh(solid, settings, regions);
 }
 
@@ -84,22 +87,23 @@ BoundaryMesh tagged(const modeling::SurfaceMesh& triangles) {
 
 }  // namespace
 
-SplineTouched::SplineTouched(const modeling::Solid& solid, Held held, const Material& material,
-                             double edgeLength, Precision precision)
-    : splines(fixedSurface(solid, held)), tractions(splines) {
-  const modeling::SurfaceMesh triangles = meshOf(solid, held, edgeLength, 0);
+SplineTouched::SplineTouched(const modeling::Solid& solid, FixedBelow fixedBelow,
+                             const Material& material, double edgeLength, Precision precision)
+    : splines(fixedSurface(solid, fixedBelow)), tractions(splines) {
+  const modeling::SurfaceMesh triangles = meshOf(solid, fixedBelow, edgeLength, 0);
   mesh = tagged(triangles);
   meshSlots = TractionSlots(mesh);
-  onMesh = std::make_unique<SplineMesh>(splines, tractions, mesh, meshSlots,
-                                        app::splineTriangles(solid, triangles));
+  onMesh = std::make_unique<SplineMesh>(
+      splines, tractions, mesh, meshSlots,
+      app::splineTriangles(solid, modeling::SurfaceEvaluator(solid), triangles));
   std::vector<SlotCondition> conditions;
   for (const auto& slot : tractions.slots.slots)
     conditions.push_back(slot.tag == 1 &&
                                  !splines.barelyReaches(slot.node, slot.tag, slot.smoothingGroup)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
-  std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
-      splines, tractions, conditions, material, AssemblyOptions{1e-5}, precision, Job{});
+  std::shared_ptr<const ReferenceProblem> problem =
+      makeDenseReferenceProblem(splines, tractions, {conditions, material, {1e-5}, precision});
   auto surface = std::make_unique<SplineContactSurface>(*onMesh, problem->dofs());
   contacts = surface.get();
   finish(problem, std::move(surface));
@@ -110,14 +114,15 @@ TriangleTouched::TriangleTouched(BoundaryMesh made, const Material& material, Pr
   std::vector<SlotCondition> conditions;
   for (const auto& slot : slots.slots)
     conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-  std::shared_ptr<const ReferenceProblem> problem = makeDenseReferenceProblem(
-      mesh, slots, conditions, material, AssemblyOptions{}, precision, Job{});
+  std::shared_ptr<const ReferenceProblem> problem =
+      makeDenseReferenceProblem(mesh, slots, {conditions, material, {}, precision});
   auto surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
   finish(problem, std::move(surface));
 }
 
-BoundaryMesh fittedMesh(const modeling::Solid& solid, Held held, double edgeLength, int levels) {
-  return tagged(meshOf(solid, held, edgeLength, levels));
+BoundaryMesh fittedMesh(const modeling::Solid& solid, FixedBelow fixedBelow, double edgeLength,
+                        int levels) {
+  return tagged(meshOf(solid, fixedBelow, edgeLength, levels));
 }
 
 }  // namespace palpa::bem::test

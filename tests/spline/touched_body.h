@@ -36,8 +36,8 @@ class TouchedBody {
   BoundaryField base_;
 };
 
-/// Where a body is fixed: below z = *held; empty: on its lowest patch.
-using Held = std::optional<double>;
+/// Height z in mm below which a body is fixed; empty: its lowest patch is fixed.
+using FixedBelow = std::optional<double>;
 
 struct SplineTouched : TouchedBody {
   SplineSurface splines;
@@ -48,7 +48,7 @@ struct SplineTouched : TouchedBody {
   const SplineContactSurface* contacts;
 
   /// `edgeLength`: of the mesh that names places, mm.
-  SplineTouched(const modeling::Solid& solid, Held held, const Material& material,
+  SplineTouched(const modeling::Solid& solid, FixedBelow fixedBelow, const Material& material,
                 double edgeLength, Precision precision = Precision::kDouble);
 };
 
@@ -61,8 +61,9 @@ struct TriangleTouched : TouchedBody {
                   Precision precision = Precision::kAutomatic);
 };
 
-/// A mesh of the solid that is fitted to where it is fixed, with tag 1 there; at that border, and
-/// at sharp edges, refined `levels` times.
-BoundaryMesh fittedMesh(const modeling::Solid& solid, Held held, double edgeLength, int levels);
+/// Mesh of the solid, fitted to the fixed part, which has the tag 1, and refined `levels` times at
+/// its border and at sharp edges.
+BoundaryMesh fittedMesh(const modeling::Solid& solid, FixedBelow fixedBelow, double edgeLength,
+                        int levels);
 
 }  // namespace palpa::bem::test

@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kOnFace = 1e-6;  ///< mm
 
-bool isHeld(const Vector3d& x) {
+bool isFixed(const Vector3d& x) {
   return x.z() < kOnFace;
 }
 
-/// Inner knots from 0 to 1, closer at 0 and, if asked for, at 1 as well.
+/// Inner knots from 0 to 1, denser at 0 and, with `atBothEnds`, also at 1.
 std::vector<double> gradedFractions(int spans, double grading, bool atBothEnds) {
   std::vector<double> fractions;
   for (int i = 1; i < spans; ++i) {
@@ -35,7 +35,7 @@ std::vector<double> gradedFractions(int spans, double grading, bool atBothEnds) 
   return fractions;
 }
 
-/// Inserts knots along an axis of a box, at fractions of its edge in growing coordinates.
+/// Inserts knots along an axis of a box, at fractions of its edge in increasing coordinates.
 modeling::Solid withKnotsAlong(modeling::Solid solid, int axis,
                                const std::vector<double>& fractions) {
   for (int p = 0; p < static_cast<int>(solid.patches().size()); ++p)
@@ -55,7 +55,7 @@ modeling::Solid withKnotsAlong(modeling::Solid solid, int axis,
   throw std::invalid_argument("the block has no edge along an axis");
 }
 
-/// A face of a solved block: its patch as an affine map.
+/// Face of a solved block: its patch as an affine map.
 struct Face {
   int patch;
   Vector3d corner, along[2];
@@ -96,7 +96,7 @@ modeling::Solid ClampedBlock::solid(int degree, int spans, double grading) const
 }
 
 SplineSurface ClampedBlock::splines(int degree, int spans, double grading) const {
-  return heldWhere(app::splineSurfaceOf(solid(degree, spans, grading)), isHeld);
+  return fixedWhere(app::splineSurfaceOf(solid(degree, spans, grading)), isFixed);
 }
 
 std::unique_ptr<SplineBody> ClampedBlock::solve(int degree, int spans, double grading) const {
@@ -105,9 +105,9 @@ std::unique_ptr<SplineBody> ClampedBlock::solve(int degree, int spans, double gr
 
 std::unique_ptr<SolvedBody> ClampedBlock::solve(double edgeLength, bool isRefined) const {
   return solveTriangles(
-      triangleMesh(solid(3, 1, 1), edgeLength, {{"held", modeling::Region::ofPatches({"bottom"})}},
+      triangleMesh(solid(3, 1, 1), edgeLength, {{"fixed", modeling::Region::ofPatches({"bottom"})}},
                    isRefined),
-      isHeld, material, given());
+      isFixed, material, given());
 }
 
 ExactField fieldOf(std::shared_ptr<const SplineBody> block) {

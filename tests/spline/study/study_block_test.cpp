@@ -1,5 +1,5 @@
-// A clamped block: the stress is singular along the rim of the held face, and no uniform refinement
-// reaches the order of smooth fields. Reference: a graded cubic solution finer than all others.
+// Clamped block: the stress is singular along the rim of the fixed face, so uniform refinement does
+// not reach the order of smooth fields. Reference: a graded cubic solution finer than all others.
 #include <gtest/gtest.h>
 
 #include "bem/triangle/results.h"
@@ -44,7 +44,7 @@ class ClampedBlockStudy {
   }
 
  private:
-  /// The support's force is the load's, whatever the discretisation.
+  /// The force of the support equals the load for every discretisation.
   double reactionError(const Vector3d& force) const {
     return (force + block_.load()).norm() / block_.load().norm();
   }
@@ -66,10 +66,11 @@ TEST(SplineStudy, ClampedBlock) {
     EXPECT_LT(graded.steps[i].error, uniform.steps[i].error);
   }
   EXPECT_LT(graded.last().error, uniform.last().error / 4);
-  EXPECT_LT(uniform.lastOrder(), 2);  // whatever the degree
+  EXPECT_LT(uniform.lastOrder(), 2);  // for any degree
   EXPECT_GE(graded.lastOrder(), 3);
   EXPECT_LE(graded.last().reaction, 3e-4);
-  // Another grid of nearly the size of the reference: how far the reference itself may be off.
+  // A different grid of nearly the size of the reference: an estimate of the error of the
+  // reference.
   const StudySeries check =
       study.splines("cubic splines, check of the reference", 3, {12}, kGraded);
   EXPECT_LT(check.last().error, 0.75 * graded.last().error);

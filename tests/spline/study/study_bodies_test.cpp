@@ -1,5 +1,5 @@
-// The field of a point force outside the body: smooth, no polynomial, so that the error shows the
-// order. Displacements are given on one part of the surface, tractions on the rest.
+// Field of a point force outside the body: smooth and not a polynomial, so the error shows the
+// order. Displacements are prescribed on one part of the surface, tractions on the rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const Material kMaterial{0.1, 0.3};
 struct Body {
   const char* name;
   ExactField exact;
-  HeldPlaces held;
+  FixedPlaces fixed;
 };
 
 StudySeries splineSeries(const Body& body, const char* engine,
@@ -28,7 +28,7 @@ StudySeries splineSeries(const Body& body, const char* engine,
   StudySeries series{body.name, engine, {}};
   for (const modeling::Solid& solid : solids) {
     const auto solved =
-        solveSplines(heldWhere(app::splineSurfaceOf(solid), body.held), kMaterial, body.exact);
+        solveSplines(fixedWhere(app::splineSurfaceOf(solid), body.fixed), kMaterial, body.exact);
     series.steps.push_back(stepOf(*solved, body.exact));
   }
   report(series);
@@ -40,13 +40,13 @@ StudySeries triangleSeries(const Body& body, const modeling::Solid& solid,
   StudySeries series{body.name, kTriangles, {}};
   for (const double edgeLength : edgeLengths)
     series.steps.push_back(
-        stepOf(*solveTriangles(triangleMesh(solid, edgeLength), body.held, kMaterial, body.exact),
+        stepOf(*solveTriangles(triangleMesh(solid, edgeLength), body.fixed, kMaterial, body.exact),
                body.exact));
   report(series);
   return series;
 }
 
-/// Solids of one shape with nets of these sizes per direction and patch.
+/// Solids of one shape with nets of the given sizes per direction and patch.
 template <class Shape>
 std::vector<modeling::Solid> withNets(const Shape& shape, int degree,
                                       const std::vector<int>& sizes) {
@@ -55,7 +55,7 @@ std::vector<modeling::Solid> withNets(const Shape& shape, int degree,
   return solids;
 }
 
-/// One solid with every knot span divided.
+/// Solids with every knot span of one solid subdivided.
 std::vector<modeling::Solid> withParts(const modeling::Solid& solid,
                                        const std::vector<int>& parts) {
   std::vector<modeling::Solid> solids;
@@ -67,7 +67,7 @@ struct Engines {
   StudySeries triangles, quadratic, cubic;
 };
 
-/// Orders of the last refinement: degree + 1 is what the best functions of each space reach.
+/// Checks the orders of the last refinement: the best functions of each space reach degree + 1.
 void expectOrders(const Engines& engines) {
   EXPECT_NEAR(engines.triangles.lastOrder(), 2, 0.3);
   EXPECT_GE(engines.quadratic.lastOrder(), 3);
@@ -83,7 +83,7 @@ double leastError(const StudySeries& series, int mostCoefficients) {
   return least;
 }
 
-/// The lowest of the six patches of a sphere.
+/// True in the lowest of the six patches of a sphere.
 bool isInLowestPatch(const Vector3d& x) {
   return x.z() < -std::max(std::abs(x.x()), std::abs(x.y()));
 }
@@ -116,7 +116,8 @@ TEST(SplineStudy, Cylinder) {
   const Body body{"cylinder", kelvinField({35, 10, 40}, {0.03, 0.02, -0.05}, kMaterial),
                   [](const Vector3d& x) { return x.z() < 1e-6 || x.z() > 60 - 1e-6; }};
   const modeling::CylinderShape shape{20, 60};
-  // Twice as many spans along the axis as around a quarter, so that elements are about square.
+  // Twice as many spans along the axis as around a quarter, so that elements are approximately
+  // square.
   const auto squared = [&](int degree) {
     return withKnots(modeling::makePrimitive({shape, degree, degree + 2}), "side_xmax", 1,
                      {0.25, 0.75});

@@ -1,11 +1,12 @@
-// The finite element solutions of fem.json (two independent programs that agree to 0.03 % of
-// the largest displacement), whose tractions are singular along the rims of supports: splines with
+// Finite element solutions of fem.json (two independent programs that agree to 0.03 % of the
+// largest displacement), whose tractions are singular along the rims of supports: splines with
 // graded knots against triangles refined towards the borders of supports. The error of u is the
 // root mean square over the points of the file.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "bem/dense/make_reference_problem.h"
 #include "bem/triangle/results.h"
 #include "modeling/shapes/primitives.h"
 #include "spline_fem.h"
@@ -33,14 +34,14 @@ StudyStep stepOf(const FemSolution& solution, bool hasLoad) {
   return step;
 }
 
-/// A solid that is held (tag 1) and moved (tag 2) in regions, and what its held parts are given.
+/// Solid that is fixed (tag 1) and moved (tag 2) in regions, with the prescribed displacements.
 struct Case {
   std::string name;
   json reference;
   modeling::Solid solid;
-  std::vector<modeling::MeshRegion> held;
+  std::vector<modeling::MeshRegion> fixed;
   Vector3d top = Vector3d::Zero();
-  bool isRefined = true;  ///< the triangles, towards the borders of what is held
+  bool isRefined = true;  ///< true: triangles are refined towards the borders of supports
 
   bool hasLoad() const { return reference.contains("load"); }
   SplineFunction load() const { return hasLoad() ? bumpOf(reference) : SplineFunction(); }
@@ -49,7 +50,7 @@ struct Case {
 };
 
 FemSolution solveTriangles(const Case& of, double edgeLength) {
-  const BoundaryMesh mesh = triangleMesh(of.solid, edgeLength, of.held, of.isRefined);
+  const BoundaryMesh mesh = triangleMesh(of.solid, edgeLength, of.fixed, of.isRefined);
   const TractionSlots slots(mesh);
   BoundaryConditions conditions(mesh, slots);
   for (int s = 0; s < slots.count(); ++s)
@@ -61,8 +62,9 @@ FemSolution solveTriangles(const Case& of, double edgeLength) {
         projectTraction(mesh, slots, {allTriangles(mesh), of.load(), of.loadRadius()});
   const Material material{of.reference["material"]["E"], of.reference["material"]["nu"]};
   FemSolution solution;
-  const auto problem = makeDenseReferenceProblem(mesh, slots, conditions.ofSlot, material, {},
-                                                 Precision::kAutomatic, Job{}, &solution.times);
+  const auto problem = makeDenseReferenceProblem(
+      mesh, slots, {conditions.ofSlot, material, {}, Precision::kAutomatic}, Job{},
+      &solution.times);
   const BoundaryField field = problem->solveField(problem->dofs().knownField(conditions));
   const Eigen::VectorXd u = field.u.col(0), p = field.p.col(0);
   std::vector<Vector3d> displacements;
@@ -104,7 +106,8 @@ StudySeries splineSeries(const Case& of, const std::vector<SplineSurface>& surfa
   return series;
 }
 
-/// The finest splines are nearer than the finest triangles, with fewer coefficients.
+/// Checks that the finest splines are more accurate than the finest triangles, with fewer
+/// coefficients.
 void expectBetter(const StudySeries& splines, const StudySeries& triangles) {
   EXPECT_LE(splines.last().coefficients, 1200);
   EXPECT_LT(splines.last().coefficients, triangles.last().coefficients);
@@ -120,11 +123,11 @@ TEST(SplineStudy, FiniteElementsCylinderPushedAtItsSide) {
   const StudySeries triangles = triangleSeries(pushed, {7, 5, 3.6});
   const StudySeries splines = splineSeries(
       pushed,
-      {heldCylinder(cylinderWithKnots({5, 17, 26, 34, 45}, {0.1, 0.9}), false),
-       heldCylinder(cylinderWithKnots({2.5, 7, 15, 22, 26, 30, 34, 38, 46}, {0.06, 0.94}), false),
-       heldCylinder(cylinderWithKnots({0.7, 2.5, 6, 11, 17, 22, 26, 30, 34, 38, 43, 51},
-                                      {0.04, 0.125, 0.375, 0.625, 0.875, 0.96}),
-                    false)});
+      {fixedCylinder(cylinderWithKnots({5, 17, 26, 34, 45}, {0.1, 0.9}), false),
+       fixedCylinder(cylinderWithKnots({2.5, 7, 15, 22, 26, 30, 34, 38, 46}, {0.06, 0.94}), false),
+       fixedCylinder(cylinderWithKnots({0.7, 2.5, 6, 11, 17, 22, 26, 30, 34, 38, 43, 51},
+                                       {0.04, 0.125, 0.375, 0.625, 0.875, 0.96}),
+                     false)});
   expectBetter(splines, triangles);
 }
 
@@ -137,8 +140,8 @@ TEST(SplineStudy, FiniteElementsSpherePushedAtItsPole) {
                     false};
   const StudySeries triangles = triangleSeries(pushed, {4, 2.9, 2.1});
   const StudySeries splines = splineSeries(
-      pushed, {heldSphere(7, {0.06, 0.94}), heldSphere(8, {0.05, 0.13, 0.42, 0.58, 0.87, 0.95}),
-               heldSphere(9, {0.04, 0.08, 0.12, 0.42, 0.58, 0.88, 0.92, 0.96})});
+      pushed, {fixedSphere(7, {0.06, 0.94}), fixedSphere(8, {0.05, 0.13, 0.42, 0.58, 0.87, 0.95}),
+               fixedSphere(9, {0.04, 0.08, 0.12, 0.42, 0.58, 0.88, 0.92, 0.96})});
   expectBetter(splines, triangles);
 }
 
@@ -153,11 +156,11 @@ TEST(SplineStudy, FiniteElementsCylinderBetweenBondedPlates) {
                  vectorOf(reference["top"])};
     const StudySeries triangles = triangleSeries(pressed, {9, 6, 4.2});
     const StudySeries splines = splineSeries(
-        pressed, {heldCylinder(cylinderWithKnots({5, 18, 42, 55}, {}), true),
-                  heldCylinder(cylinderWithKnots({2.5, 8, 18, 42, 52, 57.5}, {0.06, 0.94}), true),
-                  heldCylinder(cylinderWithKnots({0.7, 2.5, 6, 12, 20, 30, 40, 48, 54, 57.5, 59.3},
-                                                 {0.04, 0.125, 0.375, 0.625, 0.875, 0.96}),
-                               true)});
+        pressed, {fixedCylinder(cylinderWithKnots({5, 18, 42, 55}, {}), true),
+                  fixedCylinder(cylinderWithKnots({2.5, 8, 18, 42, 52, 57.5}, {0.06, 0.94}), true),
+                  fixedCylinder(cylinderWithKnots({0.7, 2.5, 6, 12, 20, 30, 40, 48, 54, 57.5, 59.3},
+                                                  {0.04, 0.125, 0.375, 0.625, 0.875, 0.96}),
+                                true)});
     expectBetter(splines, triangles);
   }
 }

@@ -35,9 +35,9 @@ BoundaryMesh triangleMesh(const modeling::Solid& solid, double edgeLength,
   return mesh;
 }
 
-std::unique_ptr<SolvedBody> solveTriangles(const BoundaryMesh& mesh, const HeldPlaces& held,
+std::unique_ptr<SolvedBody> solveTriangles(const BoundaryMesh& mesh, const FixedPlaces& fixed,
                                            const Material& material, const ExactField& exact) {
-  const BoundaryMesh withSupport = retagged(mesh, 1, held);
+  const BoundaryMesh withSupport = retagged(mesh, 1, fixed);
   return fastest([&] {
     return std::make_unique<SolvedBody>(
         withSupport, material, exact,
