@@ -4,11 +4,11 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME palpa)
 
-# Programs. palpa-read-cad is only started by the others.
+# Programs. Only the others start palpa-read-cad.
 install(TARGETS palpa palpa-cli RUNTIME)
 install(TARGETS palpa-read-cad RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/palpa)
 
-# The manual page and the completion of palpa-cli are what it says of itself.
+# palpa-cli writes its manual page and its completion itself.
 set(palpa_manual ${PROJECT_BINARY_DIR}/manual)
 file(MAKE_DIRECTORY ${palpa_manual})
 add_custom_command(OUTPUT ${palpa_manual}/palpa-cli.1 ${palpa_manual}/palpa-cli
@@ -30,11 +30,13 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN tools EXCLUDE)
 install(DIRECTORY projects DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.json)
 
-# Libraries, for find_package(palpa).
+# Libraries, for find_package(palpa), and their public headers.
+include(cmake/public_headers.cmake)
 set(palpa_cmake ${CMAKE_INSTALL_LIBDIR}/cmake/palpa)
 install(TARGETS palpa_options palpa_base palpa_bem palpa_modeling EXPORT palpa-targets ARCHIVE COMPONENT dev)
-foreach(part base bem modeling)
-  install(DIRECTORY ${part} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpa COMPONENT dev FILES_MATCHING PATTERN *.h)
+foreach(header ${palpa_public_headers})
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/palpa/${folder} COMPONENT dev)
 endforeach()
 install(EXPORT palpa-targets NAMESPACE palpa:: DESTINATION ${palpa_cmake} COMPONENT dev)
 configure_package_config_file(cmake/palpa-config.cmake.in ${PROJECT_BINARY_DIR}/palpa-config.cmake
@@ -56,7 +58,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_PALPA_PACKAGE_NAME palpa)
 set(CPACK_DEBIAN_PALPA_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PALPA_PACKAGE_SHLIBDEPS ON)
-# Qt loads its platform and picture plugins at run time, so no library tells of them.
+# Qt loads its platform and picture plugins at run time, so dpkg-shlibdeps does not find them.
 set(CPACK_DEBIAN_PALPA_PACKAGE_DEPENDS "libqt6svg6, qt6-qpa-plugins")
 set(CPACK_DEBIAN_PALPA_PACKAGE_SUGGESTS "ffmpeg")
 set(CPACK_COMPONENT_PALPA_DESCRIPTION "model elastic solids with spline patches and touch them

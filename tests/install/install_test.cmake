@@ -1,5 +1,5 @@
 # cmake -DBUILD=… -DSOURCE=… -DWORK=… -P install_test.cmake: installs into an empty folder, runs the installed program
-# from there, and builds and runs a program of somebody else with the installed libraries.
+# from there, compiles each installed header alone, and builds and runs a program that uses the installed libraries.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   message("${output}")
@@ -23,6 +23,18 @@ endforeach()
 # CAD files are read with the help of a program that is found from the installed one.
 run(${WORK}/prefix/bin/palpa-cli export ${SOURCE}/projects/box.json -o ${WORK}/box.step)
 run(${WORK}/prefix/bin/palpa-cli import ${WORK}/box.step -o ${WORK}/box.json)
+
+# The public headers are installed and no others, and each compiles alone.
+include(${SOURCE}/cmake/public_headers.cmake)
+file(GLOB_RECURSE headers RELATIVE ${WORK}/prefix/include/palpa ${WORK}/prefix/include/palpa/*.h)
+list(SORT headers)
+list(SORT palpa_public_headers)
+if(NOT headers STREQUAL palpa_public_headers)
+  message(FATAL_ERROR "installed headers: ${headers}\npublic headers: ${palpa_public_headers}")
+endif()
+run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/tests/install/headers -B ${WORK}/headers -DCMAKE_PREFIX_PATH=${WORK}/prefix
+  "-DHEADERS=${headers}")
+run(${CMAKE_COMMAND} --build ${WORK}/headers)
 
 run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE}/tests/install/consumer -B ${WORK}/consumer -DCMAKE_PREFIX_PATH=${WORK}/prefix
   -DCMAKE_BUILD_TYPE=Release)

@@ -1,0 +1,44 @@
+# The public headers of the libraries and the headers that these include: installed, described in docs/library.md, each
+# compiled alone by tests/install. No other header is installed.
+set(palpa_public_headers
+  base/box_tree.h
+  base/byte_stream.h
+  base/error.h
+  base/job.h
+  base/phase.h
+  bem/base/error.h
+  bem/contact/bilateral_contact_solver.h
+  bem/contact/contact_mask.h
+  bem/contact/contact_surface.h
+  bem/dense/make_reference_problem.h
+  bem/linalg/capacitance_matrix.h
+  bem/model/boundary_conditions.h
+  bem/model/boundary_mesh.h
+  bem/model/derived_quantities.h
+  bem/model/material.h
+  bem/model/surface_point.h
+  bem/model/traction_projection.h
+  bem/model/triangle_tree.h
+  bem/problem/discretisation.h
+  bem/problem/problem_inputs.h
+  bem/problem/reference_problem.h
+  bem/triangle/triangle_discretisation.h
+  modeling/body/body.h
+  modeling/body/mesh_body.h
+  modeling/body/region.h
+  modeling/error.h
+  modeling/exchange/cad_export.h
+  modeling/exchange/cad_import.h
+  modeling/exchange/import.h
+  modeling/mesh/mesh.h
+  modeling/mesh/mesh_settings.h
+  modeling/mesh/region_border.h
+  modeling/mesh/surface_mesh.h
+  modeling/project/project.h
+  modeling/project/project_file.h
+  modeling/project/touch_kind.h
+  modeling/shapes/make_primitive.h
+  modeling/shapes/primitive.h
+  modeling/solid/edge_curve.h
+  modeling/solid/solid.h
+  modeling/solid/surface_evaluator.h)
