@@ -6,9 +6,9 @@
 
 namespace palpa::modeling {
 
-/// A bad file, an impossible solid, or a mesh that would not fit into memory. The message names the
-/// place as a path in the project file where there is one. Callers tell the cases apart by kind(),
-/// never by the text of the message.
+/// Error of the library: a bad file, an impossible solid, or a mesh beyond the limits. The message
+/// begins with the place, as a path in the project file if there is one. Callers distinguish the
+/// cases by kind(), never by the text of the message.
 class ModelingError : public Error {
  public:
   enum class Kind {

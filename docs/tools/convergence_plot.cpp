@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "app/view/log_chart.h"
+#include "app/view/charts/log_chart.h"
 
 namespace {
 

@@ -110,7 +110,7 @@ class Scanner {
   std::vector<Literal> found_;
 };
 
-/// Texts without what printf and Qt insert.
+/// The parts of a text between the placeholders of printf and Qt.
 std::vector<std::string> piecesOf(const std::string& text) {
   static const std::regex kPlaceholder(R"(%(L?[0-9n]|[-+.0-9lz]*[a-zA-Z]|%))");
   std::vector<std::string> pieces;
@@ -126,7 +126,7 @@ bool isForPeople(const std::string& folder, const std::string& statement, const 
   static const std::regex kJson(R"("\w+":)");
   static const std::regex kSaying(R"(\bthrow\s+[\w:]*(Error|Refused)\b|\b(refus|obstacle)\w*)");
   static const std::regex kRefusing(
-      R"(\b(cannot|could|not|no|none|must|needs?|already|only|nothing|fail(s|ed)?|damaged|without|anew|gone|lost|too|wrong|unknown|wait|first)\b)",
+      R"(\b(cannot|could|not|no|none|must|needs?|already|only|nothing|fail(s|ed)?|damaged|without|gone|lost|too|wrong|unknown|wait|first)\b)",
       std::regex::icase);
   if (std::regex_search(statement, kDefect)) return false;
   if (std::regex_search(text, kJson) || text.find("//VTK::") != std::string::npos) return false;

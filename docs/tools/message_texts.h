@@ -7,7 +7,7 @@
 namespace palpa::docs {
 
 /// A statement of the sources that can become a message, as a template: its texts in order, with
-/// "…" for what is inserted.
+/// "…" for inserted values.
 struct MessageTemplate {
   std::string file;  // relative to the root
   int line;          // of its first text
@@ -15,17 +15,17 @@ struct MessageTemplate {
   std::vector<std::string> pieces;  // the parts between insertions, as they are written
 };
 
-/// The messages of the program's sources. In bem/, modeling/ and app/core/ every text of two words
-/// and more counts, in the other folders of app/ those of statements that throw an error or refuse
-/// something, in app/cli/ and app/gui/ also those with a word as "cannot", "not" or "needs". Texts
-/// of assertions, of std::invalid_argument and std::logic_error (defects of the program), of JSON
-/// and of shaders do not count.
+/// The messages in the sources of the program: every text of two or more words in bem/, modeling/
+/// and app/core/; in the other folders of app/ the texts of statements that throw an error or
+/// refuse something; in app/cli/ and app/gui/ also texts with a word like "cannot", "not" or
+/// "needs". Not texts of assertions, std::invalid_argument and std::logic_error (defects of the
+/// program), JSON and shaders.
 std::vector<MessageTemplate> findMessages(const std::filesystem::path& root);
 
-/// Does a text have two words or more?
+/// True if a text has two words or more.
 bool isProse(const std::string& text);
 
-/// Blanks as one, none at the ends.
+/// The text with single blanks, none at its ends.
 std::string trimmed(const std::string& text);
 
 /// Splits at every occurrence of the separator.

@@ -9,12 +9,10 @@
 #include "docs/tools/message_texts.h"
 
 // Keeps the list of messages in the user guide complete.
-//   messages list ROOT                   all messages of the sources as templates
-//   messages check ROOT PAGE NO_MESSAGES every text of a message stands on the page in a code span,
-//   every
-//                                        code span in the first column of its tables is in the
-//                                        sources; NO_MESSAGES lists texts that are none, and source
-//                                        files that have none, one a line
+//   messages list ROOT: prints all messages of the sources as templates.
+//   messages check ROOT PAGE NO_MESSAGES: fails unless the page has every text of a message in a
+//     code span, and the sources have every code span in the first column of its tables. Each line
+//     of NO_MESSAGES is a text that is no message, or a source file without messages.
 namespace palpa::docs {
 namespace {
 

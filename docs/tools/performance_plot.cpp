@@ -1,6 +1,6 @@
-// performance_plot TABLE PICTURE.png --body NAME --chart X:Y --chart X:Y: draws what
-// palpa-peer-bench measured (its --table) for a body, one curve per method, and prints for every
-// method the exponents of both charts' straight lines, method;exponent;exponent. X and Y name
+// performance_plot TABLE PICTURE.png --body NAME --chart X:Y --chart X:Y: draws the measurements of
+// palpa-peer-bench (its --table) for a body, one curve per method, and prints for every method the
+// exponents of the straight lines in both charts, method;exponent;exponent. X and Y name
 // values of the table. See scripts/bench. Needs a display.
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "app/view/log_chart.h"
+#include "app/view/charts/log_chart.h"
 
 namespace {
 
@@ -52,7 +52,7 @@ struct Measured {
     if (methods.empty()) throw std::runtime_error("no " + body + " in " + path);
   }
 
-  /// Empty when the method does not have it.
+  /// Empty if the method does not have it.
   std::vector<double> series(const std::string& method, const std::string& name) const {
     const auto unit = kUnits.find(name);
     std::vector<double> result;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// Writes the reference page of the project file from its JSON schema, so that the page cannot say
-// anything else than what is checked on every load; and the dictionary of the fuzz target.
+// Writes the reference page of the project file from its JSON schema, so that both always agree,
+// and the dictionary of the fuzz target.
 namespace {
 
 using nlohmann::ordered_json;

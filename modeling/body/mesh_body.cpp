@@ -57,7 +57,7 @@ void checkLists(const Data& data) {
     if (!used[f]) throw ModelingError(indexed("faces", f) + ": has no triangle");
 }
 
-/// Every directed edge occurs once, and so does its opposite.
+/// Throws ModelingError unless every directed edge and its opposite occur exactly once.
 void checkEdges(const Data& data) {
   std::vector<std::array<int, 2>> edges;
   edges.reserve(3 * data.triangles.size());
@@ -80,7 +80,7 @@ void checkEdges(const Data& data) {
   }
 }
 
-/// The triangles around a vertex, joined over common edges, must be one fan.
+/// Throws ModelingError unless the triangles around each vertex form one fan.
 void checkFans(const Data& data) {
   std::map<std::array<int, 2>, int> next;  // (vertex, second corner) -> third corner
   std::vector<int> valence(data.positions.size(), 0);
@@ -123,7 +123,7 @@ std::optional<int> MeshBody::findFace(std::string_view name) const {
 
 double volume(const MeshBody& body) {
   const auto& p = body.positions();
-  const Eigen::Vector3d origin = p.front();  // nearby, so that little cancels
+  const Eigen::Vector3d origin = p.front();  // near the surface, so that little cancels
   double sum = 0.0;
   for (const auto& [a, b, c] : body.triangles())
     sum += (p[a] - origin).dot((p[b] - origin).cross(p[c] - origin));

@@ -11,48 +11,47 @@
 
 namespace palpa::modeling {
 
-/// All points of the named patches.
+/// Surface points of the named patches.
 struct PatchSet {
   std::vector<std::string> patches;
+
+  bool operator==(const PatchSet&) const = default;
 };
 
-/// All surface points x (mm) with normal · x < below. With a unit normal, `below` is a distance
-/// from the origin in mm; the normal is used as given, not normalised.
+/// Surface points x (mm) with normal · x < below. With a unit normal, `below` is a distance from
+/// the origin in mm; the normal is used as given, not normalised.
 struct HalfSpace {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double below = 0.0;
 
-  bool operator==(const HalfSpace& other) const {
-    return normal == other.normal && below == other.below;
-  }
+  bool operator==(const HalfSpace&) const = default;
 
+  /// normal · x - below: negative inside.
   double value(const Eigen::Vector3d& x) const { return normal.dot(x) - below; }
 };
 
-/// What one stroke of a brush paints: all surface points nearer than `radius` (mm) to the polyline
-/// through `points` (mm, in space); one point paints with a ball. Distances are straight, so a thin
-/// wall is painted on both sides when the radius reaches through it.
+/// Region painted by one stroke of a brush: surface points closer than `radius` (mm) to the
+/// polyline through `points` (mm, in space); a single point paints with a ball. Distances are
+/// straight, so a thin wall is painted on both sides if the radius extends through it.
 struct Stroke {
   static constexpr std::size_t kMaxPoints = 10'000;
 
   std::vector<Eigen::Vector3d> points;
   double radius = 1.0;
 
-  bool operator==(const Stroke& other) const {
-    return points == other.points && radius == other.radius;
-  }
+  bool operator==(const Stroke&) const = default;
 
-  /// Point of the polyline nearest to x. Linear in the number of points, of which there must be
+  /// Point of the polyline nearest to x, mm. Cost linear in the number of points; needs at least
   /// one.
   Eigen::Vector3d nearest(const Eigen::Vector3d& x) const;
 
-  /// Distance from the polyline less the radius in mm: negative inside.
+  /// Distance from the polyline minus the radius, mm: negative inside.
   double value(const Eigen::Vector3d& x) const;
 };
 
 using RegionPart = std::variant<PatchSet, HalfSpace, Stroke>;
 
-/// Part of a solid's surface: the union of its parts.
+/// Region of a body's surface: the union of its parts.
 struct Region {
   std::vector<RegionPart> parts;
 
@@ -60,25 +59,28 @@ struct Region {
   static Region below(const Eigen::Vector3d& normal, double distance) {
     return {{HalfSpace{normal, distance}}};
   }
+
+  bool operator==(const Region&) const = default;
 };
 
-/// Checks a region against a body: at least one part, patch names that exist (the message lists
-/// those that do), normals finite and not zero, strokes of 1 … kMaxPoints finite points and a
-/// radius above zero. `path` begins the message ("supports[0].where").
-/// @throws ModelingError
+/// Checks a region against a body. Throws ModelingError if the region has no part, if a patch name
+/// does not exist (the message lists the existing names), if a normal is not finite or zero, or if
+/// a stroke does not have 1 … kMaxPoints finite points and a positive radius. `path` is the
+/// beginning of the message ("supports[0].where").
 void checkRegion(const Region& region, const Body& body, const std::string& path);
 
-/// The same for many regions of one body; `names` holds patchNames(body). Thousands of names in a
-/// file then cost no more than reading them.
+/// Checks a region with precomputed names, for many regions of one body; `names` contains
+/// patchNames(body). Thousands of names in a file then cost no more than reading them.
 void checkRegion(const Region& region, const Body& body, const std::set<std::string>& names,
                  const std::string& path);
 
-/// How far each position (mm) lies inside (negative) or outside the region, for drawing borders as
-/// the zero line of linear interpolation: distances in mm from half spaces and strokes, the least
-/// over the parts, between -kRegionFieldCap and kRegionFieldCap times the diagonal of the body's
-/// box. Named patches have no distance: their points get the lower cap, so that the line of zeros
-/// runs along the patch edge when every patch has vertices of its own. `patchOfPosition` has an
-/// index into patchNames(body) for each position. Unknown names are ignored.
+/// Signed distances (mm) of positions (mm) from the region, negative inside, for drawing borders as
+/// the zero line of linear interpolation. They are the minimum over the parts of the distances from
+/// half spaces and strokes, limited to ±kRegionFieldCap times the diagonal of the body's box. Named
+/// patches have no distance: their points get the lower limit, so the zero line follows the patch
+/// edge if every patch has separate vertices. `patchOfPosition` is an index into patchNames(body)
+/// for each position. Unknown names are ignored. Throws std::invalid_argument if the numbers of
+/// positions and patches differ.
 std::vector<double> regionField(const Region& region, const Body& body,
                                 std::span<const Eigen::Vector3d> positions,
                                 std::span<const int> patchOfPosition);

@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector3d;
 using Neighbours = std::span<const std::array<int, 3>>;
 
-constexpr double kThin = 1e-3;  // height over longest edge, below which a normal is not trusted
+constexpr double kThin = 1e-3;  // height over longest edge below which a normal is unreliable
 
 struct Shape {
-  Vector3d normal;  ///< unit, zero without area
+  Vector3d normal;  ///< unit; zero for a triangle without area
   double area;
   int longest;  ///< edge
   double thinness;
@@ -40,7 +40,7 @@ Shape shapeOf(const std::vector<Vector3d>& p, const std::array<int, 3>& n) {
   return shape;
 }
 
-/// Joins small regions to their neighbours, smallest first.
+/// Merges small regions into their neighbours, smallest first.
 class Merging {
  public:
   Merging(std::vector<double> areas, std::map<std::pair<int, int>, double> borders)
@@ -52,15 +52,15 @@ class Merging {
     }
   }
 
-  void run(double leastArea, int most) {
+  void run(double minArea, int maxCount) {
     std::set<std::pair<double, int>> order;
     for (std::size_t r = 0; r < area_.size(); ++r) order.emplace(area_[r], static_cast<int>(r));
     while (!order.empty()) {
       const auto [area, region] = *order.begin();
-      if (area >= leastArea && static_cast<int>(order.size()) <= most) return;
+      if (area >= minArea && static_cast<int>(order.size()) <= maxCount) return;
       order.erase(order.begin());
-      if (borders_[region].empty()) {  // a shell of its own stays a region
-        --most;
+      if (borders_[region].empty()) {  // a separate shell remains a region
+        --maxCount;
         continue;
       }
       int into = -1;
@@ -101,7 +101,7 @@ class Merging {
   std::vector<std::map<int, double>> borders_;  // neighbour -> length of the common border
 };
 
-/// Numbers the connected parts of the surface without its sharp edges.
+/// Numbers the parts of the surface that are connected without crossing sharp edges.
 std::vector<int> connectedParts(const std::vector<Vector3d>& normals, Neighbours neighbours) {
   const double cosine = std::cos(kSharpAngle * std::numbers::pi / 180.0);
   std::vector<int> part(normals.size(), -1);
@@ -159,7 +159,7 @@ std::vector<int> reliableTriangles(const std::vector<Vector3d>& positions,
     const double thinness = shapeOf(positions, triangles[t]).thinness;
     if (thinness < kThin) thin.emplace_back(-thinness, static_cast<int>(t));
   }
-  // The least thin first, so that in a stack of slivers membership travels inwards.
+  // The least thin first, so that in a stack of slivers the region spreads inwards.
   std::sort(thin.begin(), thin.end());
   for (const auto& [thinness, t] : thin)
     source[t] = source[neighbours[t][shapeOf(positions, triangles[t]).longest]];
@@ -167,7 +167,7 @@ std::vector<int> reliableTriangles(const std::vector<Vector3d>& positions,
 }
 
 std::vector<int> smoothRegions(const std::vector<Vector3d>& positions, const Triangles& triangles,
-                               double leastArea, int most) {
+                               double minArea, int maxCount) {
   const auto neighbours = triangleNeighbours(triangles);
   std::vector<Vector3d> normals;
   for (int t : reliableTriangles(positions, triangles, neighbours))
@@ -186,7 +186,7 @@ std::vector<int> smoothRegions(const std::vector<Vector3d>& positions, const Tri
     }
   }
   Merging merging(areas, std::move(borders));
-  merging.run(leastArea, most);
+  merging.run(minArea, maxCount);
   std::vector<int> order;
   for (int r = 0; r < count; ++r)
     if (merging.find(r) == r) order.push_back(r);

@@ -5,7 +5,7 @@ namespace palpa::modeling {
 
 namespace {
 
-/// Commands after which the surface has other places while its patches and points are the same.
+/// True for commands that move the surface without changing the number of patches and points.
 bool movesSurface(const Command& command) {
   return std::holds_alternative<MovePoints>(command) ||
          std::holds_alternative<ScalePoints>(command) ||

@@ -2,8 +2,8 @@
 
 #include "modeling/editing/command.h"
 
-// One function per kind of command. They check the command's own fields; apply() checks the project
-// that results.
+// One function per kind of command. It checks the fields of the command and throws ModelingError;
+// apply() checks the resulting project.
 namespace palpa::modeling {
 
 // edit_points.cpp
@@ -39,7 +39,7 @@ Edited applyTo(const SetMesh& command, const Project& project);
 Edited applyTo(const RenameProject& command, const Project& project);
 Edited applyTo(const RenamePatch& command, const Project& project);
 
-/// The project with another body, which no primitive describes any more.
+/// The project with another body and without a primitive. `deviation` in mm, see Edited.
 Edited withBody(const Project& project, Body body, double deviation = 0.0);
 
 }  // namespace palpa::modeling

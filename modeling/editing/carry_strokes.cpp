@@ -22,7 +22,7 @@ void forStrokes(Project& project, What what) {
   }
 }
 
-/// The last answer: a drag asks the same again and again.
+/// Cache of the last nearest points, because all commands of a drag need the same ones.
 struct Memory {
   Solid solid;
   std::vector<Vector3d> points;

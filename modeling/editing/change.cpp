@@ -1,25 +1,7 @@
 #include "modeling/editing/change.h"
 
-#include "modeling/project/json_values.h"
-
 namespace palpa::modeling {
 namespace {
-
-// Small values are compared by their text in a project file, which holds every field of them with
-// exact numbers: a field that is added to the file is compared without a line here.
-
-template <class One, class Text>
-bool differ(const std::vector<One>& a, const std::vector<One>& b, Text text) {
-  if (a.size() != b.size()) return true;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (text(a[i]) != text(b[i])) return true;
-  return false;
-}
-
-bool differ(const std::optional<Primitive>& a, const std::optional<Primitive>& b) {
-  if (a.has_value() != b.has_value()) return true;
-  return a && primitiveText(*a) != primitiveText(*b);
-}
 
 void compareBodies(const Solid& before, const Solid& after, Change& change) {
   if (before.controlPoints().size() != after.controlPoints().size() ||
@@ -76,13 +58,13 @@ Change compare(const Project& before, const Project& after) {
     compareBodies(*solid, std::get<Solid>(after.body), change);
   else
     compareBodies(std::get<MeshBody>(before.body), std::get<MeshBody>(after.body), change);
-  change.primitive = differ(before.primitive, after.primitive);
+  change.primitive = before.primitive != after.primitive;
   change.name = before.name != after.name;
-  change.material = materialText(before.material) != materialText(after.material);
-  change.supports = differ(before.supports, after.supports, supportText);
-  change.loads = differ(before.loads, after.loads, loadText);
-  change.touches = differ(before.touches, after.touches, touchText);
-  change.mesh = meshText(before.mesh) != meshText(after.mesh);
+  change.material = before.material != after.material;
+  change.supports = before.supports != after.supports;
+  change.loads = before.loads != after.loads;
+  change.touches = before.touches != after.touches;
+  change.mesh = before.mesh != after.mesh;
   change.view = before.view != after.view;
   return change;
 }

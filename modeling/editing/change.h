@@ -6,15 +6,15 @@
 
 namespace palpa::modeling {
 
-/// What differs between two states of a project: what has to be drawn or computed again.
+/// Differences between two states of a project, which determine the parts to draw or compute again.
 struct Change {
   std::vector<int> movedPoints;     ///< control points with another position, ascending
-  std::vector<int> changedPatches;  ///< patches that use one of them, ascending
-  /// Patches, degrees, knots, nets or the number of points differ (or any part of a mesh body):
-  /// everything made from the body must be made anew; the two lists above are then empty.
+  std::vector<int> changedPatches;  ///< patches with moved control points, ascending
+  /// Patches, degrees, knots, nets or the number of points differ (or any part of a mesh body): all
+  /// data derived from the body are invalid, and the two lists above are empty.
   bool topology = false;
-  bool edges = false;       ///< which edges are smooth
-  bool patchNames = false;  ///< with the same patches otherwise
+  bool edges = false;       ///< smooth edges
+  bool patchNames = false;  ///< if the patches are otherwise equal
   bool primitive = false;
   bool name = false;
   bool material = false;
@@ -30,7 +30,7 @@ struct Change {
   }
 };
 
-/// Compares everything a project file holds, numbers exactly. Cost: some microseconds per hundred
+/// Compares all values of two projects, numbers exactly. Cost: some microseconds per hundred
 /// control points.
 Change compare(const Project& before, const Project& after);
 

@@ -10,70 +10,75 @@
 #include "modeling/editing/point_selection.h"
 #include "modeling/project/project.h"
 
-// What can be done to a project, as plain data: the same commands from the window, from scripts
-// (docs/editing.md) and from tests.
+// Commands that change a project, as plain data. The window, scripts (docs/editing.md) and tests
+// use the same commands.
 namespace palpa::modeling {
 
-/// A plane through a point; the normal need not have length 1.
+/// A plane through a point (mm); the normal need not have length 1.
 struct MirrorPlane {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
 };
 
-/// How far a motion of selected points reaches beyond them.
+/// Effect of a motion on control points beyond the selected ones.
 struct Reach {
-  /// Points at a distance r < falloff (mm) from the nearest selected point follow it, weighted by
-  /// (1 - (r/falloff)²)².
+  /// Points at a distance r < falloff (mm, > 0) from the nearest selected point follow it, weighted
+  /// by (1 - (r/falloff)²)².
   std::optional<double> falloff;
   /// Control points at mirrored places (within 1e-6 of the size of the solid) move mirrored, points
-  /// in the plane stay in it. Where both of a pair are selected, each gets the mean of both
+  /// in the plane stay in it. If both points of a pair are selected, each gets the mean of both
   /// motions.
   std::optional<MirrorPlane> mirror;
 };
 
+/// Moves all points by the same vector.
 struct MoveBy {
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();  ///< mm
 };
 
-/// One position per selected point, in their order (selectPoints).
+/// Moves the points to given positions, in the order of selectPoints().
 struct MoveTo {
   std::vector<Eigen::Vector3d> positions;  ///< mm
 };
 
-/// Each point along its own outward normal (controlNormals).
+/// Moves each point along its outward normal (controlNormals()).
 struct MoveAlongNormal {
   double distance = 0.0;  ///< mm
 };
 
+/// Moves control points.
 struct MovePoints {
   PointSelection points;
   std::variant<MoveBy, MoveTo, MoveAlongNormal> how;
   Reach reach;
 };
 
+/// Scales control points about a centre.
 struct ScalePoints {
   PointSelection points;
   Eigen::Vector3d factors = Eigen::Vector3d::Ones();
-  std::optional<Eigen::Vector3d> center;  ///< mm; the mean of the selected points when absent
+  std::optional<Eigen::Vector3d> center;  ///< mm; by default the mean of the selected points
   Reach reach;
 };
 
+/// Rotates control points about an axis through a centre.
 struct RotatePoints {
   PointSelection points;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   double angleDegrees = 0.0;
-  std::optional<Eigen::Vector3d> center;  ///< mm; the mean of the selected points when absent
+  std::optional<Eigen::Vector3d> center;  ///< mm; by default the mean of the selected points
   Reach reach;
 };
 
-/// Moves points straight into a plane: through their mean when the offset is absent, and fitted to
-/// them by least squares when the normal is absent, too.
+/// Projects control points onto a plane. Without an offset the plane contains their mean; without a
+/// normal it is the least squares plane.
 struct AlignPoints {
   PointSelection points;
   std::optional<Eigen::Vector3d> normal;
   std::optional<double> offset;  ///< mm from the origin along the unit normal; needs the normal
 };
 
+/// Inserts a knot without changing the surface.
 struct InsertKnot {
   std::string patch;
   int direction = 0;  ///< 0: u, 1: v
@@ -81,18 +86,20 @@ struct InsertKnot {
   int times = 1;
 };
 
+/// Removes a knot.
 struct RemoveKnot {
   std::string patch;
-  int direction = 0;
-  double at = 0.5;
-  int times = 1;
-  double tolerance = 1e-6;  ///< mm the surface may move at most
+  int direction = 0;        ///< 0: u, 1: v
+  double at = 0.5;          ///< parameter
+  int times = 1;            ///< number of multiplicities to remove
+  double tolerance = 1e-6;  ///< largest motion of the surface, mm
 };
 
+/// Raises the degree without changing the surface.
 struct ElevateDegree {
   std::string patch;
-  int direction = 0;
-  int degree = 4;  ///< the new degree, up to 5
+  int direction = 0;  ///< 0: u, 1: v
+  int degree = 4;     ///< the new degree, up to 5
 };
 
 struct Translation {
@@ -110,19 +117,19 @@ struct Scaling {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   ///< mm
 };
 
-/// Moves the whole body, solid or mesh. What is attached to places goes along: half spaces and
+/// Transforms the whole body, solid or mesh, with everything attached to places: half spaces and
 /// strokes of regions, bumps and touches. Vectors (displacements, tractions, forces) turn with the
 /// body.
 struct TransformSolid {
   std::variant<Translation, Rotation, Scaling, MirrorPlane> how;
 };
 
-/// Replaces the body; supports and loads stay and must fit its patches.
+/// Replaces the body. Supports and loads remain and must fit its patches.
 struct MakePrimitive {
   Primitive primitive;
 };
 
-/// Marks an edge, named by one of its two sides, as smooth (and makes it smooth) or as sharp.
+/// Marks an edge, given by one of its two sides, as smooth (and makes it smooth) or as sharp.
 struct SetEdge {
   std::string patch;
   Side side = Side::kVMin;
@@ -132,8 +139,9 @@ struct SetEdge {
 struct AddSupport {
   Support support;
 };
+/// Replaces a support, load or touch at its position in the list.
 struct SetSupport {
-  std::string name;  ///< of the support that is replaced, in its place
+  std::string name;  ///< of the replaced support
   Support support;
 };
 struct RemoveSupport {
@@ -172,7 +180,7 @@ struct RenameProject {
   std::string name;
 };
 
-/// Also in the regions and mesh settings that name the patch.
+/// Renames a patch, also in regions and mesh settings.
 struct RenamePatch {
   std::string patch;
   std::string name;
@@ -184,25 +192,25 @@ using Command =
                  RemoveSupport, AddLoad, SetLoad, RemoveLoad, AddTouch, SetTouch, RemoveTouch,
                  SetMaterial, SetMesh, RenameProject, RenamePatch>;
 
+/// Result of a command.
 struct Edited {
   Project project;
-  double deviation = 0.0;  ///< mm: of remove_knot from the shape before, of make_primitive from the
-                           ///< exact shape; otherwise 0
+  double deviation = 0.0;  ///< mm; of RemoveKnot: from the previous shape; of MakePrimitive: from
+                           ///< the exact shape; otherwise 0
 };
 
-/// The project after a command. Where control points move (or an edge is made smooth) strokes of
-/// regions go along: each point by the displacement of the surface point nearest to it. A pure
-/// function: on failure nothing has happened. Commands that change the solid forget the primitive
-/// it was made from.
-/// @throws ModelingError that begins with the field that is wrong (`by_mm[0]: …`), or with the path
-///         of what would become wrong in the project (`supports[0].where.patches[0]: …`)
+/// The project after a command. If control points move (or an edge is made smooth), strokes of
+/// regions move with the surface (carryStrokes()). Commands that change the solid remove the
+/// primitive from the project. A pure function: the argument does not change.
+/// Throws ModelingError that begins with the wrong field (`by_mm[0]: …`), or with the path of the
+/// value that would become invalid in the project (`supports[0].where.patches[0]: …`).
 Edited apply(const Command& command, const Project& project);
 
-/// What undo menus say: "Move 3 control points", "Add support \"base\"".
+/// Label for undo menus: "Move 3 control points", "Add support \"base\"".
 std::string label(const Command& command);
 
-/// Unites two motions of the same points that follow each other into the first, so that a drag is
-/// one command. False, and nothing changed, when they are of different kinds or points.
+/// Merges two consecutive motions of the same points into the first, so that a drag is one command.
+/// Returns false without changes if the kinds or points differ.
 bool mergeInto(Command& earlier, const Command& later);
 
 }  // namespace palpa::modeling

@@ -7,7 +7,7 @@ std::string quoted(const std::string& name) {
   return "\"" + name + "\"";
 }
 
-/// "3 control points" where the number is known without the solid.
+/// "3 control points", or "control points" if the number is unknown without the solid.
 std::string pointsText(const PointSelection& selection) {
   if (selection.parts.size() == 1)
     if (const auto* list = std::get_if<PointIndices>(&selection.parts.front()))

@@ -33,7 +33,7 @@ bool merge(MovePoints& earlier, const MovePoints& later) {
   return false;
 }
 
-/// The centre that is left out is the mean of the points, which neither scaling nor rotating moves.
+/// An omitted centre is the mean of the points, which does not change by scaling or rotation.
 bool merge(ScalePoints& earlier, const ScalePoints& later) {
   if (!sameTarget(earlier, later) || earlier.center != later.center) return false;
   earlier.factors = earlier.factors.cwiseProduct(later.factors);
@@ -69,7 +69,7 @@ bool merge(TransformSolid& earlier, const TransformSolid& later) {
   return false;
 }
 
-// Settings changed by a slider: the last value counts.
+// Settings that a slider changes: the last value replaces the previous ones.
 bool merge(MakePrimitive& earlier, const MakePrimitive& later) {
   if (earlier.primitive.shape.index() != later.primitive.shape.index()) return false;
   earlier = later;

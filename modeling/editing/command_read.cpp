@@ -5,6 +5,7 @@
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
 #include "modeling/project/json_values.h"
+#include "modeling/project/migration.h"
 #include "modeling/project/project_file.h"
 #include "modeling/project/schema_check.h"
 #include "modeling/project/text_file.h"
@@ -53,7 +54,8 @@ PointSelection::Part partFrom(const json& value) {
   return NoneOf{selectionsFrom(what)};
 }
 
-/// A list of numbers, one part, or a list of both: then the numbers are one part of the union.
+/// Reads a list of numbers, one part, or a list of both, where the numbers are one part of the
+/// union.
 PointSelection selectionFrom(const json& value) {
   PointSelection selection;
   if (value.is_object()) return {{partFrom(value)}};
@@ -80,7 +82,7 @@ Reach reachFrom(const json& value) {
   return reach;
 }
 
-/// One factor for all axes, or one per axis.
+/// Reads one factor for all axes, or one per axis.
 Eigen::Vector3d factorsFrom(const json& value) {
   if (value.contains("factors")) return vectorFrom(value["factors"]);
   return Eigen::Vector3d::Constant(value["factor"].get<double>());
@@ -185,6 +187,9 @@ std::vector<Command> parseCommands(std::string_view text, const std::string& sou
   json document =
       parseGuarded(text, sourceName, {kMaxProjectFile, kMaxProjectValues, kDeepestNesting});
   if (document.is_array()) document = {{"commands", std::move(document)}};
+  if (document.is_object() && document.contains("commands"))
+    for (json& command : document["commands"])
+      if (command.is_object() && command.contains("touch")) upgradeKind(command["touch"]);
   checkAgainstSchema(document, sourceName, SchemaName::kCommands);
   try {
     std::vector<Command> commands;

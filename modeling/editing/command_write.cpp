@@ -1,4 +1,5 @@
-#include "base/text.h"
+#include <array>
+
 #include "modeling/editing/command_file.h"
 #include "modeling/editing/command_names.h"
 #include "modeling/project/json_values.h"
@@ -6,225 +7,214 @@
 namespace palpa::modeling {
 namespace {
 
-using Eigen::Vector3d;
+using modeling::jsonOf;
 
-/// Builds `{"key": value, …}`.
-class ObjectText {
- public:
-  ObjectText& add(const std::string& key, const std::string& value) {
-    text_ += (text_.size() > 1 ? ", " : "") + quoted(key) + ": " + value;
-    return *this;
-  }
-  template <class T, class Text>
-  ObjectText& addIf(const std::string& key, const std::optional<T>& value, Text write) {
-    return value ? add(key, write(*value)) : *this;
-  }
-  std::string text() const { return text_ + "}"; }
+Json jsonOf(const PointSelection& selection);
 
- private:
-  std::string text_ = "{";
-};
-
-std::string text(int value) {
-  return std::to_string(value);
+Json jsonOf(const MirrorPlane& plane) {
+  return {{"point_mm", jsonOf(plane.point)}, {"normal", jsonOf(plane.normal)}};
 }
 
-std::string text(const MirrorPlane& plane) {
-  return ObjectText()
-      .add("point_mm", vectorText(plane.point))
-      .add("normal", vectorText(plane.normal))
-      .text();
+Json jsonOf(double value) {
+  return value;
 }
 
-std::string nested(const std::string& key, const std::string& value) {
-  return ObjectText().add(key, value).text();
+template <class T>
+void addIf(Json& object, const char* key, const std::optional<T>& value) {
+  if (value) object[key] = jsonOf(*value);
 }
 
-struct PartText {
-  std::string operator()(const PointIndices& part) const {
-    return listText(part.indices, [](int index) { return text(index); });
+struct PartJson {
+  Json operator()(const PointIndices& part) const { return part.indices; }
+  Json operator()(const PatchPoints& part) const { return {{"patches", part.patches}}; }
+  Json operator()(const SidePoints& part) const {
+    return {{"edge", {{"patch", part.patch}, {"side", sideKey(part.side)}}}};
   }
-  std::string operator()(const PatchPoints& part) const {
-    return nested("patches", listText(part.patches, quoted));
+  Json operator()(const NetPoints& part) const {
+    Json row = Json::array();
+    for (const std::optional<int>& at : part.at) row.push_back(at ? Json(*at) : Json("all"));
+    return {{"net", {{"patch", part.patch}, {"row", std::move(row)}}}};
   }
-  std::string operator()(const SidePoints& part) const {
-    return nested("edge", ObjectText()
-                              .add("patch", quoted(part.patch))
-                              .add("side", quoted(sideKey(part.side)))
-                              .text());
+  Json operator()(const SlabPoints& part) const {
+    Json slab{{"normal", jsonOf(part.normal)}};
+    addIf(slab, "above_mm", part.above);
+    addIf(slab, "below_mm", part.below);
+    return {{"half_space", std::move(slab)}};
   }
-  std::string operator()(const NetPoints& part) const {
-    const auto row = [](const std::optional<int>& at) { return at ? text(*at) : "\"all\""; };
-    return nested(
-        "net",
-        ObjectText().add("patch", quoted(part.patch)).add("row", listText(part.at, row)).text());
+  Json operator()(const BoxPoints& part) const {
+    return {{"box_mm", jsonOfEach(std::array{part.low, part.high})}};
   }
-  std::string operator()(const SlabPoints& part) const {
-    return nested("half_space", ObjectText()
-                                    .add("normal", vectorText(part.normal))
-                                    .addIf("above_mm", part.above, numberText)
-                                    .addIf("below_mm", part.below, numberText)
-                                    .text());
+  Json operator()(const BallPoints& part) const {
+    return {{"sphere_mm", {{"center", jsonOf(part.center)}, {"radius", part.radius}}}};
   }
-  std::string operator()(const BoxPoints& part) const {
-    return nested("box_mm", listText(std::array{part.low, part.high}, vectorText));
-  }
-  std::string operator()(const BallPoints& part) const {
-    return nested("sphere_mm", ObjectText()
-                                   .add("center", vectorText(part.center))
-                                   .add("radius", numberText(part.radius))
-                                   .text());
-  }
-  std::string operator()(const AllOf& part) const { return nested("all_of", list(part)); }
-  std::string operator()(const NoneOf& part) const { return nested("none_of", list(part)); }
+  Json operator()(const AllOf& part) const { return {{"all_of", list(part)}}; }
+  Json operator()(const NoneOf& part) const { return {{"none_of", list(part)}}; }
 
   template <class Selections>
-  static std::string list(const Selections& part) {
-    return listText(part.selections, [](const PointSelection& one) { return toJson(one); });
+  static Json list(const Selections& part) {
+    Json list = Json::array();
+    for (const PointSelection& one : part.selections) list.push_back(jsonOf(one));
+    return list;
   }
 };
 
-void add(ObjectText& object, const Reach& reach) {
-  object.addIf("falloff_mm", reach.falloff, numberText);
-  object.addIf("mirror", reach.mirror, [](const MirrorPlane& plane) { return text(plane); });
+/// A single part directly, several parts as a list.
+Json jsonOf(const PointSelection& selection) {
+  if (selection.parts.size() == 1) return std::visit(PartJson(), selection.parts.front());
+  Json parts = Json::array();
+  for (const auto& part : selection.parts) parts.push_back(std::visit(PartJson(), part));
+  return parts;
 }
 
-void add(ObjectText& object, const MoveBy& how) {
-  object.add("by_mm", vectorText(how.vector));
-}
-void add(ObjectText& object, const MoveTo& how) {
-  object.add("to_mm", listText(how.positions, vectorText));
-}
-void add(ObjectText& object, const MoveAlongNormal& how) {
-  object.add("along_normal_mm", numberText(how.distance));
+void add(Json& object, const Reach& reach) {
+  addIf(object, "falloff_mm", reach.falloff);
+  addIf(object, "mirror", reach.mirror);
 }
 
-void add(ObjectText& object, const MovePoints& c) {
-  object.add("points", toJson(c.points));
+void add(Json& object, const MoveBy& how) {
+  object["by_mm"] = jsonOf(how.vector);
+}
+void add(Json& object, const MoveTo& how) {
+  object["to_mm"] = jsonOfEach(how.positions);
+}
+void add(Json& object, const MoveAlongNormal& how) {
+  object["along_normal_mm"] = how.distance;
+}
+
+void add(Json& object, const MovePoints& c) {
+  object["points"] = jsonOf(c.points);
   std::visit([&](const auto& how) { add(object, how); }, c.how);
   add(object, c.reach);
 }
 
-void add(ObjectText& object, const ScalePoints& c) {
-  object.add("points", toJson(c.points)).add("factors", vectorText(c.factors));
-  object.addIf("center_mm", c.center, vectorText);
+void add(Json& object, const ScalePoints& c) {
+  object["points"] = jsonOf(c.points);
+  object["factors"] = jsonOf(c.factors);
+  addIf(object, "center_mm", c.center);
   add(object, c.reach);
 }
 
-void add(ObjectText& object, const RotatePoints& c) {
-  object.add("points", toJson(c.points)).add("axis", vectorText(c.axis));
-  object.add("angle_deg", numberText(c.angleDegrees));
-  object.addIf("center_mm", c.center, vectorText);
+void add(Json& object, const RotatePoints& c) {
+  object["points"] = jsonOf(c.points);
+  object["axis"] = jsonOf(c.axis);
+  object["angle_deg"] = c.angleDegrees;
+  addIf(object, "center_mm", c.center);
   add(object, c.reach);
 }
 
-void add(ObjectText& object, const AlignPoints& c) {
-  object.add("points", toJson(c.points)).addIf("normal", c.normal, vectorText);
-  object.addIf("offset_mm", c.offset, numberText);
+void add(Json& object, const AlignPoints& c) {
+  object["points"] = jsonOf(c.points);
+  addIf(object, "normal", c.normal);
+  addIf(object, "offset_mm", c.offset);
 }
 
 template <class OneDirection>
-ObjectText& addDirection(ObjectText& object, const OneDirection& c) {
-  return object.add("patch", quoted(c.patch))
-      .add("direction", c.direction == 0 ? "\"u\"" : "\"v\"");
+void addDirection(Json& object, const OneDirection& c) {
+  object["patch"] = c.patch;
+  object["direction"] = c.direction == 0 ? "u" : "v";
 }
 
-void add(ObjectText& object, const InsertKnot& c) {
-  addDirection(object, c).add("at", numberText(c.at)).add("times", text(c.times));
+void add(Json& object, const InsertKnot& c) {
+  addDirection(object, c);
+  object["at"] = c.at;
+  object["times"] = c.times;
 }
 
-void add(ObjectText& object, const RemoveKnot& c) {
-  addDirection(object, c).add("at", numberText(c.at)).add("times", text(c.times));
-  object.add("tolerance_mm", numberText(c.tolerance));
+void add(Json& object, const RemoveKnot& c) {
+  addDirection(object, c);
+  object["at"] = c.at;
+  object["times"] = c.times;
+  object["tolerance_mm"] = c.tolerance;
 }
 
-void add(ObjectText& object, const ElevateDegree& c) {
-  addDirection(object, c).add("degree", text(c.degree));
+void add(Json& object, const ElevateDegree& c) {
+  addDirection(object, c);
+  object["degree"] = c.degree;
 }
 
-void add(ObjectText& object, const Translation& how) {
-  object.add("translate_mm", vectorText(how.vector));
+void add(Json& object, const Translation& how) {
+  object["translate_mm"] = jsonOf(how.vector);
 }
-void add(ObjectText& object, const Rotation& how) {
-  object.add("rotate", ObjectText()
-                           .add("axis", vectorText(how.axis))
-                           .add("angle_deg", numberText(how.angleDegrees))
-                           .add("center_mm", vectorText(how.center))
-                           .text());
+void add(Json& object, const Rotation& how) {
+  object["rotate"] = {{"axis", jsonOf(how.axis)},
+                      {"angle_deg", how.angleDegrees},
+                      {"center_mm", jsonOf(how.center)}};
 }
-void add(ObjectText& object, const Scaling& how) {
-  object.add("scale", ObjectText()
-                          .add("factors", vectorText(how.factors))
-                          .add("center_mm", vectorText(how.center))
-                          .text());
+void add(Json& object, const Scaling& how) {
+  object["scale"] = {{"factors", jsonOf(how.factors)}, {"center_mm", jsonOf(how.center)}};
 }
-void add(ObjectText& object, const MirrorPlane& how) {
-  object.add("mirror", text(how));
+void add(Json& object, const MirrorPlane& how) {
+  object["mirror"] = jsonOf(how);
 }
 
-void add(ObjectText& object, const TransformSolid& c) {
+void add(Json& object, const TransformSolid& c) {
   std::visit([&](const auto& how) { add(object, how); }, c.how);
 }
-void add(ObjectText& object, const MakePrimitive& c) {
-  object.add("primitive", primitiveText(c.primitive));
+void add(Json& object, const MakePrimitive& c) {
+  object["primitive"] = jsonOf(c.primitive);
 }
-void add(ObjectText& object, const SetEdge& c) {
-  object.add("patch", quoted(c.patch)).add("side", quoted(sideKey(c.side)));
-  object.add("smooth", c.smooth ? "true" : "false");
+void add(Json& object, const SetEdge& c) {
+  object["patch"] = c.patch;
+  object["side"] = sideKey(c.side);
+  object["smooth"] = c.smooth;
 }
-void add(ObjectText& object, const AddSupport& c) {
-  object.add("support", supportText(c.support));
+void add(Json& object, const AddSupport& c) {
+  object["support"] = jsonOf(c.support);
 }
-void add(ObjectText& object, const SetSupport& c) {
-  object.add("name", quoted(c.name)).add("support", supportText(c.support));
+void add(Json& object, const SetSupport& c) {
+  object["name"] = c.name;
+  object["support"] = jsonOf(c.support);
 }
-void add(ObjectText& object, const AddLoad& c) {
-  object.add("load", loadText(c.load));
+void add(Json& object, const AddLoad& c) {
+  object["load"] = jsonOf(c.load);
 }
-void add(ObjectText& object, const SetLoad& c) {
-  object.add("name", quoted(c.name)).add("load", loadText(c.load));
+void add(Json& object, const SetLoad& c) {
+  object["name"] = c.name;
+  object["load"] = jsonOf(c.load);
 }
-void add(ObjectText& object, const AddTouch& c) {
-  object.add("touch", touchText(c.touch));
+void add(Json& object, const AddTouch& c) {
+  object["touch"] = jsonOf(c.touch);
 }
-void add(ObjectText& object, const SetTouch& c) {
-  object.add("name", quoted(c.name)).add("touch", touchText(c.touch));
+void add(Json& object, const SetTouch& c) {
+  object["name"] = c.name;
+  object["touch"] = jsonOf(c.touch);
 }
-void add(ObjectText& object, const SetMaterial& c) {
-  object.add("material", materialText(c.material));
+void add(Json& object, const SetMaterial& c) {
+  object["material"] = jsonOf(c.material);
 }
-void add(ObjectText& object, const SetMesh& c) {
-  object.add("mesh", meshText(c.mesh));
+void add(Json& object, const SetMesh& c) {
+  object["mesh"] = jsonOf(c.mesh);
 }
-void add(ObjectText& object, const RenamePatch& c) {
-  object.add("patch", quoted(c.patch)).add("name", quoted(c.name));
+void add(Json& object, const RenamePatch& c) {
+  object["patch"] = c.patch;
+  object["name"] = c.name;
 }
-/// RemoveSupport, RemoveLoad, RemoveTouch, RenameProject.
+/// Commands with a name only: RemoveSupport, RemoveLoad, RemoveTouch, RenameProject.
 template <class Named>
-void add(ObjectText& object, const Named& c) {
-  object.add("name", quoted(c.name));
+void add(Json& object, const Named& c) {
+  object["name"] = c.name;
+}
+
+Json jsonOf(const Command& command) {
+  Json object{{"command", kCommandNames[command.index()]}};
+  std::visit([&](const auto& one) { add(object, one); }, command);
+  return object;
 }
 
 }  // namespace
 
 std::string toJson(const PointSelection& selection) {
-  return selection.parts.size() == 1 ? std::visit(PartText(), selection.parts.front())
-                                     : listText(selection.parts, [](const auto& part) {
-                                         return std::visit(PartText(), part);
-                                       });
+  return jsonText(jsonOf(selection));
 }
 
 std::string toJson(const Command& command) {
-  ObjectText object;
-  object.add("command", quoted(std::string(kCommandNames[command.index()])));
-  std::visit([&](const auto& one) { add(object, one); }, command);
-  return object.text();
+  return jsonText(jsonOf(command));
 }
 
 std::string toJson(const std::vector<Command>& commands) {
-  std::vector<std::string> lines;
-  for (const Command& command : commands) lines.push_back(toJson(command));
-  return "{\n  \"commands\": " + linesText(lines, "  ") + "\n}\n";
+  Json list = Json::array();
+  for (const Command& command : commands) list.push_back(jsonOf(command));
+  return jsonText({{"commands", std::move(list)}}, {"", "commands"}) + "\n";
 }
 
 }  // namespace palpa::modeling

@@ -24,7 +24,7 @@ Performed Document::perform(const Command& command, Merge merge) {
   if (performed.change.any()) {
     push({std::make_shared<const Project>(std::move(edited.project)), label(command), command});
   } else {
-    states_[position_].command.reset();  // what follows belongs to this command, not to that step
+    states_[position_].command.reset();  // later motions must not merge into the last step
   }
   return performed;
 }

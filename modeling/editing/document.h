@@ -11,25 +11,25 @@
 
 namespace palpa::modeling {
 
-/// May a command be united with the last step? A drag sends its first motion with `no` and the
-/// others with `withLast`.
+/// Merging of a command with the last step. A drag performs its first motion with kNo and the
+/// others with kWithLast.
 enum class Merge {
   kNo,
-  /// When mergeInto() allows it and neither undo, redo nor saving came between. The united command
-  /// is applied to the state before the drag, so that the result does not depend on how many
-  /// motions were sent, and a drag back to its start leaves no step. Has no effect in a group.
+  /// Merges if mergeInto() allows it and neither undo, redo nor saving came between. The merged
+  /// command is applied to the state before the drag, so that the result does not depend on the
+  /// number of motions, and a drag back to its start leaves no step. Has no effect in a group.
   kWithLast,
 };
 
-/// What perform() did.
+/// Result of Document::perform().
 struct Performed {
-  Change change;           ///< against the state just before
-  double deviation = 0.0;  ///< Edited::deviation
+  Change change;           ///< from the previous state
+  double deviation = 0.0;  ///< Edited::deviation, mm
 };
 
-/// A project with its history. States are kept whole (copies share everything that did not change,
-/// 24 bytes per control point for each step that moved points), so that undo and redo give back the
-/// earlier state bit for bit. Not for several threads at once.
+/// A project with its undo history. Complete states are stored, so that undo and redo restore them
+/// bit for bit; copies share unchanged parts (24 bytes per control point for each step that moved
+/// points). Not thread-safe.
 class Document {
  public:
   static constexpr int kMaxSteps = 500;
@@ -39,53 +39,53 @@ class Document {
 
   const Project& project() const { return *current().project; }
 
-  /// Applies a command. Commands that change nothing leave no step; others end what could be
-  /// redone. @throws ModelingError as apply(); the document is as before then, the last motion of a
-  /// drag included.
+  /// Applies a command. A command without effect leaves no step; any other removes the steps that
+  /// could be redone. Throws ModelingError as apply() and does not change the document then (the
+  /// last motion of a drag remains).
   Performed perform(const Command& command, Merge merge = Merge::kNo);
 
-  /// All steps from here to the matching endGroup() become one with this label. Groups can be
-  /// nested; the outermost counts. A group that changed nothing leaves no step.
+  /// Begins a group: all steps up to the matching endGroup() become one step with this label.
+  /// Groups can be nested; the outermost counts. A group without effect leaves no step.
   void beginGroup(std::string label);
+  /// Throws std::logic_error without a group, as cancelGroup().
   void endGroup();
-  /// Ends the outermost group and goes back to the state before it, as if it had not begun.
+  /// Ends the outermost group and restores the state before it.
   Change cancelGroup();
   bool isInGroup() const { return group_.has_value(); }
 
   bool canUndo() const { return position_ > 0 && !isInGroup(); }
   bool canRedo() const { return position_ + 1 < states_.size() && !isInGroup(); }
-  /// Labels of the steps that undo() and redo() would take; empty when there is none.
+  /// Labels of the steps of undo() and redo(); empty if there is none.
   std::string undoLabel() const;
   std::string redoLabel() const;
-  /// @throws std::logic_error when canUndo() or canRedo() is false
+  /// Throws std::logic_error if canUndo() is false; redo(), if canRedo() is false.
   Change undo();
   Change redo();
 
-  /// All states that undo and redo lead to, oldest first.
+  /// All states that undo and redo can reach, oldest first.
   struct History {
-    std::vector<std::string>
-        labels;                ///< of the step that led to each state; the first may be empty
-    std::size_t position = 0;  ///< the present state
-    std::optional<std::size_t> saved;  ///< the state last saved or loaded, when it is among them
+    std::vector<std::string> labels;   ///< of the step to each state; the first may be empty
+    std::size_t position = 0;          ///< the current state
+    std::optional<std::size_t> saved;  ///< the state last saved or loaded, if it is in the list
   };
   History history() const;
-  /// Undoes or redoes up to a state of history(). @throws std::logic_error in a group, or when
-  /// there is no such state
+  /// Undoes or redoes to a state of history(). Throws std::logic_error in a group, or if there is
+  /// no such state.
   Change goToState(std::size_t position);
 
-  /// Does the project equal what was last saved (or loaded)? The view does not count.
+  /// True if the project, without the view, equals the last saved (or loaded) one.
   bool isClean() const;
   void markSaved();
 
-  /// Changes how the window shows the project: saved with the file, but no step, and undo leaves it
-  /// as it is.
+  /// Changes the view of the project in the window. The view is saved with the file, but the change
+  /// makes no step, and undo does not affect it.
   void setView(std::string view);
 
  private:
   struct State {
     std::shared_ptr<const Project> project;
-    std::string label;               // of the step that led here
-    std::optional<Command> command;  // the same, as long as another may be merged into it
+    std::string label;               // of the step to this state
+    std::optional<Command> command;  // of this step, while other commands may be merged into it
   };
   struct Group {
     int depth = 0;
@@ -100,7 +100,7 @@ class Document {
   void trim();
   Change goTo(std::size_t position);
 
-  std::deque<State> states_;  // oldest first; those after position_ can be redone
+  std::deque<State> states_;  // oldest first; states after position_ can be redone
   std::size_t position_ = 0;
   std::size_t mostSteps_;
   std::shared_ptr<const Project> saved_;

@@ -14,12 +14,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// x → linear x + shift; vectors are turned by `turn`, the part of it without scaling.
+/// Affine map x → linear x + shift. Vectors turn by `turn`, the map without scaling.
 struct AffineMap {
   Matrix3d linear = Matrix3d::Identity();
   Vector3d shift = Vector3d::Zero();
   Matrix3d turn = Matrix3d::Identity();
-  double scale = 1.0;  ///< of lengths; the geometric mean when it depends on the direction
+  double scale = 1.0;  ///< of lengths; the geometric mean if it depends on the direction
 
   Vector3d operator()(const Vector3d& x) const { return linear * x + shift; }
 };
@@ -61,7 +61,7 @@ AffineMap mapOf(const MirrorPlane& how) {
   return around(mirror, how.point, mirror);
 }
 
-/// Exchanges u and v of a patch, which turns its normal round.
+/// Exchanges u and v of a patch, which inverts its normal.
 void exchangeParameters(Patch& patch) {
   std::vector<std::vector<int>> net(patch.net.front().size(), std::vector<int>(patch.net.size()));
   for (std::size_t i = 0; i < patch.net.size(); ++i)
@@ -104,8 +104,8 @@ Body transformed(const MeshBody& body, const AffineMap& map) {
   return MeshBody(std::move(data));
 }
 
-/// The half space of the images of all its points. normal · x < below becomes
-/// (A⁻ᵀ normal) · x' < below + (A⁻ᵀ normal) · shift, brought back to the length of the normal.
+/// Image of a half space. normal · x < below becomes (A⁻ᵀ normal) · x' < below + (A⁻ᵀ normal) ·
+/// shift, scaled to the original length of the normal.
 HalfSpace transformed(const HalfSpace& half, const AffineMap& map, const Matrix3d& inverse) {
   const Vector3d normal = inverse.transpose() * half.normal;
   const double scale = half.normal.stableNorm() / normal.stableNorm();

@@ -7,7 +7,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// The place of a name in a list of supports, loads or touches.
+/// Iterator to the element with this name in a list of supports, loads or touches.
 template <class List>
 auto find(List& list, const std::string& name, const std::string& what) {
   const auto found =
@@ -141,7 +141,7 @@ Edited applyTo(const RenamePatch& command, const Project& project) {
     factor.key() = to;
     result.project.mesh.patchFactors.insert(std::move(factor));
   }
-  // A renamed patch is not a name that the primitive would give.
+  // The primitive would give the patch its original name.
   result.project.primitive.reset();
   return result;
 }

@@ -16,7 +16,7 @@ PatchDirection directionIn(const Solid& solid, const std::string& patch, int dir
   return {requirePatch(solid, patch, "patch"), direction};
 }
 
-/// Makes the smooth edges that a removal bent smooth again; the deviation includes that.
+/// Restores the smooth edges that a removal bent. The deviation includes the correction.
 KnotRemoval smoothed(const Solid& before, KnotRemoval removal, double tolerance) {
   std::vector<int> bent;
   for (std::size_t e = 0; e < before.edges().size(); ++e) {

@@ -27,7 +27,7 @@ Vector3d centerOf(const std::optional<Vector3d>& given, const Solid& solid,
   return *given;
 }
 
-/// A project whose points were moved; the same when none was.
+/// The project with moved points; the same project if no point moved.
 Edited withMoved(const Project& project, const Solid& before, Solid after) {
   if (before.controlPoints() == after.controlPoints()) return {project, 0.0};
   return withBody(project, std::move(after));
@@ -76,8 +76,8 @@ Edited applyTo(const MovePoints& command, const Project& project) {
   Solid after = movePoints(solid, points, command.reach, motion);
   const auto* to = std::get_if<MoveTo>(&command.how);
   if (to && !command.reach.mirror) {
-    // Position plus difference rounds; given positions are meant exactly. Points that were moved
-    // to keep edges smooth stay where they are.
+    // Given positions must be exact, but position plus difference rounds. Points that were moved to
+    // keep edges smooth are not changed.
     std::vector<Vector3d> exact = after.controlPoints();
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Vector3d& from = solid.controlPoints()[points[k]];
@@ -125,7 +125,7 @@ Edited applyTo(const AlignPoints& command, const Project& project) {
     normal = command.normal->stableNormalized();
   } else {
     if (command.offset) throw ModelingError("offset_mm: needs a normal");
-    // Least squares: the direction in which the points spread least.
+    // Least squares normal: the direction in which the points spread least.
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (int index : points) {
       const Vector3d d = solid.controlPoints()[index] - mean;

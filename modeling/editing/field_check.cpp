@@ -41,8 +41,8 @@ const Solid& requireSolid(const Project& project) {
   const auto* solid = std::get_if<Solid>(&project.body);
   if (!solid)
     throw ModelingError(
-        "the body is a mesh without control points and edges; it can be transformed, held, loaded "
-        "and touched, but not remodelled");
+        "the body is a mesh without control points and edges; it can be transformed, supported, "
+        "loaded and touched, but not remodelled");
   return *solid;
 }
 

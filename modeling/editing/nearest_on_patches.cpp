@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPerSpan = 4;
-constexpr double kBulge = 0.02;  // of its diagonal: how far a span reaches beyond its samples
-constexpr double kNearer = 1.0 - 1e-9;  // on an edge both patches give the same
+constexpr double kBulge = 0.02;         // of its diagonal: extent of a span beyond its samples
+constexpr double kNearer = 1.0 - 1e-9;  // excludes the equal points of both patches at an edge
 
 struct Derivatives {
   Vector3d position = Vector3d::Zero();
@@ -22,7 +22,7 @@ struct Derivatives {
   Vector3d dv = Vector3d::Zero();
 };
 
-/// SurfaceEvaluator does the same at twice the price, for it also has to be made for every solid.
+/// Point and derivatives. SurfaceEvaluator costs twice as much, because each solid needs a new one.
 Derivatives evaluate(const Solid& solid, int index, double atU, double atV) {
   const Patch& patch = solid.patches()[index];
   const BasisFunctions u = basisAt(patch.knots[0], patch.degree[0], atU);
@@ -56,7 +56,7 @@ SurfaceSum sumAt(const Solid& solid, int index, double atU, double atV) {
   return sum;
 }
 
-/// Parameters of the samples along one direction, kPerSpan + 1 for each span.
+/// Parameters of the samples along one direction, kPerSpan + 1 per span.
 std::vector<double> sampleParameters(const std::vector<double>& knots) {
   std::vector<double> values;
   for (std::size_t i = 1; i < knots.size(); ++i)
@@ -139,7 +139,7 @@ void NearestOnPatches::improve(Sample& at, const Vector3d& x) const {
   for (int iteration = 0; iteration < kIterations; ++iteration) {
     const Vector3d away = x - p.position;
     Eigen::Vector2d step(p.du.dot(away), p.dv.dot(away));
-    // On a side of the patch only along it, if the surface beyond the side would be nearer.
+    // On a side of the patch, only a step along it if the step would leave the patch.
     const bool fixedU = (at.u <= uLow && step[0] < 0.0) || (at.u >= uHigh && step[0] > 0.0);
     const bool fixedV = (at.v <= vLow && step[1] < 0.0) || (at.v >= vHigh && step[1] > 0.0);
     if (fixedU && fixedV) return;
@@ -168,7 +168,7 @@ void NearestOnPatches::improve(Sample& at, const Vector3d& x) const {
     at = next;
     p = *nearer;
     at.position = p.position;
-    // The steps shrink at least a few times each: the next one would be lost in rounding.
+    // Each step is several times smaller than the previous one: the next one is below rounding.
     if (moved <= 1e-7 * (1e-3 + away.norm()) || moved <= 1e-10 * (1.0 + x.norm())) return;
   }
 }
@@ -185,7 +185,7 @@ SurfaceSum NearestOnPatches::of(const Vector3d& x) {
     }
   Sample best = samples_[sample];
   improve(best, x);
-  // The nearest sample may lie on another span or patch than the nearest point.
+  // The nearest sample and the nearest point may lie on different spans or patches.
   constexpr std::size_t kMaxOthers = 8;
   least = (best.position - x).squaredNorm();
   std::vector<std::pair<double, std::size_t>> others;

@@ -11,16 +11,16 @@ namespace palpa::modeling {
 /// A surface point as a sum of control points: their indices and weights.
 using SurfaceSum = std::vector<std::pair<int, double>>;
 
-/// Finds surface points of a solid that are nearest to points in space: from the nearest of many
-/// samples by Gauss and Newton's method, then the same from spans that may come nearer. Exact to
-/// rounding for points on the surface; where the surface bends as strongly as the point is far off,
-/// the method converges slowly and ends early. Refers to the solid.
+/// Search for the nearest surface points of a solid: Gauss-Newton iteration from the nearest of
+/// many samples, then from spans that may be nearer. Exact to rounding for points on the surface;
+/// if the distance of a point is about the radius of curvature of the surface, the iteration
+/// converges slowly and ends early. The solid must outlive the object. Not thread-safe.
 class NearestOnPatches {
  public:
-  /// Samples the surface: about 0.02 µs per sample.
+  /// Samples the surface. Cost: about 0.02 µs per sample.
   explicit NearestOnPatches(const Solid& solid);
 
-  /// Faster when points that follow each other are near to each other.
+  /// The surface point nearest to x. Faster if consecutive points are close together.
   SurfaceSum of(const Eigen::Vector3d& x);
 
  private:
@@ -30,7 +30,8 @@ class NearestOnPatches {
     double v;
     Eigen::Vector3d position;
   };
-  /// One span of a patch in both directions: samples up to `end` from that of the cell before.
+  /// One span of a patch in both directions, with the samples from the end of the previous cell to
+  /// `end`, and their bounding box.
   struct Cell {
     int patch;
     std::size_t end;

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Finds the control point at a place.
+/// Search for the control point at a place.
 class PointFinder {
  public:
   PointFinder(const std::vector<Vector3d>& points, double tolerance)
@@ -24,7 +24,7 @@ class PointFinder {
     std::sort(sorted_.begin(), sorted_.end());
   }
 
-  /// The nearest point within the tolerance; -1 when there is none.
+  /// The nearest point within the tolerance; -1 if there is none.
   int at(const Vector3d& place) const {
     const double key = kDirection.dot(place);
     auto next = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair(key - tolerance_, -1));
@@ -40,7 +40,7 @@ class PointFinder {
   }
 
  private:
-  // Unit and oblique to everything, so that few points of a grid share a key.
+  // A unit vector oblique to all axes, so that few points of a grid have the same key.
   inline static const Vector3d kDirection = Vector3d(0.5379, 0.2917, 0.7909).normalized();
 
   const std::vector<Vector3d>& points_;
@@ -48,14 +48,14 @@ class PointFinder {
   std::vector<std::pair<double, int>> sorted_;
 };
 
-/// Displacements of all control points; `held` are those a user gave, ascending.
+/// Displacements of all control points.
 struct Displacements {
-  std::vector<Vector3d> of;
+  std::vector<Vector3d> of;  // mm
   std::vector<char> moved;
-  std::vector<char> held;
+  std::vector<char> given;  // prescribed by the command, not only following
 };
 
-/// Makes displacements symmetric. Each point must have a mirror image as soon as it moves.
+/// Makes displacements symmetric. Each moved point must have a mirror image.
 class Mirror {
  public:
   Mirror(const Solid& solid, const MirrorPlane& plane)
@@ -69,26 +69,26 @@ class Mirror {
   }
 
   void apply(Displacements& displacements) const {
-    const std::vector<Vector3d> given = displacements.of;
+    const std::vector<Vector3d> original = displacements.of;
     const std::vector<char> moved = displacements.moved;
-    const std::vector<char> held = displacements.held;
+    const std::vector<char> given = displacements.given;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (!moved[i]) continue;
       const double height = normal_.dot(points_[i] - point_);
       if (std::abs(height) <= tolerance_) {
-        displacements.of[i] -= normal_.dot(given[i]) * normal_;
+        displacements.of[i] -= normal_.dot(original[i]) * normal_;
         continue;
       }
       const int other = finder_.at(points_[i] - 2.0 * height * normal_);
       if (other < 0)
         throw ModelingError("mirror: control point " + std::to_string(i) +
                             " has no mirror image; the solid is not symmetric about this plane");
-      // Of a pair that both move, the lower number computes and the other gets the exact mirror.
+      // In a moved pair the lower number computes, and the other gets the exact mirror image.
       if (moved[other] && other < static_cast<int>(i)) continue;
-      if (moved[other]) displacements.of[i] = 0.5 * (given[i] + mirrored(given[other]));
+      if (moved[other]) displacements.of[i] = 0.5 * (original[i] + mirrored(original[other]));
       displacements.of[other] = mirrored(displacements.of[i]);
       displacements.moved[other] = 1;
-      displacements.held[i] = displacements.held[other] = held[i] || held[other];
+      displacements.given[i] = displacements.given[other] = given[i] || given[other];
     }
   }
 
@@ -107,12 +107,12 @@ class Mirror {
   PointFinder finder_;
 };
 
-/// Lets points near the held ones follow.
+/// Adds the motion of the points within the falloff of given ones.
 void addFollowers(const std::vector<Vector3d>& points, double radius, const Motion& motion,
                   Displacements& displacements) {
   std::vector<int> leaders;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (displacements.held[i]) leaders.push_back(static_cast<int>(i));
+    if (displacements.given[i]) leaders.push_back(static_cast<int>(i));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (displacements.moved[i]) continue;
     int leader = -1;
@@ -140,21 +140,21 @@ Solid movePoints(const Solid& solid, const std::vector<int>& selected, const Rea
                               std::vector<char>(points.size(), 0)};
   for (int index : selected) {
     displacements.of[index] = motion(index, index);
-    displacements.moved[index] = displacements.held[index] = 1;
+    displacements.moved[index] = displacements.given[index] = 1;
   }
   if (reach.falloff) requirePositive(*reach.falloff, "falloff_mm");
   if (reach.mirror) {
     const Mirror mirror(solid, *reach.mirror);
     mirror.apply(displacements);
     if (reach.falloff) {
-      // The motion is asked about selected points only: an image follows its mirrored displacement.
-      const std::vector<Vector3d> held = displacements.of;
+      // `motion` accepts selected leaders only: mirror images have their symmetric displacements.
+      const std::vector<Vector3d> symmetric = displacements.of;
       std::vector<char> isSelected(points.size(), 0);
       for (int index : selected) isSelected[index] = 1;
       addFollowers(
           points, *reach.falloff,
           [&](int point, int leader) {
-            return isSelected[leader] ? motion(point, leader) : held[leader];
+            return isSelected[leader] ? motion(point, leader) : symmetric[leader];
           },
           displacements);
       mirror.apply(displacements);
@@ -163,12 +163,12 @@ Solid movePoints(const Solid& solid, const std::vector<int>& selected, const Rea
     addFollowers(points, *reach.falloff, motion, displacements);
   }
   std::vector<Vector3d> result = points;
-  std::vector<int> held;
+  std::vector<int> given;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (displacements.moved[i]) result[i] += displacements.of[i];
-    if (displacements.held[i]) held.push_back(static_cast<int>(i));
+    if (displacements.given[i]) given.push_back(static_cast<int>(i));
   }
-  return restoreTangents(solid, solid.withControlPoints(std::move(result)), held);
+  return restoreTangents(solid, solid.withControlPoints(std::move(result)), given);
 }
 
 }  // namespace palpa::modeling

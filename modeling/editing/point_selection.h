@@ -9,16 +9,17 @@
 
 #include "modeling/solid/solid.h"
 
-// Which control points a command works on: by number, by their place in the nets, or by position.
+// Selections of the control points for a command: by number, by place in the nets, or by position.
 namespace palpa::modeling {
 
 struct PointSelection;
 
+/// Control points by number.
 struct PointIndices {
   std::vector<int> indices;
 };
 
-/// All points of the nets of the named patches, borders included.
+/// All points of the nets of the named patches, including the borders.
 struct PatchPoints {
   std::vector<std::string> patches;
 };
@@ -29,34 +30,34 @@ struct SidePoints {
   Side side = Side::kVMin;
 };
 
-/// Points of one net: row i along u, row j along v; an absent number means all. Negative numbers
-/// count from the end, -1 is the last.
+/// Points of one net by row i along u and row j along v. Without a number all rows are selected;
+/// negative numbers count from the end (-1 is the last row).
 struct NetPoints {
   std::string patch;
   std::array<std::optional<int>, 2> at;
 };
 
-/// Points x with above < normal · x < below; one of the limits may be absent. With a unit normal
-/// the limits are distances from the origin in mm.
+/// Points x with above < normal · x < below; one of the limits may be absent. For a unit normal the
+/// limits are distances from the origin in mm.
 struct SlabPoints {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   std::optional<double> above;
   std::optional<double> below;
 };
 
-/// Points in an axis-parallel box, its faces included; mm.
+/// Points in an axis-parallel box, including its faces; mm.
 struct BoxPoints {
   Eigen::Vector3d low = Eigen::Vector3d::Zero();
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 };
 
-/// Points within a ball, its surface included; mm.
+/// Points in a ball, including its surface; mm.
 struct BallPoints {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 1.0;
 };
 
-/// Points in every one of the selections.
+/// Points in all of the selections.
 struct AllOf {
   std::vector<PointSelection> selections;
 };
@@ -77,10 +78,10 @@ struct PointSelection {
   }
 };
 
-/// The selected control points, each once: in the order of the list for numbers alone, ascending
-/// otherwise. `path` begins messages.
-/// @throws ModelingError: an index or a row out of range, a patch that does not exist, a limit that
-///         is not finite, or no point selected at all
+/// The selected control points, each once: in the order of the list if the selection consists of
+/// numbers only, otherwise ascending.
+/// Throws ModelingError that begins with `path` if an index or a row is out of range, a patch does
+/// not exist, a limit is not finite, or no point is selected.
 std::vector<int> selectPoints(const PointSelection& selection, const Solid& solid,
                               const std::string& path = "points");
 

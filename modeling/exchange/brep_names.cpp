@@ -5,7 +5,7 @@ namespace {
 
 constexpr const char* kHeading = "\npalpa-face-names ";
 
-/// Line breaks would end a name; a backslash marks them.
+/// A name with its line breaks escaped by backslashes, because each name takes one line.
 std::string escaped(const std::string& name) {
   std::string result;
   for (const char c : name) {
@@ -21,7 +21,7 @@ std::string unescaped(const std::string& line) {
   std::string result;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] != '\\' || i + 1 == line.size()) {
-      if (line[i] != '\r') result += line[i];  // a file that went through a Windows editor
+      if (line[i] != '\r') result += line[i];  // from Windows editors
       continue;
     }
     ++i;

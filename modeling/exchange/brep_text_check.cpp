@@ -6,9 +6,9 @@
 #include "modeling/error.h"
 #include "modeling/exchange/cad_text_check.h"
 
-// BREP in short: "CASCADE Topology V…", then sections that begin with a heading and the number of
-// their entries. Each entry of the last one, TShapes, ends with an asterisk; what follows is the
-// place of the whole shape. OpenCASCADE reads on without end when something is missing.
+// Structure of BREP files: "CASCADE Topology V…", then sections that begin with a heading and the
+// number of their entries. Each entry of the last section, TShapes, ends with an asterisk; then the
+// location of the whole shape follows. OpenCASCADE loops endlessly if a part is missing.
 namespace palpa::modeling {
 namespace {
 
@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 8> kHeadings{
     "Locations", "Curve2ds",       "Curves", "Polygon3D", "PolygonOnTriangulations",
     "Surfaces",  "Triangulations", "TShapes"};
 
-/// The number behind a heading that stands at `at`; -1 when there is none.
+/// The number after the heading at `at`; -1 if there is none.
 long countAt(const std::string& text, std::size_t at) {
   while (at < text.size() && text[at] == ' ') ++at;
   long count = -1;
@@ -29,7 +29,8 @@ long countAt(const std::string& text, std::size_t at) {
 void checkBrepText(const std::string& text, const std::string& source) {
   std::size_t at = text.substr(0, 4096).find("CASCADE Topology V");
   if (at == std::string::npos)
-    throw ModelingError(source + ": is no BREP file; CASCADE Topology is missing at its beginning");
+    throw ModelingError(source +
+                        ": is not a BREP file; CASCADE Topology is missing at its beginning");
   long shapes = 0;
   for (const std::string_view heading : kHeadings) {
     const std::size_t found = text.find("\n" + std::string(heading) + " ", at);

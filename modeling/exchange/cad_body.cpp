@@ -25,7 +25,7 @@ namespace palpa::modeling {
 namespace {
 
 constexpr double kTolerance = 1e-4;  // of the diagonal of the bounding box
-constexpr double kRounding = 1e-9;   // of the diagonal: no approximation worth a note
+constexpr double kRounding = 1e-9;   // of the diagonal: smaller deviations need no note
 constexpr int kUsualNodes = 600;
 constexpr double kChordsPerEdgeLength = 50.0;
 
@@ -48,11 +48,11 @@ std::string facesText(int count) {
 struct Named {
   TopoDS_Solid shape;
   std::vector<std::string> faceNames;
-  int divided = 0;  // faces that were cut
+  int divided = 0;  // number of divided faces
 };
 
-/// Cuts faces that close on themselves (a whole cylinder, a whole torus) into halves, which can be
-/// patches. Their names get a number.
+/// Divides faces that close on themselves (a whole cylinder, a whole torus) into halves, which can
+/// become patches. Their names get a number.
 Named divideClosed(const CadSolid& solid) {
   const std::vector<std::string> names = uniqueFaceNames(solid.shape, solid.faceNames);
   ShapeUpgrade_ShapeDivideClosed divider(solid.shape);
@@ -76,7 +76,7 @@ Named divideClosed(const CadSolid& solid) {
   return named;
 }
 
-/// The NUBS solid, or the reason why there is none.
+/// Sets the NUBS solid and returns an empty text, or returns the reason why there is none.
 std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
                        ImportedBody& imported) {
   try {
@@ -87,9 +87,9 @@ std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
     imported.deviation = result.deviation;
     if (named.divided > 0)
       imported.notes.push_back(
-          "Divided, because a patch must not close on itself: " + facesText(named.divided) + ".");
+          "Divided because a patch must not close on itself: " + facesText(named.divided) + ".");
     if (result.approximatedFaces > 0 && result.deviation > kRounding * diagonalOf(solid.shape))
-      imported.notes.push_back("Approximated, because they are no plain B-splines: " +
+      imported.notes.push_back("Approximated because they are not plain B-splines: " +
                                facesText(result.approximatedFaces) +
                                "; the patches differ by up to " +
                                shortNumberText(result.deviation) + " mm (tolerance " +
@@ -115,7 +115,7 @@ void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reaso
   imported.body = std::move(result.body);
   imported.deviation = result.deviation;
   imported.notes.push_back(
-      "The body became a mesh body, which can be held and touched but has no control points, "
+      "The body became a mesh body, which can be supported and touched but has no control points, "
       "because " +
       reason + ".");
   if (result.deviation > 0.0)

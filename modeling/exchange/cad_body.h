@@ -8,9 +8,9 @@
 // Internal to modeling/exchange/.
 namespace palpa::modeling {
 
-/// The body in the CAD file `path` with content `text`, as importCad() gives it, but without the
-/// rehearsal: on some damaged files OpenCASCADE crashes. To be called within an OpenCascadeSession.
-/// @throws ModelingError, Cancelled
+/// The body in the CAD file `path` with the content `text`, as from importCad(), but without the
+/// first reading in the sandbox: on some damaged files OpenCASCADE crashes. The caller must hold an
+/// OpenCascadeSession. Throws ModelingError as importCad(); Cancelled.
 ImportedBody readCadBody(const std::filesystem::path& path, const std::string& text,
                          const ImportOptions& options, const Job& job);
 

@@ -20,17 +20,16 @@
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <fstream>
+#include <stdexcept>
 
 #include "modeling/error.h"
 #include "modeling/exchange/brep_names.h"
-#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/file_format.h"
 #include "modeling/exchange/opencascade_session.h"
 #include "modeling/exchange/solid_shape.h"
 
 namespace palpa::modeling {
 namespace {
-
-constexpr const char* kPhase = "export";
 
 Handle(TCollection_HAsciiString) text(const std::string& value) {
   return new TCollection_HAsciiString(value.c_str());
@@ -44,7 +43,7 @@ bool writeStep(const ShapeOfSolid& made, const Solid& solid, const std::string& 
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetCVal("write.step.product.name", name.c_str());
   STEPControl_Writer writer;
-  const auto progress = makeProgress(job, kPhase);
+  const auto progress = makeProgress(job, Phase::kExport);
   if (writer.Transfer(made.shape, STEPControl_ManifoldSolidBrep, Standard_True,
                       progress->Start()) != IFSelect_RetDone)
     return false;
@@ -71,7 +70,7 @@ bool writeIges(const ShapeOfSolid& made, const Solid& solid, const std::string& 
   constexpr int kBoundaryRepresentation =
       1;  // faces share edges, instead of loose trimmed surfaces
   IGESControl_Writer writer("MM", kBoundaryRepresentation);
-  const auto progress = makeProgress(job, kPhase);
+  const auto progress = makeProgress(job, Phase::kExport);
   if (!writer.AddShape(made.shape, progress->Start())) return false;
   const auto finder = writer.TransferProcess();
   for (std::size_t p = 0; p < made.faces.size(); ++p) {
@@ -99,14 +98,33 @@ bool writeBrep(const ShapeOfSolid& made, const Solid& solid, const std::filesyst
   return file.good();
 }
 
+bool write(FileFormat format, const ShapeOfSolid& made, const Solid& solid, const std::string& name,
+           const std::filesystem::path& path, const Job& job) {
+  switch (format) {
+    case FileFormat::kStep:
+      return writeStep(made, solid, name, path, job);
+    case FileFormat::kIges:
+      return writeIges(made, solid, name, path, job);
+    case FileFormat::kBrep:
+      return writeBrep(made, solid, path);
+    case FileFormat::kProject:
+    case FileFormat::kStl:
+    case FileFormat::kObj:
+    case FileFormat::kPly:
+    case FileFormat::kVtp:
+      break;
+  }
+  throw std::invalid_argument("exportCad: no CAD format");
+}
+
 [[noreturn]] void failWriting(const std::filesystem::path& path) {
   throw ModelingError(path.string() +
-                          ": cannot be written; check that its folder exists and can be written "
-                          "and that the disk is not full. The old file, if any, is unchanged",
+                          ": cannot be written; check that its folder exists and is writable and "
+                          "that the disk is not full. An existing file is unchanged",
                       ModelingError::Kind::kIo);
 }
 
-/// Waits until the file is on the disk.
+/// Flushes the file to the disk.
 bool flush(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return false;
@@ -119,9 +137,7 @@ bool flush(const std::filesystem::path& path) {
 
 void exportCad(const Body& body, const std::filesystem::path& path, const std::string& name,
                const Job& job) {
-  const auto format = cadFormatOf(path);
-  if (!format)
-    throw ModelingError(path.string() + ": a CAD file's name must end in " + kCadFileEndings);
+  const FileFormat format = requireFormat(path, isCad);
   const Solid* solid = std::get_if<Solid>(&body);
   if (!solid)
     throw ModelingError(path.string() +
@@ -129,24 +145,20 @@ void exportCad(const Body& body, const std::filesystem::path& path, const std::s
                         "STL, OBJ or PLY instead");
   if (solid->patches().empty()) throw ModelingError("the solid has no patches to write");
   job.throwIfCancelled();
-  job.report(kPhase, 0.0);
+  job.report(Phase::kExport, 0.0);
 
   std::filesystem::path fresh = path;
   fresh += ".new";
   std::error_code code;
   const auto discard = [&] { std::filesystem::remove(fresh, code); };
   try {
-    // OpenCASCADE says only that it failed; this way the reason is known to be the file.
+    // OpenCASCADE gives no reason for a failure, so unwritable files are detected in advance.
     if (!std::ofstream(fresh, std::ios::binary).is_open()) failWriting(path);
     const OpenCascadeSession session;
-    const ShapeOfSolid made = makeShape(*solid);
-    const std::string part = name.empty() ? "palpa" : name;
-    bool written = false;
-    if (*format == CadFormat::kStep) written = writeStep(made, *solid, part, fresh, job);
-    if (*format == CadFormat::kIges) written = writeIges(made, *solid, part, fresh, job);
-    if (*format == CadFormat::kBrep) written = writeBrep(made, *solid, fresh);
+    const bool isWritten =
+        write(format, makeShape(*solid), *solid, name.empty() ? "palpa" : name, fresh, job);
     job.throwIfCancelled();
-    if (!written || !flush(fresh)) failWriting(path);
+    if (!isWritten || !flush(fresh)) failWriting(path);
   } catch (const Cancelled&) {
     discard();
     throw;
@@ -159,7 +171,7 @@ void exportCad(const Body& body, const std::filesystem::path& path, const std::s
     discard();
     failWriting(path);
   }
-  job.report(kPhase, 1.0);
+  job.report(Phase::kExport, 1.0);
 }
 
 }  // namespace palpa::modeling

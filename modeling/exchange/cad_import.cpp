@@ -12,9 +12,9 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kMinSeconds = 10.0;  // more than any sound file of that size takes
+constexpr double kMinSeconds = 10.0;  // more than any valid file of its size needs
 constexpr double kSecondsPerByte = 2e-5;
-constexpr double kSecondsForMesh = 300.0;  // more when the edge length is asked for
+constexpr double kSecondsForMesh = 300.0;  // in addition if an edge length is given
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void ImportOptions::validate() const {
   const auto check = [](const char* name, double value) {
     if (!std::isfinite(value) || value < 0.0 || value > 1e7)
       throw ModelingError(std::string(name) + ": " + numberText(value) +
-                          " mm; expected a length up to 10 km, or 0 for a suitable one");
+                          " mm; expected at most 10 km, or 0 for an automatic choice");
   };
   check("edge_length_mm", edgeLength);
   check("tolerance_mm", tolerance);

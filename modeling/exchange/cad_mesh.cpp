@@ -31,7 +31,7 @@ Vector3d toEigen(const gp_Pnt& p) {
   return {p.X(), p.Y(), p.Z()};
 }
 
-/// Collects the triangles of all faces over shared vertices.
+/// Joins the triangles of all faces at common vertices.
 class Joiner {
  public:
   explicit Joiner(const std::vector<std::string>& faceNames) : names_(faceNames) {}
@@ -59,7 +59,7 @@ class Joiner {
       if (face.Orientation() == TopAbs_REVERSED) std::swap(nodes[1], nodes[2]);
       const std::array triangle{vertexOfNode_[nodes[0]], vertexOfNode_[nodes[1]],
                                 vertexOfNode_[nodes[2]]};
-      // At a pole two corners are one point.
+      // At a pole two corners coincide.
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
         continue;
       data_.triangles.push_back(triangle);
@@ -79,8 +79,8 @@ class Joiner {
     return static_cast<int>(data_.positions.size()) - 1;
   }
 
-  /// The entry of a list that belongs to a shape; made when the shape is new. Shapes of swept
-  /// bodies share their geometry at several places, so the place counts.
+  /// The entry of a list for a shape; a new entry for a new shape. Shapes of swept bodies share
+  /// their geometry at several locations, so the location is part of the key.
   template <class Entry>
   static Entry& entryOf(const TopoDS_Shape& shape, TopTools_IndexedMapOfShape& known,
                         std::vector<Entry>& entries) {
@@ -89,7 +89,7 @@ class Joiner {
     return entries[static_cast<std::size_t>(index) - 1];
   }
 
-  /// Vertices at the nodes of an edge: its two ends, and the nodes between counted along it.
+  /// Vertices at the nodes of an edge: its two ends, and the inner nodes in order.
   void addEdge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh,
                const TopLoc_Location& location, const auto& position) {
     const Handle(Poly_PolygonOnTriangulation) polygon =
@@ -112,7 +112,7 @@ class Joiner {
       }
     }
     if (static_cast<int>(row.size()) != count)
-      throw ModelingError("OpenCASCADE cut an edge into different pieces on its two sides");
+      throw ModelingError("OpenCASCADE divided an edge differently on its two sides");
     for (int i = 1; i <= count; ++i) vertexOfNode_[polygon->Node(i)] = row[i - 1];
     if (!BRep_Tool::Degenerated(edge) || !mesh->HasUVNodes()) return;
     const gp_XY along =
@@ -121,7 +121,8 @@ class Joiner {
       collapsed_[polygon->Node(i)] = std::abs(along.X()) > std::abs(along.Y()) ? 0 : 1;
   }
 
-  /// Distance of the surface from the flat triangle, at its middle and at those of its sides.
+  /// Distance of the surface from the flat triangle, at the middles of the triangle and of its
+  /// sides.
   void measure(const BRepAdaptor_Surface& surface, const Poly_Triangulation& mesh,
                const std::array<int, 3>& nodes, const std::array<int, 3>& triangle) {
     if (!mesh.HasUVNodes() || surface.GetType() == GeomAbs_Plane) return;
@@ -130,7 +131,7 @@ class Joiner {
         (p[triangle[1]] - p[triangle[0]]).cross(p[triangle[2]] - p[triangle[0]]).normalized();
     std::array<gp_XY, 3> corners;
     for (int k = 0; k < 3; ++k) corners[k] = mesh.UVNode(nodes[k]).XY();
-    for (int k = 0; k < 3; ++k) {  // at a pole one parameter means nothing; take the middle one
+    for (int k = 0; k < 3; ++k) {  // at a pole one parameter is arbitrary; the mean is used
       const int direction = collapsed_[nodes[k]];
       if (direction < 0) continue;
       const gp_XY middle = 0.5 * (corners[(k + 1) % 3] + corners[(k + 2) % 3]);
@@ -146,7 +147,7 @@ class Joiner {
     }
   }
 
-  /// A face whose triangles were all degenerate has no part of the surface.
+  /// Removes faces whose triangles were all degenerate: they have no part of the surface.
   void dropEmptyFaces() {
     std::vector<int> fresh(names_.size(), -1);
     for (const int face : data_.faceOfTriangle) fresh[face] = 0;
@@ -156,7 +157,7 @@ class Joiner {
       data_.faceNames.push_back(names_[f]);
     }
     for (int& face : data_.faceOfTriangle) face = fresh[face];
-    // Nodes that only such triangles used.
+    // Removes the nodes that only such triangles used.
     std::vector<int> number(data_.positions.size(), -1);
     std::vector<Vector3d> positions;
     for (auto& triangle : data_.triangles)
@@ -190,7 +191,7 @@ MeshResult attempt(const TopoDS_Solid& shape, const std::vector<std::string>& fa
   BRepMesh_IncrementalMesh mesher;
   mesher.SetShape(shape);
   mesher.ChangeParameters() = parameters;
-  const auto progress = makeProgress(job, "triangulate");
+  const auto progress = makeProgress(job, Phase::kTriangulate);
   mesher.Perform(progress->Start());
   job.throwIfCancelled();
   Joiner joiner(faceNames);
@@ -207,8 +208,8 @@ MeshResult attempt(const TopoDS_Solid& shape, const std::vector<std::string>& fa
 
 MeshResult makeMeshBody(const TopoDS_Solid& shape, const std::vector<std::string>& faceNames,
                         double chordTolerance, const Job& job) {
-  // In a coarse triangulation narrow faces may collapse; and OpenCASCADE's idea of the chord
-  // tolerance is loose at times. Finer ones help against both.
+  // In a coarse triangulation narrow faces may collapse, and OpenCASCADE sometimes exceeds the
+  // chord tolerance. A smaller tolerance helps in both cases.
   constexpr int kMaxAttempts = 4;
   std::optional<MeshResult> best;
   std::string fault;

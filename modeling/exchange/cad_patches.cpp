@@ -36,8 +36,8 @@ Net toNet(const TColgp_Array2OfPnt& poles) {
   return net;
 }
 
-/// Brings one direction of a spline to the knots of its chain. Knots that are there already keep
-/// their value to the last bit, unless the neighbour's differs by more than rounding.
+/// Refines one direction of a spline to the knots of its chain. Existing knots keep their bits,
+/// unless the knot of the neighbour differs by more than rounding.
 void matchKnots(Geom_BSplineSurface& spline, int direction, const KnotSet& knots) {
   const bool u = direction == 0;
   double u0, u1, v0, v1;
@@ -93,7 +93,7 @@ LoosePatch exactPatch(const QuadFace& face, const KnotSet& uKnots, const KnotSet
 }
 
 /// Interpolates the surface at the Greville abscissae. A border of the net depends only on points
-/// of that border, so neighbours with the same parameters agree.
+/// of this border, so neighbours with the same parameters have equal borders.
 LoosePatch interpolatedPatch(const QuadFace& face, const KnotSet& uKnots, const KnotSet& vKnots) {
   LoosePatch loose;
   loose.patch.degree = {uKnots.degree, vKnots.degree};
@@ -114,7 +114,7 @@ LoosePatch interpolatedPatch(const QuadFace& face, const KnotSet& uKnots, const 
   return loose;
 }
 
-/// Points of a parameter range that lie inside its spans.
+/// Sample parameters inside the spans.
 std::vector<double> samples(const std::vector<double>& spans, int perSpan) {
   std::vector<double> result{spans.front()};
   for (std::size_t i = 1; i < spans.size(); ++i)
@@ -143,7 +143,7 @@ double deviationOf(const SurfaceEvaluator& surface, int patch, const QuadFace& f
   return worst;
 }
 
-/// A flat face that one patch cannot cover has a Coons patch that folds.
+/// Throws NoPatches if the Coons patch of a flat face is folded: then one patch cannot cover it.
 void checkFlat(const SurfaceEvaluator& surface, int patch, const QuadFace& face) {
   const Vector3d normal(face.normal.X(), face.normal.Y(), face.normal.Z());
   constexpr int kSamples = 12;
@@ -154,7 +154,7 @@ void checkFlat(const SurfaceEvaluator& surface, int patch, const QuadFace& face)
       const SurfacePoint p = surface.evaluate(patch, u0 + (u1 - u0) * (i + 0.5) / kSamples,
                                               v0 + (v1 - v0) * (j + 0.5) / kSamples);
       if (p.du.cross(p.dv).dot(normal) <= 0.0)
-        throw NoPatches{"the flat face \"" + face.name + "\" is bent too much for one patch"};
+        throw NoPatches{"the flat face \"" + face.name + "\" cannot be covered by one patch"};
     }
 }
 
@@ -181,7 +181,7 @@ PatchResult attempt(const QuadFaces& quads, const KnotChains& chains, double tol
   try {
     result.solid = weldPatches(quads, chains, std::move(loose), tolerance);
   } catch (const ModelingError& error) {
-    throw NoPatches{std::string("its faces make no valid solid: ") + error.what()};
+    throw NoPatches{std::string("its faces do not form a valid solid: ") + error.what()};
   }
   const SurfaceEvaluator surface(result.solid);
   for (int f = 0; f < surface.patchCount(); ++f) {
@@ -211,9 +211,9 @@ PatchResult makePatches(const TopoDS_Solid& shape, const std::vector<std::string
                     " mm, more than the tolerance of " + shortNumberText(tolerance) + " mm"};
   const double expected = volumeOf(shape);
   const double enclosed = volume(SurfaceEvaluator(result.solid));
-  constexpr double kVolume = 0.01;  // relative; guards against gross misunderstanding only
+  constexpr double kVolume = 0.01;  // relative; detects gross errors only
   if (!(std::abs(enclosed - expected) <= kVolume * expected))
-    throw NoPatches{"patches would enclose another volume"};
+    throw NoPatches{"patches would enclose a different volume"};
   return result;
 }
 

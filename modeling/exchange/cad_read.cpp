@@ -19,17 +19,16 @@
 #include <XSControl_WorkSession.hxx>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 #include "modeling/error.h"
 #include "modeling/exchange/brep_names.h"
-#include "modeling/exchange/cad_format.h"
 #include "modeling/exchange/cad_text_check.h"
+#include "modeling/exchange/file_format.h"
 #include "modeling/exchange/opencascade_session.h"
 
 namespace palpa::modeling {
 namespace {
-
-constexpr const char* kPhase = "read";
 
 std::string readText(const std::filesystem::path& path) {
   std::error_code code;
@@ -52,8 +51,8 @@ std::string readText(const std::filesystem::path& path) {
 
 [[noreturn]] void failReading(const std::filesystem::path& path) {
   throw ModelingError(path.string() +
-                      ": OpenCASCADE cannot read it; the file is damaged, or is not "
-                      "of the format its name says");
+                      ": OpenCASCADE cannot read the file; it is damaged, or its ending does not "
+                      "match its format");
 }
 
 void forEachFace(const TopoDS_Shape& shape, const auto& action) {
@@ -69,7 +68,7 @@ CadContent readStep(const std::filesystem::path& path, const std::string& text, 
   std::istringstream stream(text);
   if (reader.ReadStream("file", stream) != IFSelect_RetDone) failReading(path);
   job.throwIfCancelled();
-  const auto progress = makeProgress(job, kPhase);
+  const auto progress = makeProgress(job, Phase::kRead);
   reader.TransferRoots(progress->Start());
   job.throwIfCancelled();
   CadContent content{reader.OneShape(), {}};
@@ -86,11 +85,11 @@ CadContent readStep(const std::filesystem::path& path, const std::string& text, 
 CadContent readIges(const std::filesystem::path& path, const Job& job) {
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.iges.bspline.continuity", 0);  // splines stay as they are
+  Interface_Static::SetIVal("read.iges.bspline.continuity", 0);  // splines are not changed
   IGESControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) failReading(path);
   job.throwIfCancelled();
-  const auto progress = makeProgress(job, kPhase);
+  const auto progress = makeProgress(job, Phase::kRead);
   reader.TransferRoots(progress->Start());
   job.throwIfCancelled();
   CadContent content{reader.OneShape(), {}};
@@ -109,7 +108,7 @@ CadContent readIges(const std::filesystem::path& path, const Job& job) {
 CadContent readBrep(const std::string& text, const Job& job) {
   CadContent content;
   std::istringstream stream(text);
-  const auto progress = makeProgress(job, kPhase);
+  const auto progress = makeProgress(job, Phase::kRead);
   BRepTools::Read(content.shape, stream, BRep_Builder(), progress->Start());
   job.throwIfCancelled();
   if (content.shape.IsNull()) return content;
@@ -121,34 +120,38 @@ CadContent readBrep(const std::string& text, const Job& job) {
   return content;
 }
 
+CadContent readContent(const std::filesystem::path& path, const std::string& text, const Job& job) {
+  switch (requireFormat(path, isCad)) {
+    case FileFormat::kStep:
+      return readStep(path, text, job);
+    case FileFormat::kIges:
+      return readIges(path, job);
+    case FileFormat::kBrep:
+      return readBrep(text, job);
+    case FileFormat::kProject:
+    case FileFormat::kStl:
+    case FileFormat::kObj:
+    case FileFormat::kPly:
+    case FileFormat::kVtp:
+      break;
+  }
+  throw std::invalid_argument("readCad: no CAD format");
+}
+
 }  // namespace
 
 std::string readCadText(const std::filesystem::path& path) {
-  const auto format = cadFormatOf(path);
-  if (!format)
-    throw ModelingError(path.string() + ": a CAD file's name must end in " + kCadFileEndings);
+  const FileFormat format = requireFormat(path, isCad);
   std::string text = readText(path);
-  checkCadText(text, *format, path.string());
+  checkCadText(text, format, path.string());
   return text;
 }
 
 CadContent readCad(const std::filesystem::path& path, const std::string& text, const Job& job) {
-  job.report(kPhase, 0.0);
-  CadContent content;
-  switch (cadFormatOf(path).value()) {
-    case CadFormat::kStep:
-      content = readStep(path, text, job);
-      break;
-    case CadFormat::kIges:
-      content = readIges(path, job);
-      break;
-    case CadFormat::kBrep:
-      content = readBrep(text, job);
-      break;
-  }
-  if (content.shape.IsNull())
-    throw ModelingError(path.string() + ": holds no shape that can be read");
-  job.report(kPhase, 1.0);
+  job.report(Phase::kRead, 0.0);
+  CadContent content = readContent(path, text, job);
+  if (content.shape.IsNull()) throw ModelingError(path.string() + ": contains no readable shape");
+  job.report(Phase::kRead, 1.0);
   return content;
 }
 

@@ -11,21 +11,21 @@
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {
 
-/// Names of faces, whatever their orientation; those without are absent.
+/// Names of faces, independent of their orientation; faces without a name are absent.
 using FaceNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
 
-/// What a CAD file holds, in mm.
+/// Content of a CAD file, in mm.
 struct CadContent {
   TopoDS_Shape shape;
   FaceNames faceNames;
 };
 
-/// The text of a CAD file, complete and well formed as far as checkCadText() can tell.
-/// @throws ModelingError
+/// The text of a CAD file after checkCadText().
+/// Throws ModelingError if the file cannot be read or fails the check.
 std::string readCadText(const std::filesystem::path& path);
 
-/// What OpenCASCADE makes of the file with this text. To be called within an OpenCascadeSession.
-/// @throws ModelingError, Standard_Failure, Cancelled
+/// Content of the file `path` with this text, from OpenCASCADE's readers. The caller must hold an
+/// OpenCascadeSession. Throws ModelingError, Standard_Failure, Cancelled.
 CadContent readCad(const std::filesystem::path& path, const std::string& text, const Job& job);
 
 }  // namespace palpa::modeling

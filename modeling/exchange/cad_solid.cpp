@@ -31,7 +31,7 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kSewing = 1e-5;  // of the diagonal: gaps between loose faces that are closed
+constexpr double kSewing = 1e-5;  // of the diagonal: largest gap between loose faces to close
 
 int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   TopTools_IndexedMapOfShape map;
@@ -42,7 +42,7 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
 double diagonalOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::AddClose(shape, box);
-  if (box.IsVoid()) throw ModelingError("holds no surface");
+  if (box.IsVoid()) throw ModelingError("contains no surface");
   const double diagonal = std::sqrt(box.SquareExtent());
   if (!std::isfinite(diagonal) || diagonal > 2e7 || diagonal < 1e-6)
     throw ModelingError("the shape has a size of " + numberText(diagonal) +
@@ -50,7 +50,7 @@ double diagonalOf(const TopoDS_Shape& shape) {
   return diagonal;
 }
 
-/// Names follow a face to what replaced it.
+/// Moves the names of replaced faces to their replacements.
 void followNames(const TopoDS_Shape& before, const auto& replacement, FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(before, TopAbs_FACE, faces);
@@ -69,7 +69,7 @@ void followNames(const TopoDS_Shape& before, const auto& replacement, FaceNames&
 TopoDS_Shape sew(const TopoDS_Shape& shape, double tolerance, CadSolid& result, const Job& job) {
   BRepBuilderAPI_Sewing sewing(tolerance);
   sewing.Add(shape);
-  const auto progress = makeProgress(job, "sew");
+  const auto progress = makeProgress(job, Phase::kSew);
   sewing.Perform(progress->Start());
   job.throwIfCancelled();
   followNames(
@@ -80,7 +80,7 @@ TopoDS_Shape sew(const TopoDS_Shape& shape, double tolerance, CadSolid& result, 
 
 TopoDS_Shape repair(const TopoDS_Shape& shape, CadSolid& result, const Job& job) {
   const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
-  const auto progress = makeProgress(job, "repair");
+  const auto progress = makeProgress(job, Phase::kRepair);
   fix->Perform(progress->Start());
   job.throwIfCancelled();
   followNames(
@@ -93,7 +93,7 @@ std::string pointText(const gp_Pnt& p) {
   return "(" + numberText(p.X()) + ", " + numberText(p.Y()) + ", " + numberText(p.Z()) + ") mm";
 }
 
-/// Why the faces do not enclose a body; empty when they do.
+/// The reason why the faces do not enclose a body; empty if they do.
 std::string openPlace(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape faces;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
@@ -120,7 +120,7 @@ std::string openPlace(const TopoDS_Shape& shape) {
   return "";
 }
 
-/// A solid from the shells of a shape that is none, and from faces that are closed by themselves.
+/// A solid from the shells of a shape without solids, and from single closed faces.
 TopoDS_Shape solidFromShells(const TopoDS_Shape& shape) {
   BRepBuilderAPI_MakeSolid maker;
   for (TopExp_Explorer shells(shape, TopAbs_SHELL); shells.More(); shells.Next())
@@ -133,7 +133,7 @@ TopoDS_Shape solidFromShells(const TopoDS_Shape& shape) {
     shell.Closed(Standard_True);
     maker.Add(shell);
   }
-  if (!maker.IsDone()) throw ModelingError("its faces do not join to a closed surface");
+  if (!maker.IsDone()) throw ModelingError("its faces do not form a closed surface");
   return maker.Solid();
 }
 
@@ -143,7 +143,7 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
   CadSolid result;
   result.faceNames = content.faceNames;
   const int faces = countOf(content.shape, TopAbs_FACE);
-  if (faces == 0) throw ModelingError("holds no faces; only solids can be imported");
+  if (faces == 0) throw ModelingError("contains no faces; only solids can be imported");
   if (faces > kMaxCadFaces)
     throw ModelingError("has " + std::to_string(faces) + " faces; at most " +
                             std::to_string(kMaxCadFaces) + " are read",
@@ -151,13 +151,13 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
   const double diagonal = diagonalOf(content.shape);
   const int solids = countOf(content.shape, TopAbs_SOLID);
   if (solids > 1)
-    throw ModelingError("holds " + std::to_string(solids) +
-                        " solids; a project has one body. Export them into separate files");
+    throw ModelingError("contains " + std::to_string(solids) +
+                        " solids, but a project has one body; export them into separate files");
   TopoDS_Shape shape = content.shape;
   if (solids == 1) {
     shape = TopExp_Explorer(shape, TopAbs_SOLID).Current();
     if (countOf(shape, TopAbs_FACE) < faces)
-      result.notes.push_back("Faces outside the solid were left out.");
+      result.notes.push_back("Faces outside the solid were omitted.");
   }
   job.throwIfCancelled();
   if (solids == 0 || !openPlace(shape).empty()) {

@@ -3,20 +3,20 @@
 #include <cstddef>
 #include <string>
 
-#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/file_format.h"
 
 namespace palpa::modeling {
 
 inline constexpr std::size_t kMaxCadFile = 256UL << 20;  // bytes
 inline constexpr int kMaxCadFaces = 20'000;
 
-/// Checks the text of a CAD file before OpenCASCADE sees it, whose readers crash or work without
-/// end on some damaged files: complete, sections and statements well formed, references defined and
-/// without circles, counts that the file can hold. `source` begins the message. Linear time.
-/// @throws ModelingError
-void checkCadText(const std::string& text, CadFormat format, const std::string& source);
+/// Checks the text of a CAD file before OpenCASCADE reads it, because its readers crash or loop
+/// endlessly on some damaged files. The text must be complete, its sections and statements well
+/// formed, its references defined and free of cycles, and its counts possible for its length.
+/// Linear time. Throws ModelingError that begins with `source`.
+void checkCadText(const std::string& text, FileFormat format, const std::string& source);
 
-// The parts of checkCadText().
+// The parts of checkCadText(), one per format.
 void checkStepText(const std::string& text, const std::string& source);
 void checkIgesText(const std::string& text, const std::string& source);
 void checkBrepText(const std::string& text, const std::string& source);

@@ -37,7 +37,7 @@ void scalePoints(const PolygonSoup& soup, double scale, ClosedSurface& surface) 
   }
 }
 
-/// For each point the first one at exactly the same place.
+/// For each point, the first point at exactly the same place.
 std::vector<int> firstAtSamePlace(const std::vector<Vector3d>& points) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -60,7 +60,7 @@ void cutPolygons(const PolygonSoup& soup, ClosedSurface& surface, const Job& job
   }
 }
 
-/// Replaces the corners, then leaves out triangles with a corner twice and repeated triangles.
+/// Replaces the corners, then removes triangles with equal corners and duplicates.
 void joinCorners(ClosedSurface& surface, const std::vector<int>& replacement) {
   struct Entry {
     Triangle sorted;
@@ -91,7 +91,7 @@ void joinCorners(ClosedSurface& surface, const std::vector<int>& replacement) {
   if (!surface.groups.empty()) surface.groups.resize(entries.size());
 }
 
-/// Edges with their number of triangles other than two.
+/// Edges without exactly two triangles.
 struct WrongEdges {
   std::vector<std::pair<int, int>> open;
   std::vector<std::pair<int, int>> crowded;
@@ -113,9 +113,9 @@ WrongEdges wrongEdges(const ClosedSurface& surface) {
   return wrong;
 }
 
-/// Joins the ends of open edges that nearly meet: some programs write the same corner with
-/// different rounding. Points in one cell of a grid as wide as the tolerance, and the first ones of
-/// neighbouring cells, become one.
+/// Joins the ends of open edges that nearly meet, because some programs write the same corner with
+/// different rounding. Points in one cell of a grid with the tolerance as cell width, and the first
+/// points of neighbouring cells, are merged.
 void weld(ClosedSurface& surface, const std::vector<std::pair<int, int>>& open) {
   Vector3d low = surface.positions[open.front().first];
   Vector3d high = low;
@@ -160,15 +160,15 @@ void checkEdges(const ClosedSurface& surface, const WrongEdges& wrong) {
     throw ModelingError(
         countText(wrong.crowded.size(), "edge has", "edges have") +
         " more than two triangles, the first " + edgeText(surface, wrong.crowded.front()) +
-        "; bodies that touch along an edge and walls inside are not possible: separate or remove "
+        "; bodies that touch along an edge and inner walls are not possible: separate or remove "
         "them");
   if (!wrong.open.empty())
     throw ModelingError(countText(wrong.open.size(), "open edge", "open edges") + ", the first " +
                         edgeText(surface, wrong.open.front()) + "; close the surface");
 }
 
-/// Turns triangles so that neighbours agree. Few connected parts are allowed, because what encloses
-/// what is found by comparing each with each.
+/// Orients the triangles consistently with their neighbours. The number of connected parts is
+/// limited, because their nesting is found by comparing all pairs.
 void orient(ClosedSurface& surface) {
   const auto neighbours = triangleNeighbours(surface.triangles);
   std::vector<bool> reached(surface.triangles.size(), false);
@@ -191,7 +191,7 @@ void orient(ClosedSurface& surface) {
       const int t = open.back();
       open.pop_back();
       for (int other : neighbours[t]) {
-        // The common edge; two triangles with two common edges would be the same triangle twice.
+        // The only common edge: two triangles with two common edges would be duplicates.
         const Triangle& n = surface.triangles[t];
         int a = -1;
         int b = -1;
@@ -208,7 +208,7 @@ void orient(ClosedSurface& surface) {
         } else if (!agrees) {
           throw ModelingError(
               "the surface has one side only (like a Klein bottle); inside and "
-              "outside cannot be told apart at the edge " +
+              "outside cannot be distinguished at the edge " +
               edgeText(surface, {a, b}));
         }
       }
@@ -216,7 +216,7 @@ void orient(ClosedSurface& surface) {
   }
 }
 
-/// Around every vertex the triangles must form one fan.
+/// Throws ModelingError if the triangles around a vertex do not form one fan.
 void checkFans(const ClosedSurface& surface) {
   const auto neighbours = triangleNeighbours(surface.triangles);
   std::vector<int> valence(surface.positions.size(), 0);
@@ -234,7 +234,7 @@ void checkFans(const ClosedSurface& surface) {
     do {
       const Triangle& n = surface.triangles[t];
       const auto k = std::find(n.begin(), n.end(), vertex) - n.begin();
-      // Triangles were turned after the neighbours had been found; here they are in step again.
+      // The neighbours were determined before the triangles were oriented, but are valid here.
       t = neighbours[t][k];
       ++turned;
     } while (t != start[v]);
@@ -267,13 +267,13 @@ void PolygonSoup::closePolygon() {
   constexpr std::size_t kMaxCorners = 4 * static_cast<std::size_t>(kMaxMeshTriangles);
   if (polygonCount() >= kMaxMeshTriangles || corners.size() > kMaxCorners)
     throw ModelingError("has more than " + std::to_string(kMaxMeshTriangles) +
-                            " triangles; reduce it in the program it comes from",
+                            " triangles; reduce their number in the program of origin",
                         ModelingError::Kind::kTooLarge);
   ends.push_back(static_cast<int>(corners.size()));
 }
 
 ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job) {
-  if (soup.polygonCount() == 0) throw ModelingError("holds no triangles");
+  if (soup.polygonCount() == 0) throw ModelingError("contains no triangles");
   ClosedSurface surface;
   scalePoints(soup, scale, surface);
   cutPolygons(soup, surface, job);

@@ -6,22 +6,24 @@
 
 namespace palpa::modeling {
 
-/// A closed, oriented triangle surface made from a soup.
+/// Closed, oriented triangle surface from a polygon soup.
 struct ClosedSurface {
-  std::vector<Eigen::Vector3d> positions;  ///< mm, each used
+  std::vector<Eigen::Vector3d> positions;  ///< mm, each used by a triangle
   std::vector<std::array<int, 3>> triangles;
-  std::vector<int> groups;  ///< per triangle, as in the soup; empty when there is one only
+  std::vector<int> groups;  ///< per triangle, as in the soup; empty if there is only one group
 };
 
-/// Fits the polygons of a soup together: triangles, common vertices, one orientation. Says what is
-/// wrong with the number of places and the first of them. Not yet checked: whether the surface cuts
-/// itself, and which side is inside.
-/// @throws ModelingError (without the file's name), Cancelled
+/// Joins the polygons of a soup: cuts them into triangles, merges vertices, orients the triangles
+/// consistently. `scale` is in mm per unit of the soup. Does not check for self-intersections and
+/// does not determine which side is inside.
+/// Throws ModelingError (without the file's name) with the number of faulty places and the first of
+/// them; Cancelled.
 ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job);
 
-/// Removes triangles without area, refuses a surface that cuts itself or consists of several
-/// bodies, and turns the triangles so that their normals point out of the material (CGAL).
-/// @throws ModelingError (without the file's name), Cancelled between the steps
+/// Removes triangles without area and orients the others so that their normals point out of the
+/// material (CGAL).
+/// Throws ModelingError (without the file's name) if the surface intersects itself or consists of
+/// several bodies; Cancelled, between the steps only.
 void makeBoundary(ClosedSurface& surface, const Job& job);
 
 }  // namespace palpa::modeling

@@ -5,9 +5,9 @@
 #include "modeling/error.h"
 #include "modeling/exchange/cad_text_check.h"
 
-// IGES in short: lines of 80 columns; column 73 names the section (start, global, directory,
-// parameter, terminate), columns 74 to 80 hold the line's number in its section. The last line
-// repeats the numbers of lines of the other sections: "S0000001G0000004D0000046P0000040".
+// Structure of IGES files: lines of 80 columns; column 73 names the section (start, global,
+// directory, parameter, terminate), columns 74 to 80 hold the number of the line in its section.
+// The last line repeats the line counts of the other sections: "S0000001G0000004D0000046P0000040".
 namespace palpa::modeling {
 namespace {
 
@@ -42,7 +42,7 @@ void checkIgesText(const std::string& text, const std::string& source) {
     if (line.empty() && section == 4) continue;  // blank lines after the end
     if (line.size() < 80)
       fail(source, lineNumber,
-           lineNumber == 1 ? "is no IGES file; its lines have 80 columns"
+           lineNumber == 1 ? "is not an IGES file, whose lines have 80 columns"
                            : "has fewer than 80 columns; the file is damaged or cut off");
     const std::size_t found = kSections.find(line[72]);
     if (found == std::string_view::npos || found < section)

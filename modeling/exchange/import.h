@@ -4,14 +4,10 @@
 
 namespace palpa::modeling {
 
-/// Reads a body from any file that can be imported, by the ending of its name: the CAD formats of
-/// importCad(), and the triangle meshes .stl, .obj and .ply, which become mesh bodies.
-/// @throws ModelingError, also for an unknown ending; Cancelled
+/// Reads a body from a file of a format of isImportable(), chosen by the file's ending: a CAD file
+/// with importCad(), a mesh file as a mesh body. Throws ModelingError as importCad() and
+/// readMeshFile(), and for any other ending; Cancelled.
 ImportedBody importBody(const std::filesystem::path& path, const ImportOptions& options = {},
                         const Job& job = {});
-
-/// All these endings, for messages.
-inline constexpr const char* kImportFileEndings =
-    ".step, .stp, .iges, .igs, .brep, .stl, .obj or .ply";
 
 }  // namespace palpa::modeling

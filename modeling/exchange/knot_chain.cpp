@@ -10,7 +10,7 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr int kOpenDegree = 3;  // where the file leaves the degree open
+constexpr int kOpenDegree = 3;  // of chains without a degree in the file
 constexpr int kMaxSpans = 128;  // of an approximation
 
 std::size_t placeOf(int face, int direction) {
@@ -31,7 +31,7 @@ KnotSet knotsOf(const Geom_BSplineSurface& spline, int direction, int degree) {
   return set;
 }
 
-/// Spans of the knots on which interpolation of `curve` misses by more than the tolerance.
+/// Spans of the knots on which the interpolation of `curve` deviates by more than the tolerance.
 std::vector<int> badSpans(const KnotSet& knots, const std::function<gp_Pnt(double)>& curve,
                           double tolerance) {
   const std::vector<double> flat = knots.flat();
@@ -75,7 +75,7 @@ std::vector<int> badSpans(const KnotSet& knots, const std::function<gp_Pnt(doubl
   return bad;
 }
 
-/// Cuts the given spans in two.
+/// Halves the given spans.
 void halveSpans(KnotSet& knots, const std::vector<int>& spans) {
   std::vector<double> ends{0.0};
   for (const auto& knot : knots.inner) ends.push_back(knot.at);
@@ -130,7 +130,7 @@ std::vector<double> KnotSet::sites() const {
 
 KnotChains::KnotChains(const QuadFaces& quads) : faces_(quads.faces) {
   join(quads);
-  std::vector<bool> open(chains_.size(), false);  // the file leaves the degree open
+  std::vector<bool> open(chains_.size(), false);  // per chain: the file gives no degree
   for (std::size_t place = 0; place < places_.size(); ++place) {
     const QuadFace& face = faces_[place / 2];
     KnotSet& chain = chains_[places_[place].chain];
@@ -142,7 +142,7 @@ KnotChains::KnotChains(const QuadFaces& quads) : faces_(quads.faces) {
   for (std::size_t c = 0; c < chains_.size(); ++c)
     if (open[c] || chains_[c].degree == 0)
       chains_[c].degree = std::max(chains_[c].degree, kOpenDegree);
-  // Knots of splines first: where two knots are nearly equal, the first one stays.
+  // Knots of splines first: of two nearly equal knots the first one is kept.
   for (const auto kind : {QuadFace::Kind::kSpline, QuadFace::Kind::kSmooth})
     for (int f = 0; f < static_cast<int>(faces_.size()); ++f)
       for (int d : {0, 1}) {
@@ -153,7 +153,7 @@ KnotChains::KnotChains(const QuadFaces& quads) : faces_(quads.faces) {
 }
 
 void KnotChains::join(const QuadFaces& quads) {
-  // Neighbouring (face, direction) places with "runs the other way", spread from each first place.
+  // Chains grow from each first place along the links between (face, direction) places.
   struct Link {
     std::size_t to;
     bool turned;
@@ -210,7 +210,7 @@ void KnotChains::addBreaks(int face, int direction) {
   const Place place = places_[placeOf(face, direction)];
   KnotSet& chain = chains_[place.chain];
   const QuadFace& quad = faces_[face];
-  const bool alongU = (direction == 0) != quad.swapped;  // in the surface's own parameters
+  const bool alongU = (direction == 0) != quad.swapped;  // in the parameters of `quad.surface`
   const auto& [uRange, vRange] =
       quad.swapped ? std::array{quad.range[1], quad.range[0]} : quad.range;
   const GeomAdaptor_Surface adaptor(quad.surface, uRange[0], uRange[1], vRange[0], vRange[1]);

@@ -7,8 +7,8 @@
 
 #include "modeling/exchange/quad_faces.h"
 
-// Which directions of which faces must have the same degree and knots, and these knots. Internal to
-// modeling/exchange/: only .cpp files include this header.
+// Common degrees and knots of the directions of faces. Internal to modeling/exchange/: only .cpp
+// files include this header.
 namespace palpa::modeling {
 
 /// Degree and inner knots over [0, 1].
@@ -20,12 +20,13 @@ struct KnotSet {
   int degree = 0;
   std::vector<Knot> inner;  ///< ascending
 
-  /// Adds a knot, or raises the multiplicity of one that is there (within kSameKnot).
+  /// Adds a knot, or raises the multiplicity of an existing knot (within kSameKnot).
   void add(double at, int multiplicity);
+  /// Number of control points.
   int pointCount() const;
-  /// The same, run through backwards.
+  /// The same knots for the opposite direction.
   KnotSet turned() const;
-  /// All knots with repetitions, ends included.
+  /// All knots with repetitions, including the ends.
   std::vector<double> flat() const;
   /// Averages of `degree` consecutive inner knots, one per control point (Greville abscissae).
   std::vector<double> sites() const;
@@ -33,19 +34,20 @@ struct KnotSet {
 
 inline constexpr double kSameKnot = 1e-6;  // of the range; knots in files are rounded
 
-/// Chains of face directions that pass a knot on to each other: across an edge to the neighbour,
-/// and within a face from a side to the opposite one.
+/// Chains of face directions that must have the same knots: neighbours across an edge, and opposite
+/// sides of a face.
 class KnotChains {
  public:
-  /// Degrees and knots of all B-spline faces united; the others get the knots where their surface
-  /// is not smooth. @throws NoPatches
+  /// Chains with the union of the degrees and knots of all B-spline faces, and of the knots of the
+  /// other surfaces where these are not smooth. `quads` must outlive the object.
+  /// Throws NoPatches if the faces cannot have common knots.
   explicit KnotChains(const QuadFaces& quads);
 
-  /// Adds knots until interpolation of the smooth faces along their parameter lines stays within
-  /// the tolerance (mm). @throws NoPatches when that takes too many
+  /// Adds knots until interpolation of the smooth faces along their parameter lines is within the
+  /// tolerance (mm). Throws NoPatches if this needs too many knots.
   void refine(double tolerance);
 
-  /// Halves every span of the chains that smooth faces use.
+  /// Halves every span of the chains of smooth faces.
   void halve();
 
   KnotSet of(int face, int direction) const;

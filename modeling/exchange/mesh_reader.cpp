@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
+#include <stdexcept>
 
 #include "base/text.h"
 #include "modeling/body/smooth_regions.h"
@@ -20,19 +20,25 @@ constexpr int kMaxFoundFaces = 100;
 constexpr double kMinFace = 1e-3;  // of the whole area
 constexpr std::size_t kMaxNameLength = 80;
 
-PolygonSoup parseSoup(std::string_view bytes, MeshFormat format, const Job& job) {
+PolygonSoup parseSoup(std::string_view bytes, FileFormat format, const Job& job) {
   switch (format) {
-    case MeshFormat::kStl:
+    case FileFormat::kStl:
       return parseStl(bytes, job);
-    case MeshFormat::kObj:
+    case FileFormat::kObj:
       return parseObj(bytes, job);
-    case MeshFormat::kPly:
+    case FileFormat::kPly:
       return parsePly(bytes, job);
+    case FileFormat::kProject:
+    case FileFormat::kStep:
+    case FileFormat::kIges:
+    case FileFormat::kBrep:
+    case FileFormat::kVtp:
+      break;
   }
-  throw std::invalid_argument("parseMesh: no such format");
+  throw std::invalid_argument("parseMesh: not a readable mesh format");
 }
 
-/// Names in project files are UTF-8; a file's may be anything.
+/// A group's name as valid UTF-8, as project files need it: mesh files have no fixed encoding.
 std::string faceName(std::string_view name) {
   std::string result(name.substr(0, kMaxNameLength));
   for (char& c : result)
@@ -40,8 +46,8 @@ std::string faceName(std::string_view name) {
   return result;
 }
 
-/// The groups become faces in the order of the file, those without a triangle left out. Equal names
-/// after cleaning get a number.
+/// Makes faces of the groups with triangles, in the order of the file. Names that are equal after
+/// cleaning get a number.
 void nameByGroups(const ClosedSurface& surface, const std::vector<std::string>& groupNames,
                   MeshBody::Data& data) {
   std::vector<int> faceOfGroup(groupNames.size(), -1);
@@ -78,7 +84,7 @@ void nameBySharpEdges(const ClosedSurface& surface, MeshBody::Data& data) {
     data.faceNames.push_back("face_" + std::to_string(face));
 }
 
-MeshBody bodyFrom(std::string_view bytes, MeshFormat format, const MeshReadOptions& options,
+MeshBody bodyFrom(std::string_view bytes, FileFormat format, const MeshReadOptions& options,
                   const Job& job) {
   if (!std::isfinite(options.scale) || options.scale <= 0.0)
     throw ModelingError("the scale " + numberText(options.scale) +
@@ -87,13 +93,13 @@ MeshBody bodyFrom(std::string_view bytes, MeshFormat format, const MeshReadOptio
     throw ModelingError("has " + std::to_string(bytes.size()) + " bytes; at most " +
                             std::to_string(kMaxMeshFile) + " are read",
                         ModelingError::Kind::kTooLarge);
-  job.report("import", 0.0);
+  job.report(Phase::kImport, 0.0);
   const PolygonSoup soup = parseSoup(bytes, format, job);
-  job.report("import", 0.3);
+  job.report(Phase::kImport, 0.3);
   ClosedSurface surface = closeSurface(soup, options.scale, job);
-  job.report("import", 0.6);
+  job.report(Phase::kImport, 0.6);
   makeBoundary(surface, job);
-  job.report("import", 0.9);
+  job.report(Phase::kImport, 0.9);
   MeshBody::Data data;
   if (surface.groups.empty() ||
       std::equal(surface.groups.begin() + 1, surface.groups.end(), surface.groups.begin()))
@@ -103,33 +109,13 @@ MeshBody bodyFrom(std::string_view bytes, MeshFormat format, const MeshReadOptio
   data.positions = std::move(surface.positions);
   data.triangles = std::move(surface.triangles);
   MeshBody body(std::move(data));
-  job.report("import", 1.0);
+  job.report(Phase::kImport, 1.0);
   return body;
-}
-
-std::optional<MeshFormat> formatNamedBy(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  if (ending == ".stl") return MeshFormat::kStl;
-  if (ending == ".obj") return MeshFormat::kObj;
-  if (ending == ".ply") return MeshFormat::kPly;
-  return std::nullopt;
 }
 
 }  // namespace
 
-bool isMeshFile(const std::filesystem::path& path) {
-  return formatNamedBy(path).has_value();
-}
-
-MeshFormat meshFormatOf(const std::filesystem::path& path) {
-  if (const auto format = formatNamedBy(path)) return *format;
-  throw ModelingError(path.string() +
-                      ": the ending names no mesh format; .stl, .obj and .ply are read");
-}
-
-MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string& sourceName,
+MeshBody parseMesh(std::string_view bytes, FileFormat format, const std::string& sourceName,
                    const MeshReadOptions& options, const Job& job) {
   try {
     return bodyFrom(bytes, format, options, job);
@@ -140,7 +126,7 @@ MeshBody parseMesh(std::string_view bytes, MeshFormat format, const std::string&
 
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                       const Job& job) {
-  const MeshFormat format = meshFormatOf(path);
+  const FileFormat format = requireFormat(path, isReadableMesh);
   return parseMesh(readTextFile(path, kMaxMeshFile), format, path.string(), options, job);
 }
 

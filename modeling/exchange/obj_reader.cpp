@@ -12,7 +12,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// Names of one kind of grouping and the one that counts at the moment.
+/// Names of one kind of grouping, and the current one.
 struct Grouping {
   std::vector<std::string> names{""};
   std::map<std::string, int, std::less<>> numbers{{"", 0}};
@@ -66,9 +66,9 @@ class ObjText {
       groupings_[2].enter(cursor_.restOfLine());
     } else if (isFreeForm(keyword)) {
       cursor_.fail("curves and free-form surfaces (" + excerpt(keyword) +
-                   ") are not read; export the surface as polygons");
+                   ") are not supported; export the surface as polygons");
     } else if (!isIgnored(keyword)) {
-      cursor_.fail(excerpt(keyword) + " is no statement of an OBJ file");
+      cursor_.fail(excerpt(keyword) + " is not a statement of an OBJ file");
     }
   }
 
@@ -114,8 +114,8 @@ class ObjText {
     const auto count = static_cast<long long>(soup_.points.size());
     const long long place = index < 0 ? count + index : index - 1;
     if (index == 0 || place < 0 || place >= count)
-      cursor_.fail("there is no point " + std::to_string(index) + "; " + std::to_string(count) +
-                   " were read before");
+      cursor_.fail("there is no point " + std::to_string(index) + "; the number of points up to " +
+                   "this line is " + std::to_string(count));
     return static_cast<int>(place);
   }
 

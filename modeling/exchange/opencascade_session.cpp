@@ -17,10 +17,10 @@ std::mutex& sessionMutex() {
   return mutex;
 }
 
-/// Progress of one OpenCASCADE algorithm, passed on whenever it has grown by a percent.
+/// Progress of one OpenCASCADE algorithm, reported in steps of one per cent.
 class JobIndicator : public Message_ProgressIndicator {
  public:
-  JobIndicator(const Job& job, const char* phase) : job_(job), phase_(phase) {}
+  JobIndicator(const Job& job, Phase phase) : job_(job), phase_(phase) {}
 
   Standard_Boolean UserBreak() override { return job_.stop.stop_requested(); }
 
@@ -33,7 +33,7 @@ class JobIndicator : public Message_ProgressIndicator {
 
  private:
   Job job_;
-  const char* phase_;
+  Phase phase_;
   double shown_ = 0.0;
 };
 
@@ -49,7 +49,7 @@ OpenCascadeSession::~OpenCascadeSession() {
   Message::DefaultMessenger()->ChangePrinters() = printers_;
 }
 
-Handle(Message_ProgressIndicator) makeProgress(const Job& job, const char* phase) {
+Handle(Message_ProgressIndicator) makeProgress(const Job& job, Phase phase) {
   return new JobIndicator(job, phase);
 }
 
@@ -64,7 +64,7 @@ void rethrowAsModelingError(const std::string& where) {
                         ModelingError::Kind::kTooLarge);
   } catch (const Standard_Failure& failure) {
     const std::string text = failure.GetMessageString();
-    throw ModelingError(where + ": OpenCASCADE gave up (" + failure.DynamicType()->Name() +
+    throw ModelingError(where + ": OpenCASCADE failed (" + failure.DynamicType()->Name() +
                         (text.empty() ? "" : ": " + text) + ")");
   }
 }

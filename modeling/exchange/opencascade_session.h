@@ -7,13 +7,13 @@
 
 #include "base/job.h"
 
-// What every use of OpenCASCADE's file exchange needs. Internal to modeling/exchange/: only .cpp
-// files include this header.
+// Locking, progress and errors of OpenCASCADE's file exchange. Internal to modeling/exchange/: only
+// .cpp files include this header.
 namespace palpa::modeling {
 
-/// While it lives, this thread alone uses OpenCASCADE's readers and writers, whose settings
-/// (Interface_Static) and message printers are shared by the whole process; and OpenCASCADE writes
-/// nothing to standard output.
+/// Exclusive use of OpenCASCADE's readers and writers by this thread, as long as the object exists:
+/// their settings (Interface_Static) and message printers are shared by the whole process.
+/// Meanwhile OpenCASCADE writes nothing to standard output.
 class OpenCascadeSession {
  public:
   OpenCascadeSession();
@@ -26,13 +26,13 @@ class OpenCascadeSession {
   Message_SequenceOfPrinters printers_;
 };
 
-/// Tells OpenCASCADE when to stop, and the job how far it is. The algorithms look between faces or
-/// entities; they return early then, so callers follow up with job.throwIfCancelled().
-/// Made by makeProgress(job, phase)->Start().
-Handle(Message_ProgressIndicator) makeProgress(const Job& job, const char* phase);
+/// Progress indicator that stops OpenCASCADE's algorithms with the job and reports their progress
+/// to it; pass makeProgress(job, phase)->Start() to an algorithm. A stopped algorithm returns early
+/// between faces or entities, so callers must then call job.throwIfCancelled().
+Handle(Message_ProgressIndicator) makeProgress(const Job& job, Phase phase);
 
-/// Inside a catch block: turns an exception of OpenCASCADE or a lack of memory into a ModelingError
-/// that begins with `where`; others (ModelingError, Cancelled, …) pass.
+/// Inside a catch block: rethrows an exception of OpenCASCADE or std::bad_alloc as a ModelingError
+/// that begins with `where`, and other exceptions (ModelingError, Cancelled, …) unchanged.
 [[noreturn]] void rethrowAsModelingError(const std::string& where);
 
 }  // namespace palpa::modeling

@@ -27,7 +27,7 @@ std::vector<Vector3d> sideRow(const Net& net, Side side) {
   return row;
 }
 
-/// Joins loose patches to a solid: one control point per vertex, one row per edge.
+/// Builder of a solid from loose patches: one control point per vertex, one row per edge.
 class Welder {
  public:
   Welder(const QuadFaces& quads, const KnotChains& chains, std::vector<LoosePatch> patches,
@@ -43,7 +43,7 @@ class Welder {
   }
 
  private:
-  /// Control points in the order in which the nets name them, as in the primitives.
+  /// The solid with its control points in the order of the nets, as in the primitives.
   Solid numbered(std::vector<Patch> patches) const {
     std::vector<int> number(points_.size(), -1);
     std::vector<Vector3d> points;
@@ -60,7 +60,7 @@ class Welder {
     return Solid(std::move(points), std::move(patches));
   }
 
-  /// One side of a face at an edge; `row` runs along the edge, empty for flat faces.
+  /// Side of a face at an edge. `row` runs along the edge and is empty for flat faces.
   struct Use {
     std::size_t face;
     Side side;
@@ -79,7 +79,8 @@ class Welder {
         uses[static_cast<std::size_t>(use.edge)].push_back({f, side, std::move(row)});
       }
     rows_.resize(edges + 1);
-    // Splines before approximations before straight lines: each takes the corners of those before.
+    // Splines, then approximations, then straight lines: each uses the corners of the previous
+    // ones.
     for (const Kind kind : {Kind::kSpline, Kind::kSmooth})
       for (std::size_t e = 1; e <= edges; ++e)
         for (const Use& use : uses[e])
@@ -114,7 +115,7 @@ class Welder {
     return result;
   }
 
-  /// Between two flat faces.
+  /// The row between two flat faces.
   std::vector<int> straightRow(int edge, const Use& use) {
     double first, last;
     const Handle(Geom_Curve) curve =
@@ -185,8 +186,8 @@ class Welder {
       }
   }
 
-  /// A Coons patch between the four rows. The Greville abscissae are the control points of the
-  /// identity, so blending control points with them blends the curves.
+  /// Makes the net of a Coons patch between four rows. The Greville abscissae are the control
+  /// points of the identity, so blending control points with them blends the curves.
   void spanFlat(std::size_t f, const std::array<std::vector<int>, 4>& rows) {
     const std::vector<double> u = chains_.of(static_cast<int>(f), 0).sites();
     const std::vector<double> v = chains_.of(static_cast<int>(f), 1).sites();
@@ -212,7 +213,7 @@ class Welder {
   std::vector<Vector3d> points_;
   TopTools_IndexedMapOfShape vertices_;
   std::vector<int> pointOfVertex_;
-  std::vector<std::vector<int>> rows_;  // per edge, along it
+  std::vector<std::vector<int>> rows_;  // per edge: its control points in order
 };
 
 }  // namespace

@@ -10,22 +10,24 @@
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {
 
+/// Control points net[i][j] of a patch (mm), i along u, j along v.
 using Net = std::vector<std::vector<Eigen::Vector3d>>;
 
 inline Eigen::Vector3d toEigen(const gp_Pnt& p) {
   return {p.X(), p.Y(), p.Z()};
 }
 
-/// A patch with control points of its own, before they are joined with those of its neighbours.
+/// A patch with separate control points, before they are joined with the points of its neighbours.
 struct LoosePatch {
   Patch patch;  // without net
   Net net;      // empty for flat faces
 };
 
-/// Joins loose patches, one per face, to a solid: one control point per vertex, one row per edge.
-/// Flat faces become Coons patches between their rows. `tolerance` in mm: how far the rows of two
-/// neighbours may differ.
-/// @throws NoPatches that says which faces do not fit; ModelingError as the constructor of Solid
+/// Solid from loose patches, one per face: one control point per vertex, one row per edge. Flat
+/// faces become Coons patches between their rows. `tolerance` (mm) is the largest distance between
+/// the rows of two neighbours.
+/// Throws NoPatches that names the faces that do not fit; ModelingError as the constructor of
+/// Solid.
 Solid weldPatches(const QuadFaces& quads, const KnotChains& chains, std::vector<LoosePatch> patches,
                   double tolerance);
 

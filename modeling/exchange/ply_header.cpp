@@ -22,7 +22,7 @@ Type typeNamed(std::string_view name, const TextCursor& cursor) {
   if (name == "uint" || name == "uint32") return Type::kUint32;
   if (name == "float" || name == "float32") return Type::kFloat32;
   if (name == "double" || name == "float64") return Type::kFloat64;
-  cursor.fail(excerpt(name) + " is no type of a PLY file");
+  cursor.fail(excerpt(name) + " is not a type of a PLY file");
 }
 
 std::uint64_t count(std::string_view word, const TextCursor& cursor) {
@@ -39,7 +39,7 @@ PlyHeader::Property property(TextCursor& cursor) {
   if (first == "list") {
     result.countType = typeNamed(cursor.word(), cursor);
     if (*result.countType == Type::kFloat32 || *result.countType == Type::kFloat64)
-      cursor.fail("the length of a list cannot be a fraction");
+      cursor.fail("the length of a list must be a whole number");
     result.type = typeNamed(cursor.word(), cursor);
   } else {
     result.type = typeNamed(first, cursor);
@@ -53,10 +53,10 @@ PlyHeader::Encoding encoding(TextCursor& cursor) {
   if (name == "ascii") return PlyHeader::Encoding::kText;
   if (name == "binary_little_endian") return PlyHeader::Encoding::kLittleEndian;
   if (name == "binary_big_endian") return PlyHeader::Encoding::kBigEndian;
-  cursor.fail(excerpt(name) + " is no format of a PLY file");
+  cursor.fail(excerpt(name) + " is not a format of a PLY file");
 }
 
-/// The least bytes an element takes: in a text two per value (a digit and a blank).
+/// Smallest size of an element in bytes: in a text two per value (a digit and a blank).
 std::size_t leastSize(const PlyHeader::Element& element, PlyHeader::Encoding encoding) {
   std::size_t size = 0;
   for (const PlyHeader::Property& one : element.properties)
@@ -65,7 +65,7 @@ std::size_t leastSize(const PlyHeader::Element& element, PlyHeader::Encoding enc
 }
 
 void checkCounts(const PlyHeader& header) {
-  // The last number of a text needs no blank behind it.
+  // The last number of a text needs no blank after it.
   std::size_t left = header.body.size() + 1;
   for (const PlyHeader::Element& element : header.elements) {
     const std::size_t size = leastSize(element, header.encoding);
@@ -102,7 +102,7 @@ std::size_t sizeOf(Type type) {
 PlyHeader parsePlyHeader(std::string_view bytes) {
   TextCursor cursor(bytes);
   if (!cursor.nextLine() || cursor.word() != "ply")
-    throw ModelingError("is no PLY file: it does not begin with \"ply\"");
+    throw ModelingError("is not a PLY file: it does not begin with \"ply\"");
   PlyHeader header{};
   bool hasFormat = false;
   while (cursor.nextLine()) {
@@ -126,7 +126,7 @@ PlyHeader parsePlyHeader(std::string_view bytes) {
       checkCounts(header);
       return header;
     } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
-      cursor.fail(excerpt(keyword) + " is no statement of a PLY header");
+      cursor.fail(excerpt(keyword) + " is not a statement of a PLY header");
     }
   }
   throw ModelingError("the PLY header has no end");

@@ -8,7 +8,7 @@
 
 namespace palpa::modeling {
 
-/// The beginning of a PLY file: what follows and how it is stored.
+/// Header of a PLY file: elements of the body and their encoding.
 struct PlyHeader {
   enum class Encoding { kText, kLittleEndian, kBigEndian };
   enum class Type { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
@@ -16,7 +16,7 @@ struct PlyHeader {
   struct Property {
     std::string name;
     Type type;                      ///< of the value, or of each item of the list
-    std::optional<Type> countType;  ///< of a list
+    std::optional<Type> countType;  ///< type of the item count, for lists only
   };
   struct Element {
     std::string name;
@@ -26,15 +26,16 @@ struct PlyHeader {
 
   Encoding encoding;
   std::vector<Element> elements;
-  int lines;              ///< of the header
-  std::string_view body;  ///< what follows it
+  int lines;              ///< number of lines of the header
+  std::string_view body;  ///< the bytes after the header; refers to the parsed bytes
 };
 
-/// Bytes of a value.
+/// Size of a value in bytes.
 std::size_t sizeOf(PlyHeader::Type type);
 
-/// Also checks that the body can be long enough for the counts, so that they can be trusted with
-/// memory. @throws ModelingError
+/// Parses a header. Also checks that the body is long enough for the counts, so that callers may
+/// allocate memory for them. Throws ModelingError (without the file's name) if the header is
+/// malformed.
 PlyHeader parsePlyHeader(std::string_view bytes);
 
 }  // namespace palpa::modeling

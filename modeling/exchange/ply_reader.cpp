@@ -15,8 +15,8 @@ namespace {
 
 using Type = PlyHeader::Type;
 
-/// Reads the values of the body one after the other, whatever their encoding. All PLY types fit
-/// into a double exactly.
+/// Reader of the values of the body, one after the other, in any encoding. A double holds all PLY
+/// types exactly.
 class Values {
  public:
   explicit Values(const PlyHeader& header)
@@ -33,7 +33,7 @@ class Values {
         encoding_ == PlyHeader::Encoding::kText ? text_.rest().size() + kLine : rest_.size();
     if (length < 0.0 || length != std::floor(length) ||
         length * static_cast<double>(itemSize) > static_cast<double>(left))
-      fail("a list has an impossible length");
+      fail("a list has an invalid length");
     return static_cast<std::size_t>(length);
   }
 
@@ -44,7 +44,7 @@ class Values {
   }
 
  private:
-  static constexpr std::size_t kLine = 1U << 20U;  // a list in a text lies within its line
+  static constexpr std::size_t kLine = 1U << 20U;  // a list in a text cannot exceed its line
 
   double nextWord() {
     while (word_.empty()) {
@@ -113,7 +113,8 @@ class PlyBody {
   PolygonSoup parse() {
     for (const PlyHeader::Element& element : header_.elements) {
       if (element.name == "tristrips")
-        throw ModelingError("holds triangle strips, which are not read; export plain triangles");
+        throw ModelingError(
+            "contains triangle strips, which are not supported; export plain triangles");
       if (element.properties.empty()) continue;
       for (std::uint64_t i = 0; i < element.count; ++i) {
         if (i % 65536 == 0) job_.throwIfCancelled();
@@ -176,13 +177,13 @@ class PlyBody {
       const double index = values_.next(property.type);
       constexpr double kMaxIndex = 2147483647.0;
       if (!(index >= 0.0 && index <= kMaxIndex) || index != std::floor(index))
-        values_.fail("a polygon has an impossible corner");
+        values_.fail("a polygon has an invalid corner index");
       soup_.corners.push_back(static_cast<int>(index));
     }
     soup_.closePolygon();
   }
 
-  /// Faces may stand before the vertices.
+  /// Checks the indices at the end, because faces may precede the vertices.
   void checkIndices() const {
     const auto count = static_cast<int>(soup_.points.size());
     for (int i = 0; i < soup_.polygonCount(); ++i)

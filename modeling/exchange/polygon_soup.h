@@ -10,12 +10,12 @@
 
 namespace palpa::modeling {
 
-/// What a mesh file holds: points and polygons that need not fit together.
+/// Content of a mesh file: points and polygons without guaranteed topology.
 struct PolygonSoup {
   std::vector<Eigen::Vector3d> points;  ///< in the file's unit
-  std::vector<int> corners;             ///< of all polygons, one after the other; checked indices
-  std::vector<int> ends;                ///< per polygon, where it ends in `corners`
-  std::vector<int> groups;              ///< per polygon; empty when there is one group only
+  std::vector<int> corners;             ///< of all polygons, one after the other; valid indices
+  std::vector<int> ends;                ///< per polygon, end of its corners in `corners`
+  std::vector<int> groups;              ///< per polygon; empty if there is only one group
   std::vector<std::string> groupNames;  ///< as in the file, distinct
 
   int polygonCount() const { return static_cast<int>(ends.size()); }
@@ -23,13 +23,13 @@ struct PolygonSoup {
     const int begin = i == 0 ? 0 : ends[i - 1];
     return std::span(corners).subspan(begin, ends[i] - begin);
   }
-  /// Ends the polygon whose corners were added last. @throws ModelingError beyond the limits
+  /// Ends the polygon whose corners were added last. Throws ModelingError if limits are exceeded.
   void closePolygon();
 };
 
-/// The three formats. Memory stays below a small multiple of the size of `bytes`, whatever they
-/// say.
-/// @throws ModelingError without the file's name
+/// Parsers of the three formats. Memory stays below a small multiple of the size of `bytes` for any
+/// content. They throw ModelingError (without the file's name) if the content is malformed;
+/// Cancelled.
 PolygonSoup parseStl(std::string_view bytes, const Job& job);
 PolygonSoup parseObj(std::string_view bytes, const Job& job);
 PolygonSoup parsePly(std::string_view bytes, const Job& job);

@@ -14,8 +14,8 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Twice the signed area over the sum of squared sides: 0 for a degenerate, negative for a reversed
-/// triangle, largest for an equilateral one.
+/// Twice the signed area over the sum of squared sides: 0 for degenerate, negative for inverted,
+/// largest for equilateral triangles.
 double shape(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
   return sides > 0.0 ? cross(b - a, c - a) / sides : 0.0;
@@ -40,7 +40,7 @@ class EarClipping {
     for (std::size_t left = polygon_.size(); left > 3; --left) {
       int ear = bestEar(first);
       if (quality_[ear] <= 0.0 && refreshes-- > 0) {
-        // What stood in the way may be gone by now. A polygon that crosses itself has no ears.
+        // Earlier obstacles may be removed by now. A self-crossing polygon may have no ears.
         for (int i = after_[ear]; i != ear; i = after_[i]) quality_[i] = quality(i);
         quality_[ear] = quality(ear);
         ear = bestEar(first);
@@ -66,7 +66,7 @@ class EarClipping {
     return best;
   }
 
-  /// Shape of the ear at corner i; not positive when it is none.
+  /// Shape of the ear at corner i; not positive if the corner is not an ear.
   double quality(int i) const {
     const Vector2d& a = at_[before_[i]];
     const Vector2d& b = at_[i];
@@ -95,7 +95,7 @@ std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Vector3d>& 
                                                    std::span<const int> polygon) {
   if (polygon.size() == 3) return {{polygon[0], polygon[1], polygon[2]}};
   const Vector3d origin = points[polygon[0]];
-  Vector3d normal = Vector3d::Zero();  // Newell
+  Vector3d normal = Vector3d::Zero();  // Newell's method
   for (std::size_t i = 0; i < polygon.size(); ++i)
     normal +=
         (points[polygon[i]] - origin).cross(points[polygon[(i + 1) % polygon.size()]] - origin);

@@ -7,9 +7,9 @@
 
 namespace palpa::modeling {
 
-/// Cuts a polygon into triangles of the same sense, seen along its mean normal: the best shaped ear
-/// first. Corners may be nearly in a plane only; a polygon that crosses itself gives triangles that
-/// overlap. O(n²) for n corners.
+/// Triangles of a polygon (indices into `points`), in the orientation of the polygon. Ears are cut
+/// in the projection along the mean normal, the best shaped ear first. Corners need not lie exactly
+/// in a plane; a self-crossing polygon gives overlapping triangles. O(n²) for n corners.
 std::vector<std::array<int, 3>> triangulatePolygon(const std::vector<Eigen::Vector3d>& points,
                                                    std::span<const int> polygon);
 

@@ -25,14 +25,14 @@ namespace palpa::modeling {
 namespace {
 
 constexpr int kMaxDegree = 5;
-constexpr double kOnSide = 1e-5;  // of the range: how far an edge may leave the line of its side
-constexpr double kFlat = 1e-6;    // mm: how far a surface may leave a plane to be one
+constexpr double kOnSide = 1e-5;  // of the range: largest distance of an edge from its side
+constexpr double kFlat = 1e-6;    // mm: largest distance of a flat surface from its plane
 
 [[noreturn]] void fail(const std::string& face, const std::string& what) {
   throw NoPatches{"the face \"" + face + "\" " + what};
 }
 
-/// The edges of the only wire, none of them collapsed or used twice.
+/// The edges of the only wire. Throws NoPatches if an edge is collapsed or used twice.
 std::vector<TopoDS_Edge> edgesOf(const TopoDS_Face& face, const std::string& name) {
   int wires = 0;
   for (TopExp_Explorer w(face, TopAbs_WIRE); w.More(); w.Next()) ++wires;
@@ -49,7 +49,7 @@ std::vector<TopoDS_Edge> edgesOf(const TopoDS_Face& face, const std::string& nam
   return edges;
 }
 
-/// A plane face: its four edges in order, whatever they are.
+/// Sets the sides of a flat face to its four edges in order, for edges of any shape.
 void findFlatSides(const TopoDS_Face& face, QuadFace& quad, const QuadFaces& all) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const std::size_t count = edgesOf(forward, quad.name).size();
@@ -75,7 +75,8 @@ struct Rectangle {
   std::array<double, 2> high{-1e300, -1e300};
 };
 
-/// A curved face: each edge must follow one side of the rectangle around all of them.
+/// Sets the sides of a curved face: each edge must follow one side of the parameter rectangle
+/// around all edges.
 Rectangle findCurvedSides(const TopoDS_Face& face, QuadFace& quad, const QuadFaces& all) {
   const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
   const std::vector<TopoDS_Edge> edges = edgesOf(forward, quad.name);
@@ -119,14 +120,14 @@ Rectangle findCurvedSides(const TopoDS_Face& face, QuadFace& quad, const QuadFac
     if (!found) fail(quad.name, "is trimmed: its border does not follow its parameter lines");
   }
   for (const int count : edgesOnSide) {
-    if (count == 0) fail(quad.name, "has no four sides");
+    if (count == 0) fail(quad.name, "does not have four sides");
     if (count > 1) fail(quad.name, "meets several faces along one of its sides");
   }
   return box;
 }
 
-/// The surface as a B-spline over the rectangle when that is exact, without weights and of low
-/// degree; null otherwise.
+/// The surface as a B-spline over the rectangle if the conversion is exact, without weights and of
+/// low degree; otherwise null.
 Handle(Geom_BSplineSurface) asSpline(const Handle(Geom_Surface) & surface, const Rectangle& box) {
   const auto& [low, high] = box;
   const bool isSpline = surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface));
@@ -159,8 +160,8 @@ Handle(Geom_Surface) withoutTrimming(Handle(Geom_Surface) surface) {
   return surface;
 }
 
-/// Fills in the plane when the surface is one, or is flat under another name (many programs write
-/// planes as B-splines).
+/// Sets the plane if the surface is a plane or a flat surface of another type (many programs write
+/// planes as B-splines); returns whether it is.
 bool findPlane(const TopoDS_Face& face, QuadFace& quad) {
   const BRepAdaptor_Surface adaptor(face, Standard_False);
   gp_Pln plane;

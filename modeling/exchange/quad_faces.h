@@ -15,45 +15,46 @@
 // files include this header.
 namespace palpa::modeling {
 
-/// Why a shape cannot become a NUBS solid; thrown to end the attempt. The reason completes "…
-/// because".
+/// Exception that ends the conversion of a shape to a NUBS solid. `reason` completes the sentence
+/// "… because".
 struct NoPatches {
   std::string reason;
 };
 
-/// One face over its parameter rectangle. The parameters are turned so that du × dv points
-/// outwards.
+/// A face over its parameter rectangle, oriented so that du × dv points outwards.
 struct QuadFace {
   enum class Kind {
-    kSpline,  ///< a B-spline without weights, degrees up to 5: taken over as it is
-    kSmooth,  ///< any other surface: to be approximated
-    kFlat,    ///< a plane: spanned between its edges
+    kSpline,  ///< a B-spline without weights, degrees up to 5: kept unchanged
+    kSmooth,  ///< any other surface: approximated
+    kFlat,    ///< a plane: interpolated between its edges
   };
   struct SideUse {
     int edge = -1;          ///< 1-based index into QuadFaces::edges
-    bool reversed = false;  ///< the edge runs against the growing parameter of the side
+    bool reversed = false;  ///< the edge runs against the parameter of the side
   };
 
   std::string name;
   Kind kind = Kind::kFlat;
-  Handle(Geom_BSplineSurface) spline;            ///< kind spline: over the face's rectangle only
-  Handle(Geom_Surface) surface;                  ///< kind smooth
-  bool swapped = false;                          ///< kind smooth: the surface's own u is our v
-  std::array<std::array<double, 2>, 2> range{};  ///< kind smooth, our u and v
-  gp_Pnt origin;                                 ///< kind flat: a point of the plane
-  gp_Dir normal;                                 ///< kind flat, outwards
+  Handle(Geom_BSplineSurface) spline;            ///< kSpline: over the rectangle of the face only
+  Handle(Geom_Surface) surface;                  ///< kSmooth
+  bool swapped = false;                          ///< kSmooth: u of `surface` is v of the face
+  std::array<std::array<double, 2>, 2> range{};  ///< kSmooth: of u and v of the face
+  gp_Pnt origin;                                 ///< kFlat: a point of the plane
+  gp_Dir normal;                                 ///< kFlat: outwards
   std::array<SideUse, 4> sides;                  ///< by Side
 
-  /// The point at fractions 0 … 1 of the parameters; not for kind flat.
+  /// The point (mm) at fractions 0 … 1 of the parameters; not for kFlat.
   gp_Pnt value(double s, double t) const;
 };
 
+/// Four-sided faces of a solid, and its edges.
 struct QuadFaces {
-  std::vector<QuadFace> faces;
+  std::vector<QuadFace> faces;  ///< in the order of TopExp::MapShapes
   TopTools_IndexedMapOfShape edges;
 };
 
-/// @throws NoPatches when a face is not four-sided; Standard_Failure
+/// The faces of a solid; `faceNames` in the order of TopExp::MapShapes.
+/// Throws NoPatches if a face is not four-sided; Standard_Failure.
 QuadFaces findQuadFaces(const TopoDS_Solid& solid, const std::vector<std::string>& faceNames);
 
 }  // namespace palpa::modeling

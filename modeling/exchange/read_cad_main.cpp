@@ -1,6 +1,7 @@
-// palpa-read-cad PARENT SECONDS NAME EDGE_LENGTH TOLERANCE: reads the CAD file NAME, whose content
-// comes on standard input, in a process of its own. Ends with 0, or with the kind of the error,
-// whose message it writes to standard output, or crashes. Started by modeling/exchange/rehearsal.
+// palpa-read-cad PARENT SECONDS NAME EDGE_LENGTH TOLERANCE: reads the CAD file NAME, with its
+// content on standard input, in a separate process. The exit status is 0, or kSandboxFailed plus
+// the kind of the error, whose message goes to standard output; or the program crashes. Started by
+// readInSandbox().
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -22,7 +23,7 @@
 
 namespace {
 
-constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes it may use beyond what is used now
+constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes in addition to the current memory
 constexpr int kArguments = 5;
 
 void setLimits(double seconds) {
@@ -40,8 +41,8 @@ void setLimits(double seconds) {
   ::setrlimit(RLIMIT_CORE, &noCore);
 }
 
-/// Where messages go: the standard output, which from now on gets nothing else. OpenCASCADE's
-/// reader of BREP files prints its own words there.
+/// Descriptor for the message: the original standard output. From now on standard output goes
+/// nowhere, because OpenCASCADE's reader of BREP files prints there.
 int keepOutput() {
   const int output = ::dup(STDOUT_FILENO);
   const int nowhere = ::open("/dev/null", O_WRONLY);
@@ -62,7 +63,7 @@ void tell(int output, std::string_view message) {
 int main(int count, char** arguments) {
   using namespace palpa::modeling;
   if (count != kArguments + 1) return EXIT_FAILURE;
-  // Ends with its parent, also when that has gone already.
+  // Ends with its parent, also if the parent has already ended.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
   setLimits(std::atof(arguments[2]));
@@ -80,5 +81,5 @@ int main(int count, char** arguments) {
   } catch (...) {
     std::_Exit(EXIT_FAILURE);
   }
-  std::_Exit(EXIT_SUCCESS);  // what was read is not worth taking apart
+  std::_Exit(EXIT_SUCCESS);  // without destructors, because nothing is needed any more
 }

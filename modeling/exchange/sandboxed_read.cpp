@@ -21,20 +21,19 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kPatience = 20.0;  // waiting for the program, in its own seconds
+constexpr double kPatience = 20.0;  // largest elapsed time, of the allowed processor time
 constexpr const char* kProgram = "palpa-read-cad";
 
 std::filesystem::path findProgram(const std::string& source) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   for (const auto& folder : {here, here.parent_path() / "libexec" / "palpa"})
     if (::access((folder / kProgram).c_str(), X_OK) == 0) return folder / kProgram;
-  throw ModelingError(source + ": the program " + kProgram +
-                          ", which reads CAD files first, is not beside this one in " +
-                          here.string() + "; install Palpa again",
+  throw ModelingError(source + ": the program " + kProgram + " is missing in " + here.string() +
+                          "; install Palpa again",
                       ModelingError::Kind::kNotFound);
 }
 
-/// A file descriptor that closes itself.
+/// File descriptor that is closed in the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -51,7 +50,7 @@ class Descriptor {
   int number_;
 };
 
-/// A file without a name that holds `text`, to be read from its beginning.
+/// An unnamed file with the content `text`, positioned at its beginning.
 int fileInMemory(const std::string& text) {
   const int file = ::memfd_create("cad", MFD_CLOEXEC);
   std::size_t done = 0;
@@ -67,8 +66,8 @@ int fileInMemory(const std::string& text) {
   return file;
 }
 
-/// Started with posix_spawn: a plain fork() of a program with threads may inherit a lock that
-/// nobody will ever open.
+/// Starts a program by posix_spawn: after fork() in a program with threads, the child may inherit a
+/// lock that no thread releases.
 pid_t start(std::vector<std::string> words, int input, int output) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -78,7 +77,7 @@ pid_t start(std::vector<std::string> words, int input, int output) {
   ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  // The parent's signals: what it ignores or blocks would be ignored or blocked there as well.
+  // Default signals: otherwise the child inherits the ignored and blocked signals of the parent.
   posix_spawnattr_t attributes;
   ::posix_spawnattr_init(&attributes);
   sigset_t all, none;
@@ -95,7 +94,8 @@ pid_t start(std::vector<std::string> words, int input, int output) {
   return error == 0 ? process : -1;
 }
 
-/// Collects the child's message until it ends; kills it when time is up or the job is stopped.
+/// Child process: its message is collected until it ends; it is killed after the time limit or when
+/// the job is stopped.
 class Child {
  public:
   Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
@@ -109,7 +109,7 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// False when the time is up.
+  /// Returns false if the time limit is exceeded.
   bool listen(double seconds, const Job& job) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     std::array<char, 4096> buffer;
@@ -150,7 +150,8 @@ void readInSandbox(const std::filesystem::path& path, const std::string& text,
   std::array<int, 2> ends{-1, -1};
   const Descriptor input(fileInMemory(text));
   if (input.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw ModelingError(source + ": no memory or pipe for " + kProgram, ModelingError::Kind::kIo);
+    throw ModelingError(source + ": not enough memory or pipes for " + kProgram,
+                        ModelingError::Kind::kIo);
   Descriptor output(ends[1]);
   const pid_t process =
       start({program.string(), std::to_string(::getpid()), numberText(seconds), source,
@@ -164,13 +165,13 @@ void readInSandbox(const std::filesystem::path& path, const std::string& text,
   const bool ended = child.listen(kPatience * seconds, job);
   const int status = ended ? child.waitForEnd() : 0;
   if (!ended || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
-    throw ModelingError(source + ": OpenCASCADE works on it for longer than " +
-                            shortNumberText(seconds) + " s; the file is damaged or too complicated",
+    throw ModelingError(source + ": OpenCASCADE needs longer than " + shortNumberText(seconds) +
+                            " s for the file; it is damaged or too complicated",
                         ModelingError::Kind::kTooLarge);
   const int failed = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
   if (failed >= kSandboxFailed)
     throw ModelingError(child.message(), static_cast<ModelingError::Kind>(failed - kSandboxFailed));
-  if (failed != 0) throw ModelingError(source + ": OpenCASCADE fails on it; the file is damaged");
+  if (failed != 0) throw ModelingError(source + ": OpenCASCADE crashes on the file; it is damaged");
 }
 
 }  // namespace palpa::modeling

@@ -8,20 +8,20 @@
 // Internal to modeling/exchange/.
 namespace palpa::modeling {
 
-/// How the rehearsal's program ends, besides crashing: 0, or this plus the kind of the
-/// ModelingError whose message it wrote to its standard output.
+/// Exit status of the program palpa-read-cad after an error: this plus the kind of the
+/// ModelingError, whose message it writes to its standard output. The status after success is 0.
 constexpr int kSandboxFailed = 100;
 
-/// Lets the program palpa-read-cad read the CAD file `path` with content `text` first, and throws
-/// when it does not end well there: OpenCASCADE's readers crash, hang or take all memory on some
-/// damaged files, and no check of ours can foresee every case. What the program reads is dropped;
-/// what succeeded there succeeds here as well, because the work is deterministic.
+/// Reads the CAD file `path` with the content `text` in the program palpa-read-cad and drops the
+/// result. OpenCASCADE's readers crash, hang or exhaust the memory on some damaged files, and no
+/// check in advance can find every case. Reading is deterministic: a file that the program reads
+/// can be read in this process.
 ///
-/// The program is looked for beside the running one and in ../libexec/palpa. Stopping the job stops
-/// it within 20 ms, whatever it does.
-/// @throws ModelingError: the one that reading throws; or one that begins with the file's name when
-///         the program crashed, used the processor for longer than `seconds`, is not there, or
-///         could not be started. Cancelled.
+/// The program is searched beside the running program and in ../libexec/palpa. Stopping the job
+/// stops it within 20 ms in any state.
+/// Throws the ModelingError of the reading; or ModelingError that begins with the file's name if
+/// the program crashed, used more than `seconds` of processor time, does not exist, or could not be
+/// started; Cancelled.
 void readInSandbox(const std::filesystem::path& path, const std::string& text,
                    const ImportOptions& options, double seconds, const Job& job);
 

@@ -20,7 +20,7 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kTolerance = 1e-7;  // mm; Precision::Confusion(), the least OpenCASCADE accepts
+constexpr double kTolerance = 1e-7;  // mm; Precision::Confusion(), OpenCASCADE's smallest tolerance
 
 using Surfaces = std::vector<Handle(Geom_BSplineSurface)>;
 
@@ -45,7 +45,7 @@ Handle(Geom_BSplineCurve) sideCurve(const Handle(Geom_BSplineSurface) & surface,
   return Handle(Geom_BSplineCurve)::DownCast(curve);
 }
 
-/// The side in the parameter plane, run through by the parameter of the edge's first use.
+/// The side as a line in the parameter plane, parametrised like the edge's first use.
 Handle(Geom2d_Curve)
     sideLine(const Patch& patch, Side side, const std::array<double, 2>& edgeRange, bool reversed) {
   const auto [uMin, uMax] = patch.range(0);
@@ -93,7 +93,7 @@ std::vector<TopoDS_Edge> makeEdges(const Solid& solid, const Surfaces& surfaces)
   return edges;
 }
 
-/// Draws the edges into the parameter planes of the faces beside them.
+/// Adds the edges as curves in the parameter planes of the adjacent faces.
 void addParameterCurves(const Solid& solid, const std::vector<TopoDS_Edge>& edges,
                         const std::vector<TopoDS_Face>& faces) {
   const BRep_Builder builder;
@@ -134,7 +134,7 @@ TopoDS_Wire makeWire(const Solid& solid, int patch, const std::vector<TopoDS_Edg
   return wire;
 }
 
-/// For each patch the first patch of the shell it belongs to.
+/// For each patch, the first patch of its shell.
 std::vector<int> shellOfPatch(const Solid& solid) {
   std::vector<int> shell(solid.patches().size());
   for (std::size_t p = 0; p < shell.size(); ++p) shell[p] = static_cast<int>(p);

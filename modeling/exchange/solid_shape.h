@@ -9,15 +9,15 @@
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {
 
-/// A NUBS solid as boundary representation: one face with natural bounds per patch, one edge per
-/// solid edge and one vertex per corner, shared by the faces that meet there. Faces are oriented
-/// like their surfaces (normals du × dv outwards).
+/// Boundary representation of a NUBS solid: one face with natural bounds per patch, one edge per
+/// solid edge and one vertex per corner, shared by adjacent faces. Faces have the orientation of
+/// their surfaces (normals du × dv outwards).
 struct ShapeOfSolid {
   TopoDS_Solid shape;
   std::vector<TopoDS_Face> faces;  ///< in the order of the patches
 };
 
-/// @throws Standard_Failure
+/// Boundary representation of a solid. Throws Standard_Failure.
 ShapeOfSolid makeShape(const Solid& solid);
 
 }  // namespace palpa::modeling

@@ -7,16 +7,16 @@
 #include "modeling/error.h"
 #include "modeling/exchange/cad_text_check.h"
 
-// ISO 10303-21 in short: "ISO-10303-21;", header statements, "DATA;", instances "#12=NAME(…);" that
-// refer to each other as #34, "ENDSEC;", "END-ISO-10303-21;". Strings are in single quotes, a quote
-// inside is doubled; comments are /* … */.
+// Structure of ISO 10303-21: "ISO-10303-21;", header statements, "DATA;", instances "#12=NAME(…);"
+// with references to each other as #34, "ENDSEC;", "END-ISO-10303-21;". Strings are in single
+// quotes, with inner quotes doubled; comments are /* … */.
 namespace palpa::modeling {
 namespace {
 
 constexpr int kDeepestParentheses = 64;
 constexpr std::size_t kMaxNumberLength = 18;  // digits of an instance's number
 
-/// Reads a STEP file's statements one after the other, with the references between instances.
+/// Scanner of the statements of a STEP file and of the references between instances.
 class StepScanner {
  public:
   StepScanner(const std::string& text, const std::string& source) : text_(text), source_(source) {}
@@ -24,7 +24,7 @@ class StepScanner {
   void scan() {
     skipSpace();
     if (text_.compare(at_, 12, "ISO-10303-21") != 0)
-      throw ModelingError(source_ + ": is no STEP file; it does not begin with ISO-10303-21");
+      throw ModelingError(source_ + ": is not a STEP file; it does not begin with ISO-10303-21");
     bool ended = false;
     for (skipSpace(); at_ < text_.size() && !ended; skipSpace()) ended = readStatement();
     if (!ended) fail("the file is cut off: END-ISO-10303-21 is missing at its end");
@@ -87,7 +87,7 @@ class StepScanner {
     fail("the file is cut off in a text in quotes");
   }
 
-  /// Reads up to the semicolon. True for the statement that ends the file.
+  /// Reads up to the semicolon. Returns true for the statement that ends the file.
   bool readStatement() {
     const std::size_t start = at_;
     if (text_[at_] == '#') {
@@ -110,7 +110,7 @@ class StepScanner {
       }
       get();
       if (c == '(' && ++depth > kDeepestParentheses) fail("the parentheses are nested too deeply");
-      if (c == ')' && --depth < 0) fail("a closing parenthesis too many");
+      if (c == ')' && --depth < 0) fail("an opening parenthesis is missing");
       if (c == '#') {
         const std::uint64_t number = readNumber();
         if (isInstance) references_.push_back(number);
@@ -124,7 +124,7 @@ class StepScanner {
     fail("the file is cut off: a statement has no semicolon at its end");
   }
 
-  /// Every reference leads to an instance, and no chain of references returns to its start.
+  /// Throws ModelingError if a reference has no instance or a chain of references forms a cycle.
   void checkReferences() {
     std::sort(instances_.begin(), instances_.end(),
               [](const Instance& a, const Instance& b) { return a.number < b.number; });
@@ -162,7 +162,7 @@ class StepScanner {
         }
         const std::size_t target = targets[next++];
         if (state[target] == State::kOpen)
-          fail("#" + std::to_string(instances_[target].number) + " refers to itself in a circle",
+          fail("#" + std::to_string(instances_[target].number) + " refers to itself in a cycle",
                instances_[target].line);
         if (state[target] == State::kDone) continue;
         state[target] = State::kOpen;

@@ -13,12 +13,12 @@
 namespace palpa::modeling {
 namespace {
 
-// Header of 80 bytes, number of triangles, then for each its normal, three points (all float) and
-// two bytes without meaning. Numbers are little endian.
+// Structure of binary STL files: header of 80 bytes, number of triangles, then for each triangle
+// its normal, three points (all float) and two unused bytes. Numbers are little endian.
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kTriangle = 50;
 static_assert(std::endian::native == std::endian::little,
-              "binary STL is read as it lies in memory");
+              "binary STL is read without conversion of the byte order");
 
 template <class T>
 T at(std::string_view bytes, std::size_t offset) {
@@ -37,7 +37,7 @@ PolygonSoup parseBinary(std::string_view bytes, const Job& job) {
     throw ModelingError("declares " + std::to_string(count) + " triangles, which need " +
                         std::to_string(binarySize(bytes)) + " bytes, but has " +
                         std::to_string(bytes.size()) +
-                        "; it is cut off, or it is no binary STL (a text begins with \"solid\")");
+                        "; it is cut off or not a binary STL file (a text begins with \"solid\")");
   PolygonSoup soup;
   for (std::size_t t = 0; t < count; ++t) {
     if (t % 65536 == 0) job.throwIfCancelled();
@@ -105,7 +105,7 @@ class TextStl {
     } else if (keyword == "outer" || keyword == "facet") {
       if (unfinished() > 0) cursor_.fail("a facet begins within a facet");
     } else if (!keyword.empty() && keyword != "endsolid") {
-      cursor_.fail(excerpt(keyword) + " is no statement of an STL text");
+      cursor_.fail(excerpt(keyword) + " is not a statement of an STL text");
     }
   }
 
@@ -119,12 +119,12 @@ class TextStl {
 }  // namespace
 
 PolygonSoup parseStl(std::string_view bytes, const Job& job) {
-  // Some programs begin binary files with "solid", too; then the size gives them away.
+  // Some programs begin binary files with "solid", too; then the size identifies them.
   const bool isText = lower(bytes.substr(0, 5)) == "solid";
   const bool fits = bytes.size() >= kHeader && binarySize(bytes) == bytes.size();
   if (isText && !fits) return TextStl(bytes, job).parse();
   if (bytes.size() < kHeader)
-    throw ModelingError("is no STL file: it has " + std::to_string(bytes.size()) +
+    throw ModelingError("is not an STL file: it has " + std::to_string(bytes.size()) +
                         " bytes and does not begin with \"solid\"");
   return parseBinary(bytes, job);
 }

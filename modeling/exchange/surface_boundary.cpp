@@ -65,7 +65,7 @@ ClosedSurface fromMesh(const Mesh& mesh, const GroupMap& groups, bool hasGroups)
   return surface;
 }
 
-/// The repair fills small holes with new faces: these belong to their neighbours' group.
+/// Assigns the new faces with which the repair fills small holes to the group of their neighbours.
 void fillGroups(const Mesh& mesh, GroupMap& groups) {
   for (bool changed = true; changed;) {
     changed = false;
@@ -101,7 +101,7 @@ struct Found {
 };
 
 void refuseSelfIntersection(const Mesh& mesh) {
-  // The first pair ends the search: there may be as many as the square of the triangles.
+  // The first pair ends the search, because there may be n² pairs for n triangles.
   struct StopAtFirst {
     StopAtFirst& operator*() { return *this; }
     StopAtFirst& operator++() { return *this; }
@@ -113,14 +113,14 @@ void refuseSelfIntersection(const Mesh& mesh) {
   try {
     pmp::self_intersections(mesh, StopAtFirst());
   } catch (const Found& found) {
-    throw ModelingError("the surface cuts or touches itself: a triangle around " +
-                        placeText(centre(mesh, found.one)) + " and one around " +
+    throw ModelingError("the surface intersects or touches itself: the triangles around " +
+                        placeText(centre(mesh, found.one)) + " and " +
                         placeText(centre(mesh, found.other)) +
                         " overlap; separate the walls or unite the bodies");
   }
 }
 
-/// Outwards around the whole, inwards around its cavities.
+/// Orients the normals out of the material: outwards on the outer surface, inwards in cavities.
 void orientOutwards(Mesh& mesh) {
   pmp::orient_to_bound_a_volume(mesh);
   const auto part = mesh.add_property_map<Face, std::size_t>("f:part", 0).first;
@@ -136,8 +136,8 @@ void orientOutwards(Mesh& mesh) {
   const auto bodies =
       std::count_if(volumes.begin(), volumes.end(), [](double volume) { return volume > 0.0; });
   if (bodies > 1)
-    throw ModelingError("holds " + std::to_string(bodies) +
-                        " separate bodies; a project has one: keep one of them or unite them");
+    throw ModelingError("contains " + std::to_string(bodies) +
+                        " separate bodies, but a project has one; keep one of them or unite them");
 }
 
 }  // namespace
@@ -154,7 +154,8 @@ void makeBoundary(ClosedSurface& surface, const Job& job) {
     orientOutwards(mesh);
     surface = fromMesh(mesh, groups, !surface.groups.empty());
   } catch (const CGAL::Failure_exception&) {
-    throw ModelingError("the surface is too irregular to tell inside from outside; repair it");
+    throw ModelingError(
+        "the surface is too irregular to distinguish inside and outside; repair it");
   }
 }
 

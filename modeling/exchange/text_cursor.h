@@ -5,7 +5,7 @@
 
 namespace palpa::modeling {
 
-/// Walks through a text line by line and word by word, without copies.
+/// Reads a text line by line and word by word, without copies. The text must outlive the cursor.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : rest_(text) {}
@@ -16,14 +16,17 @@ class TextCursor {
 
   /// The next word of the line; empty at its end.
   std::string_view word();
-  /// What is left of the line, without blanks around it.
+  /// The unread part of the line, without blanks around it.
   std::string_view restOfLine() const;
-  /// The text behind the line.
+  /// The text after the line.
   std::string_view rest() const { return rest_; }
 
-  /// The next word as a number. @throws ModelingError naming the line when it is none or not finite
+  /// The next word as a number. Throws ModelingError that names the line if the word is not a
+  /// number or not finite.
   double number();
+  /// The next word as an integer, at most 2^32 - 1 in magnitude. Throws as number().
   long long integer();
+  /// Throws ModelingError that begins with the line.
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -32,7 +35,7 @@ class TextCursor {
   int line_ = 0;
 };
 
-/// For messages: at most 40 characters, what cannot be printed replaced.
+/// Text for messages: at most 40 characters, with unprintable characters replaced.
 std::string excerpt(std::string_view text);
 
 }  // namespace palpa::modeling

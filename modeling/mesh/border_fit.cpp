@@ -15,13 +15,12 @@ namespace {
 constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the node
 constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
 constexpr double kCornerCountsAsOn = 0.1;
-constexpr double kArch = 0.25;  // of its longest edge, most that a triangle's surface rises
-// Along an edge a distance from strokes falls at most so far, as part of the edge's length, below
-// its values at the ends.
+constexpr double kArch = 0.25;  // largest rise of the surface over a triangle, of its longest edge
+// Largest drop of the distance from strokes along an edge below its end values, of the edge length.
 constexpr double kSteepest = 0.5;
 constexpr double kRounding = 1e-9;  // of the longest extent; below, a node lies on the border
 
-constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
+constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between checks of the stop token
 
 class BorderFit {
  public:
@@ -84,8 +83,8 @@ class BorderFit {
     return 0.5 * (low + high);
   }
 
-  /// Where the value at the true surface between a and b (on one side of the border) comes nearest
-  /// to the other side: the fraction of the edge and the value there, by samples and bisection.
+  /// Fraction of the edge a–b (on one side of the border) where the value on the true surface comes
+  /// nearest to the other side, and the value there, by samples and bisection.
   std::pair<double, double> extreme(int a, int b, double sign) const {
     constexpr int kSamples = 8;
     const auto value = [&](double s) {
@@ -107,12 +106,12 @@ class BorderFit {
     return {best, sign * least};
   }
 
-  /// An edge that crosses a strip has both ends on one side or one on the border. It gets a node in
-  /// the strip, or the strip would be lost where it runs between the nodes. Where the border only
-  /// bulges over an edge the edge stays.
+  /// Inserts a node into every edge that crosses a strip, because a strip between the nodes would
+  /// be lost. Such an edge has both ends on one side or one end on the border. An edge that the
+  /// border only bulges over is not split.
   void resolveStrips() {
     constexpr double kBulge = 0.4;  // of the length of the crossed part of the edge
-    constexpr double kWide = 0.15;  // of its length; narrower strips are lost
+    constexpr double kWide = 0.15;  // of the edge length; narrower strips are lost
     std::vector<std::tuple<int, int, double, double>> cuts;
     for (std::size_t a = 0; a < values_.size(); ++a)
       for (int b : neighbours(a)) {
@@ -130,7 +129,7 @@ class BorderFit {
             editor_.mesh().surface->normal(middle.at[0].patch, middle.at[0].u, middle.at[0].v);
         const Eigen::Vector3d gradient = border_.gradient(middle.position);
         const double slope = (gradient - gradient.dot(normal) * normal).norm();
-        // Of a parabola through the three values.
+        // Width of a parabola through the three values.
         const double width = (editor_.position(node) - editor_.position(b)).norm() *
                              (s * std::sqrt(value / (value - values_[a])) +
                               (1.0 - s) * std::sqrt(value / (value - values_[b])));
@@ -143,14 +142,14 @@ class BorderFit {
     }
   }
 
-  /// Does the border run on both sides of the node, so that without it the region (or what is
-  /// outside) would end between its neighbours?
+  /// True if the border runs on both sides of the node, so that without the node the region (or its
+  /// complement) would end between the neighbours.
   bool isNarrowAt(int node) const {
     const std::vector<int> ring = editor_.neighbours(node);
     const auto direction = [&](int other) {
       return (editor_.position(other) - editor_.position(node)).normalized();
     };
-    // Beside a plain border the values on the other side are about as large as on the node's own.
+    // Beside a plain border the values on both sides of the node have about the same magnitude.
     double own = 0.0;
     double opposite = 0.0;
     for (int other : ring)
@@ -167,7 +166,8 @@ class BorderFit {
     return false;
   }
 
-  /// May the node slide along the edge to `other` without leaving a patch edge or another border?
+  /// True if the node can slide along the edge to `other` without leaving a patch edge or another
+  /// border.
   bool mayMove(int node, int other) const {
     if (editor_.mesh().nodes[node].isCorner()) return false;
     const std::vector<int> rails = editor_.interfaceNeighbours(node);
@@ -212,7 +212,7 @@ class BorderFit {
       for (int b : neighbours(a))
         if (static_cast<int>(a) < b && isCrossed(static_cast<int>(a), b))
           crossed.emplace_back(static_cast<int>(a), b);
-    // A cut leaves the other crossed edges as they are, and its new edges start on the border.
+    // A cut does not change the other crossed edges, and its new edges start on the border.
     for (const auto& [a, b] : crossed) {
       editor_.split(a, b, editor_.between(a, b, crossing(a, b)));
       values_.push_back(0.0);
@@ -245,9 +245,9 @@ class BorderFit {
     }
   }
 
-  /// A region between the nodes would be lost, and one with few nodes be a rough polygon: bisect
-  /// the triangles it touches until enough nodes lie in it. The same for the part outside the
-  /// region.
+  /// Bisects the triangles that a small region touches until enough nodes lie in it: a region
+  /// between the nodes would be lost, and a region with few nodes would be a coarse polygon. The
+  /// same for the part outside the region.
   void resolveSmallRegion() {
     constexpr int kRounds = 14;
     constexpr int kEnoughNodes = 8;
@@ -266,8 +266,8 @@ class BorderFit {
       }
   }
 
-  /// Strokes narrower than the triangles would be lost or become rough polygons: where their border
-  /// may cross a triangle it is bisected until its edges are as short as edgeAt() wants.
+  /// Bisects triangles that the border of strokes may cross until their edges are as short as
+  /// edgeAt(): strokes narrower than the triangles would be lost or become coarse polygons.
   void resolveStrokes() {
     constexpr int kRounds = 40;
     double longestEdge = 0.0;
@@ -323,7 +323,7 @@ class BorderFit {
   int k_;
   RegionBorder border_;
   double tolerance_;
-  std::vector<double> values_;  // of the border at the nodes; exactly 0 on the border
+  std::vector<double> values_;  // border value per node; exactly 0 on the border
 };
 
 }  // namespace

@@ -4,13 +4,14 @@
 
 namespace palpa::modeling {
 
-/// Makes the border of half space k (of editor.halfSpaces()) a chain of mesh edges and sets bit k
-/// of every triangle's sides.
+/// Fits the mesh to one border: editor.borders()[k] becomes a chain of mesh edges, and bit k of
+/// every triangle's sides is set if the triangle lies inside.
 ///
-/// Where the border crosses a mesh edge close to one end, that node moves onto it (along a patch
-/// edge only if the node lies on one; corners never). What is still crossed is cut at the crossing
-/// on the true surface. A node that cannot move but lies within a few per cent of an edge length of
-/// the border counts as on it: cutting there would make slivers.
+/// If the border crosses a mesh edge close to one end, the node at this end moves onto the border.
+/// A node on a patch edge moves along this edge only; corners never move. The remaining crossed
+/// edges are split at the crossing on the true surface. A node that cannot move but lies within a
+/// few per cent of an edge length of the border counts as on it, because a cut there would make
+/// slivers. Throws Cancelled.
 void fitToBorder(MeshEditor& editor, int k);
 
 }  // namespace palpa::modeling

@@ -17,16 +17,16 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMaxPieces = 8;
-constexpr std::size_t kCheckpoint = 500;  // triangles or edges between two looks at the stop token
+constexpr std::size_t kCheckpoint = 500;  // triangles or edges between checks of the stop token
 
-/// What the subdivision asks about the surface: places on edges and in triangles, and normals.
+/// Surface under the boundary mesh: points on edges and in triangles, and normals.
 class Shape {
  public:
   virtual ~Shape() = default;
 
   struct Point {
     Vector3d position;
-    std::vector<SurfaceParameter> at;  ///< names in its patches; empty without a spline surface
+    std::vector<SurfaceParameter> at;  ///< in each of its patches; empty without a spline surface
   };
 
   /// The point at the fraction s of the edge from a to b; `left` and `right` are its triangles.
@@ -45,7 +45,7 @@ class FlatShape : public Shape {
       const auto& x = mesh.positions;
       const Vector3d unit = (x[n[1]] - x[n[0]]).cross(x[n[2]] - x[n[0]]).normalized();
       for (int k = 0; k < 3; ++k) {
-        // Weighted by angle, so that the normal does not depend on how the surface is cut.
+        // Weighted by angle, so that the normal does not depend on the triangulation.
         const double angle = std::acos(cornerCosine(x[n[k]], x[n[(k + 1) % 3]], x[n[(k + 2) % 3]]));
         Vector3d& sum =
             normals_.try_emplace({n[k], mesh.smoothingGroupOfTriangle[t]}, Vector3d::Zero())
@@ -115,7 +115,7 @@ class SplineShape : public Shape {
     Vector3d sum = Vector3d::Zero();
     for (const SurfaceParameter& at : point.at)
       if (groupOfPatch_[at.patch] == group) sum += surface_.normal(at.patch, at.u, at.v);
-    // An edge that no common edge of the patches runs along has a name on one side only.
+    // A mesh edge beside the common edge of two patches has parameters in one patch only.
     if (sum.squaredNorm() == 0.0 && !point.at.empty())
       sum = surface_.normal(point.at[0].patch, point.at[0].u, point.at[0].v);
     return sum.normalized();
@@ -272,9 +272,9 @@ class Subdivision {
     return forward ? line : std::vector<int>(line.rbegin(), line.rend());
   }
 
-  /// The triangle as a lattice with n pieces per side, n the largest of its sides; on sides with
-  /// fewer pieces several lattice points become one, towards the nearer end, and triangles that
-  /// lose a side that way are left out. No other triangle turns over or becomes flat by this.
+  /// Cuts a triangle into a lattice with n pieces per side, where n is the largest number of pieces
+  /// of its sides. On sides with fewer pieces several lattice points are merged, towards the nearer
+  /// end, and triangles that lose a side are omitted. No other triangle is inverted or flattened.
   void cut(int t) {
     const std::array<std::vector<int>, 3> sides{sideVertices(t, 0), sideVertices(t, 1),
                                                 sideVertices(t, 2)};

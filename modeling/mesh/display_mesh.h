@@ -9,46 +9,50 @@
 #include "modeling/body/body.h"
 #include "modeling/mesh/surface_mesh.h"
 
-// The surface as it is drawn and touched: finer than the boundary mesh, on the true spline surface,
-// and linked to the nodes, so that whatever is known at nodes can be carried over.
+// The surface for drawing and touching: finer than the boundary mesh, on the true spline surface,
+// and linked to the nodes of the boundary mesh, so that nodal values can be interpolated.
 namespace palpa::modeling {
 
-/// Into how many pieces each edge of the boundary mesh is cut: so many that each piece turns by at
-/// most `pieceAngle`, within the given range. Equal ends of the range give a fixed number.
+/// Number of pieces per edge of the boundary mesh: the smallest number in the given range for which
+/// each piece turns by at most `pieceAngle`. If both ends of the range are equal, the number is
+/// fixed.
 struct DisplaySettings {
   int leastPieces = 2;                          ///< 1 … 8
   int mostPieces = 8;                           ///< leastPieces … 8
   double pieceAngle = std::numbers::pi / 45.0;  ///< rad, > 0
 
-  /// @throws std::invalid_argument that names the field
+  /// Throws std::invalid_argument that names the field.
   void validate() const;
 };
 
-/// Closed like the boundary mesh, but with vertices split at sharp edges: a vertex belongs to one
-/// smoothing group and has one normal. Vertices that were split have equal positions in every bit.
+/// Triangle mesh with normals, closed like the boundary mesh, but with vertices split at sharp
+/// edges: a vertex belongs to one smoothing group and has one normal. Split vertices have
+/// bit-identical positions.
 struct DisplayMesh {
-  /// Place in the boundary mesh: a value known at its nodes is Σ weights[k] · value(triangle's
-  /// corner k) here. The triangle is of the vertex's smoothing group; weights are ≥ 0 with sum 1.
+  /// Position of a vertex in the boundary mesh: a nodal field has the value
+  /// Σ weights[k] · value(corner k of triangle) here. The triangle belongs to the smoothing group
+  /// of the vertex; weights are ≥ 0 with sum 1.
   struct Link {
     int triangle = -1;
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
   };
 
-  std::vector<Eigen::Vector3d> positions;  ///< mm; at boundary nodes exactly theirs
-  std::vector<Eigen::Vector3d> normals;    ///< unit, outwards
-  std::vector<Link> links;
+  std::vector<Eigen::Vector3d> positions;     ///< mm; at boundary nodes bit-identical to the nodes
+  std::vector<Eigen::Vector3d> normals;       ///< unit, outwards
+  std::vector<Link> links;                    ///< per vertex
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
-  std::vector<int> boundaryTriangle;          ///< per triangle: the one it is a piece of; ascending
+  std::vector<int> boundaryTriangle;  ///< per triangle: the boundary triangle it divides; ascending
   std::vector<int> patchOfTriangle;
-  std::vector<std::array<int, 2>> edgeLines;  ///< the boundary mesh's edges, piece by piece
+  std::vector<std::array<int, 2>> edgeLines;  ///< edges of the boundary mesh, piece by piece
 };
 
-/// Pieces of edges between two patches lie on the common edge of the patches, those inside a patch
-/// on the straight line in its parameters. A mesh without parameters (mesh bodies) is cut flat,
-/// with normals interpolated between its nodes.
+/// Divides the boundary mesh into the display mesh. `mesh` must be a mesh of `body`.
 ///
-/// `mesh` must be a mesh of `body`. Cost: about 3 µs per vertex.
-/// @throws std::invalid_argument, Cancelled
+/// Pieces of an edge between two patches lie on the common edge of the patches; pieces of an edge
+/// inside a patch lie on the straight line in its parameters. The triangles of a mesh without
+/// parameters (mesh body) are divided in their planes, with normals interpolated between the nodes.
+///
+/// Cost: about 3 µs per vertex. Throws std::invalid_argument as validate(); Cancelled.
 DisplayMesh displayMesh(const SurfaceMesh& mesh, const Body& body,
                         const DisplaySettings& settings = {}, const Job& job = {});
 

@@ -20,10 +20,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kNoHeight = 1e-8;         // of the longest edge
-constexpr std::size_t kCheckpoint = 1000;  // triangles between two looks at the stop token
+constexpr std::size_t kCheckpoint = 1000;  // triangles between checks of the stop token
 
-/// A fault of some triangles before connected ones are put together.
-struct Spot {
+/// Fault of one or two triangles. Connected faults become one finding.
+struct LocalFault {
   std::vector<int> triangles;
   Vector3d at;
   bool isSevere = true;
@@ -66,8 +66,8 @@ class GeometryCheck {
     const auto key = [](int a, int b) {
       return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
     };
-    std::vector<Spot> open;
-    std::vector<Spot> twice;
+    std::vector<LocalFault> open;
+    std::vector<LocalFault> twice;
     const auto ends = [&](std::size_t t, int k) {
       return std::array<int, 2>{mesh_.triangles[t][k], mesh_.triangles[t][(k + 1) % 3]};
     };
@@ -88,12 +88,12 @@ class GeometryCheck {
       }
     isOpen_ = !open.empty() || !twice.empty();
     add(GeometryFault::kWrongOrientation, twice);
-    // The triangles beside a turned one seem to be open, too; that is said already.
+    // Triangles beside an inverted one also seem open; they are already reported.
     if (twice.empty()) add(GeometryFault::kOpenEdge, open);
   }
 
   void checkAreas() {
-    std::vector<Spot> spots;
+    std::vector<LocalFault> faults;
     hasNoArea_.assign(mesh_.triangles.size(), false);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       double longest = 0.0;
@@ -101,9 +101,9 @@ class GeometryCheck {
         longest = std::max(longest, (corner(t, k) - corner(t, (k + 1) % 3)).squaredNorm());
       if (doubleArea(t).norm() > kNoHeight * longest) continue;
       hasNoArea_[t] = true;
-      spots.push_back({{static_cast<int>(t)}, middle(t)});
+      faults.push_back({{static_cast<int>(t)}, middle(t)});
     }
-    add(GeometryFault::kZeroArea, spots);
+    add(GeometryFault::kZeroArea, faults);
   }
 
   void checkFolds(const SurfaceEvaluator& surface) {
@@ -126,7 +126,7 @@ class GeometryCheck {
       if (i % kCheckpoint == 0) job_.throwIfCancelled();
       places.push_back(placeOf(solid, surface, mesh_.parameters[i]));
     }
-    std::vector<Spot> spots;
+    std::vector<LocalFault> faults;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (t % kCheckpoint == 0) job_.throwIfCancelled();
       if (hasNoArea_[t]) continue;
@@ -136,20 +136,20 @@ class GeometryCheck {
           cornersIn(surface, patch, {&places[n[0]], &places[n[1]], &places[n[2]]});
       const Vector3d normal =
           surface.normal(patch, (a.u + b.u + c.u) / 3.0, (a.v + b.v + c.v) / 3.0);
-      if (normal.dot(doubleArea(t)) < 0.0) spots.push_back({{static_cast<int>(t)}, middle(t)});
+      if (normal.dot(doubleArea(t)) < 0.0) faults.push_back({{static_cast<int>(t)}, middle(t)});
     }
-    add(GeometryFault::kInvertedTriangle, spots);
+    add(GeometryFault::kInvertedTriangle, faults);
   }
 
   void checkCrossings() {
-    std::vector<Spot> spots;
+    std::vector<LocalFault> faults;
     for (const TriangleCrossing& crossing :
          triangleCrossings(mesh_.positions, mesh_.triangles, 10000, job_)) {
-      // A triangle without area lies in its neighbour; that is said already.
+      // A triangle without area lies in its neighbour; it is already reported.
       if (hasNoArea_[crossing.a] || hasNoArea_[crossing.b]) continue;
-      spots.push_back({{crossing.a, crossing.b}, crossing.at, crossing.isThrough});
+      faults.push_back({{crossing.a, crossing.b}, crossing.at, crossing.isThrough});
     }
-    add(GeometryFault::kSelfIntersection, spots);
+    add(GeometryFault::kSelfIntersection, faults);
   }
 
   void checkVolume() {
@@ -165,45 +165,45 @@ class GeometryCheck {
     finding.fault = GeometryFault::kInsideOut;
     finding.at = center;
     finding.message = "the enclosed volume is " + roundedText(volume) +
-                      " mm³: the surface is inside out, or most of it is";
+                      " mm³: all or most of the surface is inside out";
     findings_.push_back(std::move(finding));
   }
 
-  /// Spots with a triangle in common, or triangles with a node in common, make one finding.
-  void add(GeometryFault fault, const std::vector<Spot>& spots) {
-    std::vector<int> group(spots.size());
+  /// Adds one finding per group of faults whose triangles have common nodes.
+  void add(GeometryFault fault, const std::vector<LocalFault>& faults) {
+    std::vector<int> group(faults.size());
     std::iota(group.begin(), group.end(), 0);
     const auto root = [&](int i) {
       while (group[i] != i) i = group[i] = group[group[i]];
       return i;
     };
-    std::unordered_map<int, int> spotOfNode;
-    for (std::size_t i = 0; i < spots.size(); ++i)
-      for (int t : spots[i].triangles)
+    std::unordered_map<int, int> faultOfNode;
+    for (std::size_t i = 0; i < faults.size(); ++i)
+      for (int t : faults[i].triangles)
         for (int node : mesh_.triangles[t]) {
-          const int other = spotOfNode.emplace(node, static_cast<int>(i)).first->second;
+          const int other = faultOfNode.emplace(node, static_cast<int>(i)).first->second;
           // The smallest number becomes the root, so that findings are in the order of triangles.
           const int first = root(static_cast<int>(i));
           const int second = root(other);
           group[std::max(first, second)] = std::min(first, second);
         }
     std::map<int, std::vector<int>> members;
-    for (std::size_t i = 0; i < spots.size(); ++i)
+    for (std::size_t i = 0; i < faults.size(); ++i)
       members[root(static_cast<int>(i))].push_back(static_cast<int>(i));
     for (const auto& [first, list] : members) {
       const auto severe =
-          std::find_if(list.begin(), list.end(), [&](int i) { return spots[i].isSevere; });
+          std::find_if(list.begin(), list.end(), [&](int i) { return faults[i].isSevere; });
       std::set<int> triangles;
       std::set<int> patches;
       for (int i : list)
-        for (int t : spots[i].triangles) {
+        for (int t : faults[i].triangles) {
           triangles.insert(t);
           patches.insert(mesh_.patchOfTriangle[t]);
         }
       GeometryFinding finding;
       finding.fault = severe == list.end() ? GeometryFault::kTouching : fault;
       finding.isError = severe != list.end();
-      finding.at = spots[severe == list.end() ? list.front() : *severe].at;
+      finding.at = faults[severe == list.end() ? list.front() : *severe].at;
       finding.triangles.assign(triangles.begin(), triangles.end());
       for (int patch : patches) finding.patches.push_back(names_[patch]);
       finding.message = sentence(finding);
@@ -222,7 +222,7 @@ class GeometryCheck {
                               (finding.patches.size() == 1 ? ", patch " : ", patches ") + names;
     switch (finding.fault) {
       case GeometryFault::kSelfIntersection:
-        return "the surface cuts through itself" + where + " (" + number + ")";
+        return "the surface intersects itself" + where + " (" + number + ")";
       case GeometryFault::kTouching:
         return "parts of the surface touch each other" + where + " (" + number + ")";
       case GeometryFault::kInvertedTriangle:
@@ -232,7 +232,7 @@ class GeometryCheck {
       case GeometryFault::kOpenEdge:
         return "the surface has a hole or a gap" + where + " (" + number + " at its edge)";
       case GeometryFault::kWrongOrientation:
-        return "neighbours disagree on which side is outside" + where + " (" + number + ")";
+        return "adjacent triangles have opposite orientations" + where + " (" + number + ")";
       case GeometryFault::kInsideOut:
       case GeometryFault::kFoldedPatch:
         break;
@@ -279,7 +279,7 @@ std::vector<GeometryFinding> checkGeometry(const SurfaceMesh& mesh, const Body& 
   const std::size_t patches = patchNames(body).size();
   for (int patch : mesh.patchOfTriangle)
     if (patch < 0 || patch >= static_cast<int>(patches))
-      throw std::invalid_argument("checkGeometry: the mesh has patches that the body has not");
+      throw std::invalid_argument("checkGeometry: the mesh has patches that are not in the body");
   return GeometryCheck(mesh, body, job).run();
 }
 

@@ -49,7 +49,8 @@ std::vector<int> nodeOrder(const WorkMesh& work, const Counts& counts) {
     const SurfaceParameter& at = work.nodes[i].at.front();
     const auto [uLow, uHigh] = work.surface->range(at.patch, 0);
     const auto [vLow, vHigh] = work.surface->range(at.patch, 1);
-    // Equal steps along both directions are equal lengths, so that the curve's tiles are compact.
+    // Scaled so that equal steps in both directions are equal lengths and the curve's tiles
+    // compact.
     const auto& [m, n] = counts[at.patch];
     const double scale = ((1 << kOrder) - 1) / std::max(m, n);
     key[i] = {at.patch,
@@ -148,7 +149,7 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
                  std::span<const MeshRegion> regions, const Job& job) {
   const auto report = [&](double fraction) {
     job.throwIfCancelled();
-    job.report("mesh", fraction);
+    job.report(Phase::kMesh, fraction);
   };
   report(0.0);
   for (const MeshRegion& region : regions) checkRegion(region.where, solid, region.name);
@@ -173,7 +174,7 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   for (std::size_t k = 0; k < borders.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   report(0.5);
   improveShapes(editor);
-  // Where borders are refined they shall be as exact as the finest triangles.
+  // Refined borders must be as exact as the finest triangles.
   const int levels = settings.refineAtBorders ? settings.refinementLevels : 0;
   const double shortest = *std::min_element(lengths.begin(), lengths.end());
   closeWedges(editor, std::ldexp(kBorderError * shortest, -levels));

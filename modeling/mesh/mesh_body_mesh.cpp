@@ -20,12 +20,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Details smaller than this part of the edge length are not worth a sharp edge.
+/// Details smaller than this fraction of the edge length get no sharp edge.
 constexpr double kMinDetail = 1.0 / 8.0;
-constexpr double kSnap = 0.05;  // of the edge length, to sharp edges beside a border
-/// Remeshing to a length gives edges of 0.93 times that length on average.
+constexpr double kSnap = 0.05;  // of the edge length: sharp edges nearer to a border belong to it
+/// Mean edge length after remeshing, of the requested length.
 constexpr double kMeanEdge = 0.93;
-/// Remeshed edges differ less in length than bisected ones, for which strokeEdge() is the longest.
+/// Requested length of remeshed edges, of strokeEdge(): that is the largest length of bisected
+/// edges, whose lengths vary more.
 constexpr double kMeanOfLongest = 0.85;
 /// Area per node over the squared mean edge length, measured; 0.87 for equilateral triangles.
 constexpr double kAreaPerNode = 0.84;
@@ -42,7 +43,7 @@ TaggedSurface taggedSurface(const MeshBody& body, double edgeLength) {
   return surface;
 }
 
-/// Which feature edges the settings ask to refine at.
+/// The feature edges for refinement according to the settings.
 class RefinedFeatures {
  public:
   RefinedFeatures(const MeshBody& body, const MeshSettings& settings,
@@ -65,32 +66,32 @@ class RefinedFeatures {
   std::set<int> faces_;
 };
 
-/// Calls `what(a, b)` with the ends of every feature edge to refine at.
-template <class What>
-void forRefinedEdges(const TaggedSurface& surface, const RefinedFeatures& refined, What what) {
+/// Calls `visit(a, b)` with the ends of every feature edge for refinement.
+template <class Visit>
+void forRefinedEdges(const TaggedSurface& surface, const RefinedFeatures& refined, Visit visit) {
   const auto neighbours = triangleNeighbours(surface.triangles);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const SurfaceTag& other = surface.tags[neighbours[t][k]];
       if (surface.tags[t] < other && refined.contains(surface.tags[t], other))
-        what(surface.positions[surface.triangles[t][k]],
-             surface.positions[surface.triangles[t][(k + 1) % 3]]);
+        visit(surface.positions[surface.triangles[t][k]],
+              surface.positions[surface.triangles[t][(k + 1) % 3]]);
     }
 }
 
-/// An edge length much larger than the body means one as large as it: what is derived from it
-/// would lose all meaning.
+/// Settings with an edge length of at most half of the body's diagonal: lengths derived from larger
+/// edges would be meaningless.
 MeshSettings bounded(MeshSettings settings, const MeshBody& body) {
   const auto [low, high] = boundingBox(Body(body));
   settings.edgeLength = std::min(settings.edgeLength, 0.5 * (high - low).norm());
   return settings;
 }
 
-/// Calls `what(a, b, length)` with the ends of every edge on the border of a stroke so thin that
-/// its edges shall be shorter than the others.
-template <class What>
+/// Calls `visit(a, b, length)` with the ends and the wanted length of every edge on the border of a
+/// stroke that is thin enough to need shorter edges than `edgeLength`.
+template <class Visit>
 void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder>& borders,
-                    double edgeLength, What what) {
+                    double edgeLength, Visit visit) {
   const auto neighbours = triangleNeighbours(surface.triangles);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -103,7 +104,7 @@ void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder
         const RegionBorder& border = borders[std::countr_zero(bits)];
         if (const double length = kMeanOfLongest * border.edgeAt(0.5 * (a + b), edgeLength);
             length < edgeLength)
-          what(a, b, length);
+          visit(a, b, length);
       }
     }
 }
@@ -153,7 +154,7 @@ std::uint64_t mortonIndex(const Vector3d& at, const Vector3d& low, double extent
   return index;
 }
 
-/// Nodes along the curve; triangles by face and lowest node.
+/// Sorts the nodes along the curve and the triangles by tag and lowest node.
 void renumber(TaggedSurface& surface) {
   Vector3d low = surface.positions.front();
   Vector3d high = low;
@@ -185,7 +186,7 @@ void renumber(TaggedSurface& surface) {
     std::tie(surface.tags[t], surface.triangles[t]) = triangles[t];
 }
 
-/// A mesh that lost much of the body is none of it.
+/// Throws ModelingError if the mesh lost much of the body's volume.
 void checkVolume(const TaggedSurface& surface, const MeshBody& body, double edgeLength) {
   double sum = 0.0;
   const Vector3d origin = surface.positions.front();

@@ -22,14 +22,14 @@ double meanPieces(const SurfaceEvaluator& surface, int patch, int direction, dou
   return (pieces(low) + 4.0 * pieces(0.5 * (low + high)) + pieces(high)) / 6.0;
 }
 
-/// Into how many pieces the long sides of a patch's cells are to be cut, and their direction.
+/// Number of pieces for the long sides of a patch's cells, and the direction of these sides.
 struct Cuts {
   int direction = 0;
   double pieces = 1.0;
 };
 
-/// Measured on the patch's middle lines: the aspect of a right triangle with legs a and b much
-/// longer is √3/2 · b / a.
+/// Cuts from the lengths of the patch's middle lines: a right triangle with legs a and b ≫ a has
+/// the aspect √3/2 · b / a.
 Cuts cutsOf(const SurfaceEvaluator& surface, int patch, const std::array<double, 2>& counts) {
   std::array<double, 2> cell{};
   for (int direction : {0, 1}) {
@@ -102,7 +102,7 @@ double narrowPatchNodes(const SurfaceEvaluator& surface, const Counts& counts) {
   for (int patch = 0; patch < surface.patchCount(); ++patch) {
     const Cuts cuts = cutsOf(surface, patch, counts[patch]);
     if (cuts.pieces == 1.0) continue;
-    // On every long line, and the grading beside the patch.
+    // Nodes on every long line, and on the graded rows beside the patch.
     const double lines = counts[patch][1 - cuts.direction] + 1.0;
     nodes += (lines + kGradingLines) * counts[patch][cuts.direction] * (cuts.pieces - 1.0);
   }

@@ -12,8 +12,8 @@ namespace palpa::modeling {
 namespace {
 
 constexpr double kGoodAngle = 35.0 * std::numbers::pi / 180.0;
-constexpr double kTurn = 20.0 * std::numbers::pi / 180.0;  // nodes at such bends of edges stay
-constexpr double kSmallGain = 1e-6;   // of the penalty; below it a change is not worth making
+constexpr double kTurn = 20.0 * std::numbers::pi / 180.0;  // nodes at stronger bends must remain
+constexpr double kSmallGain = 1e-6;   // of the penalty; smaller gains do not justify a change
 constexpr double kAlongNormal = 0.3;  // least cosine between a triangle's normal and the surface's
 
 }  // namespace
@@ -82,8 +82,8 @@ std::vector<int> MeshEditor::interfaceNeighbours(int node) const {
 WorkNode MeshEditor::between(int a, int b, double s) const {
   const WorkTriangle& left = mesh_.triangles[leftOf(a, b)];
   const WorkTriangle& right = mesh_.triangles[leftOf(b, a)];
-  // Two patches can meet in an edge between nodes that lie on several edges of the solid (coarse
-  // meshes); ask for the solid's edge only when the patches really change here.
+  // In coarse meshes an edge inside a patch can join nodes on two edges of the solid. The solid's
+  // edge counts only if the patches differ here.
   if (left.patch != right.patch) return mesh_.between(a, b, left.patch, s);
   const SurfaceParameter& p = mesh_.in(a, left.patch);
   const SurfaceParameter& q = mesh_.in(b, left.patch);
@@ -97,8 +97,8 @@ int MeshEditor::split(int a, int b, double s) {
       mesh_.triangles[leftOf(a, b)].sides ^ mesh_.triangles[leftOf(b, a)].sides;
   const int middle = split(a, b, plain);
   if (plain.edge >= 0 || differing == 0) return middle;
-  // A node that only counts as on the border can make the border itself run outside the triangles
-  // here; then the middle of the edge has to do.
+  // If a node only counts as on the border, the border can run outside the triangles here. Then the
+  // middle of the edge is used.
   WorkNode fitted = onBorder(plain, borders_[std::countr_zero(differing)]);
   if ((fitted.position - plain.position).norm() < 0.25 * length) move(middle, std::move(fitted));
   return middle;
@@ -210,7 +210,7 @@ bool MeshEditor::collapse(int from, int to) {
       (rails.size() != 2 || std::find(rails.begin(), rails.end(), to) == rails.end()))
     return false;
   if (!rails.empty() && turnsAt(from, rails[0], rails[1])) return false;
-  // Only the two triangles at the edge may vanish; more common neighbours would pinch the mesh.
+  // Only the two triangles at the edge may disappear; more common neighbours would pinch the mesh.
   const std::vector<int> first = neighbours(from);
   const std::vector<int> second = neighbours(to);
   std::vector<int> common;
@@ -251,8 +251,8 @@ bool MeshEditor::collapse(int from, int to) {
 WorkNode MeshEditor::shifted(const WorkNode& node, const Eigen::Vector3d& step) const {
   const SurfaceParameter& at = node.at.front();
   const SurfacePoint p = mesh_.surface->evaluate(at.patch, at.u, at.v);
-  // The parameters that move the point by `step` in its tangent plane: (JᵀJ) δ = Jᵀ step. A little
-  // is added to the diagonal for places where du and dv are nearly parallel.
+  // Parameter step δ that moves the point by `step` in its tangent plane: (JᵀJ) δ = Jᵀ step. The
+  // small diagonal term is for places where du and dv are nearly parallel.
   Eigen::Matrix<double, 3, 2> jacobian;
   jacobian << p.du, p.dv;
   Eigen::Matrix2d metric = jacobian.transpose() * jacobian;
@@ -304,7 +304,7 @@ bool MeshEditor::smooth(int node) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (int other : ring) middle += position(other) / static_cast<double>(ring.size());
   std::vector<Eigen::Vector3d> targets{middle};
-  // Where the middle does not help: away from or towards single neighbours.
+  // If the middle does not help: away from or towards single neighbours.
   for (int other : ring) targets.push_back(2.0 * position(node) - position(other));
 
   for (const Eigen::Vector3d& target : targets)

@@ -19,13 +19,13 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kOnBorder = 2e-9;    // of the diagonal: below, a node lies on the border
-constexpr double kConverged = 1e-11;  // of the diagonal: how exactly it must after sliding
-constexpr double kNearBorder = 0.1;   // of a triangle's longest edge: its middle may be this wrong
-constexpr double kCountsAsOn = 0.1;   // of the shortest edge at a node that cannot slide
-constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the job
+constexpr double kOnBorder = 2e-9;         // of the diagonal: nearer nodes lie on the border
+constexpr double kConverged = 1e-11;       // of the diagonal: tolerance after sliding
+constexpr double kNearBorder = 0.1;        // of a triangle's longest edge: tolerance of its middle
+constexpr double kCountsAsOn = 0.1;        // of the shortest edge at a node that cannot slide
+constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between checks of the job
 
-/// Ends the attempt; the reason becomes FollowResult::remeshReason.
+/// Exception that ends the update. `why` becomes FollowResult::remeshReason.
 struct RemeshNeeded {
   std::string why;
 };
@@ -82,8 +82,7 @@ class Follower {
 
  private:
   void checkRegions(std::span<const MeshRegion> regions) {
-    const RemeshNeeded changed{
-        "the supports, loads or borders the mesh was fitted to have changed"};
+    const RemeshNeeded changed{"the supports, the loads or the borders in the mesh have changed"};
     const std::vector<RegionBorder> borders = distinctBorders(regions);
     if (!std::equal(borders.begin(), borders.end(), previous_.borders.begin(),
                     previous_.borders.end(),
@@ -98,7 +97,7 @@ class Follower {
     result_.borders = borders;
   }
 
-  /// Which borders all and which some triangles around each node lie in.
+  /// Sets all_ and some_.
   void gatherBorders() {
     all_.assign(result_.positions.size(), ~std::uint64_t{0});
     some_.assign(result_.positions.size(), 0);
@@ -114,8 +113,8 @@ class Follower {
     return part * diagonal_ * border.slope();
   }
 
-  /// Borders that the node lies on, as they are now: between triangles inside and outside, and
-  /// exactly.
+  /// New versions of the borders that a node lies on: it has triangles on both sides of them and
+  /// lay exactly on the previous ones.
   std::vector<const RegionBorder*> slidingBorders(int node) const {
     std::vector<const RegionBorder*> borders;
     for (std::uint64_t bits = some_[node] & ~all_[node]; bits != 0; bits &= bits - 1) {
@@ -154,10 +153,10 @@ class Follower {
     return patchMoved_[patch];
   }
 
-  /// Newton's method for value(x(u, v)) = 0. Inside a patch the shortest step on the surface
-  /// that reaches the borders in first order, δ = G⁻¹ Jᵀ Nᵀ λ with (N J G⁻¹ Jᵀ Nᵀ) λ = -value,
-  /// where J = (du dv), G = Jᵀ J and the rows of N are the gradients; on an edge the same with its
-  /// single parameter.
+  /// Moves a node onto the borders by Newton's method for value(x(u, v)) = 0. Inside a patch each
+  /// step is the shortest step on the surface that reaches the borders to first order,
+  /// δ = G⁻¹ Jᵀ Nᵀ λ with (N J G⁻¹ Jᵀ Nᵀ) λ = -value, where J = (du dv), G = Jᵀ J and the rows of N
+  /// are the gradients; on an edge the same with a single parameter.
   void slide(int node, const NodePlace& place, const std::vector<const RegionBorder*>& borders) {
     constexpr int kIterations = 25;
     const Eigen::Index count = static_cast<Eigen::Index>(borders.size());
@@ -200,7 +199,7 @@ class Follower {
                        " has moved to another patch or edge, or away from the surface"};
   }
 
-  /// Each moved node must be on the side of every border on which its triangles are.
+  /// Throws RemeshNeeded if a moved node and its triangles are on different sides of a border.
   void checkSides(const std::vector<int>& moved) const {
     if (previous_.borders.empty()) return;
     std::vector<double> shortest(result_.positions.size(), HUGE_VAL);
@@ -292,9 +291,9 @@ class Follower {
   SurfaceMesh result_;
   double diagonal_ = 0.0;
   std::vector<bool> patchMoved_;
-  bool paintMoved_ = false;          // strokes go along with the surface
-  std::vector<std::uint64_t> all_;   // per node: borders that all its triangles lie in
-  std::vector<std::uint64_t> some_;  // … and those that some lie in
+  bool paintMoved_ = false;          // strokes moved with the surface
+  std::vector<std::uint64_t> all_;   // per node: borders around all its triangles
+  std::vector<std::uint64_t> some_;  // per node: borders around at least one of its triangles
 };
 
 }  // namespace
@@ -315,8 +314,8 @@ FollowResult followSolid(const SurfaceMesh& previous, const Solid& meshed, const
   if (!samePatches(meshed, solid)) return {std::nullopt, "the patches or their knots have changed"};
   try {
     return {Follower(previous, meshed, solid, limits, job).run(regions), ""};
-  } catch (const RemeshNeeded& anew) {
-    return {std::nullopt, anew.why};
+  } catch (const RemeshNeeded& needed) {
+    return {std::nullopt, needed.why};
   } catch (const ModelingError& error) {
     return {std::nullopt, error.what()};
   }

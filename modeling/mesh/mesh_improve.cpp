@@ -11,12 +11,12 @@
 namespace palpa::modeling {
 namespace {
 
-/// Below this angle nodes may vanish; above, only flips and moves are worth it.
+/// Triangles with smaller angles may lose a node; others are only flipped and moved.
 constexpr double kCollapseAngle = 24.0 * std::numbers::pi / 180.0;
 
-constexpr int kCheckpoint = 1000;  // triangles between two looks at the stop token
+constexpr int kCheckpoint = 1000;  // triangles between checks of the stop token
 
-/// Tries the operations on one triangle; true when one of them changed the mesh.
+/// Tries the operations on one triangle; returns whether one of them changed the mesh.
 bool improveOne(MeshEditor& editor, int triangle) {
   const std::array<int, 3> n = editor.mesh().triangles[triangle].nodes;
   std::array<int, 3> byLength{0, 1, 2};
@@ -51,7 +51,7 @@ void improveShapes(MeshEditor& editor) {
       if (editor.isAlive(t) && editor.penalty(t) > 0.0) bad.emplace_back(-editor.penalty(t), t);
     }
     std::sort(bad.begin(), bad.end());
-    // Only what a change of this round touched can improve in the next one.
+    // Only triangles near a change of this round can improve in the next round.
     std::vector<int> touched;
     for (const auto& [key, t] : bad) {
       if (!editor.isAlive(t)) continue;
@@ -70,8 +70,8 @@ void improveShapes(MeshEditor& editor) {
 void relieveSlivers(MeshEditor& editor) {
   constexpr double kSliver = 15.0 * std::numbers::pi / 180.0;
   constexpr int kRounds = 8;
-  // The angle opposite the shortest edge is the smallest. When two interfaces enclose it, it stays,
-  // however small the triangles in it are.
+  // The angle opposite the shortest edge is the smallest. Refinement cannot enlarge it if it lies
+  // between two interfaces.
   const auto isGap = [&](const std::array<int, 3>& n) {
     std::array<double, 3> opposite{};
     for (int k = 0; k < 3; ++k)
@@ -98,7 +98,7 @@ void relieveSlivers(MeshEditor& editor) {
 void closeWedges(MeshEditor& editor, double borderError) {
   constexpr double kWedge = 18.0 * std::numbers::pi / 180.0;
   constexpr double kMinSlope = 0.1;  // of the border's value over the surface
-  constexpr double kMinPart = 0.2;   // of an edge; shorter pieces would be slivers themselves
+  constexpr double kMinPart = 0.2;   // of an edge; shorter pieces would make slivers
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     bool changed = false;
@@ -108,8 +108,8 @@ void closeWedges(MeshEditor& editor, double borderError) {
       if (!editor.isAlive(t) || editor.smallestAngleOf(t) > kWedge) continue;
       const WorkTriangle triangle = editor.mesh().triangles[i];
       for (int k = 0; k < 6; ++k) {
-        // The tip, the next node on the patch edge and the next one on the border, either way
-        // around.
+        // The tip, the next node on the patch edge and the next node on the border, in both
+        // orientations.
         const int tip = triangle.nodes[k % 3];
         const int onEdge = triangle.nodes[(k + (k < 3 ? 1 : 2)) % 3];
         const int onBorder = triangle.nodes[(k + (k < 3 ? 2 : 1)) % 3];

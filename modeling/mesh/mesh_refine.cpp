@@ -9,11 +9,11 @@
 namespace palpa::modeling {
 namespace {
 
-/// A triangle is small enough when its longest edge is below this multiple of the wanted size:
-/// the diagonal of a square cell (with room for distortion) is not to be cut at the wanted size.
+/// A triangle is small enough if its longest edge is below this multiple of the wanted size: a
+/// square cell of the wanted size must keep its diagonal, with a margin for distortion.
 constexpr double kDiagonal = 1.6;
 
-constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between two looks at the stop token
+constexpr std::size_t kCheckpoint = 1000;  // nodes or triangles between checks of the stop token
 
 struct DirectedEdge {
   int a;
@@ -28,13 +28,13 @@ DirectedEdge longestEdge(const MeshEditor& editor, int triangle) {
     const int a = n[k];
     const int b = n[(k + 1) % 3];
     const double length = (editor.position(a) - editor.position(b)).norm();
-    // Rounding must not decide between equal edges, or paths would not end.
+    // Rounding must not decide between equal edges, otherwise bisection paths would not end.
     if (length > longest.length * (1.0 + 1e-9)) longest = {a, b, length};
   }
   return longest;
 }
 
-/// Length of the shortest way along mesh edges from the nodes of source edges (Dijkstra).
+/// Length of the shortest path along mesh edges from the source edges to each node (Dijkstra).
 std::vector<double> distances(const MeshEditor& editor,
                               const std::function<bool(int, int)>& isSource) {
   const auto count = editor.mesh().nodes.size();
@@ -99,7 +99,7 @@ void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSo
         large.emplace_back(t, nodes);
     }
     if (large.empty()) return;
-    // A triangle that a neighbour's bisection has cut meanwhile is judged again in the next round.
+    // Triangles that a neighbour's bisection has cut are examined again in the next round.
     for (const auto& [t, nodes] : large)
       if (editor.mesh().triangles[t].nodes == nodes) bisect(editor, t);
   }
@@ -109,7 +109,7 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
   if (narrowPatches.empty()) return;
   constexpr double kGraded = 3.0;  // longest over shortest edge around narrow patches
   const auto& triangles = editor.mesh().triangles;
-  // Sides of a triangle by length, shortest first, and the ratio of the last to the first.
+  // Sides of a triangle by length, shortest first.
   const auto sorted = [&](int t) {
     std::array<DirectedEdge, 3> sides{};
     for (int k = 0; k < 3; ++k) {
@@ -122,8 +122,8 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
     });
     return sides;
   };
-  // A long cell has two triangles with one long side each and the diagonal in common. Halving the
-  // sides and turning the diagonal gives two cells of half the length.
+  // A long cell has two triangles with one long side each and a common diagonal. Halving the sides
+  // and flipping the diagonal gives two cells of half the length.
   for (int cuts = 1; cuts < kMaxCuts; cuts *= 2) {
     std::vector<DirectedEdge> sides;
     std::vector<DirectedEdge> diagonals;
@@ -139,7 +139,7 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
       if (editor.leftOf(side.a, side.b) >= 0) editor.split(side.a, side.b);
     for (const DirectedEdge& diagonal : diagonals)
       if (editor.leftOf(diagonal.a, diagonal.b) >= 0) editor.flip(diagonal.a, diagonal.b);
-    // One step at a time, so that the triangles that are cut here stay of good shape.
+    // Neighbours are graded after each step, so that their triangles keep a good shape.
     std::vector<std::pair<int, std::array<int, 3>>> uneven;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (i % kCheckpoint == 0) editor.checkpoint();

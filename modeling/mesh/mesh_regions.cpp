@@ -7,7 +7,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// Half spaces one by one, all strokes together.
+/// Borders of a region: one per half space, and one for all strokes together.
 std::vector<RegionBorder> bordersOf(const Region& region) {
   std::vector<RegionBorder> result;
   std::vector<Stroke> strokes;
@@ -60,9 +60,9 @@ std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
       triangles.push_back(static_cast<int>(t));
   if (triangles.empty())
     throw ModelingError(region.name +
-                        ": no part of the surface lies in this region, or one too narrow for the "
-                        "edge length; check the half space (normal · x < below_mm) or the "
-                        "stroke (points_mm, radius_mm) against the size and place of the solid");
+                        ": the region contains no part of the surface, or only a part too narrow "
+                        "for the edge length; compare the half space (normal · x < below_mm) or "
+                        "the stroke (points_mm, radius_mm) with the size and place of the solid");
   return triangles;
 }
 

@@ -8,16 +8,17 @@
 
 namespace palpa::modeling {
 
-/// Boundary elements of a body: splines on its patches, or flat triangles.
+/// Kind of the boundary elements of a body: splines on its patches, or flat triangles.
 enum class Engine { kAutomatic, kSplines, kTriangles };
 
+/// Settings of meshing and discretisation, as in a project file.
 struct MeshSettings {
   double edgeLength = 5.0;   ///< target length of triangle legs in mm, > 0
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
-  /// Patches on which edge and element lengths are multiplied by a factor, 0.05 … 20; 1 for all
-  /// others. Patches around them get as many pieces as needed to fit.
+  /// Factor of edge and element lengths by patch name, 0.05 … 20; 1 for all other patches. The
+  /// surrounding patches get as many pieces as needed to fit.
   std::map<std::string, double> patchFactors{};
   Engine engine = Engine::kAutomatic;
   /// Target relative error of displacements and reactions with splines, 1e-4 … 0.1; sets the size
@@ -28,12 +29,13 @@ struct MeshSettings {
 
   bool operator==(const MeshSettings&) const = default;
 
-  /// Checks everything but the names in patchFactors. Throws ModelingError that begins with `path`
-  /// and names the field.
+  /// Checks all fields except the names in patchFactors. Throws ModelingError that begins with
+  /// `path` and names the field.
   void validate(const std::string& path = "mesh") const;
 };
 
-/// A region the mesh is fitted to. `name` appears in messages ("supports[0] \"base\"").
+/// A region with the mesh fitted to its border. `name` appears in messages
+/// ("supports[0] \"base\"").
 struct MeshRegion {
   std::string name;
   Region where;

@@ -27,7 +27,7 @@ Vector3d toVector(const Point& p) {
 template <class Primitive>
 using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-/// Elements and the tree that points to them; not movable for that reason.
+/// Elements and the tree that points to them. Not movable because of the pointers.
 template <class Element, class Primitive>
 struct ElementTree {
   std::vector<Element> elements;
@@ -35,7 +35,7 @@ struct ElementTree {
 
   void build() {
     tree.insert(elements.begin(), elements.end());
-    // Everything that CGAL would do lazily (and not thread-safely) at the first question.
+    // CGAL would do this lazily, and not thread-safely, at the first query.
     tree.build();
     tree.accelerate_distance_queries();
   }
@@ -56,7 +56,7 @@ struct NearestOnSegments::Tree
 
 NearestOnTriangles::NearestOnTriangles(const std::vector<std::array<Vector3d, 3>>& triangles) {
   auto tree = std::make_shared<Tree>();
-  // CGAL may divide by the area: triangles without one are covered by their neighbours.
+  // CGAL may divide by the area. Neighbours cover the triangles without area.
   for (const auto& [a, b, c] : triangles)
     if ((b - a).cross(c - a).squaredNorm() > 0.0)
       tree->elements.emplace_back(toPoint(a), toPoint(b), toPoint(c));

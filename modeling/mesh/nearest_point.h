@@ -7,9 +7,9 @@
 
 namespace palpa::modeling {
 
-/// Nearest points on a set of triangles or of line segments, by a tree of boxes (CGAL). The set may
-/// be empty: then distances are infinite and points are their own nearest. Immutable after
-/// construction; const use from several threads is safe.
+/// Search for the nearest point on a set of triangles by a tree of boxes (CGAL). Lengths in mm. For
+/// an empty set every point is its own nearest point, and distances are infinite. Immutable;
+/// several threads may call it at the same time.
 class NearestOnTriangles {
  public:
   explicit NearestOnTriangles(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles);
@@ -20,6 +20,7 @@ class NearestOnTriangles {
   std::shared_ptr<const Tree> tree_;
 };
 
+/// The same for a set of line segments.
 class NearestOnSegments {
  public:
   explicit NearestOnSegments(const std::vector<std::array<Eigen::Vector3d, 2>>& segments);

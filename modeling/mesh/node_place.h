@@ -8,23 +8,23 @@
 
 namespace palpa::modeling {
 
-/// What a point of the surface lies on: the inside of a patch, an edge or a corner of the solid,
-/// with its names in all patches that meet there.
+/// Location of a surface point in the topology of a solid (inside a patch, on an edge or in a
+/// corner), with its parameters in all patches that meet there.
 struct NodePlace {
-  std::vector<SurfaceParameter> at;  ///< the first is the name that was asked about
-  int edge = -1;                     ///< index into Solid::edges() when on one; -1 in a corner
+  std::vector<SurfaceParameter> at;  ///< the first is the argument of placeOf()
+  int edge = -1;                     ///< index into Solid::edges() on an edge; -1 in a corner
   double edgeFraction = 0.0;         ///< 0 … 1 of the parameter of the edge's uses[0]
-  int vertex = -1;                   ///< control point, when in a corner
+  int vertex = -1;                   ///< control point in a corner, otherwise -1
 
   bool isInside() const { return edge < 0 && vertex < 0; }
 };
 
-/// Edges and corners are recognised by parameters exactly at the ends of the patch's ranges, which
-/// is how mesh() names its nodes.
+/// Location of the point with these parameters. A point counts as on an edge or in a corner only if
+/// its parameters equal the ends of the patch's ranges exactly, as for the nodes of mesh().
 NodePlace placeOf(const Solid& solid, const SurfaceEvaluator& surface, const SurfaceParameter& at);
 
-/// Names in one patch of the corners of a triangle in it. A patch that is glued to itself gives a
-/// point two names: those are taken that make the triangle small.
+/// Parameters in one patch of the corners of a triangle in this patch. If the patch is glued to
+/// itself, a point has two parameter pairs there; the pairs of the smallest triangle are used.
 std::array<SurfaceParameter, 3> cornersIn(const SurfaceEvaluator& surface, int patch,
                                           const std::array<const NodePlace*, 3>& corners);
 

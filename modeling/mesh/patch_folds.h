@@ -7,17 +7,17 @@
 
 namespace palpa::modeling {
 
-/// A place inside a patch where the parametrisation is not that of a surface with one outside.
+/// A point inside a patch where the parametrisation has no unique outward normal.
 struct PatchFold {
   SurfaceParameter at;
-  bool isFlat = false;  ///< du × dv vanishes around here; otherwise it turns over here
+  bool isFlat = false;  ///< du × dv vanishes around the point; otherwise it changes sign there
 };
 
-/// At most one place per patch, found at sample points inside the polynomial spans (corners and
-/// sides, where derivatives may be parallel, are left out). Between neighbouring samples whose
-/// normals differ by more than a right angle the place is narrowed down by bisection: only where
-/// the normal jumps to its opposite is there a fold, not where it turns quickly.
-/// Cost: about a microsecond per sample, 16 per span or 256 per patch. @throws Cancelled
+/// Folds of a surface, at most one per patch. The search uses samples inside the polynomial spans
+/// and omits corners and sides, where derivatives may be parallel. If the normals of neighbouring
+/// samples differ by more than a right angle, bisection between them tells a fold (the normal jumps
+/// to its opposite) from a strong bend.
+/// Cost: about a microsecond per sample, 16 per span or 256 per patch. Throws Cancelled.
 std::vector<PatchFold> patchFolds(const SurfaceEvaluator& surface, const Job& job = {});
 
 }  // namespace palpa::modeling

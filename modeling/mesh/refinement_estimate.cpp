@@ -53,12 +53,12 @@ double borderLength(const SurfaceEvaluator& surface, const RegionBorder& border)
 double strokeNodes(const SurfaceEvaluator& surface, const MeshSettings& settings,
                    std::span<const MeshRegion> regions) {
   // Triangles are bisected until their longest edge is between the wanted length c and 0.6 c, in a
-  // band as wide as c on both sides of the border; what is graded around it is measured.
+  // band of width c on both sides of the border. The factor for the grading around it is measured.
   constexpr double kAreaPerNode = 0.36;  // over c²
   constexpr double kGraded = 2.0;
   const double longest = std::numbers::sqrt2 * settings.edgeLength;
   double sum = 0.0;
-  double most = 0.0;  // per area
+  double most = 0.0;  // nodes per area
   for (const RegionBorder& border : distinctBorders(regions))
     for (const Stroke& stroke : border.strokes()) {
       double length = 0.0;

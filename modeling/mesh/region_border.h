@@ -8,9 +8,9 @@
 
 namespace palpa::modeling {
 
-/// Something that divides the surface and whose border the mesh is fitted to: a half space, or all
-/// strokes of one region together. Borders of strokes inside other strokes do not count: only their
-/// union does.
+/// Border of a part of space that divides the surface: of a half space, or of the union of all
+/// strokes of one region. Meshes are fitted to it. Borders of strokes inside other strokes do not
+/// count.
 class RegionBorder {
  public:
   explicit RegionBorder(const HalfSpace& half);
@@ -18,19 +18,21 @@ class RegionBorder {
 
   bool operator==(const RegionBorder& other) const;
 
-  /// Negative inside. The half space's own value; the least of the strokes, in mm.
+  /// Signed value, negative inside: the value of the half space, or the smallest value of the
+  /// strokes, in mm.
   double value(const Eigen::Vector3d& x) const;
-  /// Of value(); its norm is slope(), except on the polyline of a stroke, where it is zero.
+  /// Gradient of value(). Its norm is slope(), except on the polyline of a stroke, where it is
+  /// zero.
   Eigen::Vector3d gradient(const Eigen::Vector3d& x) const;
   double slope() const { return half_ ? half_->normal.norm() : 1.0; }
 
   bool isPainted() const { return !half_; }
   const std::vector<Stroke>& strokes() const { return strokes_; }
-  /// strokeEdge() for the stroke that decides at x; infinite for a half space.
+  /// strokeEdge() of the stroke with the smallest value at x; infinite for a half space.
   double edgeAt(const Eigen::Vector3d& x, double longest) const;
 
-  /// Could a mesh made for one follow to the other? The same half space, or as many strokes with
-  /// as many points.
+  /// True if a mesh fitted to one border can be updated to the other: the same half space, or
+  /// equally many strokes with equally many points.
   bool isLike(const RegionBorder& other) const;
 
  private:
@@ -42,7 +44,8 @@ class RegionBorder {
     bool isLast;
     Eigen::Vector3d nearest(const Eigen::Vector3d& x) const;
   };
-  /// Segments from the end of the group before to `end`, in a box; most questions skip most groups.
+  /// Segments from the end of the previous group to `end`, with their bounding box. Most searches
+  /// skip most groups.
   struct Group {
     std::size_t end;
     Eigen::Vector3d low;
@@ -61,9 +64,9 @@ class RegionBorder {
   std::vector<Group> groups_;
 };
 
-/// Longest edges (mm) that meshes shall have along the border of a stroke with this radius (mm),
-/// where the longest elsewhere is `longest`: short enough for a disc of eight corners or more, but
-/// not below a twelfth of `longest` near the ends of the stroke, a quarter along its sides.
+/// Largest edge length (mm) along the border of a stroke with this radius (mm) in a mesh with the
+/// largest edge length `longest` (mm). It is short enough to give a disc at least eight corners,
+/// but at least a twelfth of `longest` near the ends of the stroke and a quarter along its sides.
 double strokeEdge(double radius, double longest, bool nearEnd);
 
 }  // namespace palpa::modeling

@@ -6,16 +6,17 @@
 
 namespace palpa::modeling {
 
-/// Wanted edge length at a place (mm): that of the nearest sources plus kSizeGrowth times the
-/// distance from them, at most `largest`.
+/// Field of the wanted edge length (mm): the smallest sum, over all sources, of the edge length of
+/// the source and kSizeGrowth times the distance from it; at most `largest`.
 class SizeField {
  public:
   explicit SizeField(double largest) : largest_(largest) {}
 
-  /// A line segment along which edges shall have this length. Lengths are rounded down to
-  /// largest / 2^(k/2) and not below largest / 2^10; without effect from `largest` on.
+  /// Adds a line segment with the wanted edge length (mm) along it. The length is rounded down to
+  /// largest / 2^(k/2), but not below largest / 2^10. A source with at least `largest` has no
+  /// effect.
   void addSource(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double length);
-  /// Makes the sources added so far count.
+  /// Must be called after addSource(), before at(): includes the new sources.
   void update();
 
   double largest() const { return largest_; }

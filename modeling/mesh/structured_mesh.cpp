@@ -7,7 +7,7 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr int kRowCheck = 1000;  // nodes between two looks at the stop token
+constexpr int kRowCheck = 1000;  // nodes between checks of the stop token
 
 class Builder {
  public:
@@ -53,7 +53,7 @@ class Builder {
     }
   }
 
-  /// Nodes along a side, in the side's growing parameter.
+  /// Nodes along a side, in the order of its parameter.
   std::vector<int> sideNodes(int patch, Side side) const {
     const int index = mesh_.solid->edgeOf(patch, side);
     const SolidEdge& edge = mesh_.solid->edges()[index];
@@ -109,8 +109,8 @@ class Builder {
     }
   }
 
-  /// Cell corners counter-clockwise; the diagonal with the larger smallest angle wins, and the
-  /// first one on a tie within rounding, so that symmetric cells are split alike everywhere.
+  /// Splits a cell (corners counter-clockwise) along the diagonal with the larger smallest angle.
+  /// On a tie within rounding the first diagonal is used, so that symmetric cells are split alike.
   void addCell(int patch, const std::array<int, 4>& cell) {
     const auto angle = [&](int a, int b, int c) {
       return smallestAngle(mesh_.nodes[cell[a]].position, mesh_.nodes[cell[b]].position,

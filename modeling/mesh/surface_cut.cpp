@@ -12,10 +12,10 @@ namespace {
 constexpr double kRounding = 1e-9;  // of the longest extent; nearer vertices lie on the border
 constexpr double kAlong = 0.1;      // largest slope against the border of an edge that snaps to it
 
-/// Signed distances of all vertices from the border in mm, exactly 0 for those that lie on it.
+/// Signed distances of all vertices from the border in mm, exactly 0 on the border.
 struct Distances {
   std::vector<double> exact;
-  std::vector<double> snapped;  ///< with the features that run along the border put onto it
+  std::vector<double> snapped;  ///< also 0 on features that run along the border
 };
 
 Distances distances(const TaggedSurface& surface, const RegionBorder& border, double snap) {
@@ -61,14 +61,15 @@ class Cutter {
 
   bool isInside(const std::array<int, 3>& n) const {
     const double sum = distance_[n[0]] + distance_[n[1]] + distance_[n[2]];
-    // A triangle in the border, or put onto it, lies where it was before.
+    // For a triangle that was snapped onto the border the exact distances decide.
     return (sum != 0.0 ? sum : exact_[n[0]] + exact_[n[1]] + exact_[n[2]]) < 0.0;
   }
 
  private:
   bool isCrossed(int a, int b) const { return distance_[a] * distance_[b] < 0.0; }
 
-  /// Linear for half spaces; for strokes by bisection, which needs the exact distances.
+  /// Fraction of the edge a–b at the crossing: linear for half spaces; for strokes by bisection
+  /// with the exact distances.
   double crossingPart(int a, int b) const {
     if (!border_.isPainted() || exact_[a] * exact_[b] >= 0.0)
       return distance_[a] / (distance_[a] - distance_[b]);
@@ -108,7 +109,7 @@ class Cutter {
     const auto crossed = [&](int k) { return isCrossed(n[k], n[(k + 1) % 3]); };
     const int count = crossed(0) + crossed(1) + crossed(2);
     if (count == 0) return;
-    // One crossed edge: it becomes 0–1. Two: corner 0 is alone on its side.
+    // Rotated so that one crossed edge is 0–1; with two, corner 0 is alone on its side.
     while (count == 1 ? !crossed(0) : crossed(1)) std::rotate(n.begin(), n.begin() + 1, n.end());
     if (count == 1) {
       const int m = crossing(n[0], n[1]);
@@ -138,11 +139,11 @@ class Cutter {
 
 /// Divides triangles near the border of strokes at the middles of their long edges.
 void divideNear(TaggedSurface& surface, const RegionBorder& border, double edgeLength) {
-  constexpr double kOfStroke = 0.6;  // of the edges of the mesh to come
+  constexpr double kOfStroke = 0.6;  // of the edges of the later mesh
   constexpr double kOfLength = 0.5;
   constexpr int kRounds = 40;
   for (int round = 0; round < kRounds; ++round) {
-    std::map<std::pair<int, int>, int> middles;  // -1: the edge stays whole
+    std::map<std::pair<int, int>, int> middles;  // -1: the edge is not divided
     const auto middleOf = [&](int a, int b) {
       const auto [low, high] = std::minmax(a, b);
       const auto [place, isNew] = middles.try_emplace({low, high}, -1);

@@ -5,11 +5,11 @@
 
 namespace palpa::modeling {
 
-/// Cuts all triangles that the border crosses, so that each lies on one side, and
-/// sets bit k of the tags of those inside. The surface stays the same set of points. Feature edges
-/// that run along the border within `snap` mm become part of it, so that no strip thinner than that
-/// is left between the two. Around strokes triangles are first divided until their edges are
-/// shorter than half of `edgeLength` (mm) and about half of strokeEdge().
+/// Cuts all triangles that the border crosses, so that each triangle lies on one side, and sets bit
+/// k of SurfaceTag::sides of the triangles inside. The set of surface points does not change.
+/// Feature edges that run along the border within `snap` mm become part of it, so that no strip
+/// thinner than `snap` remains between them. Triangles around strokes are first divided until their
+/// edges are shorter than half of `edgeLength` (mm) and about half of strokeEdge().
 void cutAtBorder(TaggedSurface& surface, const RegionBorder& border, int k, double snap,
                  double edgeLength);
 

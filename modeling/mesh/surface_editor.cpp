@@ -12,12 +12,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTurn = 0.77;             // cosine of 40°: where a feature turns more is a corner
-constexpr double kSameSide = 0.5;          // least cosine between a triangle's old and new normal
-constexpr double kGoodAngleCosine = 0.82;  // 35°: a relaxed star need not be better than that
+constexpr double kTurn = 0.77;     // cosine of 40°: a stronger turn of a feature is a corner
+constexpr double kSameSide = 0.5;  // least cosine between a triangle's old and new normal
+constexpr double kGoodAngleCosine = 0.82;  // of 35°: stars with larger angles need no relaxing
 constexpr double kFarOff = 0.5;            // of the edge: a projection that jumps farther is wrong
-constexpr double kMaxCollapseSag = 0.14;   // of an edge; what makes more loses a curved surface
-constexpr double kFlatStar = 0.98;  // cosine of 11°: no edge over a flatter star sags as much
+constexpr double kMaxCollapseSag = 0.14;   // of an edge; more would lose a curved surface
+constexpr double kFlatStar = 0.98;         // cosine of 11°: edges over flatter stars sag less
 
 double cosineBetween(const Vector3d& a, const Vector3d& b) {
   const double lengths = a.norm() * b.norm();
@@ -152,8 +152,8 @@ Vector3d SurfaceEditor::normalWith(const std::array<int, 3>& n, int node,
   return (at(1) - origin).cross(at(2) - origin);
 }
 
-/// The place nearest to `point` on the original of the edge a–b: its feature line, or the smooth
-/// region it runs in.
+/// Nearest point to `point` on the original of the edge a–b: its feature line, or the smooth region
+/// it runs in.
 Vector3d SurfaceEditor::onOriginal(int a, int b, const Vector3d& point) const {
   const SurfaceTag& left = tags_[leftOf(a, b)];
   const SurfaceTag& right = tags_[leftOf(b, a)];
@@ -166,7 +166,7 @@ double SurfaceEditor::sag(int a, int b) const {
   return (onOriginal(a, b, middle) - middle).norm();
 }
 
-/// Would the edge from–other cut off too much of the surface as to–other?
+/// True if the edge to–other, which replaces from–other, would cut off too much of the surface.
 bool SurfaceEditor::wouldSag(int from, int to, int other) const {
   const double longer = length(to, other);
   if (longer <= length(from, other)) return false;
@@ -184,7 +184,7 @@ bool SurfaceEditor::isFlat(int node) const {
 bool SurfaceEditor::starStays(int node, const Vector3d& there) const {
   return std::all_of(around_[node].begin(), around_[node].end(), [&](int t) {
     const Vector3d before = normal(triangles_[t]);
-    // A triangle without area has no side that it could leave.
+    // A triangle without area has no orientation to preserve.
     return before.norm() == 0.0 ||
            cosineBetween(before, normalWith(triangles_[t], node, there)) > kSameSide;
   });
@@ -248,10 +248,11 @@ bool SurfaceEditor::collapse(int from, int to) {
   std::vector<int> common;
   std::set_intersection(mine.begin(), mine.end(), others.begin(), others.end(),
                         std::back_inserter(common));
-  if (common.size() != 2) return false;  // the link condition: else the surface would touch itself
+  // Link condition: otherwise the surface would touch itself.
+  if (common.size() != 2) return false;
   for (int apex : common) {
     if (around_[apex].size() <= 3) return false;
-    // A triangle with three feature edges is all there is of its tag.
+    // A triangle with three feature edges is the only triangle of its tag.
     if (!rails.empty() && isFeature(from, apex) && isFeature(to, apex)) return false;
     if (!rails.empty() && rails[0] != to && rails[1] != to) return false;
   }
@@ -317,7 +318,7 @@ bool SurfaceEditor::flip(int a, int b) {
                      cornerCosine(positions_[n[1]], positions_[n[2]], positions_[n[0]]),
                      cornerCosine(positions_[n[2]], positions_[n[0]], positions_[n[1]])});
   };
-  constexpr double kGain = 1.001;  // of 1 - cosine, so that rounding does not flip for ever
+  constexpr double kGain = 1.001;  // of 1 - cosine; rounding must not cause endless flips
   if (1.0 - std::max(angle(first), angle(second)) <
       kGain * (1.0 - std::max(smallestAngleCosine(left), smallestAngleCosine(right))))
     return false;
@@ -348,9 +349,9 @@ bool SurfaceEditor::tryMove(int node, const Vector3d& there) {
   return true;
 }
 
-/// Mean of the centres of the triangles around, with weights that make finer places denser (area
-/// over the fourth power of the size, the density of a centroidal Voronoi diagram), moved along the
-/// surface only.
+/// Mean of the centres of the surrounding triangles, weighted by area over the fourth power of the
+/// wanted size (density of a centroidal Voronoi diagram), so that nodes are denser at finer places.
+/// The node moves along the surface only.
 Vector3d SurfaceEditor::relaxedInside(int node) const {
   Vector3d sum = Vector3d::Zero();
   Vector3d direction = Vector3d::Zero();
@@ -374,7 +375,7 @@ bool SurfaceEditor::relax(int node) {
   if (around_[node].empty() || corner_[node]) return false;
   const std::vector<int> rails = featureNeighbours(node);
   if (!rails.empty()) {
-    // Where the parts of the feature on both sides are equally long compared with the sizes wanted.
+    // The place where both adjacent edges have the same length relative to the wanted sizes.
     const double first = relativeLength(node, rails[0]);
     const double second = relativeLength(node, rails[1]);
     const int to = first > second ? rails[0] : rails[1];

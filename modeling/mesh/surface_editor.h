@@ -9,15 +9,16 @@
 
 namespace palpa::modeling {
 
-/// The surface that a mesh is made of, for putting nodes back onto it: each smooth region by itself
-/// (so that nodes do not jump through thin walls or over edges), and each feature line between two
-/// tags. Immutable.
+/// Original surface of a mesh, for projecting nodes back onto it. Smooth regions are searched
+/// separately, so that nodes do not jump through thin walls or over edges, and so are the feature
+/// lines between two tags. Immutable.
 class OriginalSurface {
  public:
   explicit OriginalSurface(const TaggedSurface& surface);
 
+  /// Nearest point on a smooth region.
   Eigen::Vector3d onRegion(int region, const Eigen::Vector3d& point) const;
-  /// On the features between these two tags.
+  /// Nearest point on the features between two tags.
   Eigen::Vector3d onFeature(const SurfaceTag& one, const SurfaceTag& other,
                             const Eigen::Vector3d& point) const;
 
@@ -27,14 +28,15 @@ class OriginalSurface {
   std::map<TagPair, NearestOnSegments> features_;
 };
 
-/// Local changes of a tagged surface: split, collapse, flip, relax. Feature edges are neither
-/// destroyed nor left by their nodes. Corners are nodes where features meet, end or turn.
+/// Editor of a tagged surface by local operations: split, collapse, flip, relax. Operations
+/// preserve feature edges and keep their nodes on them. Corners are nodes where features meet, end
+/// or turn; they do not move. `original` and `sizes` must outlive the editor.
 class SurfaceEditor {
  public:
   SurfaceEditor(const TaggedSurface& surface, const OriginalSurface& original,
                 const SizeField& sizes);
 
-  /// The surface without the gaps that collapses leave.
+  /// The surface without the removed nodes and triangles.
   TaggedSurface result() const;
 
   int nodeCount() const { return static_cast<int>(positions_.size()); }
@@ -43,7 +45,7 @@ class SurfaceEditor {
   const std::array<int, 3>& triangle(int t) const { return triangles_[t]; }
   const Eigen::Vector3d& position(int node) const { return positions_[node]; }
 
-  /// The triangle left of the directed edge a → b; -1 when there is none.
+  /// The triangle left of the directed edge a → b; -1 if there is none.
   int leftOf(int a, int b) const;
   bool isFeature(int a, int b) const;
   /// Tags of the triangles left and right of a → b.
@@ -51,23 +53,23 @@ class SurfaceEditor {
     return {tags_[leftOf(a, b)], tags_[leftOf(b, a)]};
   }
   double length(int a, int b) const { return (positions_[a] - positions_[b]).norm(); }
-  /// Length of the edge a–b over that wanted there.
+  /// Length of the edge a–b divided by the wanted edge length there.
   double relativeLength(int a, int b) const;
   /// Cosine of the smallest angle of a triangle.
   double smallestAngleCosine(int triangle) const;
-  /// Neighbours over edges of any kind, and over feature edges only; ascending.
+  /// Neighbours over all edges, and over feature edges only; both ascending.
   std::vector<int> neighbours(int node) const;
   std::vector<int> featureNeighbours(int node) const;
   bool isCorner(int node) const { return corner_[node]; }
   bool isUsed(int node) const { return !around_[node].empty(); }
-  /// Distance of the middle of the edge a–b from the original surface or feature line.
+  /// Distance (mm) of the middle of the edge a–b from the original surface or feature line.
   double sag(int a, int b) const;
-  /// Asks the size field again, after it has changed.
+  /// Evaluates the size field again after a change.
   void updateSizes();
 
   void split(int a, int b);
-  /// Each returns whether it changed the mesh; it does not when a triangle would turn over, a
-  /// feature or corner be lost, or nothing be gained.
+  /// The next three return whether they changed the mesh. They do nothing if a triangle would be
+  /// inverted, a feature or corner would be lost, or the mesh would not improve.
   bool collapse(int from, int to);
   bool flip(int a, int b);
   bool relax(int node);

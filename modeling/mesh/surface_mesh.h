@@ -12,9 +12,9 @@ namespace palpa::modeling {
 
 /// Closed, oriented triangle mesh of a body's surface.
 ///
-/// Every node lies on the spline surface; every triangle lies in one patch; nodes on edges and in
-/// corners are shared. Triangles are counter-clockwise seen from outside. Nodes with close numbers
-/// are close in space (patch by patch along a Hilbert curve in the parameters).
+/// Every node lies on the body's surface; every triangle lies in one patch; patches share the nodes
+/// on edges and in corners. Triangles are counter-clockwise seen from outside. Nodes with close
+/// numbers are close in space (patch by patch along a Hilbert curve in the parameters).
 struct SurfaceMesh {
   std::vector<Eigen::Vector3d> positions;    ///< mm
   std::vector<SurfaceParameter> parameters;  ///< per node, in the first of its patches
@@ -26,12 +26,13 @@ struct SurfaceMesh {
   std::vector<std::uint64_t> bordersOfTriangle;  ///< bit k: inside borders[k]
 };
 
+/// Extreme angles, aspects and edge lengths of a mesh.
 struct MeshQuality {
   double smallestAngle = 0.0;  ///< degrees
-  double largestAspect = 0.0;  ///< longest side over the height on it times √3/2; 1 = equilateral
-  double shortestEdge = 0.0;   ///< mm
-  double meanEdge = 0.0;       ///< mm
-  double longestEdge = 0.0;    ///< mm
+  double largestAspect = 0.0;  ///< longest side / height on it · √3/2; 1 for equilateral triangles
+  double shortestEdge = 0.0;  ///< mm
+  double meanEdge = 0.0;      ///< mm
+  double longestEdge = 0.0;   ///< mm
 };
 
 MeshQuality measureQuality(const SurfaceMesh& mesh);

@@ -12,12 +12,14 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kLong = 4.0 / 3.0;   // of the wanted length; Botsch and Kobbelt's bounds, between
-constexpr double kShort = 4.0 / 5.0;  // which splitting and collapsing do not undo each other
+// Bounds of Botsch and Kobbelt, of the wanted length, for which splits and collapses do not undo
+// each other.
+constexpr double kLong = 4.0 / 3.0;
+constexpr double kShort = 4.0 / 5.0;
 constexpr double kMaxTurn = std::numbers::pi / 4.0;  // of a feature line between two nodes
 constexpr double kMaxSag = 0.13;                     // of an edge: an arc of about 60 degrees
 constexpr double kSliver = 20.0;                     // degrees
-constexpr double kRelief = 0.6;            // new length of an edge that is to become shorter
+constexpr double kRelief = 0.6;  // factor of the length of an edge that must become shorter
 constexpr double kMinRelief = 1.0 / 32.0;  // of the largest size
 constexpr int kPasses = 6;
 constexpr int kReliefRounds = 5;
@@ -54,8 +56,8 @@ class Remesher {
   }
 
  private:
-  /// Cancellation is looked for every few thousand elements.
-  void breathe(std::size_t i) const {
+  /// Checks for cancellation every few thousand elements.
+  void checkpoint(std::size_t i) const {
     constexpr std::size_t kOften = 2048;
     if (i % kOften == 0) job_.throwIfCancelled();
   }
@@ -63,7 +65,7 @@ class Remesher {
   std::vector<Edge> edges(double sign, double bound) const {
     std::vector<Edge> result;
     for (int t = 0; t < editor_.triangleCount(); ++t) {
-      breathe(static_cast<std::size_t>(t));
+      checkpoint(static_cast<std::size_t>(t));
       if (!editor_.isAlive(t)) continue;
       const auto& n = editor_.triangle(t);
       for (int k = 0; k < 3; ++k) {
@@ -79,13 +81,13 @@ class Remesher {
   }
 
   void splitLong() {
-    constexpr int kRounds = 40;  // each halves the longest
+    constexpr int kRounds = 40;  // each halves the longest edge
     for (int round = 0; round < kRounds; ++round) {
       const std::vector<Edge> longest = edges(-1.0, -kLong);
       if (longest.empty()) return;
       std::size_t count = 0;
       for (const Edge& e : longest) {
-        breathe(count++);
+        checkpoint(count++);
         editor_.split(e.a, e.b);
         if (editor_.nodeCount() > 2.0 * kMaxNodes)
           throw ModelingError("mesh.edge_length_mm: more than " + numberText(kMaxNodes) +
@@ -101,7 +103,7 @@ class Remesher {
       bool changed = false;
       std::size_t count = 0;
       for (const Edge& e : edges(1.0, kShort)) {
-        breathe(count++);
+        checkpoint(count++);
         if (!editor_.isUsed(e.a) || !editor_.isUsed(e.b) || editor_.leftOf(e.a, e.b) < 0) continue;
         if (editor_.relativeLength(e.a, e.b) >= kShort) continue;
         changed |= editor_.collapse(e.a, e.b) || editor_.collapse(e.b, e.a);
@@ -115,7 +117,7 @@ class Remesher {
     for (int sweep = 0; sweep < kSweeps; ++sweep) {
       bool changed = false;
       for (int t = 0; t < editor_.triangleCount(); ++t) {
-        breathe(static_cast<std::size_t>(t));
+        checkpoint(static_cast<std::size_t>(t));
         for (int k = 0; k < 3; ++k) {
           if (!editor_.isAlive(t)) break;
           const int a = editor_.triangle(t)[k];
@@ -129,12 +131,13 @@ class Remesher {
 
   void relaxAll() {
     for (int node = 0; node < editor_.nodeCount(); ++node) {
-      breathe(static_cast<std::size_t>(node));
+      checkpoint(static_cast<std::size_t>(node));
       editor_.relax(node);
     }
   }
 
-  /// Long edges first: collapsing the short sides of long facets would twist curved surfaces.
+  /// Splits long edges before collapsing short ones: collapsing the short sides of long facets
+  /// would twist curved surfaces.
   void pass() {
     splitLong();
     collapseShort();
@@ -144,8 +147,8 @@ class Remesher {
     }
   }
 
-  /// Feature lines that turn within a wanted edge length get shorter edges: a circle has eight
-  /// pieces at least.
+  /// Shortens the edges of feature lines that turn within a wanted edge length: a circle gets at
+  /// least eight pieces.
   void followTurns() {
     std::vector<bool> seen(static_cast<std::size_t>(editor_.nodeCount()), false);
     const auto start = [&](bool corners) {
@@ -155,7 +158,7 @@ class Remesher {
             if (editor_.isCorner(next) || !seen[next]) followLine(node, next, seen);
     };
     start(true);
-    start(false);  // what is left are closed lines
+    start(false);  // only closed lines remain
     sizes_.update();
     editor_.updateSizes();
   }
@@ -180,14 +183,14 @@ class Remesher {
       line.push_back(next);
     }
     if (!editor_.isCorner(first)) seen[first] = true;
-    constexpr double kMaxPieces = 16.0;  // noise turns a lot without going anywhere
+    constexpr double kMaxPieces = 16.0;  // noisy lines have a large total turn
     const double pieces = std::min(turn / kMaxTurn, kMaxPieces);
     if (pieces <= 1.0) return;
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
       sizes_.addSource(editor_.position(line[i]), editor_.position(line[i + 1]), length / pieces);
   }
 
-  /// Wants shorter edges where a sliver lies between features, or where edges cut off too much of a
+  /// Requests shorter edges at slivers between features and at edges that cut off too much of a
   /// curved surface. Returns whether there was such a place.
   bool relieve() {
     const double sliver = std::cos(kSliver * std::numbers::pi / 180.0);
@@ -200,7 +203,7 @@ class Remesher {
       found = true;
     };
     for (int t = 0; t < editor_.triangleCount(); ++t) {
-      breathe(static_cast<std::size_t>(t));
+      checkpoint(static_cast<std::size_t>(t));
       if (!editor_.isAlive(t)) continue;
       const auto& n = editor_.triangle(t);
       int longest = 0;
@@ -218,7 +221,7 @@ class Remesher {
     return found;
   }
 
-  /// Is the smallest angle of the triangle that between two features? No mesh can make it larger.
+  /// True if the smallest angle of the triangle lies between two features. No mesh can enlarge it.
   bool isSharpCorner(const std::array<int, 3>& n) const {
     int shortest = 0;
     for (int k = 1; k < 3; ++k)

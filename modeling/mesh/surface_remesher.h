@@ -6,12 +6,12 @@
 
 namespace palpa::modeling {
 
-/// Triangulates a surface anew with edges as long as the size field wants (isotropic remeshing
-/// after Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004: split long
-/// edges, collapse short ones, flip, relax, project back). Nodes stay on the given surface; those
-/// on feature edges stay on them; corners, where features meet or turn, stay where they are.
-/// Deterministic. Slivers between features are relieved by locally shorter edges.
-/// @throws Cancelled; ModelingError when more than kMaxNodes nodes would be made
+/// New triangulation of a surface with the edge lengths of the size field, by isotropic remeshing
+/// (Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004: split long edges,
+/// collapse short edges, flip, relax, project back). Nodes stay on the given surface, nodes on
+/// feature edges stay on these, and corners, where features meet or turn, do not move. Slivers
+/// between features are relieved by locally shorter edges. Deterministic.
+/// Throws ModelingError if more than kMaxNodes nodes are needed; Cancelled.
 TaggedSurface remesh(const TaggedSurface& surface, SizeField sizes, const Job& job);
 
 }  // namespace palpa::modeling

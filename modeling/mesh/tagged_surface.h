@@ -8,11 +8,12 @@
 
 namespace palpa::modeling {
 
-/// What a triangle of a mesh body belongs to. Edges between triangles with different tags are
-/// *features*: sharp edges, borders of faces, borders of half spaces. The mesh keeps them.
+/// Face, smooth region and half spaces of a triangle of a mesh body. Edges between triangles with
+/// different tags are *features*: sharp edges, borders of faces, borders of half spaces. The mesh
+/// preserves them.
 struct SurfaceTag {
   int face = 0;             ///< of the body
-  int region = 0;           ///< smooth region: what sharp edges divide
+  int region = 0;           ///< smooth region: a part between sharp edges
   std::uint64_t sides = 0;  ///< bit k: lies in half space k
 
   auto operator<=>(const SurfaceTag&) const = default;

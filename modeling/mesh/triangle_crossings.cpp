@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "modeling/mesh/triangle_boxes.h"
+#include "base/box_tree.h"
 
 namespace palpa::modeling {
 namespace {
@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Corners = std::array<Vector3d, 3>;
 
-constexpr double kClear = 1e-12;  // of the size: distances above are beyond doubt
+constexpr double kClear = 1e-12;  // of the size: larger distances exceed rounding errors
 
 Kernel::Point_3 exact(const Vector3d& x) {
   return {x.x(), x.y(), x.z()};
@@ -32,8 +32,8 @@ CGAL::Orientation side(const Corners& t, const Vector3d& x) {
   return CGAL::orientation(exact(t[0]), exact(t[1]), exact(t[2]), exact(x));
 }
 
-/// Is there an axis on which the two are clearly apart: a normal, a product of two edges, or, for
-/// triangles in one plane, an edge's normal in it?
+/// True if an axis separates the triangles by more than rounding: a normal, a product of two edges,
+/// or, for triangles in one plane, the normal of an edge in the plane.
 bool clearlyApart(const Corners& a, const Corners& b) {
   const double size = (a[1] - a[0]).cwiseAbs().sum() + (a[2] - a[0]).cwiseAbs().sum() +
                       (b[1] - b[0]).cwiseAbs().sum() + (b[2] - b[0]).cwiseAbs().sum() +
@@ -77,7 +77,7 @@ std::optional<Vector3d> throughInside(const Vector3d& p, const Vector3d& q, cons
   return Vector3d(p + s * (q - p));
 }
 
-/// The first point at which an edge of one passes through the inside of the other.
+/// The first point at which an edge of one triangle passes through the inside of the other.
 std::optional<Vector3d> passage(const Corners& a, const Corners& b) {
   for (int k = 0; k < 3; ++k) {
     if (const auto at = throughInside(a[k], a[(k + 1) % 3], b)) return at;
@@ -86,7 +86,7 @@ std::optional<Vector3d> passage(const Corners& a, const Corners& b) {
   return std::nullopt;
 }
 
-/// Both triangles begin with their common vertices, in this order.
+/// Crossing of two triangles, both of which begin with their common vertices in the same order.
 std::optional<TriangleCrossing> crossing(const Corners& a, const Corners& b, int common) {
   const Vector3d middle = (a[0] + a[1] + a[2] + b[0] + b[1] + b[2]) / 6.0;
   const auto found = [&](bool isThrough, const Vector3d& at) {
@@ -94,7 +94,7 @@ std::optional<TriangleCrossing> crossing(const Corners& a, const Corners& b, int
   };
   if (common == 3) return found(true, middle);
   if (common == 2) {
-    // Half planes that end in the same line meet elsewhere only if they are the same.
+    // Half planes with a common boundary line have other common points only if they are equal.
     const Vector3d edge = a[1] - a[0];
     const Vector3d m = edge.cross(a[2] - a[0]);
     const Vector3d n = edge.cross(b[2] - b[0]);
@@ -115,7 +115,7 @@ std::optional<TriangleCrossing> crossing(const Corners& a, const Corners& b, int
   return found(false, middle);
 }
 
-/// Triangles at a common vertex that a plane through it separates, beyond doubt.
+/// True if a plane through the common vertex separates the triangles by more than rounding.
 bool clearlyApartAt(const Corners& a, const Corners& b) {
   const Vector3d p = (a[1] - a[0]).normalized();
   const Vector3d q = (a[2] - a[0]).normalized();
@@ -131,10 +131,11 @@ bool clearlyApartAt(const Corners& a, const Corners& b) {
 std::vector<TriangleCrossing> triangleCrossings(const std::vector<Vector3d>& positions,
                                                 const std::vector<std::array<int, 3>>& triangles,
                                                 std::size_t most, const Job& job) {
-  constexpr int kCheckpoint = 4096;  // pairs between two looks at the stop token
+  constexpr int kCheckpoint = 4096;  // pairs between checks of the stop token
   std::vector<TriangleCrossing> result;
   int visited = 0;
-  TriangleBoxes(positions, triangles).forPairs([&](int a, int b) {
+  const std::vector<BoxTree::Box> boxes = triangleBoxes(positions, triangles);
+  triangleTree(positions, triangles, boxes).visitOverlaps(boxes, [&](int a, int b) {
     if (++visited % kCheckpoint == 0) job.throwIfCancelled();
     std::array<int, 3> m = triangles[a];
     std::array<int, 3> n = triangles[b];

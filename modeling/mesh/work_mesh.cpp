@@ -17,8 +17,8 @@ int WorkMesh::edgeBetween(int a, int b) const {
   const WorkNode& second = nodes[b];
   if (first.at.size() < 2 || second.at.size() < 2) return -1;
   if (first.edge >= 0 && second.edge >= 0) return first.edge == second.edge ? first.edge : -1;
-  // One or two corners: an edge that both share. A mesh edge that cuts a patch's corner off has its
-  // ends on different edges; one between two corners lies on the edge between them.
+  // One or two corners: an edge that both nodes belong to. A mesh edge that cuts off a patch's
+  // corner has its ends on different edges; an edge between two corners lies on the solid's edge.
   const auto touches = [&](const WorkNode& node, int edge) {
     if (node.edge >= 0) return node.edge == edge;
     for (int end : {0, 1}) {

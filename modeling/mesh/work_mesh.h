@@ -11,14 +11,14 @@
 
 namespace palpa::modeling {
 
-/// A node while the mesh is being made. It knows its parameters in every patch it belongs to: one
-/// inside a patch, two on an edge, two or more in a corner (two where a single side of a body meets
-/// a single cap, as at the rim of a cone).
+/// Node of an unfinished mesh with its parameters in every patch it belongs to: one pair inside a
+/// patch, two on an edge, two or more in a corner (two where a single side of a body meets a single
+/// cap, as at the rim of a cone).
 struct WorkNode {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   std::vector<SurfaceParameter> at;
-  int edge = -1;            ///< solid edge the node lies on; -1 inside a patch or in a corner
-  double edgeFraction = 0;  ///< on that edge, 0 … 1 of the parameter of uses[0]
+  int edge = -1;            ///< edge of the solid; -1 inside a patch or in a corner
+  double edgeFraction = 0;  ///< on this edge, 0 … 1 of the parameter of uses[0]
 
   bool isCorner() const { return edge < 0 && at.size() > 1; }
 };
@@ -26,11 +26,12 @@ struct WorkNode {
 struct WorkTriangle {
   std::array<int, 3> nodes;
   int patch;
-  std::uint64_t sides = 0;  ///< bit k: the triangle lies in half space k the mesh was fitted to
+  std::uint64_t sides = 0;  ///< bit k: the triangle lies inside border k of the mesh
 };
 
-/// Triangles over the patches of a solid with what is needed to change them: where a node may
-/// move, and what lies between two nodes on the true surface.
+/// Unfinished mesh: triangles over the patches of a solid, with the topology that edits need (the
+/// allowed motion of a node, the surface points between two nodes). `solid` and `surface` must
+/// outlive it.
 struct WorkMesh {
   const Solid* solid = nullptr;
   const SurfaceEvaluator* surface = nullptr;
@@ -40,11 +41,12 @@ struct WorkMesh {
   /// Parameters of a node in one of its patches.
   const SurfaceParameter& in(int node, int patch) const;
 
-  /// The solid edge that the mesh edge a–b lies on; -1 when it runs inside a patch.
+  /// The edge of the solid under the mesh edge a–b; -1 if it runs inside a patch.
   int edgeBetween(int a, int b) const;
 
-  /// A node on the mesh edge a–b at the fraction s from a to b: on the solid's edge when the mesh
-  /// edge lies on one, else on the straight parameter line in the patch. Not yet added.
+  /// A node on the mesh edge a–b at the fraction s from a to b: on the edge of the solid if the
+  /// mesh edge lies on one, otherwise on the straight parameter line in the patch. It is not yet in
+  /// the mesh.
   WorkNode between(int a, int b, int patch, double s) const;
 
   WorkNode nodeInPatch(const SurfaceParameter& at) const;

@@ -23,7 +23,7 @@ constexpr std::string_view kFreshEnd = ".palpa-new";
 
 [[noreturn]] void fail(const fs::path& path, const std::string& what) {
   throw ModelingError(
-      path.string() + ": cannot be written (" + what + "); the old file, if any, is unchanged",
+      path.string() + ": cannot be written (" + what + "); an existing file is unchanged",
       ModelingError::Kind::kIo);
 }
 
@@ -31,14 +31,14 @@ constexpr std::string_view kFreshEnd = ".palpa-new";
   fail(path, std::generic_category().message(error));
 }
 
-/// The first bytes of a name, cut between two UTF-8 characters.
+/// The first `most` bytes of a name or fewer, without cutting a UTF-8 character.
 std::string shortened(const std::string& name, std::size_t most) {
   if (name.size() <= most) return name;
   while (most > 0 && (static_cast<unsigned char>(name[most]) & 0xC0U) == 0x80U) --most;
   return name.substr(0, most);
 }
 
-/// The file behind any symbolic links, which need not exist yet.
+/// The file behind symbolic links. It need not exist.
 fs::path behindLinks(const fs::path& path) {
   constexpr int kMaxLinks = 40;
   fs::path target = path;
@@ -46,13 +46,13 @@ fs::path behindLinks(const fs::path& path) {
   for (int i = 0; i < kMaxLinks && fs::is_symlink(target, code); ++i) {
     const fs::path next = fs::read_symlink(target, code);
     if (code) fail(path, code.value());
-    target = target.parent_path() / next;  // an absolute link replaces the whole
+    target = target.parent_path() / next;  // an absolute link replaces the whole path
   }
   if (fs::is_symlink(target, code)) fail(path, ELOOP);
   return target;
 }
 
-/// State of the old file; nothing when there is none.
+/// State of the old file, if there is one. Throws ModelingError if it must not be replaced.
 std::optional<struct stat> oldFile(const fs::path& path) {
   struct stat state {};
   if (::stat(path.c_str(), &state) != 0) {
@@ -69,7 +69,8 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// Hidden files for this target begin so; long names share a beginning, which harms nobody.
+/// Beginning of the names of hidden files for this target. Targets with long names may have the
+/// same beginning, which is harmless.
 std::string freshStart(const fs::path& path) {
   return "." + shortened(path.filename().string(), 100) + ".";
 }
@@ -81,14 +82,14 @@ void removeLeftovers(const fs::path& path) {
        !code && it != fs::directory_iterator(); it.increment(code)) {
     const std::string name = it->path().filename().string();
     if (!name.starts_with(start) || !name.ends_with(kFreshEnd)) continue;
-    std::error_code ignored;  // another process may be faster
+    std::error_code ignored;  // another process may have removed it
     const auto written = fs::last_write_time(it->path(), ignored);
     if (!ignored && fs::file_time_type::clock::now() - written > std::chrono::hours(24))
       fs::remove(it->path(), ignored);
   }
 }
 
-/// A name of our own beside the target, removed unless it was renamed away.
+/// Name of a hidden file beside the target. The destructor removes the file unless it was renamed.
 class FreshName {
  public:
   explicit FreshName(const fs::path& target) {
@@ -104,7 +105,7 @@ class FreshName {
 
   const fs::path& path() const { return path_; }
 
-  /// 0, or the error
+  /// Returns 0 or the error.
   int renameTo(const fs::path& target) {
     if (std::rename(path_.c_str(), target.c_str()) != 0) return errno;
     path_.clear();
@@ -115,12 +116,13 @@ class FreshName {
   fs::path path_;
 };
 
-/// 0, or the error. Some network and user-space file systems cannot flush; they say EINVAL.
+/// Flushes a file; returns 0 or the error. Ignores EINVAL, with which some network and user-space
+/// file systems refuse flushing.
 int flushed(int file) {
   return ::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
-/// 0, or the error.
+/// Writes the text and flushes it; returns 0 or the error.
 int fillDurably(int file, std::string_view text, const std::optional<struct stat>& old) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t written = ::write(file, text.data() + done, text.size() - done);
@@ -132,8 +134,8 @@ int fillDurably(int file, std::string_view text, const std::optional<struct stat
       return errno;
   }
   if (old) {
-    // The group first: changing it clears the set-group bit. Where it may not be changed, the
-    // group's permissions would mean somebody else and are dropped.
+    // The group first, because changing it clears the set-group bit. If it cannot be changed, the
+    // group permissions would apply to a different group and are dropped.
     const bool sameGroup = ::fchown(file, static_cast<uid_t>(-1), old->st_gid) == 0;
     const mode_t keep = sameGroup ? 07777 : 07707;
     if (::fchmod(file, old->st_mode & keep) != 0) return errno;
@@ -143,7 +145,7 @@ int fillDurably(int file, std::string_view text, const std::optional<struct stat
 
 int writeDurably(const fs::path& path, std::string_view text, const std::optional<struct stat>& old,
                  bool secret) {
-  ::unlink(path.c_str());  // left by an earlier process with our number
+  ::unlink(path.c_str());  // of an earlier process with the same number
   const int file =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, secret ? 0600 : 0666);
   if (file < 0) return errno;
@@ -152,7 +154,7 @@ int writeDurably(const fs::path& path, std::string_view text, const std::optiona
   return error;
 }
 
-/// Gives the old file its second name, which replaces an older backup in one step.
+/// Gives the old file the name of the backup, which replaces an older backup in one step.
 void keepBackup(const fs::path& target) {
   const fs::path backup = backupPath(target);
   const auto failed = [&](const std::string& what) {
@@ -176,7 +178,7 @@ void keepBackup(const fs::path& target) {
 
 void flushFolder(const fs::path& folder) {
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file < 0) return;  // the content is safe already; only the rename may be lost in a crash
+  if (file < 0) return;  // the content is on the disk; a crash can only lose the rename
   ::fsync(file);
   ::close(file);
 }
@@ -196,8 +198,8 @@ void writeAtomically(std::string_view text, const fs::path& path, AtomicWriteOpt
   FreshName fresh(target);
   if (const int error = writeDurably(fresh.path(), text, old, options.secret); error != 0)
     fail(path, error);
-  // The backup is a second name of the old file until the rename replaces the first one: at no
-  // moment is there no complete file under the target's name.
+  // The backup is a second name of the old file until the rename replaces the first one: the target
+  // is a complete file at every moment.
   if (old && options.backup) keepBackup(target);
   if (const int error = fresh.renameTo(target); error != 0) fail(path, error);
   flushFolder(folderOf(target));

@@ -12,7 +12,7 @@
 #include "modeling/error.h"
 #include "modeling/project/atomic_write.h"
 #include "modeling/project/json_guard.h"
-#include "modeling/project/json_values.h"
+#include "modeling/project/json_print.h"
 #include "modeling/project/process_id.h"
 #include "modeling/project/project_file.h"
 #include "modeling/project/text_file.h"
@@ -29,7 +29,7 @@ constexpr const char* kExtension = ".palpa-autosave";
 constexpr int kSnapshotVersion = 1;
 constexpr JsonLimits kHeaderLimits{64UL << 10, 100, 4};
 
-/// FNV-1a, 64 bit (Fowler, Noll, Vo): short file names from paths of any length.
+/// Hash (FNV-1a, 64 bit; Fowler, Noll, Vo) that makes short file names from paths of any length.
 std::string hashText(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
@@ -38,7 +38,7 @@ std::string hashText(const std::string& text) {
   return result.str();
 }
 
-/// Paths are bytes, JSON is UTF-8: bytes beyond ASCII, and '%', become %XX.
+/// A path as text: '%' and bytes beyond ASCII become %XX, because JSON must be UTF-8.
 std::string pathText(const fs::path& path) {
   std::string text;
   for (const char c : path.string()) {
@@ -68,13 +68,17 @@ fs::path pathFrom(const std::string& text) {
 std::string headerText(const Project& project, const fs::path& original, std::uint64_t revision,
                        const ProcessId& process) {
   const auto now = std::chrono::time_point_cast<microseconds>(system_clock::now());
-  return "{\"format\": \"palpa-autosave\", \"version\": " + std::to_string(kSnapshotVersion) +
-         ", \"original\": " + quoted(pathText(original)) + ", \"name\": " + quoted(project.name) +
-         ", \"time_us\": " + std::to_string(now.time_since_epoch().count()) +
-         ", \"revision\": " + std::to_string(revision) +
-         ", \"process\": " + std::to_string(process.number) +
-         ", \"start\": " + std::to_string(process.start) + ", \"boot\": " + quoted(process.boot) +
-         ", \"machine\": " + quoted(process.machine) + "}\n";
+  return jsonText({{"format", "palpa-autosave"},
+                   {"version", kSnapshotVersion},
+                   {"original", pathText(original)},
+                   {"name", project.name},
+                   {"time_us", now.time_since_epoch().count()},
+                   {"revision", revision},
+                   {"process", process.number},
+                   {"start", process.start},
+                   {"boot", process.boot},
+                   {"machine", process.machine}}) +
+         "\n";
 }
 
 struct Parts {
@@ -93,9 +97,9 @@ std::uint64_t wholeNumber(const json& header, const char* key, std::uint64_t mos
 
 Parts partsFrom(const fs::path& file, const json& header, std::string project) {
   if (!header.is_object() || header.value("format", json()) != "palpa-autosave")
-    throw ModelingError("this is no snapshot of a project");
+    throw ModelingError("this is not a snapshot of a project");
   if (header.at("version") != kSnapshotVersion)
-    throw ModelingError("this is a snapshot by another version of Palpa");
+    throw ModelingError("this is a snapshot of another version of Palpa");
   const microseconds time(wholeNumber(header, "time_us", INT64_MAX / 1000));
   return {{file, pathFrom(header.at("original")), header.at("name"), system_clock::time_point(time),
            wholeNumber(header, "revision", UINT64_MAX)},
@@ -114,12 +118,12 @@ Parts readParts(const fs::path& file) {
   } catch (const ModelingError& error) {
     throw ModelingError(file.string() + ": " + error.what());
   } catch (const json::exception& error) {
-    throw ModelingError(file.string() + ": this is no snapshot of a project (" + error.what() +
+    throw ModelingError(file.string() + ": this is not a snapshot of a project (" + error.what() +
                         ")");
   }
 }
 
-/// When a file was written, on the clock of snapshots.
+/// Time of the last change of a file, on the clock of snapshots.
 std::optional<system_clock::time_point> writtenAt(const fs::path& file) {
   std::error_code code;
   const fs::file_time_type time = fs::last_write_time(file, code);
@@ -139,7 +143,7 @@ void list(const fs::path& file, RecoveryList& result) {
     (saved && *saved > parts.snapshot.time ? result.outdated : result.snapshots)
         .push_back(std::move(parts.snapshot));
   } catch (const ModelingError& error) {
-    // A snapshot that its owner removed meanwhile is no problem.
+    // Snapshots that their owners removed meanwhile are no problem.
     if (fs::exists(file, code)) result.problems.emplace_back(error.what());
   }
 }
@@ -168,19 +172,19 @@ Autosave::Autosave(fs::path folder) : folder_(std::move(folder)) {
 void Autosave::write(const Project& project, const fs::path& original, std::uint64_t revision) {
   std::error_code code;
   fs::path absolute = original.empty() ? original : fs::absolute(original, code);
-  if (code) absolute = original;  // the working folder has gone
+  if (code) absolute = original;  // the working folder was removed
   const ProcessId process = thisProcess();
   if (!fs::exists(folder_, code) && fs::create_directories(folder_, code))
     fs::permissions(folder_, fs::perms::owner_all, code);
   if (!fs::is_directory(folder_, code))
-    throw ModelingError(folder_.string() + ": cannot be made for autosaved projects",
+    throw ModelingError(folder_.string() + ": cannot be created for autosaved projects",
                         ModelingError::Kind::kIo);
   const fs::path file =
       folder_ / (hashText(absolute.string()) + "-" + std::to_string(process.number) + "-" +
                  std::to_string(process.start) + "-" + std::to_string(document_) + kExtension);
   const std::string text = checkedText(project, file.string());
   writeAtomically(headerText(project, absolute, revision, process) + text, file, {.secret = true});
-  if (file_ != file) remove();  // the project has got another name
+  if (file_ != file) remove();  // the project has a new name
   file_ = file;
 }
 

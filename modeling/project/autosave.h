@@ -9,30 +9,30 @@
 
 #include "modeling/project/project.h"
 
-// Autosave and recovery. A program writes snapshots of each open project into a state folder that
-// all running programs share; the next program finds the snapshots of those that crashed.
-// A snapshot file is one line of JSON (whose, when) followed by the text of a project file.
+// Autosave and recovery. Each process writes snapshots of its open projects into a state folder
+// that all processes share; later processes find the snapshots of crashed ones. A snapshot file is
+// one line of JSON (process, time) followed by the text of a project file.
 namespace palpa::modeling {
 
-/// `palpa/autosave` in $XDG_STATE_HOME, or in ~/.local/state when that is not set to an absolute
-/// path. @throws ModelingError (notFound) when there is no home folder either
+/// `palpa/autosave` in $XDG_STATE_HOME, or in ~/.local/state if the variable is not an absolute
+/// path. Throws ModelingError (notFound) if there is no home folder either.
 std::filesystem::path defaultAutosaveFolder();
 
-/// The snapshot of one open project. One object per open project; not for concurrent use.
+/// Snapshot of one open project; each open project needs one object. Not thread-safe.
 class Autosave {
  public:
-  /// Makes the folder when the first snapshot is written, readable by its owner only.
+  /// The folder is created with the first snapshot, readable by its owner only.
   explicit Autosave(std::filesystem::path folder);
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// Replaces the snapshot atomically: a crash meanwhile leaves the previous one. `original` is the
-  /// project's own file, empty when it has none yet; `revision` counts the edits.
-  /// @throws ModelingError; the previous snapshot is unchanged then
+  /// Replaces the snapshot atomically: after a crash during writing the previous snapshot remains.
+  /// `original` is the file of the project, empty if there is none; `revision` counts the edits.
+  /// Throws ModelingError and keeps the previous snapshot if writing fails.
   void write(const Project& project, const std::filesystem::path& original, std::uint64_t revision);
 
-  /// After saving and on a clean close. The destructor does not do it: what ends a program without
-  /// closing its projects is what the snapshot is for.
+  /// Removes the snapshot, after saving and on a clean close. The destructor keeps it, because
+  /// snapshots serve when a program ends without closing its projects.
   void remove() noexcept;
 
  private:
@@ -41,6 +41,7 @@ class Autosave {
   unsigned document_;           // number of this object in its process
 };
 
+/// A recoverable project.
 struct Snapshot {
   std::filesystem::path file;
   std::filesystem::path original;  ///< absolute; empty for a project that was never saved
@@ -49,25 +50,26 @@ struct Snapshot {
   std::uint64_t revision = 0;
 };
 
+/// Content of an autosave folder.
 struct RecoveryList {
-  /// Of processes that ended without removing them, newer than the original file or without one;
-  /// latest first. All of them were read once: recover() gives a project.
+  /// Snapshots of ended processes that are newer than the original file or have none, latest first.
+  /// Each was read once, so that recover() succeeds.
   std::vector<Snapshot> snapshots;
-  /// Of ended processes, but the original file was written later: nothing is lost without them.
+  /// Snapshots of ended processes that are older than the original file and not needed any more.
   std::vector<Snapshot> outdated;
-  /// A line for each file that cannot be used, with its name and why.
+  /// A line for each unusable file, with its name and the reason.
   std::vector<std::string> problems;
 };
 
-/// Looks through the folder; changes nothing. A folder that does not exist holds no snapshots.
-/// Costs as much as loading all projects in it.
+/// Examines the folder without changes. A missing folder holds no snapshots. Cost: as loading all
+/// projects in the folder.
 RecoveryList findRecoverable(const std::filesystem::path& folder);
 
-/// @throws ModelingError when the file has gone or changed since
+/// The project of a snapshot. Throws ModelingError if the file was removed or changed meanwhile.
 Project recover(const Snapshot& snapshot);
 
-/// Removes a snapshot that was recovered (once the new Autosave has written its own) or is not
-/// wanted. One that has gone already is no error. @throws ModelingError (io)
+/// Removes a snapshot that is not wanted or was recovered (after the first write() of the new
+/// Autosave). Does nothing if the file is missing. Throws ModelingError (io) if removing fails.
 void discard(const Snapshot& snapshot);
 
 }  // namespace palpa::modeling

@@ -1,6 +1,5 @@
 #include <unordered_map>
 
-#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
 #include "modeling/project/json_values.h"
@@ -40,22 +39,9 @@ std::vector<PatchEdge> smoothEdgesFrom(const json& list, const std::vector<Patch
   return edges;
 }
 
-std::string patchText(const Patch& patch) {
-  std::vector<std::string> rows;
-  for (const auto& row : patch.net)
-    rows.push_back(listText(row, [](int index) { return std::to_string(index); }));
-  return "{\n        \"name\": " + quoted(patch.name) + ",\n        \"degree\": [" +
-         std::to_string(patch.degree[0]) + ", " + std::to_string(patch.degree[1]) +
-         "],\n        \"knots\": [\n          " + listText(patch.knots[0], numberText) +
-         ",\n          " + listText(patch.knots[1], numberText) +
-         "\n        ],\n        \"net\": " + linesText(rows, "        ") + "\n      }";
-}
-
-std::vector<std::string> pointLines(const std::vector<Eigen::Vector3d>& points) {
-  std::vector<std::string> lines;
-  lines.reserve(points.size());
-  for (const Eigen::Vector3d& point : points) lines.push_back(vectorText(point));
-  return lines;
+Json jsonOf(const Patch& patch) {
+  return {
+      {"name", patch.name}, {"degree", patch.degree}, {"knots", patch.knots}, {"net", patch.net}};
 }
 
 std::vector<Eigen::Vector3d> pointsFrom(const json& list) {
@@ -65,7 +51,7 @@ std::vector<Eigen::Vector3d> pointsFrom(const json& list) {
   return points;
 }
 
-/// Fills faceOfTriangle[first … first + count) for each run [first, count] of a face.
+/// Sets faceOfTriangle[first … first + count) for each run [first, count] of a face.
 void readRuns(const json& runs, int face, const std::string& path, std::vector<int>& faces) {
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto first = runs[r][0].get<std::size_t>();
@@ -74,7 +60,7 @@ void readRuns(const json& runs, int face, const std::string& path, std::vector<i
       throw ModelingError(joinPath(path, r) + ": " + what);
     };
     if (first + count > faces.size())
-      fail("ends behind the last of the " + std::to_string(faces.size()) + " triangles");
+      fail("ends after the last of the " + std::to_string(faces.size()) + " triangles");
     for (std::size_t t = first; t < first + count; ++t) {
       if (faces[t] >= 0) fail("the triangle " + std::to_string(t) + " already has a face");
       faces[t] = face;
@@ -82,15 +68,14 @@ void readRuns(const json& runs, int face, const std::string& path, std::vector<i
   }
 }
 
-/// The runs of equal numbers in faceOfTriangle, as text per face: the opposite of readRuns().
-std::vector<std::vector<std::string>> runTexts(const MeshBody& body) {
-  std::vector<std::vector<std::string>> runs(body.faceNames().size());
+/// Per face the runs [first, count] of equal numbers in faceOfTriangle: the inverse of readRuns().
+std::vector<Json> runsOf(const MeshBody& body) {
+  std::vector<Json> runs(body.faceNames().size(), Json::array());
   const std::vector<int>& faces = body.faceOfTriangle();
   for (std::size_t first = 0; first < faces.size();) {
     std::size_t end = first + 1;
     while (end < faces.size() && faces[end] == faces[first]) ++end;
-    runs[faces[first]].push_back("[" + std::to_string(first) + ", " + std::to_string(end - first) +
-                                 "]");
+    runs[faces[first]].push_back(Json{first, end - first});
     first = end;
   }
   return runs;
@@ -107,19 +92,16 @@ Solid solidFrom(const json& value) {
   return Solid(pointsFrom(value["control_points_mm"]), std::move(patches), smooth);
 }
 
-std::string solidText(const Solid& solid) {
-  std::vector<std::string> patches;
-  for (const Patch& patch : solid.patches()) patches.push_back(patchText(patch));
-  std::string text =
-      "{\n    \"control_points_mm\": " + linesText(pointLines(solid.controlPoints()), "    ") +
-      ",\n    \"patches\": " + linesText(patches, "    ");
-  std::vector<std::string> smooth;
+Json jsonOf(const Solid& solid) {
+  Json patches = Json::array();
+  for (const Patch& patch : solid.patches()) patches.push_back(jsonOf(patch));
+  Json object{{"control_points_mm", jsonOfEach(solid.controlPoints())},
+              {"patches", std::move(patches)}};
   for (const SolidEdge& edge : solid.edges())
     if (edge.smooth)
-      smooth.push_back("{\"patch\": " + quoted(solid.patches()[edge.uses[0].patch].name) +
-                       ", \"side\": \"" + sideKey(edge.uses[0].side) + "\"}");
-  if (!smooth.empty()) text += ",\n    \"smooth_edges\": " + linesText(smooth, "    ");
-  return text + "\n  }";
+      object["smooth_edges"].push_back(Json{{"patch", solid.patches()[edge.uses[0].patch].name},
+                                            {"side", sideKey(edge.uses[0].side)}});
+  return object;
 }
 
 MeshBody meshBodyFrom(const json& value) {
@@ -140,20 +122,14 @@ MeshBody meshBodyFrom(const json& value) {
   return MeshBody(std::move(data));
 }
 
-std::string meshBodyText(const MeshBody& body) {
-  std::vector<std::string> triangles;
-  triangles.reserve(body.triangles().size());
-  for (const auto& [a, b, c] : body.triangles())
-    triangles.push_back("[" + std::to_string(a) + ", " + std::to_string(b) + ", " +
-                        std::to_string(c) + "]");
-  const std::vector<std::vector<std::string>> runs = runTexts(body);
-  std::vector<std::string> faces;
+Json jsonOf(const MeshBody& body) {
+  std::vector<Json> runs = runsOf(body);
+  Json faces = Json::array();
   for (std::size_t f = 0; f < runs.size(); ++f)
-    faces.push_back("{\"name\": " + quoted(body.faceNames()[f]) + ", \"triangles\": " +
-                    listText(runs[f], [](const std::string& run) { return run; }) + "}");
-  return "{\n    \"vertices_mm\": " + linesText(pointLines(body.positions()), "    ") +
-         ",\n    \"triangles\": " + linesText(triangles, "    ") +
-         ",\n    \"faces\": " + linesText(faces, "    ") + "\n  }";
+    faces.push_back(Json{{"name", body.faceNames()[f]}, {"triangles", std::move(runs[f])}});
+  return {{"vertices_mm", jsonOfEach(body.positions())},
+          {"triangles", body.triangles()},
+          {"faces", std::move(faces)}};
 }
 
 }  // namespace palpa::modeling

@@ -8,7 +8,8 @@
 namespace palpa::modeling {
 namespace {
 
-/// nlohmann's SAX events; looks, counts and keeps only the keys of the objects that are open.
+/// Receiver of nlohmann's SAX events that checks and counts. It stores only the keys of the objects
+/// that are open.
 class Guard : public nlohmann::json_sax<nlohmann::json> {
  public:
   Guard(std::string_view text, const std::string& source, const JsonLimits& limits)
@@ -33,7 +34,7 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
 
   bool key(string_t& name) override {
     Level& level = levels_.back();
-    level.key = name.substr(0, 60);  // enough to name one that is too long
+    level.key = name.substr(0, 60);  // enough to identify a key that is too long
     checkLength(name);
     level.key = name;
     if (level.keys.size() >= limits_.keys)
@@ -44,7 +45,7 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
 
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
-    // out_of_range.406: a number that double cannot hold.
+    // out_of_range.406: a number beyond the range of double.
     if (error.id == 406) {
       next();
       fail(path() + ": the number is too large");
@@ -57,23 +58,23 @@ class Guard : public nlohmann::json_sax<nlohmann::json> {
     }
     const bool ended = position > text_.size();
     const std::string where = "line " + std::to_string(line) + ", column " + std::to_string(column);
-    if (ended) fail(where + ": the file ends too early; it seems to be truncated");
+    if (ended) fail(where + ": the file ends too early; it is probably truncated");
     fail(where + ": not valid JSON (" + reason(error.what()) + ")");
   }
 
  private:
   struct Level {
     bool isObject;
-    std::string key;             // of the value being read
-    std::size_t count = 0;       // of values begun in an array
-    std::set<std::string> keys;  // seen so far in an object
+    std::string key;             // of the current value
+    std::size_t count = 0;       // values of the array so far
+    std::set<std::string> keys;  // keys of the object so far
   };
 
   [[noreturn]] void fail(const std::string& what) const {
     throw ModelingError(source_ + ": " + what);
   }
 
-  /// The library's message without its own code and position.
+  /// Message of the library without its code and position.
   static std::string reason(const std::string& message) {
     const std::size_t colon = message.find(": ");
     const std::string rest = colon == std::string::npos ? message : message.substr(colon + 2);

@@ -6,7 +6,7 @@
 
 namespace palpa::modeling {
 
-/// Limits for text from outside.
+/// Limits for untrusted text.
 struct JsonLimits {
   std::size_t bytes;
   std::size_t values;
@@ -15,9 +15,9 @@ struct JsonLimits {
   std::size_t textBytes = 100'000;  ///< of one string or key
 };
 
-/// Parses JSON after a pass without memory use that enforces the limits and refuses repeated keys,
-/// numbers beyond the range of double and text that is not JSON (with line and column).
-/// Throws ModelingError; messages begin with `source: `.
+/// Parses JSON. A first pass without memory use enforces the limits.
+/// Throws ModelingError that begins with `source: ` if limits are exceeded, a key is repeated, a
+/// number is beyond the range of double, or the text is not JSON (with line and column).
 nlohmann::json parseGuarded(std::string_view text, const std::string& source,
                             const JsonLimits& limits);
 

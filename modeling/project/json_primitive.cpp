@@ -1,14 +1,11 @@
 #include <utility>
 
-#include "base/text.h"
 #include "modeling/project/json_values.h"
 
-// Primitives are read and written here, side by side, because every shape has keys of its own.
+// Reading and writing of primitives, side by side because every shape has different keys.
 namespace palpa::modeling {
 
 using nlohmann::json;
-
-namespace {
 
 ProfileCurve profileFrom(const json& value) {
   ProfileCurve profile{value["degree"], value["knots"], {}};
@@ -17,13 +14,21 @@ ProfileCurve profileFrom(const json& value) {
   return profile;
 }
 
-std::string profileText(const ProfileCurve& profile) {
-  const auto pointText = [](const Eigen::Vector2d& point) {
-    return "[" + numberText(point.x()) + ", " + numberText(point.y()) + "]";
-  };
-  return "{\"degree\": " + std::to_string(profile.degree) +
-         ", \"knots\": " + listText(profile.knots, numberText) +
-         ", \"points_mm\": " + listText(profile.points, pointText) + "}";
+std::vector<LoftShape::Section> sectionsFrom(const json& list) {
+  std::vector<LoftShape::Section> sections;
+  for (const json& section : list)
+    sections.push_back({section["z_mm"].get<double>(), profileFrom(section["profile"])});
+  return sections;
+}
+
+namespace {
+
+using modeling::jsonOf;
+
+Json jsonOf(const ProfileCurve& profile) {
+  Json points = Json::array();
+  for (const Eigen::Vector2d& point : profile.points) points.push_back({point.x(), point.y()});
+  return {{"degree", profile.degree}, {"knots", profile.knots}, {"points_mm", std::move(points)}};
 }
 
 decltype(Primitive::shape) shapeFrom(const json& value) {
@@ -39,63 +44,55 @@ decltype(Primitive::shape) shapeFrom(const json& value) {
   if (kind == "torus") return TorusShape{length("major_radius_mm"), length("minor_radius_mm")};
   if (kind == "revolve") return RevolveShape{profileFrom(value["profile"])};
   if (kind == "extrude") return ExtrudeShape{profileFrom(value["profile"]), length("height_mm")};
-  LoftShape loft;
-  for (const json& section : value["sections"])
-    loft.sections.push_back({section["z_mm"].get<double>(), profileFrom(section["profile"])});
-  return loft;
+  return LoftShape{sectionsFrom(value["sections"])};
 }
 
-std::string lengthText(const char* key, double value) {
-  return std::string(", \"") + key + "\": " + numberText(value);
+Json jsonOf(const BoxShape& shape) {
+  return {{"kind", "box"}, {"size_mm", jsonOf(shape.size)}};
 }
 
-std::string shapeText(const BoxShape& shape) {
-  return "\"box\", \"size_mm\": " + vectorText(shape.size);
+Json jsonOf(const SphereShape& shape) {
+  return {{"kind", "sphere"}, {"radius_mm", shape.radius}};
 }
 
-std::string shapeText(const SphereShape& shape) {
-  return "\"sphere\"" + lengthText("radius_mm", shape.radius);
+Json jsonOf(const EllipsoidShape& shape) {
+  return {{"kind", "ellipsoid"}, {"radii_mm", jsonOf(shape.radii)}};
 }
 
-std::string shapeText(const EllipsoidShape& shape) {
-  return "\"ellipsoid\", \"radii_mm\": " + vectorText(shape.radii);
+Json jsonOf(const CylinderShape& shape) {
+  return {{"kind", "cylinder"}, {"radius_mm", shape.radius}, {"height_mm", shape.height}};
 }
 
-std::string shapeText(const CylinderShape& shape) {
-  return "\"cylinder\"" + lengthText("radius_mm", shape.radius) +
-         lengthText("height_mm", shape.height);
+Json jsonOf(const ConeShape& shape) {
+  return {{"kind", "cone"},
+          {"bottom_radius_mm", shape.bottomRadius},
+          {"top_radius_mm", shape.topRadius},
+          {"height_mm", shape.height}};
 }
 
-std::string shapeText(const ConeShape& shape) {
-  return "\"cone\"" + lengthText("bottom_radius_mm", shape.bottomRadius) +
-         lengthText("top_radius_mm", shape.topRadius) + lengthText("height_mm", shape.height);
+Json jsonOf(const CapsuleShape& shape) {
+  return {{"kind", "capsule"}, {"radius_mm", shape.radius}, {"length_mm", shape.length}};
 }
 
-std::string shapeText(const CapsuleShape& shape) {
-  return "\"capsule\"" + lengthText("radius_mm", shape.radius) +
-         lengthText("length_mm", shape.length);
+Json jsonOf(const TorusShape& shape) {
+  return {{"kind", "torus"},
+          {"major_radius_mm", shape.majorRadius},
+          {"minor_radius_mm", shape.minorRadius}};
 }
 
-std::string shapeText(const TorusShape& shape) {
-  return "\"torus\"" + lengthText("major_radius_mm", shape.majorRadius) +
-         lengthText("minor_radius_mm", shape.minorRadius);
+Json jsonOf(const RevolveShape& shape) {
+  return {{"kind", "revolve"}, {"profile", jsonOf(shape.profile)}};
 }
 
-std::string shapeText(const RevolveShape& shape) {
-  return "\"revolve\", \"profile\": " + profileText(shape.profile);
+Json jsonOf(const ExtrudeShape& shape) {
+  return {{"kind", "extrude"}, {"profile", jsonOf(shape.profile)}, {"height_mm", shape.height}};
 }
 
-std::string shapeText(const ExtrudeShape& shape) {
-  return "\"extrude\", \"profile\": " + profileText(shape.profile) +
-         lengthText("height_mm", shape.height);
-}
-
-std::string shapeText(const LoftShape& shape) {
-  const auto sectionText = [](const LoftShape::Section& section) {
-    return "{\"z_mm\": " + numberText(section.z) +
-           ", \"profile\": " + profileText(section.profile) + "}";
-  };
-  return "\"loft\", \"sections\": " + listText(shape.sections, sectionText);
+Json jsonOf(const LoftShape& shape) {
+  Json sections = Json::array();
+  for (const LoftShape::Section& section : shape.sections)
+    sections.push_back(Json{{"z_mm", section.z}, {"profile", jsonOf(section.profile)}});
+  return {{"kind", "loft"}, {"sections", std::move(sections)}};
 }
 
 }  // namespace
@@ -108,14 +105,11 @@ Primitive primitiveFrom(const json& value) {
   return primitive;
 }
 
-std::string primitiveText(const Primitive& primitive) {
-  std::string text =
-      "{\"kind\": " +
-      std::visit([](const auto& shape) { return shapeText(shape); }, primitive.shape) +
-      ", \"degree\": " + std::to_string(primitive.degree);
-  if (primitive.controlPoints != 0)
-    text += ", \"control_points\": " + std::to_string(primitive.controlPoints);
-  return text + "}";
+Json jsonOf(const Primitive& primitive) {
+  Json object = std::visit([](const auto& shape) { return jsonOf(shape); }, primitive.shape);
+  object["degree"] = primitive.degree;
+  if (primitive.controlPoints != 0) object["control_points"] = primitive.controlPoints;
+  return object;
 }
 
 }  // namespace palpa::modeling

@@ -25,8 +25,12 @@ RegionPart partFrom(const json& value) {
 }  // namespace
 
 Material materialFrom(const json& value) {
-  return {value.value("name", ""), value["youngs_modulus_MPa"].get<double>(),
-          value["poisson_ratio"].get<double>()};
+  Material material;
+  auto& [name, youngsModulus, poissonRatio] = material;  // all fields: the compiler counts them
+  name = value.value("name", "");
+  youngsModulus = value["youngs_modulus_MPa"];
+  poissonRatio = value["poisson_ratio"];
+  return material;
 }
 
 Region regionFrom(const json& value) {
@@ -60,10 +64,10 @@ Touch touchFrom(const json& value) {
   Touch touch;
   touch.name = value["name"];
   touch.at = vectorFrom(value["at_mm"]);
-  // A force was first called a grab with a force.
+  // Older files express a force as a grab with force_N.
   touch.kind = value.contains("force_N") ? TouchKind::kForce
                                          : *touchKindNamed(value["kind"].get<std::string>());
-  if (const char* key = infoOf(touch.kind).vectorKey; value.contains(key))
+  if (const char* key = infoOf(touch.kind).vectorKey(); value.contains(key))
     touch.vector = vectorFrom(value[key]);
   if (value.contains("radius_mm")) touch.radius = value["radius_mm"].get<double>();
   touch.friction = value.value("friction", 0.0);

@@ -1,119 +1,98 @@
-#include "base/text.h"
 #include "modeling/project/json_values.h"
 
 namespace palpa::modeling {
 
-std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-std::string vectorText(const Eigen::Vector3d& v) {
-  return "[" + numberText(v.x()) + ", " + numberText(v.y()) + ", " + numberText(v.z()) + "]";
-}
-
-std::string linesText(const std::vector<std::string>& lines, const std::string& indent) {
-  if (lines.empty()) return "[]";
-  std::string result = "[\n";
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    result += indent + "  " + lines[i] + (i + 1 < lines.size() ? ",\n" : "\n");
-  return result + indent + "]";
+Json jsonOf(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
 }
 
 namespace {
 
-std::string partText(const RegionPart& part) {
+Json partOf(const RegionPart& part) {
   if (const auto* half = std::get_if<HalfSpace>(&part))
-    return "{\"half_space\": {\"normal\": " + vectorText(half->normal) +
-           ", \"below_mm\": " + numberText(half->below) + "}}";
+    return {{"half_space", {{"normal", jsonOf(half->normal)}, {"below_mm", half->below}}}};
   if (const auto* stroke = std::get_if<Stroke>(&part))
-    return "{\"stroke\": {\"points_mm\": " + listText(stroke->points, vectorText) +
-           ", \"radius_mm\": " + numberText(stroke->radius) + "}}";
-  return "{\"patches\": " + listText(std::get<PatchSet>(part).patches, quoted) + "}";
+    return {{"stroke", {{"points_mm", jsonOfEach(stroke->points)}, {"radius_mm", stroke->radius}}}};
+  return {{"patches", std::get<PatchSet>(part).patches}};
 }
 
 }  // namespace
 
-std::string regionText(const Region& region) {
-  return region.parts.size() == 1 ? partText(region.parts.front())
-                                  : listText(region.parts, partText);
+Json jsonOf(const Region& region) {
+  if (region.parts.size() == 1) return partOf(region.parts.front());
+  Json parts = Json::array();
+  for (const RegionPart& part : region.parts) parts.push_back(partOf(part));
+  return parts;
 }
 
-std::string supportText(const Support& support) {
-  std::string text = "{\"name\": " + quoted(support.name) + ", \"kind\": " +
-                     (support.kind == Support::Kind::kFixed ? "\"fixed\"" : "\"roller\"") +
-                     ", \"where\": " + regionText(support.where);
+Json jsonOf(const Support& support) {
+  Json object{{"name", support.name},
+              {"kind", support.kind == Support::Kind::kFixed ? "fixed" : "roller"},
+              {"where", jsonOf(support.where)}};
   if (support.displacement != Eigen::Vector3d::Zero())
-    text += ", \"displacement_mm\": " + vectorText(support.displacement);
-  return text + "}";
+    object["displacement_mm"] = jsonOf(support.displacement);
+  return object;
 }
 
 namespace {
 
-std::string loadBody(const Pressure& load) {
-  return "\"pressure\", \"where\": " + regionText(load.where) +
-         ", \"MPa\": " + numberText(load.pressure);
+void add(Json& object, const Pressure& load) {
+  object["kind"] = "pressure";
+  object["where"] = jsonOf(load.where);
+  object["MPa"] = load.pressure;
 }
 
-std::string loadBody(const UniformTraction& load) {
-  return "\"traction\", \"where\": " + regionText(load.where) +
-         ", \"MPa\": " + vectorText(load.traction);
+void add(Json& object, const UniformTraction& load) {
+  object["kind"] = "traction";
+  object["where"] = jsonOf(load.where);
+  object["MPa"] = jsonOf(load.traction);
 }
 
-std::string loadBody(const Bump& load) {
-  return "\"bump\", \"center_mm\": " + vectorText(load.center) +
-         ", \"radius_mm\": " + numberText(load.radius) +
-         ", \"peak_MPa\": " + numberText(load.peak) +
-         ", \"direction\": " + vectorText(load.direction);
+void add(Json& object, const Bump& load) {
+  object["kind"] = "bump";
+  object["center_mm"] = jsonOf(load.center);
+  object["radius_mm"] = load.radius;
+  object["peak_MPa"] = load.peak;
+  object["direction"] = jsonOf(load.direction);
 }
 
 }  // namespace
 
-std::string loadText(const Load& load) {
-  return "{\"name\": " + quoted(load.name) +
-         ", \"kind\": " + std::visit([](const auto& what) { return loadBody(what); }, load.what) +
-         "}";
+Json jsonOf(const Load& load) {
+  Json object{{"name", load.name}};
+  std::visit([&](const auto& what) { add(object, what); }, load.what);
+  return object;
 }
 
-std::string touchText(const Touch& touch) {
+Json jsonOf(const Touch& touch) {
   const TouchKindInfo& kind = infoOf(touch.kind);
-  std::string text = "{\"name\": " + quoted(touch.name) + ", \"kind\": \"" + kind.name +
-                     "\", \"at_mm\": " + vectorText(touch.at);
+  Json object{{"name", touch.name}, {"kind", kind.name}, {"at_mm", jsonOf(touch.at)}};
   if (kind.needsVector || touch.vector != Eigen::Vector3d::Zero())
-    text += std::string(", \"") + kind.vectorKey + "\": " + vectorText(touch.vector);
-  if (touch.radius) text += ", \"radius_mm\": " + numberText(*touch.radius);
-  if (kind.presses && touch.friction != 0.0)
-    text += ", \"friction\": " + numberText(touch.friction);
-  return text + "}";
+    object[kind.vectorKey()] = jsonOf(touch.vector);
+  if (touch.radius) object["radius_mm"] = *touch.radius;
+  if (kind.presses && touch.friction != 0.0) object["friction"] = touch.friction;
+  return object;
 }
 
-std::string meshText(const MeshSettings& mesh) {
-  std::string text = "{\"edge_length_mm\": " + numberText(mesh.edgeLength);
-  if (!mesh.patchFactors.empty()) {
-    std::string factors;
-    for (const auto& [patch, factor] : mesh.patchFactors)
-      factors += (factors.empty() ? "" : ", ") + quoted(patch) + ": " + numberText(factor);
-    text += ", \"patch_factors\": {" + factors + "}";
-  }
+Json jsonOf(const MeshSettings& mesh) {
+  Json object{{"edge_length_mm", mesh.edgeLength}};
+  if (!mesh.patchFactors.empty()) object["patch_factors"] = mesh.patchFactors;
   if (mesh.engine != Engine::kAutomatic)
-    text += std::string(", \"engine\": ") +
-            (mesh.engine == Engine::kSplines ? "\"splines\"" : "\"triangles\"");
-  if (mesh.accuracy != MeshSettings{}.accuracy)
-    text += ", \"accuracy\": " + numberText(mesh.accuracy);
-  if (mesh.elementLength) text += ", \"element_length_mm\": " + numberText(*mesh.elementLength);
+    object["engine"] = mesh.engine == Engine::kSplines ? "splines" : "triangles";
+  if (mesh.accuracy != MeshSettings{}.accuracy) object["accuracy"] = mesh.accuracy;
+  if (mesh.elementLength) object["element_length_mm"] = *mesh.elementLength;
   if (mesh.refinementLevels > 0 || mesh.refineAtSharpEdges || mesh.refineAtBorders) {
-    std::vector<std::string> at;
+    Json at = Json::array();
     if (mesh.refineAtSharpEdges) at.push_back("sharp_edges");
     if (mesh.refineAtBorders) at.push_back("support_borders");
-    text += ", \"refinement\": {\"levels\": " + std::to_string(mesh.refinementLevels) +
-            ", \"at\": " + listText(at, quoted) + "}";
+    object["refinement"] = {{"levels", mesh.refinementLevels}, {"at", std::move(at)}};
   }
-  return text + "}";
+  return object;
 }
 
-std::string materialText(const Material& material) {
-  return "{\"name\": " + quoted(material.name) +
-         ", \"youngs_modulus_MPa\": " + numberText(material.youngsModulus) +
-         ", \"poisson_ratio\": " + numberText(material.poissonRatio) + "}";
+Json jsonOf(const Material& material) {
+  const auto& [name, youngsModulus, poissonRatio] = material;
+  return {{"name", name}, {"youngs_modulus_MPa", youngsModulus}, {"poisson_ratio", poissonRatio}};
 }
 
 }  // namespace palpa::modeling

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "modeling/error.h"
+#include "modeling/project/json_values.h"
 
 namespace palpa::modeling {
 
@@ -16,10 +16,7 @@ std::vector<LibraryMaterial> read() {
   std::vector<LibraryMaterial> library;
   const nlohmann::json document = nlohmann::json::parse(kMaterials);
   for (const auto& entry : document.at("materials"))
-    library.push_back({{entry.at("name"), entry.at("youngs_modulus_MPa").get<double>(),
-                        entry.at("poisson_ratio").get<double>()},
-                       entry.at("note"),
-                       entry.at("reference")});
+    library.push_back({materialFrom(entry), entry.at("note"), entry.at("reference")});
   return library;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Version 2 added mesh bodies, primitives, smooth edges, patch factors and spline elements;
-/// nothing moved.
+/// Version 2 added mesh bodies, primitives, smooth edges, patch factors and spline elements, and
+/// kept all other keys.
 void fromVersion1(json& document) {
   const auto refuse = [](const json& object, const char* key, const std::string& path) {
     if (object.is_object() && object.contains(key))
@@ -24,6 +24,13 @@ void fromVersion1(json& document) {
     for (const char* key : {"patch_factors", "engine", "accuracy", "element_length_mm"})
       refuse(document["mesh"], key, "mesh.");
   document["version"] = 2;
+}
+
+/// Version 3 renamed balls, nothing else.
+void fromVersion2(json& document) {
+  if (document.contains("touches"))
+    for (json& touch : document["touches"]) upgradeKind(touch);
+  document["version"] = 3;
 }
 
 Solid withSmoothEdgesFound(const Solid& solid) {
@@ -39,8 +46,15 @@ Solid withSmoothEdgesFound(const Solid& solid) {
 
 int migrateDocument(json& document) {
   const int fileVersion = document["version"];
-  if (fileVersion == 1) fromVersion1(document);
+  if (fileVersion <= 1) fromVersion1(document);
+  if (fileVersion <= 2) fromVersion2(document);
   return fileVersion;
+}
+
+void upgradeKind(json& touch) {
+  if (!touch.is_object() || !touch.contains("kind") || !touch["kind"].is_string()) return;
+  json& kind = touch["kind"];
+  kind = std::string(presentKindName(kind.get_ref<const std::string&>()));
 }
 
 void migrateProject(Project& project, int fileVersion) {

@@ -9,14 +9,18 @@
 // read from the result (migrateProject). Fixtures of every old version: tests/data/projects/.
 namespace palpa::modeling {
 
-/// Upgrades a document in place and returns the version it had, which must be one of
-/// 1 … kProjectVersion; all else is left for the schema to judge.
-/// @throws ModelingError for keys that its version did not have
+/// Upgrades a document in place and returns its former version, which must be one of
+/// 1 … kProjectVersion; the schema judges everything else.
+/// Throws ModelingError if the document has keys that its version did not have.
 int migrateDocument(nlohmann::json& document);
 
-/// Completes what the version a file was written in could not say.
+/// Replaces the former name of the kind of a touch, in a project, a list of commands or a
+/// recording, by the present one: version 2 called balls "probe". Other values stay as they are.
+void upgradeKind(nlohmann::json& touch);
+
+/// Adds to a project what the version of its file could not express.
 ///
-/// Version 1 did not know smooth edges: those across which the surface normal turns by at most
+/// Version 1 did not know smooth edges: edges across which the surface normal turns by at most
 /// kSmoothAngle become smooth.
 void migrateProject(Project& project, int fileVersion);
 

@@ -16,8 +16,8 @@ std::string firstLine(const char* path) {
   return line;
 }
 
-/// Field 22 of /proc/<number>/stat; nothing when there is no such process or it has ended and only
-/// waits for its parent.
+/// Start of a process: field 22 of /proc/<number>/stat. None if there is no such process or it has
+/// ended and only waits for its parent.
 std::optional<std::uint64_t> startOf(int number) {
   std::ifstream file("/proc/" + std::to_string(number) + "/stat");
   std::string line;

@@ -32,7 +32,7 @@ void requireNotZero(const Eigen::Vector3d& value, const std::string& path) {
   if (value.norm() == 0.0) throw ModelingError(path + ": must not be zero");
 }
 
-/// A name within its list, not empty and used once.
+/// Throws ModelingError if a name is empty or used twice in its list.
 void checkName(const std::string& name, const std::string& path, std::set<std::string>& names) {
   if (name.empty()) throw ModelingError(path + ".name: is empty");
   if (!names.insert(name).second)
@@ -40,8 +40,8 @@ void checkName(const std::string& name, const std::string& path, std::set<std::s
 }
 
 void checkMaterial(const Material& material) {
-  requirePositive(material.youngsModulus, "material.youngs_modulus_MPa");
-  const double nu = material.poissonRatio;
+  const auto& [name, youngsModulus, nu] = material;
+  requirePositive(youngsModulus, "material.youngs_modulus_MPa");
   if (!(nu > -1.0 && nu <= 0.5))
     throw ModelingError("material.poisson_ratio: " + numberText(nu) +
                         " is outside the possible range -1 < nu <= 0.5");
@@ -78,7 +78,7 @@ void checkLoad(const Bump& load, const Surface&, const std::string& path) {
 void checkTouch(const Touch& touch, const std::string& path) {
   requireFinite(touch.at, path + ".at_mm");
   if (touch.radius) requirePositive(*touch.radius, path + ".radius_mm");
-  requireFinite(touch.vector, path + "." + infoOf(touch.kind).vectorKey);
+  requireFinite(touch.vector, path + "." + infoOf(touch.kind).vectorKey());
   if (!(touch.friction >= 0.0 && touch.friction <= kMaxFriction))
     throw ModelingError(path + ".friction: " + numberText(touch.friction) +
                         " is outside the range 0 … " + numberText(kMaxFriction));
@@ -118,7 +118,7 @@ void checkProject(const Project& project) {
                           quotedPatchNames(project.body));
   if (project.mesh.engine == Engine::kSplines && !std::holds_alternative<Solid>(project.body))
     throw ModelingError(
-        "mesh.engine: a mesh body has no spline patches; leave it automatic or take triangles");
+        "mesh.engine: a mesh body has no spline patches; select automatic or triangles");
   if (project.primitive && !std::holds_alternative<Solid>(project.body))
     throw ModelingError("primitive: a mesh body is not made from a primitive");
 }

@@ -19,26 +19,35 @@ struct Material {
   std::string name;
   double youngsModulus = 1.0;  ///< MPa, > 0
   double poissonRatio = 0.45;  ///< -1 < nu <= 0.5
+
+  bool operator==(const Material&) const = default;
 };
 
+/// Region with prescribed displacements: of all components (fixed) or of the normal one (roller).
 struct Support {
   enum class Kind { kFixed, kRoller };
   std::string name;
   Kind kind = Kind::kFixed;
   Region where;
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, prescribed on the region
+
+  bool operator==(const Support&) const = default;
 };
 
 /// Pressure on a region, MPa, positive into the body.
 struct Pressure {
   Region where;
   double pressure = 0.0;
+
+  bool operator==(const Pressure&) const = default;
 };
 
-/// The same traction (MPa) in every point of a region.
+/// Uniform traction (MPa) on a region.
 struct UniformTraction {
   Region where;
   Eigen::Vector3d traction = Eigen::Vector3d::Zero();
+
+  bool operator==(const UniformTraction&) const = default;
 };
 
 /// The traction direction · peak · (1 − (ρ/radius)²)² for ρ = |x − center| < radius.
@@ -47,56 +56,62 @@ struct Bump {
   double radius = 1.0;                                    ///< mm, > 0
   double peak = 0.0;                                      ///< MPa
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  ///< as given, not normalised
+
+  bool operator==(const Bump&) const = default;
 };
 
+/// A named load: a traction on part of the surface.
 struct Load {
   std::string name;
   std::variant<Pressure, UniformTraction, Bump> what;
+
+  bool operator==(const Load&) const = default;
 };
 
-inline constexpr double kMaxFriction = 10.0;
-
-/// A recorded touch. All touches of a project act at the same time; docs/project-file.md says what
-/// each kind does beside loads and other touches.
+/// A recorded touch. All touches of a project act at the same time; docs/project-file.md describes
+/// the effect of each kind together with loads and other touches.
 struct Touch {
   std::string name;
-  /// mm, on the unloaded shape; where a kind that presses first meets the surface.
+  /// Place (mm) on the unloaded shape; for kinds that press, the place of first contact.
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   TouchKind kind = TouchKind::kGrab;
   /// Displacement (mm) or force (N), see TouchKind.
   Eigen::Vector3d vector = Eigen::Vector3d::Zero();
-  /// mm, > 0; of the mask or the ball; that of a fingertip when absent.
+  /// Radius of the mask or the ball, mm, > 0; by default the radius of a fingertip.
   std::optional<double> radius{};
   double friction = 0.0;  ///< Coulomb's coefficient, 0 … kMaxFriction, of a kind that presses
+
+  bool operator==(const Touch&) const = default;
 };
 
-/// Everything a project file holds.
+/// Content of a project file.
 struct Project {
   std::string name;
   Material material;
   Body body;
-  /// What the solid was made from, as long as it was not edited otherwise.
+  /// The primitive that the solid was made from, until other commands edit the solid.
   std::optional<Primitive> primitive;
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::vector<Touch> touches;
   MeshSettings mesh;
-  /// How the window showed the project: a JSON object as text that only the window understands,
-  /// empty for none. Kept through load and save, key order included.
+  /// View of the project in the window: a JSON object as text that only the window interprets,
+  /// empty for none. Loading and saving preserve it, including the order of its keys.
   std::string view;
 };
 
-/// Checks everything but the body (which checks itself): ranges, finite numbers, names not empty,
-/// unique among supports and among loads, regions that fit the body. Messages begin with the path
-/// as in the file: `supports[0].where.patches[1]: no patch is named …`. @throws ModelingError
+/// Checks a project except for its body (which checks itself): ranges, finite numbers, regions that
+/// fit the body, names that are not empty and unique among supports, loads and touches. Throws
+/// ModelingError that begins with the path in the file:
+/// `supports[0].where.patches[1]: no patch is named …`.
 void checkProject(const Project& project);
 
-/// The regions to fit a mesh to: those of all supports in order, then those of the loads that have
-/// one, in order. Borders of supports are refined on request, borders of loads are not. The name of
-/// each begins with its path: `supports[0] "base"`.
+/// The regions for fitting a mesh: the regions of all supports in order, then the regions of the
+/// loads in order (bumps have none). Borders of supports are refined on request, borders of loads
+/// are not. Names begin with the path: `supports[0] "base"`.
 std::vector<MeshRegion> meshRegions(const Project& project);
 
-/// The region a load acts on; null for a bump, which carries its own extent.
+/// The region of a load; null for a bump, which has a radius instead.
 const Region* regionOf(const Load& load);
 
 }  // namespace palpa::modeling

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The text of the "view" object with its keys in the order of the file; empty when there is none.
+/// The text of the "view" object with its keys in the order of the file; empty if there is none.
 std::string viewText(std::string_view text) {
   using nlohmann::ordered_json;
   const auto onlyView = [](int depth, ordered_json::parse_event_t event, ordered_json& parsed) {
@@ -23,8 +23,8 @@ std::string viewText(std::string_view text) {
   return document.contains("view") ? document["view"].dump() : std::string();
 }
 
-/// A message that quotes hostile names or lists thousands of patches stays readable: cut after
-/// kMaxLength bytes, between two characters.
+/// A message cut after kMaxLength bytes, between two characters, so that it stays readable if it
+/// quotes hostile names or lists thousands of patches.
 std::string clipped(std::string message) {
   constexpr std::size_t kMaxLength = 2000;
   if (message.size() <= kMaxLength) return message;
@@ -33,13 +33,13 @@ std::string clipped(std::string message) {
   return message.substr(0, end) + "…";
 }
 
-/// Before the schema, because a newer version may follow another one.
+/// Checks format and version. It precedes the schema, because newer versions have a different one.
 void checkFormat(const json& document, const std::string& source) {
   const auto fail = [&](const std::string& what) { throw ModelingError(source + ": " + what); };
-  if (!document.is_object()) fail("this is no Palpa project: expected an object { … }");
+  if (!document.is_object()) fail("this is not a Palpa project: expected an object { … }");
   const auto format = document.find("format");
   if (format == document.end())
-    fail("format: is missing; this is no Palpa project (expected \"palpa-project\")");
+    fail("format: is missing; this is not a Palpa project (expected \"palpa-project\")");
   if (*format != "palpa-project")
     fail("format: found " + (format->is_string() ? format->dump() : "no text") +
          ", expected \"palpa-project\"");
@@ -73,7 +73,7 @@ Project projectFrom(const json& document) {
   return project;
 }
 
-/// Runs a step whose errors do not name the file yet.
+/// Runs a step and adds the name of the file to its errors.
 template <class Step>
 auto named(const std::string& source, Step step) {
   try {

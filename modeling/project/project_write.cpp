@@ -1,4 +1,3 @@
-#include "base/text.h"
 #include "modeling/project/atomic_write.h"
 #include "modeling/project/json_values.h"
 #include "modeling/project/project_file.h"
@@ -6,36 +5,44 @@
 namespace palpa::modeling {
 namespace {
 
-template <class T, class Text>
-std::string objectsText(const std::vector<T>& list, Text text) {
-  std::vector<std::string> lines;
-  for (const T& one : list) lines.push_back(text(one));
-  return linesText(lines, "  ");
-}
-
-std::string bodyText(const Solid& solid) {
-  return "\"solid\": " + solidText(solid);
-}
-
-std::string bodyText(const MeshBody& body) {
-  return "\"mesh_body\": " + meshBodyText(body);
-}
+/// Values of a project file with one entry per line.
+const std::set<std::string> kOpen{"",
+                                  "solid",
+                                  "solid.control_points_mm",
+                                  "solid.patches",
+                                  "solid.patches[]",
+                                  "solid.patches[].knots",
+                                  "solid.patches[].net",
+                                  "solid.smooth_edges",
+                                  "mesh_body",
+                                  "mesh_body.vertices_mm",
+                                  "mesh_body.triangles",
+                                  "mesh_body.faces",
+                                  "supports",
+                                  "loads",
+                                  "touches"};
 
 }  // namespace
 
 std::string toJson(const Project& project) {
-  std::string text =
-      "{\n  \"format\": \"palpa-project\",\n  \"version\": " + std::to_string(kProjectVersion) +
-      ",\n  \"name\": " + quoted(project.name) +
-      ",\n  \"material\": " + materialText(project.material) + ",\n  " +
-      std::visit([](const auto& body) { return bodyText(body); }, project.body);
-  if (project.primitive) text += ",\n  \"primitive\": " + primitiveText(*project.primitive);
-  text += ",\n  \"supports\": " + objectsText(project.supports, supportText) +
-          ",\n  \"loads\": " + objectsText(project.loads, loadText) +
-          ",\n  \"touches\": " + objectsText(project.touches, touchText) +
-          ",\n  \"mesh\": " + meshText(project.mesh);
-  if (!project.view.empty()) text += ",\n  \"view\": " + project.view;
-  return text + "\n}\n";
+  Json object{{"format", "palpa-project"},
+              {"version", kProjectVersion},
+              {"name", project.name},
+              {"material", jsonOf(project.material)}};
+  if (const auto* solid = std::get_if<Solid>(&project.body))
+    object["solid"] = jsonOf(*solid);
+  else
+    object["mesh_body"] = jsonOf(std::get<MeshBody>(project.body));
+  if (project.primitive) object["primitive"] = jsonOf(*project.primitive);
+  object["supports"] = jsonOfEach(project.supports);
+  object["loads"] = jsonOfEach(project.loads);
+  object["touches"] = jsonOfEach(project.touches);
+  object["mesh"] = jsonOf(project.mesh);
+  std::string text = jsonText(object, kOpen);
+  // The view is kept byte by byte, as the last value.
+  if (!project.view.empty())
+    text.insert(text.size() - std::string_view("\n}").size(), ",\n  \"view\": " + project.view);
+  return text + "\n";
 }
 
 std::string checkedText(const Project& project, const std::string& name) {

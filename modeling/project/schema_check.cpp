@@ -1,10 +1,9 @@
 #include "modeling/project/schema_check.h"
 
-#include <optional>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <vector>
 
 #include "base/text.h"
 #include "modeling/error.h"
@@ -15,49 +14,37 @@ namespace {
 
 using nlohmann::json;
 
-/// Lets a schema that refers to `project.schema.json#/…` stand alone: the project schema becomes a
-/// part of it, and all references become local.
-void redirectReferences(json& part, const std::string& from, const std::string& to) {
-  if (part.is_object())
-    if (const auto reference = part.find("$ref"); reference != part.end()) {
-      const std::string target = *reference;
-      if (target.rfind(from, 0) == 0) *reference = to + target.substr(from.size());
-    }
-  if (part.is_structured())
-    for (json& inner : part) redirectReferences(inner, from, to);
-}
-
-json standaloneCommandsSchema() {
-  json project = json::parse(kProjectSchema);
-  redirectReferences(project, "#/", "#/definitions/project/");
-  json commands = json::parse(kCommandsSchema);
-  redirectReferences(commands, "project.schema.json#/", "#/definitions/project/");
-  commands["definitions"]["project"] = std::move(project);
-  return commands;
-}
-
-struct CompiledSchema {
-  explicit CompiledSchema(json schemaDocument) : document(std::move(schemaDocument)) {
-    const valijson::adapters::NlohmannJsonAdapter adapter(document);
-    valijson::SchemaParser().populateSchema(adapter, schema);
-  }
-
-  json document;
-  valijson::Schema schema;
+struct Type {
+  const char* name;
+  const char* words;
+  bool (json::*matches)() const noexcept;
 };
 
-const CompiledSchema& compiledSchema(SchemaName name) {
-  if (name == SchemaName::kCommands) {
-    static const CompiledSchema commands(standaloneCommandsSchema());
-    return commands;
-  }
-  if (name == SchemaName::kRecording) {
-    static const CompiledSchema recording(json::parse(kRecordingSchema));
-    return recording;
-  }
-  static const CompiledSchema project(json::parse(kProjectSchema));
-  return project;
+constexpr Type kTypes[] = {{"array", "a list", &json::is_array},
+                           {"object", "an object", &json::is_object},
+                           {"integer", "a whole number", &json::is_number_integer},
+                           {"number", "a number", &json::is_number},
+                           {"string", "a text in quotes", &json::is_string},
+                           {"boolean", "true or false", &json::is_boolean}};
+
+const Type& typeNamed(const std::string& name) {
+  for (const Type& type : kTypes)
+    if (name == type.name) return type;
+  throw std::invalid_argument("JsonSchema: unknown type " + name);
 }
+
+/// The location of a value in a document, as a chain of the values around it.
+struct Location {
+  const Location* outer = nullptr;
+  const std::string* key = nullptr;  // null: an entry of a list
+  std::size_t index = 0;
+
+  std::string path() const {
+    if (!outer) return {};
+    return key ? joinPath(outer->path(), *key) : joinPath(outer->path(), index);
+  }
+  std::string words() const { return outer ? path() : "the file"; }
+};
 
 /// A value in a message: scalars as they are, long ones cut, lists and objects by their size.
 std::string shown(const json& value) {
@@ -67,169 +54,253 @@ std::string shown(const json& value) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "…";
 }
 
-std::string typeName(const std::string& type) {
-  if (type == "array") return "a list";
-  if (type == "object") return "an object";
-  if (type == "integer") return "a whole number";
-  if (type == "number") return "a number";
-  if (type == "string") return "a text in quotes";
-  if (type == "boolean") return "true or false";
-  return type;
+template <class List, class Text>
+std::string joined(const List& list, const char* separator, Text text) {
+  std::string result;
+  for (const auto& one : list) result += (result.empty() ? "" : separator) + text(one);
+  return result;
 }
 
-bool hasType(const json& value, const std::string& type) {
-  if (type == "array") return value.is_array();
-  if (type == "object") return value.is_object();
-  if (type == "integer") return value.is_number_integer();
-  if (type == "number") return value.is_number();
-  if (type == "string") return value.is_string();
-  if (type == "boolean") return value.is_boolean();
-  return false;
-}
-
-std::string quotedList(const json& values) {
-  std::string text;
-  for (const json& value : values) text += (text.empty() ? "" : ", ") + value.dump();
-  return text;
-}
-
-std::string keysOf(const json& object) {
-  std::string text;
-  for (const auto& item : object.items())
-    text += (text.empty() ? "\"" : ", \"") + item.key() + "\"";
-  return text;
-}
-
-std::optional<std::string> violation(const json& root, const json& schema, const json& value,
-                                     const std::string& path);
-
-std::string at(const std::string& path) {
-  return path.empty() ? "the file" : path;
-}
-
-std::optional<std::string> typeViolation(const json& schema, const json& value,
-                                         const std::string& path) {
-  const auto found = [&](const std::string& expected) {
-    return at(path) + ": found " + shown(value) + ", expected " + expected;
-  };
-  if (const auto type = schema.find("type"); type != schema.end()) {
-    std::string expected;
-    bool matches = false;
-    for (const json& one : type->is_array() ? *type : json::array({*type})) {
-      matches = matches || hasType(value, one);
-      expected += (expected.empty() ? "" : " or ") + typeName(one);
-    }
-    if (!matches) return found(expected);
-  }
-  if (const auto one = schema.find("const"); one != schema.end() && value != *one)
-    return found(one->dump());
-  if (const auto list = schema.find("enum"); list != schema.end())
-    if (std::find(list->begin(), list->end(), value) == list->end())
-      return found((list->size() > 1 ? "one of " : "") + quotedList(*list));
-  if (!value.is_number()) {
-    if (value.is_string() &&
-        value.get_ref<const std::string&>().size() < schema.value("minLength", 0U))
-      return found("a text that is not empty");
-    return std::nullopt;
-  }
-  const double number = value.get<double>();
-  const auto limit = [&](const char* key) {
-    const auto it = schema.find(key);
-    return it == schema.end() ? std::optional<double>() : std::optional(it->get<double>());
-  };
-  if (const auto low = limit("minimum"); low && number < *low)
-    return found("at least " + numberText(*low));
-  if (const auto low = limit("exclusiveMinimum"); low && number <= *low)
-    return found("more than " + numberText(*low));
-  if (const auto high = limit("maximum"); high && number > *high)
-    return found("at most " + numberText(*high));
-  return std::nullopt;
-}
-
-std::optional<std::string> arrayViolation(const json& root, const json& schema, const json& value,
-                                          const std::string& path) {
-  const std::size_t low = schema.value("minItems", std::size_t{0});
-  const std::size_t high = schema.value("maxItems", SIZE_MAX);
-  if (value.size() < low || value.size() > high) {
-    const std::string expected = low == high          ? std::to_string(low)
-                                 : value.size() < low ? "at least " + std::to_string(low)
-                                                      : "at most " + std::to_string(high);
-    return at(path) + ": found a list of " + std::to_string(value.size()) + ", expected " +
-           expected + " entries";
-  }
-  if (const auto items = schema.find("items"); items != schema.end())
-    for (std::size_t i = 0; i < value.size(); ++i)
-      if (auto inner = violation(root, *items, value[i], joinPath(path, i))) return inner;
-  return std::nullopt;
-}
-
-std::optional<std::string> objectViolation(const json& root, const json& schema, const json& value,
-                                           const std::string& path) {
-  const json properties = schema.value("properties", json::object());
-  // Unknown keys first: a misspelt key also leaves a required one missing, and names the cause.
-  const json others = schema.value("additionalProperties", json(true));
-  for (const auto& item : value.items()) {
-    if (properties.contains(item.key())) continue;
-    const std::string itemPath = joinPath(path, item.key());
-    if (others == false) return itemPath + ": unknown key, expected one of " + keysOf(properties);
-    if (others.is_object())
-      if (auto inner = violation(root, others, item.value(), itemPath)) return inner;
-  }
-  for (const json& key : schema.value("required", json::array()))
-    if (!value.contains(key)) return joinPath(path, key.get<std::string>()) + ": is missing";
-  if (value.size() < schema.value("minProperties", std::size_t{0}) ||
-      value.size() > schema.value("maxProperties", SIZE_MAX))
-    return at(path) + ": found " + (value.empty() ? "no key" : keysOf(value)) +
-           ", expected exactly one of " + keysOf(properties);
-  for (const auto& item : properties.items())
-    if (const auto found = value.find(item.key()); found != value.end())
-      if (auto inner = violation(root, item.value(), *found, joinPath(path, item.key())))
-        return inner;
-  return std::nullopt;
-}
-
-/// The first violation of the schema (with the keywords that our schemas use), in words.
-std::optional<std::string> violation(const json& root, const json& schema, const json& value,
-                                     const std::string& path) {
-  if (const auto reference = schema.find("$ref"); reference != schema.end())
-    return violation(root, root.at(json::json_pointer(reference->get<std::string>().substr(1))),
-                     value, path);
-  if (auto found = typeViolation(schema, value, path)) return found;
-  if (value.is_array())
-    if (auto found = arrayViolation(root, schema, value, path)) return found;
-  if (value.is_object())
-    if (auto found = objectViolation(root, schema, value, path)) return found;
-  for (const json& part : schema.value("allOf", json::array()))
-    if (auto found = violation(root, part, value, path)) return found;
-  if (schema.contains("if")) {
-    const char* branch = violation(root, schema["if"], value, path) ? "else" : "then";
-    if (schema.contains(branch))
-      if (auto found = violation(root, schema[branch], value, path)) return found;
-  }
-  if (schema.contains("oneOf")) {
-    int matches = 0;
-    for (const json& part : schema["oneOf"]) matches += !violation(root, part, value, path);
-    if (matches != 1)
-      return at(path) + ": expected " + schema["oneOf"][0].value("description", "one variant") +
-             (matches == 0 ? ", found neither" : ", found both");
-  }
-  return std::nullopt;
+/// The keys of a map, quoted.
+template <class Map>
+std::string keysOf(const Map& map) {
+  return joined(map, ", ", [](const auto& item) { return '"' + item.first + '"'; });
 }
 
 }  // namespace
 
+struct JsonSchema::Rule {
+  std::string description;
+  std::vector<const Type*> types;  // empty: any
+  std::vector<json> values;        // of const or enum; empty: any
+  std::size_t minLength = 0;
+  std::optional<double> minimum, exclusiveMinimum, maximum;
+  std::size_t minItems = 0;
+  std::size_t maxItems = SIZE_MAX;
+  const Rule* items = nullptr;
+  std::size_t minProperties = 0;
+  std::size_t maxProperties = SIZE_MAX;
+  std::map<std::string, const Rule*> properties;
+  const Rule* otherProperties = nullptr;
+  bool mayHaveOthers = true;
+  std::vector<std::string> required;
+  std::vector<const Rule*> allOf, oneOf;
+  const Rule* condition = nullptr;
+  const Rule* consequence = nullptr;
+  const Rule* alternative = nullptr;
+
+  class Check;
+};
+
+/// Checks values against rules until the first violation. Composes its message only on demand,
+/// because the rules of `if` and `oneOf` are violated by valid documents, too.
+class JsonSchema::Rule::Check {
+ public:
+  explicit Check(std::string* message) : message_(message) {}
+
+  bool follows(const Rule& rule, const json& value, const Location& at) const {
+    if (!followsTypeAndValues(rule, value, at)) return false;
+    if (value.is_number() && !followsLimits(rule, value, at)) return false;
+    if (value.is_array() && !followsAsArray(rule, value, at)) return false;
+    if (value.is_object() && !followsAsObject(rule, value, at)) return false;
+    for (const Rule* part : rule.allOf)
+      if (!follows(*part, value, at)) return false;
+    if (rule.condition) {
+      const Rule* branch =
+          Check(nullptr).follows(*rule.condition, value, at) ? rule.consequence : rule.alternative;
+      if (branch && !follows(*branch, value, at)) return false;
+    }
+    return rule.oneOf.empty() || followsOne(rule, value, at);
+  }
+
+ private:
+  template <class Text>
+  bool fail(Text text) const {
+    if (message_) *message_ = text();
+    return false;
+  }
+
+  bool expected(const std::string& what, const json& value, const Location& at) const {
+    return fail([&] { return at.words() + ": found " + shown(value) + ", expected " + what; });
+  }
+
+  bool followsTypeAndValues(const Rule& rule, const json& value, const Location& at) const {
+    const auto matches = [&](const Type* type) { return (value.*type->matches)(); };
+    if (!rule.types.empty() && std::none_of(rule.types.begin(), rule.types.end(), matches))
+      return expected(
+          joined(rule.types, " or ", [](const Type* type) { return std::string(type->words); }),
+          value, at);
+    if (!rule.values.empty() &&
+        std::find(rule.values.begin(), rule.values.end(), value) == rule.values.end()) {
+      if (!message_) return false;
+      return expected((rule.values.size() > 1 ? "one of " : "") +
+                          joined(rule.values, ", ", [](const json& one) { return one.dump(); }),
+                      value, at);
+    }
+    if (value.is_string() && value.get_ref<const std::string&>().size() < rule.minLength)
+      return expected("a text that is not empty", value, at);
+    return true;
+  }
+
+  bool followsLimits(const Rule& rule, const json& value, const Location& at) const {
+    const double number = value.get<double>();
+    if (rule.minimum && number < *rule.minimum)
+      return expected("at least " + numberText(*rule.minimum), value, at);
+    if (rule.exclusiveMinimum && number <= *rule.exclusiveMinimum)
+      return expected("more than " + numberText(*rule.exclusiveMinimum), value, at);
+    if (rule.maximum && number > *rule.maximum)
+      return expected("at most " + numberText(*rule.maximum), value, at);
+    return true;
+  }
+
+  bool followsAsArray(const Rule& rule, const json& value, const Location& at) const {
+    const std::size_t low = rule.minItems;
+    const std::size_t high = rule.maxItems;
+    if (value.size() < low || value.size() > high)
+      return expected((low == high          ? std::to_string(low)
+                       : value.size() < low ? "at least " + std::to_string(low)
+                                            : "at most " + std::to_string(high)) +
+                          " entries",
+                      value, at);
+    if (rule.items)
+      for (std::size_t i = 0; i < value.size(); ++i)
+        if (!follows(*rule.items, value[i], {&at, nullptr, i})) return false;
+    return true;
+  }
+
+  bool followsAsObject(const Rule& rule, const json& value, const Location& at) const {
+    const auto& members = value.get_ref<const json::object_t&>();
+    for (const auto& [key, member] : members) {
+      if (rule.properties.contains(key)) continue;
+      const Location place{&at, &key};
+      if (!rule.mayHaveOthers)
+        return fail([&] {
+          return place.path() + ": unknown key, expected one of " + keysOf(rule.properties);
+        });
+      if (rule.otherProperties && !follows(*rule.otherProperties, member, place)) return false;
+    }
+    for (const std::string& key : rule.required)
+      if (!members.contains(key))
+        return fail([&] { return Location{&at, &key}.path() + ": is missing"; });
+    if (members.size() < rule.minProperties || members.size() > rule.maxProperties)
+      return fail([&] {
+        return at.words() + ": found " + (members.empty() ? "no key" : keysOf(members)) +
+               ", expected exactly one of " + keysOf(rule.properties);
+      });
+    for (const auto& [key, member] : members)
+      if (const auto property = rule.properties.find(key); property != rule.properties.end())
+        if (!follows(*property->second, member, {&at, &key})) return false;
+    return true;
+  }
+
+  bool followsOne(const Rule& rule, const json& value, const Location& at) const {
+    const auto count = std::count_if(
+        rule.oneOf.begin(), rule.oneOf.end(),
+        [&](const Rule* variant) { return Check(nullptr).follows(*variant, value, at); });
+    return count == 1 || fail([&] {
+             return at.words() + ": expected " + rule.oneOf.front()->description +
+                    (count == 0 ? ", found neither" : ", found both");
+           });
+  }
+
+  std::string* message_;
+};
+
+JsonSchema::JsonSchema(const json& document, const json& project)
+    : root_(compile(document, document, project)) {}
+JsonSchema::~JsonSchema() = default;
+
+const JsonSchema::Rule* JsonSchema::compile(const json& node, const json& document,
+                                            const json& project) {
+  if (const auto reference = node.find("$ref"); reference != node.end()) {
+    const std::string& target = reference->get_ref<const std::string&>();
+    const std::size_t hash = target.find('#');
+    const json& home = hash == 0 ? document : project;
+    return compile(home.at(json::json_pointer(target.substr(hash + 1))), home, project);
+  }
+  std::unique_ptr<Rule>& place = rules_[&node];
+  if (place) return place.get();  // also while it is being compiled: schemas may be recursive
+  place = std::make_unique<Rule>();
+  Rule& rule = *place;
+  const auto compiled = [&](const json& part) { return compile(part, document, project); };
+  const auto listOf = [&](const json& parts) {
+    std::vector<const Rule*> list;
+    for (const json& part : parts) list.push_back(compiled(part));
+    return list;
+  };
+  using Reader = std::function<void(const json&)>;
+  const Reader ignore = [](const json&) {};
+  const std::map<std::string, Reader> readers{
+      {"$schema", ignore},
+      {"title", ignore},
+      {"definitions", ignore},
+      {"description", [&](const json& v) { rule.description = v; }},
+      {"type",
+       [&](const json& v) {
+         for (const json& name : v.is_array() ? v : json::array({v}))
+           rule.types.push_back(&typeNamed(name));
+       }},
+      {"const", [&](const json& v) { rule.values = {v}; }},
+      {"enum", [&](const json& v) { rule.values = v.get<std::vector<json>>(); }},
+      {"minLength", [&](const json& v) { rule.minLength = v; }},
+      {"minimum", [&](const json& v) { rule.minimum = v.get<double>(); }},
+      {"exclusiveMinimum", [&](const json& v) { rule.exclusiveMinimum = v.get<double>(); }},
+      {"maximum", [&](const json& v) { rule.maximum = v.get<double>(); }},
+      {"minItems", [&](const json& v) { rule.minItems = v; }},
+      {"maxItems", [&](const json& v) { rule.maxItems = v; }},
+      {"items", [&](const json& v) { rule.items = compiled(v); }},
+      {"minProperties", [&](const json& v) { rule.minProperties = v; }},
+      {"maxProperties", [&](const json& v) { rule.maxProperties = v; }},
+      {"properties",
+       [&](const json& v) {
+         for (const auto& [key, part] : v.items()) rule.properties[key] = compiled(part);
+       }},
+      {"additionalProperties",
+       [&](const json& v) {
+         rule.mayHaveOthers = v != false;
+         if (v.is_object()) rule.otherProperties = compiled(v);
+       }},
+      {"required", [&](const json& v) { rule.required = v.get<std::vector<std::string>>(); }},
+      {"allOf", [&](const json& v) { rule.allOf = listOf(v); }},
+      {"oneOf", [&](const json& v) { rule.oneOf = listOf(v); }},
+      {"if", [&](const json& v) { rule.condition = compiled(v); }},
+      {"then", [&](const json& v) { rule.consequence = compiled(v); }},
+      {"else", [&](const json& v) { rule.alternative = compiled(v); }}};
+  for (const auto& [keyword, value] : node.items()) {
+    const auto reader = readers.find(keyword);
+    if (reader == readers.end())
+      throw std::invalid_argument("JsonSchema: unknown keyword " + keyword);
+    reader->second(value);
+  }
+  return &rule;
+}
+
+std::optional<std::string> JsonSchema::violation(const json& value) const {
+  std::string message;
+  if (Rule::Check(&message).follows(*root_, value, {})) return std::nullopt;
+  return message;
+}
+
 void checkAgainstSchema(const json& document, const std::string& source, SchemaName schema) {
-  const CompiledSchema& compiled = compiledSchema(schema);
-  valijson::Validator validator(valijson::Validator::kStrongTypes);
-  const valijson::adapters::NlohmannJsonAdapter adapter(document);
-  if (validator.validate(compiled.schema, adapter, nullptr)) return;
-  const auto found = violation(compiled.document, compiled.document, document, "");
-  const std::string name = schema == SchemaName::kProject    ? "project"
-                           : schema == SchemaName::kCommands ? "commands"
-                                                             : "recording";
-  throw ModelingError(
-      source + ": " +
-      found.value_or("does not follow the schema (resources/" + name + ".schema.json)"));
+  const auto compiled = [&]() -> const JsonSchema& {
+    switch (schema) {
+      case SchemaName::kProject: {
+        static const JsonSchema project(json::parse(kProjectSchema));
+        return project;
+      }
+      case SchemaName::kCommands: {
+        static const JsonSchema commands(json::parse(kCommandsSchema), json::parse(kProjectSchema));
+        return commands;
+      }
+      case SchemaName::kRecording: {
+        static const JsonSchema recording(json::parse(kRecordingSchema));
+        return recording;
+      }
+    }
+    throw std::invalid_argument("checkAgainstSchema: unknown schema");
+  };
+  if (const auto found = compiled().violation(document))
+    throw ModelingError(source + ": " + *found);
 }
 
 }  // namespace palpa::modeling

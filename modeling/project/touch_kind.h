@@ -10,31 +10,36 @@ namespace palpa::modeling {
 /// How a touch acts on the body. kPin stays the last, so that a kind without a row in kTouchKinds
 /// does not compile.
 enum class TouchKind {
-  kGrab,   ///< moves the place from its position on the unloaded shape, all three components
+  kGrab,   ///< prescribes all three components of the displacement from the unloaded shape
   kForce,  ///< pulls or presses with a given force
-  kPush,   ///< a fingertip's pressure mask
-  kBall,   ///< a rigid ball; the contact grows with depth
-  kPin,    ///< grabs the place where supports and loads alone leave it, or moves it from there
+  kPush,   ///< presses with the pressure mask of a fingertip
+  kBall,   ///< presses with a rigid ball; the contact area grows with depth
+  kPin,    ///< fixes the place, or moves it, from its position under supports and loads alone
 };
 
-/// What programs and files say of a kind of touch, and which parameters it has.
+/// Names and parameters of a kind of touch.
 struct TouchKindInfo {
   TouchKind kind;
   const char* name;        ///< in files, options and reports
   const char* formerName;  ///< in files of older versions; null: the same
   const char* label;       ///< in the window, to be translated
-  const char* vectorKey;   ///< in files: a displacement (mm) or a force (N)
+  bool isForce;            ///< the vector is a force (N), otherwise a displacement (mm)
   bool needsVector;        ///< otherwise the vector is zero when absent
-  /// Presses but does not pull, and slides with friction; displacements count from first contact.
+  /// Presses but does not pull, and slides with friction; displacements start at first contact.
   bool presses;
+  bool isBall;  ///< `radius` is of a rigid ball, otherwise of the pressure mask
+
+  constexpr const char* vectorKey() const { return isForce ? "force_N" : "displace_mm"; }
 };
 
+inline constexpr double kMaxFriction = 10.0;  // Coulomb's coefficient
+
 inline constexpr std::array kTouchKinds{
-    TouchKindInfo{TouchKind::kGrab, "grab", nullptr, "Grab", "displace_mm", true, false},
-    TouchKindInfo{TouchKind::kForce, "force", nullptr, "Force", "force_N", true, false},
-    TouchKindInfo{TouchKind::kPush, "push", nullptr, "Push", "displace_mm", true, true},
-    TouchKindInfo{TouchKind::kBall, "ball", "probe", "Ball", "displace_mm", true, true},
-    TouchKindInfo{TouchKind::kPin, "pin", nullptr, "Pin", "displace_mm", false, false},
+    TouchKindInfo{TouchKind::kGrab, "grab", nullptr, "Grab", false, true, false, false},
+    TouchKindInfo{TouchKind::kForce, "force", nullptr, "Force", true, true, false, false},
+    TouchKindInfo{TouchKind::kPush, "push", nullptr, "Push", false, true, true, false},
+    TouchKindInfo{TouchKind::kBall, "ball", "probe", "Ball", false, true, true, true},
+    TouchKindInfo{TouchKind::kPin, "pin", nullptr, "Pin", false, false, false, false},
 };
 
 constexpr const TouchKindInfo& infoOf(TouchKind kind) {

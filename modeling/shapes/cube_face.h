@@ -6,7 +6,7 @@
 
 namespace palpa::modeling {
 
-/// A face of the cube [-1, 1]³ with the axes of its parameters; u × v points outwards.
+/// Face of the cube [-1, 1]³ with the axes of its parameters; u × v points outwards.
 struct CubeFace {
   const char* name;
   Eigen::Vector3d normal, u, v;
@@ -14,7 +14,7 @@ struct CubeFace {
   bool isSide() const { return normal.z() == 0.0; }
 };
 
-/// The four sides, the bottom, the top.
+/// Faces of the cube: the four sides, the bottom, the top.
 inline const std::array<CubeFace, 6>& cubeFaces() {
   static const std::array<CubeFace, 6> faces{{
       {"side_xmin", {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
@@ -27,7 +27,7 @@ inline const std::array<CubeFace, 6>& cubeFaces() {
   return faces;
 }
 
-/// Angle from -π/4 to π/4 for a parameter from 0 to 1, odd about the middle to the last bit.
+/// Angle from -π/4 to π/4 for a parameter from 0 to 1; exactly odd about 0.5.
 inline double quarterAngle(double t) {
   return (t - 0.5) * 2.0 * (std::numbers::pi / 4);
 }

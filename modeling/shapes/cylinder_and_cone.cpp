@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Four patches from the apex to the rim and four over the bottom.
+/// Cone with four patches from the apex to the rim and four patches over the bottom.
 ExactShape coneWithApex(const ConeShape& cone, const NetSize& net) {
   ExactShape shape;
   shape.smallestLength =

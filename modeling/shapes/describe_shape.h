@@ -3,8 +3,9 @@
 #include "modeling/shapes/exact_shape.h"
 #include "modeling/shapes/shape_parameters.h"
 
-// One function per shape: checks its parameters and describes its surface by exact patches with the
-// bases that will represent them. All throw ModelingError that begins with the shape's name.
+// One function per shape: checks its parameters and describes its surface by exact patches, with
+// the bases that will represent them. All throw ModelingError if a parameter is invalid; the
+// message begins with the shape's name.
 namespace palpa::modeling {
 
 ExactShape describe(const BoxShape& box, const NetSize& net);

@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Collects control points and gives those that coincide on borders of patches one number.
+/// List of control points in which coincident points on patch borders share one index.
 class PointList {
  public:
   explicit PointList(double tolerance) : tolerance_(tolerance) {}
 
   int add(Vector3d p, bool onBorder) {
-    // Rounding leaves ±1e-15 where a zero is meant; clean files and exact planes want the zero.
+    // Rounding leaves ±1e-15 where zero is meant; clean files and exact planes need the zero.
     for (double& value : p)
       if (std::abs(value) < tolerance_) value = 0.0;
     if (!onBorder) return append(p);
@@ -39,7 +39,7 @@ class PointList {
     return static_cast<int>(points_.size()) - 1;
   }
 
-  // A unit vector along which few points of a symmetric shape have the same coordinate.
+  // Unit vector along which few points of a symmetric shape have the same coordinate.
   inline static const Vector3d kDirection = Vector3d(0.8091, 0.5117, 0.2891).normalized();
 
   double tolerance_;
@@ -57,7 +57,7 @@ double distanceFrom(const ExactPatch& patch, double s, double t, const Vector3d&
     Eigen::Matrix<double, 3, 2> tangents;
     tangents.col(0) = (patch.surface(s1, t) - patch.surface(s0, t)) / (s1 - s0);
     tangents.col(1) = (patch.surface(s, t1) - patch.surface(s, t0)) / (t1 - t0);
-    // Rank-revealing: the tangents are parallel in the corners of a round cap.
+    // Rank-revealing, because the tangents are parallel in the corners of a round cap.
     const Eigen::Vector2d move = tangents.completeOrthogonalDecomposition().solve(offset);
     const double nextS = std::clamp(s + move.x(), 0.0, 1.0);
     const double nextT = std::clamp(t + move.y(), 0.0, 1.0);

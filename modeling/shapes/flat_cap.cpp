@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Shares of the side's length up to each cut.
+/// Fraction of the side's length at each cut.
 std::vector<double> lengthFractions(const Profile& profile, const std::vector<double>& cuts) {
   std::vector<double> result;
   const double start = profile.lengthUpTo(cuts.front());
@@ -21,7 +21,7 @@ std::vector<double> lengthFractions(const Profile& profile, const std::vector<do
 
 FlatCap::FlatCap(const Profile& profile, const ProfileCuts& cuts) : profile_(profile), cuts_(cuts) {
   for (int direction = 0; direction < 2; ++direction) {
-    // Side 0 and side 2 run against each other, as do side 1 and side 3.
+    // Sides 0 and 2 run in opposite directions, as do sides 1 and 3.
     const std::vector<double> near = lengthFractions(profile, cuts.side[direction]);
     const std::vector<double> far = lengthFractions(profile, cuts.side[direction + 2]);
     for (std::size_t i = 0; i < near.size(); ++i)
@@ -30,7 +30,7 @@ FlatCap::FlatCap(const Profile& profile, const ProfileCuts& cuts) : profile_(pro
   for (int k = 0; k < 4; ++k) corners_[k] = profile_.point(cuts_.side[k].front());
 }
 
-/// Sides 2 and 3 are followed backwards, so that x grows with s and t.
+/// Sides 2 and 3 are reversed, so that x grows with s and t.
 Vector2d FlatCap::onSide(int side, int piece, double x) const {
   const std::vector<double>& cuts = cuts_.side[side];
   if (side < 2) return profile_.point(cuts[piece] + x * (cuts[piece + 1] - cuts[piece]));

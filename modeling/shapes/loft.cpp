@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kMaxSections = 32;
 
-/// A closed profile, counter-clockwise, at a height.
+/// Closed counter-clockwise profile at a height.
 struct Level {
   double z;
   Profile profile;
@@ -39,9 +39,9 @@ Level levelFrom(double z, const ProfileCurve& curve, const std::string& path) {
   return {z, signedArea(profile) < 0.0 ? profile.reversed() : profile};
 }
 
-/// Sections as functions of the height: share(k, t) is the weight of section k at the fraction t of
-/// the whole height. The weights are the splines of the given degree that are 1 at their own
-/// section and 0 at the others (interpolation at the sections with averaged knots).
+/// Sections as functions of the height: the weight of section k at the fraction t of the whole
+/// height. The weights are the splines of the given degree that are 1 at their own section and 0 at
+/// the others (interpolation at the sections with averaged knots).
 class Blend {
  public:
   Blend(const std::vector<Level>& levels, int degree) {
@@ -62,10 +62,10 @@ class Blend {
     inverse_ = values.inverse();
   }
 
-  /// Weights of all sections.
+  /// Weights of all sections at t.
   Eigen::RowVectorXd weights(double t) const { return basisValues(basis_, t) * inverse_; }
 
-  /// The basis along the height in which patches of this degree represent the blend exactly.
+  /// Basis along the height in which patches of this degree represent the blend exactly.
   SplineBasis basis(int degree) const {
     SplineBasis result{degree, std::vector<double>(degree + 1, 0.0)};
     for (std::size_t i = basis_.degree + 1; i + basis_.degree + 1 < basis_.knots.size(); ++i)
@@ -79,7 +79,7 @@ class Blend {
   Eigen::MatrixXd inverse_;
 };
 
-/// A body between sections whose profiles were cut at corresponding places.
+/// Body between sections whose profiles are cut at corresponding places.
 struct LoftBody {
   std::string name;  ///< of the shape, for messages
   std::vector<Level> levels;
@@ -100,7 +100,7 @@ struct LoftBody {
 
   std::size_t pieces(int side) const { return cuts.front().side[side].size() - 1; }
 
-  /// Do all sections continue smoothly at this cut?
+  /// True if all sections are smooth at this cut.
   bool isSmoothAt(int side, std::size_t cut) const {
     for (std::size_t k = 0; k < levels.size(); ++k)
       if (!isSmooth(levels[k].profile, cuts[k].side[side][cut])) return false;
@@ -108,7 +108,7 @@ struct LoftBody {
   }
 };
 
-/// The basis along a piece of side 0 or 1 that also holds the piece opposite of it.
+/// Basis along a piece of side 0 or 1 that also contains the opposite piece.
 SplineBasis pieceBasis(const LoftBody& body, const NetSize& net, int side, std::size_t piece) {
   const std::size_t opposite = body.pieces(side) - 1 - piece;
   SplineBasis basis{net.degree, std::vector<double>(net.degree + 1, 0.0)};

@@ -4,26 +4,29 @@
 
 #include "modeling/shapes/primitive.h"
 
-// Primitives become solids. Control points interpolate the exact shape at Greville abscissae; a
-// spline profile of no higher degree is represented exactly. Edges are marked smooth where the
-// shape has a tangent plane across them, and left sharp elsewhere. Deterministic; a few
+// Conversion of primitives to solids. Control points interpolate the exact shape at Greville
+// abscissae; a spline profile of no higher degree is represented exactly. Edges are marked smooth
+// where the shape has a tangent plane across them, otherwise sharp. Deterministic; takes a few
 // milliseconds.
 namespace palpa::modeling {
 
-/// "box", "sphere", …: the word used in messages, on the command line and in project files.
+/// Name of the shape in messages, on the command line and in project files: "box", "sphere", ….
 std::string shapeName(const Primitive& primitive);
 
-/// @throws ModelingError that begins with the shape's name and says which parameter is wrong:
-///         `torus: the minor radius is 9 mm; it must be smaller than …`
+/// Solid of a primitive. Throws ModelingError if a parameter is invalid; the message begins with
+/// the shape's name and names the parameter: `torus: the minor radius is 9 mm; it must be smaller
+/// than …`.
 Solid makePrimitive(const Primitive& primitive);
 
+/// Result of makeMeasuredPrimitive().
 struct MadeSolid {
   Solid solid;
   double deviation = 0.0;  ///< mm: largest distance of the solid's surface from the exact shape
 };
 
-/// The same, with the fit error measured by dense sampling (2 … 8 points per span and direction):
-/// milliseconds to about a second, with the size of the nets.
+/// Solid of a primitive with its fit error, measured by dense sampling (2 … 8 points per span and
+/// direction). Takes milliseconds to about a second, depending on the size of the nets. Throws
+/// ModelingError under the conditions of makePrimitive().
 MadeSolid makeMeasuredPrimitive(const Primitive& primitive);
 
 }  // namespace palpa::modeling

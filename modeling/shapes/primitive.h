@@ -9,81 +9,107 @@
 
 namespace palpa::modeling {
 
-// The shapes a solid can be made from. Lengths in mm. Axes of symmetry are z; boxes, cylinders,
-// cones, extrusions and lofts stand on z = 0, the others are centred at the origin.
+// Shapes from which a solid can be made. Lengths in mm. Axes of symmetry are z; boxes, cylinders,
+// cones, extrusions and lofts stand on z = 0, all others are centred at the origin.
 
 struct BoxShape {
   Eigen::Vector3d size{40.0, 30.0, 20.0};
+
+  bool operator==(const BoxShape&) const = default;
 };
 
 struct SphereShape {
   double radius = 25.0;
+
+  bool operator==(const SphereShape&) const = default;
 };
 
 struct EllipsoidShape {
   Eigen::Vector3d radii{30.0, 20.0, 15.0};
+
+  bool operator==(const EllipsoidShape&) const = default;
 };
 
 struct CylinderShape {
   double radius = 15.0;
   double height = 40.0;
+
+  bool operator==(const CylinderShape&) const = default;
 };
 
-/// A frustum, or a cone with an apex when the top radius is 0.
+/// Frustum, or cone with an apex if the top radius is 0.
 struct ConeShape {
   double bottomRadius = 20.0;
   double topRadius = 10.0;
   double height = 30.0;
+
+  bool operator==(const ConeShape&) const = default;
 };
 
-/// A cylinder of the given length between two half spheres.
+/// Cylinder of the given length between two half spheres.
 struct CapsuleShape {
   double radius = 10.0;
   double length = 30.0;
+
+  bool operator==(const CapsuleShape&) const = default;
 };
 
 struct TorusShape {
   double majorRadius = 25.0;
   double minorRadius = 8.0;
+
+  bool operator==(const TorusShape&) const = default;
 };
 
-/// A plane NUBS curve: clamped knots, as many as points + degree + 1. Closed when its first and
-/// last points agree.
+/// Plane NUBS curve with points + degree + 1 clamped knots. It is closed if its first and last
+/// points are equal.
 struct ProfileCurve {
   int degree = 3;
   std::vector<double> knots;
   std::vector<Eigen::Vector2d> points;  ///< mm
+
+  bool operator==(const ProfileCurve&) const = default;
 };
 
-/// An open profile (r, z) turned around the z axis. An end on the axis (r = 0) closes the solid
+/// Open profile (r, z) revolved around the z axis. An end on the axis (r = 0) closes the solid
 /// there; any other end gets a flat cap.
 struct RevolveShape {
   ProfileCurve profile;
+
+  bool operator==(const RevolveShape&) const = default;
 };
 
-/// A closed profile (x, y) moved along z.
+/// Closed profile (x, y) extruded along z.
 struct ExtrudeShape {
   ProfileCurve profile;
   double height = 20.0;
+
+  bool operator==(const ExtrudeShape&) const = default;
 };
 
-/// Closed profiles (x, y) at increasing heights with a surface through all of them.
+/// Surface through closed profiles (x, y) at increasing heights.
 struct LoftShape {
   struct Section {
     double z = 0.0;
     ProfileCurve profile;
+
+    bool operator==(const Section&) const = default;
   };
   std::vector<Section> sections;
+
+  bool operator==(const LoftShape&) const = default;
 };
 
-/// A shape with the size of its control nets: what "new solid" and the command make_primitive take,
-/// and what a project remembers as long as its solid was not edited otherwise.
+/// Shape with the size of its control nets: the input of "new solid" and of the command
+/// make_primitive. A project stores it until its solid is edited by other means.
 struct Primitive {
   std::variant<BoxShape, SphereShape, EllipsoidShape, CylinderShape, ConeShape, CapsuleShape,
                TorusShape, RevolveShape, ExtrudeShape, LoftShape>
       shape;
-  int degree = 3;         ///< 1 … 5 in both directions of every patch
+  int degree = 3;         ///< 1 … 5, in both directions of every patch
   int controlPoints = 0;  ///< per direction and patch, degree + 1 … 64; 0: the shape's default
+
+  bool operator==(const Primitive&) const = default;
 };
 
 }  // namespace palpa::modeling

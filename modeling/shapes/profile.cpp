@@ -32,7 +32,7 @@ struct Profile::Data {
 
 namespace {
 
-/// Parameters close enough together that their chords show the curve.
+/// Parameters dense enough that the chords between them represent the curve.
 std::vector<double> sampleParametersOf(const SplineBasis& basis) {
   std::vector<double> parameters;
   const int perSpan = basis.degree == 1 ? 1 : std::max(16, 128 / basis.spanCount());
@@ -94,8 +94,8 @@ Profile::Profile(const ProfileCurve& curve, const std::string& path) {
   const auto& samples = data_->samples;
   for (std::size_t i = 1; i < samples.size(); ++i)
     if ((samples[i] - samples[i - 1]).norm() <= 1e-9 * size())
-      throw ModelingError(path + ": the curve stands still at " + placeText(samples[i]) +
-                          "; remove points that coincide");
+      throw ModelingError(path + ": points of the curve coincide at " + placeText(samples[i]) +
+                          "; remove all but one");
   for (double knot : data_->basis.knots)
     if (turn(knot) > 0.99 * std::numbers::pi)
       throw ModelingError(path + ": the curve turns back on itself at " + placeText(point(knot)));
@@ -140,8 +140,8 @@ Vector2d Profile::point(double t) const {
 }
 
 Vector2d Profile::tangent(double t, int side) const {
-  // Chords rather than derivatives: where control points coincide the derivative is zero, and the
-  // curve has a direction nevertheless.
+  // Chords instead of derivatives: where control points coincide the derivative is zero, but the
+  // curve has a direction.
   constexpr double kStep = 1e-4;
   constexpr double kAtKnot = 1e-9;
   if (t > 1.0 && isClosed()) t -= std::floor(t);
@@ -190,7 +190,7 @@ double Profile::parameterAt(double length) const {
 }
 
 SplineBasis Profile::basis(double from, double to, int degree) const {
-  constexpr double kAtEnd = 1e-6;  // an inner knot this close to an end is the end
+  constexpr double kAtEnd = 1e-6;  // inner knots closer to an end are omitted
   const auto& knots = data_->basis.knots;
   const int curveDegree = data_->basis.degree;
   const double rounds = std::floor(from);
@@ -206,7 +206,7 @@ SplineBasis Profile::basis(double from, double to, int degree) const {
       for (; knots[i] == knot; ++i) ++multiplicity;
       addKnot(knot + round, std::clamp(degree - curveDegree + multiplicity, 1, degree));
     }
-    // Of the seam only continuity is known.
+    // At the seam the curve is only known to be continuous.
     addKnot(round + 1.0, degree);
   }
   SplineBasis basis{degree, std::vector<double>(degree + 1, 0.0)};

@@ -12,21 +12,22 @@
 
 namespace palpa::modeling {
 
-/// A checked ProfileCurve that can be evaluated, with its parameter scaled to 0 … 1; on a closed
-/// curve parameters beyond 1 go on round it. Immutable, copies share their data.
+/// Checked ProfileCurve for evaluation, with its parameter scaled to 0 … 1; on a closed curve
+/// parameters above 1 continue into the next round. Immutable; copies share their data.
 class Profile {
  public:
-  /// `path` begins the messages ("extrude: profile"). @throws ModelingError: degree, number and
-  /// order of knots; points not finite, too many (kMaxPoints) or beyond the largest length; a
-  /// curve that is shorter than the smallest length, stands still, turns back, crosses itself or
-  /// has more than kMaxCorners corners.
+  /// `path` is the beginning of messages ("extrude: profile"). Throws ModelingError if the degree,
+  /// the number of knots or their order is invalid; if points are not finite, too many (kMaxPoints)
+  /// or beyond the largest length; if the curve is shorter than the smallest length, has coincident
+  /// points, turns back, crosses itself or has more than kMaxCorners corners.
   Profile(const ProfileCurve& curve, const std::string& path);
 
+  /// Point at t, mm.
   Eigen::Vector2d point(double t) const;
-  /// Unit tangent just after (side 1) or just before t (side -1). At the seam of a closed curve the
-  /// other end continues it; at an end of an open one both sides are the same.
+  /// Unit tangent just after (side 1) or just before t (side -1). At the seam of a closed curve it
+  /// continues at the other end; at an end of an open curve both sides are equal.
   Eigen::Vector2d tangent(double t, int side) const;
-  /// Angle (rad, 0 … π) by which the tangent jumps at t.
+  /// Angle (rad, 0 … π) between the tangents on both sides of t.
   double turn(double t) const;
 
   bool isClosed() const;
@@ -34,25 +35,26 @@ class Profile {
   /// Largest extent of the curve in x or y, mm.
   double size() const;
 
-  /// Parameters in [0, 1) where the tangent turns by more than kSharpAngle, ascending; 0 only for a
-  /// closed curve.
+  /// Parameters in [0, 1) where the tangent turns by more than kSharpAngle, ascending; 0 is
+  /// possible only for a closed curve.
   const std::vector<double>& corners() const;
 
-  /// Parameters and points of a polyline along the curve, as fine as the checks need.
+  /// Parameters and points (mm) of a polyline along the curve, as fine as the checks need.
   const std::vector<double>& sampleParameters() const;
   const std::vector<Eigen::Vector2d>& samples() const;
 
-  /// Arc length in mm, to about 1e-3: for placing cuts.
+  /// Arc length in mm, accurate to about 1e-3: sufficient for choosing cuts.
   double length() const;
+  /// Arc length from 0 to t, mm.
   double lengthUpTo(double t) const;
-  /// The parameter where lengthUpTo() has this value.
+  /// Parameter at which lengthUpTo() has the given value.
   double parameterAt(double length) const;
 
-  /// Basis over [0, 1] of splines of this degree that break where the curve does between two
-  /// parameters; the curve is one of them when the degree is at least its own.
+  /// Basis over [0, 1] of splines of the given degree with the breaks of the curve between two
+  /// parameters; it contains the curve if `degree` is at least the curve's degree.
   SplineBasis basis(double from, double to, int degree) const;
 
-  /// The same curve, run through backwards.
+  /// Same curve in the opposite direction.
   Profile reversed() const;
 
   static constexpr int kMaxPoints = 256;
@@ -66,17 +68,18 @@ class Profile {
   std::shared_ptr<const Data> data_;
 };
 
-/// A piece of the profile meets the next one smoothly when the tangent turns by less than this.
+/// Pieces of the profile join smoothly if the tangent turns by less than this angle.
 inline constexpr double kSmoothAngle = 0.01;  // rad
 
+/// True if the profile is smooth at t.
 bool isSmooth(const Profile& profile, double t);
 
-/// Where the polyline first touches or crosses itself; the two places' segment numbers. Segments
-/// next to each other are not compared; `closed`: the first and last are next to each other.
+/// Numbers of the two segments where a polyline first touches or crosses itself; none if it does
+/// not. Adjacent segments are not compared; if `closed`, the first and last are adjacent.
 std::optional<std::array<int, 2>> selfCrossing(const std::vector<Eigen::Vector2d>& line,
                                                bool closed);
 
-/// "(1.5, 20) mm" for messages.
+/// Text "(1.5, 20) mm" for messages.
 std::string placeText(const Eigen::Vector2d& point);
 
 }  // namespace palpa::modeling

@@ -9,7 +9,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// Places on a profile as lengths from the seam, ascending, in [0, 2 · length).
+/// Marks on a profile as lengths from the seam, ascending, in [0, 2 · length).
 using Marks = std::vector<double>;
 
 Marks cornerLengths(const Profile& profile) {
@@ -26,10 +26,10 @@ Eigen::Vector2d centreOf(const Profile& profile) {
   return sum / profile.length();
 }
 
-/// The places on `profile` that belong to the corners of the reference: its own corners, in the
-/// order that twists the loft least, or, where it has none, places in the same proportions of the
-/// length, turned likewise. Least twist: the sum of the squared distances between corresponding
-/// points, both seen from the centres of their profiles.
+/// Marks on `profile` that correspond to the corners of the reference: its own corners, in the
+/// order with the least twist of the loft, or, if it has none, marks in the same proportions of the
+/// length, rotated for the least twist. The twist is the sum of the squared distances between
+/// corresponding points, relative to the centres of their profiles.
 Marks leastTwisted(const Profile& profile, const Profile& reference, const Marks& corners) {
   constexpr int kTurns = 128;
   const Marks own = cornerLengths(profile);
@@ -63,7 +63,7 @@ Marks leastTwisted(const Profile& profile, const Profile& reference, const Marks
   return best;
 }
 
-/// How the marks of one profile follow from those of the reference.
+/// Map from the marks of the reference to the marks of one profile.
 class Correspondence {
  public:
   Correspondence(const Profile& profile, const Profile& reference)
@@ -77,21 +77,21 @@ class Correspondence {
     own_.push_back(own_.front() + whole_);
   }
 
-  /// The parameter (0 … 4, growing with the mark) for a length along the reference: corners map to
-  /// corners, lengths between them in proportion.
+  /// Parameter (0 … 4, growing with the mark) for a length along the reference: corners map to
+  /// corners, lengths between them proportionally.
   double parameter(double mark) const {
-    // One round more than needed: a mark before the first anchor must not become negative.
+    // One round more than needed, so that a mark before the first anchor does not become negative.
     double rounds = 1.0;
     while (mark < anchors_.front()) mark += referenceWhole_, rounds -= 1.0;
     while (mark >= anchors_.back()) mark -= referenceWhole_, rounds += 1.0;
-    // A round forth and back may end below the first anchor by rounding.
+    // By rounding, a round forth and back may end below the first anchor.
     mark = std::max(mark, anchors_.front());
     const auto above = std::upper_bound(anchors_.begin(), anchors_.end(), mark);
     const std::size_t i = std::min<std::size_t>(above - anchors_.begin(), anchors_.size() - 1);
     const double part = (mark - anchors_[i - 1]) / (anchors_[i] - anchors_[i - 1]);
     double length = own_[i - 1] + part * (own_[i] - own_[i - 1]);
     while (length >= whole_) length -= whole_, rounds += 1.0;
-    // A corner's own parameter, not the one that its length gives back.
+    // The exact parameter of a corner, not the parameter computed from its length.
     for (double corner : profile_.corners())
       if (std::abs(profile_.lengthUpTo(corner) - length) <= 1e-12 * whole_) return corner + rounds;
     return profile_.parameterAt(length) + rounds;
@@ -103,18 +103,18 @@ class Correspondence {
   Marks anchors_, own_;
 };
 
-/// Shares of a side's length where it has marks, ends included.
+/// Fractions of a side's length at its marks, ends included.
 std::vector<double> sharesOf(const Marks& side) {
   std::vector<double> shares;
   for (double mark : side) shares.push_back((mark - side.front()) / (side.back() - side.front()));
   return shares;
 }
 
-/// Makes two opposite sides have equally many marks: each mark gets a partner on the other side,
-/// the mark in the same order when there are equally many, otherwise one nearby or a new one.
+/// Gives two opposite sides equally many marks: each mark gets a partner on the other side, the
+/// mark of the same index if there are equally many, otherwise a mark nearby or a new one.
 void matchSides(Marks& near, Marks& far) {
   if (near.size() == far.size()) return;
-  constexpr double kPartner = 0.05;  // of the side's length
+  constexpr double kPartner = 0.05;  // fraction of the side's length
   const std::vector<double> a = sharesOf(near);
   std::vector<double> b = sharesOf(far);
   std::reverse(b.begin(), b.end());
@@ -143,7 +143,7 @@ void matchSides(Marks& near, Marks& far) {
   far = newFar;
 }
 
-/// The four sides as marks on the reference: from each of the square's corners to the next.
+/// Four sides as marks on the reference: from each corner of the square to the next.
 std::array<Marks, 4> sidesBetween(const Marks& corners, const Marks& square, double length) {
   std::array<Marks, 4> sides;
   for (int k = 0; k < 4; ++k) {
@@ -161,9 +161,10 @@ std::array<Marks, 4> sidesBetween(const Marks& corners, const Marks& square, dou
   return sides;
 }
 
-constexpr int kParts = 16;  // of the length, where a square may have corners that are none
+constexpr int kParts =
+    16;  // of the length, for corners of the square that are not corners of the profile
 
-/// Calls visit(marks) for squares with equal sides, the one that begins at the seam first.
+/// Calls visit(marks) for squares with equal sides, beginning with the square at the seam.
 template <class Visit>
 void forEqualSides(double length, Visit visit) {
   for (int k = 0; 4 * k < kParts; ++k) {
@@ -251,7 +252,7 @@ std::vector<ProfileCuts> cutProfiles(const std::vector<Profile>& profiles,
     best = sides;
     bestQuality = q;
   };
-  // A profile without corners is round in most cases, and then equal sides are as good as any.
+  // A profile without corners is usually round, and then equal sides are as good as any others.
   if (corners.empty()) forEqualSides(reference.length(), consider);
   if (bestQuality <= 0.0) forSquares(corners, reference.length(), consider);
   if (bestQuality <= 0.0 || quality(best, kFinalCells) <= 0.0)

@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 
 constexpr double kSameParameter = 1e-9;
 
-/// An end of the profile on the axis is covered by a patch over a disc; how far it reaches.
+/// Disc patch that covers an end of the profile on the axis, and its extent.
 struct AxisCap {
-  double parameter = 0.0;  ///< of the profile, where the cap ends
-  double radius = 0.0;     ///< mm, there
+  double parameter = 0.0;  ///< of the profile, at the rim of the cap
+  double radius = 0.0;     ///< mm, at the rim
   bool apex = false;       ///< the profile leaves the axis obliquely
 };
 
@@ -32,7 +32,8 @@ bool isOnAxis(const Profile& profile, double t) {
   return std::abs(profile.point(t).x()) <= 1e-9 * profile.size();
 }
 
-/// The smallest radius (x) of the profile between two parameters with one minimum between them.
+/// Point of the profile with the smallest radius (x) between two parameters with one minimum
+/// between them.
 Vector2d closestToAxis(const Profile& profile, double low, double high) {
   constexpr int kSteps = 80;  // each leaves two thirds of the interval
   for (int step = 0; step < kSteps; ++step) {
@@ -68,7 +69,7 @@ void checkDistanceFromAxis(const Profile& profile) {
     }
 }
 
-/// The volume of the body between profile and axis over π, ∫ r² dz; negative when the profile runs
+/// Volume of the body between profile and axis over π, ∫ r² dz; negative if the profile runs
 /// downwards on the outside.
 double signedVolume(const Profile& profile) {
   double sum = 0.0;
@@ -80,7 +81,7 @@ double signedVolume(const Profile& profile) {
   return sum;
 }
 
-/// Flat caps close the profile towards the axis; they must not cut through it.
+/// Throws ModelingError if the flat caps that close the profile towards the axis cut through it.
 void checkCaps(const Profile& profile) {
   if (profile.isClosed()) return;
   std::vector<Vector2d> line = profile.samples();
@@ -91,8 +92,8 @@ void checkCaps(const Profile& profile) {
                         placeText(line[(*crossing)[1]]));
 }
 
-/// How far the cap at the profile's start may reach: while the radius grows and the curve does not
-/// bend away from the disc by more than about half of what is left to the vertical.
+/// Largest cap at the profile's start: the radius must grow, and the curve may bend away from the
+/// disc by at most about half of the remaining angle to the vertical.
 AxisCap capAtStart(const Profile& profile) {
   constexpr double kRight = std::numbers::pi / 2;
   constexpr double kFlat = 2.0 * std::numbers::pi / 180.0;
@@ -123,11 +124,11 @@ AxisCap capAtStart(const Profile& profile) {
   return cap;
 }
 
-/// The parameter up to cap.parameter at which the profile has this radius.
+/// Parameter up to cap.parameter at which the profile has the given radius.
 double parameterAtRadius(const Profile& profile, const AxisCap& cap, double radius) {
   double low = 0.0, high = cap.parameter;
   if (radius >= cap.radius) return high;
-  // Regula falsi with the Illinois rule: superlinear, and never leaves the bracket.
+  // Regula falsi with the Illinois rule: superlinear, and stays within the bracket.
   double below = -radius, above = cap.radius - radius;
   double t = low;
   for (int step = 0, last = 0; step < 60 && high - low > 1e-15; ++step) {
@@ -158,15 +159,15 @@ void addAxisCap(ExactShape& shape, const std::string& name, const RoundNet& net,
   });
 }
 
-/// Does the surface keep its tangent plane where the profile has this parameter? At an open end the
-/// flat cap continues the profile, towards the axis.
+/// True if the surface has a tangent plane across this parameter of the profile. At an open end the
+/// flat cap continues the profile towards the axis.
 bool isSmoothAt(const Profile& profile, double t) {
   if (profile.isClosed() || (t > 0.0 && t < 1.0)) return isSmooth(profile, t);
   const double towardsAxis = t <= 0.0 ? profile.tangent(0.0, 1).x() : -profile.tangent(1.0, -1).x();
   return towardsAxis > std::cos(kSmoothAngle);
 }
 
-/// Parameters where the bands between the caps are cut: corners, and enough places that no piece
+/// Parameters at which the bands between the caps are cut: corners, and enough others that no piece
 /// of a closed profile is closed.
 std::vector<double> bandCuts(const Profile& profile, double from, double to) {
   std::vector<double> cuts;

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// "_xmin", …, "_ymax" for a horizontal unit vector along an axis.
+/// Suffix "_xmin", …, "_ymax" for a horizontal unit vector along an axis.
 std::string direction(const Vector3d& v) {
   const std::string axis = v.x() != 0.0 ? "_x" : "_y";
   return axis + (v.sum() > 0.0 ? "max" : "min");
@@ -20,7 +20,8 @@ void addQuadrants(ExactShape& shape, const std::string& name, const SplineBasis&
                   bool smoothRim, const std::function<Vector3d(const Vector3d&)>& point) {
   for (double x : {-1.0, 1.0})
     for (double y : {-1.0, 1.0}) {
-      // Parameters grow from the centre along x and y, in the order that turns the normal outwards.
+      // Parameters grow from the centre along x and y, in the order that orients the normal
+      // outwards.
       const bool xFirst = (x * y > 0.0) == facesUp;
       const auto surface = [=](double s, double t) {
         const double a = std::numbers::pi / 4 * (xFirst ? s : t);

@@ -16,7 +16,7 @@ bool rangesMeet(double a, double b, double c, double d) {
   return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
 }
 
-/// Do the closed segments a–b and c–d have a point in common?
+/// True if the closed segments a–b and c–d have a common point.
 bool segmentsMeet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
   if (!rangesMeet(a.x(), b.x(), c.x(), d.x()) || !rangesMeet(a.y(), b.y(), c.y(), d.y()))
     return false;

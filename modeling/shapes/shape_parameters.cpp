@@ -35,7 +35,7 @@ int NetSize::aroundQuarter() const {
 
 SplineBasis NetSize::fromApex() const {
   constexpr std::array<int, 6> kPreferred{0, 17, 10, 9, 10, 10};
-  // The tip is a hundredth of the whole, or what a ratio of 0.4 gives with few spans.
+  // The tip is a hundredth of the whole, or larger, at a ratio of 0.4, with few spans.
   const int count = countOr(kPreferred[degree]);
   const double ratio = std::max(0.4, std::pow(0.01, 1.0 / std::max(1, count - degree - 1)));
   return gradedBasis(degree, count, ratio);

@@ -1,5 +1,5 @@
 // Sphere, ellipsoid and capsule: a cube whose faces are mapped to the sphere by equal angles, so
-// that there is no pole.
+// there is no pole.
 #include <cmath>
 
 #include "modeling/shapes/cube_face.h"
@@ -19,8 +19,8 @@ Vector3d direction(const CubeFace& face, double s, double t) {
       .normalized();
 }
 
-/// The half of the sphere above (sign 1) or below (sign -1) its equator, moved by `offset` along z:
-/// a face of the cube and the halves of the four sides next to it.
+/// Adds the half of the sphere above (sign 1) or below (sign -1) its equator, shifted by `offset`
+/// along z: a face of the cube and the halves of the four sides next to it.
 void addHalfSphere(ExactShape& shape, const CapsuleShape& capsule, const NetSize& net, int sign) {
   const SplineBasis around = uniformBasis(net.degree, net.aroundQuarter());
   const SplineBasis upwards = uniformBasis(net.degree, net.alongLine());

@@ -25,7 +25,7 @@ TColStd_Array1OfReal flatKnots(const SplineBasis& basis) {
   return array;
 }
 
-/// Ends of the spans, 0 and 1 included.
+/// Limits of the spans, 0 and 1 included.
 std::vector<double> breaksOf(const SplineBasis& basis) {
   std::vector<double> breaks = basis.knots;
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
@@ -77,8 +77,8 @@ SplineBasis merged(const SplineBasis& a, const SplineBasis& b) {
   const std::vector<double> first = innerKnots(a);
   const std::vector<double> second = innerKnots(b);
   std::vector<double> inner;
-  // Where one basis has a knot more often than the other, the two differ by rounding: the first
-  // value counts, or the knots would decrease.
+  // Where one basis has a knot with a higher multiplicity, the two values differ by rounding: the
+  // first value is used, otherwise the knots would decrease.
   const auto add = [&](double knot) {
     inner.push_back(!inner.empty() && knot - inner.back() < kSameKnot ? inner.back() : knot);
   };

@@ -7,7 +7,7 @@ namespace palpa::modeling {
 
 inline constexpr int kMaxDegree = 5;  ///< of a patch, in each direction
 
-/// The B-spline basis functions that are not zero at a parameter, with their first derivatives:
+/// B-spline basis functions that are nonzero at a parameter, with their first derivatives:
 /// functions first … first + degree.
 struct BasisFunctions {
   int first = 0;
@@ -15,11 +15,12 @@ struct BasisFunctions {
   std::array<double, kMaxDegree + 1> derivative{};
 };
 
-/// For clamped knots and a parameter in their range (its end belongs to the last span).
+/// Basis functions at a parameter for clamped knots. The upper end of the knot range belongs to the
+/// last span. Throws std::invalid_argument if the parameter is outside the knots.
 BasisFunctions basisAt(const std::vector<double>& knots, int degree, double parameter);
 
-/// Parameter at which control point `index` weighs most, nearly: the mean of its degree inner knots
-/// (Greville abscissa).
+/// Greville abscissa: the mean of the degree inner knots of control point `index`, approximately
+/// the parameter at which the point has the most weight.
 double greville(const std::vector<double>& knots, int degree, int index);
 
 }  // namespace palpa::modeling

@@ -6,9 +6,10 @@
 
 namespace palpa::modeling {
 
-/// For each given control point (none twice) the outward unit normal of the surface near it: at the
-/// Greville abscissae of its place in the net, the mean of all patches that use it. Zero for a
-/// point that no patch uses or where the mean vanishes.
+/// Outward unit normals of the surface near the given control points, which must be distinct. A
+/// normal is evaluated at the Greville abscissae of the point's position in the net, as the mean
+/// over all patches that use the point. Zero for a point that no patch uses, or where the mean
+/// vanishes.
 std::vector<Eigen::Vector3d> controlNormals(const Solid& solid, const std::vector<int>& points);
 
 }  // namespace palpa::modeling

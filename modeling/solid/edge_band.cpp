@@ -9,7 +9,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// The row of control points next to a side, in growing parameter.
+/// Row of control points adjacent to a side, in growing parameter.
 std::vector<int> nextRow(const Patch& patch, Side side) {
   const auto& net = patch.net;
   if (side == Side::kUMin) return net[1];
@@ -51,7 +51,7 @@ std::vector<BasisFunctions> bandSamples(const EdgeBand& band, int perSpan) {
 
 std::optional<TangentRelation> tangentRelation(const EdgeBand& band, const BasisFunctions& at,
                                                const std::vector<Eigen::Vector3d>& points) {
-  constexpr double kParallel = 1e-3;  // sine below which two derivatives span no plane
+  constexpr double kParallel = 1e-3;  // sine below which two derivatives do not span a plane
   TangentRelation relation;
   for (int k = 0; k <= band.degree; ++k) {
     const int i = at.first + k;
@@ -61,7 +61,7 @@ std::optional<TangentRelation> tangentRelation(const EdgeBand& band, const Basis
     relation.e += at.derivative[k] * onEdge;
   }
   const auto& [a, b, e, normal, angle, factor] = relation;
-  // Both point to the same side of the surface: a and b lie on different sides of the edge.
+  // Both point to the same side of the surface, because a and b lie on different sides of the edge.
   const Eigen::Vector3d first = e.cross(a);
   const Eigen::Vector3d second = b.cross(e);
   const double firstLength = first.norm();

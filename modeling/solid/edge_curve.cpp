@@ -11,7 +11,7 @@ SurfaceParameter onSide(const SurfaceEvaluator& surface, PatchEdge edge, double 
   const auto [low, high] = surface.range(edge.patch, direction);
   const auto across = surface.range(edge.patch, 1 - direction);
   const bool atEnd = edge.side == Side::kUMax || edge.side == Side::kVMax;
-  // Ends exactly, whatever the rounding of the interpolation.
+  // Exact at the ends, independent of the rounding of the interpolation.
   const double along = t <= 0.0 ? low : (t >= 1.0 ? high : low + t * (high - low));
   const double fixed = atEnd ? across[1] : across[0];
   if (direction == 0) return {edge.patch, along, fixed};
@@ -23,7 +23,7 @@ SurfaceParameter onEdge(const SurfaceEvaluator& surface, const SolidEdge& edge, 
 }
 
 IsoCurve::IsoCurve(const SurfaceEvaluator& surface, int patch, int direction, double fixed) {
-  // Chords of quarters of 1/16 span, improved by Richardson extrapolation: error O(h⁴).
+  // Chords of 1/16 span and of their halves, improved by Richardson extrapolation: error O(h⁴).
   constexpr int kSamplesPerSpan = 16;
   const auto& spans = surface.spans(patch, direction);
   const auto [low, high] = surface.range(patch, direction);
@@ -55,7 +55,7 @@ IsoCurve::IsoCurve(const SurfaceEvaluator& surface, int patch, int direction, do
 }
 
 std::vector<double> IsoCurve::density(double pieceLength) const {
-  constexpr double kFinest = 64.0;  // times more pieces than without bends
+  constexpr double kFinest = 64.0;  // factor on the number of pieces by bends
   std::vector<double> result{0.0};
   bool bends = false;
   for (std::size_t i = 1; i < lengths_.size(); ++i) {
@@ -64,7 +64,8 @@ std::vector<double> IsoCurve::density(double pieceLength) const {
     bends = bends || bent > straight;
     result.push_back(result.back() + std::max(straight, bent));
   }
-  // Without strong bends exactly the arc length, whatever the rounding of the sum.
+  // Without strong bends the result is exactly the arc length, independent of the rounding of the
+  // sum.
   if (!bends)
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = lengths_[i] / pieceLength;
   return result;

@@ -32,8 +32,8 @@ std::vector<GaussPoint> gaussPoints(const Patch& patch, int direction) {
   return result;
 }
 
-/// ∫ x · (du × dv) over one patch. The basis is evaluated once per line of Gauss points, and the
-/// sum over the net is done one direction at a time: about 40 multiplications per Gauss point.
+/// ∫ x · (du × dv) over one patch, mm³. The basis is evaluated once per line of Gauss points, and
+/// the net is summed one direction at a time: about 40 multiplications per Gauss point.
 double momentOf(const std::vector<Eigen::Vector3d>& points, const Patch& patch) {
   const std::vector<GaussPoint> vPoints = gaussPoints(patch, 1);
   const std::size_t columns = patch.net.front().size();

@@ -7,7 +7,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// The parameters of a line that grows along a direction.
+/// Parameters of the samples along a line.
 std::vector<double> samples(const std::vector<double>& knots, int piecesPerSpan) {
   std::vector<double> result{knots.front()};
   for (std::size_t i = 1; i < knots.size(); ++i) {

@@ -19,10 +19,10 @@ namespace palpa::modeling {
 namespace {
 
 constexpr double kSameKnot = 1e-9;     // of the range
-constexpr double kNearestKnot = 1e-6;  // of the range; closer knots make spans without extent
+constexpr double kNearestKnot = 1e-6;  // of the range; closer knots would make degenerate spans
 
-/// A parameter by its place between the different knots of a direction, which is the same in all
-/// links of a chain: on knot `span` when the fraction is 0, otherwise after it.
+/// Parameter relative to the distinct knots of a direction, equal for all links of a chain: at knot
+/// `span` if the fraction is 0, otherwise after it.
 struct KnotPlace {
   int span = 0;
   double fraction = 0.0;
@@ -41,7 +41,7 @@ std::string directionName(const Solid& solid, PatchDirection at) {
          solid.patches()[at.patch].name + "\"";
 }
 
-/// The place of a parameter strictly inside the range.
+/// Location of a parameter strictly inside the range. Throws ModelingError if it is outside.
 KnotPlace placeOf(const Solid& solid, PatchDirection at, double parameter) {
   const std::vector<double> values = distinct(solid.patches()[at.patch].knots[at.direction]);
   const double length = values.back() - values.front();
@@ -83,7 +83,7 @@ Solid changed(
   return weld(solid, nets);
 }
 
-/// @throws ModelingError when a parameter between knots is too close to one of them
+/// Throws ModelingError if a parameter between knots is too close to one of them.
 void requireDistance(const Solid& solid, PatchDirection at, double parameter,
                      const KnotPlace& place) {
   const std::vector<double> values = distinct(solid.patches()[at.patch].knots[at.direction]);
@@ -95,7 +95,7 @@ void requireDistance(const Solid& solid, PatchDirection at, double parameter,
                           numberText(nearest) + " from it");
 }
 
-/// Inserts a knot at each of these different places, in all links of the chain.
+/// Inserts a knot at each of these distinct locations, in all links of the chain.
 Solid withKnots(const Solid& solid, PatchDirection at, const std::vector<KnotPlace>& places,
                 int times) {
   const Patch& patch = solid.patches()[at.patch];
@@ -140,8 +140,8 @@ std::vector<ChainLink> chainOf(const Solid& solid, PatchDirection at) {
       const bool isFirst = edge.uses[0].patch == link.at.patch && edge.uses[0].side == side;
       const PatchEdge other = edge.uses[isFirst ? 1 : 0];
       const ChainLink found{{other.patch, directionOf(other.side)}, link.reversed != edge.reversed};
-      // A strip of patches that came back turned round would be a Möbius strip, which an oriented
-      // surface does not contain: a direction is found again only with the same sense.
+      // A strip of patches that returned reversed would be a Möbius strip, which an oriented
+      // surface does not contain: a direction is always found again with the same orientation.
       const bool known = std::any_of(chain.begin(), chain.end(), [&](const ChainLink& one) {
         return one.at.patch == found.at.patch && one.at.direction == found.at.direction;
       });
@@ -212,7 +212,8 @@ KnotRemoval removeKnot(const Solid& solid, PatchDirection at, double parameter, 
     throw ModelingError("times: " + std::to_string(times) + ", but the knot " + numberText(knot) +
                         " occurs " + std::to_string(present) + " times in " +
                         directionName(solid, at));
-  constexpr double kAnyTolerance = 1e30;  // OpenCASCADE shall not judge: the deviation is measured
+  constexpr double kAnyTolerance =
+      1e30;  // the removal must not fail in OpenCASCADE: the deviation is measured below
   Solid result =
       changed(solid, at, [&](const ChainLink& link, Geom_BSplineSurface& surface, PatchNet& net) {
         auto& own = net.knots[link.at.direction];

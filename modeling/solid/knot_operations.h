@@ -4,60 +4,63 @@
 
 #include "modeling/solid/solid.h"
 
-// Knot insertion, knot removal and degree elevation on a solid. All act on one direction of a patch
-// and on all patches that are glued to it side by side in that direction (around a cylinder, along
-// a strip of a cube), so that the solid stays closed. Patch names and smooth edges survive; control
-// points are numbered anew. Cost: about a millisecond for a thousand control points.
+// Knot insertion, knot removal and degree elevation on a solid. All functions act on one direction
+// of a patch and on all patches that are glued to it side by side in that direction (around a
+// cylinder, along a strip of a cube), so that the solid stays closed. Patch names and smooth edges
+// are preserved; control points are renumbered. Cost: about a millisecond for a thousand control
+// points.
 namespace palpa::modeling {
 
-inline constexpr int kMaxNetRows = 1000;  ///< of a patch in one direction after an insertion
+inline constexpr int kMaxNetRows = 1000;  ///< of a patch in one direction, after an insertion
 
-/// A direction of a patch: 0 is u, 1 is v.
+/// Direction of a patch: 0 is u, 1 is v.
 struct PatchDirection {
   int patch = 0;
   int direction = 0;
 };
 
-/// A direction in the chain of another; reversed when its parameter runs against the other's.
+/// Direction in the chain of another one; reversed if its parameter runs against the other's.
 struct ChainLink {
   PatchDirection at;
   bool reversed = false;
 };
 
-/// The directions that share knots with one direction through glued sides, itself first.
+/// Chain of the directions that share knots with `at` through glued sides; `at` is the first.
 std::vector<ChainLink> chainOf(const Solid& solid, PatchDirection at);
 
-/// Inserts a knot `times` times. The surface stays the same up to rounding. A parameter within 1e-9
-/// of the range of an existing knot means that knot.
-/// @throws ModelingError that begins with "at: " or "times: ": outside the inner range; closer than
-///         1e-6 of the range to another knot; repeated more often than the degree; too many rows
+/// Inserts a knot `times` times. The surface changes only by rounding. A parameter within 1e-9 of
+/// the range from an existing knot denotes that knot. Throws ModelingError (message begins with
+/// "at: " or "times: ") if the parameter is outside the inner range or closer than 1e-6 of the
+/// range to another knot, if the knot would occur more often than the degree, or if a patch would
+/// get more than kMaxNetRows rows.
 Solid insertKnot(const Solid& solid, PatchDirection at, double parameter, int times = 1);
 
-/// Inserts several knots at once, each where no knot is yet: as many insertKnot() would, in the
-/// time of one.
-/// @throws ModelingError that begins with "at: ": outside the inner range; closer than 1e-6 of the
-///         range to a knot or to each other; too many rows
+/// Inserts several new knots at once: the result of several insertKnot() calls in the time of one.
+/// Throws ModelingError (message begins with "at: ") if a parameter is outside the inner range or
+/// closer than 1e-6 of the range to a knot or to another parameter, or if a patch would get more
+/// than kMaxNetRows rows.
 Solid insertKnots(const Solid& solid, PatchDirection at, std::vector<double> parameters);
 
+/// Result of removeKnot().
 struct KnotRemoval {
   Solid solid;
-  double deviation = 0.0;  ///< mm: largest distance of points with equal parameters, by sampling
+  double deviation = 0.0;  ///< mm: largest sampled distance of points with equal parameters
 };
 
-/// Removes an inner knot `times` times. Far control points stay as they are; edges and vertices
-/// remain common.
-/// @throws ModelingError that begins with "at: ", "times: " or "tolerance_mm: ": there is no such
-///         knot; it occurs less often; the surface would move by more than the tolerance (mm)
+/// Removes an inner knot `times` times. Distant control points keep their positions; edges and
+/// vertices stay shared. Throws ModelingError (message begins with "at: ", "times: " or
+/// "tolerance_mm: ") if there is no such knot, if it occurs less often than `times`, or if the
+/// surface would move by more than the tolerance (mm).
 KnotRemoval removeKnot(const Solid& solid, PatchDirection at, double parameter, int times,
                        double tolerance);
 
-/// Raises the degree, up to 5. The surface stays the same up to rounding; inner knots occur as many
-/// times more, which keeps their continuity.
-/// @throws ModelingError that begins with "degree: " when it is not higher than before or above 5
+/// Raises the degree, up to 5. The surface changes only by rounding; the multiplicity of inner
+/// knots rises equally, which keeps their continuity. Throws ModelingError (message begins with
+/// "degree: ") if the degree is not higher than the present one, or is above 5.
 Solid elevateDegree(const Solid& solid, PatchDirection at, int degree);
 
-/// Largest distance in mm of points with equal fractions of the parameter range, over all patches
-/// of two solids with the same patches; by 6 × 6 samples per span of `a`.
+/// Largest distance (mm) of points with equal fractions of the parameter range, over all patches of
+/// two solids with the same patches, by 6 × 6 samples per span of `a`.
 double sampledDistance(const Solid& a, const Solid& b);
 
 }  // namespace palpa::modeling

@@ -6,18 +6,18 @@
 #include "modeling/solid/solid.h"
 
 // Patches as OpenCASCADE surfaces, for the files of modeling/ that use its spline algebra. The only
-// header here that includes OpenCASCADE; no public header includes it.
+// header here that includes OpenCASCADE; no public header includes this one.
 namespace palpa::modeling {
 
-/// The different values of a non-decreasing list.
+/// Distinct values of a non-decreasing list.
 std::vector<double> distinct(const std::vector<double>& knots);
 
-/// A patch that passes checkPatches() over its control points. Throws Standard_Failure when
-/// OpenCASCADE refuses it.
+/// OpenCASCADE surface of a patch that passes checkPatches() with its control points. Throws
+/// Standard_Failure if OpenCASCADE rejects it.
 Handle(Geom_BSplineSurface)
     makeSurface(const std::vector<Eigen::Vector3d>& points, const Patch& patch);
 
-/// The poles of a surface: result[i][j], i along u and j along v.
+/// Poles of a surface: result[i][j], i along u and j along v.
 std::vector<std::vector<Eigen::Vector3d>> polesOf(const Geom_BSplineSurface& surface);
 
 }  // namespace palpa::modeling

@@ -10,42 +10,45 @@
 
 namespace palpa::modeling {
 
-/// One NUBS patch: a tensor-product B-spline surface whose control points are indices into the
-/// solid's shared list. Direction 0 is u, direction 1 is v.
+/// NUBS patch: a tensor-product B-spline surface whose control points are indices into the shared
+/// list of the solid. Direction 0 is u, direction 1 is v.
 struct Patch {
   std::string name;
   std::array<int, 2> degree{};               ///< 1 … 5 in each direction
   std::array<std::vector<double>, 2> knots;  ///< clamped; size = net size + degree + 1
   std::vector<std::vector<int>> net;         ///< net[i][j]: i along u, j along v
 
+  /// First and last knot of a direction.
   std::array<double, 2> range(int direction) const {
     return {knots[direction].front(), knots[direction].back()};
   }
 };
 
-/// The four sides of a patch, counter-clockwise in the (u, v) plane.
+/// Sides of a patch, counter-clockwise in the (u, v) plane.
 enum class Side { kVMin = 0, kUMax = 1, kVMax = 2, kUMin = 3 };
 
 inline constexpr std::array<Side, 4> kSides{Side::kVMin, Side::kUMax, Side::kVMax, Side::kUMin};
 
-/// Direction of the parameter that varies along a side: 0 (u) for vMin and vMax, 1 (v) otherwise.
+/// Direction of the varying parameter along a side: 0 (u) for kVMin and kVMax, 1 (v) otherwise.
 constexpr int directionOf(Side side) {
   return side == Side::kVMin || side == Side::kVMax ? 0 : 1;
 }
 
-/// True when walking around the patch counter-clockwise follows the growing parameter on this side.
+/// True if the counter-clockwise walk around the patch follows the growing parameter on this side.
 constexpr bool isForward(Side side) {
   return side == Side::kVMin || side == Side::kUMax;
 }
 
+/// Name of a side in messages: "v-min", "u-max", "v-max" or "u-min".
 std::string_view sideName(Side side);
 
+/// Side of a patch.
 struct PatchEdge {
   int patch = -1;
   Side side = Side::kVMin;
 };
 
-/// An edge of the solid: two patch sides glued together.
+/// Edge of the solid: two patch sides glued together.
 struct SolidEdge {
   std::array<PatchEdge, 2> uses;
   bool reversed = false;          ///< the parameters of the two sides run in opposite directions
@@ -53,7 +56,7 @@ struct SolidEdge {
   std::array<int, 2> vertices{};  ///< control points at the start and end of uses[0]'s parameter
 };
 
-/// A closed body bounded by NUBS patches that share control points (positions in mm).
+/// Closed body bounded by NUBS patches that share control points (positions in mm).
 ///
 /// Invariants, checked by the constructor: degrees 1 … 5; knots finite, non-decreasing, clamped,
 /// interior multiplicity at most the degree; net sizes match the knots; indices in range; points
@@ -61,41 +64,45 @@ struct SolidEdge {
 /// points, degree and (after affine normalisation) knots; around every vertex the patches form one
 /// fan; neighbours agree in orientation and the normals du × dv point outwards (volume > 0).
 ///
-/// A value type; const access from several threads is safe. Copies share patches and edges, and so
+/// Value type; const access from several threads is safe. Copies share patches and edges, and so
 /// does withControlPoints(): a copy costs 24 bytes per control point.
 class Solid {
  public:
-  /// The empty solid: no patches. The only one that breaks the invariants.
+  /// Empty solid without patches: the only solid that violates the invariants.
   Solid();
 
-  /// `smoothEdges` names edges by either of their two sides; all others are sharp.
-  /// @throws ModelingError that names the offending place as in the project file, for example
-  ///         `solid.patches[2].knots[0][5]: 0.4 is smaller than the knot before it (0.5)`.
+  /// Solid of the given patches. `smoothEdges` names edges by either of their two sides; all other
+  /// edges are sharp. Throws ModelingError if an invariant is violated; the message names the
+  /// location as in the project file, for example `solid.patches[2].knots[0][5]: 0.4 is smaller
+  /// than the knot before it (0.5)`.
   Solid(std::vector<Eigen::Vector3d> controlPoints, std::vector<Patch> patches,
         const std::vector<PatchEdge>& smoothEdges = {});
 
-  /// The same patches over other points. @throws ModelingError when a point is not finite or the
-  /// volume not positive; std::invalid_argument when their number differs.
+  /// Solid with the same patches and other control points, mm. Throws ModelingError if a point is
+  /// not finite or the volume is not positive; std::invalid_argument if the number of points
+  /// differs.
   Solid withControlPoints(std::vector<Eigen::Vector3d> controlPoints) const;
 
-  /// The same solid with the given edges (indices into edges()) smooth or sharp.
+  /// Same solid with the given edges (indices into edges()) smooth or sharp.
   Solid withSmoothEdges(const std::vector<int>& edges, bool smooth) const;
 
   const std::vector<Eigen::Vector3d>& controlPoints() const { return controlPoints_; }
   const std::vector<Patch>& patches() const { return topology_->patches; }
   const std::vector<SolidEdge>& edges() const { return topology_->edges; }
 
-  /// True when the two share patches and edges: only control points can differ.
+  /// True if both solids share patches and edges, so that only control points can differ.
   bool sharesTopologyWith(const Solid& other) const { return topology_ == other.topology_; }
 
-  /// Index into edges() of the edge a patch side belongs to.
+  /// Index into edges() of the edge that contains a patch side.
   int edgeOf(int patch, Side side) const {
     return topology_->edgeOfSide[patch][static_cast<int>(side)];
   }
 
-  /// Control point at the start or end (in growing parameter) of a side: the solid's vertex there.
+  /// Control points at the start and the end (in growing parameter) of a side: vertices of the
+  /// solid.
   std::array<int, 2> verticesOf(int patch, Side side) const;
 
+  /// Index of the patch with this name, if any.
   std::optional<int> findPatch(std::string_view name) const;
 
  private:

@@ -13,8 +13,8 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kMaxCoordinate = 1e7;   // mm; ten kilometres: beyond it, a unit is mistaken
-constexpr double kKnotTolerance = 1e-9;  // of the knot range, when the knots of two sides compare
+constexpr double kMaxCoordinate = 1e7;   // mm; larger values indicate a wrong unit
+constexpr double kKnotTolerance = 1e-9;  // of the knot range, for comparing the knots of two sides
 
 std::string patchPath(std::size_t patch) {
   return "solid.patches[" + std::to_string(patch) + "]";
@@ -81,7 +81,7 @@ void checkKnots(const std::vector<double>& knots, int degree, std::size_t points
       fail(last - i, " differs from the last knot; the last " + std::to_string(order) +
                          " knots must be equal (clamped) for degree " + std::to_string(degree));
   }
-  // Interior knots: more than `degree` equal ones would tear the surface.
+  // Interior knots: more than `degree` equal knots would disconnect the surface.
   for (std::size_t i = 0, run = 0; i <= last; ++i) {
     run = i > 0 && knots[i] == knots[i - 1] ? run + 1 : 1;
     const bool atEnds = knots[i] == knots[0] || knots[i] == knots[last];
@@ -92,7 +92,8 @@ void checkKnots(const std::vector<double>& knots, int degree, std::size_t points
   }
 }
 
-/// Do two knot vectors agree after mapping both to [0, 1] (and turning the second if reversed)?
+/// True if two knot vectors agree after mapping both to [0, 1] (and reversing the second if
+/// `reversed`).
 bool knotsAgree(const std::vector<double>& a, const std::vector<double>& b, bool reversed) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -120,7 +121,7 @@ SolidEdge glue(const std::vector<Patch>& patches, PatchEdge first, PatchEdge sec
                         ", with which it shares an edge");
   if ((isForward(first.side) == isForward(second.side)) != reversed)
     throw ModelingError(quotedPatch(patches, second.patch) +
-                        ": its normal points to the other side than that of its neighbour " +
+                        ": its normal is opposite to the normal of its neighbour " +
                         quotedPatch(patches, first.patch) + "; exchange u and v in one of the two");
   const std::vector<int> indices = sideIndices(a, first.side);
   return {{first, second}, reversed, false, {indices.front(), indices.back()}};
@@ -194,7 +195,7 @@ std::vector<SolidEdge> glueSides(const std::vector<Patch>& patches) {
       list.push_back({edge, useTurned});
     }
 
-  // In patch order rather than in the order of the keys, so that edges are numbered predictably.
+  // In patch order instead of key order, so that edges are numbered predictably.
   std::vector<SolidEdge> edges;
   for (std::size_t p = 0; p < patches.size(); ++p)
     for (Side side : kSides) {
@@ -212,7 +213,7 @@ std::vector<SolidEdge> glueSides(const std::vector<Patch>& patches) {
 }
 
 void checkVertexFans(const std::vector<Patch>& patches, const std::vector<SolidEdge>& edges) {
-  // Patch corners that use one control point, joined over the glued sides, must be one group.
+  // The patch corners that use one control point, joined over the glued sides, must form one group.
   // Corner c of a patch lies between side c - 1 and side c (counter-clockwise).
   const auto cornerAtEnd = [](Side side, bool end) {
     const int index = static_cast<int>(side);

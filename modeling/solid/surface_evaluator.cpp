@@ -79,8 +79,8 @@ SurfacePoint SurfaceEvaluator::evaluate(int patch, double u, double v) const {
 }
 
 Eigen::Vector3d SurfaceEvaluator::normal(int patch, double u, double v) const {
-  constexpr double kParallel = 1e-2;  // sine of the angle below which du × dv is not trusted
-  constexpr double kInside = 0.02;    // of the way to the patch's centre
+  constexpr double kParallel = 1e-2;  // sine of the angle below which du × dv is unreliable
+  constexpr double kInside = 0.02;    // fraction of the way to the patch's centre
   const auto [uMin, uMax] = range(patch, 0);
   const auto [vMin, vMax] = range(patch, 1);
   Eigen::Vector3d best = Eigen::Vector3d::Zero();

@@ -12,8 +12,8 @@
 namespace palpa::modeling {
 namespace {
 
-/// Calls visit(point, weight) at the Gauss points of every polynomial span; weight includes the
-/// size of the span in parameters.
+/// Calls visit(point, weight) at the Gauss points of every polynomial span; the weight includes the
+/// parameter area of the span.
 template <class Visit>
 void forGaussPoints(const SurfaceEvaluator& surface, Visit visit) {
   for (int patch = 0; patch < surface.patchCount(); ++patch) {
@@ -72,7 +72,7 @@ std::array<Eigen::Vector3d, 2> boundingBox(const Solid& solid) {
 }
 
 std::vector<bool> sharpEdges(const Solid& solid, const SurfaceEvaluator& surface, double angle) {
-  // Not at the ends: the normal may be undefined in a corner.
+  // The ends are excluded: the normal may be undefined in a corner.
   constexpr std::array<double, 7> kSamples{0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95};
   std::vector<bool> sharp;
   for (const SolidEdge& edge : solid.edges()) {
@@ -93,7 +93,7 @@ std::vector<bool> sharpEdges(const Solid& solid, const SurfaceEvaluator& surface
 std::vector<int> smoothingGroups(const Solid& solid, const std::vector<bool>& sharp) {
   std::vector<int> group(solid.patches().size());
   std::iota(group.begin(), group.end(), 0);
-  // Few patches: relabelling all of them at every smooth edge is simple and fast enough.
+  // There are few patches: relabelling all of them at every smooth edge is simple and fast enough.
   for (std::size_t e = 0; e < solid.edges().size(); ++e) {
     if (sharp[e]) continue;
     const int keep = group[solid.edges()[e].uses[0].patch];

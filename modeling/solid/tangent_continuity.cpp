@@ -17,36 +17,36 @@ using Points = std::vector<Vector3d>;
 
 // The tangent planes of two patches along an edge agree where
 //   R(t) = kappa a + lambda b + mu e = 0    (edge_band.h).
-// a, b and e are linear in the control points. Two kinds of steps:
+// a, b and e are linear in the control points. There are two kinds of steps:
 //
-// 1. kappa, lambda and mu as they were before the edit, R = 0 in all three components: linear. It
-//    keeps the parameters of the two patches related as they were, holds exactly
-//    wherever the edge was exact before (equal knots: R = 0 is an equation between control points),
-//    and any affine motion satisfies it.
-// 2. Gauss-Newton on n · R = 0 with the factors and the normal n of the present shape: one equation
-//    per sample instead of three, for what is left.
+// 1. R = 0 in all three components, with kappa, lambda and mu as before the edit: a linear problem.
+// It preserves the relation of the parameters of the two patches, holds exactly wherever the edge
+// was exact before (equal knots: R = 0 is an equation between control points), and is satisfied by
+// any affine motion.
+// 2. Gauss-Newton on n · R = 0 with the factors and the normal n of the present shape, for the
+// remainder: one equation per sample instead of three.
 //
 // Both minimise sum |d|² / size² + weight · sum R² over the displacements d of the free points. The
-// residual R is a sine, so that the weight compares angles with displacements relative to the size.
-// It is small on purpose: what can be met exactly is met to rounding after two or three steps,
-// since each starts from the last result, while what the spline space cannot meet (corners of three
-// smooth edges) does not drive points far away.
+// residual R is a sine, so the weight compares angles with displacements relative to the size. It
+// is small on purpose: conditions that can be satisfied exactly are satisfied to rounding after two
+// or three steps, since each step starts from the last result; conditions that the spline space
+// cannot satisfy (corners of three smooth edges) do not drive points far away.
 constexpr double kWeight = 1.0;
 constexpr int kMaxSteps = 12;
 constexpr double kGoodEnough = 1e-9;  // rad
 constexpr double kLargeAngle = 0.02;  // rad
-constexpr double kUnmoved = 1e-12;    // of the size: displacements below are rounding
+constexpr double kUnmoved = 1e-12;    // of the size: smaller displacements are rounding
 
-/// What takes part in one solve: bands, and which points may move.
+/// Data of one solve: bands, and the points that may move.
 struct Problem {
   std::vector<EdgeBand> bands;
-  std::vector<std::vector<BasisFunctions>> samples;  // per band, only those the change reaches
-  std::vector<int> unknownOf;                        // per control point; -1: held
+  std::vector<std::vector<BasisFunctions>> samples;  // per band, those that the change affects
+  std::vector<int> unknownOf;                        // per control point; -1: fixed
   int unknowns = 0;
   double size = 1.0;  // mm
 };
 
-/// Does a sample depend on one of the marked points?
+/// True if a sample depends on one of the marked points.
 bool reaches(const EdgeBand& band, const BasisFunctions& at, const std::vector<char>& marked) {
   for (const auto& row : band.rows)
     for (int k = 0; k <= band.degree; ++k)
@@ -61,7 +61,7 @@ bool reaches(const EdgeBand& band, const std::vector<char>& marked) {
   return false;
 }
 
-/// Marks the points of a band within the support of the marked ones.
+/// Marks the points of a band within the support of the points marked in `from`.
 void spread(const EdgeBand& band, const std::vector<char>& from, std::vector<char>& to) {
   for (int i = 0; i < band.length(); ++i) {
     bool near = false;
@@ -74,14 +74,14 @@ void spread(const EdgeBand& band, const std::vector<char>& from, std::vector<cha
   }
 }
 
-/// `start` marks the points around which others become free, except those in `held`.
+/// `start` marks the points around which other points become free, except those in `held`.
 Problem makeProblem(const Solid& solid, const std::vector<char>& start,
                     const std::vector<char>& held) {
   std::vector<EdgeBand> smooth;
   for (std::size_t e = 0; e < solid.edges().size(); ++e)
     if (solid.edges()[e].smooth) smooth.push_back(bandOf(solid, static_cast<int>(e)));
-  // First beside the edges of the start, then beside the smooth edges that those points touch, so
-  // that corners are solved with all their edges; no farther.
+  // First along the edges of the start points, then along the smooth edges that these points touch,
+  // so that corners are solved with all their edges; no farther.
   std::vector<char> reached = start;
   std::vector<char> done(smooth.size(), 0);
   for (int round = 0; round < 2; ++round) {
@@ -148,8 +148,8 @@ Eigen::MatrixXd leastChange(int rows, int columns,
   return solver.solve(kWeight * (jacobian.transpose() * rhs));
 }
 
-/// Adds displacements (relative to the size) to the free points; tiny ones are dropped, so that
-/// points the change does not reach keep their bits.
+/// Adds displacements (relative to the size) to the free points; negligible ones are dropped, so
+/// that points that the change does not affect keep their bits.
 Points moved(const Problem& problem, const Points& points, const Eigen::MatrixXd& displacement) {
   Points result = points;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -160,7 +160,7 @@ Points moved(const Problem& problem, const Points& points, const Eigen::MatrixXd
   return result;
 }
 
-/// Step 1: the relation of `reference` in all components.
+/// Step 1: the relation of `reference` in all three components.
 Points linearStep(const Problem& problem, const Points& reference, const Points& points) {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<Vector3d> residuals;
@@ -183,7 +183,7 @@ Points linearStep(const Problem& problem, const Points& reference, const Points&
                leastChange(static_cast<int>(residuals.size()), problem.unknowns, entries, rhs));
 }
 
-/// Step 2: the normal component with the relation of the points themselves.
+/// Step 2: the normal component with the relation of the present points.
 Points normalStep(const Problem& problem, const Points& points) {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> residuals;
@@ -212,8 +212,8 @@ Points normalStep(const Problem& problem, const Points& points) {
   return moved(problem, points, displacement);
 }
 
-/// Repeats a step while each halves the angle, or brings a large one down at all: slower gains
-/// would be bought with large motions.
+/// Repeats a step while each one halves the angle, or reduces a large angle at all: slower progress
+/// would require large motions.
 template <class Step>
 Points repeated(const Problem& problem, Points points, Step step) {
   double angle = largestAngle(problem, points);
@@ -268,7 +268,7 @@ Solid restoreTangents(const Solid& before, const Solid& after, const std::vector
     });
     points = improved(problem, std::move(points));
   }
-  // When all three rows are held in a shape that is not smooth, somebody has to give way.
+  // If all three rows are held in a shape that is not smooth, held points must move too.
   const double allowed = std::max(kLargeAngle, 2.0 * largestAngle(problem, before.controlPoints()));
   if (!held.empty() && largestAngle(problem, points) > allowed)
     points = improved(makeProblem(after, changed, std::vector<char>(count, 0)), std::move(points));

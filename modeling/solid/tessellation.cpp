@@ -12,11 +12,11 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Parameters of the vertices along one direction with the basis there.
+/// Parameters of the vertices along one direction, with the basis there.
 struct Direction {
   std::vector<double> parameters;
   std::vector<BasisFunctions> position;  // at the parameter itself
-  std::vector<BasisFunctions> slope;     // where the derivative is taken
+  std::vector<BasisFunctions> slope;     // where the derivative is evaluated
   std::vector<int> knotVertices;
 };
 
@@ -24,8 +24,8 @@ Direction sample(const Patch& patch, int direction, int piecesPerSpan) {
   const std::vector<double>& knots = patch.knots[direction];
   const double low = knots.front();
   const double high = knots.back();
-  // Derivatives are taken a little inside: in the corners of a round cap du and dv are parallel,
-  // and at a border that belongs to several spans the inner one counts.
+  // Derivatives are evaluated slightly inside: in the corners of a round cap du and dv are
+  // parallel, and on a border between spans the inner span counts.
   const auto inside = [&](double t) { return t + 0.01 * (0.5 * (low + high) - t); };
   Direction result;
   const auto add = [&](double t) {

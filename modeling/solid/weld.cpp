@@ -8,7 +8,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// Row and column in the net of point k of a side (in growing parameter).
+/// Row and column of point k of a side (in growing parameter) in the net.
 std::pair<int, int> netPosition(Side side, int k, int rows, int columns) {
   switch (side) {
     case Side::kVMin:
@@ -42,7 +42,7 @@ Solid weld(const Solid& before, const std::vector<PatchNet>& nets) {
          std::vector<std::vector<int>>(nets[p].points.size(),
                                        std::vector<int>(nets[p].points.front().size(), -1))});
 
-  // Every place of every net gets a point; places that are glued get the same one.
+  // Every position in every net gets a point; glued positions get the same point.
   std::vector<Eigen::Vector3d> points;
   const auto add = [&](const Eigen::Vector3d& position) {
     points.push_back(position);
@@ -85,7 +85,7 @@ Solid weld(const Solid& before, const std::vector<PatchNet>& nets) {
     }
   }
 
-  // Numbers in the order of use, so that they follow the patches.
+  // Numbered in the order of use, so that the numbers follow the patches.
   std::vector<int> numberOf;
   std::vector<Eigen::Vector3d> ordered;
   for (std::size_t p = 0; p < patches.size(); ++p)

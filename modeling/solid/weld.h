@@ -7,24 +7,25 @@
 
 namespace palpa::modeling {
 
-/// The control net of a patch by positions instead of indices, with its degrees and knots.
+/// Control net of a patch by positions instead of indices, with degrees and knots.
 struct PatchNet {
   std::array<int, 2> degree{};
   std::array<std::vector<double>, 2> knots;
-  std::vector<std::vector<Eigen::Vector3d>> points;  ///< points[i][j]: i along u, j along v
-  std::array<bool, 2> changed{};  ///< directions whose knots or degree differ from the solid's
+  std::vector<std::vector<Eigen::Vector3d>> points;  ///< mm; points[i][j]: i along u, j along v
+  std::array<bool, 2>
+      changed{};  ///< directions whose knots or degree differ from the original solid
 };
 
-/// The net of a patch of a solid as it is.
+/// Net of a patch of a solid, unchanged.
 PatchNet netOf(const Solid& solid, int patch);
 
-/// A solid with the patches, edges and smooth flags of `before` over new nets, one per patch.
+/// Solid with the patches, edges and smooth flags of `before` and new nets, one per patch.
 ///
-/// Which points are shared follows from the edges of `before`, never from distances: vertices stay,
-/// rows of edges along an unchanged direction stay, rows along a changed one are taken from one of
-/// their two patches (both computed the same row up to rounding). Points are numbered in the order
-/// in which the nets use them. Both patches of an edge must have changed in the same way.
-/// @throws ModelingError as the constructor of Solid
+/// The shared points follow from the edges of `before`, never from distances: vertices stay, rows
+/// of edges along an unchanged direction stay, and rows along a changed direction are taken from
+/// one of their two patches (both computed the same row up to rounding). Points are numbered in the
+/// order in which the nets use them. Both patches of an edge must have changed in the same way.
+/// Throws ModelingError under the conditions of the Solid constructor.
 Solid weld(const Solid& before, const std::vector<PatchNet>& nets);
 
 }  // namespace palpa::modeling

@@ -10,8 +10,8 @@ using namespace palpa;
 /// Any bytes are refused with a ModelingError, or they are a body that keeps its invariants. The
 /// first byte chooses the format.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr modeling::MeshFormat kFormats[] = {
-      modeling::MeshFormat::kStl, modeling::MeshFormat::kObj, modeling::MeshFormat::kPly};
+  constexpr modeling::FileFormat kFormats[] = {
+      modeling::FileFormat::kStl, modeling::FileFormat::kObj, modeling::FileFormat::kPly};
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   try {

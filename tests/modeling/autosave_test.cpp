@@ -34,7 +34,7 @@ std::string contentOf(const fs::path& path) {
   return text.str();
 }
 
-/// A child that writes one snapshot and is killed.
+/// Starts a child that writes one snapshot, and kills it.
 void crashAfterAutosave(const fs::path& folder, const fs::path& original, const std::string& name,
                         std::uint64_t revision) {
   const pid_t child = startChild([&] {
@@ -44,7 +44,7 @@ void crashAfterAutosave(const fs::path& folder, const fs::path& original, const 
   EXPECT_EQ(resultOf(child), -1) << "the snapshot was not written";
 }
 
-TEST(Autosave, RecoversWhatAKilledProcessHad) {
+TEST(Autosave, RecoversTheProjectOfAKilledProcess) {
   const TemporaryFolder folder;
   const fs::path states = folder / "state/palpa";
   const auto before = std::chrono::system_clock::now();
@@ -72,7 +72,7 @@ TEST(Autosave, RecoversWhatAKilledProcessHad) {
   EXPECT_THROW(recover(snapshot), ModelingError);
 }
 
-TEST(Autosave, LeavesRunningAndCleanlyClosedProgramsAlone) {
+TEST(Autosave, IgnoresRunningAndCleanlyClosedPrograms) {
   const TemporaryFolder folder;
   Autosave autosave(folder.path());
   autosave.write(named("a"), "", 1);
@@ -96,7 +96,7 @@ TEST(Autosave, FollowsTheProjectToItsNewName) {
   EXPECT_EQ(folder.size(), 0);
 }
 
-TEST(Autosave, KilledWhileWritingItLosesNothing) {
+TEST(Autosave, AKillDuringWritingLosesNothing) {
   const TemporaryFolder folder;
   for (int round = 0; round < 20; ++round) {
     const auto completed = testing_support::killAmongReports(
@@ -132,7 +132,7 @@ TEST(Autosave, KeepsProcessesAndProjectsApart) {
   EXPECT_EQ(list.snapshots.back().projectName, "0");
 }
 
-TEST(Autosave, KnowsWhatWasSavedLater) {
+TEST(Autosave, KnowsLaterSaves) {
   const TemporaryFolder folder;
   const fs::path original = folder / "box.json";
   const fs::path states = folder / "state";
@@ -179,7 +179,7 @@ TEST(Autosave, SkipsAndReportsBrokenSnapshots) {
         << list.problems[i];
 }
 
-TEST(Autosave, SaysWhyItCannotWrite) {
+TEST(Autosave, ReportsWhyItCannotWrite) {
   const TemporaryFolder folder;
   std::ofstream(folder / "file") << "in the way";
   Autosave autosave(folder / "file/below");
@@ -211,7 +211,7 @@ TEST(Autosave, HasADefaultFolder) {
   EXPECT_EQ(resultOf(child), 0);
 }
 
-TEST(ProcessIdTest, TellsProcessesApart) {
+TEST(ProcessIdTest, DistinguishesProcesses) {
   ProcessId process = thisProcess();
   EXPECT_TRUE(isRunning(process));
   ++process.start;  // an earlier process with the same number
@@ -220,7 +220,7 @@ TEST(ProcessIdTest, TellsProcessesApart) {
   process.boot += "x";
   EXPECT_FALSE(isRunning(process));
   process.machine += "x";
-  EXPECT_TRUE(isRunning(process));  // nobody can tell
+  EXPECT_TRUE(isRunning(process));  // unknown start time
 
   const pid_t child = startChild([] { ::pause(); });
   ProcessId other = thisProcess();

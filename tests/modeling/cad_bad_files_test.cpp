@@ -21,7 +21,7 @@ using tests::Folder;
 
 const std::array<const char*, 3> kFormats{"body.step", "body.igs", "body.brep"};
 
-/// The message of the error; "accepted" when there is none.
+/// Message of the error; "accepted" if there is none.
 std::string errorOf(const std::filesystem::path& path) {
   try {
     importBody(path);
@@ -52,7 +52,7 @@ TEST(CadBadFiles, AreRefusedWithTheirNameAndTheReason) {
     EXPECT_NE(errorOf(path(format)), "accepted");
   }
   tests::writeText(path("other.step"), "solid cube\n");
-  EXPECT_TRUE(says(errorOf(path("other.step")), "is no STEP file"));
+  EXPECT_TRUE(says(errorOf(path("other.step")), "is not a STEP file"));
 }
 
 TEST(CadBadFiles, StepTextIsCheckedWithItsLine) {
@@ -64,18 +64,19 @@ TEST(CadBadFiles, StepTextIsCheckedWithItsLine) {
     return errorOf(path);
   };
   EXPECT_TRUE(says(withData("#1=A(#2);"), "line 5: refers to #2, which is not in the file"));
-  EXPECT_TRUE(says(withData("#1=A(#2);\n#2=B(#1);"), "refers to itself in a circle"));
+  EXPECT_TRUE(says(withData("#1=A(#2);\n#2=B(#1);"), "refers to itself in a cycle"));
   EXPECT_TRUE(says(withData("#1=A();\n#1=A();"), "line 6: #1 is defined twice"));
   EXPECT_TRUE(says(withData("#1=A(();"), "line 5: a closing parenthesis is missing"));
   EXPECT_TRUE(says(withData("#1=A('open);"), "cut off in a text in quotes"));
   EXPECT_TRUE(says(withData("#1=A(" + std::string(1000, '(')), "nested too deeply"));
   EXPECT_TRUE(says(withData("#99999999999999999999=A();"), "is too long"));
-  EXPECT_NE(withData("#1=A('it''s; #7',/* #8 */ 3);"), "accepted");  // well formed, but no shape
+  EXPECT_NE(withData("#1=A('it''s; #7',/* #8 */ 3);"),
+            "accepted");  // well formed, but without a shape
   EXPECT_TRUE(says(withData("#1=A('it''s; #7',/* #8 */ 3);"), "shape"));
 }
 
-TEST(CadBadFiles, MessagesAreOursAlone) {
-  // OpenCASCADE prints "Not a Curve table" itself.
+TEST(CadBadFiles, MessagesAreNotOpenCascades) {
+  // OpenCASCADE itself prints "Not a Curve table".
   const Folder folder;
   const auto path = folder.file("body.brep");
   tests::writeForeign(tests::quarterPipe(), path);
@@ -92,7 +93,7 @@ TEST(CadBadFiles, TruncatedFilesAreErrors) {
   for (const char* format : kFormats) {
     tests::writeForeign(tests::quarterPipe(), folder.file(format));
     const std::string text = tests::readText(folder.file(format));
-    // The very end holds nothing that matters.
+    // The last characters contain no data.
     for (int part = 1; part <= 12; ++part) {
       tests::writeText(folder.file(format), text.substr(0, text.size() * part / 12 - 12));
       EXPECT_TRUE(says(errorOf(folder.file(format)), format)) << part;
@@ -101,7 +102,7 @@ TEST(CadBadFiles, TruncatedFilesAreErrors) {
 }
 
 TEST(CadBadFiles, DamagedFilesAreErrorsOrBodies) {
-  // Some of these crash OpenCASCADE; that must not reach us.
+  // Some of these files crash OpenCASCADE; the importer must survive.
   const Folder folder;
   std::mt19937 random(5);
   for (const char* format : kFormats) {
@@ -140,13 +141,13 @@ TEST(CadBadFiles, OpenShellsAndSeveralSolidsAreNamed) {
   for (TopExp_Explorer e(box, TopAbs_EDGE); e.More(); e.Next()) builder.Add(none, e.Current());
   for (const char* format : {"body.step", "body.brep"}) {
     tests::writeForeign(open, folder.file(format));
-    // The missing face is the one at z = 20; its edges have their middles on its border.
+    // The missing face is the one at z = 20; the midpoints of its edges lie on its border.
     EXPECT_TRUE(says(errorOf(folder.file(format)), "the surface is not closed: an edge near ("));
     EXPECT_TRUE(says(errorOf(folder.file(format)), ", 20) mm belongs to one face only"));
     tests::writeForeign(two, folder.file(format));
-    EXPECT_TRUE(says(errorOf(folder.file(format)), "holds 2 solids"));
+    EXPECT_TRUE(says(errorOf(folder.file(format)), "contains 2 solids"));
     tests::writeForeign(none, folder.file(format));
-    EXPECT_TRUE(says(errorOf(folder.file(format)), "holds no faces"));
+    EXPECT_TRUE(says(errorOf(folder.file(format)), "contains no faces"));
   }
 }
 
@@ -162,13 +163,13 @@ TEST(CadBadFiles, CancellingStopsImportAndExport) {
   EXPECT_THROW(exportCad(sphere, path, "", {stop.get_token(), {}}), Cancelled);
   EXPECT_EQ(tests::readText(path), before);
   EXPECT_FALSE(std::filesystem::exists(folder.file("a.step.new")));
-  // From within, when the second stage reports itself.
+  // Stops from inside, when the second stage reports its progress.
   std::stop_source later;
-  const Job job{later.get_token(), [&](std::string_view, double) { later.request_stop(); }};
+  const Job job{later.get_token(), [&](Phase, double) { later.request_stop(); }};
   EXPECT_THROW(importCad(path, {}, job), Cancelled);
 }
 
-TEST(CadBadFiles, ThreadsMayImportAndExportAtTheSameTime) {
+TEST(CadBadFiles, ThreadsMayImportAndExportConcurrently) {
   const Folder folder;
   std::array<std::size_t, 4> points{};
   std::vector<std::thread> threads;

@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, Solid>> primitives() {
           {"box", makeBox({40, 30, 20})}};
 }
 
-/// Every control point moved at random by up to three per cent of the size.
+/// Solid with every control point moved randomly by up to three per cent of the size.
 Solid shaken(const Solid& solid, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-0.03, 0.03);
@@ -68,7 +68,7 @@ void expectSame(const Solid& a, const Solid& b, const std::string& what) {
         << what << " " << i;
 }
 
-TEST(CadExport, WhatWasWrittenIsReadBackAsTheSameSolid) {
+TEST(CadExport, AWrittenSolidIsReadBackUnchanged) {
   const Folder folder;
   for (const auto& [name, solid] : primitives())
     for (const char* format : kFormats)
@@ -85,7 +85,7 @@ TEST(CadExport, WhatWasWrittenIsReadBackAsTheSameSolid) {
       }
 }
 
-TEST(CadExport, TheShapeIsAValidClosedSolidWithOurVolume) {
+TEST(CadExport, TheShapeIsAValidClosedSolidWithTheSameVolume) {
   const Folder folder;
   for (const auto& [name, solid] : primitives()) {
     exportCad(solid, folder.file("solid.brep"));
@@ -100,7 +100,7 @@ TEST(CadExport, TheShapeIsAValidClosedSolidWithOurVolume) {
   }
 }
 
-TEST(CadExport, NamesOfAnyKindComeBack) {
+TEST(CadExport, UnusualNamesAreKept) {
   const Folder folder;
   const Solid box = makeBox({4, 3, 2});
   std::vector<Patch> patches = box.patches();
@@ -114,7 +114,7 @@ TEST(CadExport, NamesOfAnyKindComeBack) {
   }
 }
 
-TEST(CadExport, RefusesWhatItCannotWriteAndLeavesTheOldFile) {
+TEST(CadExport, RefusesInvalidInputAndKeepsTheOldFile) {
   const Folder folder;
   const auto messageOf = [&](const Body& body, const std::filesystem::path& path) -> std::string {
     try {

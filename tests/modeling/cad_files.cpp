@@ -16,7 +16,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/file_format.h"
 
 namespace palpa::modeling::tests {
 
@@ -35,8 +35,8 @@ Folder::~Folder() {
 void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
                   const std::string& stepUnit) {
   Message::DefaultMessenger()->ChangePrinters().Clear();
-  switch (cadFormatOf(path).value()) {
-    case CadFormat::kStep: {
+  switch (requireFormat(path, isCad)) {
+    case FileFormat::kStep: {
       STEPControl_Controller::Init();
       Interface_Static::SetCVal("write.step.unit", stepUnit.c_str());
       STEPControl_Writer writer;
@@ -45,17 +45,23 @@ void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
       Interface_Static::SetCVal("write.step.unit", "MM");
       break;
     }
-    case CadFormat::kIges: {
+    case FileFormat::kIges: {
       IGESControl_Controller::Init();
-      IGESControl_Writer writer("MM", 0);  // loose trimmed surfaces, the usual IGES file
+      IGESControl_Writer writer("MM", 0);  // separate trimmed surfaces, as in most IGES files
       writer.AddShape(shape);
       writer.ComputeModel();
       writer.Write(path.c_str());
       break;
     }
-    case CadFormat::kBrep:
+    case FileFormat::kBrep:
       BRepTools::Write(shape, path.c_str());
       break;
+    case FileFormat::kProject:
+    case FileFormat::kStl:
+    case FileFormat::kObj:
+    case FileFormat::kPly:
+    case FileFormat::kVtp:
+      throw std::invalid_argument("writeForeign: no CAD format");
   }
 }
 

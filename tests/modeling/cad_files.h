@@ -6,7 +6,7 @@
 
 namespace palpa::modeling::tests {
 
-/// A temporary folder, removed with everything in it.
+/// Temporary folder, removed with its contents by the destructor.
 class Folder {
  public:
   Folder();

@@ -27,8 +27,8 @@ const std::array<const char*, 3> kFormats{"body.step", "body.igs", "body.brep"};
 struct Foreign {
   const char* name;
   TopoDS_Shape shape;
-  std::size_t faces;   ///< patches or faces expected
-  const char* reason;  ///< why it becomes a mesh body; null for a solid
+  std::size_t faces;   ///< expected patches or faces
+  const char* reason;  ///< reason for a mesh body; null for a solid
 };
 
 std::vector<Foreign> foreignShapes() {
@@ -64,10 +64,10 @@ std::string errorOf(const std::filesystem::path& path, const ImportOptions& opti
   return "";
 }
 
-TEST(CadImport, ForeignBodiesBecomeSolidsWhereTheyCanAndMeshBodiesOtherwise) {
+TEST(CadImport, ForeignBodiesBecomeSolidsWherePossibleAndMeshBodiesOtherwise) {
   const Folder folder;
   for (const Foreign& foreign : foreignShapes()) {
-    const double expected = std::abs(tests::volumeOf(foreign.shape));  // one is inside out
+    const double expected = std::abs(tests::volumeOf(foreign.shape));  // one is inverted
     const double area = tests::areaOf(foreign.shape);
     const double size = std::cbrt(expected);
     for (const char* format : kFormats) {
@@ -75,7 +75,7 @@ TEST(CadImport, ForeignBodiesBecomeSolidsWhereTheyCanAndMeshBodiesOtherwise) {
       tests::writeForeign(foreign.shape, folder.file(format));
       const ImportedBody read = importCad(folder.file(format));
       const std::string notes = joined(read.notes);
-      // Their constructors check that both are closed, oriented and manifold.
+      // The constructors check that both are closed, oriented and manifold.
       EXPECT_EQ(std::holds_alternative<Solid>(read.body), foreign.reason == nullptr) << what << "\n"
                                                                                      << notes;
       EXPECT_NE(notes.find(foreign.reason ? foreign.reason : ""), std::string::npos)
@@ -84,14 +84,14 @@ TEST(CadImport, ForeignBodiesBecomeSolidsWhereTheyCanAndMeshBodiesOtherwise) {
       EXPECT_EQ(names.size(), foreign.faces) << what;
       EXPECT_EQ(std::set(names.begin(), names.end()).size(), names.size()) << what;
       EXPECT_EQ(names.front().rfind("face_1", 0), 0u) << what << " " << names.front();
-      // A surface that is off by d everywhere encloses at most about area · d more or less.
+      // A surface that deviates by d everywhere changes the volume by at most about area · d.
       EXPECT_NEAR(volume(read.body), expected, area * read.deviation + 1e-6 * expected) << what;
       EXPECT_LT(read.deviation, foreign.reason ? 5e-3 * size : 1e-3 * size) << what;
     }
   }
 }
 
-TEST(CadImport, PatchesKeepTheAskedTolerance) {
+TEST(CadImport, PatchesKeepTheRequestedTolerance) {
   const Folder folder;
   const auto path = folder.file("pipe.step");
   tests::writeForeign(tests::quarterPipe(), path);
@@ -104,7 +104,7 @@ TEST(CadImport, PatchesKeepTheAskedTolerance) {
     EXPECT_LE(read.deviation, tolerance);
     EXPECT_GT(solid.controlPoints().size(), points);
     points = solid.controlPoints().size();
-    // The cylinders' points are 10 or 16 mm away from the axis.
+    // The points of the cylinders are 10 or 16 mm away from the axis.
     const SurfaceEvaluator surface(solid);
     double worst = 0.0;
     for (int patch = 0; patch < surface.patchCount(); ++patch)
@@ -121,7 +121,7 @@ TEST(CadImport, PatchesKeepTheAskedTolerance) {
   }
 }
 
-TEST(CadImport, MeshBodiesFollowTheAskedEdgeLength) {
+TEST(CadImport, MeshBodiesHaveTheRequestedEdgeLength) {
   const Folder folder;
   const auto path = folder.file("bored.step");
   tests::writeForeign(tests::boredCylinder(), path);

@@ -81,7 +81,7 @@ TopoDS_Shape quarterPipe() {
 }
 
 TopoDS_Shape splitBox() {
-  // A cube whose front is two faces: its top and bottom have five edges.
+  // A cube whose front consists of two faces: its top and bottom have five edges.
   BRepBuilderAPI_Sewing sewing(1e-6);
   const auto p = [](double x, double y, double z) { return gp_Pnt(x, y, z); };
   sewing.Add(quad(p(0, 0, 0), p(10, 0, 0), p(10, 0, 20), p(0, 0, 20)));

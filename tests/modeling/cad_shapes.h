@@ -5,13 +5,13 @@
 
 namespace palpa::modeling::tests {
 
-// Bodies as other programs make them, lengths in mm.
+// Bodies as made by other programs, lengths in mm.
 
 TopoDS_Shape filletedBox();     ///< 40 × 30 × 20, all edges rounded with radius 3
 TopoDS_Shape boredCylinder();   ///< radius 20, bore 8, height 30
 TopoDS_Shape sweptRectangle();  ///< 10 × 8 along a plane spline
 TopoDS_Shape loft();            ///< through three rectangles
 TopoDS_Shape quarterPipe();     ///< radii 10 and 16, height 25, 90 degrees
-TopoDS_Shape splitBox();        ///< 20 × 20 × 20 on two of 10 × 20 × 20: one side meets two
+TopoDS_Shape splitBox();        ///< 20 × 20 × 20, front divided into two faces of 10 × 20
 
 }  // namespace palpa::modeling::tests

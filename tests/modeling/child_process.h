@@ -11,10 +11,10 @@
 #include <stdexcept>
 #include <string>
 
-// Child processes for tests of crashes, and folders for their files.
+// Child processes for tests of crashes, and temporary folders.
 namespace palpa::testing_support {
 
-/// Runs `work` in a child process, which ends when it returns, with 0.
+/// Runs `work` in a child process, which exits with 0 when `work` returns.
 template <class Work>
 pid_t startChild(Work work) {
   const pid_t child = ::fork();
@@ -27,20 +27,20 @@ pid_t startChild(Work work) {
   ::_exit(0);
 }
 
-/// Kills the child the hard way and waits for its end.
+/// Kills the child by SIGKILL and waits for its end.
 inline void killChild(pid_t child) {
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
 }
 
-/// Waits for the child's own end: its exit code, or -1 when it was killed.
+/// Waits for the end of the child: its exit code, or -1 if it was killed.
 inline int resultOf(pid_t child) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// Numbers that a child process reports to its parent. Made before the child is started.
+/// Channel of numbers from a child process to its parent. Construct it before starting the child.
 class Reports {
  public:
   Reports() {
@@ -57,7 +57,7 @@ class Reports {
     if (::write(ends_[1], &number, sizeof number) != sizeof number) ::_exit(1);
   }
 
-  /// Waits for the next number; nothing once all writers have ended or stopped.
+  /// Waits for the next number; none if all writers have ended or stopped.
   std::optional<std::uint64_t> next() {
     std::uint64_t number = 0;
     if (::read(ends_[0], &number, sizeof number) != sizeof number) return std::nullopt;
@@ -73,13 +73,13 @@ class Reports {
   int ends_[2];
 };
 
-/// Runs `work(reports)` in a child, lets it report `count` numbers and a little longer, kills it
-/// and gives the last number it reported.
+/// Runs `work(reports)` in a child, waits for `count` reported numbers and a short additional time,
+/// kills the child and returns the last number it reported.
 template <class Work>
 std::uint64_t killAmongReports(int count, int microseconds, Work work) {
   Reports reports;
   const pid_t child = startChild([&] { work(reports); });
-  reports.stopWriting();  // the child has its own end
+  reports.stopWriting();  // the child has its own copy of the end
   std::uint64_t last = 0;
   for (int i = 0; i < count; ++i) last = reports.next().value_or(last);
   ::usleep(static_cast<useconds_t>(microseconds));
@@ -88,7 +88,7 @@ std::uint64_t killAmongReports(int count, int microseconds, Work work) {
   return last;
 }
 
-/// An empty folder that goes with its object.
+/// Empty folder, removed by the destructor.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -105,7 +105,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
-  /// Number of files and folders in it, hidden ones included.
+  /// Number of files and folders in it, including hidden ones.
   long size() const { return std::distance(std::filesystem::directory_iterator(path_), {}); }
 
  private:

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "mesh_checks.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
@@ -25,7 +26,7 @@ SurfaceMesh meshOf(const Solid& solid, double h) {
   return mesh(solid, settings, regions);
 }
 
-/// The display mesh with vertices of equal position put together, in the form the checks know.
+/// Display mesh with vertices of equal position merged, in the form of the mesh checks.
 SurfaceMesh merged(const DisplayMesh& display) {
   SurfaceMesh result;
   std::map<std::tuple<double, double, double>, int> number;
@@ -74,10 +75,10 @@ void expectSound(const DisplayMesh& display, const SurfaceMesh& boundary, const 
     const auto& [a, b, c] = display.triangles[t];
     const Vector3d normal = (display.positions[b] - display.positions[a])
                                 .cross(display.positions[c] - display.positions[a]);
-    // In the corners of round caps, where du and dv are parallel, pieces can be flat.
+    // In the corners of round caps, where du and dv are parallel, pieces may have no area.
     const bool hasArea = normal.norm() > 0.01;
     for (int vertex : display.triangles[t]) {
-      // Coarse flat pieces of a bent surface lie askew to its normals.
+      // Coarse flat pieces of a curved surface are inclined to its normals.
       EXPECT_TRUE(!hasArea || normal.dot(display.normals[vertex]) > 0.2 * normal.norm());
       EXPECT_EQ(boundary.smoothingGroupOfTriangle[display.links[vertex].triangle],
                 boundary.smoothingGroupOfTriangle[whole]);
@@ -105,14 +106,14 @@ TEST(DisplayMesh, IsConformingOnTheSurfaceAndLinked) {
     }
 }
 
-TEST(DisplayMesh, VerticesAndNormalsAreThoseOfTheSphere) {
+TEST(DisplayMesh, VerticesAndNormalsLieOnTheSphere) {
   const Solid sphere = makeSphere(25.0);
   const DisplayMesh display = displayMesh(meshOf(sphere, 9.0), sphere);
   for (std::size_t i = 0; i < display.positions.size(); ++i) {
     EXPECT_NEAR(display.positions[i].norm(), 25.0, 2e-4 * 25.0);
     EXPECT_GT(display.normals[i].dot(display.positions[i].normalized()), 1.0 - 1e-4);
   }
-  // Smooth everywhere: no vertex is there twice.
+  // Smooth everywhere: no vertex is duplicated.
   EXPECT_EQ(merged(display).positions.size(), display.positions.size());
 }
 
@@ -151,12 +152,13 @@ TEST(DisplayMesh, PiecesFollowTheCurvature) {
   const double fine = piecesPerTriangle(makeSphere(25.0), 3.0);
   EXPECT_GE(fine, 4.0);
   EXPECT_LT(fine, 9.0);
-  // A cylinder's side bends in one direction only: fewer pieces than on a sphere of its radius.
+  // The side of a cylinder is curved in one direction only, so it needs fewer pieces than a sphere
+  // of equal radius.
   EXPECT_LT(piecesPerTriangle(makeCylinder(25.0, 60.0), 6.0),
             0.8 * piecesPerTriangle(makeSphere(25.0), 6.0));
 }
 
-TEST(DisplayMesh, MeshBodiesAreCutFlat) {
+TEST(DisplayMesh, MeshBodiesAreDividedFlat) {
   const SurfaceMesh box = meshOf(makeBox({40, 30, 20}), 10.0);
   MeshBody::Data data{
       box.positions, box.triangles, box.patchOfTriangle, {"a", "b", "c", "d", "e", "f"}};

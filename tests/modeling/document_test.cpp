@@ -59,12 +59,12 @@ TEST(Document, TheHistoryListsAllStatesAndGoesToAny) {
   document.beginGroup("group");
   EXPECT_THROW(document.goToState(1), std::logic_error);
   document.cancelGroup();
-  // A saved state that can no longer be reached is not among them.
+  // A saved state that can no longer be reached is not listed.
   document.perform(RenameProject{"elsewhere"});
   EXPECT_FALSE(document.history().saved);
 }
 
-TEST(Document, ANewEditEndsRedoAndRefusedOrEmptyOnesDoNot) {
+TEST(Document, ANewEditEndsRedoButRefusedOrEmptyEditsDoNot) {
   Document document = boxDocument();
   document.perform(move(0, {1, 0, 0}));
   document.undo();
@@ -85,7 +85,7 @@ TEST(Document, ADragIsOneStep) {
   document.undo();
   EXPECT_EQ(solidOf(document.project()).controlPoints(), start);
   EXPECT_FALSE(document.canUndo());
-  // Motions of another point, or after undo, redo or saving, do not merge.
+  // Moves of another point, or after undo, redo or saving, are not merged.
   document.redo();
   document.perform(move(7, {0, 1, 0}), Merge::kWithLast);
   document.perform(move(8, {0, 1, 0}), Merge::kWithLast);
@@ -96,13 +96,13 @@ TEST(Document, ADragIsOneStep) {
   EXPECT_EQ(steps, 4);
 }
 
-TEST(Document, ADragBackToItsStartLeavesNothing) {
+TEST(Document, ADragBackToItsStartLeavesNoStep) {
   Document document = boxDocument();
   document.perform(move(3, {1, 0, 0}));
   document.perform(move(7, {1, 0, 0}));
   document.perform(move(7, {-1, 0, 0}), Merge::kWithLast);
   EXPECT_EQ(document.undoLabel(), "Move 1 control point");
-  // What follows of this drag must not run into the step before.
+  // Further moves of this drag must not merge with the previous step.
   document.perform(move(3, {1, 0, 0}), Merge::kWithLast);
   document.undo();
   EXPECT_TRUE(document.canUndo());
@@ -123,7 +123,7 @@ TEST(Document, TheResultOfADragDoesNotDependOnItsSteps) {
   EXPECT_EQ(solidOf(fine.project()).controlPoints(), solidOf(coarse.project()).controlPoints());
 }
 
-TEST(Document, ARefusedMotionOfADragKeepsTheLastOne) {
+TEST(Document, ARefusedMoveOfADragKeepsThePreviousOne) {
   Document document = boxDocument();
   document.perform(move(7, {1, 0, 0}));
   const Project before = document.project();
@@ -147,7 +147,7 @@ TEST(Document, GroupsAreOneStepAndCanBeCancelled) {
   EXPECT_TRUE(change.name && change.movedPoints.size() == 1);
   EXPECT_FALSE(document.canUndo());
 
-  // Cancelled, even what could be redone is back.
+  // Cancelling also restores the redo steps.
   document.beginGroup("x");
   document.perform(move(3, {1, 0, 0}));
   EXPECT_EQ(document.cancelGroup().movedPoints, std::vector{3});
@@ -172,13 +172,13 @@ TEST(Document, KnowsWhetherItIsSaved) {
   EXPECT_FALSE(document.isClean());
   document.redo();
   EXPECT_TRUE(document.isClean());
-  // Equal content reached in another way is clean as well.
+  // Equal content reached in another way is clean too.
   document.perform(RenameProject{"b"});
   document.perform(RenameProject{"a"});
   EXPECT_TRUE(document.isClean());
 }
 
-TEST(Document, TheViewIsNoStep) {
+TEST(Document, ViewChangesAreNoSteps) {
   Document document = boxDocument();
   document.perform(RenameProject{"a"});
   document.setView("{\"zoom\":2}");

@@ -1,4 +1,4 @@
-// What each command does to a project.
+// Effect of each command on a project.
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -27,7 +27,7 @@ std::vector<Vector3d> pointsAfter(const Command& command, const Project& project
   return solidOf(apply(command, project).project).controlPoints();
 }
 
-TEST(PointSelection, ByPlaceInTheNets) {
+TEST(PointSelection, ByPositionInTheNets) {
   EXPECT_EQ(selectPoints(PointSelection::of({7, 3, 7}), solidOf(box())), (std::vector{7, 3}));
   EXPECT_EQ(selected(PatchPoints{{"top"}}).size(), 16U);
   EXPECT_EQ(selected(PatchPoints{{"top", "bottom"}}).size(), 32U);
@@ -53,7 +53,7 @@ TEST(PointSelection, ByPosition) {
             32U);
 }
 
-TEST(PointSelection, NamesWhatIsWrong) {
+TEST(PointSelection, ErrorsNameTheLocation) {
   const auto fault = [](const PointSelection::Part& part) {
     return faultOf([&] { selected(part); });
   };
@@ -66,7 +66,7 @@ TEST(PointSelection, NamesWhatIsWrong) {
   expectBegins(fault(AllOf{{{{PatchPoints{{"tip"}}}}}}), "points.all_of[0].patches[0]: no patch");
 }
 
-TEST(EditPoints, MovesByAVectorAndOnlyTheSelected) {
+TEST(EditPoints, MovesOnlyTheSelectedPointsByAVector) {
   const auto before = solidOf(box()).controlPoints();
   const auto after = pointsAfter(MovePoints{PointSelection::of({3, 5}), MoveBy{{1, 2, 3}}, {}});
   for (int i = 0; i < 56; ++i)
@@ -83,7 +83,7 @@ TEST(EditPoints, MovesToExactPositions) {
 }
 
 TEST(EditPoints, MovesAlongTheNormal) {
-  // Inside a face of a box the normal is that of the face; at an edge the mean of two faces.
+  // Inside a face of a box the normal is the normal of the face; at an edge the mean of two faces.
   const Solid& solid = solidOf(box());
   const auto& net = solid.patches()[5].net;
   const std::vector<Vector3d> normals = controlNormals(solid, {net[1][1], net[1][0], net[0][0]});
@@ -129,7 +129,7 @@ TEST(EditPoints, MirrorMovesCounterparts) {
                               [&](const Vector3d& q) { return (q - image).norm() < 1e-9; }));
     }
   }
-  // Both of a pair selected and moved alike: the part along the normal cancels.
+  // Both points of a pair selected and moved equally: the part along the normal cancels.
   const auto corner = selected(BallPoints{{-20, 15, 20}, 1.0}).front();
   const auto other = selected(BallPoints{{20, 15, 20}, 1.0}).front();
   const auto after = pointsAfter(MovePoints{
@@ -157,7 +157,7 @@ TEST(EditPoints, ScalesRotatesAndAligns) {
   for (int i : indices) EXPECT_LT((after[i] - turn * before[i]).norm(), 1e-9);
   after = pointsAfter(AlignPoints{top, Vector3d(0, 0, 1), 25.0});
   for (int i : indices) EXPECT_EQ(after[i].z(), 25.0);
-  // A tilted top is flattened into its own plane: nothing moves.
+  // A tilted top is flattened into its own plane, so nothing moves.
   Project tilted = apply(RotatePoints{top, {1, 1, 0}, 10.0, {}, {}}, box()).project;
   after = pointsAfter(AlignPoints{top, {}, {}}, tilted);
   for (int i : indices) EXPECT_LT((after[i] - solidOf(tilted).controlPoints()[i]).norm(), 1e-9);
@@ -186,14 +186,14 @@ TEST(EditPoints, SmoothEdgesStaySmooth) {
 TEST(EditBody, TransformsKeepVolumeAndAttachments) {
   Project project = box();
   project.primitive = Primitive{};
-  project.touches.push_back({"slide", {0, 0, 25}, TouchPush{{0, 0, -1}, 0.3}, {}});
+  project.touches.push_back({"slide", {0, 0, 25}, TouchKind::kPush, {0, 0, -1}, {}, 0.3});
   const double before = volume(project.body);
   const Project moved = apply(TransformSolid{Translation{{1, 2, 3}}}, project).project;
   EXPECT_FALSE(moved.primitive);
   EXPECT_NEAR(volume(moved.body), before, 1e-6);
   EXPECT_EQ(std::get<HalfSpace>(moved.supports[0].where.parts[0]).below, -2.0);
   EXPECT_EQ(moved.touches[0].at, Vector3d(1, 2, 28));
-  EXPECT_EQ(std::get<TouchForce>(moved.touches[0].action).vector, Vector3d(0, 0, -1));
+  EXPECT_EQ(moved.touches[0].vector, Vector3d(0, 0, -1));
 
   const Project turned =
       apply(TransformSolid{Rotation{{1, 0, 0}, 90.0, {0, 0, 0}}}, project).project;
@@ -202,7 +202,7 @@ TEST(EditBody, TransformsKeepVolumeAndAttachments) {
   EXPECT_LT((half.normal - Vector3d(0, -1, 0)).norm(), 1e-12);
   EXPECT_NEAR(half.below, -5.0, 1e-12);
   EXPECT_LT((std::get<Bump>(turned.loads[1].what).direction - Vector3d(0, 1, 0)).norm(), 1e-12);
-  const auto& push = std::get<TouchPush>(turned.touches[1].action);
+  const Touch& push = turned.touches[1];
   EXPECT_LT((push.vector - Vector3d(0, 1, 0)).norm(), 1e-12);
   EXPECT_EQ(push.friction, 0.3);
 
@@ -210,7 +210,7 @@ TEST(EditBody, TransformsKeepVolumeAndAttachments) {
   EXPECT_NEAR(volume(scaled.body), 6 * before, 1e-6);
   EXPECT_NEAR(std::get<HalfSpace>(scaled.supports[0].where.parts[0]).below, 20 - 3 * 25, 1e-12);
 
-  // Mirrored, the patches turn round so that normals still point outwards.
+  // Mirroring reverses the patches, so that the normals still point outwards.
   Solid smooth = solidOf(box()).withSmoothEdges({0, 5}, true);
   project.body = smooth;
   const Project mirrored =
@@ -239,7 +239,7 @@ TEST(EditBody, PrimitivesReplaceTheBodyAndAreRemembered) {
   EXPECT_TRUE(apply(RenameProject{"x"}, made).project.primitive);
 }
 
-TEST(EditKnots, RefineWithoutChangingTheShape) {
+TEST(EditKnots, RefiningDoesNotChangeTheShape) {
   const Project refined = apply(InsertKnot{"top", 0, 0.5, 1}, box()).project;
   EXPECT_LT(sampledDistance(solidOf(box()), solidOf(refined)), 1e-12 * 60);
   const Project raised = apply(ElevateDegree{"top", 1, 5}, refined).project;

@@ -8,7 +8,7 @@
 
 namespace palpa::modeling {
 
-/// A project with one of everything around a solid that has the six patches of a box.
+/// Project with one condition of each kind around a solid that has the six patches of a box.
 inline Project editingProject(const Solid& solid) {
   Project project;
   project.name = "test";
@@ -19,7 +19,7 @@ inline Project editingProject(const Solid& solid) {
   project.supports = {{"base", Support::Kind::kFixed, low, {0, 0, -0.25}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"top"}), 0.01}},
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
-  project.touches = {{"poke", {0, 0, 25}, TouchForce{{0, 0, -1}}, 3.0}};
+  project.touches = {{"poke", {0, 0, 25}, TouchKind::kForce, {0, 0, -1}, 3.0}};
   project.mesh.edgeLength = 4.0;
   project.mesh.patchFactors = {{"top", 0.5}};
   return project;
@@ -29,7 +29,7 @@ inline const Solid& solidOf(const Project& project) {
   return std::get<Solid>(project.body);
 }
 
-/// Message of the error of a call; empty when it succeeds.
+/// Message of the error of a call; empty if it succeeds.
 template <class Call>
 std::string faultOf(Call call) {
   try {

@@ -1,4 +1,4 @@
-// Commands as JSON: every kind reads back, and errors name the place.
+// Commands as JSON: every kind is read back, and errors name the location.
 #include "modeling/editing/command_file.h"
 #include "modeling/editing/command_names.h"
 #include "tests/modeling/editing_fixture.h"
@@ -18,7 +18,7 @@ std::vector<Command> oneOfEach() {
   const Reach reach{7.5, MirrorPlane{{1, 0, 0}, {1, 1, 0}}};
   const Support support{"wall", Support::Kind::kRoller, Region::ofPatches({"top"}), {0, 0, 0.1}};
   const Load load{"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, 0, 1.0 / 3.0}}};
-  const Touch touch{"poke", {0, 0, 20}, TouchDisplacement{{0, 0, -1}}, 3.0};
+  const Touch touch{"poke", {0, 0, 20}, TouchKind::kGrab, {0, 0, -1}, 3.0};
   MeshSettings mesh;
   mesh.edgeLength = 3.0;
   mesh.patchFactors = {{"top", 0.5}};
@@ -49,14 +49,10 @@ std::vector<Command> oneOfEach() {
           RemoveLoad{"press"},
           AddTouch{touch},
           SetTouch{"poke", touch},
-          AddTouch{{"slide", {0, 0, 20}, TouchPush{{0, 1, -1}, 0.25}, {}}},
-          AddTouch{{"ball", {0, 0, 20}, TouchProbe{{0, 0, -1}, 0.1}, 4.0}},
-          AddTouch{{"needle", {0, 0, 20}, TouchPin{}, {}}},
-          AddTouch{{"pull", {0, 0, 20}, TouchForce{{0, 0, 1}}, {}}},
-          AddTouch{{"slide", {0, 0, 20}, TouchPush{{0, 1, -1}, 0.25}, {}}},
-          AddTouch{{"ball", {0, 0, 20}, TouchProbe{{0, 0, -1}, 0.1}, 4.0}},
-          AddTouch{{"needle", {0, 0, 20}, TouchPin{}, {}}},
-          AddTouch{{"pull", {0, 0, 20}, TouchForce{{0, 0, 1}}, {}}},
+          AddTouch{{"slide", {0, 0, 20}, TouchKind::kPush, {0, 1, -1}, {}, 0.25}},
+          AddTouch{{"ball", {0, 0, 20}, TouchKind::kBall, {0, 0, -1}, 4.0, 0.1}},
+          AddTouch{{"needle", {0, 0, 20}, TouchKind::kPin, {0, 0, 0}, {}}},
+          AddTouch{{"pull", {0, 0, 20}, TouchKind::kForce, {0, 0, 1}, {}}},
           RemoveTouch{"poke"},
           SetMaterial{{"rubber", 1.5, 0.49}},
           SetMesh{mesh},
@@ -101,6 +97,17 @@ TEST(CommandJson, ReadsTheShortForms) {
   EXPECT_TRUE(parseCommands("[]", "test").empty());
 }
 
+TEST(CommandJson, ReadsTheFormerNameOfABall) {
+  const std::string touch =
+      R"("touch": {"name": "t", "kind": "probe", "at_mm": [0, 0, 20], "displace_mm": [0, 0, -1]}})";
+  const auto commands =
+      parseCommands(R"([{"command": "add_touch", )" + touch +
+                        R"(, {"command": "set_touch", "name": "poke", )" + touch + "]",
+                    "old.json");
+  EXPECT_EQ(std::get<AddTouch>(commands[0]).touch.kind, TouchKind::kBall);
+  EXPECT_EQ(std::get<SetTouch>(commands[1]).touch.kind, TouchKind::kBall);
+}
+
 TEST(CommandJson, ErrorsNameThePlace) {
   expectBegins(faultOfText(R"({"commands": [{"command": "mov"}]})"),
                "edit.json: commands[0].command: found \"mov\", expected one of \"move_points\"");
@@ -140,7 +147,7 @@ TEST(CommandJson, ErrorsNameThePlace) {
   expectBegins(faultOfText(R"({"commands": [], "extra": 1})"), "edit.json: extra: unknown key");
   expectBegins(faultOfText("7"), "edit.json: the file: found 7, expected an object");
   expectBegins(faultOfText("[{"), "edit.json: line 1, column 3: the file ends too early");
-  // Selections nested without end are stopped by the limit on depth.
+  // The depth limit stops endlessly nested selections.
   std::string deep = "{\"patches\": [\"top\"]}";
   for (int k = 0; k < 40; ++k) deep = "{\"none_of\": [" + deep + "]}";
   EXPECT_NE(faultOfText("[{\"command\": \"move_points\", \"points\": " + deep +

@@ -1,4 +1,4 @@
-// Thousands of random commands, valid and not: invariants after each, and the way back.
+// Thousands of random commands, valid and invalid: invariants after each command, and undo.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Makes random commands for a project; about a quarter have a fault.
+/// Makes random commands for a project; about a quarter contain a fault.
 class RandomCommands {
  public:
   explicit RandomCommands(unsigned seed) : random_(seed) {}
@@ -75,9 +75,10 @@ class RandomCommands {
         return oneIn(2) ? Command(SetLoad{name(), {name(), Bump{vector(9.0), 2.0, 0.1, direction}}})
                         : Command(RemoveLoad{name()});
       case 21:
-        if (oneIn(3)) return AddTouch{{name(), vector(20.0), TouchPush{direction, 0.3}, {}}};
-        return oneIn(2) ? Command(AddTouch{{name(), vector(20.0), TouchForce{direction}, {}}})
-                        : Command(RemoveTouch{name()});
+        if (oneIn(3)) return AddTouch{{name(), vector(20.0), TouchKind::kPush, direction, {}, 0.3}};
+        return oneIn(2)
+                   ? Command(AddTouch{{name(), vector(20.0), TouchKind::kForce, direction, {}}})
+                   : Command(RemoveTouch{name()});
       case 22:
         return SetMaterial{{"m", number(1.0), 0.3}};
       case 23: {
@@ -160,8 +161,8 @@ class RandomCommands {
   int pointCount_ = 0;
 };
 
-/// The exact content: the text of the file, and the bits of every control point (a text does not
-/// tell 0 from -0).
+/// Exact content: the text of the file, and the bits of every control point (the text does not
+/// distinguish 0 from -0).
 std::string fingerprint(const Project& project) {
   std::string text = toJson(project);
   if (const auto* solid = std::get_if<Solid>(&project.body))
@@ -170,7 +171,7 @@ std::string fingerprint(const Project& project) {
   return text;
 }
 
-/// The solid satisfies all invariants when it is made anew from its parts.
+/// The solid satisfies all invariants when it is constructed again from its parts.
 void expectSound(const Project& project) {
   checkProject(project);
   const Solid& solid = solidOf(project);
@@ -183,8 +184,8 @@ void expectSound(const Project& project) {
     EXPECT_EQ(again.edges()[e].smooth, solid.edges()[e].smooth);
 }
 
-/// A Change says exactly what is different: with the marked parts taken back, the text of the file
-/// is that of before, and without any one of them it is not.
+/// A Change lists exactly the differences: with the marked parts reverted, the text of the file
+/// equals the previous text; without reverting any one of them it does not.
 void expectCorrect(const Change& change, const Project& before, const Project& after) {
   const std::string expected = toJson(before);
   const auto withPartsBack = [&](int left) {
@@ -226,7 +227,7 @@ struct Tally {
   int done = 0;
   int refused = 0;
   int merged = 0;
-  int carried = 0;  ///< moves of the surface that took strokes of supports along
+  int carried = 0;  ///< moves of the surface that also moved strokes of supports
 };
 
 Tally randomSession(const Solid& start, unsigned seed, int count) {
@@ -264,7 +265,7 @@ Tally randomSession(const Solid& start, unsigned seed, int count) {
       return tally;
     }
   }
-  // All the way back, and forth again: the same states bit for bit.
+  // All the way back and forward again: the same states bit for bit.
   std::vector<std::string> states;
   while (document.canRedo()) document.redo();
   const std::string newest = fingerprint(document.project());
@@ -298,7 +299,7 @@ TEST(EditingProperties, RandomSessionsKeepTheInvariantsAndCanBeUndone) {
     total.carried += one.carried;
     if (HasFailure()) return;
   }
-  // The mixture is what it is meant to be.
+  // The mixture of valid and invalid commands is as intended.
   EXPECT_GT(total.done, 1500);
   EXPECT_GT(total.refused, 300);
   EXPECT_GT(total.merged, 100);

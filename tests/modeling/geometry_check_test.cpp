@@ -8,6 +8,7 @@
 #include <random>
 
 #include "modeling/error.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/mesh/triangle_crossings.h"
 #include "modeling/shapes/primitives.h"
 
@@ -53,7 +54,7 @@ TEST(GeometryCheck, GoodSolidsHaveNoFindings) {
   for (const Solid& plain : {makeSphere(25.0), makeCylinder(20.0, 60.0), makeBox({40, 30, 20}),
                              makeBox({40, 15, 1}), makeSphere(25.0, 12)})
     for (int trial = 0; trial < 6; ++trial) {
-      // Straight, turned (faces are then flat only up to rounding), and slightly shaken.
+      // Unchanged, rotated (faces are then flat only up to rounding), and slightly perturbed.
       std::vector<Vector3d> points = plain.controlPoints();
       for (Vector3d& p : points) {
         if (trial % 3 > 0) p = turn * p;
@@ -78,10 +79,10 @@ TEST(GeometryCheck, AControlPointPulledThroughTheOtherSide) {
   ASSERT_TRUE(found) << allText(findings);
   EXPECT_TRUE(found->isError);
   EXPECT_EQ(found->patches, (std::vector<std::string>{"bottom", "top"}));
-  // Where the spike leaves the body: near the axis at the bottom.
+  // The spike leaves the body near the axis at the bottom.
   EXPECT_NEAR(found->at.z(), -25.0, 2.0);
   EXPECT_LT(found->at.head<2>().norm(), 10.0);
-  EXPECT_NE(found->message.find("cuts through itself near ("), std::string::npos);
+  EXPECT_NE(found->message.find("intersects itself near ("), std::string::npos);
   EXPECT_NE(found->message.find("patches \"bottom\", \"top\""), std::string::npos);
   EXPECT_FALSE(found->triangles.empty());
   EXPECT_TRUE(std::is_sorted(found->triangles.begin(), found->triangles.end()));
@@ -90,7 +91,7 @@ TEST(GeometryCheck, AControlPointPulledThroughTheOtherSide) {
 TEST(GeometryCheck, CrossingFacesOfABox) {
   const Solid box = makeBox({40, 30, 20});
   std::vector<Vector3d> points = box.controlPoints();
-  // The inner points of the top go below the bottom.
+  // The inner points of the top are moved below the bottom.
   for (Vector3d& p : points)
     if (p.z() > 19.9 && std::abs(p.x()) < 19.0 && std::abs(p.y()) < 14.0) p.z() = -20.0;
   const Solid solid = box.withControlPoints(points);
@@ -104,7 +105,7 @@ TEST(GeometryCheck, CrossingFacesOfABox) {
 TEST(GeometryCheck, AFaceFoldedInItsOwnPlane) {
   const Solid box = makeBox({40, 30, 20});
   std::vector<Vector3d> points = box.controlPoints();
-  // Of a row of control points in the top the two inner ones change places, far apart.
+  // In a row of control points of the top, the two inner points are exchanged and moved far apart.
   for (Vector3d& p : points)
     if (p.z() > 19.9 && std::abs(p.x()) < 19.0 && std::abs(p.y()) < 14.0) p.x() *= -5.0;
   const Solid solid = box.withControlPoints(points);
@@ -121,7 +122,7 @@ TEST(GeometryCheck, FoundInTheMeshItself) {
   const SurfaceMesh good = meshOf(sphere, 6.0);
   {
     SurfaceMesh bad = good;
-    // A node goes over its neighbours: some of its triangles turn over.
+    // A node is moved across its neighbours, so some of its triangles are inverted.
     const auto [a, b, c] = bad.triangles[10];
     bad.positions[a] += 2.5 * (0.5 * (bad.positions[b] + bad.positions[c]) - bad.positions[a]);
     const auto findings = checkGeometry(bad, sphere);
@@ -164,7 +165,7 @@ TEST(GeometryCheck, FoundInTheMeshItself) {
   }
 }
 
-/// Two boxes of one mesh body.
+/// Mesh body of two boxes.
 MeshBody twoBoxes(const Vector3d& shift) {
   MeshBody::Data data;
   data.faceNames = {"first", "second"};
@@ -200,7 +201,7 @@ TEST(GeometryCheck, TouchingIsAWarningAndPassingThroughAnError) {
   ASSERT_FALSE(through.empty());
   EXPECT_EQ(through[0].fault, GeometryFault::kSelfIntersection) << allText(through);
   EXPECT_TRUE(through[0].isError);
-  // One box inside the other does not cross it.
+  // A box inside the other one does not cross it.
   MeshBody::Data nested;
   const MeshBody outer = twoBoxes({30, 0, 0});
   nested.positions = outer.positions();
@@ -231,11 +232,11 @@ TEST(TriangleCrossings, KnownPairs) {
   EXPECT_TRUE(cross(x, {0, 1, 2}, {3, 4, 5}));
   EXPECT_FALSE(cross(x, {0, 1, 2}, {6, 7, 8}));
   EXPECT_TRUE(cross(x, {0, 1, 2}, {9, 10, 11}));
-  // A common vertex: apart, and folded into the other.
+  // With a common vertex: apart, and folded into the other.
   EXPECT_FALSE(cross(x, {0, 1, 2}, {0, 12, 13}));
   EXPECT_TRUE(cross(x, {0, 1, 2}, {0, 3, 14}));
   EXPECT_TRUE(cross(x, {0, 1, 2}, {0, 10, 11}));
-  // A common edge: beside each other, upright, and folded onto the other.
+  // With a common edge: side by side, upright, and folded onto the other.
   EXPECT_FALSE(cross(x, {0, 1, 2}, {2, 1, 15}));
   EXPECT_FALSE(cross(x, {0, 1, 2}, {2, 0, 16}));
   EXPECT_FALSE(cross(x, {0, 1, 2}, {1, 0, 14}));
@@ -246,8 +247,8 @@ TEST(TriangleCrossings, KnownPairs) {
 }
 
 TEST(TriangleCrossings, AgreesWithAllPairsOnRandomSoup) {
-  // By the definition: two triangles in general position meet when an edge of one passes through
-  // the other.
+  // Definition: two triangles in general position intersect if an edge of one passes through the
+  // other.
   std::mt19937 random(11);
   std::uniform_real_distribution<double> at(-1.0, 1.0);
   std::vector<Vector3d> x;

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A solid with irregular control points, so that no identity holds by symmetry.
+/// Solid with irregular control points, so that no identity holds by symmetry.
 Solid shaken(const Solid& solid, double size, unsigned seed = 1) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> part(-size, size);
@@ -34,7 +34,7 @@ double sizeOf(const Solid& solid) {
   return (high - low).norm();
 }
 
-/// Message of the error of a call; empty when it succeeds.
+/// Message of the error of a call; empty if it succeeds.
 template <class Call>
 std::string faultOf(Call call) {
   try {
@@ -45,7 +45,7 @@ std::string faultOf(Call call) {
   return "";
 }
 
-/// Names, edges and smooth flags must survive.
+/// Names, edges and smooth flags must be preserved.
 void expectSameTopology(const Solid& a, const Solid& b) {
   ASSERT_EQ(a.patches().size(), b.patches().size());
   for (std::size_t p = 0; p < a.patches().size(); ++p)
@@ -82,8 +82,8 @@ TEST(KnotOperations, InsertionKeepsTheShape) {
 }
 
 TEST(KnotOperations, InsertionAddsOneRowAndSharesIt) {
-  // A strip of four patches of a box with 4 x 4 points each: the closed row around it has
-  // 4 patches x 3 points, the other direction of the patches has 4 points of which none is new.
+  // A strip of four patches of a box with 4 x 4 points each: the closed row around it has 4 patches
+  // x 3 points; the other direction of the patches has 4 points, none of which is new.
   const Solid box = makeBox({40, 30, 20});
   ASSERT_EQ(box.controlPoints().size(), 56U);
   EXPECT_EQ(insertKnot(box, {0, 0}, 0.5).controlPoints().size(), 56U + 12U);
@@ -109,7 +109,7 @@ TEST(KnotOperations, InsertionFollowsReversedAndRescaledParameters) {
     }
 }
 
-TEST(KnotOperations, ManyKnotsAtOnceAreThoseInsertedOneByOne) {
+TEST(KnotOperations, ManyKnotsAtOnceEqualSingleInsertions) {
   const std::vector<double> parameters{0.8, 0.1, 0.3, 0.6};
   for (const Solid& solid : examples())
     for (int direction = 0; direction < 2; ++direction) {
@@ -173,8 +173,8 @@ TEST(KnotOperations, ElevationKeepsTheShape) {
 }
 
 TEST(KnotOperations, FarPatchesKeepTheirPoints) {
-  // The strip of (0, 0) leaves out two patches; their inner points and the edges that run along the
-  // other direction are the same numbers afterwards.
+  // The strip of (0, 0) omits two patches; their inner points, and the edges along the other
+  // direction, keep their values.
   const Solid box = shaken(makeBox({40, 30, 20}), 1.0);
   const Solid refined = insertKnot(box, {0, 0}, 0.5);
   std::vector<char> inChain(6, 0);
@@ -189,7 +189,7 @@ TEST(KnotOperations, FarPatchesKeepTheirPoints) {
   EXPECT_EQ(std::count(inChain.begin(), inChain.end(), 0), 2);
 }
 
-TEST(KnotOperations, RefusesWhatIsImpossible) {
+TEST(KnotOperations, RefusesImpossibleOperations) {
   const Solid box = makeBox({40, 30, 20});
   const auto begins = [](const std::string& text, const std::string& start) {
     EXPECT_EQ(text.rfind(start, 0), 0U) << text;
@@ -227,7 +227,7 @@ TEST(KnotOperations, RefusesWhatIsImpossible) {
   begins(faultOf([&] { elevateDegree(box, {5, 1}, 6); }), "degree: 6;");
 }
 
-TEST(KnotOperations, TheFastVolumeIsThatOfTheSurface) {
+TEST(KnotOperations, TheFastVolumeEqualsTheVolumeOfTheSurface) {
   for (const Solid& solid : examples()) {
     const Solid raised = insertKnot(elevateDegree(solid, {3, 0}, 5), {3, 1}, 0.3, 3);
     const double expected = volume(SurfaceEvaluator(raised));

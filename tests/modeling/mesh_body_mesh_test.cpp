@@ -50,7 +50,7 @@ double lostDetail(const SurfaceMesh& mesh, const MeshBody& body) {
   return worst;
 }
 
-/// Euler characteristic; checks the rest of what makes a closed surface.
+/// Euler characteristic; also checks the other conditions of a closed surface.
 int euler(const SurfaceMesh& mesh) {
   const std::string fault = checks::manifoldFault(mesh);
   if (fault.empty()) return 2;
@@ -85,7 +85,7 @@ TEST(MeshBodyMesh, ShapesKeepTheirSurfaceAndGetGoodTriangles) {
     }
 }
 
-TEST(MeshBodyMesh, VolumeConvergesToThatOfTheBody) {
+TEST(MeshBodyMesh, VolumeConvergesToTheBodyVolume) {
   const MeshBody sphere = test::icosphere(25, 5);
   const auto loss = [&](double h) {
     return 1.0 - checks::enclosedVolume(meshOf(sphere, h)) / volume(sphere);
@@ -95,7 +95,7 @@ TEST(MeshBodyMesh, VolumeConvergesToThatOfTheBody) {
   EXPECT_NEAR(checks::enclosedVolume(meshOf(test::plainBox({40, 30, 20}), 3.0)), 24000.0, 1e-6);
 }
 
-TEST(MeshBodyMesh, EdgesAreAsLongAsAsked) {
+TEST(MeshBodyMesh, EdgesHaveTheRequestedLength) {
   const MeshBody sphere = test::icosphere(25, 5);
   for (double h : {2.0, 3.0, 5.0}) {
     MeshSettings settings;
@@ -147,7 +147,7 @@ TEST(MeshBodyMesh, RegionsAreCutExactly) {
       {{"low", Region::below(normal, 30.0), true}, {"rest", Region::below(-normal, -30.0), true}});
   EXPECT_NEAR(checks::regionArea(oblique, 0) + checks::regionArea(oblique, 1), 5200.0, 1e-6);
   EXPECT_LT(checks::borderFault(oblique, 0, {normal, 30.0}), 1e-9);
-  // A cap: 2 π R times its height.
+  // A cap has the area 2 π R times its height.
   const MeshBody sphere = test::icosphere(25, 5);
   for (double d : {-24.9, -20.0, 3.0})
     EXPECT_NEAR(
@@ -174,7 +174,7 @@ TEST(MeshBodyMesh, RegionsOfFacesAndUnions) {
   EXPECT_THROW(meshOf(cylinder, 4.0, {{"x", Region::ofPatches({"nose"}), true}}), ModelingError);
 }
 
-TEST(MeshBodyMesh, RefinementShortensEdgesWhereAsked) {
+TEST(MeshBodyMesh, RefinementShortensTheRequestedEdges) {
   const MeshBody box = test::plainBox({40, 30, 20});
   MeshSettings settings;
   settings.edgeLength = 6.0;
@@ -248,7 +248,7 @@ TEST(MeshBodyMesh, AbsurdEdgeLengthsAreRefused) {
       EXPECT_EQ(error.kind(), ModelingError::Kind::kTooLarge) << error.what();
     }
   }
-  // However coarse: the body stays a body.
+  // Even the coarsest mesh is a closed body.
   const SurfaceMesh coarse = meshOf(sphere, 1e6);
   EXPECT_EQ(euler(coarse), 2);
   EXPECT_GT(checks::enclosedVolume(coarse), 0.6 * volume(sphere));

@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "modeling/mesh/mesh.h"
+#include "modeling/mesh/surface_mesh.h"
 
 // Properties of finished meshes, computed independently of the mesher.
 namespace palpa::modeling::checks {
 
-/// Empty when every edge is used once in each direction, every node is used, and the Euler
-/// characteristic is that of a sphere; otherwise what is wrong.
+/// Description of the first fault of a mesh; empty if every edge is used once in each direction,
+/// every node is used, and the Euler characteristic is 2, as of a sphere.
 std::string manifoldFault(const SurfaceMesh& mesh);
 
 double enclosedVolume(const SurfaceMesh& mesh);

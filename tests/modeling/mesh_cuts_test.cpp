@@ -11,13 +11,13 @@
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/surface_evaluator.h"
 
-// Half spaces in any place, above all those where the border meets the mesh in a special way.
+// Half spaces in arbitrary position, especially those whose border meets the mesh in a special way.
 namespace palpa::modeling {
 namespace {
 
 using Eigen::Vector3d;
 
-/// The mesh of a solid cut by one half space; nothing when it is refused with the region's name.
+/// Mesh of a solid cut by one half space; none if it is refused with the region's name.
 std::optional<SurfaceMesh> cut(const Solid& solid, double h, const HalfSpace& half) {
   MeshSettings settings;
   settings.edgeLength = h;
@@ -25,7 +25,8 @@ std::optional<SurfaceMesh> cut(const Solid& solid, double h, const HalfSpace& ha
   try {
     return mesh(solid, settings, regions);
   } catch (const ModelingError& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("base: no part of the surface", 0), 0U)
+    EXPECT_EQ(
+        std::string(error.what()).rfind("base: the region contains no part of the surface", 0), 0U)
         << error.what();
     return std::nullopt;
   }
@@ -50,7 +51,7 @@ struct Samples {
     }
   }
 
-  /// Area deeper in the half space than `depth`, which is negative for what is just outside.
+  /// Area deeper in the half space than `depth`; a negative depth also counts area just outside.
   double areaIn(const HalfSpace& half, double depth) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -72,7 +73,7 @@ struct Samples {
 struct Body {
   const char* name;
   Solid solid;
-  double border;  // longest border of a half space in mm, roughly
+  double border;  // approximate length of the longest border of a half space, mm
 };
 
 std::vector<Body> bodies() {
@@ -81,9 +82,9 @@ std::vector<Body> bodies() {
           {"box", makeBox({40, 30, 20}), 150.0}};
 }
 
-/// Returns the smallest angle in degrees; 90 for a region that may be refused and was.
+/// Returns the smallest angle in degrees; 90 for a region that may be refused and was refused.
 double expectTheCut(const Body& body, const Samples& samples, double h, const HalfSpace& half) {
-  // A face within rounding of the border may count or not.
+  // A face within rounding of the border may or may not count.
   constexpr double kRounding = 1e-6;
   const double least = samples.areaIn(half, kRounding);
   const double most = samples.areaIn(half, -kRounding);
@@ -97,7 +98,7 @@ double expectTheCut(const Body& body, const Samples& samples, double h, const Ha
     return 90.0;
   }
   EXPECT_EQ(checks::manifoldFault(*result), "") << where();
-  // The border may be off by a part of the edge length, and flat triangles lose some area.
+  // The border may deviate by a fraction of the edge length, and flat triangles lose some area.
   const double whole = checks::totalArea(*result);
   const double tolerance = 0.06 * h * body.border + 0.015 * whole;
   EXPECT_GT(checks::regionArea(*result, 0), least - tolerance) << where();
@@ -106,7 +107,7 @@ double expectTheCut(const Body& body, const Samples& samples, double h, const Ha
   return measureQuality(*result).smallestAngle;
 }
 
-TEST(Cuts, RandomOnes) {
+TEST(Cuts, Random) {
   for (const Body& body : bodies()) {
     int below15 = 0;
     const Samples samples(body.solid);
@@ -174,7 +175,7 @@ TEST(Cuts, OutsideOrOnlyTouchingAreRefused) {
     EXPECT_FALSE(cut(makeSphere(25.0), 5.0, {{0, 1, 0}, below}));
 }
 
-TEST(Cuts, StripsAreFoundWhereverTheyLieBetweenTheNodes) {
+TEST(Cuts, StripsAreFoundAnywhereBetweenTheNodes) {
   const Solid cylinder = makeCylinder(20.0, 60.0);
   const Solid box = makeBox({40, 30, 20});
   for (double h : {3.0, 7.9})
@@ -186,7 +187,7 @@ TEST(Cuts, StripsAreFoundWhereverTheyLieBetweenTheNodes) {
                 {{std::cos(angle), std::sin(angle), 0.0}, -std::sqrt(400.0 - half * half)});
         ASSERT_TRUE(result) << h << ' ' << wide << ' ' << angle;
         EXPECT_EQ(checks::manifoldFault(*result), "");
-        // Two borders, each off by 0.05 of an edge at most.
+        // Two borders, each with a deviation of at most 0.05 of an edge.
         EXPECT_NEAR(checks::regionArea(*result, 0), 60.0 * 2.0 * half, 60.0 * 0.1 * h)
             << h << ' ' << wide << ' ' << angle;
       }

@@ -20,7 +20,7 @@ SurfaceMesh cut(const Solid& solid, double h, const Eigen::Vector3d& normal, dou
   return mesh(solid, settings, regions);
 }
 
-TEST(Fit, SphereRegionsHaveTheirAreaHoweverTheMeshFalls) {
+TEST(Fit, SphereRegionsHaveTheirAreaForAnyMesh) {
   const Solid sphere = makeSphere(25.0);
   for (double h = 1.7; h < 6.5; h += 0.37)
     for (double d : {-21.3, -20.0, -17.0, -12.0, -3.3, 0.0, 8.8, 19.0}) {
@@ -28,7 +28,7 @@ TEST(Fit, SphereRegionsHaveTheirAreaHoweverTheMeshFalls) {
       const double exact = 2.0 * kPi * 25.0 * (25.0 + d);
       ASSERT_EQ(checks::manifoldFault(result), "") << h << ' ' << d;
       EXPECT_LT(checks::borderFault(result, 0, {Eigen::Vector3d::UnitZ(), d}), 0.1 * h);
-      // Chords of a cap of radius r lose about (h / r)² / 4 of its area, and faces a little more.
+      // Chords of a cap of radius r lose about (h / r)² / 4 of its area, and faces slightly more.
       const double r = std::sqrt(625.0 - d * d);
       EXPECT_NEAR(checks::regionArea(result, 0) / exact, 1.0, 0.35 * h * h / (r * r) + 1e-3)
           << h << ' ' << d;
@@ -54,7 +54,7 @@ TEST(Fit, TheAreaDoesNotJumpWhenTheCutMoves) {
   for (int i = 0; i <= 60; ++i) {
     const double d = 6.0 + 0.1 * i;
     const double area = checks::regionArea(cut(cylinder, 4.0, Eigen::Vector3d::UnitZ(), d), 0);
-    // 0.1 mm of height are 12.6 mm²; the mesh may add a little of its own.
+    // 0.1 mm of height are 12.6 mm²; the mesh may contribute a small additional error.
     if (i > 0) {
       EXPECT_NEAR(area - before, 4.0 * kPi, 6.0) << d;
     }
@@ -69,11 +69,13 @@ TEST(Fit, HalfSpaceThatTouchesAFaceSelectsNothing) {
     cut(makeBox({40, 30, 20}), 5.0, Eigen::Vector3d::UnitZ(), -1.0);
     FAIL();
   } catch (const ModelingError& error) {
-    EXPECT_EQ(std::string(error.what()).find("base: no part of the surface"), 0U) << error.what();
+    EXPECT_EQ(std::string(error.what()).find("base: the region contains no part of the surface"),
+              0U)
+        << error.what();
   }
 }
 
-TEST(Fit, HalfSpaceJustAboveAFaceSelectsExactlyIt) {
+TEST(Fit, HalfSpaceJustAboveAFaceSelectsExactlyThisFace) {
   const Solid box = makeBox({40, 30, 20});
   const SurfaceMesh result = cut(box, 5.0, Eigen::Vector3d::UnitZ(), 1e-3);
   EXPECT_NEAR(checks::regionArea(result, 0), 1200.0, 1e-9);
@@ -102,7 +104,7 @@ TEST(Fit, ObliqueCutsKeepTheBodyAndItsTriangles) {
         const SurfaceMesh result = cut(solid, h, normal, d);
         const SurfaceMesh rest = cut(solid, h, -normal, -d);
         ASSERT_EQ(checks::manifoldFault(result), "");
-        // The plane and its reverse cut the same body in two.
+        // The plane and its reverse divide the same body.
         EXPECT_NEAR(checks::regionArea(result, 0) + checks::regionArea(rest, 0),
                     checks::totalArea(result), 0.004 * checks::totalArea(result));
         EXPECT_GT(measureQuality(result).smallestAngle, 10.0) << h << ' ' << d;

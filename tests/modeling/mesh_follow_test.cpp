@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh_checks.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
@@ -60,7 +61,7 @@ std::vector<std::pair<int, Vector3d>> randomMoves(const Solid& solid, std::mt199
   return moves;
 }
 
-/// Does a basis function of one of the points differ from zero at (u, v)? By the support of basis
+/// True if a basis function of one of the points is nonzero at (u, v), from the support of basis
 /// functions alone: knots[i] < u < knots[i + degree + 1], with closed ends.
 bool influenced(const Solid& solid, const SurfaceParameter& at, const std::set<int>& points) {
   const Patch& patch = solid.patches()[at.patch];
@@ -87,7 +88,7 @@ double largestBorderFault(const SurfaceMesh& mesh, const SurfaceMesh& reference)
         seen[node] |= ((mesh.bordersOfTriangle[t] >> k) & 1) ? 1 : 2;
     const RegionBorder& border = mesh.borders[k];
     for (std::size_t i = 0; i < seen.size(); ++i)
-      // Corners and nodes between two borders only count as being on the border.
+      // Corners and nodes between two borders only need to lie on the border.
       if (seen[i] == 3 && std::abs(border.value(reference.positions[i])) < 1e-9)
         worst = std::max(worst, std::abs(border.value(mesh.positions[i])));
   }
@@ -133,7 +134,7 @@ TEST(Follow, RandomMovesKeepTrianglesSurfaceAndBorders) {
         }
       }
     }
-  // Moves of up to 2 mm are gentle against edges of 4 mm; refined borders bear less.
+  // Moves of up to 2 mm are small against edges of 4 mm; refined borders tolerate less.
   EXPECT_GT(updates, 3 * trials / 4) << trials;
 }
 
@@ -170,7 +171,7 @@ TEST(Follow, StepByStepNodesStayOnTheMovingBorder) {
   Solid before = c.solid;
   SurfaceMesh current = meshOf(c, c.solid);
   const SurfaceMesh base = current;
-  // The whole sphere grows, so that every node of the border has to slide.
+  // The whole sphere grows, so every node of the border has to slide.
   for (int step = 1; step <= 5; ++step) {
     std::vector<Vector3d> points = c.solid.controlPoints();
     for (Vector3d& p : points) p *= 1.0 + 0.004 * step;
@@ -189,44 +190,44 @@ std::string remeshReason(const Case& c, const Solid& solid) {
   return followSolid(meshOf(c, c.solid), c.solid, solid, c.regions).remeshReason;
 }
 
-TEST(Follow, SaysWhyTheSolidMustBeMeshedAnew) {
+TEST(Follow, ReportsWhyTheSolidNeedsANewMesh) {
   const std::vector<Case> all = cases();
   const Case& sphere = all[0];
   const auto has = [](const std::string& text, const char* part) {
     return testing::AssertionResult(text.find(part) != std::string::npos) << text;
   };
   EXPECT_TRUE(has(remeshReason(sphere, makeSphere(25.0, 9)), "patches"));
-  // A point far out stretches its edges.
+  // A distant point stretches its edges.
   int top = 0;
   for (std::size_t i = 0; i < sphere.solid.controlPoints().size(); ++i)
     if (sphere.solid.controlPoints()[i].z() > sphere.solid.controlPoints()[top].z())
       top = static_cast<int>(i);
   EXPECT_TRUE(has(remeshReason(sphere, moved(sphere.solid, {{top, {0, 0, 60}}})), "edge near"));
-  // A bulge that dips through the plane of the support.
+  // A bulge that passes through the plane of the support.
   EXPECT_FALSE(remeshReason(sphere, moved(sphere.solid, {{top, {0, 0, -100}}})).empty());
 
   std::vector<MeshRegion> other = sphere.regions;
   other[0].where = Region::below({0, 0, 1}, -11.0);
   EXPECT_TRUE(
       has(followSolid(meshOf(sphere, sphere.solid), sphere.solid, sphere.solid, other).remeshReason,
-          "supports, loads"));
-  // The box's top pressed onto the border of the half space.
+          "the supports, the loads"));
+  // The top of the box is pressed onto the border of the half space.
   const Case& box = all[2];
   std::vector<Vector3d> points = box.solid.controlPoints();
   for (Vector3d& p : points) p.z() *= 0.3;
   EXPECT_FALSE(remeshReason(box, box.solid.withControlPoints(points)).empty());
 }
 
-TEST(Follow, ASurfaceThatReachesAHalfSpaceElsewhereIsMeshedAnew) {
-  // Only the bottom of the box is below z = 1; then the middle of the top is pulled down to it
-  // while the triangles stay good because the whole top moves.
+TEST(Follow, ASurfaceThatReachesAHalfSpaceElsewhereNeedsANewMesh) {
+  // Only the bottom of the box is below z = 1; then the middle of the top is pulled down to it. The
+  // triangles stay well shaped because the whole top moves.
   Case c{"box", makeBox({40, 30, 20}), 5.0, {{"load", Region::below({0, 0, -1}, -19.0), true}}};
   std::vector<Vector3d> points = c.solid.controlPoints();
   for (Vector3d& p : points)
     if (p.z() < 1e-9 && std::abs(p.x()) < 15.0 && std::abs(p.y()) < 12.0) p.z() += 1.0;
   const Solid dented = c.solid.withControlPoints(points);
   EXPECT_TRUE(followSolid(meshOf(c, c.solid), c.solid, dented, c.regions).update);
-  // The support's border at z = 0.4 is reached by the dent's rim in the bottom.
+  // The rim of the dent in the bottom reaches the border of the support at z = 0.4.
   c.regions = {{"base", Region::below({0, 0, 1}, 0.4), true}};
   EXPECT_NE(remeshReason(c, dented).find("crossed the border"), std::string::npos)
       << remeshReason(c, dented);

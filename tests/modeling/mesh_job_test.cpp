@@ -1,4 +1,4 @@
-// Stopping and progress of the mesher.
+// Cancellation and progress of the mesher.
 #include <gtest/gtest.h>
 
 #include "modeling/mesh/mesh.h"
@@ -22,7 +22,7 @@ TEST(MeshJob, CancelledBeforeNothingIsDone) {
   std::stop_source source;
   source.request_stop();
   bool reported = false;
-  const Job job{source.get_token(), [&](std::string_view, double) { reported = true; }};
+  const Job job{source.get_token(), [&](Phase, double) { reported = true; }};
   const Solid sphere = makeSphere(25.0);
   EXPECT_THROW(mesh(sphere, settings(), kRegions, job), Cancelled);
   EXPECT_FALSE(reported);
@@ -33,13 +33,13 @@ TEST(MeshJob, CancelledBeforeNothingIsDone) {
 TEST(MeshJob, CancelledAtEveryReportOfProgress) {
   const Solid sphere = makeSphere(25.0);
   int reports = 0;
-  mesh(sphere, settings(), kRegions, {{}, [&](std::string_view, double) { ++reports; }});
+  mesh(sphere, settings(), kRegions, {{}, [&](Phase, double) { ++reports; }});
   ASSERT_GT(reports, 3);
   // After the last report the mesh exists.
   for (int stopAt = 0; stopAt < reports - 1; ++stopAt) {
     std::stop_source source;
     int seen = 0;
-    const Job job{source.get_token(), [&](std::string_view, double) {
+    const Job job{source.get_token(), [&](Phase, double) {
                     if (seen++ == stopAt) source.request_stop();
                   }};
     EXPECT_THROW(mesh(sphere, settings(), kRegions, job), Cancelled) << stopAt;
@@ -52,8 +52,8 @@ TEST(MeshJob, StoppingAfterwardsAndReportingChangeNothing) {
   std::stop_source source;
   double last = -1.0;
   bool monotone = true;
-  const Job job{source.get_token(), [&](std::string_view phase, double fraction) {
-                  EXPECT_EQ(phase, "mesh");
+  const Job job{source.get_token(), [&](Phase phase, double fraction) {
+                  EXPECT_EQ(phase, Phase::kMesh);
                   monotone = monotone && fraction >= last;
                   last = fraction;
                 }};

@@ -17,12 +17,12 @@
 namespace palpa::modeling {
 namespace {
 
-MeshBody parse(std::string_view bytes, MeshFormat format, double scale = 1.0) {
+MeshBody parse(std::string_view bytes, FileFormat format, double scale = 1.0) {
   return parseMesh(bytes, format, "file", {scale});
 }
 
-/// The message with which a content is refused; it must begin with the source's name.
-std::string refusal(std::string_view bytes, MeshFormat format) {
+/// Message with which a content is refused; it must begin with the source's name.
+std::string refusal(std::string_view bytes, FileFormat format) {
   try {
     parse(bytes, format);
   } catch (const ModelingError& error) {
@@ -34,14 +34,14 @@ std::string refusal(std::string_view bytes, MeshFormat format) {
   return "";
 }
 
-void expectRefused(std::string_view bytes, MeshFormat format,
+void expectRefused(std::string_view bytes, FileFormat format,
                    std::initializer_list<std::string> parts) {
   const std::string message = refusal(bytes, format);
   for (const std::string& part : parts)
     EXPECT_NE(message.find(part), std::string::npos) << "no \"" << part << "\" in: " << message;
 }
 
-/// Points and polygons as OBJ text.
+/// OBJ text of points and polygons.
 std::string obj(const std::vector<std::string>& points, const std::vector<std::string>& polygons) {
   std::string text;
   for (const std::string& point : points) text += "v " + point + "\n";
@@ -49,7 +49,7 @@ std::string obj(const std::vector<std::string>& points, const std::vector<std::s
   return text;
 }
 
-/// A unit cube of quads at an offset along x, its points numbered from `first`.
+/// Unit cube of quads at an offset along x, its points numbered from `first`.
 std::string cube(double x, int first, double size = 1.0) {
   std::string text;
   for (int i = 0; i < 8; ++i)
@@ -66,14 +66,14 @@ TEST(MeshReader, AllFormatsGiveTheSameBody) {
   const MeshBody sphere = test::icosphere(10.0, 2);
   const double exact = volume(sphere);
   for (const auto& [bytes, format, precision] :
-       std::vector<std::tuple<std::string, MeshFormat, double>>{
-           {test::stlText(sphere), MeshFormat::kStl, 1e-12},
-           {test::stlBinary(sphere), MeshFormat::kStl, 1e-6},
-           {test::stlBinary(sphere, "solid but binary"), MeshFormat::kStl, 1e-6},
-           {test::objText(sphere), MeshFormat::kObj, 1e-12},
-           {test::plyText(sphere, test::PlyKind::kText), MeshFormat::kPly, 1e-12},
-           {test::plyText(sphere, test::PlyKind::kLittleEndian), MeshFormat::kPly, 1e-12},
-           {test::plyText(sphere, test::PlyKind::kBigEndian), MeshFormat::kPly, 1e-12}}) {
+       std::vector<std::tuple<std::string, FileFormat, double>>{
+           {test::stlText(sphere), FileFormat::kStl, 1e-12},
+           {test::stlBinary(sphere), FileFormat::kStl, 1e-6},
+           {test::stlBinary(sphere, "solid but binary"), FileFormat::kStl, 1e-6},
+           {test::objText(sphere), FileFormat::kObj, 1e-12},
+           {test::plyText(sphere, test::PlyKind::kText), FileFormat::kPly, 1e-12},
+           {test::plyText(sphere, test::PlyKind::kLittleEndian), FileFormat::kPly, 1e-12},
+           {test::plyText(sphere, test::PlyKind::kBigEndian), FileFormat::kPly, 1e-12}}) {
     const MeshBody read = parse(bytes, format);
     EXPECT_EQ(read.positions().size(), sphere.positions().size());
     EXPECT_EQ(read.triangles().size(), sphere.triangles().size());
@@ -85,44 +85,44 @@ TEST(MeshReader, AllFormatsGiveTheSameBody) {
 TEST(MeshReader, TextWithOtherLineEndsAndLettersIsTheSame) {
   const MeshBody box = test::plainBox({1, 2, 3});
   for (std::string text : {test::stlText(box), test::objText(box)}) {
-    const MeshFormat format = text[0] == 's' ? MeshFormat::kStl : MeshFormat::kObj;
+    const FileFormat format = text[0] == 's' ? FileFormat::kStl : FileFormat::kObj;
     std::string windows;
     for (char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
     EXPECT_NEAR(volume(parse(windows, format)), 6.0, 1e-12);
   }
   std::string shouting = test::stlText(box);
   for (char& c : shouting) c = static_cast<char>(std::toupper(c));
-  EXPECT_NEAR(volume(parse(shouting, MeshFormat::kStl)), 6.0, 1e-12);
+  EXPECT_NEAR(volume(parse(shouting, FileFormat::kStl)), 6.0, 1e-12);
 }
 
 TEST(MeshReader, ScaleTurnsUnitsIntoMillimetres) {
   const std::string text = test::stlText(test::plainBox({1, 2, 3}));
-  EXPECT_NEAR(volume(parse(text, MeshFormat::kStl, 10.0)), 6000.0, 1e-9);
+  EXPECT_NEAR(volume(parse(text, FileFormat::kStl, 10.0)), 6000.0, 1e-9);
   for (double scale : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
-    EXPECT_THROW(parse(text, MeshFormat::kStl, scale), ModelingError);
-  EXPECT_THROW(parse(text, MeshFormat::kStl, 1e8), ModelingError);
+    EXPECT_THROW(parse(text, FileFormat::kStl, scale), ModelingError);
+  EXPECT_THROW(parse(text, FileFormat::kStl, 1e8), ModelingError);
 }
 
 TEST(MeshReader, ObjReadsQuadsPolygonsAndNegativeIndices) {
-  const MeshBody box = parse(cube(0.0, 1), MeshFormat::kObj);
+  const MeshBody box = parse(cube(0.0, 1), FileFormat::kObj);
   EXPECT_NEAR(volume(box), 1.0, 1e-12);
   EXPECT_EQ(box.triangles().size(), 12U);
-  // An L-shaped prism: its two ends are polygons that are not convex. Area 3, height 2.
+  // An L-shaped prism: its two ends are non-convex polygons. Area 3, height 2.
   const std::string prism = obj({"0 0 0", "2 0 0", "2 1 0", "1 1 0", "1 2 0", "0 2 0", "0 0 2",
                                  "2 0 2", "2 1 2", "1 1 2", "1 2 2", "0 2 2"},
                                 {"6 5 4 3 2 1", "-6 -5 -4 -3 -2 -1", "1 2 8 7", "2 3 9 8",
                                  "3 4 10 9", "4 5 11 10", "5 6 12 11", "6 1 7 12"});
-  EXPECT_NEAR(volume(parse(prism, MeshFormat::kObj)), 6.0, 1e-12);
-  EXPECT_NEAR(area(parse(prism, MeshFormat::kObj)), 6.0 + 16.0, 1e-12);
-  EXPECT_EQ(parse(prism, MeshFormat::kObj).faceNames().size(), 8U);
-  // The same polygon over two lines.
+  EXPECT_NEAR(volume(parse(prism, FileFormat::kObj)), 6.0, 1e-12);
+  EXPECT_NEAR(area(parse(prism, FileFormat::kObj)), 6.0 + 16.0, 1e-12);
+  EXPECT_EQ(parse(prism, FileFormat::kObj).faceNames().size(), 8U);
+  // The same polygon on two lines.
   std::string continued = prism;
   continued.replace(continued.find("f 6 5 4 3"), 9, "f 6 5 \\\n4 3");
-  EXPECT_NEAR(volume(parse(continued, MeshFormat::kObj)), 6.0, 1e-12);
+  EXPECT_NEAR(volume(parse(continued, FileFormat::kObj)), 6.0, 1e-12);
 }
 
 TEST(MeshReader, APolygonOfManyCornersIsCut) {
-  // A disc of 500 corners above and below.
+  // A disc with 500 corners above and below.
   constexpr int n = 500;
   std::vector<std::string> points;
   std::string below = "1";
@@ -143,7 +143,7 @@ TEST(MeshReader, APolygonOfManyCornersIsCut) {
   }
   polygons.push_back(below);
   polygons.push_back(above);
-  const MeshBody disc = parse(obj(points, polygons), MeshFormat::kObj);
+  const MeshBody disc = parse(obj(points, polygons), FileFormat::kObj);
   EXPECT_NEAR(volume(disc), 0.5 * n * 100 * std::sin(2 * std::numbers::pi / n), 1e-3);
   EXPECT_EQ(disc.faceNames().size(), 3U);
 }
@@ -151,10 +151,10 @@ TEST(MeshReader, APolygonOfManyCornersIsCut) {
 TEST(MeshReader, GroupsObjectsAndMaterialsBecomeFaces) {
   const MeshBody cylinder = test::bodyOf(makeCylinder(10, 20), 4);
   for (const char* grouping : {"g", "o", "usemtl"}) {
-    const MeshBody read = parse(test::objText(cylinder, grouping), MeshFormat::kObj);
+    const MeshBody read = parse(test::objText(cylinder, grouping), FileFormat::kObj);
     EXPECT_EQ(read.faceNames(), cylinder.faceNames());
     for (std::size_t t = 0; t < read.triangles().size(); t += 7) {
-      // Triangles are found again by their centres.
+      // Triangles are identified by their centres.
       const auto centre = [](const MeshBody& body, std::size_t i) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (int n : body.triangles()[i]) sum += body.positions()[n];
@@ -168,8 +168,8 @@ TEST(MeshReader, GroupsObjectsAndMaterialsBecomeFaces) {
       EXPECT_EQ(read.faceOfTriangle()[t], cylinder.faceOfTriangle()[best]);
     }
   }
-  // One group for everything says nothing: sharp edges divide the surface.
-  EXPECT_EQ(parse("g all\n" + test::objText(cylinder), MeshFormat::kObj).faceNames(),
+  // A single group contains no information, so sharp edges divide the surface.
+  EXPECT_EQ(parse("g all\n" + test::objText(cylinder), FileFormat::kObj).faceNames(),
             (std::vector<std::string>{"face_1", "face_2", "face_3"}));
 }
 
@@ -182,7 +182,7 @@ TEST(MeshReader, FaceNamesAreCleanAndDistinct) {
     text.insert(at, name);
     at = text.find("f ", text.find('\n', at + name.size()));
   }
-  const MeshBody box = parse(text, MeshFormat::kObj);
+  const MeshBody box = parse(text, FileFormat::kObj);
   EXPECT_EQ(box.faceNames().size(), 5U);
   for (const std::string& name : box.faceNames()) {
     EXPECT_FALSE(name.empty());
@@ -192,7 +192,7 @@ TEST(MeshReader, FaceNamesAreCleanAndDistinct) {
 }
 
 TEST(MeshReader, SharpEdgesDivideASurfaceTheLargestFirst) {
-  const MeshBody box = parse(test::stlText(test::plainBox({1, 20, 30})), MeshFormat::kStl);
+  const MeshBody box = parse(test::stlText(test::plainBox({1, 20, 30})), FileFormat::kStl);
   ASSERT_EQ(box.faceNames().size(), 6U);
   std::vector<double> areas(6, 0.0);
   const auto& p = box.positions();
@@ -204,14 +204,14 @@ TEST(MeshReader, SharpEdgesDivideASurfaceTheLargestFirst) {
     EXPECT_NEAR(areas[i], (std::array{600, 600, 30, 30, 20, 20})[i], 1e-9);
   // Slivers along the edges change nothing.
   const MeshBody slivers = test::withSlivers(test::plainBox({1, 20, 30}));
-  EXPECT_EQ(parse(test::stlText(slivers), MeshFormat::kStl).faceNames().size(), 6U);
+  EXPECT_EQ(parse(test::stlText(slivers), FileFormat::kStl).faceNames().size(), 6U);
   // Bore, outside and two rings.
   const MeshBody bored = test::boredCylinder(20, 5, 30, 48);
-  EXPECT_EQ(parse(test::stlText(bored), MeshFormat::kStl).faceNames().size(), 4U);
-  // Rough as a rock: the number of faces stays sensible.
+  EXPECT_EQ(parse(test::stlText(bored), FileFormat::kStl).faceNames().size(), 4U);
+  // On a surface as rough as a rock, the number of faces stays reasonable.
   const MeshBody rock = test::noisy(test::icosphere(20, 4), 0.4);
   EXPECT_LE(rock.triangles().size(), 5120U);
-  EXPECT_LE(parse(test::stlText(rock), MeshFormat::kStl).faceNames().size(), 100U);
+  EXPECT_LE(parse(test::stlText(rock), FileFormat::kStl).faceNames().size(), 100U);
 }
 
 TEST(MeshReader, WrongOrientationsAreRepaired) {
@@ -227,10 +227,10 @@ TEST(MeshReader, WrongOrientationsAreRepaired) {
   for (const auto& [a, b, c] : triangles)
     text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
             std::to_string(c + 1) + "\n";
-  EXPECT_NEAR(volume(parse(text, MeshFormat::kObj)), volume(body), 1e-2);
+  EXPECT_NEAR(volume(parse(text, FileFormat::kObj)), volume(body), 1e-2);
 }
 
-TEST(MeshReader, DoubledAndDegenerateTrianglesAreLeftOut) {
+TEST(MeshReader, DuplicateAndDegenerateTrianglesAreOmitted) {
   std::string text = test::stlText(test::plainBox({1, 2, 3}));
   const std::string facet =
       text.substr(text.find("  facet"), text.find("endfacet") - text.find("  facet") + 9);
@@ -238,17 +238,17 @@ TEST(MeshReader, DoubledAndDegenerateTrianglesAreLeftOut) {
       "facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 0\n"
       "vertex 1 0 0\nendloop\nendfacet\n";
   text.insert(text.find("endsolid"), facet + point);
-  EXPECT_EQ(parse(text, MeshFormat::kStl).triangles().size(), 12U);
+  EXPECT_EQ(parse(text, FileFormat::kStl).triangles().size(), 12U);
 }
 
 TEST(MeshReader, TrianglesWithoutAreaAreRemoved) {
-  // The cube's first edge has a point in its middle: one quad takes it in, the other is bridged by
-  // a triangle without area.
+  // The cube's first edge has a point in its middle: one quad contains it, the other is connected
+  // by a triangle without area.
   std::string text = cube(0.0, 1);
   text.insert(text.find("f "), "v 0.5 0 0\n");
   text += "f 1 2 9\n";
   text.replace(text.find("f 1 2 6 5"), 9, "f 1 9 2 6 5");
-  const MeshBody box = parse(text, MeshFormat::kObj);
+  const MeshBody box = parse(text, FileFormat::kObj);
   EXPECT_NEAR(volume(box), 1.0, 1e-12);
   EXPECT_EQ(box.faceNames().size(), 6U);
   const auto& p = box.positions();
@@ -259,11 +259,11 @@ TEST(MeshReader, TrianglesWithoutAreaAreRemoved) {
 TEST(MeshReader, ASurfaceOfFlatTrianglesOnlyIsNoBody) {
   // A tetrahedron with its corners on one line; found by fuzzing.
   expectRefused(obj({"0 0 0", "0 0 5", "0 0 4", "0 0 3"}, {"1 3 2", "1 2 4", "1 4 3", "2 3 4"}),
-                MeshFormat::kObj, {"without area"});
+                FileFormat::kObj, {"without area"});
 }
 
 TEST(MeshReader, RoundedCornersAreWelded) {
-  // Every corner of every triangle is a little elsewhere.
+  // Every corner of every triangle is slightly displaced.
   const MeshBody sphere = test::icosphere(10, 2);
   std::mt19937 random(5);
   std::string text = "solid\n";
@@ -281,41 +281,42 @@ TEST(MeshReader, RoundedCornersAreWelded) {
     }
     text += "endloop\nendfacet\n";
   }
-  const MeshBody read = parse(text + "endsolid\n", MeshFormat::kStl);
+  const MeshBody read = parse(text + "endsolid\n", FileFormat::kStl);
   EXPECT_EQ(read.positions().size(), sphere.positions().size());
   EXPECT_NEAR(volume(read), volume(sphere), 1e-3);
 }
 
-TEST(MeshReader, OpenSurfacesSayHowManyEdgesAndWhere) {
+TEST(MeshReader, OpenSurfacesReportTheirEdgesAndALocation) {
   std::string text = cube(0.0, 1);
   text.erase(text.rfind("f 2 4 8 6"));
-  expectRefused(text, MeshFormat::kObj, {"4 open edges", "(1, 0, 0)", "close the surface"});
+  expectRefused(text, FileFormat::kObj, {"4 open edges", "(1, 0, 0)", "close the surface"});
 }
 
 TEST(MeshReader, CrowdedEdgesAndVerticesAreNamed) {
-  // Two cubes that share an edge; two tetrahedra that share a corner.
+  // Two cubes with a common edge; two tetrahedra with a common corner.
   std::string edge = cube(0.0, 1);
   edge += "v 2 -1 0\nv 1 -1 0\nv 2 0 0\nv 2 -1 1\nv 1 -1 1\nv 2 0 1\n";  // 9 … 14
   edge += "f 10 2 11 9\nf 13 12 14 6\nf 10 9 12 13\nf 9 11 14 12\nf 11 2 6 14\nf 2 10 13 6\n";
-  expectRefused(edge, MeshFormat::kObj, {"1 edge has more than two triangles", "(1, 0, 0)"});
+  expectRefused(edge, FileFormat::kObj, {"1 edge has more than two triangles", "(1, 0, 0)"});
   // A wall through the middle of a cube that is otherwise closed.
-  expectRefused(cube(0.0, 1) + "f 1 4 8 5\n", MeshFormat::kObj, {"more than two triangles"});
+  expectRefused(cube(0.0, 1) + "f 1 4 8 5\n", FileFormat::kObj, {"more than two triangles"});
   const std::string corner =
       obj({"0 0 0", "1 0 0", "0 1 0", "0 0 1", "-1 0 0", "0 -1 0", "0 0 -1"},
           {"1 3 2", "1 2 4", "1 4 3", "2 3 4", "1 6 5", "1 5 7", "1 7 6", "5 6 7"});
-  expectRefused(corner, MeshFormat::kObj, {"1 single vertex", "(0, 0, 0)"});
+  expectRefused(corner, FileFormat::kObj, {"1 single vertex", "(0, 0, 0)"});
 }
 
 TEST(MeshReader, SurfacesThatCutThemselvesAreRefused) {
-  expectRefused(cube(0.0, 1) + cube(0.5, 9), MeshFormat::kObj, {"cuts or touches itself", "mm"});
-  expectRefused(cube(0.0, 1) + cube(2.0, 9), MeshFormat::kObj, {"2 separate bodies"});
+  expectRefused(cube(0.0, 1) + cube(0.5, 9), FileFormat::kObj,
+                {"intersects or touches itself", "mm"});
+  expectRefused(cube(0.0, 1) + cube(2.0, 9), FileFormat::kObj, {"2 separate bodies"});
   std::string many;
   for (int i = 0; i < 201; ++i) many += cube(2.0 * i, 8 * i + 1);
-  expectRefused(many, MeshFormat::kObj, {"more than 200 closed surfaces"});
+  expectRefused(many, FileFormat::kObj, {"more than 200 closed surfaces"});
 }
 
-TEST(MeshReader, AKleinBottleHasNoInside) {
-  // The figure-eight immersion: after one turn v has changed its sign.
+TEST(MeshReader, AKleinBottleIsRefused) {
+  // The figure-eight immersion: after one turn v has the opposite sign.
   constexpr int n = 8;
   std::vector<std::string> points;
   std::vector<std::string> polygons;
@@ -337,33 +338,33 @@ TEST(MeshReader, AKleinBottleHasNoInside) {
       polygons.push_back(index(i, j) + " " + index(i + 1, j) + " " + index(i + 1, j + 1));
       polygons.push_back(index(i, j) + " " + index(i + 1, j + 1) + " " + index(i, j + 1));
     }
-  const std::string message = refusal(obj(points, polygons), MeshFormat::kObj);
+  const std::string message = refusal(obj(points, polygons), FileFormat::kObj);
   EXPECT_NE(message.find("one side only"), std::string::npos) << message;
 }
 
 TEST(MeshReader, SyntaxErrorsNameTheLine) {
-  const MeshFormat o = MeshFormat::kObj;
+  const FileFormat o = FileFormat::kObj;
   expectRefused("v 1 2\n", o, {"line 1", "number is missing"});
   expectRefused("v 1 2 x\n", o, {"line 1", "\"x\""});
   expectRefused("v 1 2 nan\n", o, {"line 1", "not finite"});
   expectRefused("v 1 2 1e999\n", o, {"line 1", "1e999", "too large"});
   expectRefused("v 0 0 0\nf 1 1\n", o, {"line 2", "fewer than three"});
-  expectRefused("v 0 0 0\nf 1 2 1\n", o, {"line 2", "no point 2", "1 were read"});
+  expectRefused("v 0 0 0\nf 1 2 1\n", o, {"line 2", "no point 2", "is 1"});
   expectRefused("v 0 0 0\nf 1 0 1\n", o, {"line 2", "no point 0"});
   expectRefused("v 0 0 0\nf -1 -2 -1\n", o, {"no point -2"});
   expectRefused("v 0 0 0\nf 1 -99999999999999999999 1\n", o, {"expected the number of a point"});
-  expectRefused("hello\n", o, {"line 1", "\"hello\"", "no statement"});
+  expectRefused("hello\n", o, {"line 1", "\"hello\"", "not a statement"});
   expectRefused("curv 0 1 1 2\n", o, {"free-form"});
   expectRefused("", o, {"no triangles"});
-  const MeshFormat s = MeshFormat::kStl;
-  expectRefused("", s, {"no STL file"});
+  const FileFormat s = FileFormat::kStl;
+  expectRefused("", s, {"not an STL file"});
   expectRefused("solid\nvertex 1 2 3\nvertex 1 2 3\nendfacet\n", s, {"line 4", "fewer than three"});
   expectRefused("solid\nfacet\nvertex 1 2 3\n", s, {"cut off"});
   expectRefused("solid\nfacet\nvertex 1 2 3\nfacet\n", s, {"line 4", "within a facet"});
   expectRefused("solid\nbananas\n", s, {"line 2", "bananas"});
   expectRefused("solid\nendsolid\n", s, {"no triangles"});
-  const MeshFormat p = MeshFormat::kPly;
-  expectRefused("", p, {"no PLY file"});
+  const FileFormat p = FileFormat::kPly;
+  expectRefused("", p, {"not a PLY file"});
   expectRefused("ply\nformat binary_middle_endian 1.0\n", p, {"line 2", "binary_middle_endian"});
   expectRefused("ply\nelement vertex 3\n", p, {"no end"});
   expectRefused("ply\nend_header\n", p, {"no format"});
@@ -377,37 +378,37 @@ TEST(MeshReader, SyntaxErrorsNameTheLine) {
       "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
   expectRefused(header + "0 0 nan\n3 0 0 0\n", p, {"line 10", "not finite"});
   expectRefused(header + "0 0 0\n3 0 0 1\n", p, {"no vertex 1"});
-  expectRefused(header + "0 0 0\n3 0 0 -1\n", p, {"line 11", "impossible corner"});
+  expectRefused(header + "0 0 0\n3 0 0 -1\n", p, {"line 11", "invalid corner index"});
   expectRefused(header + "0 0 0\n2 0 0 0\n", p, {"line 11", "has 2 corners"});
   expectRefused(header + "0 0 0\n3 0 0", p, {"cut off"});
-  expectRefused(header + "0 0 0\n1000000000 0 0", p, {"impossible length"});
+  expectRefused(header + "0 0 0\n1000000000 0 0", p, {"invalid length"});
 }
 
 TEST(MeshReader, DeclaredCountsCannotTakeMemory) {
   std::string stl = test::stlBinary(test::plainBox({1, 1, 1}));
   stl.replace(80, 4, "\xff\xff\xff\xff");
-  expectRefused(stl, MeshFormat::kStl, {"4294967295 triangles", "cut off"});
+  expectRefused(stl, FileFormat::kStl, {"4294967295 triangles", "cut off"});
   std::string ply = test::plyText(test::plainBox({1, 1, 1}), test::PlyKind::kLittleEndian);
   ply.replace(ply.find("vertex 8"), 8, "vertex 18446744073709551615");
-  expectRefused(ply, MeshFormat::kPly, {"18446744073709551615 elements", "bytes"});
+  expectRefused(ply, FileFormat::kPly, {"18446744073709551615 elements", "bytes"});
   expectRefused("ply\nformat ascii 1.0\nelement nothing 18446744073709551615\nend_header\n",
-                MeshFormat::kPly, {"no triangles"});
+                FileFormat::kPly, {"no triangles"});
   // A list longer than the file.
   std::string list =
       "ply\nformat binary_little_endian 1.0\nelement face 1\n"
       "property list uint double vertex_indices\nend_header\n";
   list += "\xff\xff\xff\xff";
-  expectRefused(list + "0123456789", MeshFormat::kPly, {"impossible length"});
+  expectRefused(list + "0123456789", FileFormat::kPly, {"invalid length"});
 }
 
 TEST(MeshReader, TruncatedFilesAreRefused) {
   const MeshBody sphere = test::icosphere(10, 1);
-  for (const auto& [bytes, format] : std::vector<std::pair<std::string, MeshFormat>>{
-           {test::stlText(sphere), MeshFormat::kStl},
-           {test::stlBinary(sphere), MeshFormat::kStl},
-           {test::objText(sphere), MeshFormat::kObj},
-           {test::plyText(sphere, test::PlyKind::kText), MeshFormat::kPly},
-           {test::plyText(sphere, test::PlyKind::kBigEndian), MeshFormat::kPly}})
+  for (const auto& [bytes, format] : std::vector<std::pair<std::string, FileFormat>>{
+           {test::stlText(sphere), FileFormat::kStl},
+           {test::stlBinary(sphere), FileFormat::kStl},
+           {test::objText(sphere), FileFormat::kObj},
+           {test::plyText(sphere, test::PlyKind::kText), FileFormat::kPly},
+           {test::plyText(sphere, test::PlyKind::kBigEndian), FileFormat::kPly}})
     for (std::size_t length = 0; length < bytes.size() * 97 / 100; length += 37)
       EXPECT_THROW(parse(std::string_view(bytes).substr(0, length), format), ModelingError)
           << length;
@@ -416,17 +417,17 @@ TEST(MeshReader, TruncatedFilesAreRefused) {
 TEST(MeshReader, GarbageIsRefusedOrABody) {
   std::mt19937 random(7);
   const MeshBody box = test::plainBox({1, 2, 3});
-  const std::vector<std::pair<std::string, MeshFormat>> seeds{
-      {test::stlText(box), MeshFormat::kStl},
-      {test::stlBinary(box), MeshFormat::kStl},
-      {test::objText(box, "g"), MeshFormat::kObj},
-      {test::plyText(box, test::PlyKind::kText), MeshFormat::kPly},
-      {test::plyText(box, test::PlyKind::kLittleEndian), MeshFormat::kPly},
-      {test::plyText(box, test::PlyKind::kBigEndian), MeshFormat::kPly}};
+  const std::vector<std::pair<std::string, FileFormat>> seeds{
+      {test::stlText(box), FileFormat::kStl},
+      {test::stlBinary(box), FileFormat::kStl},
+      {test::objText(box, "g"), FileFormat::kObj},
+      {test::plyText(box, test::PlyKind::kText), FileFormat::kPly},
+      {test::plyText(box, test::PlyKind::kLittleEndian), FileFormat::kPly},
+      {test::plyText(box, test::PlyKind::kBigEndian), FileFormat::kPly}};
   int bodies = 0;
   for (int i = 0; i < 6000; ++i) {
     auto [bytes, format] = seeds[random() % seeds.size()];
-    if (i % 10 == 0) {  // nothing but noise
+    if (i % 10 == 0) {  // only noise
       bytes.assign(random() % 400, '\0');
       for (char& c : bytes) c = static_cast<char>(random());
     }
@@ -459,7 +460,7 @@ TEST(MeshReader, GarbageIsRefusedOrABody) {
   EXPECT_GT(bodies, 100);  // changes in names, normals and colours
 }
 
-TEST(MeshReader, FilesAreReadByTheirEnding) {
+TEST(MeshReader, TheNameDeterminesTheFormat) {
   const std::filesystem::path folder = testing::TempDir();
   const MeshBody box = test::plainBox({1, 2, 3});
   std::ofstream(folder / "box.STL", std::ios::binary) << test::stlBinary(box);
@@ -485,18 +486,18 @@ TEST(MeshReader, CanBeCancelledAndReportsProgress) {
   std::stop_source stop;
   Job job;
   job.stop = stop.get_token();
-  job.progress = [&](std::string_view phase, double fraction) {
-    EXPECT_EQ(phase, "import");
+  job.progress = [&](Phase phase, double fraction) {
+    EXPECT_EQ(phase, Phase::kImport);
     EXPECT_GT(fraction, last);
     last = fraction;
   };
-  parseMesh(text, MeshFormat::kStl, "file", {}, job);
+  parseMesh(text, FileFormat::kStl, "file", {}, job);
   EXPECT_EQ(last, 1.0);
   last = -1.0;
-  job.progress = [&](std::string_view, double fraction) {
+  job.progress = [&](Phase, double fraction) {
     if (fraction > 0.5) stop.request_stop();
   };
-  EXPECT_THROW(parseMesh(text, MeshFormat::kStl, "file", {}, job), Cancelled);
+  EXPECT_THROW(parseMesh(text, FileFormat::kStl, "file", {}, job), Cancelled);
 }
 
 }  // namespace

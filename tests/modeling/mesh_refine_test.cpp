@@ -41,11 +41,11 @@ TEST(Refine, SizeFallsTowardsTheBorder) {
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d& x = result.positions[n[k]];
       longest = std::max(longest, (x - result.positions[n[(k + 1) % 3]]).norm());
-      // Along the sphere from the border.
+      // Distance along the sphere from the border.
       away = std::min(away, 25.0 * std::abs(std::asin(x.z() / 25.0) - std::asin(d / 25.0)));
     }
-    // 1.6 for the diagonal, a fifth for the smoothing that follows, a third for distances that
-    // were measured along mesh edges.
+    // A factor 1.6 for the diagonal, a fifth for the subsequent smoothing, a third for distances
+    // measured along mesh edges.
     EXPECT_LT(longest, 1.2 * 1.6 * std::min(5.0 * 1.25, 5.0 / 8.0 + 0.5 * away * 1.35) + 1e-9)
         << away;
   }
@@ -58,7 +58,7 @@ TEST(Refine, BordersOfOtherRegionsStayCoarse) {
             mesh(box, refined(4.0, 0, false, false), regions).positions.size());
 }
 
-TEST(Refine, EstimateIsOfTheRightSize) {
+TEST(Refine, EstimateHasTheRightMagnitude) {
   const std::vector<MeshRegion> regions{{"base", Region::below({0, 0, 1}, 7.0), true}};
   for (const Solid& solid : {makeBox({40, 30, 20}), makeCylinder(20.0, 60.0), makeSphere(25.0)})
     for (int levels = 1; levels <= 4; ++levels) {

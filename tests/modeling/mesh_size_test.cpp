@@ -1,4 +1,4 @@
-// How the mesher spends its nodes: factors of patches, bends, narrow patches.
+// Node distribution of the mesher: factors of patches, curved edges, narrow patches.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -37,7 +37,7 @@ double meanArea(const SurfaceMesh& mesh, int patch) {
   return sum / count;
 }
 
-TEST(PatchFactors, MakeAPatchFinerAndFitTheOthersToIt) {
+TEST(PatchFactors, RefineAPatchAndMatchTheOthers) {
   const Solid box = makeBox({40, 30, 20});
   MeshSettings settings = edgeLength(5.0);
   const SurfaceMesh plain = mesh(box, settings);
@@ -83,7 +83,7 @@ TEST(Bends, AQuarterOfACircleIsCutIntoThreePieces) {
 }
 
 TEST(Bends, PiecesOfAnEdgeAreShortWhereItBends) {
-  // The sphere drawn out along x: a flat middle and tight ends.
+  // The sphere stretched along x: a flat middle and strongly curved ends.
   const Solid sphere = makeSphere(10.0);
   std::vector<Vector3d> points = sphere.controlPoints();
   for (Vector3d& p : points) p.x() *= 6.0;
@@ -96,7 +96,7 @@ TEST(Bends, PiecesOfAnEdgeAreShortWhereItBends) {
   EXPECT_GT(curve.pieces(h), 2.0 * curve.length() / h);
   const std::vector<double> cuts = curve.cut(static_cast<int>(std::ceil(curve.pieces(h))), h);
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    // By the definition no piece turns by more than 30 degrees or is longer than h.
+    // By definition no piece turns by more than 30 degrees or is longer than h.
     const auto at = [&](double t) {
       return surface.evaluate(patch, low + t * (high - low), 0.5 * (low + high));
     };
@@ -105,7 +105,7 @@ TEST(Bends, PiecesOfAnEdgeAreShortWhereItBends) {
     EXPECT_GT(a.du.normalized().dot(b.du.normalized()), std::cos(1.05 * kPieceAngle));
     EXPECT_LT((b.position - a.position).norm(), h);
   }
-  // Fine pieces do not turn much anyway: then they are of equal length.
+  // Fine pieces turn by little, so they have equal length.
   EXPECT_NEAR(curve.pieces(0.05), curve.length() / 0.05, 1e-9);
 }
 

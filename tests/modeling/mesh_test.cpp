@@ -51,7 +51,8 @@ TEST(Mesh, VolumeAndAreaConvergeWithSecondOrder) {
     const double after = std::abs(checks::enclosedVolume(fine) / shape.volume - 1.0);
     EXPECT_LT(after, 4e-3) << shape.name;
     EXPECT_LT(std::abs(checks::totalArea(fine) / shape.area - 1.0), 4e-3) << shape.name;
-    // Halved triangles: a quarter of the error; 3.4 allows for rounded counts and the spline's own.
+    // Half the triangle size: a quarter of the error; 3.4 allows for rounded counts and the error
+    // of the spline itself.
     EXPECT_TRUE(after < before / 3.4 || after < 1e-12)
         << shape.name << ' ' << before << ' ' << after;
   }
@@ -102,7 +103,7 @@ TEST(Mesh, RefusesBeforeItAllocates) {
     EXPECT_THROW(mesh(makeSphere(25.0), edgeLength(h)), ModelingError);
 }
 
-TEST(Mesh, NeighboursInNumberAreNeighboursInSpace) {
+TEST(Mesh, NodesWithCloseNumbersAreClose) {
   const SurfaceMesh result = mesh(makeSphere(25.0), edgeLength(2.0));
   double sum = 0.0;
   for (std::size_t i = 1; i < result.positions.size(); ++i)

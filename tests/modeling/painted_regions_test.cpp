@@ -11,6 +11,7 @@
 #include "editing_fixture.h"
 #include "mesh_checks.h"
 #include "modeling/editing/nearest_on_patches.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
 #include "modeling/mesh/region_border.h"
 #include "modeling/solid/surface_evaluator.h"
@@ -127,7 +128,7 @@ TEST(Painted, NodesOfThinStrokesAreEstimated) {
 TEST(Painted, StrokeAwayFromTheSurfaceIsRefused) {
   EXPECT_EQ(faultOf([] {
               painted(makeBox({40, 30, 20}), 3.0, {Stroke{{{0, 0, 30}}, 5.0}});
-            }).rfind("paint: no part of the surface", 0),
+            }).rfind("paint: the region contains no part of the surface", 0),
             0U);
 }
 
@@ -209,7 +210,7 @@ TEST(Painted, NarrowGapsBetweenStrokes) {
   EXPECT_LE(std::lower_bound(angles.begin(), angles.end(), 10.0) - angles.begin(), 2);
 }
 
-TEST(Painted, StrokesStickToTheSurface) {
+TEST(Painted, StrokesStayOnTheSurface) {
   Project project = editingProject(makeSphere(25.0));
   const Stroke before{{{25, 0, 0}, {0, 0, 25.5}}, 2.0};
   project.supports[0].where.parts = {before};
@@ -217,14 +218,15 @@ TEST(Painted, StrokesStickToTheSurface) {
     return std::get<Stroke>(
         palpa::modeling::apply(command, project).project.supports[0].where.parts[0]);
   };
-  // All points: the surface is shifted, and so is the paint, off the surface or on it.
+  // All points: the surface is translated, and the paint as well, on or off the surface.
   MovePoints all{
       {{BoxPoints{Vector3d::Constant(-100), Vector3d::Constant(100)}}}, MoveBy{{1, 2, 3}}, {}};
   const Stroke shifted = strokeAfter(all);
   for (int i : {0, 1})
     EXPECT_LT((shifted.points[i] - before.points[i] - Vector3d(1, 2, 3)).norm(), 1e-12);
   EXPECT_EQ(shifted.radius, before.radius);
-  // The upper points only: what they do not influence keeps its bits, the other stays on top.
+  // The upper points only: points that they do not affect keep their bits, the other point stays on
+  // top.
   MovePoints top{{{BoxPoints{{-100, -100, 20}, Vector3d::Constant(100)}}}, MoveBy{{0, 0, 4}}, {}};
   const Stroke raised = strokeAfter(top);
   EXPECT_EQ(raised.points[0], before.points[0]);
@@ -292,7 +294,7 @@ TEST(Painted, MeshFollowsWithItsPaint) {
   const FollowResult followed = followSolid(meshed, before, solidOf(after), meshRegions(after));
   ASSERT_TRUE(followed.update) << followed.remeshReason;
   EXPECT_LT(borderFault(followed.update->mesh), 1e-8);
-  // Paint that is moved over a body at rest takes the mesh along or asks for another.
+  // Paint that moves over a body at rest updates the mesh or requires a new one.
   Project other = project;
   std::get<Stroke>(other.supports[0].where.parts[0]).points[0] = {0.2, 0, 25};
   const FollowResult slid = followSolid(meshed, before, before, meshRegions(other));
@@ -330,7 +332,7 @@ TEST(Painted, FieldIsADistanceNearBorders) {
   EXPECT_GT(named[2], 50.0);
 }
 
-TEST(Painted, ValueOfManySegmentsIsTheLeast) {
+TEST(Painted, ValueOfManySegmentsIsTheMinimum) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-10.0, 10.0);
   const auto point = [&] { return Vector3d(unit(random), unit(random), unit(random)); };

@@ -24,25 +24,25 @@ std::vector<Primitive> examples() {
 
 TEST(PrimitiveJson, EveryKindIsReadAsWritten) {
   for (const Primitive& primitive : examples()) {
-    const std::string text = primitiveText(primitive);
+    const std::string text = jsonText(jsonOf(primitive));
     const Primitive again = primitiveFrom(nlohmann::json::parse(text));
     EXPECT_EQ(again.shape.index(), primitive.shape.index()) << text;
     EXPECT_EQ(again.degree, primitive.degree) << text;
     EXPECT_EQ(again.controlPoints, primitive.controlPoints) << text;
-    EXPECT_EQ(primitiveText(again), text);
+    EXPECT_EQ(jsonText(jsonOf(again)), text);
   }
 }
 
 TEST(PrimitiveJson, HasTheKeysOfTheSchema) {
-  EXPECT_EQ(primitiveText({SphereShape{25.0}, 3, 7}),
+  EXPECT_EQ(jsonText(jsonOf(Primitive{SphereShape{25.0}, 3, 7})),
             R"({"kind": "sphere", "radius_mm": 25, "degree": 3, "control_points": 7})");
   EXPECT_EQ(
-      primitiveText({ExtrudeShape{segment(), 20.0}, 2, 0}),
+      jsonText(jsonOf(Primitive{ExtrudeShape{segment(), 20.0}, 2, 0})),
       R"({"kind": "extrude", "profile": {"degree": 1, "knots": [0, 0, 0.1, 1, 1], "points_mm": )"
       R"([[0, 0], [0.3333333333333333, 2], [4, 0]]}, "height_mm": 20, "degree": 2})");
 }
 
-TEST(PrimitiveJson, NeedsTheLengthsOnly) {
+TEST(PrimitiveJson, OnlyTheLengthsAreRequired) {
   const Primitive cone = primitiveFrom(nlohmann::json::parse(
       R"({"kind": "cone", "bottom_radius_mm": 3, "top_radius_mm": 2, "height_mm": 1})"));
   EXPECT_EQ(std::get<ConeShape>(cone.shape).bottomRadius, 3.0);

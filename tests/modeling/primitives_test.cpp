@@ -34,7 +34,7 @@ double sphereFitError(int controlPoints) {
   return worst;
 }
 
-TEST(Sphere, DeviatesLittleFromTheSphereAndLessWithMorePoints) {
+TEST(Sphere, DeviationIsSmallAndDecreasesWithMorePoints) {
   const double seven = sphereFitError(7);
   EXPECT_LE(seven, 2e-4);
   // Cubic interpolation: twice the spans (4 to 8), about 1/16 of the error.
@@ -120,7 +120,7 @@ TEST(Primitives, NameTheirFaces) {
   }
 }
 
-TEST(Primitives, RefuseImpossibleLengthsByName) {
+TEST(Primitives, RefuseImpossibleLengthsAndNameThem) {
   const auto message = [](auto make) -> std::string {
     try {
       make();

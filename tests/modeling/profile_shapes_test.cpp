@@ -1,5 +1,4 @@
-// Revolve, extrude and loft: what profiles are accepted, and what becomes of their corners and
-// ends.
+// Revolve, extrude and loft: accepted profiles, and the treatment of their corners and ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,12 +24,12 @@ ProfileCurve square(double half) {
   return polyline({{-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}});
 }
 
-/// Area inside a closed curve by the trapezoidal rule on points of the extruded solid's rim.
+/// Area inside a closed curve: the volume of the extruded solid over its height.
 double sectionArea(const Solid& solid, double height) {
   return volume(SurfaceEvaluator(solid)) / height;
 }
 
-TEST(Profile, BrokenCurvesAreRefusedWithTheirPlace) {
+TEST(Profile, InvalidCurvesAreRefusedWithTheLocation) {
   const auto refused = [](ProfileCurve curve) { return refusal({ExtrudeShape{curve, 10}}); };
   ProfileCurve curve = square(5);
   curve.degree = 6;
@@ -60,14 +59,14 @@ TEST(Profile, BrokenCurvesAreRefusedWithTheirPlace) {
   EXPECT_EQ(refused(square(1e-5)).find("extrude: profile.points_mm: all lie within"), 0U);
 }
 
-TEST(Profile, CurvesThatCrossThemselvesOrStandStillAreRefused) {
+TEST(Profile, CurvesWithCrossingsOrCoincidentPointsAreRefused) {
   const auto refused = [](const ProfileCurve& curve) { return refusal({ExtrudeShape{curve, 10}}); };
   const auto figureEight = polyline({{0, 0}, {10, 10}, {10, 0}, {0, 10}, {0, 0}});
   EXPECT_EQ(refused(figureEight).find("extrude: profile: the curve crosses or touches itself"), 0U);
   const auto loop = cubic({{0, 0}, {30, 0}, {30, 20}, {-10, 5}, {25, -15}, {0, 20}, {0, 0}});
   EXPECT_NE(refused(loop).find("crosses or touches itself"), std::string::npos);
   const auto doubled = polyline({{0, 0}, {10, 0}, {10, 0}, {10, 10}, {0, 0}});
-  EXPECT_NE(refused(doubled).find("stands still at (10, 0) mm"), std::string::npos);
+  EXPECT_NE(refused(doubled).find("coincide at (10, 0) mm"), std::string::npos);
   const auto spike = polyline({{0, 0}, {10, 0}, {20, 0}, {10, 0}, {5, 8}, {0, 0}});
   EXPECT_NE(refused(spike).find("turns back on itself at (20, 0) mm"), std::string::npos);
   EXPECT_NE(refused(polyline({{0, 0}, {10, 0}, {10, 10}})).find("the curve is open"),
@@ -94,7 +93,7 @@ TEST(Extrude, RepresentsAProfileOfLowerDegreeExactly) {
 }
 
 TEST(Extrude, EveryCornerOfTheProfileIsAnEdgeOfTheSolid) {
-  // From three to eight corners, convex and not.
+  // From three to eight corners, convex and non-convex.
   const std::vector<std::pair<ProfileCurve, int>> profiles{
       {cubic({{0, -20}, {25, 5}, {10, 25}, {-10, 25}, {-25, 5}, {0, -20}}), 1},  // a drop
       {polyline({{0, 0}, {30, 0}, {0, 20}, {0, 0}}), 3},
@@ -121,7 +120,7 @@ TEST(Extrude, EveryCornerOfTheProfileIsAnEdgeOfTheSolid) {
 }
 
 TEST(Extrude, RefusesACapThatWouldFold) {
-  // The arms of a star leave no choice of four corners.
+  // The arms of a star allow no choice of four corners.
   std::vector<Eigen::Vector2d> star;
   for (int i = 0; i <= 10; ++i) {
     const double radius = i % 2 == 0 ? 20.0 : 5.0;
@@ -219,13 +218,13 @@ TEST(Revolve, ProfileThatEndsOnTheAxisAtARightAngleHasASmoothPole) {
   for (const SolidEdge& edge : dome.edges()) EXPECT_TRUE(edge.smooth);
 }
 
-TEST(Revolve, OpenEndsGetFlatCapsAndEitherDirectionOfTheProfileIsRight) {
+TEST(Revolve, OpenEndsGetFlatCapsForBothDirectionsOfTheProfile) {
   for (bool upwards : {true, false}) {
     std::vector<Eigen::Vector2d> points{{15, 0}, {25, 15}, {5, 30}, {12, 45}};
     if (!upwards) std::reverse(points.begin(), points.end());
     const MadeSolid vase = makeMeasuredPrimitive({RevolveShape{cubic(points)}});
     const SurfaceEvaluator surface(vase.solid);
-    // π ∫ r² dz of the cubic, by Simpson's rule on fine steps.
+    // π ∫ r² dz of the cubic, by Simpson's rule with small steps.
     double exact = 0.0;
     constexpr int kSteps = 2000;
     const auto r = [](double t) {
@@ -243,7 +242,7 @@ TEST(Revolve, OpenEndsGetFlatCapsAndEitherDirectionOfTheProfileIsRight) {
 }
 
 TEST(Revolve, AFlatCapContinuesARoundedRimSmoothly) {
-  // The profile arrives at the cap along the radius.
+  // The profile reaches the cap in radial direction.
   const Solid pill = makePrimitive({RevolveShape{cubic({{10, 0}, {16, 0}, {16, 8}, {10, 8}})}});
   for (const SolidEdge& edge : pill.edges()) EXPECT_TRUE(edge.smooth);
   EXPECT_LT(edgeAngles(pill).largestSmooth, 0.6);
@@ -254,7 +253,7 @@ TEST(Revolve, AClosedProfileOffTheAxisMakesARing) {
   const MadeSolid ring = makeMeasuredPrimitive({RevolveShape{roundCurve(6, 6, {20, 0})}});
   EXPECT_EQ(ring.solid.patches().size(), 16U);
   const SurfaceEvaluator surface(ring.solid);
-  // Pappus: area times the way of the centroid, which differs a little from the circle's centre.
+  // Pappus: area times the path of the centroid, which deviates slightly from the circle's centre.
   EXPECT_NEAR(volume(surface) / (2 * kPi * 20 * tube), 1.0, 0.01);
   EXPECT_GT(checks::smallestMeshAngle(ring.solid, 2.0), 24.0);
 }
@@ -281,7 +280,7 @@ TEST(Revolve, RefusesProfilesThatTouchOrCrossTheAxis) {
 }
 
 TEST(Revolve, RefusesACapThatCutsTheProfile) {
-  // The end turns back under the rest, so that its flat cap meets the curve.
+  // The end turns back below the rest, so its flat cap intersects the curve.
   EXPECT_NE(refusal({RevolveShape{polyline({{10, 0}, {10, 20}, {20, 20}, {20, 10}})}})
                 .find("the flat cap that closes an end meets the curve near"),
             std::string::npos);

@@ -18,7 +18,7 @@ std::string goodText() {
   project.body = makeBox({40, 30, 20});
   project.supports = {{"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), {0, 0, 0}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"top"}), 0.25}}};
-  project.touches = {{"poke", {0, 0, 20}, TouchDisplacement{{0, 0, -2}}, 3.0}};
+  project.touches = {{"poke", {0, 0, 20}, TouchKind::kGrab, {0, 0, -2}, 3.0}};
   project.mesh.edgeLength = 4.0;
   return toJson(project);
 }
@@ -32,7 +32,7 @@ std::string errorOf(const std::string& text) {
   return "no error";
 }
 
-/// The error of the good text with the first `from` replaced by `to`.
+/// Error of the valid text with the first `from` replaced by `to`.
 std::string errorWith(const std::string& from, const std::string& to) {
   std::string text = goodText();
   const std::size_t at = text.find(from);
@@ -58,12 +58,32 @@ TEST(ProjectErrors, NamePathFoundAndExpected) {
             "box.json: touches[0].at_mm: found a list of 2, expected 3 entries");
 }
 
-/// The error when the good text's touch is this object instead.
+/// Error of the valid text with its touch replaced by this object.
 std::string errorOfTouch(const std::string& touch) {
   std::string text = goodText();
   const std::string key = "\"touches\": [\n    ";
   const std::size_t begin = text.find(key) + key.size();
   return errorOf(text.replace(begin, text.find('\n', begin) - begin, touch));
+}
+
+/// Kinds of touch as listed in the schema.
+std::string kindNames() {
+  std::string names;
+  for (const TouchKindInfo& info : kTouchKinds)
+    names += (names.empty() ? "\"" : ", \"") + std::string(info.name) + "\"";
+  return names;
+}
+
+TEST(ProjectErrors, TheSchemaHasTheKeysOfEveryKindOfTouch) {
+  for (const TouchKindInfo& info : kTouchKinds) {
+    const std::string head =
+        R"({"name": "t", "at_mm": [0, 0, 20], "kind": ")" + std::string(info.name) + "\"";
+    const std::string vector = ", \"" + std::string(info.vectorKey()) + "\": [0, 0, -1]";
+    EXPECT_EQ(errorOfTouch(head + vector + "}"), "no error") << info.name;
+    EXPECT_EQ(errorOfTouch(head + "}") == "no error", !info.needsVector) << info.name;
+    EXPECT_EQ(errorOfTouch(head + vector + R"(, "friction": 0.5})") == "no error", info.presses)
+        << info.name;
+  }
 }
 
 TEST(ProjectErrors, EveryKindOfTouchHasItsKeys) {
@@ -73,13 +93,12 @@ TEST(ProjectErrors, EveryKindOfTouchHasItsKeys) {
             "no error");
   EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "pin"})"), "no error");
   EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "squeeze"})"),
-            "box.json: touches[0].kind: found \"squeeze\", expected one of \"grab\", \"force\", "
-            "\"push\", \"probe\", \"pin\"");
-  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "probe", )" + by + R"(, "friction": -0.1})"),
+            "box.json: touches[0].kind: found \"squeeze\", expected one of " + kindNames());
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "ball", )" + by + R"(, "friction": -0.1})"),
             "box.json: touches[0].friction: found -0.1, expected at least 0");
   EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "push", )" + by + R"(, "friction": 10.5})"),
             "box.json: touches[0].friction: found 10.5, expected at most 10");
-  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "probe"})"),
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "ball"})"),
             "box.json: touches[0].displace_mm: is missing");
   EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "force", )" + by + "}"),
             "box.json: touches[0].displace_mm: unknown key, expected one of \"at_mm\", "
@@ -87,14 +106,18 @@ TEST(ProjectErrors, EveryKindOfTouchHasItsKeys) {
   EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "pin", "friction": 0.1})"),
             "box.json: touches[0].friction: unknown key, expected one of \"at_mm\", "
             "\"displace_mm\", \"kind\", \"name\", \"radius_mm\"");
-  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "probe", )" + by + R"(, "radius_mm": 0})"),
+  EXPECT_EQ(errorOfTouch("{" + at + R"(, "kind": "ball", )" + by + R"(, "radius_mm": 0})"),
             "box.json: touches[0].radius_mm: found 0, expected more than 0");
 }
 
 TEST(ProjectErrors, NumbersOfTouchesAreCheckedBeforeTheyAreSaved) {
   Project project = parseProject(goodText(), "box.json");
-  const auto errorOfAction = [&](const auto& action) -> std::string {
-    project.touches[0].action = action;
+  const auto errorOf = [&](TouchKind kind, const Eigen::Vector3d& vector,
+                           double friction = 0) -> std::string {
+    Touch& touch = project.touches[0];
+    touch.kind = kind;
+    touch.vector = vector;
+    touch.friction = friction;
     try {
       checkProject(project);
     } catch (const ModelingError& error) {
@@ -103,15 +126,14 @@ TEST(ProjectErrors, NumbersOfTouchesAreCheckedBeforeTheyAreSaved) {
     return "no error";
   };
   const double nan = std::nan("");
-  EXPECT_EQ(errorOfAction(TouchPush{{0, 0, -1}, 0.5}), "no error");
-  EXPECT_EQ(errorOfAction(TouchPush{{0, 0, -1}, nan}),
+  EXPECT_EQ(errorOf(TouchKind::kPush, {0, 0, -1}, 0.5), "no error");
+  EXPECT_EQ(errorOf(TouchKind::kPush, {0, 0, -1}, nan),
             "touches[0].friction: nan is outside the range 0 … 10");
-  EXPECT_EQ(errorOfAction(TouchProbe{{0, 0, -1}, -1.0}),
+  EXPECT_EQ(errorOf(TouchKind::kBall, {0, 0, -1}, -1.0),
             "touches[0].friction: -1 is outside the range 0 … 10");
-  EXPECT_EQ(errorOfAction(TouchProbe{{0, nan, -1}, 0.0}),
-            "touches[0].displace_mm[1]: must be finite");
-  EXPECT_EQ(errorOfAction(TouchPin{{0, nan, -1}}), "touches[0].displace_mm[1]: must be finite");
-  EXPECT_EQ(errorOfAction(TouchForce{{0, nan, -1}}), "touches[0].force_N[1]: must be finite");
+  EXPECT_EQ(errorOf(TouchKind::kBall, {0, nan, -1}), "touches[0].displace_mm[1]: must be finite");
+  EXPECT_EQ(errorOf(TouchKind::kPin, {0, nan, -1}), "touches[0].displace_mm[1]: must be finite");
+  EXPECT_EQ(errorOf(TouchKind::kForce, {0, nan, -1}), "touches[0].force_N[1]: must be finite");
 }
 
 TEST(ProjectErrors, RefuseUnknownMissingAndRepeatedKeys) {
@@ -133,7 +155,7 @@ TEST(ProjectErrors, RefuseUnknownMissingAndRepeatedKeys) {
             "entries");
 }
 
-TEST(ProjectErrors, CheckWhatTheSchemaCannot) {
+TEST(ProjectErrors, CheckConditionsBeyondTheSchema) {
   EXPECT_EQ(errorWith("[\"bottom\"]", "[\"botom\"]"),
             "box.json: supports[0].where.patches[0]: no patch is named \"botom\"; the body has "
             "\"side_xmin\", \"side_xmax\", \"side_ymin\", \"side_ymax\", \"bottom\", \"top\"");
@@ -142,19 +164,19 @@ TEST(ProjectErrors, CheckWhatTheSchemaCannot) {
 }
 
 TEST(ProjectErrors, ReadFormatAndVersionFirst) {
-  EXPECT_EQ(errorWith("\"version\": 2", "\"version\": 3"),
-            "box.json: version: found 3; this program reads up to version 2; a newer Palpa is "
+  EXPECT_EQ(errorWith("\"version\": 3", "\"version\": 4"),
+            "box.json: version: found 4; this program reads up to version 3; a newer Palpa is "
             "needed");
   EXPECT_EQ(errorOf("{}").find("box.json: format: is missing"), 0U);
   EXPECT_NE(errorOf("{\"format\": \"other\"}").find("found \"other\", expected \"palpa-project\""),
             std::string::npos)
       << errorOf("{\"format\": \"other\"}");
-  EXPECT_EQ(errorOf("[1]").find("box.json: this is no Palpa project"), 0U);
+  EXPECT_EQ(errorOf("[1]").find("box.json: this is not a Palpa project"), 0U);
 }
 
 TEST(ProjectErrors, PointIntoBrokenText) {
-  EXPECT_EQ(errorWith("\"version\": 2,", "\"version\": 2;").find("box.json: line 3, column 15"), 0U)
-      << errorWith("\"version\": 2,", "\"version\": 2;");
+  EXPECT_EQ(errorWith("\"version\": 3,", "\"version\": 3;").find("box.json: line 3, column 15"), 0U)
+      << errorWith("\"version\": 3,", "\"version\": 3;");
   const std::string text = goodText();
   for (std::size_t length : {std::size_t{0}, std::size_t{1}, text.size() / 2, text.size() - 3}) {
     const std::string error = errorOf(text.substr(0, length));
@@ -179,7 +201,7 @@ TEST(ProjectErrors, CheckHowSplineElementsAreChosen) {
             "box.json: mesh.accuracy: found 0.2, expected at most 0.1");
   EXPECT_EQ(error(R"("element_length_mm": 0)"),
             "box.json: mesh.element_length_mm: found 0, expected more than 0");
-  // What the schema would find, for settings that come from elsewhere.
+  // Conditions of the schema, for settings from other sources.
   MeshSettings settings;
   settings.accuracy = 0.2;
   EXPECT_THROW(settings.validate(), ModelingError);
@@ -216,7 +238,7 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
   const auto meshError = [](const std::string& triangles, const std::string& faces,
                             const std::string& more = "", const std::string& engine = "") {
     return errorOf(
-        R"({"format": "palpa-project", "version": 2, "mesh": {"edge_length_mm": 1)" + engine +
+        R"({"format": "palpa-project", "version": 3, "mesh": {"edge_length_mm": 1)" + engine +
         R"(}, "material": )"
         R"({"youngs_modulus_MPa": 1, "poisson_ratio": 0}, "mesh_body": {"vertices_mm": [[0, 0, 0], )"
         R"([1, 0, 0], [0, 1, 0], [0, 0, 1]], "triangles": [[0, 2, 1], [3, 0, 1], [2, 3, 1], )" +
@@ -225,20 +247,20 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
   const std::string all = R"({"name": "a", "triangles": [[0, 4]]})";
   EXPECT_EQ(meshError("[0, 3, 2]", all), "no error");
   EXPECT_EQ(meshError("[0, 3, 2]", R"({"name": "a", "triangles": [[0, 3], [3, 2]]})"),
-            "box.json: mesh_body.faces[0].triangles[1]: ends behind the last of the 4 triangles");
+            "box.json: mesh_body.faces[0].triangles[1]: ends after the last of the 4 triangles");
   EXPECT_EQ(meshError("[0, 3, 2]", all + R"(, {"name": "b", "triangles": [[1, 1]]})"),
             "box.json: mesh_body.faces[1].triangles[0]: the triangle 1 already has a face");
   EXPECT_EQ(meshError("[0, 3, 2]", R"({"name": "a", "triangles": [[0, 3]]})"),
             "box.json: mesh_body.faces: no face has the triangle 3");
   EXPECT_EQ(meshError("[0, 3, 2]", R"({"name": "a", "triangles": [[2147483647, 2147483647]]})"),
-            "box.json: mesh_body.faces[0].triangles[0]: ends behind the last of the 4 triangles");
+            "box.json: mesh_body.faces[0].triangles[0]: ends after the last of the 4 triangles");
   EXPECT_EQ(meshError("[0, 3, 9]", all),
             "box.json: mesh_body.triangles[3]: an index is out of range; there are 4 vertices");
   EXPECT_EQ(meshError("[0, 3, 2]", all, R"(, "primitive": {"kind": "sphere", "radius_mm": 1})"),
             "box.json: primitive: a mesh body is not made from a primitive");
   EXPECT_EQ(meshError("[0, 3, 2]", all, "", R"(, "engine": "triangles")"), "no error");
   EXPECT_EQ(meshError("[0, 3, 2]", all, "", R"(, "engine": "splines")"),
-            "box.json: mesh.engine: a mesh body has no spline patches; leave it automatic or take "
+            "box.json: mesh.engine: a mesh body has no spline patches; select automatic or "
             "triangles");
   EXPECT_EQ(meshError("[0, 3, 2]", all, R"(, "solid": {"control_points_mm": [], "patches": []})")
                 .find("box.json: solid.control_points_mm: "),
@@ -247,7 +269,7 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
 
 TEST(ProjectErrors, ExactlyOneBodyIsNeeded) {
   const std::string head =
-      R"({"format": "palpa-project", "version": 2, "mesh": {"edge_length_mm": 1}, "material": )"
+      R"({"format": "palpa-project", "version": 3, "mesh": {"edge_length_mm": 1}, "material": )"
       R"({"youngs_modulus_MPa": 1, "poisson_ratio": 0})";
   EXPECT_EQ(errorOf(head + "}"),
             "box.json: the file: expected either solid or mesh_body, found neither");
@@ -260,10 +282,10 @@ TEST(ProjectErrors, ExactlyOneBodyIsNeeded) {
             "box.json: the file: expected either solid or mesh_body, found both");
 }
 
-/// Text that repeats `item` so that the whole stays below the limits on size, or not.
+/// Text that repeats `item`; the whole stays below the limits on size or exceeds them.
 std::string repeated(const std::string& begin, const std::string& item, int count,
                      const std::string& end) {
-  std::string text = "{\"format\": \"palpa-project\", \"version\": 2, " + begin;
+  std::string text = "{\"format\": \"palpa-project\", \"version\": 3, " + begin;
   for (int i = 0; i < count; ++i) text += (i > 0 ? "," : "") + item;
   return text + end + "}";
 }
@@ -290,7 +312,7 @@ TEST(ProjectErrors, HostileTextIsRefused) {
   EXPECT_EQ(clipped.find("box.json: supports[0].where.patches[0]: no patch is named \"nnn"), 0U);
 }
 
-/// Peak memory of this process so far in MB. Sanitizers keep freed memory, so they are left out.
+/// Peak memory of this process so far, MB. Not with sanitizers, which keep freed memory.
 long peakMegabytes() {
   struct rusage usage {};
   ::getrusage(RUSAGE_SELF, &usage);
@@ -299,7 +321,7 @@ long peakMegabytes() {
 
 TEST(ProjectErrors, HostileTextCostsLittleMemory) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "sanitizers need memory of their own";
+  GTEST_SKIP() << "sanitizers need additional memory";
 #endif
   const auto child = testing_support::startChild([] {
     const std::string text = repeated("\"solid\": [", "[0]", 990'000, "]");  // 4 MB, 2 M values
@@ -311,13 +333,13 @@ TEST(ProjectErrors, HostileTextCostsLittleMemory) {
   EXPECT_EQ(testing_support::resultOf(child), 0);
 }
 
-TEST(ProjectErrors, AnyOneCharacterChangedNeverCrashes) {
+TEST(ProjectErrors, ChangingAnyCharacterNeverCrashes) {
   const std::string text = goodText();
   for (std::size_t i = 0; i < text.size(); i += 23)
     for (char c : {'\0', '"', '}', '9', '-', '\\'}) {
       std::string changed = text;
       changed[i] = c;
-      errorOf(changed);  // an error or a project, but nothing else may come out
+      errorOf(changed);  // an error or a project; no other outcome is allowed
     }
 }
 

@@ -19,7 +19,10 @@ namespace fs = std::filesystem;
 Project example() {
   Project project;
   project.name = "Ball \"soft\" ü";
-  project.material = {"silicone", 0.1, 0.49};
+  auto& [material, youngsModulus, poissonRatio] = project.material;  // none with its default
+  material = "silicone";
+  youngsModulus = 0.1;
+  poissonRatio = 0.49;
   const Solid ball = makeSphere(25.0);
   project.body = ball.withSmoothEdges({1, 4, static_cast<int>(ball.edges().size()) - 1}, true);
   project.primitive = Primitive{SphereShape{25.0}, 3, 7};
@@ -30,12 +33,12 @@ Project example() {
   project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
                    {"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, -0.0, 1.0 / 3.0}}},
                    {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
-  project.touches = {{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, 3.0},
-                     {"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, std::nullopt},
-                     {"slide", {0, 25, 0}, TouchPush{{1, -2, 0.1}, 0.3}, 5.0},
-                     {"ball", {0, -25, 0}, TouchProbe{{0, 1.0 / 3.0, 0}, 0.0}, 7.5},
-                     {"needle", {-25, 0, 0}, TouchPin{}, std::nullopt},
-                     {"hook", {-20, 0, 15}, TouchPin{{0, 0, 1}}, 2.0}};
+  project.touches = {{"poke", {0, 0, 25}, TouchKind::kGrab, {0, 0, -2}, 3.0},
+                     {"pull", {25, 0, 0}, TouchKind::kForce, {0.5, 0, 0}, std::nullopt},
+                     {"slide", {0, 25, 0}, TouchKind::kPush, {1, -2, 0.1}, 5.0, 0.3},
+                     {"ball", {0, -25, 0}, TouchKind::kBall, {0, 1.0 / 3.0, 0}, 7.5},
+                     {"needle", {-25, 0, 0}, TouchKind::kPin, {0, 0, 0}, std::nullopt},
+                     {"hook", {-20, 0, 15}, TouchKind::kPin, {0, 0, 1}, 2.0}};
   project.mesh.edgeLength = 4.0;
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
@@ -64,7 +67,7 @@ class ProjectFile : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(ProjectFile, WhatIsLoadedIsSavedWithTheSameBytes) {
+TEST_F(ProjectFile, ALoadedProjectIsSavedWithTheSameBytes) {
   const std::string text = toJson(example());
   EXPECT_EQ(toJson(parseProject(text, "test")), text);
 }
@@ -73,37 +76,14 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   const Project before = example();
   const Project after = parseProject(toJson(before), "test");
   EXPECT_EQ(after.name, before.name);
-  EXPECT_EQ(after.material.poissonRatio, 0.49);
+  EXPECT_EQ(after.material, before.material);
   EXPECT_EQ(std::get<Solid>(after.body).controlPoints(),
             std::get<Solid>(before.body).controlPoints());
-  ASSERT_EQ(after.supports.size(), 2U);
-  EXPECT_EQ(after.supports[1].kind, Support::Kind::kRoller);
-  EXPECT_EQ(after.supports[1].displacement, Eigen::Vector3d(0, 0, -1e-3));
-  ASSERT_EQ(after.supports[0].where.parts.size(), 3U);
-  EXPECT_EQ(std::get<Stroke>(after.supports[0].where.parts[2]),
-            std::get<Stroke>(before.supports[0].where.parts[2]));
-  EXPECT_EQ(std::get<UniformTraction>(after.loads[1].what).traction.z(), 1.0 / 3.0);
-  EXPECT_EQ(std::get<Bump>(after.loads[2].what).radius, 4.0);
-  EXPECT_EQ(*after.touches[0].radius, 3.0);
-  EXPECT_EQ(std::get<TouchForce>(after.touches[1].action).vector.x(), 0.5);
-  ASSERT_EQ(after.touches.size(), 6U);
-  const auto& push = std::get<TouchPush>(after.touches[2].action);
-  EXPECT_EQ(push.vector, Eigen::Vector3d(1, -2, 0.1));
-  EXPECT_EQ(push.friction, 0.3);
-  const auto& probe = std::get<TouchProbe>(after.touches[3].action);
-  EXPECT_EQ(probe.vector, Eigen::Vector3d(0, 1.0 / 3.0, 0));
-  EXPECT_EQ(probe.friction, 0.0);
-  EXPECT_EQ(after.touches[3].radius, 7.5);
-  EXPECT_EQ(std::get<TouchPin>(after.touches[4].action).vector, Eigen::Vector3d(0, 0, 0));
-  EXPECT_EQ(std::get<TouchPin>(after.touches[5].action).vector, Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(after.mesh.refinementLevels, 2);
-  EXPECT_TRUE(after.mesh.refineAtSharpEdges && after.mesh.refineAtBorders);
-  EXPECT_EQ(after.mesh.patchFactors, before.mesh.patchFactors);
-  EXPECT_EQ(after.mesh.engine, Engine::kSplines);
-  EXPECT_EQ(after.mesh.accuracy, 1.0 / 300);
-  EXPECT_EQ(after.mesh.elementLength, 2.5);
-  EXPECT_EQ(std::get<SphereShape>(after.primitive->shape).radius, 25.0);
-  EXPECT_EQ(after.primitive->controlPoints, 7);
+  EXPECT_EQ(after.supports, before.supports);
+  EXPECT_EQ(after.loads, before.loads);
+  EXPECT_EQ(after.touches, before.touches);
+  EXPECT_EQ(after.mesh, before.mesh);
+  EXPECT_EQ(after.primitive, before.primitive);
   const auto smooth = [](const Project& project) {
     std::vector<bool> flags;
     for (const SolidEdge& edge : std::get<Solid>(project.body).edges())
@@ -116,7 +96,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
 
 TEST_F(ProjectFile, AGrabWithAForceIsTheForceItWasCalledAtFirst) {
   Project project = example();
-  project.touches = {{"pull", {25, 0, 0}, TouchForce{{0.5, 0, 0}}, 4.0}};
+  project.touches = {{"pull", {25, 0, 0}, TouchKind::kForce, {0.5, 0, 0}, 4.0}};
   const std::string text = toJson(project);
   std::string old = text;
   const std::string kind = "\"kind\": \"force\"";
@@ -125,7 +105,7 @@ TEST_F(ProjectFile, AGrabWithAForceIsTheForceItWasCalledAtFirst) {
   EXPECT_EQ(toJson(parseProject(old, "old.json")), text);
 }
 
-/// A tetrahedron with two faces whose triangles alternate.
+/// Tetrahedron with two faces whose triangles alternate.
 Project tetrahedron() {
   MeshBody::Data data;
   data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 / 3.0}};
@@ -179,7 +159,7 @@ TEST_F(ProjectFile, SavesAndKeepsABackup) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
 }
 
-TEST_F(ProjectFile, FailsToSaveWithoutHarm) {
+TEST_F(ProjectFile, AFailedSaveDoesNoHarm) {
   try {
     writeProject(example(), folder_ / "missing" / "ball.json");
     FAIL();

@@ -6,11 +6,12 @@
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
 
-// Files of older versions in data/projects/v<version>/ are fixtures: they are never written anew.
+// Files of older versions in data/projects/v<version>/ are fixtures: they are never written again.
 namespace palpa::modeling {
 namespace {
 
 const std::filesystem::path kVersion1 = "data/projects/v1";
+const std::filesystem::path kVersion2 = "data/projects/v2";
 
 std::string errorOf(const std::string& text) {
   try {
@@ -21,7 +22,7 @@ std::string errorOf(const std::string& text) {
   return "no error";
 }
 
-/// The smooth edges of a project's solid, each as "patch|patch" in alphabetical order.
+/// Smooth edges of a project's solid, each as "patch|patch" in alphabetical order.
 std::set<std::string> smoothEdges(const Project& project) {
   const auto& solid = std::get<Solid>(project.body);
   std::set<std::string> names;
@@ -33,22 +34,36 @@ std::set<std::string> smoothEdges(const Project& project) {
   return names;
 }
 
-TEST(ProjectMigration, EveryOldFileLoadsAndIsSavedInThePresentVersion) {
+TEST(ProjectMigration, EveryOldFileLoadsAndIsSavedInTheCurrentVersion) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kVersion1)) {
-    const std::string text = toJson(readProject(entry.path()));
-    EXPECT_NE(text.find("\"version\": 2"), std::string::npos) << entry.path();
-    EXPECT_EQ(toJson(parseProject(text, "again")), text) << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 6);
+  for (const auto& folder : {kVersion1, kVersion2})
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string text = toJson(readProject(entry.path()));
+      EXPECT_NE(text.find("\"version\": 3"), std::string::npos) << entry.path();
+      EXPECT_EQ(toJson(parseProject(text, "again")), text) << entry.path();
+      ++files;
+    }
+  EXPECT_GE(files, 7);
 }
 
-TEST(ProjectMigration, TheExamplesAreTheirOldFilesBroughtUpToDate) {
+TEST(ProjectMigration, TheProbeOfVersion2IsABall) {
+  const Project project = readProject(kVersion2 / "box.json");
+  const Touch& ball = project.touches.at(1);
+  EXPECT_EQ(ball.name, "roll a ball");
+  EXPECT_EQ(ball.kind, TouchKind::kBall);
+  EXPECT_EQ(ball.vector, Eigen::Vector3d(2, 0, -1));
+  EXPECT_EQ(ball.friction, 0.3);
+  std::string text = toJson(project);
+  EXPECT_NE(text.find("\"kind\": \"ball\""), std::string::npos);
+  text.replace(text.find("\"kind\": \"ball\""), 14, "\"kind\": \"probe\"");
+  EXPECT_NE(errorOf(text).find("touches[1].kind: found \"probe\""), std::string::npos);
+}
+
+TEST(ProjectMigration, TheExamplesEqualTheirMigratedOldFiles) {
   for (const char* name : {"sphere.json", "cylinder.json", "box.json"}) {
     Project old = readProject(kVersion1 / name);
     const Project example = readProject(std::filesystem::path("../projects") / name);
-    old.mesh.engine = example.mesh.engine;  // which version 1 did not know
+    old.mesh.engine = example.mesh.engine;  // absent in version 1
     EXPECT_EQ(toJson(old), toJson(example)) << name;
   }
 }
@@ -82,7 +97,7 @@ TEST(ProjectMigration, EdgesOfVersion1BelowTwoDegreesBecomeSmooth) {
                                    "side_xmin|side_ymax", "side_xmin|side_ymin"}));
 }
 
-TEST(ProjectMigration, AVersion2FileDecidesItsSmoothEdgesItself) {
+TEST(ProjectMigration, AVersion2FileSpecifiesItsSmoothEdges) {
   std::string text = toJson(readProject(kVersion1 / "sphere.json"));
   const std::size_t begin = text.find(",\n    \"smooth_edges\"");
   text.erase(begin, text.find("]\n", begin) + 1 - begin);
@@ -100,14 +115,14 @@ TEST(ProjectMigration, RefusesNewKeysInOldFilesAndNewVersions) {
   EXPECT_EQ(errorOf(head + R"(1, "mesh": {"edge_length_mm": 1, "accuracy": 0.1}})"),
             "old.json: mesh.accuracy: unknown key in a file of version 1 (new in version 2)");
   EXPECT_EQ(errorOf(head + "7}"),
-            "old.json: version: found 7; this program reads up to version 2; a newer Palpa is "
+            "old.json: version: found 7; this program reads up to version 3; a newer Palpa is "
             "needed");
   EXPECT_EQ(errorOf(head + "0}"),
-            "old.json: version: found 0, expected a whole number from 1 to 2");
+            "old.json: version: found 0, expected a whole number from 1 to 3");
   EXPECT_EQ(errorOf(head + "1.5}"),
-            "old.json: version: found 1.5, expected a whole number from 1 to 2");
+            "old.json: version: found 1.5, expected a whole number from 1 to 3");
   EXPECT_EQ(errorOf(head + "\"1\"}"),
-            "old.json: version: found \"1\", expected a whole number from 1 to 2");
+            "old.json: version: found \"1\", expected a whole number from 1 to 3");
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ Project numbered(int number) {
   return project;
 }
 
-/// The number of a saved project; fails the test when the file is not exactly what was saved.
+/// Number of a saved project; fails the test if the file differs from the saved content.
 int numberIn(const fs::path& path) {
   const std::string text = contentOf(path);
   const int number = std::stoi(parseProject(text, path.string()).name);
@@ -57,7 +57,7 @@ int numberIn(const fs::path& path) {
   return number;
 }
 
-TEST(ProjectSave, KilledAtAnyMomentItLosesNothing) {
+TEST(ProjectSave, AKillAtAnyMomentLosesNothing) {
   const TemporaryFolder folder;
   const fs::path path = folder / "box.json";
   writeProject(numbered(0), path);
@@ -72,7 +72,7 @@ TEST(ProjectSave, KilledAtAnyMomentItLosesNothing) {
         });
     const int number = numberIn(path);
     ASSERT_GT(number, last);
-    // The save that was interrupted may have come to its end.
+    // The interrupted save may have finished.
     ASSERT_TRUE(number == static_cast<int>(saved) || number == static_cast<int>(saved) + 1);
     const int backup = numberIn(backupPath(path));
     ASSERT_TRUE(backup == number - 1 || backup == number) << number << ", backup " << backup;
@@ -80,12 +80,12 @@ TEST(ProjectSave, KilledAtAnyMomentItLosesNothing) {
   }
 }
 
-TEST(ProjectSave, AFullDiskLeavesTheOldFileAndNothingElse) {
+TEST(ProjectSave, AFullDiskKeepsTheOldFileAndLeavesNothingElse) {
   const TemporaryFolder folder;
   const fs::path path = folder / "box.json";
   writeProject(numbered(1), path);
   const pid_t child = startChild([&] {
-    ::signal(SIGXFSZ, SIG_IGN);  // the write fails with an error instead
+    ::signal(SIGXFSZ, SIG_IGN);  // the write then fails with an error
     const rlimit limit{1000, 1000};
     ::setrlimit(RLIMIT_FSIZE, &limit);
     try {
@@ -99,7 +99,7 @@ TEST(ProjectSave, AFullDiskLeavesTheOldFileAndNothingElse) {
   EXPECT_EQ(folder.size(), 1);
 }
 
-TEST(ProjectSave, WhatCouldNotBeReadAgainIsNotSaved) {
+TEST(ProjectSave, AnUnreadableProjectIsNotSaved) {
   const TemporaryFolder folder;
   const fs::path path = folder / "box.json";
   writeProject(numbered(1), path);
@@ -158,7 +158,7 @@ TEST(AtomicWrite, KeepsPermissions) {
   EXPECT_EQ(modeOf(folder / "plain.bak"), 0664U);
 }
 
-TEST(AtomicWrite, RefusesWhatIsNotAFileOfOurs) {
+TEST(AtomicWrite, RefusesFoldersAndForeignFiles) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "a folder");
   EXPECT_NE(errorOf("x", folder / "a folder").find("Is a directory"), std::string::npos);
@@ -193,7 +193,7 @@ TEST(AtomicWrite, RespectsReadOnlyFilesAndFolders) {
   EXPECT_EQ(contentOf(folder / "file"), "old");
 }
 
-TEST(AtomicWrite, TakesTheLongestNames) {
+TEST(AtomicWrite, AcceptsTheLongestNames) {
   const TemporaryFolder folder;
   std::string name;
   for (int i = 0; i < 127; ++i) name += "ü";

@@ -1,4 +1,4 @@
-// Random parameters, sensible and not: a solid that keeps all invariants, or a ModelingError.
+// Random parameters, sensible or not: a solid that satisfies all invariants, or a ModelingError.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,14 +21,14 @@ class Dice {
   }
   bool rarely() { return whole(0, 19) == 0; }
 
-  /// Mostly a few millimetres; sometimes what nobody should ask for.
+  /// Mostly a few millimetres; sometimes a nonsensical length.
   double length() {
     constexpr std::array<double, 8> kOdd{0.0, -1.0, 1e-3, 1e6, 1e300, 1e-300, NAN, INFINITY};
     return rarely() ? kOdd[whole(0, 7)] : std::pow(10.0, real(-1.0, 2.5));
   }
   Eigen::Vector3d lengths() { return {length(), length(), length()}; }
 
-  /// A curve around the origin, more or less round, of any degree; sometimes spoilt.
+  /// Roughly round curve around the origin, of any degree; sometimes invalid.
   ProfileCurve curve(bool closed) {
     ProfileCurve curve;
     curve.degree = whole(1, 5);
@@ -122,8 +122,8 @@ TEST(ShapesProperty, RandomParametersGiveASolidOrAClearError) {
       ++made;
       ++madeOfKind[primitive.shape.index()];
     } catch (const ModelingError& error) {
-      // The parameters are at fault, and the message begins with the shape and says so; an
-      // invariant of Solid that fails would begin with another path.
+      // The parameters are invalid: the message begins with the shape. A violated invariant of
+      // Solid would begin with another path.
       EXPECT_EQ(std::string(error.what()).find(shapeName(primitive) + ": "), 0U)
           << seed << ' ' << error.what();
     }
@@ -141,7 +141,7 @@ TEST(ShapesProperty, TheSamePrimitiveGivesTheSameBits) {
       const Solid b = makePrimitive(randomPrimitive(second));
       EXPECT_EQ(a.controlPoints(), b.controlPoints()) << seed;
     } catch (const ModelingError&) {
-      continue;  // the other test looks at errors
+      continue;  // the other test covers errors
     }
   }
 }

@@ -1,4 +1,4 @@
-// Shapes with formulas: what their solids enclose, how well they fit, how their edges are marked.
+// Shapes with formulas: their volumes, their fit, and the marks of their edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct Case {
   double area;  ///< 0: no closed formula
   int patches;
   int smoothEdges;
-  double size;  ///< mm: what deviations are compared with
+  double size;  ///< mm: reference length for deviations
 };
 
 double ellipsoidVolume(double a, double b, double c) {
@@ -131,8 +131,8 @@ TEST(Shapes, HaveTheVolumeAndAreaOfTheirFormulas) {
   for (const Case& c : cases()) {
     const MadeSolid made = makeMeasuredPrimitive(c.primitive);
     const SurfaceEvaluator surface(made.solid);
-    // A surface displaced by no more than the deviation encloses a volume that differs by no more
-    // than area times deviation.
+    // A surface displaced by at most the deviation encloses a volume that differs by at most area
+    // times deviation.
     EXPECT_NEAR(volume(surface), c.volume, 1.05 * area(surface) * made.deviation + 1e-9 * c.volume)
         << c.name;
     if (c.area > 0.0) {
@@ -141,7 +141,7 @@ TEST(Shapes, HaveTheVolumeAndAreaOfTheirFormulas) {
   }
 }
 
-TEST(Shapes, FitToAThousandthByDefault) {
+TEST(Shapes, DeviateByLessThanAThousandthByDefault) {
   for (const Case& c : cases())
     EXPECT_LE(makeMeasuredPrimitive(c.primitive).deviation, 1e-3 * c.size) << c.name;
 }
@@ -186,8 +186,8 @@ TEST(Shapes, NetsOfDegreeOneAreFacetedAndHaveNoSmoothEdges) {
 }
 
 TEST(Shapes, DeviationFallsWithTheOrderOfTheDegree) {
-  // Spline interpolation of degree p has order p + 1; with so few spans the cube sphere, whose
-  // derivatives grow quickly towards the corners of its faces, stays at about 4.
+  // Spline interpolation of degree p has order p + 1. With so few spans the order of the cube
+  // sphere, whose derivatives grow rapidly towards the corners of its faces, stays at about 4.
   constexpr int kSpans = 6;
   for (int degree = 1; degree <= 5; ++degree)
     for (const auto& shape : {decltype(Primitive::shape)(SphereShape{25}),
@@ -263,7 +263,7 @@ TEST(Shapes, EveryDegreeAndNetSizeMakesASolidThatMeshesWell) {
   RecordProperty("smallest_angle_degrees", std::to_string(worst));
 }
 
-TEST(Shapes, NamePatchesUniquelyAndByPlace) {
+TEST(Shapes, PatchNamesAreUniqueAndDescribeTheLocation) {
   const auto names = [](const Primitive& primitive) {
     std::set<std::string> result;
     const Solid solid = makePrimitive(primitive);
@@ -281,7 +281,7 @@ TEST(Shapes, NamePatchesUniquelyAndByPlace) {
   EXPECT_TRUE(names({CapsuleShape{}}).contains("top_xmin"));
   EXPECT_TRUE(names({TorusShape{}}).contains("inner_ymax"));
   EXPECT_TRUE(names({ExtrudeShape{roundCurve(10, 10), 5}}).contains("side_4"));
-  // A name says where the patch is.
+  // A name describes the location of the patch.
   for (const Primitive& primitive :
        {Primitive{CapsuleShape{}}, Primitive{TorusShape{}}, Primitive{ConeShape{20, 0, 30}}}) {
     const Solid solid = makePrimitive(primitive);
@@ -299,7 +299,7 @@ TEST(Shapes, NamePatchesUniquelyAndByPlace) {
   }
 }
 
-TEST(Shapes, ExampleProjectsAreExactlyTheirPrimitives) {
+TEST(Shapes, ExampleProjectsEqualTheirPrimitives) {
   const auto same = [](const char* file, const Primitive& primitive) {
     const Project project = readProject(std::string("data/projects/v1/") + file);
     const Solid& solid = std::get<Solid>(project.body);
@@ -313,7 +313,7 @@ TEST(Shapes, ExampleProjectsAreExactlyTheirPrimitives) {
   same("box.json", {BoxShape{{40, 30, 20}}});
 }
 
-TEST(Shapes, RefuseImpossibleParametersInWords) {
+TEST(Shapes, RefuseImpossibleParametersWithAMessage) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(refusal({SphereShape{-1}}).find("sphere: the radius is -1 mm; expected 0.001"), 0U);
   EXPECT_EQ(refusal({EllipsoidShape{{1, nan, 1}}}).find("ellipsoid: the radius in y is nan"), 0U);

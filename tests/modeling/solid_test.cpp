@@ -11,7 +11,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// Message of the error for a box changed by `change`; empty when it is accepted.
+/// Message of the error for a box changed by `change`; empty if it is accepted.
 std::string faultOf(
     const std::function<void(std::vector<Eigen::Vector3d>&, std::vector<Patch>&)>& change) {
   const Solid box = makeBox({4.0, 3.0, 2.0});
@@ -56,7 +56,7 @@ TEST(Solid, NamesBadKnots) {
 }
 
 TEST(Solid, RefusesAKnotRepeatedMoreThanTheDegree) {
-  // A 4 × 4 net of degree 1 with a double inner knot would be torn there.
+  // A 4 × 4 net of degree 1 with a double inner knot would be disconnected there.
   EXPECT_TRUE(begins(faultOf([](auto&, auto& patches) {
                        patches[0].degree[0] = 1;
                        patches[0].knots[0] = {0, 0, 0.5, 0.5, 1, 1};
@@ -84,7 +84,7 @@ TEST(Solid, RefusesAnOpenSolid) {
 
 TEST(Solid, RefusesDifferentKnotsAlongACommonEdge) {
   const std::string fault = faultOf([](auto&, auto& patches) {
-    // Another degree and knots of the same net size in one patch only.
+    // A different degree and knots of the same net size in one patch only.
     patches[5].degree[0] = 2;
     patches[5].knots[0] = {0, 0, 0, 0.5, 1, 1, 1};
   });
@@ -107,7 +107,7 @@ TEST(Solid, RefusesMixedAndInwardOrientation) {
   };
   EXPECT_NE(faultOf([&](auto&, auto& patches) {
               turn(patches[2]);
-            }).find("normal points to the other side"),
+            }).find("normal is opposite to the normal"),
             std::string::npos);
   EXPECT_TRUE(begins(faultOf([&](auto&, auto& patches) {
                        for (Patch& patch : patches) turn(patch);

@@ -66,7 +66,7 @@ TEST(TangentContinuity, MeasuresTheAngleBetweenTheNormals) {
   for (int edge : allEdges(box)) EXPECT_NEAR(tangentAngle(box, edge), std::numbers::pi / 2, 1e-12);
   EXPECT_EQ(largestTangentAngle(box), 0.0);  // no edge is smooth
 
-  // Against normals from OpenCASCADE at other places.
+  // Compared with normals from OpenCASCADE at other points.
   const Solid sphere = makeSphere(25, 5);
   const SurfaceEvaluator surface(sphere);
   for (int e : allEdges(sphere)) {
@@ -84,7 +84,7 @@ TEST(TangentContinuity, MeasuresTheAngleBetweenTheNormals) {
 }
 
 TEST(TangentContinuity, ReportsAFoldedEdge) {
-  // The second row of the top folded back over the side: normals against each other.
+  // The second row of the top is folded back over the side: the normals are opposite.
   Solid box = makeBox({40, 30, 20}).withSmoothEdges(allEdges(makeBox({40, 30, 20})), true);
   const int edge = box.edgeOf(5, Side::kUMin);
   const EdgeBand band = bandOf(box, edge);
@@ -106,12 +106,12 @@ TEST(TangentContinuity, QuartersOfACylinderStayExact) {
 }
 
 TEST(TangentContinuity, ASphereStaysSmooth) {
-  // Three edges meet in each of the eight corners, so that this is an approximation; the sphere of
-  // this net itself has angles of 0.01 rad.
+  // Three edges meet in each of the eight corners, so this is an approximation; the sphere of this
+  // net itself has angles of 0.01 rad.
   const Solid sphere = makeSphere(25);
   const Solid smooth = withSmooth(sphere, edgesThatAreNotSharp(sphere));
   EXPECT_LT(largestTangentAngle(smooth), 1e-3);
-  EXPECT_LT(sampledDistance(sphere, smooth), 0.1);  // of a radius of 25
+  EXPECT_LT(sampledDistance(sphere, smooth), 0.1);  // for a radius of 25
   const Walk walk = randomMoves(smooth, 0.8, 200);
   EXPECT_LT(walk.angle, 5e-3);
   EXPECT_LT(walk.follow, 3.0);
@@ -147,7 +147,7 @@ TEST(TangentContinuity, FarPointsKeepTheirBits) {
     followed += !same;
   }
   EXPECT_GT(followed, 0);
-  // A point two rows away from every edge needs no correction at all.
+  // A point two rows away from every edge needs no correction.
   points = smooth.controlPoints();
   const int inner = smooth.patches()[0].net[5][6];
   points[inner] *= 1.05;

@@ -15,7 +15,7 @@ std::vector<Solid> solids() {
   return {makeSphere(25.0), makeCylinder(20.0, 60.0), makeBox({40.0, 30.0, 20.0})};
 }
 
-/// Volume under the triangles, by the divergence theorem.
+/// Volume enclosed by the triangles, by the divergence theorem.
 double enclosed(const Tessellation& tessellation, const Tessellation::Shape& shape) {
   double sum = 0.0;
   for (const auto& [a, b, c] : tessellation.triangles())
@@ -58,9 +58,9 @@ TEST(Tessellation, FollowsMovedControlPointsLikeTheEvaluator) {
   points[10] += Eigen::Vector3d(3, -2, 1);
   const Tessellation tessellation(sphere, 4);
   const auto moved = tessellation.evaluate(points);
-  const auto anew = Tessellation(sphere.withControlPoints(points), 4).evaluate(points);
+  const auto fresh = Tessellation(sphere.withControlPoints(points), 4).evaluate(points);
   for (std::size_t i = 0; i < moved.positions.size(); ++i)
-    EXPECT_EQ(moved.positions[i], anew.positions[i]);
+    EXPECT_EQ(moved.positions[i], fresh.positions[i]);
 }
 
 TEST(Tessellation, LinesRunAlongBordersAndKnots) {
@@ -72,7 +72,7 @@ TEST(Tessellation, LinesRunAlongBordersAndKnots) {
   EXPECT_EQ(Tessellation(sphere).knotLines().size(), 6u * 6u);
 }
 
-TEST(Tessellation, RefusesWhatCannotBeMeant) {
+TEST(Tessellation, RefusesInvalidInput) {
   const Solid box = makeBox({40.0, 30.0, 20.0});
   EXPECT_THROW(Tessellation(box, 0), std::invalid_argument);
   EXPECT_THROW(Tessellation(box).evaluate({}), std::invalid_argument);

@@ -1,4 +1,5 @@
 #include "test_bodies.h"
+#include "modeling/mesh/mesh.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

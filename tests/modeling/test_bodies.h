@@ -1,24 +1,24 @@
 #pragma once
 
-#include "modeling/body/mesh_body.h"
-#include "modeling/mesh/mesh.h"
+#include "modeling/body/body.h"
 
 // Mesh bodies whose exact shape is known.
 namespace palpa::modeling::test {
 
-/// The mesh of a solid, its patches as faces.
+/// Mesh of a solid as a body, its patches as faces.
 MeshBody bodyOf(const Solid& solid, double edgeLength);
 
-/// One face for all triangles.
+/// Body with one face for all triangles.
 MeshBody oneFace(std::vector<Eigen::Vector3d> positions, std::vector<std::array<int, 3>> triangles);
 
-/// Radii of the centre line and of the tube, mm; `around` by `across` quads, each cut in two.
+/// Torus with the radii of the centre line and of the tube, mm; `around` by `across` quads, each
+/// cut in two.
 MeshBody torus(double radius, double tube, int around, int across);
 
-/// Outer radius, bore radius, height along z from 0, mm; `sides` facets.
+/// Bored cylinder: outer radius, bore radius, height along z from 0, mm; `sides` facets.
 MeshBody boredCylinder(double radius, double bore, double height, int sides);
 
-/// A sphere of 20 · 4^level triangles, radius in mm.
+/// Sphere of 20 · 4^level triangles, radius in mm.
 MeshBody icosphere(double radius, int level);
 
 /// Sphere with a concentric spherical cavity.
@@ -27,10 +27,10 @@ MeshBody hollowSphere(double radius, double cavity, int level);
 /// Box with two corners at 0 and `size`, 12 triangles.
 MeshBody plainBox(const Eigen::Vector3d& size);
 
-/// Vertices moved by up to `amplitude` mm in every direction, always in the same way.
+/// Body with vertices moved by up to `amplitude` mm in every direction, reproducibly.
 MeshBody noisy(const MeshBody& body, double amplitude);
 
-/// Every third triangle cut into three by a point very near one of its edges.
+/// Body with every third triangle cut into three by a point very near one of its edges.
 MeshBody withSlivers(const MeshBody& body);
 
 }  // namespace palpa::modeling::test
