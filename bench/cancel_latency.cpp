@@ -7,6 +7,7 @@
 #include <optional>
 #include <thread>
 
+#include "app/core/model/build_touch_model.h"
 #include "base/job.h"
 #include "bem/base/error.h"
 
@@ -15,15 +16,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Phase {
-  std::string name;
+struct PhaseBegin {
+  Phase phase;
   Clock::time_point begin;
 };
 
-/// Seconds from the request, `after` seconds into the phase, to the end of the build; nothing when
-/// the build was over before.
-std::optional<double> stopOnce(const modeling::Project& project, int threads,
-                               const std::string& phase, double after) {
+/// Seconds from the request, `after` seconds into the phase, to the end of the build; none if the
+/// build had ended before.
+std::optional<double> stopOnce(const modeling::Project& project, int threads, Phase phase,
+                               double after) {
   std::stop_source source;
   std::mutex mutex;
   std::condition_variable changed;
@@ -40,7 +41,7 @@ std::optional<double> stopOnce(const modeling::Project& project, int threads,
   Job job;
   job.threads = threads;
   job.stop = source.get_token();
-  job.progress = [&](std::string_view now, double) {
+  job.progress = [&](Phase now, double) {
     if (now != phase) return;
     const std::lock_guard lock(mutex);
     hasBegun = true;
@@ -64,22 +65,21 @@ std::optional<double> stopOnce(const modeling::Project& project, int threads,
 
 std::vector<CancelLatency> measureCancel(const modeling::Project& project, int threads,
                                          int stopsPerPhase) {
-  std::vector<Phase> phases;
+  std::vector<PhaseBegin> phases;
   Job job;
   job.threads = threads;
   std::mutex mutex;
-  job.progress = [&](std::string_view phase, double) {
+  job.progress = [&](Phase phase, double) {
     const std::lock_guard lock(mutex);
-    if (phases.empty() || phases.back().name != phase)
-      phases.push_back({std::string(phase), Clock::now()});
+    if (phases.empty() || phases.back().phase != phase) phases.push_back({phase, Clock::now()});
   };
   app::buildTouchModel(project, {}, job);
-  phases.push_back({"", Clock::now()});
+  const auto end = Clock::now();
   std::vector<CancelLatency> result;
-  for (std::size_t p = 0; p + 1 < phases.size(); ++p) {
-    const double length =
-        std::chrono::duration<double>(phases[p + 1].begin - phases[p].begin).count();
-    CancelLatency latency{phases[p].name, 0};
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    const auto next = p + 1 < phases.size() ? phases[p + 1].begin : end;
+    const double length = std::chrono::duration<double>(next - phases[p].begin).count();
+    CancelLatency latency{phases[p].phase, 0};
     for (int k = 0; k < stopsPerPhase; ++k)
       if (const auto seconds =
               stopOnce(project, threads, latency.phase, length * (k + 0.5) / stopsPerPhase))

@@ -6,16 +6,16 @@
 
 namespace palpa::bench {
 
-/// A number that counts what is done with it: stands for a batch in the kernels of the assembly, so
-/// that their operations need not be counted by hand. Additions, multiplications, comparisons,
-/// divisions and roots count 1, fused ones 2, logarithms and arc tangents kTranscendental.
+/// A number that counts its operations; it replaces a batch in the kernels of the assembly.
+/// Additions, multiplications, comparisons, divisions and roots count 1, fused operations 2,
+/// logarithms and arc tangents kTranscendental.
 struct Counted {
   static constexpr long kTranscendental = 20;
   static inline long operations = 0;
   double value = 0;
 
   Counted() = default;
-  Counted(double of) : value(of) {}  // NOLINT: batches are made of numbers, too
+  Counted(double of) : value(of) {}  // NOLINT: batches convert from numbers too
   static Counted of(double result, long count = 1) {
     operations += count;
     return {result};
@@ -35,7 +35,7 @@ struct Counted {
 
 }  // namespace palpa::bench
 
-// What the kernels call by its full name has to be known before them.
+// The kernels call these functions by their full names, so these must be declared before.
 namespace xsimd {
 using Counted = palpa::bench::Counted;
 inline Counted fma(Counted a, Counted b, Counted c) {

@@ -6,18 +6,18 @@
 
 namespace palpa::bench {
 
-/// How evenly the event loop of the calling thread runs: a timer that fires every millisecond, and
-/// how long it really took from one time to the next.
+/// Measures how evenly the event loop of the calling thread runs: the intervals between the events
+/// of a timer of one millisecond.
 class Heartbeat {
  public:
   struct Gaps {
     int beats = 0;
     double largest = 0, quantile99 = 0;  ///< ms
-    int above50 = 0;                     ///< that a person would feel: longer than 50 ms
+    int above50 = 0;                     ///< gaps longer than 50 ms, which a user notices
   };
 
   Heartbeat();
-  /// The gaps since the construction; the one that lasts now counts.
+  /// The gaps since the construction, including the present one.
   Gaps gaps() const;
 
  private:

@@ -4,8 +4,8 @@
 
 namespace palpa::bench {
 
-/// Prints from where to where the time between input and force goes: quantiles and a histogram, one
-/// column per part.
+/// Prints the parts of the time between input and force: quantiles and a histogram, one column per
+/// part.
 void printLatencies(const app::TouchLoop::Latencies& latencies);
 
 }  // namespace palpa::bench

@@ -9,7 +9,8 @@ namespace palpa::bench {
 /// Measurements as lines `bench;n;what;value;unit;goal`, which scripts/bench reads.
 class MeasurementTable {
  public:
-  /// Adds to a file; an empty path: writes nothing. std::runtime_error when it cannot be opened.
+  /// Appends to a file; writes nothing for an empty path. Throws std::runtime_error if the file
+  /// cannot be opened.
   void open(const std::string& path, const std::string& bench) {
     bench_ = bench;
     if (path.empty()) return;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@
 #include "base/parallel.h"
 #include "bem/base/instruction_set.h"
 #include "bem/contact/bilateral_contact_solver.h"
-#include "bem/problem/greens_function.h"
+#include "bem/dense/make_reference_problem.h"
+#include "bem/problem/greens_columns.h"
+#include "bem/triangle/triangle_contact_surface.h"
 #include "bench/cancel_latency.h"
 #include "bench/measurement_table.h"
 #include "bench/plain_assembly.h"
@@ -24,6 +27,7 @@
 #include "bench/timing.h"
 #include "modeling/mesh/display_mesh.h"
 #include "modeling/mesh/geometry_check.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
 #include "modeling/shapes/primitives.h"
 
@@ -39,7 +43,8 @@ using Eigen::Vector3d;
 app::BoundarySetup sphereSetup(int cellsPerCubeEdge) {
   const modeling::Project project = sphereProject(cellsPerCubeEdge);
   return app::makeBoundarySetup(
-      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+      app::ProjectGeometry(project),
+      modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
 }
 
 struct Row {
@@ -48,8 +53,8 @@ struct Row {
 
 class Bench {
  public:
-  Bench(const Job& job, bool withGreensFunction, bench::MeasurementTable& table)
-      : job_(job), all_(withGreensFunction), table_(table) {}
+  Bench(const Job& job, bool withAllColumns, bench::MeasurementTable& table)
+      : job_(job), all_(withAllColumns), table_(table) {}
 
   void run(int cells) {
     const app::BoundarySetup setup = sphereSetup(cells);
@@ -81,23 +86,26 @@ class Bench {
     add("  in single (3n)^2 matrices", "%.2f", static_cast<double>(problem->bytes()) / singleMatrix,
         n > 9000 ? "<= 3" : "");
     if (all_) {
-      bem::GreensFunction greens(problem);
-      add("all columns of Xi", "%.2f s", secondsFor([&] { greens.computeAll(job_); }),
+      bem::GreensColumns columns(problem);
+      std::vector<int> nodes(n);
+      std::iota(nodes.begin(), nodes.end(), 0);
+      add("all columns of Xi", "%.2f s", secondsFor([&] { columns.compute(nodes, job_); }),
           n > 2000 && n < 3000 ? "<= 10" : "");
     }
     problem.reset();
     if (n > 2000 && n < 3000)
       for (const auto& stopped : bench::measureCancel(sphereProject(cells), job_.threads, 5))
-        add("stopped in \"" + stopped.phase + "\"", "%.0f ms", stopped.seconds * 1e3, "<= 100");
+        add("stopped in \"" + std::string(nameOf(stopped.phase)) + "\"", "%.0f ms",
+            stopped.seconds * 1e3, "<= 100");
     print(n, setup.mesh().triangleCount());
   }
 
  private:
   std::unique_ptr<bem::ReferenceProblem> build_(const app::BoundarySetup& setup,
                                                 bem::ReferenceProblemTimes& times) const {
-    return bem::makeDenseReferenceProblem(setup.mesh(), setup.meshSlots(), setup.conditions.ofSlot,
-                                          setup.material, {}, bem::Precision::kAutomatic, job_,
-                                          &times);
+    return bem::makeDenseReferenceProblem(
+        setup.mesh(), setup.meshSlots(),
+        {setup.conditions.ofSlot, setup.material, {}, bem::Precision::kAutomatic}, job_, &times);
   }
 
   /// Times the plain assembly on a sample of the collocation points; ns per pair.
@@ -129,12 +137,12 @@ class Bench {
     const char* target = n > 900 && n < 1300 ? "<= 0.5" : n > 2300 && n < 2800 ? "<= 3" : "";
     add("mesh to touchable", "%.2f s", build + column, target);
     add("  with memory never used before", "%.2f s", cold + column, "");
+    const bem::TriangleContactSurface surface(setup.mesh(), setup.meshSlots(), dofs);
     for (const int count : {10, 50}) {
       bem::BilateralContactSolver solver(problem, setup.meshSlots(), zero);
       int last = 0;
       for (const Vector3d& at : pointsOnSphere(count))
-        last = solver.addGrab(bem::makeContactMask(setup.mesh(), setup.meshSlots(), dofs, at, 3),
-                              Vector3d(-0.02 * at));
+        last = solver.addGrab(bem::makeContactMask(surface, at, 3), Vector3d(-0.02 * at));
       double depth = 0;
       const double update = medianSecondsFor([&] {
         solver.setDisplacement(last, Vector3d(0, 0, depth += 1e-4));
@@ -156,13 +164,13 @@ class Bench {
     const auto folder = std::filesystem::temp_directory_path() / "palpa-bench-cache";
     app::ModelCache stored(folder, 64e9);
     stored.clear();
-    const auto key = app::ModelCache::keyOf(setup, {}, bem::Precision::kAutomatic);
+    const bem::ProblemInputs inputs{setup.conditions.ofSlot, setup.material};
+    const auto key = app::ModelCache::keyOf(*setup.discretisation, inputs);
     add("writing the stored model", "%.2f s", secondsFor([&] { stored.write(key, problem, job_); }),
         "");
     std::string notice;
-    add("reading the stored model", "%.3f s", medianSecondsFor([&] {
-          stored.read(key, setup, bem::Precision::kAutomatic, job_, notice);
-        }),
+    add("reading the stored model", "%.3f s",
+        medianSecondsFor([&] { stored.read(key, *setup.discretisation, inputs, job_, notice); }),
         "");
     add("  size of its file", "%.0f MiB", stored.size() / (1 << 20), "");
     stored.clear();

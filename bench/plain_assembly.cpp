@@ -77,7 +77,7 @@ void assemblePlain(const bem::BoundaryMesh& mesh, const bem::TractionSlots& slot
                    const Job& job) {
   H = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(points.size()), 3 * mesh.nodeCount());
   G = Eigen::MatrixXd::Zero(H.rows(), 3 * slots.count());
-  parallelFor(static_cast<std::ptrdiff_t>(points.size()), job, "", [&](std::ptrdiff_t k) {
+  parallelFor(static_cast<std::ptrdiff_t>(points.size()), job, [&](std::ptrdiff_t k) {
     for (int t = 0; t < mesh.triangleCount(); ++t) {
       Element element{{}, mesh.normal(t), mesh.area(t)};
       for (int a = 0; a < 3; ++a) element.corners.col(a) = mesh.nodes[mesh.triangles[t][a]];

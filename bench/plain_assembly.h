@@ -9,21 +9,21 @@
 
 namespace palpa::bench {
 
-/// How closely the plain assembly integrates. Distances are in radii of the element.
+/// Accuracy of the plain assembly. Distances are in radii of the element.
 struct PlainAccuracy {
-  double far;   ///< beyond, the coarse rule
-  double near;  ///< up to here, subdivision; between, the fine rule
+  double far;   ///< beyond: the coarse rule
+  double near;  ///< up to here: subdivision; between: the fine rule
   std::span<const bem::TrianglePoint> coarse, fine;
 };
-/// 3 and 7 points, as one would begin: errors of some 1e-3 of a block.
+/// 3 and 7 points, a usual first choice: errors of about 1e-3 of a block.
 PlainAccuracy looseAccuracy();
-/// 7 and 16 points from the distances at which they keep 1e-7, the tolerance of bem::assemble.
+/// 7 and 16 points, at distances that give 1e-7, the tolerance of bem::assemble.
 PlainAccuracy sameAccuracy();
 
-/// The baseline: what a careful plain program does. Point by point, a coarse rule far away, a fine
-/// one nearer, recursive subdivision close by, scalar arithmetic, kernels evaluated as written in
-/// kelvin.h. Same columns as bem::assemble, rows 3 k + c for the k-th of `points`; no free term.
-/// Runs on the job's threads.
+/// Baseline: assembly as in a careful plain program. Point by point, with a coarse rule far away, a
+/// fine one nearer and recursive subdivision close by, in scalar arithmetic, with kernels as
+/// written in kelvin.h. Columns as in bem::assemble, rows 3 k + c for the k-th of `points`; no free
+/// term. Runs on the job's threads.
 void assemblePlain(const bem::BoundaryMesh& mesh, const bem::TractionSlots& slots,
                    const std::vector<Eigen::Vector3d>& points, const bem::Material& material,
                    const PlainAccuracy& accuracy, Eigen::MatrixXd& H, Eigen::MatrixXd& G,

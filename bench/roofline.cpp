@@ -28,6 +28,7 @@
 
 // After flop_count.h, whose functions it calls.
 #include "bem/triangle/flat_triangle_integrals.h"
+#include "modeling/mesh/mesh.h"
 
 namespace {
 
@@ -39,7 +40,8 @@ constexpr double kTriangleTolerance = 1e-7, kSplineTolerance = 1e-5;
 
 app::BoundarySetup setupOf(const modeling::Project& project) {
   return app::makeBoundarySetup(
-      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+      app::ProjectGeometry(project),
+      modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
 }
 
 /// Operations of integrating one pair of point and triangle, by the way it is done.
@@ -150,7 +152,7 @@ class Roofline {
         [&] { const bem::LuFactorisation<float> factors(std::move(matrix), job_); });
     const double flops = 2.0 / 3 * std::pow(static_cast<double>(size), 3) / seconds;
     add("factorisation, single precision: operations per second of a core", flops / 1e9, "GFLOP/s");
-    add("factorisation: share of the peak, twice that of double precision",
+    add("factorisation: share of the peak, twice the peak of double precision",
         100 * flops / (2 * peak_), "%");
   }
 

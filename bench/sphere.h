@@ -7,10 +7,10 @@
 
 namespace palpa::bench {
 
-/// The seed's sphere: R = 25 mm, fixed below z = -20 mm; n is about 6 cells^2.
+/// Reference sphere: R = 25 mm, fixed below z = -20 mm; n is about 6 cells^2.
 modeling::Project sphereProject(int cellsPerCubeEdge);
 
-/// Places on the free part of the sphere, on a spiral.
+/// Points on a spiral on the free part of the sphere.
 std::vector<Eigen::Vector3d> pointsOnSphere(int count);
 
 }  // namespace palpa::bench

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/core/setup/to_spline_surface.h"
+#include "bem/dense/make_reference_problem.h"
 #include "bem/model/traction_projection.h"
 #include "bem/problem/reference_problem.h"
 #include "bem/spline/spline_projection.h"
@@ -60,7 +61,7 @@ struct ErrorSum {
   double relative() const { return std::sqrt(error / scale); }
 };
 
-/// The fastest of some rounds: what the machine does when nobody disturbs it.
+/// The fastest of some rounds: the least disturbed by other programs.
 template <class Build>
 std::unique_ptr<bem::ReferenceProblem> fastest(const Build& build, Row& row) {
   std::unique_ptr<bem::ReferenceProblem> problem;
@@ -97,8 +98,8 @@ Row triangles(double edgeLength, const Job& job) {
   Row row{"triangles", mesh.nodeCount(), 0, 0, 0};
   const auto problem = fastest(
       [&](bem::ReferenceProblemTimes& times) {
-        return bem::makeDenseReferenceProblem(mesh, slots, given.ofSlot, kMaterial, {},
-                                              bem::Precision::kAutomatic, job, &times);
+        return bem::makeDenseReferenceProblem(
+            mesh, slots, {given.ofSlot, kMaterial, {}, bem::Precision::kAutomatic}, job, &times);
       },
       row);
   const bem::BoundaryField field = problem->solveField(problem->dofs().knownField(given));
@@ -140,8 +141,9 @@ Row splines(int controlPoints, int degree, const Job& job) {
   Row row{degree == 3 ? "cubic" : "quadratic", surface.coefficientCount(), 0, 0, 0};
   const auto problem = fastest(
       [&](bem::ReferenceProblemTimes& times) {
-        return bem::makeDenseReferenceProblem(surface, tractions, given.ofSlot, kMaterial, {1e-5},
-                                              bem::Precision::kAutomatic, job, &times);
+        return bem::makeDenseReferenceProblem(
+            surface, tractions, {given.ofSlot, kMaterial, {1e-5}, bem::Precision::kAutomatic}, job,
+            &times);
       },
       row);
   const bem::BoundaryField field = problem->solveField(problem->dofs().knownField(given));

@@ -8,7 +8,7 @@
 
 namespace palpa::bench {
 
-/// Times of a set, s.
+/// Quantiles of durations, s.
 struct Quantiles {
   double p50 = 0, p99 = 0, largest = 0;
   int count = 0;
@@ -28,7 +28,7 @@ double secondsFor(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Processor time of all threads of this program, s: does not see what other programs take.
+/// Processor time of all threads of this program, s; other programs do not count.
 template <class Work>
 double processorSecondsFor(const Work& work) {
   const auto now = [] {
@@ -41,7 +41,7 @@ double processorSecondsFor(const Work& work) {
   return now() - start;
 }
 
-/// Median over repetitions until half a second has gone by (3 to 5,000).
+/// Median over the repetitions of half a second (3 to 5,000).
 template <class Work>
 double medianSecondsFor(const Work& work) {
   std::vector<double> times;

@@ -13,6 +13,7 @@
 
 #include "app/core/live/touch_field.h"
 #include "app/core/live/touch_stepper.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/system/memory.h"
 #include "app/core/system/priority.h"
 #include "bem/contact/bilateral_contact_solver.h"
@@ -23,6 +24,7 @@
 #include "bench/timing.h"
 #include "bench/touch_latency.h"
 #include "bench/touch_slide.h"
+#include "modeling/mesh/mesh.h"
 
 namespace {
 
@@ -57,7 +59,8 @@ class Bench {
     Bench bench;
     const modeling::Project project = sphereProject(cells);
     const auto setup = app::makeBoundarySetup(
-        project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+        app::ProjectGeometry(project),
+        modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
     const auto problem = std::make_shared<MadeUp>(bem::DegreesOfFreedom(
         setup.mesh(), setup.meshSlots(), setup.conditions.ofSlot, setup.material));
     const bem::TriangleContactSurface surface(setup.mesh(), setup.meshSlots(), problem->dofs());
@@ -88,22 +91,22 @@ class Bench {
 
   void forces() {
     for (const int count : {1, 10, 50}) {
-      app::TouchStepper player(body_);
+      app::TouchStepper stepper(body_);
       bem::BilateralContactSolver exact(model_->problem(), model_->setup().meshSlots(),
                                         model_->rest().field);
       app::TouchId id = 0;
       int last = 0;
       for (const Vector3d& at : bench::pointsOnSphere(count)) {
-        player.apply({Command::Kind::kBegin, ++id, {Kind::kGrab, 3}, at, -0.02 * at});
+        stepper.apply({Command::Kind::kBegin, ++id, {Kind::kGrab, 3}, at, -0.02 * at});
         last = exact.addGrab(bem::makeContactMask(body_->surface(), at, 3), Vector3d(-0.02 * at));
       }
-      prepare(player);
-      player.step();
+      prepare(stepper);
+      stepper.step();
       double depth = 0;
       const std::string contacts = std::to_string(count) + (count > 1 ? " grabs" : " grab");
       const double update = medianSecondsFor([&] {
-        player.apply({Command::Kind::kSet, id, {}, {0, 0, 0}, {0, 0, depth += 1e-4}});
-        player.step();
+        stepper.apply({Command::Kind::kSet, id, {}, {0, 0, 0}, {0, 0, depth += 1e-4}});
+        stepper.step();
       });
       add("step, " + contacts, "kHz", 1e-3 / update,
           count == 10   ? ">= 10"
@@ -114,7 +117,7 @@ class Bench {
             exact.setDisplacement(last, {0, 0, depth += 1e-4});
             exact.forces();
           }));
-      if (count == 10) fields(player, exact);
+      if (count == 10) fields(stepper, exact);
     }
   }
 
@@ -129,8 +132,8 @@ class Bench {
     if (file) file << "tool,angle_rad,force_N,fx_N,fy_N,fz_N\n";
     for (const Case& each : {Case{"finger 6 mm", {Kind::kPush, 6, 0}, 1.5},
                              Case{"finger 6 mm friction 0.3", {Kind::kPush, 6, 0.3}, 1.5},
-                             Case{"ball 10 mm", {Kind::kProbe, 10, 0}, 1.5},
-                             Case{"ball 10 mm friction 0.3", {Kind::kProbe, 10, 0.3}, 1.5}}) {
+                             Case{"ball 10 mm", {Kind::kBall, 10, 0}, 1.5},
+                             Case{"ball 10 mm friction 0.3", {Kind::kBall, 10, 0.3}, 1.5}}) {
       const bench::Slide slide = bench::dragAround(body_, each.tool, each.depth);
       std::vector<double> times;
       int failed = 0, patches = 0;
@@ -186,14 +189,14 @@ class Bench {
     std::printf("  %-52s %14s  %s\n", "what", "measured", "goal");
   }
 
-  void prepare(app::TouchStepper& player) const {
-    while (!player.missing().empty()) body_->columns()->compute(player.missing(), {});
+  void prepare(app::TouchStepper& stepper) const {
+    while (!stepper.missing().empty()) body_->columns()->compute(stepper.missing(), {});
   }
 
-  void fields(app::TouchStepper& player, const bem::BilateralContactSolver& exact) {
+  void fields(app::TouchStepper& stepper, const bem::BilateralContactSolver& exact) {
     app::TouchField field(body_);
     app::TouchSnapshot snapshot;
-    player.describe(snapshot);
+    stepper.describe(snapshot);
     field.displacements(snapshot);  // the masks are new
     field.displacements(snapshot);  // and stay: they are kept
     add("displacements everywhere, 10 grabs", "kHz",

@@ -21,15 +21,15 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-/// What a window does beside the loop.
+/// The work of a window while the loop runs.
 int display(const app::TouchLoop& loop, const std::stop_token& stop) {
   app::TouchSnapshot snapshot;
   std::unique_ptr<app::TouchField> field;
   int count = 0;
   while (!stop.stop_requested()) {
     loop.read(snapshot);
-    if (const auto body = loop.body(snapshot.model)) {
-      if (!field || field->body() != body) field = std::make_unique<app::TouchField>(body);
+    if (const auto body = loop.model(snapshot.model)) {
+      if (!field || field->model() != body) field = std::make_unique<app::TouchField>(body);
       field->describe(snapshot);
       ++count;
     }

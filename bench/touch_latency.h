@@ -9,20 +9,20 @@
 namespace palpa::bench {
 
 struct LatencyReport {
-  /// As the loop measures it: from set() to the published force, and its parts.
+  /// As measured by the loop: from set() to the published force, and its parts.
   app::TouchLoop::Latencies inside;
-  /// s, from set() until another thread that looks every 50 µs has the force
+  /// s, from set() until another thread, which checks every 50 µs, has the force
   Quantiles latency;
   double rate = 0;          ///< steps per second, over the whole run
   double firstForce = 0;    ///< s, from a touch on a body without columns to its first force
   double columnsReady = 0;  ///< at the end
-  int displayed = 0;        ///< fields evaluated meanwhile by another thread, at 60 per second
+  int displayed = 0;        ///< fields evaluated by another thread at 60 per second
 };
 
-/// Moves one of `contacts` grabs on the sphere for some time, at moments that have nothing to do
-/// with the loop's, and looks how long forces take; another thread evaluates the whole field 60
-/// times a second. `computesAll`: columns are computed in the background meanwhile; otherwise only
-/// those touched, before.
+/// Moves one of `contacts` grabs on the sphere for some time, not synchronised with the loop, and
+/// measures the latency of forces; another thread evaluates the whole field 60 times a second.
+/// `computesAll`: all columns are computed in the background meanwhile; otherwise only the touched
+/// ones, beforehand.
 LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
                              std::chrono::duration<double> duration, bool computesAll);
 

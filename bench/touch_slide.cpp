@@ -42,19 +42,19 @@ double Slide::largestKink() const {
   return largest;
 }
 
-Slide dragAround(const std::shared_ptr<const app::TouchableModel>& body,
+Slide dragAround(const std::shared_ptr<const app::TouchableModel>& model,
                  const bem::ContactTool& tool, double depth) {
   using Clock = std::chrono::steady_clock;
   const double distance =
-      kRadius - depth + (tool.kind == bem::ContactTool::Kind::kProbe ? tool.radius : 0);
+      kRadius - depth + (tool.kind == bem::ContactTool::Kind::kBall ? tool.radius : 0);
   const auto direction = [](double angle) {
     return Vector3d(std::cos(angle), std::sin(angle) * std::cos(kTilt),
                     std::sin(angle) * std::sin(kTilt));
   };
-  bem::ContactSimulation simulation = body->simulate();
+  bem::ContactSimulation simulation = model->simulate();
   const auto id = simulation.begin(tool, kRadius * direction(0), distance * direction(0));
   const auto prepare = [&] {
-    while (!simulation.missing().empty()) body->columns()->compute(simulation.missing(), {});
+    while (!simulation.missing().empty()) model->columns()->compute(simulation.missing(), {});
   };
   for (int settling = 0; settling < 20; ++settling) {
     prepare();

@@ -13,7 +13,7 @@ struct Slide {
   struct Sample {
     double angle = 0;  ///< rad
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    double seconds = 0;  ///< that the step took
+    double seconds = 0;  ///< of the step
     bool isConverged = true;
     int patches = 0;
     double radius = 0;  ///< of the first mask, mm
@@ -22,16 +22,16 @@ struct Slide {
   std::vector<Sample> samples;
 
   double largestForce() const;
-  /// Of the force between two samples, N, once the tool is on its way: in the first 5 mm friction
-  /// builds up. Of it 0.4 % are due to the direction that turns by 0.2 degrees.
+  /// Largest change of the force between two samples, N, after the first 5 mm, in which friction
+  /// builds up. The direction turns by 0.2 degrees per step, which accounts for 0.4 % of the force.
   double largestJump() const;
   double largestMagnitudeJump() const;
-  /// Of the magnitude's change from one pair of samples to the next, N: where its slope breaks.
+  /// Largest change of the magnitude's slope between pairs of samples, N.
   double largestKink() const;
 };
 
-/// Columns are computed before they are needed and not timed.
-Slide dragAround(const std::shared_ptr<const app::TouchableModel>& body,
+/// Columns are computed beforehand and not timed.
+Slide dragAround(const std::shared_ptr<const app::TouchableModel>& model,
                  const bem::ContactTool& tool, double depth);
 
 }  // namespace palpa::bench

@@ -1,5 +1,5 @@
-// Times an edit of one control point until the body can be touched: by an update of the former
-// model, and by building anew, in the same run.
+// Times an edit of one control point until the body can be touched: by an incremental
+// update and by a full rebuild, in the same run.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/model/touch_model.h"
+#include "app/core/model/build_touch_model.h"
 #include "bench/measurement_table.h"
 #include "bench/sphere.h"
 #include "bench/timing.h"
@@ -98,8 +98,8 @@ void measure(const std::string& name, const modeling::Project& project, const Jo
 
 int main(int argc, char** argv) {
   CLI::App options{
-      "Times an edit of one control point until the body can be touched, by an update and by "
-      "building anew. Spheres with triangles, and project files."};
+      "Times an edit of one control point until the body can be touched, by an incremental "
+      "update and by a full rebuild. Spheres with triangles, and project files."};
   std::vector<int> cells{15, 22};
   std::vector<std::string> files;
   std::string tablePath;
@@ -114,7 +114,7 @@ int main(int argc, char** argv) {
   table.open(tablePath, "palpa-update-bench");
   Job job;
   job.threads = threads;
-  std::printf("%-26s %6s %8s  %9s %9s %6s   %s\n", "body", "n", "moved", "anew s", "update s",
+  std::printf("%-26s %6s %8s  %9s %9s %6s   %s\n", "body", "n", "moved", "full s", "update s",
               "ratio", "mesh  assemble solve s, residual");
   for (const int count : cells) {
     modeling::Project project = bench::sphereProject(count);

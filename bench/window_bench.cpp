@@ -1,4 +1,4 @@
-// Times what a person at the window feels: start-up, an even event loop while models are rebuilt
+// Times what a user of the window notices: start-up, an even event loop while models are rebuilt
 // and control points dragged, frames per second, and how soon an opened or edited project can be
 // touched. Needs an X display: scripts/with-display build/release/bin/palpa-window-bench.
 #include <unistd.h>
@@ -242,7 +242,7 @@ std::vector<std::filesystem::path> projectsIn(const std::filesystem::path& folde
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App options{"Times what a person at the window feels."};
+  CLI::App options{"Times what a user of the window notices."};
   double seconds = 3;
   double edgeLength = 25 * std::numbers::pi / 2 / 22;  // about 2,500 nodes
   std::string json, folder = PALPA_PROJECTS;
@@ -257,7 +257,7 @@ int main(int argc, char** argv) {
                      "only a touch of the sphere with the view drawn, for so many seconds with a "
                      "histogram of the time from input to force");
   options.add_option("--json", json, "file for the numbers");
-  options.add_option("--start-up", started, "what is measured in a process of its own")
+  options.add_option("--start-up", started, "for the measurement in a separate process")
       ->expected(0, 1)
       ->group("");
   CLI11_PARSE(options, argc, argv);

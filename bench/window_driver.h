@@ -8,11 +8,11 @@
 
 namespace palpa::bench {
 
-/// Runs the event loop until the condition holds; false when `seconds` have gone by before.
+/// Runs the event loop until the condition holds; false after `seconds`.
 bool runUntil(const std::function<bool()>& holds, double seconds);
 void runFor(double seconds);
 
-/// A person at the window: sends it real mouse events and waits for what it does.
+/// Simulated user: sends real mouse events to a window and waits for its response.
 class WindowDriver {
  public:
   /// Shows a new window and waits for its first picture.
@@ -21,22 +21,22 @@ class WindowDriver {
   gui::MainWindow& window() { return *window_; }
   gui::Editor& editor() { return window_->editor(); }
 
-  /// Waits until the model belongs to the newest edit; the seconds it took. std::runtime_error when
-  /// it cannot be built.
+  /// Waits until the model belongs to the newest edit; returns the seconds. Throws
+  /// std::runtime_error if it cannot be built.
   double waitForModel();
 
   struct Drag {
     int motions = 0;
     double framesPerSecond = 0;     ///< of all frames between the first motion and the last
-    double motionMilliseconds = 0;  ///< to handle one, on average
+    double motionMilliseconds = 0;  ///< to handle one motion, on average
     double paintMilliseconds =
         0;  ///< to draw a frame, on average, without the window's other parts
   };
-  /// Drags a visible control point around for `seconds`, 60 motions a second, and lets go near
-  /// where it was. std::runtime_error when no control point can be seen.
+  /// Drags a visible control point around for `seconds`, with 60 motions a second, and releases it
+  /// near its start. Throws std::runtime_error if no control point is visible.
   Drag drag(double seconds);
   /// The same in Simulate mode: grabs the surface in the middle of the view and pulls it around.
-  /// std::runtime_error when it is not there.
+  /// Throws std::runtime_error if there is no surface.
   Drag touch(double seconds);
 
  private:

@@ -9,10 +9,10 @@
 
 namespace palpa::verification {
 
-/// One case of analytic.json: a body of a simple shape, its material, an exact field, what is
-/// prescribed region by region, and sample points. Expressions and numbers are looked up when they
-/// are needed: every member may throw nlohmann::json::exception, or ModelingError for a wrong
-/// expression, when the case does not follow resources/reference/README.md.
+/// One case of analytic.json: a body of a simple shape, its material, an exact field, boundary
+/// conditions region by region, and sample points. Expressions and numbers are evaluated on demand:
+/// every member may throw nlohmann::json::exception, or ModelingError for a wrong expression, if
+/// the case does not follow resources/reference/README.md.
 class AnalyticCase {
  public:
   explicit AnalyticCase(const nlohmann::json& source);
@@ -24,20 +24,21 @@ class AnalyticCase {
   const nlohmann::json& geometry() const { return json_.at("geometry"); }
   const nlohmann::json& source() const { return json_; }
 
-  /// A part of the surface and what is given there.
+  /// A part of the surface and the boundary condition on it.
   struct Condition {
     std::string region;  ///< or "all"
     std::string type;    ///< "displacement", "traction", or "mixed": u.n and tangential tractions
     nlohmann::json expressions;
   };
   std::vector<Condition> conditions() const;
-  /// True where the file says that any mixture of the boundary data of its field is a valid case,
-  /// and states displacements everywhere.
+  /// True if the file declares any mixture of the boundary data of its field a valid case, and
+  /// prescribes displacements everywhere.
   bool anyMixture() const;
-  /// False when displacements everywhere leave the pressure of an incompressible body open.
+  /// False if displacements are prescribed everywhere on an incompressible body, which leaves its
+  /// pressure undetermined.
   bool isDetermined() const;
 
-  /// A place where the file states the displacement.
+  /// A point with an exact displacement in the file.
   struct Point {
     bool isInside;
     Eigen::Vector3d at, displacement;  ///< mm
@@ -51,9 +52,9 @@ class AnalyticCase {
   /// u from the file; stress from its derivatives and, at nu = 0.5, the file's pressure. Refers to
   /// this object.
   ExactField exactField() const;
-  /// Largest difference between what the file states in several ways: displacements of points and
-  /// expressions, and tractions (expressions and points) and those of exactField(); over the
-  /// largest stress.
+  /// Largest contradiction within the file: between displacements of points and of expressions, and
+  /// between tractions (expressions and points) and the tractions of exactField(); over the largest
+  /// stress.
   double inconsistency() const;
 
  private:

@@ -19,7 +19,7 @@ constexpr AnalyticFamily kFamilies[] = {
     {"hollow_cylinder_plane_strain_nu0.30", {0.035, 0.04, 0.3}, {}},
     {"hollow_cylinder_plane_strain_nu0.45", {0.08, 0.08, 0.6}, {}},
     {"hollow_cylinder_plane_strain_nu0.50", {0.18, 0.2, 1.3}, {}},
-    // The area of the 28-gon is 0.84 % below that of the circle, its polar moment 1.7 %.
+    // The area of the 28-gon is 0.84 % smaller than the circle, its polar moment 1.7 %.
     {"cylinder_tension", {1e-10, 2e-3, 1e-9, 0.01}, 2e-5},
     {"cylinder_torsion_traction", {3e-3, 7e-3, 0.15, 0.025}, 3e-5, true},
     {"cylinder_torsion_displacement", {2e-4, 7e-3, 0.15, 0.025}, 3e-5},

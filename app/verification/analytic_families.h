@@ -12,18 +12,18 @@ struct TriangleTolerances {
   double resultant = 0;  ///< 0: the cases state none
 };
 
-/// Cases of analytic.json with the same field and body, whose names are `name` + "_nu0.30" and so
-/// on, and the errors allowed. There is one list for the tests and for the program.
+/// Cases of analytic.json with the same field and body, named `name` + "_nu0.30" and so on, and the
+/// errors allowed. The tests and the program share one list.
 struct AnalyticFamily {
   std::string_view name;
   TriangleTolerances triangles;
-  /// Of SplineErrors::points; none for bodies that splines do not have.
+  /// Of SplineErrors::points; none for bodies without a solid.
   std::optional<double> splines;
   bool isQuick = false;  ///< part of the short run
 };
 std::span<const AnalyticFamily> analyticFamilies();
 
-/// Cases whose names begin with `prefix` and that are not run, and why.
+/// Cases that are not run: their names begin with `prefix`.
 struct OmittedCases {
   std::string_view prefix, reason;
 };

@@ -24,17 +24,17 @@ SplineSurface surfaceOf(const AnalyticCase& body) {
   const std::string& shape = body.shape();
   const auto base = [](const Vector3d& x) { return x.z() < 1e-6; };
   if (shape == "sphere")
-    return heldWhere(app::splineSurfaceOf(modeling::makeSphere(g.at("R"), 9)), isBelow);
+    return fixedWhere(app::splineSurfaceOf(modeling::makeSphere(g.at("R"), 9)), isBelow);
   if (shape == "cylinder")
-    return heldWhere(app::splineSurfaceOf(halved(modeling::makeCylinder(g.at("R"), g.at("H")))),
-                     base);
+    return fixedWhere(app::splineSurfaceOf(halved(modeling::makeCylinder(g.at("R"), g.at("H")))),
+                      base);
   if (shape == "torus")
-    return heldWhere(app::splineSurfaceOf(makeTorus(g.at("R_major"), g.at("r_minor"))),
-                     [](const Vector3d& x) { return x.z() < -7; });
+    return fixedWhere(app::splineSurfaceOf(makeTorus(g.at("R_major"), g.at("r_minor"))),
+                      [](const Vector3d& x) { return x.z() < -7; });
   if (shape != "box")
     throw modeling::ModelingError(body.id() + ": there is no solid of a " + shape);
   const Vector3d size = vectorOf(g.at("max")) - vectorOf(g.at("min"));
-  return heldWhere(app::splineSurfaceOf(halved(halved(modeling::makeBox(size)))), base);
+  return fixedWhere(app::splineSurfaceOf(halved(halved(modeling::makeBox(size)))), base);
 }
 
 /// A body under pressure that is incompressible does not move at all: its error is compared with a

@@ -11,12 +11,12 @@ struct SplineErrors {
   double points;     ///< as TriangleErrors::points
 };
 
-/// Whether there is a solid of the case's shape; hollow ones are missing.
+/// True if there is a solid of the case's shape; hollow ones are missing.
 bool hasSolid(const AnalyticCase& body);
 
-/// Solves a case with about 400 control points. The body is held by the exact displacement on a
-/// part of its surface, whatever the case states, and has the exact tractions on the rest;
-/// integrals are good to 1e-5. Throws as AnalyticCase, and SolverError, Cancelled.
+/// Solves a case with about 400 control points. Independently of the conditions of the case, the
+/// exact displacement is prescribed on a part of the surface and the exact tractions on the rest;
+/// integrals are exact to 1e-5. Throws as AnalyticCase, and SolverError, Cancelled.
 SplineErrors solveWithSplines(const AnalyticCase& body, const Job& job);
 
 }  // namespace palpa::verification

@@ -6,6 +6,8 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
+#include "bem/dense/make_reference_problem.h"
+#include "bem/model/traction_projection.h"
 #include "bem/triangle/results.h"
 #include "modeling/error.h"
 
@@ -159,8 +161,8 @@ TriangleErrors solveWithTriangles(const AnalyticCase& body, BoundaryData data, c
                              return body.value(part.expressions, x, n);
                            },
                            kInfinity});
-  const auto problem = makeDenseReferenceProblem(mesh, slots, given.ofSlot, body.material(), {},
-                                                 Precision::kDouble, job);
+  const auto problem = makeDenseReferenceProblem(
+      mesh, slots, {given.ofSlot, body.material(), {}, Precision::kDouble}, job);
   const BoundaryField field = problem->solveField(problem->dofs().knownField(given),
                                                   ReferenceProblem::Effort::kRefined, job);
 

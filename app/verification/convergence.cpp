@@ -38,7 +38,7 @@ ConvergenceStep solveTriangles(int cells, const Job& job) {
 ConvergenceStep solveSplines(int controlPoints, const Job& job) {
   const ExactField exact = exactField();
   const SplineBody body(
-      heldWhere(app::splineSurfaceOf(modeling::makeSphere(kRadius, controlPoints)), isBelow),
+      fixedWhere(app::splineSurfaceOf(modeling::makeSphere(kRadius, controlPoints)), isBelow),
       kMaterial, exact, {1e-6}, Precision::kAutomatic, job);
   return {body.surface.coefficientCount(), std::sqrt(body.area() / body.surface.elementCount()),
           body.displacementError(exact)};

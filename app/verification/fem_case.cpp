@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/core/model/touch_model.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/field_sample.h"
 #include "app/verification/analytic_case.h"
 #include "modeling/error.h"

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/core/model/build_touch_model.h"
 #include "base/job.h"
 #include "modeling/project/project.h"
 
@@ -14,9 +15,9 @@ namespace palpa::verification {
 
 /// Relative errors of a solution of one of the cases.
 struct FemErrors {
-  double atLoad = 0;    ///< displacement at the first point, in the middle of the load
+  double atLoad = 0;    ///< displacement at the first point, the middle of the load
   double anywhere = 0;  ///< largest at any point, over the largest displacement
-  double points = 0;    ///< root mean square over all points, over that of the displacements
+  double points = 0;    ///< rms over all points, over the rms of the displacements
   double reaction = 0, energy = 0;
 
   /// `displacements`: one per point of the case.
@@ -25,7 +26,7 @@ struct FemErrors {
   FemErrors() = default;
 };
 
-/// The case as a project: body, material, supports, the load. The mesh is to be chosen.
+/// The case as a project: body, material, supports and load, without mesh settings.
 modeling::Project femProject(const nlohmann::json& reference);
 
 struct FemSolution {
@@ -34,7 +35,8 @@ struct FemSolution {
   double balance = 0;  ///< sum of all forces on the body over the largest
 };
 
-/// The whole way from a project to probes, reactions and energy. Throws as app::buildTouchModel().
+/// Builds the model of a case and compares displacements, reactions and energy. Throws as
+/// app::buildTouchModel().
 FemSolution solveFem(const nlohmann::json& reference, const modeling::MeshSettings& mesh,
                      const Job& job);
 

@@ -12,7 +12,7 @@ class ReferenceData {
  public:
   /// The files of resources/reference, which are built into the library.
   static const ReferenceData& builtIn();
-  /// The same files in a folder. Throws ModelingError when one is missing, is no JSON or has no
+  /// The same files in a folder. Throws ModelingError if a file is missing, is not JSON or has no
   /// list of cases with names.
   static ReferenceData read(const std::filesystem::path& folder);
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/core/setup/to_spline_surface.h"
+#include "bem/dense/make_reference_problem.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/solid/knot_operations.h"
 
@@ -61,8 +62,8 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
                                  !surface.barelyReaches(slot.node, slot.tag, slot.smoothingGroup)
                              ? SlotCondition::kFixed
                              : SlotCondition::kTraction);
-  problem = makeDenseReferenceProblem(surface, tractions, conditions, material, options, precision,
-                                      job, &times);
+  problem = makeDenseReferenceProblem(surface, tractions,
+                                      {conditions, material, options, precision}, job, &times);
   BoundaryConditions given(surface.coefficientCount(), slots.count());
   given.ofSlot = conditions;
   given.displacement = projectDisplacement(
@@ -174,9 +175,10 @@ modeling::Solid makeTorus(double ring, double tube) {
   return modeling::makePrimitive({modeling::TorusShape{ring, tube}});
 }
 
-SplineSurface heldWhere(SplineSurface surface, const std::function<bool(const Vector3d&)>& held) {
+SplineSurface fixedWhere(SplineSurface surface,
+                         const std::function<bool(const Vector3d&)>& isFixed) {
   for (int e = 0; e < surface.elementCount(); ++e)
-    if (held(middleOf(surface, e))) surface.setTag(e, 1);
+    if (isFixed(middleOf(surface, e))) surface.setTag(e, 1);
   return surface;
 }
 

@@ -13,8 +13,8 @@
 
 namespace palpa::verification {
 
-/// A spline body whose boundary data were taken from an exact field, and its numerical solution:
-/// displacements given where the tag is 1, tractions elsewhere, both L2-projected.
+/// A spline body with boundary data of an exact field, and its numerical solution: displacements
+/// are prescribed where the tag is 1, tractions elsewhere, both L2-projected.
 struct SplineBody {
   bem::SplineSurface surface;
   bem::SplineTractions tractions;
@@ -32,12 +32,12 @@ struct SplineBody {
   Eigen::Vector3d traction(const bem::SplinePlace& place) const;
   /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the surface.
   double displacementError(const ExactField& exact) const;
-  /// The same of the exact field's L2 projection: no other function of the space is nearer.
+  /// displacementError() of the exact field's L2 projection, the smallest error in the space.
   double leastDisplacementError(const ExactField& exact) const;
-  /// The same of the tractions, with the surface's true normals.
+  /// The same norm of the error of the tractions, with the surface's exact normals.
   double tractionError(const ExactField& exact) const;
   double area() const;  ///< mm^2
-  /// Force (N) of the tractions on the held elements.
+  /// Force (N) of the tractions on the fixed elements.
   Eigen::Vector3d reaction() const;
 };
 
@@ -46,13 +46,13 @@ std::vector<int> allElements(const bem::SplineSurface& surface);
 /// Position of the middle of an element's range of parameters, mm.
 Eigen::Vector3d middleOf(const bem::SplineSurface& surface, int element);
 
-/// The lowest one of the six patches of a sphere about the origin, or face of its cube.
+/// True on the lowest of the six patches of a sphere about the origin, or face of its cube.
 bool isBelow(const Eigen::Vector3d& x);
 modeling::Solid makeTorus(double ring, double tube);
 
-/// Elements whose middle fulfils `held` get the tag 1.
-bem::SplineSurface heldWhere(bem::SplineSurface surface,
-                             const std::function<bool(const Eigen::Vector3d&)>& held);
+/// The surface with the tag 1 for elements whose centre is fixed.
+bem::SplineSurface fixedWhere(bem::SplineSurface surface,
+                              const std::function<bool(const Eigen::Vector3d&)>& isFixed);
 
 /// The place nearest to a point, by ever finer sampling of every element.
 bem::SplinePlace nearestPlace(const bem::SplineSurface& surface, const Eigen::Vector3d& point);

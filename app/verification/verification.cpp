@@ -42,7 +42,7 @@ const OmittedCases* omissionOf(const std::string& id) {
   return nullptr;
 }
 
-/// A task that takes its time, and whose wrong reference data are the world's fault.
+/// A task that measures its time and reports wrong reference data as a ModelingError.
 Task task(const std::string& name, const std::string& engine, const std::string& data,
           std::function<void(Result&, const Job&)> solve) {
   return {name, engine, [=](const Job& job) {
@@ -193,7 +193,7 @@ void addConvergence(const Selection& selection, Plan& plan) {
   if (selection.splines) add(Engine::kSplines);
 }
 
-/// The cases of a file that are named; without names all, or those of a short run that `isQuick`
+/// The named cases of a file; without names all cases, or in a short run the ones that `isQuick`
 /// accepts.
 template <class IsQuick>
 std::vector<json> selected(const json& cases, const Selection& selection, const IsQuick& isQuick) {

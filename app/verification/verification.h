@@ -16,7 +16,7 @@ struct Selection {
   bool triangles = true, splines = true;
   /// Names of cases, or of families of cases ("kelvin_exterior_sphere"); none: all.
   std::vector<std::string> names;
-  /// A few cases, one material each, coarser where that is stated. With names: those, but shorter.
+  /// A few cases, one material each, some on coarser meshes. With names: the short form of these.
   bool isQuick = false;
 };
 
@@ -24,8 +24,7 @@ struct Selection {
 struct Task {
   std::string name;
   std::string engine;  ///< as Result::engine
-  /// Throws ModelingError when the reference data are not as they should be; SolverError,
-  /// Cancelled.
+  /// Throws ModelingError if the reference data are malformed; SolverError, Cancelled.
   std::function<Result(const Job&)> run;
 };
 
@@ -34,13 +33,13 @@ struct Omitted {
 };
 
 struct Plan {
-  std::vector<Task> tasks;       ///< with what they need of the reference data
-  std::vector<Omitted> omitted;  ///< selected cases, some for one engine alone
+  std::vector<Task> tasks;       ///< with their copies of the reference data
+  std::vector<Omitted> omitted;  ///< selected cases, some for one engine only
 };
 
-/// What a selection of cases comes to; cases in the order of the files, each with triangles first,
-/// then the series of refinements. Throws ModelingError when a name is not known (the message lists
-/// those that are) or a file has cases of unknown families.
+/// Tasks of a selection: cases in the order of the files, each with triangles first, then the
+/// series of refinements. Throws ModelingError if a name is unknown (the message lists the known
+/// names) or a file has cases of unknown families.
 Plan makePlan(const ReferenceData& reference, const Selection& selection);
 
 /// Names of families and cases that a selection may have, without the materials of each family.

@@ -12,10 +12,10 @@ struct CalculixResult {
   double peakBytes = 0;  ///< of the program
 };
 
-/// Pushes a body of quadratic tetrahedra, held at its tagged faces, with a force of 1 N in the
+/// Pushes a body of quadratic tetrahedra, fixed at its tagged faces, with a force of 1 N in the
 /// shape of a contact's mask, computed by CalculiX (G. Dhondt, The Finite Element Method for
-/// Three-Dimensional Thermomechanical Applications, 2004), the program ccx. std::runtime_error when
-/// it is not installed or fails.
+/// Three-Dimensional Thermomechanical Applications, 2004), the program ccx. Throws
+/// std::runtime_error if it is not installed or fails.
 CalculixResult pushWithCalculix(const TetrahedralMesh& mesh, const bem::Material& material,
                                 const Eigen::Vector3d& at, double radius,
                                 const Eigen::Vector3d& direction);

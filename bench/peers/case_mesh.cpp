@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "modeling/mesh/mesh.h"
+
 namespace palpa::bench {
 
 using Eigen::Vector3d;
@@ -25,7 +27,8 @@ modeling::Project projectOf(const PeerCase& body, modeling::Engine engine, doubl
 app::BoundarySetup triangleSetup(const PeerCase& body, double size) {
   const modeling::Project project = projectOf(body, modeling::Engine::kTriangles, size);
   return app::makeBoundarySetup(
-      project, modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
+      app::ProjectGeometry(project),
+      modeling::mesh(project.body, project.mesh, modeling::meshRegions(project)));
 }
 
 double stiffnessError(const PeerCase& body, const Eigen::Matrix3d& compliance) {

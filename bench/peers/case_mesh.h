@@ -8,14 +8,13 @@
 namespace palpa::bench {
 
 /// The case's project: triangles with edges of `size` mm, or splines for a relative accuracy of
-/// `size` that know of the touch.
+/// `size`, refined for the touch.
 modeling::Project projectOf(const PeerCase& body, modeling::Engine engine, double size);
 
-/// Its triangles with supports and loads as Palpa meshes them: what all methods but the splines
-/// work on.
+/// The case's triangle mesh with supports and loads, used by all methods except the splines.
 app::BoundarySetup triangleSetup(const PeerCase& body, double size);
 
-/// Errors of a touch's compliance against the case's reference, as that of the force, relative.
+/// Relative error of the force of a touch, from its compliance and the case's reference.
 double stiffnessError(const PeerCase& body, const Eigen::Matrix3d& compliance);
 
 /// Relative L2 error of displacements, summed over points of the surface.

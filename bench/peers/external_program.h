@@ -6,19 +6,19 @@
 
 namespace palpa::bench {
 
-/// Where a program is on the PATH; empty when it is not installed.
+/// Path of a program on the PATH; empty if it is not installed.
 std::string findProgram(const std::string& name);
 
 struct ProgramRun {
   double seconds = 0;
   double peakBytes = 0;  ///< largest resident size
 };
-/// Runs a program in a folder and waits for it; what it prints goes to the file `log` there.
-/// std::runtime_error with the end of that file when it fails.
+/// Runs a program in a folder and waits for it; its output goes to the file `log` in the folder.
+/// Throws std::runtime_error with the end of this file if it fails.
 ProgramRun runProgram(const std::vector<std::string>& command, const std::filesystem::path& folder,
                       const std::string& log);
 
-/// An empty folder for files that programs exchange, removed in the end.
+/// Temporary folder for files that programs exchange; the destructor removes it.
 class ExchangeFolder {
  public:
   ExchangeFolder();

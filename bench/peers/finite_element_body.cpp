@@ -20,9 +20,9 @@ std::vector<int> allFaces(const TetrahedralMesh& mesh) {
 }  // namespace
 
 VectorXd FiniteElementBody::solve(const Displacement& displacement, const Traction& traction) {
-  VectorXd forces = VectorXd::Zero(unknowns()), held = VectorXd::Zero(3 * elements_.heldCount);
+  VectorXd forces = VectorXd::Zero(unknowns()), held = VectorXd::Zero(3 * elements_.fixedCount);
   for (int k = 0; k < mesh_.nodeCount(); ++k)
-    if (const int at = elements_.heldOfNode[k]; at >= 0)
+    if (const int at = elements_.fixedOfNode[k]; at >= 0)
       held.segment<3>(3 * at) = displacement(mesh_.nodes[k]);
   std::vector<int> faces = allFaces(mesh_);
   std::erase_if(faces, [&](int face) { return mesh_.tags[face] != 0; });
@@ -40,7 +40,7 @@ VectorXd FiniteElementBody::solve(const Displacement& displacement, const Tracti
     if (const int at = elements_.freeOfNode[k]; at >= 0)
       u.segment<3>(3 * k) = free.segment<3>(3 * at);
     else
-      u.segment<3>(3 * k) = held.segment<3>(3 * elements_.heldOfNode[k]);
+      u.segment<3>(3 * k) = held.segment<3>(3 * elements_.fixedOfNode[k]);
   }
   return u;
 }

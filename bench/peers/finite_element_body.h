@@ -8,9 +8,9 @@
 
 namespace palpa::bench {
 
-/// A body of tetrahedra that is held at its tagged faces and can be touched as Palpa's: with the
-/// traction mask of bem/contact/contact_mask.h, whose forces and conjugate displacements are
-/// related by D = F^T K^-1 F with the nodal forces F of the mask.
+/// A body of tetrahedra that is fixed at its tagged faces and can be touched like Palpa's models:
+/// with the traction mask of bem/contact/contact_mask.h, whose forces and conjugate displacements
+/// are related by D = F^T K^-1 F with the nodal forces F of the mask.
 class FiniteElementBody {
  public:
   using Displacement = std::function<Eigen::Vector3d(const Eigen::Vector3d& position)>;
@@ -30,7 +30,7 @@ class FiniteElementBody {
   /// (MPa) on the others.
   Eigen::VectorXd solve(const Displacement& displacement, const Traction& traction);
 
-  /// A touch at a place: forces first.
+  /// Compliance of a touch at a place.
   struct Touch {
     Eigen::Matrix3d compliance;  ///< D, mm/N
     Eigen::MatrixXd half;        ///< L^-1 P F
@@ -39,8 +39,8 @@ class FiniteElementBody {
   /// Displacements of the free nodes for a force of the touch, N.
   Eigen::VectorXd field(const Touch& touch, const Eigen::Vector3d& force);
 
-  /// Displacements of some free nodes of the mesh by unit forces on each of them: what touches
-  /// among them need, once for all. Symmetric.
+  /// Displacements of some free nodes of the mesh by unit forces on each of them, sufficient for
+  /// all touches among them. Symmetric.
   Eigen::MatrixXd condensedCompliance(const std::vector<int>& nodes);
 
  private:
@@ -49,7 +49,7 @@ class FiniteElementBody {
   SparseCholesky cholesky_;
 };
 
-/// Error of displacements of all nodes on the surface against the exact ones, in L2, relative.
+/// Relative L2 error of the displacements of all nodes on the surface.
 double surfaceError(const TetrahedralMesh& mesh, const Eigen::VectorXd& u,
                     const FiniteElementBody::Displacement& exact);
 

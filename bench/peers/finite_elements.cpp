@@ -60,7 +60,7 @@ std::vector<std::vector<int>> neighbours(const TetrahedralMesh& mesh, const Job&
       found[t[a]].insert(found[t[a]].end(), t.begin(), t.begin() + size);
   constexpr std::ptrdiff_t kNodesPerTask = 1000;
   const auto count = static_cast<std::ptrdiff_t>(found.size());
-  parallelFor((count + kNodesPerTask - 1) / kNodesPerTask, job, "", [&](std::ptrdiff_t task) {
+  parallelFor((count + kNodesPerTask - 1) / kNodesPerTask, job, [&](std::ptrdiff_t task) {
     for (auto k = task * kNodesPerTask; k < std::min(count, (task + 1) * kNodesPerTask); ++k) {
       std::sort(found[k].begin(), found[k].end());
       found[k].erase(std::unique(found[k].begin(), found[k].end()), found[k].end());
@@ -111,26 +111,25 @@ void assemble(const TetrahedralMesh& mesh, const bem::Material& material, const 
               FiniteElements& fem) {
   const double nu = material.poissonRatio, mu = material.shear();
   const double lambda = 2 * mu * nu / (1 - 2 * nu);
-  // Element by element on all threads, then added by as many, each to columns of its own.
+  // Element by element on all threads, then added on all threads, each to its columns.
   constexpr std::size_t kElements = 2048;
   constexpr std::ptrdiff_t kElementsPerTask = 128, kParts = 16;
   std::vector<Eigen::Matrix<double, 3 * Nodes, 3 * Nodes>> matrices(kElements);
   for (std::size_t first = 0; first < mesh.tetrahedra.size(); first += kElements) {
     const auto count =
         static_cast<std::ptrdiff_t>(std::min(kElements, mesh.tetrahedra.size() - first));
-    parallelFor(
-        (count + kElementsPerTask - 1) / kElementsPerTask, job, "", [&](std::ptrdiff_t task) {
-          for (auto k = task * kElementsPerTask; k < std::min(count, (task + 1) * kElementsPerTask);
-               ++k)
-            matrices[k] =
-                ElementStiffness<Nodes>(mesh, mesh.tetrahedra[first + k], lambda, mu).stiffness;
-        });
-    parallelFor(kParts, job, "", [&](std::ptrdiff_t part) {
+    parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, [&](std::ptrdiff_t task) {
+      for (auto k = task * kElementsPerTask; k < std::min(count, (task + 1) * kElementsPerTask);
+           ++k)
+        matrices[k] =
+            ElementStiffness<Nodes>(mesh, mesh.tetrahedra[first + k], lambda, mu).stiffness;
+    });
+    parallelFor(kParts, job, [&](std::ptrdiff_t part) {
       for (std::ptrdiff_t k = 0; k < count; ++k) {
         const auto& nodes = mesh.tetrahedra[first + k];
         for (int b = 0; b < Nodes; ++b) {
           if (nodes[b] % kParts != part) continue;
-          const int free = fem.freeOfNode[nodes[b]], held = fem.heldOfNode[nodes[b]];
+          const int free = fem.freeOfNode[nodes[b]], held = fem.fixedOfNode[nodes[b]];
           for (int a = 0; a < Nodes; ++a) {
             const int row = fem.freeOfNode[nodes[a]];
             if (row < 0 || (free >= 0 && row < free)) continue;
@@ -150,18 +149,18 @@ void assemble(const TetrahedralMesh& mesh, const bem::Material& material, const 
 
 FiniteElements::FiniteElements(const TetrahedralMesh& mesh, const bem::Material& material,
                                const Job& job)
-    : freeOfNode(mesh.nodes.size(), -1), heldOfNode(mesh.nodes.size(), -1) {
+    : freeOfNode(mesh.nodes.size(), -1), fixedOfNode(mesh.nodes.size(), -1) {
   std::vector<char> isHeld(mesh.nodes.size(), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     for (int k = 0; mesh.tags[f] != 0 && k < mesh.faceNodes(); ++k) isHeld[mesh.faces[f][k]] = 1;
   std::vector<int> freeNodes, heldNodes;
   for (int k = 0; k < mesh.nodeCount(); ++k) {
     std::vector<int>& list = isHeld[k] ? heldNodes : freeNodes;
-    (isHeld[k] ? heldOfNode : freeOfNode)[k] = static_cast<int>(list.size());
+    (isHeld[k] ? fixedOfNode : freeOfNode)[k] = static_cast<int>(list.size());
     list.push_back(k);
   }
   freeCount = static_cast<int>(freeNodes.size());
-  heldCount = static_cast<int>(heldNodes.size());
+  fixedCount = static_cast<int>(heldNodes.size());
   const auto near = neighbours(mesh, job);
   stiffness = blockPattern(freeCount, freeNodes, true, near, freeOfNode);
   coupling = blockPattern(freeCount, heldNodes, false, near, freeOfNode);

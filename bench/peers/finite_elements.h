@@ -10,15 +10,15 @@
 namespace palpa::bench {
 
 /// Linear elasticity on tetrahedra with linear or quadratic isoparametric displacements, with the
-/// nodes of tagged faces held. Unknowns: three per free node, in the order of the nodes.
+/// nodes of tagged faces fixed. Unknowns: three per free node, in the order of the nodes.
 struct FiniteElements {
-  std::vector<int> freeOfNode;  ///< place of a node among the free ones; -1: held
-  std::vector<int> heldOfNode;  ///< the same among those held
-  int freeCount = 0, heldCount = 0;
+  std::vector<int> freeOfNode;   ///< index of a node among the free nodes; -1: fixed
+  std::vector<int> fixedOfNode;  ///< index among the fixed nodes; -1: free
+  int freeCount = 0, fixedCount = 0;
 
   /// Lower triangle of the stiffness of the free nodes, N/mm.
   Eigen::SparseMatrix<double> stiffness;
-  /// Stiffness that couples free nodes (rows) to those held.
+  /// Stiffness that couples free nodes (rows) to fixed nodes.
   Eigen::SparseMatrix<double> coupling;
 
   /// Assembles on the job's threads.

@@ -8,7 +8,7 @@ namespace palpa::bench {
 /// LU factorisation of a dense matrix in double precision by LAPACK's dgetrf.
 class LapackLu {
  public:
-  /// std::runtime_error when the matrix is singular.
+  /// Throws std::runtime_error if the matrix is singular.
   explicit LapackLu(Eigen::MatrixXd matrix);
   /// Replaces right-hand sides by the solutions.
   void solve(Eigen::MatrixXd& right) const;

@@ -6,6 +6,7 @@
 #include "app/core/live/touch_field.h"
 #include "app/core/live/touch_stepper.h"
 #include "app/core/live/touchable_model.h"
+#include "app/core/model/build_touch_model.h"
 #include "bem/contact/bilateral_contact_solver.h"
 #include "bem/model/traction_projection.h"
 #include "bem/spline/spline_discretisation.h"
@@ -105,8 +106,8 @@ Eigen::Matrix3d complianceOf(const PeerCase& body, const app::TouchableModel& to
   return compliance;
 }
 
-void prepare(const app::TouchableModel& body, app::TouchStepper& player) {
-  while (!player.missing().empty()) body.columns()->compute(player.missing(), {});
+void prepare(const app::TouchableModel& body, app::TouchStepper& stepper) {
+  while (!stepper.missing().empty()) body.columns()->compute(stepper.missing(), {});
 }
 
 /// New touches at places without columns, then one that slides.
@@ -117,21 +118,21 @@ void measureTouches(const PeerCase& body, const std::shared_ptr<const app::Touch
   const int before = touched->columns()->readyCount();
   double columns = 0;
   for (const Vector3d& at : body.places) {
-    app::TouchStepper player(touched);
-    player.step();
+    app::TouchStepper stepper(touched);
+    stepper.step();
     begins.push_back(secondsFor([&] {
-      player.apply({Command::Kind::kBegin, 1, {Kind::kGrab, radius}, at, Vector3d(0, 0, 0.5)});
-      columns += secondsFor([&] { prepare(*touched, player); });
-      player.step();
+      stepper.apply({Command::Kind::kBegin, 1, {Kind::kGrab, radius}, at, Vector3d(0, 0, 0.5)});
+      columns += secondsFor([&] { prepare(*touched, stepper); });
+      stepper.step();
     }));
   }
   row.values["touch"] = quantilesOf(begins).p50;
   row.values["column"] = columns / (touched->columns()->readyCount() - before);
 
-  app::TouchStepper player(touched);
+  app::TouchStepper stepper(touched);
   app::TouchField field(touched);
   app::TouchSnapshot snapshot;
-  player.apply({Command::Kind::kBegin, 1, {Kind::kPush, radius, 0}, body.path[0], body.path[0]});
+  stepper.apply({Command::Kind::kBegin, 1, {Kind::kPush, radius, 0}, body.path[0], body.path[0]});
   std::vector<double> steps, fields;
   // Once to compute the columns that the path needs, then to look at the time.
   for (const bool isTimed : {false, true, true})
@@ -139,12 +140,12 @@ void measureTouches(const PeerCase& body, const std::shared_ptr<const app::Touch
       const bem::ContactSurface& surface = touched->surface();
       const Vector3d tip = at - kDepth * surface.normal(surface.nearest(at));
       const double step = secondsFor([&] {
-        player.apply({Command::Kind::kSet, 1, {}, {0, 0, 0}, tip});
-        player.step();
+        stepper.apply({Command::Kind::kSet, 1, {}, {0, 0, 0}, tip});
+        stepper.step();
       });
-      player.describe(snapshot);
+      stepper.describe(snapshot);
       const double display = secondsFor([&] { field.displacements(snapshot); });
-      prepare(*touched, player);
+      prepare(*touched, stepper);
       if (!isTimed) continue;
       steps.push_back(step);
       fields.push_back(display);

@@ -1,6 +1,6 @@
 // Palpa beside others on the same bodies and the same surface meshes: what an edit costs until the
 // body can be touched, what touches cost, memory, and errors against solutions that are known.
-// Every measurement runs in a process of its own, so that its memory is its own.
+// Every measurement runs in a separate process, so that memory is measured separately.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -83,7 +83,7 @@ class PeerBench {
       const bench::ExchangeFolder folder;
       std::ostringstream length;
       length << size;
-      // This program, even when it was built anew meanwhile.
+      // This program, even if it was rebuilt meanwhile.
       bench::runProgram({"/proc/self/exe", "--references", references_, "--one", method.name,
                          "--body", body, "--size", length.str()},
                         folder.path(), "row.txt");

@@ -10,7 +10,7 @@ namespace palpa::bench {
 /// whichever fills less. Not thread-safe.
 class SparseCholesky {
  public:
-  /// `lower`: the lower triangle of A. std::runtime_error unless A is positive definite.
+  /// `lower`: the lower triangle of A. Throws std::runtime_error unless A is positive definite.
   explicit SparseCholesky(const Eigen::SparseMatrix<double>& lower);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;
@@ -23,7 +23,7 @@ class SparseCholesky {
   /// Its second half, P^T L^-T y.
   Eigen::MatrixXd solveBackward(const Eigen::MatrixXd& y);
 
-  const char* ordering() const;  ///< that was taken: "AMD" or "METIS"
+  const char* ordering() const;  ///< the chosen one: "AMD" or "METIS"
   double entries() const;        ///< of L
 
  private:

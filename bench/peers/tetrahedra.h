@@ -14,11 +14,11 @@ namespace palpa::bench {
 /// A body of tetrahedra with 4 or 10 nodes each, whose surface is a given triangle mesh.
 ///
 /// Nodes of a tetrahedron: 4 corners, then the middles of the edges 01, 12, 20, 03, 13, 23. Nodes
-/// of a face: 3 corners, then the middles of 01, 12, 20. Those of linear elements are left at 0
-/// beyond the corners.
+/// of a face: 3 corners, then the middles of 01, 12, 20. In linear elements the nodes after
+/// the corners are 0.
 struct TetrahedralMesh {
   bool isQuadratic = false;
-  std::vector<Eigen::Vector3d> nodes;  ///< mm; first those of the surface, then those inside
+  std::vector<Eigen::Vector3d> nodes;  ///< mm; surface nodes first, then inner nodes
   std::vector<std::array<int, 10>> tetrahedra;
   std::vector<std::array<int, 6>> faces;  ///< as the triangles of the surface
   std::vector<int> tags;                  ///< of the faces: 0 where tractions are given
@@ -29,13 +29,13 @@ struct TetrahedralMesh {
   double volume() const;  ///< mm^3, of the tetrahedra with straight edges
 };
 
-/// Where the middle of an edge of the surface belongs, from its ends and the normal of one of its
+/// Position of the middle of an edge of the surface, from its ends and the normal of one of its
 /// triangles, mm.
 using EdgeMiddle = std::function<Eigen::Vector3d(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                                  const Eigen::Vector3d& faceNormal)>;
 
-/// Nodes in the middles of all edges. Those on the surface are moved to where `middle` says, unless
-/// that would turn a tetrahedron inside out; without `middle` edges stay straight.
+/// Adds nodes in the middles of all edges. Nodes on the surface move to the positions of `middle`,
+/// unless a tetrahedron would turn inside out; without `middle` edges stay straight.
 TetrahedralMesh makeQuadratic(const TetrahedralMesh& linear, const EdgeMiddle& middle);
 
 /// Values of the functions of a face at barycentric coordinates, faceNodes() of them, and the

@@ -35,9 +35,9 @@ struct TetrahedronPoint {
   double weight;  ///< of the volume
 };
 
-/// One point for linear elements; four for quadratic ones, exact for polynomials of degree 2 and so
-/// for the stiffness of those with straight edges (Zienkiewicz & Taylor, The Finite Element Method,
-/// table 6.3; CalculiX takes the same).
+/// One point for linear elements; four for quadratic ones, exact for polynomials of degree 2 and
+/// thus for the stiffness of elements with straight edges (Zienkiewicz & Taylor, The Finite Element
+/// Method, table 6.3; CalculiX takes the same).
 inline std::span<const TetrahedronPoint> tetrahedronRule(bool isQuadratic) {
   constexpr double kNear = 0.58541019662496845,
                    kFar = 0.13819660112501052;  // (5 + 3 √5) / 20, (5 - √5) / 20

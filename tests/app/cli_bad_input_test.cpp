@@ -47,7 +47,7 @@ const Json kEverySide =
 INSTANTIATE_TEST_SUITE_P(
     Kinds, CliBadProject,
     testing::Values(
-        BadInput{"no_supports", [](Json& p) { p["supports"] = Json::array(); }, 4, {"held"}},
+        BadInput{"no_supports", [](Json& p) { p["supports"] = Json::array(); }, 4, {"not fixed"}},
         BadInput{"held_only_partly",
                  [](Json& p) { p["supports"][0]["kind"] = "roller"; },
                  4,
@@ -103,10 +103,10 @@ TEST(CliBadInput, FilesThatAreNoProjects) {
   }
 }
 
-TEST(CliBadInput, AProbeFarFromTheSurface) {
+TEST(CliBadInput, ASampleFarFromTheSurface) {
   const Runner cli;
   cli.run("new box --edge-length 8 -o p.json");
-  const Outcome outcome = cli.run("solve p.json --probe 500,0,0");
+  const Outcome outcome = cli.run("solve p.json --sample 500,0,0");
   EXPECT_EQ(outcome.exitCode, 3);
   EXPECT_NE(outcome.err.find("500"), std::string::npos) << outcome.err;
 }

@@ -1,4 +1,4 @@
-// Ctrl-C: the first one stops the work in an orderly way, within a moment.
+// Ctrl-C stops the work in an orderly way, within a moment.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ TEST(CliCancel, AnInterruptEndsWithItsOwnExitCode) {
   const std::chrono::duration<double> waited = Clock::now() - start;
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 5);
-  // Usually a tenth of a second; a virtual machine may need seconds to hand out fresh memory.
+  // Usually a tenth of a second; a virtual machine may need seconds to provide memory.
   EXPECT_LT(waited.count(), 6.0);
 }
 

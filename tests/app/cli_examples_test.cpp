@@ -1,4 +1,4 @@
-// The example projects: made from their scripts, sound, touched.
+// The example projects: reproducible from their scripts, valid, and touchable.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,8 +52,7 @@ TEST_P(CliExample, IsSoundAndInEquilibriumWhenTouched) {
   ASSERT_GE(touched.at("contacts").size(), 1u);
   for (const Json& contact : touched.at("contacts")) EXPECT_GT(norm(contact.at("force_N")), 0.0);
   // The contacts and the supports balance up to the error of a coarse mesh. The finger is bent: the
-  // couple of forces in its base is many times the force at its tip, which the error is compared
-  // to.
+  // couple of forces in its base is many times the force at its tip, the reference of the error.
   const double most = GetParam() == "gripper-finger" ? 0.05 : 0.01;
   EXPECT_LE(touched.at("relative_balance").get<double>(), most);
 }

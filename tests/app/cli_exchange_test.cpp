@@ -6,7 +6,7 @@
 namespace palpa::cli_tests {
 namespace {
 
-/// Files as another program wrote them.
+/// Files of other programs.
 std::string foreign(const std::string& name) {
   return std::filesystem::absolute("data/cad/" + name).string();
 }
@@ -102,7 +102,7 @@ TEST_F(CliExchange, MistakesHaveTheirExitCodes) {
   EXPECT_EQ(code("convert b.json -o b.xyz"), 3);
   EXPECT_EQ(code("export b.json -o no/such/folder/b.step"), 3);
   EXPECT_EQ(code("convert " + foreign("bored_cylinder.step") + " -o b.stl --edge-length 1e-5"), 4);
-  // Standard output holds the report alone, whatever OpenCASCADE has to say.
+  // Standard output holds only the report, without messages of OpenCASCADE.
   EXPECT_TRUE(cli_.run("import bad.step").out.empty());
 }
 

@@ -21,7 +21,7 @@ TEST_F(CliProject, NewMakesValidProjectsWithNamedPatches) {
     EXPECT_EQ(made.exitCode, 0) << made.err;
     const Json project = cli_.readJson("p.json");
     EXPECT_EQ(project.at("format"), "palpa-project");
-    EXPECT_EQ(project.at("version"), 2);
+    EXPECT_EQ(project.at("version"), 3);
     std::string names;
     for (const Json& patch : project.at("solid").at("patches")) {
       names += patch.at("name").get<std::string>() + " ";
@@ -78,7 +78,7 @@ TEST_F(CliProject, PaintedSupportsGoAllTheWay) {
   EXPECT_LT(touched.at("contacts")[0].at("force_N")[2].get<double>(), 0.0);
   EXPECT_LE(touched.at("relative_balance").get<double>(), 0.02);
 
-  // Painted beside the body: named, and nothing else is done.
+  // Painted beside the body: the command names the region and stops.
   project["supports"][0]["where"] =
       Json::parse(R"({"stroke": {"points_mm": [[0, 0, -60]], "radius_mm": 5}})");
   cli_.writeJson("p.json", project);
@@ -115,7 +115,7 @@ TEST_F(CliProject, CheckFindsAControlPointPulledThroughTheOtherSide) {
   EXPECT_TRUE(found) << report;
   const Outcome text = cli_.run("check p.json");
   EXPECT_EQ(text.exitCode, 3);
-  EXPECT_NE(text.out.find("error      the surface cuts through itself near ("), std::string::npos);
+  EXPECT_NE(text.out.find("error      the surface intersects itself near ("), std::string::npos);
 }
 
 TEST_F(CliProject, NewWithoutAFileWritesTheProjectToStandardOutput) {
@@ -187,21 +187,20 @@ TEST_F(CliProject, NewMakesEveryShape) {
     EXPECT_EQ(cli_.readJson("p.json").at("primitive").at("kind"), kind);
     EXPECT_NEAR(cli_.runJson("info p.json").at("volume_mm3").get<double>() / volume, 1.0, 2e-3)
         << arguments;
-    // Held, so that it can be touched at once.
+    // With a support, so that it can be touched at once.
     EXPECT_EQ(cli_.run("check p.json").exitCode, 0) << arguments;
   }
 }
 
 TEST_F(CliProject, NewSaysWhatIsWrongWithAProfile) {
   const std::vector<std::pair<std::string, std::string>> files{
-      {R"({"degree": 3, "knots": [0, 1], "points_mm": [[0, 0], [1, "a"]]})",
+      {R"({"degree": 3, "knots": [0, 0, 1, 1], "points_mm": [[0, 0], [1, "a"]]})",
        R"(points_mm[1][1]: found "a", expected a number)"},
-      {R"({"degree": 9, "knots": [], "points_mm": []})",
-       "degree: found 9, expected a whole number from 1 to 5"},
-      {R"({"degree": 3, "knots": []})", R"(the key "points_mm" is missing)"},
+      {R"({"degree": 9, "knots": [], "points_mm": []})", "degree: found 9, expected at most 5"},
+      {R"({"degree": 3, "knots": []})", "points_mm: is missing"},
       {R"({"degree": 1, "knots": [], "points_mm": [], "weights": []})", "weights: unknown key"},
-      {R"({"degree": 1, "knots": [0, 0, 1, 1], "points_mm": [[1, 2, 3]]})",
-       "points_mm[0]: found 3 numbers, expected 2"},
+      {R"({"degree": 1, "knots": [0, 0, 1, 1], "points_mm": [[1, 2, 3], [1, 2]]})",
+       "points_mm[0]: found a list of 3, expected 2 entries"},
       {R"({"degree": 1, "knots": [0, 0, 1, 2, 2], "points_mm": [[5, 0], [0, 10], [5, 20]]})",
        "the curve touches the axis near z = 10 mm"},
       {"[1, 2", "truncated"},
@@ -280,7 +279,7 @@ TEST_F(CliProject, TheManualPageAndTheCompletionKnowEveryCommandAndOption) {
     EXPECT_NE(completion.out.find(word), std::string::npos) << word;
   }
   EXPECT_EQ(cli_.run("--help").out.find("--manual"), std::string::npos);
-  // What the shell asks of it.
+  // Completions of two lines in a shell.
   cli_.write("completion", completion.out +
                                "COMP_WORDS=(palpa-cli touch --fr); COMP_CWORD=2; _palpa_cli\n"
                                "[[ ${COMPREPLY[*]} == --friction ]] || exit 1\n"

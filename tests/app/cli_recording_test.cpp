@@ -1,4 +1,4 @@
-// palpa-cli touch --recording: the report, the table, and what is refused.
+// palpa-cli touch --recording: the report, the table, and refused files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,9 +32,9 @@ TEST(CliRecording, SaysWhatEveryContactDid) {
   EXPECT_EQ(report.at("unconverged_steps"), 0);
   const Json& contacts = report.at("contacts");
   ASSERT_EQ(contacts.size(), 3u);
-  const char* kinds[] = {"grab", "push", "probe"};
+  const char* kinds[] = {"grab", "push", "ball"};
   for (int k = 0; k < 3; ++k) EXPECT_EQ(contacts[k].at("kind"), kinds[k]);
-  // As the recording says: a push is begun before step 60 and ends before step 345.
+  // In the recording a push begins before step 60 and ends before step 345.
   EXPECT_DOUBLE_EQ(contacts[1].at("from_s").get<double>(), 0.06);
   EXPECT_DOUBLE_EQ(contacts[1].at("to_s").get<double>(), 0.344);
   EXPECT_EQ(contacts[1].at("friction"), 0.3);
@@ -62,7 +62,7 @@ TEST(CliRecording, TheTableHasTheSameBytesOnAnyNumberOfThreads) {
     EXPECT_TRUE(table == first) << threads << " threads";
   }
   const auto lines = linesOf(first);
-  // One line for every contact of every step: 400 + (345 - 60) + (380 - 200), and the names.
+  // One line for every contact of every step: 400 + (345 - 60) + (380 - 200), and the header.
   EXPECT_EQ(lines.size(), 866u);
   EXPECT_EQ(lines[0].find("time_s,contact,kind,status,"), 0u);
   EXPECT_EQ(lines[1].find("0,1,grab,holding,"), 0u) << lines[1];

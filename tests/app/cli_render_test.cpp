@@ -1,4 +1,4 @@
-// palpa-cli render, and the plot of verify. What the pictures look like is tested in tests/render.
+// palpa-cli render, and the plot of verify. tests/render tests the contents of pictures.
 #include <gtest/gtest.h>
 
 #include "tests/app/cli_runner.h"

@@ -8,13 +8,13 @@ namespace palpa::cli_tests {
 
 using Json = nlohmann::ordered_json;
 
-/// What one call of palpa-cli left behind.
+/// Result of one call of palpa-cli.
 struct Outcome {
   int exitCode = -1;
   std::string out;
   std::string err;
 
-  /// The standard output as JSON; a failed test (and null) when it is not one object.
+  /// The standard output as JSON; a failed test (and null) if it is not one object.
   Json json() const;
 };
 
@@ -26,8 +26,8 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Runs palpa-cli in the folder; `arguments` are written as in a shell. `prefix` stands in front
-  /// of the program: variables or a wrapper.
+  /// Runs palpa-cli in the folder; `arguments` are quoted as in a shell; `prefix` precedes the
+  /// program: variables or a wrapper.
   Outcome run(const std::string& arguments, const std::string& prefix = "") const;
 
   /// Runs with --json, expects exit code 0 and returns the object.

@@ -1,4 +1,4 @@
-// palpa-cli solve and touch: the contract of their JSON, and answers a person can check.
+// palpa-cli solve and touch: the keys of their JSON, and results that can be checked by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 class CliSimulation : public testing::Test {
  protected:
-  /// A box 40 × 30 × 20 (mm), E = 1 MPa, nu = 0.3, held by rollers so that a uniform pressure on
+  /// A box 40 × 30 × 20 (mm), E = 1 MPa, nu = 0.3, on rollers so that a uniform pressure on
   /// top compresses it without any shear.
   void writeOedometer() const {
     cli_.run(
@@ -30,7 +30,7 @@ class CliSimulation : public testing::Test {
   Runner cli_;
 };
 
-/// What must hold with either engine.
+/// Tests that pass with either engine.
 class CliEngine : public CliSimulation, public testing::WithParamInterface<std::string> {
  protected:
   static std::string engine() { return "--engine " + GetParam(); }
@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, CliEngine, testing::Values("spline", "triangle
 
 TEST_P(CliEngine, SolveFulfilsItsContractAndAnExactSolution) {
   writeOedometer();
-  const Json report = cli_.runJson("solve p.json --probe 0,0,20 --probe 20,-3,10 " + engine());
+  const Json report = cli_.runJson("solve p.json --sample 0,0,20 --sample 20,-3,10 " + engine());
   EXPECT_EQ(report.at("engine"), GetParam() == "spline" ? "splines" : "triangles");
   EXPECT_GT(report.at("nodes").get<int>(), 50);
   EXPECT_GT(report.at("triangles").get<int>(), 100);
@@ -52,13 +52,13 @@ TEST_P(CliEngine, SolveFulfilsItsContractAndAnExactSolution) {
   // Uniaxial strain: u_z = -p z (1 + nu)(1 - 2 nu) / (E (1 - nu)), the walls carry p nu / (1 - nu).
   const double pressure = 0.02;
   const double top = -pressure * 20 * 1.3 * 0.4 / 0.7;
-  const Json& probes = report.at("probes");
-  ASSERT_EQ(probes.size(), 2u);
-  EXPECT_NEAR(probes[0].at("u_mm")[2].get<double>(), top, 1e-6 * std::abs(top));
-  EXPECT_NEAR(probes[0].at("traction_MPa")[2].get<double>(), -pressure, 1e-9);
-  EXPECT_NEAR(probes[1].at("u_mm")[2].get<double>(), top / 2, 1e-6 * std::abs(top));
-  EXPECT_NEAR(probes[1].at("traction_MPa")[0].get<double>(), -pressure * 0.3 / 0.7, 1e-7);
-  EXPECT_NEAR(probes[1].at("nearest_surface_mm")[0].get<double>(), 20, 1e-9);
+  const Json& samples = report.at("samples");
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_NEAR(samples[0].at("u_mm")[2].get<double>(), top, 1e-6 * std::abs(top));
+  EXPECT_NEAR(samples[0].at("traction_MPa")[2].get<double>(), -pressure, 1e-9);
+  EXPECT_NEAR(samples[1].at("u_mm")[2].get<double>(), top / 2, 1e-6 * std::abs(top));
+  EXPECT_NEAR(samples[1].at("traction_MPa")[0].get<double>(), -pressure * 0.3 / 0.7, 1e-7);
+  EXPECT_NEAR(samples[1].at("nearest_surface_mm")[0].get<double>(), 20, 1e-9);
 
   const Json& floor = report.at("supports")[0];
   EXPECT_EQ(floor.at("name"), "floor");
@@ -74,10 +74,10 @@ TEST_P(CliEngine, SolveFulfilsItsContractAndAnExactSolution) {
 
 TEST_F(CliSimulation, ThreadsDoNotChangeTheAnswer) {
   writeOedometer();
-  const Json one = cli_.runJson("solve p.json --threads 1 --probe 3,4,20");
-  const Json two = cli_.runJson("solve p.json --threads 2 --probe 3,4,20");
-  EXPECT_NEAR(one.at("probes")[0].at("u_mm")[2].get<double>(),
-              two.at("probes")[0].at("u_mm")[2].get<double>(), 1e-10);
+  const Json one = cli_.runJson("solve p.json --threads 1 --sample 3,4,20");
+  const Json two = cli_.runJson("solve p.json --threads 2 --sample 3,4,20");
+  EXPECT_NEAR(one.at("samples")[0].at("u_mm")[2].get<double>(),
+              two.at("samples")[0].at("u_mm")[2].get<double>(), 1e-10);
 }
 
 TEST_P(CliEngine, TouchGivesForceAndStiffness) {
@@ -90,7 +90,7 @@ TEST_P(CliEngine, TouchGivesForceAndStiffness) {
   EXPECT_NEAR(contact.at("displacement_mm")[0].get<double>(), -2, 1e-9);
   EXPECT_LT(contact.at("force_N")[0].get<double>(), 0);
   EXPECT_GT(contact.at("stiffness_N_per_mm").get<double>(), 0);
-  // The support answers with the opposite force; what is missing is the discretisation's error.
+  // The support has the opposite force, up to the error of the discretisation.
   const Json& reaction = report.at("supports")[0].at("force_N");
   const double force = norm(contact.at("force_N"));
   for (int i = 0; i < 3; ++i) {
@@ -126,7 +126,7 @@ TEST_P(CliEngine, ForceAndDisplacementAreInverseOfEachOther) {
 TEST_F(CliSimulation, ANodeIsSwitchedAsInTheSeed) {
   cli_.run("new box --edge-length 8 -o p.json");
   const Json info = cli_.runJson("solve p.json");
-  // Some nodes are held; among the last ones (the top) a free one is found quickly.
+  // Some nodes are fixed; among the last ones (the top) a free one is found quickly.
   const int node = info.at("nodes").get<int>() - 1;
   const Outcome outcome =
       cli_.run("touch p.json --node " + std::to_string(node) + " --displace 0,0,-0.5 --json");
@@ -180,10 +180,10 @@ TEST_F(CliSimulation, EveryKindOfTouchSaysWhatItDoes) {
   EXPECT_GT(slides.at("stiffness_N_per_mm").get<double>(), 0);
   EXPECT_EQ(touch("--kind push --displace 0,0,2").at("status"), "open");
 
-  const Json probed = cli_.runJson(
-      "touch p.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 12 "
+  const Json pressed = cli_.runJson(
+      "touch p.json --at 0,0,25 --kind ball --displace 0,0,-2 --radius 12 "
       "--friction 0.5 --steps 150");
-  const Json& ball = probed.at("contacts")[0];
+  const Json& ball = pressed.at("contacts")[0];
   EXPECT_EQ(ball.at("radius_mm"), 12);
   EXPECT_GT(ball.at("patch").at("radius_mm").get<double>(), 0.5);
   ASSERT_GE(ball.at("patch").at("masks").size(), 1u);
@@ -191,13 +191,30 @@ TEST_F(CliSimulation, EveryKindOfTouchSaysWhatItDoes) {
   for (const Json& mask : ball.at("patch").at("masks")) sum += mask.at("force_N")[2].get<double>();
   EXPECT_NEAR(sum, ball.at("force_N")[2].get<double>(), 1e-9);
   EXPECT_NEAR(ball.at("tool_mm")[2].get<double>(), 25 + 12 - 2, 0.1);
-  EXPECT_EQ(probed.at("path").at("steps"), 150);
-  EXPECT_EQ(probed.at("path").at("converged"), true);
+  EXPECT_EQ(pressed.at("path").at("steps"), 150);
+  EXPECT_EQ(pressed.at("path").at("converged"), true);
 
   const std::string text =
-      cli_.run("touch p.json --at 0,0,25 --kind probe --displace 0,0,-2 --friction 0.5").out;
-  for (const char* part : {"probe, sticking", "N into the body", "patch radius", "steps, then"})
+      cli_.run("touch p.json --at 0,0,25 --kind ball --displace 0,0,-2 --friction 0.5").out;
+  for (const char* part : {"ball, sticking", "N into the body", "patch radius", "steps, then"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST_F(CliSimulation, FormerNamesOfOptionsWorkWithANotice) {
+  cli_.run("new sphere --radius 25 --edge-length 6 -o p.json");
+  const std::string solve = "solve p.json --json --threads 1 ";
+  const Outcome former = cli_.run(solve + "--probe 0,0,25");
+  ASSERT_EQ(former.exitCode, 0) << former.err;
+  EXPECT_EQ(former.err, "palpa-cli: --probe is the former name of --sample\n");
+  const Json present = cli_.runJson("solve p.json --threads 1 --sample 0,0,25");
+  EXPECT_EQ(former.json().at("probes"), present.at("samples"));
+  EXPECT_EQ(former.json().at("samples"), present.at("samples"));
+  EXPECT_FALSE(present.contains("probes"));
+  const std::string touch = "touch p.json --json --at 0,0,25 --displace 0,0,-1 --kind ";
+  const Outcome probe = cli_.run(touch + "probe");
+  EXPECT_EQ(probe.err, "palpa-cli: --kind probe is the former name of --kind ball\n");
+  EXPECT_EQ(probe.json().at("contacts")[0].at("kind"), "ball");
+  EXPECT_EQ(cli_.run("solve --help").out.find("--probe"), std::string::npos);
 }
 
 TEST_F(CliSimulation, SeveralTouchesAreGivenAtOnce) {
@@ -216,7 +233,7 @@ TEST_F(CliSimulation, SeveralTouchesAreGivenAtOnce) {
   EXPECT_LT(norm(contacts[1].at("displacement_mm")), 1e-9);
   EXPECT_GT(norm(contacts[1].at("force_N")), 0.01);
   EXPECT_EQ(contacts[2].at("friction"), 0.1);
-  // The same touches in the project give the same.
+  // The same touches in the project give the same contacts.
   Json project = cli_.readJson("p.json");
   project["touches"] = Json::parse(R"([
     {"name": "touch 1", "kind": "grab", "at_mm": [0, 0, 25], "displace_mm": [0, 0, -2], "radius_mm": 9},
@@ -232,7 +249,7 @@ TEST_F(CliSimulation, SeveralTouchesAreGivenAtOnce) {
       << info;
 }
 
-TEST_F(CliSimulation, TouchesThatMakeNoSenseAreRefusedWithAWord) {
+TEST_F(CliSimulation, TouchesWithoutMeaningAreRefusedWithAReason) {
   cli_.run("new box --edge-length 8 -o p.json");
   const auto refusal = [&](const std::string& options) {
     const Outcome outcome = cli_.run("touch p.json " + options);
@@ -241,11 +258,11 @@ TEST_F(CliSimulation, TouchesThatMakeNoSenseAreRefusedWithAWord) {
   };
   const std::string at = "--at 0,0,20 ";
   const std::pair<std::string, const char*> cases[] = {
-      {at + "--kind squeeze --displace 0,0,-1", "known are grab, push, probe, force, pin"},
-      {at + "--displace 0,0,-1 --friction 0.3", "--friction needs --kind push or probe"},
+      {at + "--kind squeeze --displace 0,0,-1", "known are grab, force, push, ball, pin"},
+      {at + "--displace 0,0,-1 --friction 0.3", "--friction needs --kind push or ball"},
       {at + "--kind push --displace 0,0,-1 --friction -1", "--friction: expected a number"},
       {at + "--kind push --force 0,0,-1", "has --displace, but no --force"},
-      {at + "--kind probe", "--kind probe needs --displace"},
+      {at + "--kind ball", "--kind ball needs --displace"},
       {at + "--kind force --displace 0,0,-1", "--kind force needs --force"},
       {at + "--displace 0,0,-1 --displace 0,0,-2", "--displace is given twice"},
       {"--kind pin " + at + "--at 5,0,20 --displace 0,0,-1", "stands before the first --at"},
@@ -280,7 +297,7 @@ TEST_F(CliSimulation, OptionsWithoutMeaningAreUsageErrors) {
         "touch p.json --node x --displace 0,0,1", "touch p.json --at 0,0 --displace 0,0,1",
         "touch p.json --at 0,0,nan --displace 0,0,1",
         "touch p.json --at 0,0,20 --displace 0,0,1 --radius 0",
-        "touch p.json --at 0,0,20 --displace 0,0,1 --kind bite", "solve p.json --probe 1,2",
+        "touch p.json --at 0,0,20 --displace 0,0,1 --kind bite", "solve p.json --sample 1,2",
         "solve p.json --edge-length -1", "solve p.json --threads -1", "solve"}) {
     const Outcome outcome = cli_.run(arguments);
     EXPECT_EQ(outcome.exitCode, 2) << arguments << "\n" << outcome.err;

@@ -1,4 +1,4 @@
-// What palpa-cli says to people who are new to it.
+// Messages of palpa-cli to new users.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -51,8 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"shape", "new spher", {"'spher'", "mean 'sphere'?"}},
         Slip{"shape_unknown", "new dodecahedron", {"known are", "torus"}},
         Slip{"material", "new box --material steel", {"mean 'Structural steel'?"}},
-        Slip{
-            "kind", "touch ball.json --at 0,0,25 --kind prob --displace 0,0,-1", {"mean 'probe'?"}},
+        Slip{"kind", "touch ball.json --at 0,0,25 --kind bal --displace 0,0,-1", {"mean 'ball'?"}},
         Slip{"view", "render ball.json -o x.png --view up", {"no view 'up'", "front", "x,y,z"}}),
     [](const auto& slip) { return std::string(slip.param.name); });
 

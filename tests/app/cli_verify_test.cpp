@@ -20,7 +20,7 @@ Json& caseOf(Json& reference, const std::string& id) {
   throw std::runtime_error("no case " + id);
 }
 
-/// A folder of reference data in which something was changed.
+/// A folder with changed reference data.
 template <class Spoil>
 void writeReference(const Runner& cli, const std::string& name, const Spoil& spoil) {
   for (const char* file : {"analytic.json", "fem.json"}) {
@@ -121,7 +121,7 @@ TEST(CliVerify, AnUnknownCaseIsRefusedWithTheNames) {
   for (const char* name :
        {"kelvin_exterior_bottle", "kelvin_exterior_torus", "a_cyl_side", "convergence_sphere"})
     EXPECT_NE(outcome.err.find(name), std::string::npos) << outcome.err;
-  // Known, but not run, and why.
+  // Known, but not run, with the reason.
   const Outcome omitted = cli.run("verify --case hollow_sphere_internal_pressure_nu0.50");
   EXPECT_EQ(omitted.exitCode, 2);
   EXPECT_NE(omitted.err.find("cavity"), std::string::npos) << omitted.err;

@@ -27,7 +27,7 @@ void expectLaws(const bem::ContactSimulation& simulation) {
       const Vector3d off = mask.displacement - law.value;
       if (law.kind == Demand::kForce) {
         EXPECT_EQ(mask.force, law.value);
-      } else if (law.kind == Demand::kHold) {
+      } else if (law.kind == Demand::kGrab) {
         EXPECT_LE(off.norm(), length);
       } else {
         const double pressing = mask.force.dot(law.normal), gap = off.dot(law.normal);
@@ -59,14 +59,14 @@ void expectLaws(const bem::ContactSimulation& simulation) {
   }
 }
 
-void measureEquilibrium(const TouchStepper& player, TouchField& field, double radius,
+void measureEquilibrium(const TouchStepper& stepper, TouchField& field, double radius,
                         Equilibrium& largest) {
   TouchSnapshot snapshot;
-  player.describe(snapshot);
+  stepper.describe(snapshot);
   const TouchState state = field.describe(snapshot);
   Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero();
   double size = 1e-3, moved = 0.1;
-  const auto& simulation = player.simulation();
+  const auto& simulation = stepper.simulation();
   for (int k = 0; k < simulation.maskCount(); ++k) {
     const auto mask = simulation.maskState(k);
     moved = std::max(moved, mask.displacement.norm());

@@ -3,7 +3,7 @@
 #include "app/core/live/touch_field.h"
 #include "app/core/live/touch_stepper.h"
 
-/// The laws of contact, written out and expected of what a player found, with either engine.
+/// The laws of contact, written out and expected of what a stepper found, with either engine.
 namespace palpa::app::test {
 
 /// Signorini's and Coulomb's laws at every mask of the last step. Tolerances: the solver's 1e-9 of
@@ -19,7 +19,7 @@ struct Equilibrium {
 
 /// The whole field from the tractions alone: how well supports and contacts balance on a body of
 /// the given radius (mm) about the origin, and how far masks are from where the laws have them.
-void measureEquilibrium(const TouchStepper& player, TouchField& field, double radius,
+void measureEquilibrium(const TouchStepper& stepper, TouchField& field, double radius,
                         Equilibrium& largest);
 
 }  // namespace palpa::app::test

@@ -64,7 +64,7 @@ class ModelCacheTest : public testing::Test {
     return found;
   }
 
-  /// Stores a sphere, lets `spoil` at the file, and expects that it is built anew.
+  /// Stores a sphere, damages the file by `spoil`, and expects a full rebuild.
   void expectIgnored(const std::function<void(const fs::path&)>& spoil) {
     const auto stored = cache();
     const auto built = build(nullptr);
@@ -105,7 +105,8 @@ TEST_F(ModelCacheTest, AStoredModelGivesTheSameForcesBitByBit) {
     modeling::Touch touch;
     touch.name = "touch";
     touch.at = {0, 0, 25};
-    touch.action = modeling::TouchDisplacement{{0, 0, -2}};
+    touch.kind = modeling::TouchKind::kGrab;
+    touch.vector = {0, 0, -2};
     const TouchState a = playTouches(*built, {&touch, 1});
     const TouchState b = playTouches(*read, {&touch, 1});
     EXPECT_EQ(a.contacts.at(0).force, b.contacts.at(0).force);
@@ -294,7 +295,7 @@ TEST_F(ModelCacheTest, ManyMayUseItAtOnce) {
   std::atomic<int> damaged{0};
   for (int k = 0; k < 4; ++k)
     threads.emplace_back([&, k] {
-      // Objects of their own, as in several processes; room for one model only.
+      // One object per thread, as in several processes; room for one model only.
       const auto mine = cache(one);
       for (int i = 0; i < 10; ++i) {
         const std::size_t which = static_cast<std::size_t>(i + k) % 2;

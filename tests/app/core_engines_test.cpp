@@ -1,4 +1,4 @@
-// Splines and triangles beside each other: what a person reads off must not depend on the engine.
+// Comparison of splines and triangles: results must not depend on the engine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/deformed_solid.h"
 #include "app/core/results/error_estimate.h"
 #include "app/core/results/touch.h"
@@ -117,7 +118,7 @@ TEST(Engines, AutomaticMeansSplinesForSolids) {
 /// A body held at the bottom and pulled up at its top by 3 mm.
 StaticTouchSolution pulled(modeling::Project project, double height) {
   project.mesh.elementLength = 6;
-  project.touches = {{"pull", {0, 0, height}, modeling::TouchDisplacement{{0, 0, 3}}, 8.0}};
+  project.touches = {{"pull", {0, 0, height}, modeling::TouchKind::kGrab, {0, 0, 3}, 8.0}};
   return play(build(project, Engine::kSplines), project);
 }
 
@@ -144,7 +145,7 @@ TEST(DeformedSolid, HasTheDisplacedSurface) {
   EXPECT_LE(largestDistance(pulled(test::clampedSphere(6), 25)), 0.05 * 3);
 
   // Through the origin and out on the other side.
-  const auto& points = cylinder.model->setup().splineRefinement->controlPoints();
+  const auto& points = cylinder.model->setup().refinedSolid->controlPoints();
   bem::BoundaryField mirrored = cylinder.state.field;
   for (std::size_t k = 0; k < points.size(); ++k)
     mirrored.u.col(0).segment<3>(3 * static_cast<Eigen::Index>(k)) = -2 * points[k];

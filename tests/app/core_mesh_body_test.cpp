@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "app/core/model/touch_model.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/field_sample.h"
 #include "app/core/results/touch.h"
 #include "core_projects.h"
@@ -44,12 +44,12 @@ std::string stl(const modeling::Project& project, double edgeLength) {
 /// The same project with its body taken through an STL file.
 modeling::Project imported(modeling::Project project, double fileEdgeLength) {
   const std::string text = stl(project, fileEdgeLength);
-  project.body = modeling::parseMesh(text, modeling::MeshFormat::kStl, "test");
+  project.body = modeling::parseMesh(text, modeling::FileFormat::kStl, "test");
   return project;
 }
 
 double touchForce(const TouchModel& model, const Vector3d& at, const Vector3d& by) {
-  const modeling::Touch touch{"push", at, modeling::TouchDisplacement{by}, 9.0};
+  const modeling::Touch touch{"push", at, modeling::TouchKind::kGrab, by, 9.0};
   const TouchState state = playTouches(model, std::vector{touch});
   EXPECT_LE(state.relativeBalance, 0.01);
   return state.contacts[0].force.dot(by.normalized());
@@ -104,7 +104,7 @@ TEST(MeshBodyModel, ACavityMakesTheBodySofter) {
     }
     return text;
   };
-  project.body = modeling::parseMesh(scaled(1.0) + scaled(0.6), modeling::MeshFormat::kObj, "test");
+  project.body = modeling::parseMesh(scaled(1.0) + scaled(0.6), modeling::FileFormat::kObj, "test");
   EXPECT_NEAR(volume(project.body), 4.0 / 3.0 * std::numbers::pi * 15625 * (1 - 0.216), 300);
   const double hollow = touchForce(*build(project), {0, 0, 25}, {0, 0, -2});
   EXPECT_GT(hollow, 0.2 * full);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "app/core/model/touch_model.h"
+#include "app/core/model/build_phase.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/field_sample.h"
 #include "app/core/results/touch.h"
 #include "bem/base/error.h"
@@ -21,7 +22,7 @@ std::shared_ptr<const TouchModel> build(const modeling::Project& project,
 }
 
 modeling::Touch grab(const Vector3d& at, const Vector3d& by, double radius) {
-  return {"grab", at, modeling::TouchDisplacement{by}, radius};
+  return {"grab", at, modeling::TouchKind::kGrab, by, radius};
 }
 
 /// Expects a SolverError of a kind whose message contains all of `parts`.
@@ -151,20 +152,20 @@ TEST(Touch, RefusesHeldPlacesAndPlacesFarAway) {
                 [&] { touchNode(*model, 100000, Vector3d::Zero()); });
 }
 
-TEST(Refused, ProbeFarFromTheSurfaceNamesTheNearestPoint) {
+TEST(Refused, ASampleFarFromTheSurfaceNamesTheNearestPoint) {
   const auto model = build(test::clampedSphere(6));
-  expectRefused(SolverError::Kind::kBadCondition, {"probe", "nearest surface point"}, [&] {
+  expectRefused(SolverError::Kind::kBadCondition, {"the sample", "nearest surface point"}, [&] {
     sampleField(*model, model->rest(), {0, 0, 0});
   });
 }
 
 TEST(Refused, NotHeld) {
-  expectRefused(SolverError::Kind::kNotHeld, {"not held", "support"},
+  expectRefused(SolverError::Kind::kNotFixed, {"not fixed", "support"},
                 [] { build(test::freeBox(8)); });
   modeling::Project project = test::freeBox(8);
   project.supports.push_back(
       {"floor", Support::Kind::kRoller, Region::ofPatches({"bottom"}), Vector3d::Zero()});
-  expectRefused(SolverError::Kind::kNotHeld,
+  expectRefused(SolverError::Kind::kNotFixed,
                 {"translation along x", "translation along y", "rotation about the axis along z"},
                 [&] { build(project); });
 }
@@ -204,23 +205,23 @@ TEST(Refused, AMeshThatDoesNotFitIntoMemoryWithTheNumbers) {
 }
 
 TEST(TouchModel, CanBeCancelledInEveryPhase) {
-  for (const char* phase : {"mesh", "assemble", "factorise"}) {
+  for (const Phase phase : {Phase::kMesh, Phase::kAssemble, Phase::kFactorise}) {
     std::stop_source stop;
     Job job;
     job.stop = stop.get_token();
-    job.progress = [&](std::string_view now, double) {
+    job.progress = [&](Phase now, double) {
       if (now == phase) stop.request_stop();
     };
-    EXPECT_THROW(buildTouchModel(test::clampedSphere(4), BuildOptions{}, job), Cancelled) << phase;
+    EXPECT_THROW(buildTouchModel(test::clampedSphere(4), BuildOptions{}, job), Cancelled)
+        << nameOf(phase);
   }
 }
 
 TEST(TouchModel, ProgressIsMonotoneWithinEachPhase) {
-  std::string phase;
+  std::optional<Phase> phase;
   double last = 0;
   Job job;
-  job.progress = [&](std::string_view now, double fraction) {
-    if (now.empty()) return;
+  job.progress = [&](Phase now, double fraction) {
     if (now != phase) last = 0;
     phase = now;
     EXPECT_GE(fraction, last);
@@ -228,7 +229,25 @@ TEST(TouchModel, ProgressIsMonotoneWithinEachPhase) {
     last = fraction;
   };
   buildTouchModel(test::clampedSphere(6), BuildOptions{}, job);
-  EXPECT_EQ(phase, "solve");
+  EXPECT_EQ(phase, Phase::kSolve);
+}
+
+TEST(BuildPhases, CoverEveryPhaseThatABuildReports) {
+  const auto isListed = [](Phase phase) {
+    return std::count_if(kBuildPhases.begin(), kBuildPhases.end(),
+                         [&](const BuildPhase& each) { return each.phase == phase; }) == 1;
+  };
+  double progress = 0;
+  Job job;
+  job.progress = [&](Phase phase, double fraction) {
+    ASSERT_TRUE(isListed(phase)) << nameOf(phase);
+    EXPECT_GE(buildProgress(phase, fraction), progress) << nameOf(phase);
+    progress = buildProgress(phase, fraction);
+  };
+  buildTouchModel(test::clampedSphere(6), BuildOptions{}, job);
+  EXPECT_EQ(progress, 1);
+  EXPECT_TRUE(isListed(Phase::kRead));    // core_cache_test
+  EXPECT_TRUE(isListed(Phase::kUpdate));  // core_update_test
 }
 
 TEST(TouchModel, WorksForIncompressibleBodies) {

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using State = RebuildStatus::State;
 
-/// A sphere whose control points are scaled, so that every revision has a volume of its own.
+/// A sphere whose control points are scaled, so that every revision has another volume.
 modeling::Project scaledSphere(double scale, double edgeLength = 12) {
   modeling::Project project = test::clampedSphere(edgeLength);
   auto& solid = std::get<modeling::Solid>(project.body);
@@ -101,7 +101,7 @@ TEST(RebuildPipeline, WhoeverHoldsAModelLastDoesNotReleaseIt) {
   };
   std::thread::id releasedBy;
   destroyInBackground(std::shared_ptr<Held>(new Held{releasedBy}));
-  waitUntilReleased();
+  waitUntilDestroyed();
   EXPECT_NE(releasedBy, std::thread::id());
   EXPECT_NE(releasedBy, std::this_thread::get_id());
   destroyInBackground(nullptr);
@@ -115,7 +115,7 @@ TEST(RebuildPipeline, WhoeverHoldsAModelLastDoesNotReleaseIt) {
   }
   const std::weak_ptr<const bem::ReferenceProblem> problem = last->problem();
   last.reset();
-  waitUntilReleased();
+  waitUntilDestroyed();
   EXPECT_TRUE(problem.expired());
 }
 
@@ -155,14 +155,14 @@ TEST(RebuildPipeline, CancelKeepsTheOldModelAndIsASettledState) {
 TEST(RebuildPipeline, ReportsPhasesAndTellsOfEveryChange) {
   std::atomic<int> changes{0};
   std::mutex mutex;
-  std::vector<std::string> phases;
+  std::vector<Phase> phases;
   RebuildPipeline* seen = nullptr;
   RebuildPipeline pipeline({}, 0, [&] {
     ++changes;
     const std::lock_guard lock(mutex);
     if (!seen) return;
-    const std::string phase = seen->status().phase;
-    if (!phase.empty() && (phases.empty() || phases.back() != phase)) phases.push_back(phase);
+    const std::optional<Phase> phase = seen->status().phase;
+    if (phase && (phases.empty() || phases.back() != *phase)) phases.push_back(*phase);
   });
   {
     const std::lock_guard lock(mutex);
@@ -171,15 +171,15 @@ TEST(RebuildPipeline, ReportsPhasesAndTellsOfEveryChange) {
   pipeline.submit(scaledSphere(1.0));
   ASSERT_TRUE(pipeline.waitUntilSettled(60s));
   const std::lock_guard lock(mutex);
-  const std::vector<std::string> expected{"mesh",     "check",     "setup",
-                                          "assemble", "factorise", "solve"};
+  const std::vector expected{Phase::kMesh,     Phase::kCheck,     Phase::kSetup,
+                             Phase::kAssemble, Phase::kFactorise, Phase::kSolve};
   EXPECT_EQ(phases, expected);
   const RebuildStatus status = pipeline.status();
-  std::vector<std::string> stages;
+  std::vector<Phase> stages;
   for (const BuildStage& stage : status.stages) {
     stages.push_back(stage.phase);
-    EXPECT_EQ(stage.fraction, 1.0) << stage.phase;
-    EXPECT_GE(stage.seconds, 0.0) << stage.phase;
+    EXPECT_EQ(stage.fraction, 1.0) << nameOf(stage.phase);
+    EXPECT_GE(stage.seconds, 0.0) << nameOf(stage.phase);
   }
   EXPECT_EQ(stages, expected);
   EXPECT_EQ(status.progress, 1.0);
@@ -242,7 +242,7 @@ TEST(RebuildPipeline, ASurfaceThatCutsItselfIsNotBuiltAndTheFindingsSayWhere) {
   ASSERT_FALSE(status.findings->empty());
   EXPECT_TRUE(status.findings->front().isError);
   EXPECT_EQ(status.error, status.findings->front().message);
-  EXPECT_EQ(status.stages.back().phase, "check");
+  EXPECT_EQ(status.stages.back().phase, Phase::kCheck);
   EXPECT_EQ(pipeline.model(), good);
   pipeline.submit(scaledSphere(1.1));
   ASSERT_TRUE(pipeline.waitUntilSettled(60s));

@@ -65,7 +65,7 @@ TEST_F(SessionTest, WhatDoesNotConcernTheModelStartsNoRebuild) {
   const auto revision = session.pipeline().status().revision;
   session.perform(modeling::RenameProject{"other"});
   session.perform(modeling::AddTouch{
-      {"poke", {0, 0, 25}, modeling::TouchDisplacement{{0, 0, -1}}, std::nullopt}});
+      {"poke", {0, 0, 25}, modeling::TouchKind::kGrab, {0, 0, -1}, std::nullopt}});
   EXPECT_EQ(session.pipeline().status().revision, revision);
   session.perform(modeling::SetMaterial{{"stiff", 5.0, 0.3}});
   EXPECT_EQ(session.pipeline().status().revision, revision + 1);
@@ -79,7 +79,7 @@ TEST_F(SessionTest, ElementsOfSplinesFollowTouches) {
   };
   const int before = count();
   session.perform(
-      modeling::AddTouch{{"poke", {20, 0, 30}, modeling::TouchDisplacement{{-1, 0, 0}}, 3.0}});
+      modeling::AddTouch{{"poke", {20, 0, 30}, modeling::TouchKind::kGrab, {-1, 0, 0}, 3.0}});
   ASSERT_TRUE(session.pipeline().waitUntilSettled(60s));
   EXPECT_GT(count(), before);
   session.undo();

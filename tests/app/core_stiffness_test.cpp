@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/core/live/stiffness_worker.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/drawn_body.h"
 #include "app/core/results/stiffness_colours.h"
 #include "app/core/results/touch.h"
@@ -40,7 +41,8 @@ TEST(Stiffness, OfAPlaceIsThatOfATouchThere) {
   modeling::Touch touch;
   touch.at = {0, 0, 25};
   touch.radius = kRadius;
-  touch.action = modeling::TouchForce{{0, 0, 1}};
+  touch.kind = modeling::TouchKind::kForce;
+  touch.vector = {0, 0, 1};
   const TouchState state = playTouches(*sphere(), {&touch, 1});
   const double wanted = 1 / state.contacts.front().displacement.z();
 
@@ -121,7 +123,7 @@ TEST(Stiffness, ComesInTheBackgroundWhileColumnsDo) {
   std::iota(all.begin(), all.end(), 0);
   body->columns()->compute(all, {});
   const auto last = await(1);
-  EXPECT_EQ(last.body, body);
+  EXPECT_EQ(last.model, body);
   ASSERT_EQ(last.compliances.size(), sphereMap().size());
   for (std::size_t i = 0; i < last.compliances.size(); ++i)
     EXPECT_NEAR(last.compliances[i], sphereMap()[i], 1e-5 * sphereMap()[i]);
@@ -134,16 +136,16 @@ TEST(Stiffness, ComesInTheBackgroundWhileColumnsDo) {
 TEST(RealtimeScope, DoesNotGoFirstWhileItIsOverloaded) {
   std::jthread thread([] {
     using Clock = RealtimeScope::Clock;
-    RealtimeScope punctual;
-    const bool mayBeFirst = punctual.isFirst();
+    RealtimeScope scope;
+    const bool mayBeFirst = scope.isRealtime();
     const auto begin = Clock::now();
     const auto at = [&](int ms) { return begin + std::chrono::milliseconds(ms); };
-    for (int ms = 0; ms < 150; ++ms) punctual.worked(at(ms), at(ms) + 100us);
-    EXPECT_EQ(punctual.isFirst(), mayBeFirst);
-    for (int ms = 150; ms < 400; ++ms) punctual.worked(at(ms), at(ms) + 900us);
-    EXPECT_FALSE(punctual.isFirst());
-    for (int ms = 400; ms < 650; ++ms) punctual.worked(at(ms), at(ms) + 100us);
-    EXPECT_EQ(punctual.isFirst(), mayBeFirst);
+    for (int ms = 0; ms < 150; ++ms) scope.worked(at(ms), at(ms) + 100us);
+    EXPECT_EQ(scope.isRealtime(), mayBeFirst);
+    for (int ms = 150; ms < 400; ++ms) scope.worked(at(ms), at(ms) + 900us);
+    EXPECT_FALSE(scope.isRealtime());
+    for (int ms = 400; ms < 650; ++ms) scope.worked(at(ms), at(ms) + 100us);
+    EXPECT_EQ(scope.isRealtime(), mayBeFirst);
   });
 }
 

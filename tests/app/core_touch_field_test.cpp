@@ -1,4 +1,5 @@
 #include "app/core/live/touch_field.h"
+#include "app/core/model/build_touch_model.h"
 
 #include <gtest/gtest.h>
 
@@ -50,44 +51,45 @@ TEST(TouchField, EqualsTheExactFieldAtRestAndMoving) {
   for (const auto& project : {guidedSphere(), test::clampedCylinder(7)}) {
     const auto body = bodyOf(project);
     const bem::SurfacePoint tip = body->surface().tree().nearest({0, 0, 100});
-    TouchStepper player(body);
+    TouchStepper stepper(body);
     TouchField field(body);
     TouchSnapshot snapshot;
     std::vector<modeling::Touch> touches{
-        {"tip", tip.position, modeling::TouchDisplacement{{0, 0.5, -2}}, 8.0},
-        {"side", {0, 25, 10}, modeling::TouchForce{{0, -0.2, 0.1}}, 7.0}};
-    player.apply({TouchCommand::Kind::kBegin, 1, {Kind::kGrab, 8}, tip.position, {0, 0.5, -2}});
-    player.apply({TouchCommand::Kind::kBegin, 2, {Kind::kForce, 7}, {0, 25, 10}, {0, -0.2, 0.1}});
+        {"tip", tip.position, modeling::TouchKind::kGrab, {0, 0.5, -2}, 8.0},
+        {"side", {0, 25, 10}, modeling::TouchKind::kForce, {0, -0.2, 0.1}, 7.0}};
+    stepper.apply({TouchCommand::Kind::kBegin, 1, {Kind::kGrab, 8}, tip.position, {0, 0.5, -2}});
+    stepper.apply({TouchCommand::Kind::kBegin, 2, {Kind::kForce, 7}, {0, 25, 10}, {0, -0.2, 0.1}});
     for (int round = 0; round < 3; ++round) {
-      player.step();
-      player.describe(snapshot);
+      stepper.step();
+      stepper.describe(snapshot);
       expectEqualStates(field.describe(snapshot), playTouches(body->model(), touches));
       EXPECT_LE(relative(field.displacements(snapshot), field.field(snapshot).u), 1e-12);
       const Vector3d next(0, 0.5, -2 + 0.3 * round);
-      player.apply({TouchCommand::Kind::kSet, 1, {}, Vector3d::Zero(), next});
-      touches[0].action = modeling::TouchDisplacement{next};
+      stepper.apply({TouchCommand::Kind::kSet, 1, {}, Vector3d::Zero(), next});
+      touches[0].kind = modeling::TouchKind::kGrab;
+      touches[0].vector = next;
     }
   }
 }
 
 TEST(TouchField, FollowsASlidingBall) {
   const auto body = bodyOf(test::clampedSphere(6));
-  TouchStepper player(body);
+  TouchStepper stepper(body);
   TouchField field(body);
   TouchSnapshot snapshot;
-  player.apply({TouchCommand::Kind::kBegin, 1, {Kind::kProbe, 12, 0.1}, {0, 0, 25}, {0, 0, 34}});
+  stepper.apply({TouchCommand::Kind::kBegin, 1, {Kind::kBall, 12, 0.1}, {0, 0, 25}, {0, 0, 34}});
   for (int k = 0; k < 20; ++k) {
     const double angle = 0.02 * (k / 4);  // some steps at rest
-    player.apply({TouchCommand::Kind::kSet,
-                  1,
-                  {},
-                  Vector3d::Zero(),
-                  34 * Vector3d(std::sin(angle), 0, std::cos(angle))});
-    player.step();
-    player.describe(snapshot);
+    stepper.apply({TouchCommand::Kind::kSet,
+                   1,
+                   {},
+                   Vector3d::Zero(),
+                   34 * Vector3d(std::sin(angle), 0, std::cos(angle))});
+    stepper.step();
+    stepper.describe(snapshot);
     std::vector<int> nodes;
     std::vector<Vector3d> values;
-    player.simulation().tractions(nodes, values);
+    stepper.simulation().tractions(nodes, values);
     bem::BoundaryField expected = body->base();
     const auto& firstSlot = body->surface().slots().firstOfNode;
     bem::BoundaryField load{Eigen::VectorXd::Zero(expected.u.rows()),

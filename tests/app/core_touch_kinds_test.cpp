@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
 #include "bem/base/error.h"
 #include "bem/triangle/triangle_contact_surface.h"
@@ -46,18 +47,17 @@ TouchState play(const TouchModel& model, const std::vector<Touch>& touches, int 
 }
 
 Touch push(const Vector3d& at, const Vector3d& by, double friction) {
-  return {"push", at, modeling::TouchPush{by, friction}, 8.0};
+  return {"push", at, modeling::TouchKind::kPush, by, 8.0, friction};
 }
 
 TEST(TouchKinds, APushThatSticksIsAGrab) {
   const Vector3d by{0.4, 0.2, -1.5};
   const TouchState pushed = play(*sphere(), {push(kTop, by, 10)});
-  const TouchState grabbed =
-      play(*sphere(), {{"grab", kTop, modeling::TouchDisplacement{by}, 8.0}});
+  const TouchState grabbed = play(*sphere(), {{"grab", kTop, modeling::TouchKind::kGrab, by, 8.0}});
   const auto& a = pushed.contacts[0];
   const auto& b = grabbed.contacts[0];
   EXPECT_EQ(a.status, Status::kSticking);
-  EXPECT_EQ(b.status, Status::kHolding);
+  EXPECT_EQ(b.status, Status::kGrabbed);
   EXPECT_LT((a.force - b.force).norm(), 2e-4 * b.force.norm());
   EXPECT_LT((pushed.field.u - grabbed.field.u).norm(), 2e-4 * grabbed.field.u.norm());
   EXPECT_NEAR(a.radius, b.radius, 1e-9);
@@ -74,7 +74,7 @@ TEST(TouchKinds, AFrictionlessPushOnlyPresses) {
   EXPECT_LT(contact.tangentialForce().norm(), 1e-9 * contact.force.norm());
   // The same force from outside does the same.
   const TouchState forced =
-      play(*sphere(), {{"force", contact.at, modeling::TouchForce{contact.force}, 8.0}});
+      play(*sphere(), {{"force", contact.at, modeling::TouchKind::kForce, contact.force, 8.0}});
   EXPECT_LT((state.field.u - forced.field.u).norm(), 1e-9 * forced.field.u.norm());
   EXPECT_NEAR(forced.contacts[0].displacement.dot(contact.normal), -1.5, 1e-3);
 }
@@ -107,8 +107,8 @@ TEST(TouchKinds, WhatSticksIsDraggedAlong) {
 }
 
 TEST(TouchKinds, AToolThatLeavesDoesNotPull) {
-  for (const Touch& touch :
-       {push(kTop, {0, 0, 1}, 0.5), Touch{"ball", kTop, modeling::TouchProbe{{0, 0, 1}, 0}, 8.0}}) {
+  for (const Touch& touch : {push(kTop, {0, 0, 1}, 0.5),
+                             Touch{"ball", kTop, modeling::TouchKind::kBall, {0, 0, 1}, 8.0}}) {
     const TouchState state = play(*sphere(), {touch});
     EXPECT_EQ(state.contacts[0].status, Status::kOpen);
     EXPECT_EQ(state.contacts[0].force.norm(), 0);
@@ -118,10 +118,10 @@ TEST(TouchKinds, AToolThatLeavesDoesNotPull) {
 
 TEST(TouchKinds, ABallPressesFromItsCentreOverItsPatch) {
   const TouchState state =
-      play(*sphere(), {{"ball", kTop, modeling::TouchProbe{{0, 0, -2}, 0.5}, 15.0}});
+      play(*sphere(), {{"ball", kTop, modeling::TouchKind::kBall, {0, 0, -2}, 15.0, 0.5}});
   const auto& contact = state.contacts[0];
   EXPECT_EQ(contact.radius, 15);
-  EXPECT_EQ(contact.kind, "probe");
+  EXPECT_EQ(contact.kind, modeling::TouchKind::kBall);
   ASSERT_GE(contact.patch.size(), 1u);
   Vector3d sum = Vector3d::Zero();
   const bem::TriangleContactSurface surface(sphere()->setup().mesh(), sphere()->setup().meshSlots(),
@@ -141,7 +141,7 @@ TEST(TouchKinds, ABallPressesFromItsCentreOverItsPatch) {
   EXPECT_LT((contact.tool - top() - Vector3d(0, 0, 15 - 2)).norm(), 1e-9);
   // Deeper: more than in proportion.
   const TouchState deeper =
-      play(*sphere(), {{"ball", kTop, modeling::TouchProbe{{0, 0, -4}, 0.5}, 15.0}});
+      play(*sphere(), {{"ball", kTop, modeling::TouchKind::kBall, {0, 0, -4}, 15.0, 0.5}});
   EXPECT_GT(deeper.contacts[0].normalForce(), 2 * contact.normalForce());
 }
 
@@ -160,17 +160,18 @@ TEST(TouchKinds, ABallOfManyMasksPullsWithItsFriction) {
   project.mesh.engine = modeling::Engine::kTriangles;  // the edges make the masks
   const auto block = buildTouchModel(project, {}, {});
   const auto drag = [&](double friction, int steps) {
-    return playTouches(*block,
-                       std::vector<Touch>{
-                           {"ball", {-2, 0, 30}, modeling::TouchProbe{{7, 0, -5}, friction}, 20.0}},
-                       steps)
+    return playTouches(
+               *block,
+               std::vector<Touch>{
+                   {"ball", {-2, 0, 30}, modeling::TouchKind::kBall, {7, 0, -5}, 20.0, friction}},
+               steps)
         .contacts[0];
   };
   for (const double friction : {0.1, 0.3}) {
     const auto few = drag(friction, 100), many = drag(friction, 400);
     EXPECT_GE(few.patch.size(), 5u);
     EXPECT_EQ(few.status, Status::kSlipping);
-    // Masks press across the bent surface, so the sum is not exactly that of a flat contact.
+    // Masks press across the bent surface, so the sum differs a little from a flat contact.
     EXPECT_NEAR(few.tangentialForce().x(), friction * few.normalForce(),
                 0.05 * friction * few.normalForce());
     EXPECT_LT((few.force - many.force).norm(), 0.01 * many.force.norm());
@@ -180,21 +181,22 @@ TEST(TouchKinds, ABallOfManyMasksPullsWithItsFriction) {
 TEST(TouchKinds, APinHoldsWhatLoadsLeaveAndAGrabWhatIsUnloaded) {
   const TouchModel& model = *loadedSphere();
   const Vector3d at{25, 0, 0};
-  const Touch pin{"pin", at, modeling::TouchPin{}, 8.0};
+  const Touch pin{"pin", at, modeling::TouchKind::kPin, {0, 0, 0}, 8.0};
   const TouchState pinned = play(model, {pin});
   // Alone it has nothing to hold.
   EXPECT_LT(pinned.contacts[0].force.norm(), 1e-9);
   EXPECT_LT((pinned.field.u - model.rest().field.u).norm(), 1e-9 * model.rest().field.u.norm());
   EXPECT_GT(pinned.contacts[0].displacement.norm(), 0.1);
-  const TouchState grabbed = play(model, {{"grab", at, modeling::TouchDisplacement{}, 8.0}});
+  const TouchState grabbed =
+      play(model, {{"grab", at, modeling::TouchKind::kGrab, {0, 0, 0}, 8.0}});
   EXPECT_GT(grabbed.contacts[0].force.norm(), 0.05);
   EXPECT_LT(grabbed.contacts[0].displacement.norm(), 1e-9);
   // Beside another touch it stays; moved, it is a grab from where loads leave it.
-  const Touch press{"press", kTop, modeling::TouchDisplacement{{0, 0, -2}}, 8.0};
+  const Touch press{"press", kTop, modeling::TouchKind::kGrab, {0, 0, -2}, 8.0};
   const TouchState both = play(model, {press, pin});
   EXPECT_LT((both.contacts[1].displacement - pinned.contacts[0].displacement).norm(), 1e-9);
   EXPECT_GT(both.contacts[1].force.norm(), 0.01);
-  const TouchState moved = play(model, {{"pin", at, modeling::TouchPin{{0, 1, 0}}, 8.0}});
+  const TouchState moved = play(model, {{"pin", at, modeling::TouchKind::kPin, {0, 1, 0}, 8.0}});
   EXPECT_LT(
       (moved.contacts[0].displacement - pinned.contacts[0].displacement - Vector3d(0, 1, 0)).norm(),
       1e-9);
@@ -203,8 +205,9 @@ TEST(TouchKinds, APinHoldsWhatLoadsLeaveAndAGrabWhatIsUnloaded) {
 TEST(TouchKinds, ToolsMeetTheBodyAsLoadsAndHeldTouchesLeaveIt) {
   const TouchModel& model = *loadedSphere();
   const Vector3d at{0, 0, kRadius};
-  const std::vector<Touch> held{{"grab", {0, 25, 0}, modeling::TouchDisplacement{{0, -3, 0}}, 8.0},
-                                {"force", {-25, 0, 0}, modeling::TouchForce{{0.3, 0, 0.2}}, 8.0}};
+  const std::vector<Touch> held{
+      {"grab", {0, 25, 0}, modeling::TouchKind::kGrab, {0, -3, 0}, 8.0},
+      {"force", {-25, 0, 0}, modeling::TouchKind::kForce, {0.3, 0, 0.2}, 8.0}};
   // Without a way it just touches.
   std::vector<Touch> touches = held;
   touches.push_back(push(at, {0, 0, 0}, 0.5));
@@ -214,12 +217,12 @@ TEST(TouchKinds, ToolsMeetTheBodyAsLoadsAndHeldTouchesLeaveIt) {
   const TouchState pressed = play(model, touches);
   EXPECT_NEAR((pressed.contacts[2].displacement - touching.contacts[2].displacement).z(), -1, 1e-3);
   EXPECT_GT(pressed.contacts[2].normalForce(), 0.5);
-  // What is held stays exactly held, and the order of the report is that of the touches.
+  // Grabbed places stay exactly where they are; the report has the order of the touches.
   EXPECT_LT((pressed.contacts[0].displacement - Vector3d(0, -3, 0)).norm(), 1e-12);
   EXPECT_EQ(pressed.contacts[1].force, Vector3d(0.3, 0, 0.2));
   EXPECT_GT((pressed.contacts[0].force - before.contacts[0].force).norm(), 0.01);
   EXPECT_EQ(pressed.contacts[0].name, "grab");
-  EXPECT_EQ(pressed.contacts[2].kind, "push");
+  EXPECT_EQ(pressed.contacts[2].kind, modeling::TouchKind::kPush);
   EXPECT_LT(pressed.relativeBalance, 0.02);
 }
 
@@ -237,16 +240,17 @@ TEST(TouchKinds, RefusalsNameTheirReason) {
   EXPECT_NE(messageOf({push({0, 0, -25}, {0, 0, 1}, 0)}).find("support"), std::string::npos);
   std::vector<Touch> balls;
   for (int k = 0; k < 9; ++k)
-    balls.push_back({"ball " + std::to_string(k), kTop, modeling::TouchProbe{{0, 0, -1}, 0}, 5.0});
-  EXPECT_NE(messageOf(balls).find("9 probes; at most 8"), std::string::npos);
+    balls.push_back(
+        {"ball " + std::to_string(k), kTop, modeling::TouchKind::kBall, {0, 0, -1}, 5.0});
+  EXPECT_NE(messageOf(balls).find("9 balls; at most 8"), std::string::npos);
 }
 
 TEST(TouchKinds, CanBeCancelled) {
   std::stop_source stop;
   Job job;
   job.stop = stop.get_token();
-  job.progress = [&](std::string_view phase, double fraction) {
-    if (phase == "touch" && fraction > 0.3) stop.request_stop();
+  job.progress = [&](Phase phase, double fraction) {
+    if (phase == Phase::kTouch && fraction > 0.3) stop.request_stop();
   };
   const std::vector<Touch> touches{push(kTop, {5, 0, -2}, 0.2)};
   EXPECT_THROW(playTouches(*sphere(), touches, 0, job), Cancelled);

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "app/core/model/build_touch_model.h"
 #include "contact_laws.h"
 #include "core_projects.h"
 
@@ -93,7 +94,7 @@ struct Wanderer {
   Vector3d value() const {
     if (tool.kind == Kind::kGrab) return -0.5 * depth * middle + 5 * (direction - middle);
     if (tool.kind == Kind::kForce) return -0.1 * depth * direction;
-    return (25 - depth + (tool.kind == Kind::kProbe ? tool.radius : 0)) * direction;
+    return (25 - depth + (tool.kind == Kind::kBall ? tool.radius : 0)) * direction;
   }
 };
 
@@ -106,7 +107,7 @@ TEST_P(TouchLaws, HoldAtEveryStepOfRandomHistories) {
   for (unsigned seed = 1; seed <= limits().histories; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
-    auto player = std::make_unique<TouchStepper>(sphere());
+    auto stepper = std::make_unique<TouchStepper>(sphere());
     TouchField field(sphere());
     std::vector<std::unique_ptr<Wanderer>> tools(std::size(middles));
     TouchId last = 0;
@@ -116,25 +117,25 @@ TEST_P(TouchLaws, HoldAtEveryStepOfRandomHistories) {
         auto& tool = tools[k];
         if (!tool && random() % 15 == 0) {
           tool = std::make_unique<Wanderer>(++last, middles[k], random);
-          player->apply({Command::kBegin, last, tool->tool, 25 * middles[k], tool->value()});
+          stepper->apply({Command::kBegin, last, tool->tool, 25 * middles[k], tool->value()});
         } else if (tool && random() % 80 == 0) {
-          player->apply({Command::kEnd, tool->id, {}, kNone, kNone});
+          stepper->apply({Command::kEnd, tool->id, {}, kNone, kNone});
           tool = nullptr;
         } else if (tool && random() % 10 != 0) {  // now and then it rests
           tool->move(random);
-          player->apply({Command::kSet, tool->id, {}, kNone, tool->value()});
+          stepper->apply({Command::kSet, tool->id, {}, kNone, tool->value()});
         }
       }
       if (step == 75) {  // an equal model takes over
         auto next = std::make_unique<TouchStepper>(sphere(), 2);
-        next->takeOver(*player);
-        player = std::move(next);
+        next->takeOver(*stepper);
+        stepper = std::move(next);
       }
-      player->step();
-      ASSERT_TRUE(player->simulation().converged()) << player->simulation().residual();
-      test::expectLaws(player->simulation());
-      if (step % 10 == 9) test::measureEquilibrium(*player, field, kRadius, largest);
-      for (const auto& contact : player->simulation().contacts()) {
+      stepper->step();
+      ASSERT_TRUE(stepper->simulation().converged()) << stepper->simulation().residual();
+      test::expectLaws(stepper->simulation());
+      if (step % 10 == 9) test::measureEquilibrium(*stepper, field, kRadius, largest);
+      for (const auto& contact : stepper->simulation().contacts()) {
         slipping += contact.status == Status::kSlipping;
         sticking += contact.status == Status::kSticking;
         open += contact.status == Status::kOpen;
@@ -153,26 +154,26 @@ TEST_P(TouchLaws, HoldAtEveryStepOfRandomHistories) {
   EXPECT_GT(open, 20);
 }
 
-/// Work of the hands around a closed way: what friction takes, never less than nothing.
+/// Work of the tools along a closed path: the loss by friction, never negative.
 TEST_P(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
-  for (const Kind kind : {Kind::kPush, Kind::kProbe})
+  for (const Kind kind : {Kind::kPush, Kind::kBall})
     for (const double friction : {0.0, 0.2, 0.6}) {
       SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind) << ", mu " << friction);
-      TouchStepper player(sphere());
-      const double high = 23.8 + (kind == Kind::kProbe ? 10 : 0);
+      TouchStepper stepper(sphere());
+      const double high = 23.8 + (kind == Kind::kBall ? 10 : 0);
       const auto at = [&](int step) -> Vector3d {
         const double angle = 2 * std::numbers::pi * step / 400;
         return {2.5 * (1 - std::cos(angle)), 2.5 * std::sin(angle),
                 high - 0.4 * std::sin(2 * angle)};
       };
-      player.apply({Command::kBegin, 1, {kind, 10, friction}, kTop, at(0)});
+      stepper.apply({Command::kBegin, 1, {kind, 10, friction}, kTop, at(0)});
       Vector3d before = kNone;
       double work = 0, sliding = 0;
       for (int step = 0; step <= 800; ++step) {
-        player.apply({Command::kSet, 1, {}, kNone, at(step)});
-        player.step();
-        ASSERT_TRUE(player.simulation().converged());
-        const Vector3d force = player.simulation().contacts()[0].force;
+        stepper.apply({Command::kSet, 1, {}, kNone, at(step)});
+        stepper.step();
+        ASSERT_TRUE(stepper.simulation().converged());
+        const Vector3d force = stepper.simulation().contacts()[0].force;
         if (step > 400) {  // the first time around friction builds up
           const double part = 0.5 * (force + before).dot(at(step) - at(step - 1));
           work += part;
@@ -191,25 +192,26 @@ TEST_P(TouchLaws, FrictionTakesEnergyAroundClosedWays) {
     }
 }
 
-/// The body and all touches mirrored give the mirrored forces. The body is its own mirror image but
-/// for its mesh, so agreement is that of the discretisation.
+/// The body and all touches mirrored give the mirrored forces. The body equals its mirror image
+/// except for the mesh, so the forces agree to the error of the discretisation.
 TEST_P(TouchLaws, MirrorImagesGiveMirrorImages) {
   const Vector3d mirror(1, -1, 1);
   const auto play = [&](bool isMirrored) {
     const auto image = [&](const Vector3d& v) -> Vector3d {
       return isMirrored ? Vector3d(mirror.cwiseProduct(v)) : v;
     };
-    TouchStepper player(sphere());
-    player.apply({Command::kBegin, 1, {Kind::kProbe, 12, 0.3}, kTop, image({0, 0, 36})});
-    player.apply(
+    TouchStepper stepper(sphere());
+    stepper.apply({Command::kBegin, 1, {Kind::kBall, 12, 0.3}, kTop, image({0, 0, 36})});
+    stepper.apply(
         {Command::kBegin, 2, {Kind::kPush, 8, 0.2}, image({15, 20, 0}), image({14.2, 18.8, 0})});
-    player.apply({Command::kBegin, 3, {Kind::kGrab, 8}, image({-25, 0, 0}), image({1, 0.5, -0.4})});
+    stepper.apply(
+        {Command::kBegin, 3, {Kind::kGrab, 8}, image({-25, 0, 0}), image({1, 0.5, -0.4})});
     std::vector<Vector3d> forces;
     for (int k = 0; k < 80; ++k) {
-      player.apply({Command::kSet, 1, {}, kNone, image({0.03 * k, 0.04 * k, 35.8})});
-      player.apply({Command::kSet, 2, {}, kNone, image({14.2, 18.8 - 0.01 * k, 0.04 * k})});
-      player.step();
-      for (const auto& contact : player.simulation().contacts())
+      stepper.apply({Command::kSet, 1, {}, kNone, image({0.03 * k, 0.04 * k, 35.8})});
+      stepper.apply({Command::kSet, 2, {}, kNone, image({14.2, 18.8 - 0.01 * k, 0.04 * k})});
+      stepper.step();
+      for (const auto& contact : stepper.simulation().contacts())
         forces.push_back(image(contact.force));
     }
     return forces;
@@ -230,11 +232,11 @@ TEST_P(TouchLaws, ComplianceIsSymmetric) {
   const Vector3d forces[] = {{0.05, 0.02, -0.2}, {-0.15, 0.1, 0.05}};
   double work[2];
   for (const int loaded : {0, 1}) {
-    TouchStepper player(sphere());
-    player.apply({Command::kBegin, 1, {Kind::kForce, 8}, places[loaded], forces[loaded]});
-    player.step();
+    TouchStepper stepper(sphere());
+    stepper.apply({Command::kBegin, 1, {Kind::kForce, 8}, places[loaded], forces[loaded]});
+    stepper.step();
     TouchSnapshot snapshot;
-    player.describe(snapshot);
+    stepper.describe(snapshot);
     TouchField field(sphere());
     const auto mask = bem::makeContactMask(sphere()->surface(), places[1 - loaded], 8);
     work[loaded] = forces[1 - loaded].dot(mask.displacement(field.displacements(snapshot)).col(0));
@@ -246,27 +248,27 @@ TEST_P(TouchLaws, ComplianceIsSymmetric) {
 /// Two tools at one place that want different things: the forces stay bounded, the laws hold for
 /// all others, and a touch that begins meanwhile has its force at once.
 TEST_P(TouchLaws, ATouchBeginsWhileOthersContradictEachOther) {
-  TouchStepper player(sphere());
-  player.apply({Command::kBegin, 1, {Kind::kGrab, 8}, kTop, {0, 0, -1}});
-  player.step();
-  const double alone = player.simulation().contacts()[0].force.norm();
-  player.apply({Command::kBegin, 2, {Kind::kGrab, 8}, kTop, {0, 0, -2}});
-  player.step();
-  EXPECT_FALSE(player.simulation().converged());
-  EXPECT_GT(player.simulation().softness(), 0);
-  player.apply({Command::kBegin, 3, {Kind::kGrab, 8}, {25, 0, 0}, {-1, 0, 0}});
-  player.step();
-  EXPECT_FALSE(player.simulation().converged());
-  EXPECT_GT(player.simulation().residual(), 0);
-  const auto& contacts = player.simulation().contacts();
+  TouchStepper stepper(sphere());
+  stepper.apply({Command::kBegin, 1, {Kind::kGrab, 8}, kTop, {0, 0, -1}});
+  stepper.step();
+  const double alone = stepper.simulation().contacts()[0].force.norm();
+  stepper.apply({Command::kBegin, 2, {Kind::kGrab, 8}, kTop, {0, 0, -2}});
+  stepper.step();
+  EXPECT_FALSE(stepper.simulation().converged());
+  EXPECT_GT(stepper.simulation().softness(), 0);
+  stepper.apply({Command::kBegin, 3, {Kind::kGrab, 8}, {25, 0, 0}, {-1, 0, 0}});
+  stepper.step();
+  EXPECT_FALSE(stepper.simulation().converged());
+  EXPECT_GT(stepper.simulation().residual(), 0);
+  const auto& contacts = stepper.simulation().contacts();
   EXPECT_LE((contacts[2].displacement - Vector3d(-1, 0, 0)).norm(), 1e-6);
   EXPECT_GT(contacts[2].force.norm(), 0.1 * alone);
   const Vector3d both = contacts[0].force + contacts[1].force;
   EXPECT_NEAR(both.norm(), 1.5 * alone, 0.3 * alone);
   EXPECT_LE(contacts[1].force.norm(), 20 * alone);
-  player.apply({Command::kEnd, 1, {}, kNone, kNone});
-  player.step();
-  EXPECT_TRUE(player.simulation().converged());
+  stepper.apply({Command::kEnd, 1, {}, kNone, kNone});
+  stepper.step();
+  EXPECT_TRUE(stepper.simulation().converged());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "app/core/live/touch_loop.h"
+#include "app/core/model/build_touch_model.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +111,7 @@ TEST(TripleBuffer, HandsOverTheNewestWholeValue) {
   }
 }
 
-/// The loop ends contacts while their hands still move them, and other hands get their places.
+/// The loop ends contacts while their threads still move them, and other threads get their slots.
 TEST(TouchInput, APlaceThatWasTakenAwayHasOneWriterAtATime) {
   TouchInput input;
   std::atomic<bool> isOver{false};
@@ -167,10 +168,10 @@ TEST(TouchLoop, GivesTheForceOfTheExactSolver) {
   loop.setModel(sphere());
   const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
   const TouchSnapshot snapshot = await(loop, hasForce(id));
-  const modeling::Touch touch{"exact", kTop, modeling::TouchDisplacement{{0, 0.5, -2}}, 8.0};
+  const modeling::Touch touch{"exact", kTop, modeling::TouchKind::kGrab, {0, 0.5, -2}, 8.0};
   const TouchState exact = playTouches(*sphere(), std::span(&touch, 1));
   const auto* contact = snapshot.find(id);
-  EXPECT_EQ(contact->status, Status::kHolding);
+  EXPECT_EQ(contact->status, Status::kGrabbed);
   EXPECT_TRUE(snapshot.isConverged);
   EXPECT_LE((contact->force - exact.contacts[0].force).norm(), 1e-5 * contact->force.norm());
   EXPECT_NEAR(contact->stiffness, exact.contacts[0].stiffness, 1e-4 * contact->stiffness);
@@ -218,7 +219,7 @@ TEST(TouchLoop, ColumnsThatComeWithTheNeededOnesAreAroundThem) {
   TouchLoop loop(options);
   const auto number = loop.setModel(build(project));
   await(loop, hasForce(loop.begin({Kind::kGrab, 5}, kTop, {0, 0, -1})));
-  const auto body = loop.body(number);
+  const auto body = loop.model(number);
   const std::vector<Vector3d>& places = body->surface().places();
   ASSERT_LT(body->columns()->readyCount(), body->columns()->nodeCount() / 2);
   double farthest = 0;
@@ -232,7 +233,7 @@ TEST(TouchLoop, ColumnsComeNearestToTheExpectedTouchFirst) {
   loop.expect(kSide);
   const auto number = loop.setModel(sphere());
   await(loop, [&](const TouchSnapshot& snapshot) { return snapshot.columnsReady > 0; });
-  const auto body = loop.body(number);
+  const auto body = loop.model(number);
   ASSERT_NE(body, nullptr);
   const auto& nodes = body->surface().mesh().nodes;
   const std::vector<int> order = body->columns()->nodesNear(body->surface().places(), kSide);
@@ -272,8 +273,8 @@ TEST(TouchLoop, RefusesWhatItCannotHold) {
   EXPECT_THROW(loop.begin({Kind::kPush, 8, -1}, kTop, kTop), TouchRefused);
   std::vector<TouchId> ids;
   for (int k = 0; k < TouchSnapshot::kMaxBalls; ++k)
-    ids.push_back(loop.begin({Kind::kProbe, 5, 0}, kTop, {0, 0, 40}));
-  EXPECT_THROW(loop.begin({Kind::kProbe, 5, 0}, kTop, {0, 0, 40}), TouchRefused);
+    ids.push_back(loop.begin({Kind::kBall, 5, 0}, kTop, {0, 0, 40}));
+  EXPECT_THROW(loop.begin({Kind::kBall, 5, 0}, kTop, {0, 0, 40}), TouchRefused);
   while (ids.size() < TouchSnapshot::kMaxContacts)
     ids.push_back(loop.begin({Kind::kPush, 5, 0}, kTop, {0, 0, 40}));
   EXPECT_THROW(loop.begin({Kind::kPush, 5, 0}, kTop, {0, 0, 40}), TouchRefused);
@@ -283,7 +284,7 @@ TEST(TouchLoop, RefusesWhatItCannotHold) {
   for (const TouchId id : ids) loop.end(id);
   for (const TouchId id : ids) loop.end(id);  // nothing happens
   await(loop, [](const TouchSnapshot& snapshot) { return snapshot.contactCount == 0; });
-  const TouchId again = loop.begin({Kind::kProbe, 5, 0}, kTop, {0, 0, 29});
+  const TouchId again = loop.begin({Kind::kBall, 5, 0}, kTop, {0, 0, 29});
   loop.set(ids.front(), kSide);  // the same place in the loop, another contact
   EXPECT_EQ(await(loop, hasForce(again)).find(again)->value, Vector3d(0, 0, 29));
 }
@@ -331,7 +332,7 @@ TEST(TouchLoop, AnEditedModelChangesTheForceByTheChangeOfTheModel) {
   const auto number = loop.setModel(edited);
   Vector3d after = before;
   TouchSnapshot snapshot;
-  do {  // every force on the way is that of one model or of the other
+  do {  // every force belongs to one of the two models
     loop.read(snapshot);
     const Vector3d force = snapshot.find(id)->force;
     if (snapshot.model == number)
@@ -341,7 +342,7 @@ TEST(TouchLoop, AnEditedModelChangesTheForceByTheChangeOfTheModel) {
   } while (snapshot.model != number);
   const Vector3d at = snapshot.find(id)->point.position;
   EXPECT_LE((at - 1.01 * kTop).norm(), 0.5);
-  const modeling::Touch touch{"exact", at, modeling::TouchDisplacement{{0, 0.5, -2}}, 8.0};
+  const modeling::Touch touch{"exact", at, modeling::TouchKind::kGrab, {0, 0.5, -2}, 8.0};
   const TouchState exact = playTouches(*edited, std::span(&touch, 1));
   EXPECT_LE((after - exact.contacts[0].force).norm(), 1e-5 * after.norm());
   EXPECT_GT((after - before).norm(), 1e-4 * after.norm());
@@ -352,13 +353,13 @@ TEST(TouchLoop, EqualOperatorsShareTheirColumns) {
   TouchLoop loop;
   const auto first = loop.setModel(sphere());
   await(loop, isComplete(first));
-  const auto columns = loop.body(first)->columns();
+  const auto columns = loop.model(first)->columns();
   modeling::Project project = test::clampedSphere(6);
   project.supports[0].displacement = {0, 0, 0.1};  // a right-hand side
   const auto other = loop.setModel(build(project));
   const auto snapshot = await(loop, [&](const TouchSnapshot& s) { return s.model == other; });
   EXPECT_EQ(snapshot.columnsReady, 1);
-  EXPECT_EQ(loop.body(other)->columns(), columns);
+  EXPECT_EQ(loop.model(other)->columns(), columns);
   loop.setModel(nullptr);
   await(loop, [&](const TouchSnapshot& s) { return s.model == 0; });
   const auto again = loop.setModel(sphere());
@@ -370,7 +371,7 @@ TEST(TouchLoop, ContactsThatEndWithoutAModelMakeRoomForOthers) {
   const auto end = std::chrono::steady_clock::now() + 60s;
   int begun = 0;
   while (begun < 200 && std::chrono::steady_clock::now() < end) try {
-      loop.end(loop.begin({Kind::kProbe, 5}, kTop, {0, 0, 31}));
+      loop.end(loop.begin({Kind::kBall, 5}, kTop, {0, 0, 31}));
       ++begun;
     } catch (const TouchRefused&) {  // those that were ended are still being taken away
       std::this_thread::sleep_for(1ms);
@@ -381,7 +382,7 @@ TEST(TouchLoop, ContactsThatEndWithoutAModelMakeRoomForOthers) {
 TEST(TouchLoop, WithoutAModelTouchesEnd) {
   TouchLoop loop;
   loop.setModel(sphere());
-  const TouchId id = loop.begin({Kind::kProbe, 8, 0}, kTop, {0, 0, 32});
+  const TouchId id = loop.begin({Kind::kBall, 8, 0}, kTop, {0, 0, 32});
   await(loop, hasForce(id));
   loop.setModel(nullptr);
   const auto none = await(loop, [](const TouchSnapshot& snapshot) { return snapshot.model == 0; });
@@ -390,7 +391,7 @@ TEST(TouchLoop, WithoutAModelTouchesEnd) {
   loop.set(id, kTop);
   loop.end(id);
   loop.setModel(sphere());
-  const TouchId next = loop.begin({Kind::kProbe, 8, 0}, kTop, {0, 0, 32});
+  const TouchId next = loop.begin({Kind::kBall, 8, 0}, kTop, {0, 0, 32});
   const auto snapshot = await(loop, hasForce(next));
   EXPECT_EQ(snapshot.contactCount, 1);
 }
@@ -428,13 +429,13 @@ TEST(TouchLoop, OldModelsAreReleasedElsewhere) {
     const auto number = loop.setModel(model);
     const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, {0, 0, -1});
     await(loop, hasForce(id));
-    EXPECT_NE(loop.body(number), nullptr);
+    EXPECT_NE(loop.model(number), nullptr);
   }
   const auto number = loop.setModel(sphere());
   await(loop, [&](const TouchSnapshot& snapshot) { return snapshot.model == number; });
   for (int k = 0; k < 60'000 && !old.expired(); ++k) std::this_thread::sleep_for(1ms);
   EXPECT_TRUE(old.expired());
-  EXPECT_EQ(loop.body(number - 1), nullptr);
+  EXPECT_EQ(loop.model(number - 1), nullptr);
 }
 
 TEST(TouchLoop, SaysWhenThereIsNoMemoryForColumns) {
@@ -458,15 +459,15 @@ TEST(TouchLoop, AllocatesNothingWhileContactsMove) {
   await(loop, isComplete(loop.setModel(sphere())));
   const TouchId grab = loop.begin({Kind::kGrab, 8}, kSide, {-1, 0.2, 0});
   const TouchId push = loop.begin({Kind::kPush, 8, 0.3}, kTop, {0, 0, 23});
-  const TouchId probe = loop.begin({Kind::kProbe, 10, 0.2}, {0, 25, 0}, {0, 34, 0});
+  const TouchId ball = loop.begin({Kind::kBall, 10, 0.2}, {0, 25, 0}, {0, 34, 0});
   const auto move = [&] {  // there and back
     for (int k = 0; k <= 400; ++k) {
       const double t = std::sin(std::numbers::pi * k / 200);
       loop.set(grab, {-1 + 0.3 * t, 0.2, 0.5 * t});
       loop.set(push, 23 * Vector3d(std::sin(0.3 * t), 0, std::cos(0.3 * t)));
       const Vector3d last = (34 - t) * Vector3d(std::sin(0.2 * t), std::cos(0.2 * t), 0);
-      loop.set(probe, last);
-      await(loop, hasValue(probe, last));
+      loop.set(ball, last);
+      await(loop, hasValue(ball, last));
     }
   };
   move();
@@ -477,7 +478,7 @@ TEST(TouchLoop, AllocatesNothingWhileContactsMove) {
   move();
   EXPECT_EQ(test::allocations(), 0);
   // The counter works: a new contact allocates.
-  const TouchId last = loop.begin({Kind::kProbe, 10, 0.2}, -kSide, {-34, 0, 0});
+  const TouchId last = loop.begin({Kind::kBall, 10, 0.2}, -kSide, {-34, 0, 0});
   await(loop, hasForce(last));
   EXPECT_GT(test::allocations(), 0);
   test::watchAllocations(0);
@@ -491,7 +492,7 @@ TEST(TouchLoop, SurvivesEverythingAtOnce) {
     std::vector<std::jthread> hands;
     for (int hand = 0; hand < 3; ++hand)
       hands.emplace_back([&, hand] {
-        const Kind kinds[] = {Kind::kGrab, Kind::kPush, Kind::kProbe};
+        const Kind kinds[] = {Kind::kGrab, Kind::kPush, Kind::kBall};
         const Vector3d none = Vector3d::Zero();
         for (int round = 0; round < 15; ++round) {
           const Vector3d at = 25 * Vector3d(std::cos(round + hand), std::sin(round + hand), 0);
@@ -521,7 +522,7 @@ TEST(TouchLoop, SurvivesEverythingAtOnce) {
     const auto last = await(loop, [&](const TouchSnapshot& s) { return s.find(id) != nullptr; });
     await(loop, stepsAfter(last.step + 3));
   }
-  waitUntilReleased();
+  waitUntilDestroyed();
 }
 
 }  // namespace

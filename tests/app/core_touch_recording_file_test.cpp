@@ -1,5 +1,6 @@
 // Recordings as files: every bit comes back, and broken files are refused with the place.
 #include "app/core/live/touch_recording_file.h"
+#include "app/core/model/build_touch_model.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,7 @@
 #include <random>
 
 #include "app/core/live/touch_replay.h"
+#include "app/core/model/contact_kind.h"
 #include "core_projects.h"
 #include "modeling/error.h"
 
@@ -27,7 +29,7 @@ RecordingFile example() {
   const Vector3d none = Vector3d::Zero();
   recording.entries = {{0, {What::kBegin, 1, {Kind::kPush, 8, 0.3}, {0, 0, 25}, {0, 0, 1.0 / 3.0}}},
                        {0, {What::kBegin, 2, {Kind::kGrab, 6.5, 0}, {25, 0, 0}, {-1, 0, 1e-17}}},
-                       {7, {What::kBegin, 3, {Kind::kProbe, 10, 0.1}, {0, 25, 0}, {0, 34, 0}}},
+                       {7, {What::kBegin, 3, {Kind::kBall, 10, 0.1}, {0, 25, 0}, {0, 34, 0}}},
                        {7, {What::kBegin, 4, {Kind::kForce, 5, 0}, {0, -25, 0}, {0, 0.1, -0.2}}},
                        {9, {What::kSet, 1, {}, none, {1e-3, 2, 23.456789012345678}}},
                        {30, {What::kEnd, 2, {}, none, none}},
@@ -49,6 +51,15 @@ std::string errorWith(const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) return "the text has no " + from;
   return errorOf(text.replace(at, from.size(), to));
+}
+
+/// The kinds of contact as the schema lists them: all kinds of touch except pins.
+std::string kindNames() {
+  std::string names;
+  for (const modeling::TouchKindInfo& info : modeling::kTouchKinds)
+    if (contactKindNamed(info.name))
+      names += (names.empty() ? "\"" : ", \"") + std::string(info.name) + "\"";
+  return names;
 }
 
 TEST(TouchRecordingFile, KeepsEveryBit) {
@@ -80,16 +91,27 @@ TEST(TouchRecordingFile, KeepsEveryBit) {
   }
 }
 
+TEST(TouchRecordingFile, ReadsVersion1WhichCalledABallAProbe) {
+  const std::string text = toJson(example());
+  std::string old = text;
+  const auto replace = [&old](const std::string& from, const std::string& to) {
+    ASSERT_NE(old.find(from), std::string::npos) << from;
+    old.replace(old.find(from), from.size(), to);
+  };
+  replace("\"version\": 2", "\"version\": 1");
+  replace("\"kind\": \"ball\"", "\"kind\": \"probe\"");
+  EXPECT_EQ(toJson(parseRecording(old, "old.json")), text);
+}
+
 TEST(TouchRecordingFile, ErrorsNameThePlace) {
   EXPECT_EQ(errorOf(toJson(example())), "no error");
   EXPECT_EQ(errorWith("palpa-recording", "palpa-project"),
             "hand.json: this is not a recording of Palpa (format is not \"palpa-recording\")");
-  EXPECT_EQ(errorWith("\"version\": 1", "\"version\": 3"),
-            "hand.json: version: found 3; this program reads up to version 1; a newer Palpa is "
+  EXPECT_EQ(errorWith("\"version\": 2", "\"version\": 3"),
+            "hand.json: version: found 3; this program reads up to version 2; a newer Palpa is "
             "needed");
-  EXPECT_EQ(errorWith("\"kind\": \"probe\"", "\"kind\": \"hammer\""),
-            "hand.json: commands[2].kind: found \"hammer\", expected one of \"grab\", \"push\", "
-            "\"probe\", \"force\"");
+  EXPECT_EQ(errorWith("\"kind\": \"ball\"", "\"kind\": \"hammer\""),
+            "hand.json: commands[2].kind: found \"hammer\", expected one of " + kindNames());
   EXPECT_EQ(errorWith("\"radius_mm\": 8", "\"radius_mm\": -8"),
             "hand.json: commands[0].radius_mm: found -8, expected more than 0");
   EXPECT_EQ(errorWith("\"friction\": 0.3", "\"friction\": 11"),
@@ -117,7 +139,7 @@ TEST(TouchRecordingFile, ErrorsNameThePlace) {
 }
 
 TEST(TouchRecordingFile, RefusesMoreContactsThanThereCanBe) {
-  for (const auto& [kind, most] : {std::pair{Kind::kGrab, 64}, std::pair{Kind::kProbe, 8}}) {
+  for (const auto& [kind, most] : {std::pair{Kind::kGrab, 64}, std::pair{Kind::kBall, 8}}) {
     RecordingFile file = example();
     file.recording.entries.clear();
     for (int k = 0; k < most; ++k)

@@ -1,4 +1,5 @@
 #include "app/core/live/touch_replay.h"
+#include "app/core/model/build_touch_model.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ std::shared_ptr<const TouchModel> build(double edgeLength) {
   return buildTouchModel(test::clampedSphere(edgeLength), {}, {});
 }
 
-/// A push with friction, a probe and a grab that move for a while.
+/// A push with friction, a ball and a grab that move for a while.
 TouchRecording touches() {
   using Command = TouchCommand::Kind;
   TouchRecording recording;
@@ -30,7 +31,7 @@ TouchRecording touches() {
   recording.entries.push_back(
       {0, {Command::kBegin, 1, {Kind::kPush, 8, 0.3}, {0, 0, 25}, {0, 0, 23}}});
   recording.entries.push_back(
-      {10, {Command::kBegin, 2, {Kind::kProbe, 10, 0.2}, {0, 25, 0}, {0, 34, 0}}});
+      {10, {Command::kBegin, 2, {Kind::kBall, 10, 0.2}, {0, 25, 0}, {0, 34, 0}}});
   recording.entries.push_back(
       {20, {Command::kBegin, 3, {Kind::kGrab, 8, 0}, {25, 0, 0}, {-1, 0, 0}}});
   for (std::uint64_t k = 20; k < 100; ++k) {

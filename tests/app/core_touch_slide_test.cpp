@@ -1,10 +1,11 @@
-// Tools dragged once around the sphere: what a person feels of the discretisation.
+// Tools dragged once around the sphere: the effect of the discretisation on the force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "app/core/model/build_touch_model.h"
 #include "bench/touch_slide.h"
 #include "core_projects.h"
 
@@ -33,7 +34,7 @@ TEST_P(TouchSlide, TheForceHasNoStepsAroundTheSphere) {
   std::printf("n = %d\n", body->surface().dofs().nodeCount());
   // As it came out with friction, too (palpa-touch-bench).
   for (const bool isBall : {false, true}) {
-    const bem::ContactTool tool{isBall ? Kind::kProbe : Kind::kPush, isBall ? 10.0 : 6.0, 0};
+    const bem::ContactTool tool{isBall ? Kind::kBall : Kind::kPush, isBall ? 10.0 : 6.0, 0};
     const bench::Slide slide = bench::dragAround(body, tool, 1.5);
     const double largest = slide.largestForce();
     std::printf("%s: jumps of %.2f %%, of its magnitude %.2f %%\n", isBall ? "ball" : "finger",

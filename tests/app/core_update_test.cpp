@@ -1,4 +1,4 @@
-// Models of moved shapes made from those of earlier ones, with both engines.
+// Incremental updates of models of moved shapes, with both engines.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include "app/core/results/touch.h"
 #include "app/core/session/rebuild_pipeline.h"
+#include "bem/dense/make_reference_problem.h"
 #include "core_projects.h"
 #include "modeling/shapes/primitives.h"
 
@@ -52,17 +53,18 @@ Vector3d forceAt(const TouchModel& model, const Vector3d& at) {
   modeling::Touch touch;
   touch.at = at;
   touch.radius = 6.0;
-  touch.action = modeling::TouchDisplacement{{0.3, -0.2, -1}};
+  touch.kind = modeling::TouchKind::kGrab;
+  touch.vector = {0.3, -0.2, -1};
   return playTouches(model, {&touch, 1}).contacts.front().force;
 }
 
-/// Of the displacements that forces everywhere cause, from those of a problem of the same
-/// discretisation with factors of its own; over the largest.
-double differenceFromOwnFactors(const TouchModel& update) {
+/// Largest difference between the displacements of forces everywhere and the displacements computed
+/// with factors of the same discretisation, over the largest displacement.
+double differenceFromFullRebuild(const TouchModel& update) {
   const BoundarySetup& setup = update.setup();
-  const auto own =
-      setup.discretisation->makeProblem(setup.conditions.ofSlot, setup.material,
-                                        bem::AssemblyOptions{1e-5}, bem::Precision::kDouble, {});
+  const auto own = bem::makeDenseReferenceProblem(
+      *setup.discretisation, {setup.conditions.ofSlot, setup.material, bem::AssemblyOptions{1e-5},
+                              bem::Precision::kDouble});
   const bem::ReferenceProblem& problem = *update.problem();
   const auto u = [&](const bem::ReferenceProblem& of) {
     const Eigen::VectorXd forces = Eigen::VectorXd::LinSpaced(of.dofs().nodalCount(), -1, 1);
@@ -88,7 +90,7 @@ TEST_P(Update, IsTouchedLikeAModelOfItsOwn) {
     const auto update = updateTouchModel(edited, project, *former, {}, {});
     ASSERT_TRUE(update) << edit;
     EXPECT_LE(update->report().residual.value(), 1e-5);
-    EXPECT_LE(differenceFromOwnFactors(*update), 1e-6) << edit;
+    EXPECT_LE(differenceFromFullRebuild(*update), 1e-6) << edit;
     const auto own = buildTouchModel(edited, {}, {});
     EXPECT_FALSE(own->report().residual);
     const Vector3d ofUpdate = forceAt(*update, place), ofOwn = forceAt(*own, place);
@@ -158,7 +160,7 @@ TEST_P(Update, ComesFirstAndIsReplaced) {
   const RebuildStatus status = pipeline.status();
   EXPECT_EQ(status.state, State::kUpToDate);
   EXPECT_FALSE(status.residual);
-  EXPECT_EQ(status.stages.front().phase, "update");
+  EXPECT_EQ(status.stages.front().phase, Phase::kUpdate);
   const auto model = pipeline.model();
   EXPECT_FALSE(model->report().residual);
   // To the bit what a pipeline without a past makes of the same project.
@@ -180,7 +182,7 @@ TEST(SplineUpdate, FollowsEditsBesideABorderThatCutsPatches) {
       ASSERT_TRUE(update);
     }
     if (update) {
-      EXPECT_LE(differenceFromOwnFactors(*update), 1e-6) << z;
+      EXPECT_LE(differenceFromFullRebuild(*update), 1e-6) << z;
     }
   }
 }

@@ -1,4 +1,4 @@
-// The finite element solutions of fem.json against the whole way from a project to probes and
+// The finite element solutions of fem.json against the whole way from a project to samples and
 // reactions: what `palpa-cli verify` runs, and other meshes.
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, FiniteElements,
                            return name;
                          });
 
-// The tolerances are those of the same cases in app/verification, but where the mesh is another.
+// The tolerances equal the tolerances of these cases in app/verification, except for other meshes.
 
 TEST(FiniteElements, ASideIsPushedOnAUniformMesh) {
   const FemSolution solution = solveTriangles("a_cyl_side", 2.25);

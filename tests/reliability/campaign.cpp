@@ -72,7 +72,7 @@ Usage usageNow() {
 
 Campaign::Campaign(const char* name, int argc, char** argv, double seconds, long rounds,
                    std::vector<std::string> others)
-    : name_(name), seconds_(seconds), wanted_(rounds) {
+    : name_(name), seconds_(seconds), requestedRounds_(rounds) {
   for (int i = 1; i < argc; i += 2) {
     const std::string option = argv[i];
     if (i + 1 == argc) endWithUsage(name_, others);
@@ -88,13 +88,13 @@ Campaign::Campaign(const char* name, int argc, char** argv, double seconds, long
     if (option == "--seconds")
       seconds_ = number;
     else if (option == "--rounds")
-      wanted_ = static_cast<long>(number);
+      requestedRounds_ = static_cast<long>(number);
     else if (option == "--seed")
       seed_ = static_cast<std::uint64_t>(number);
     else
       endWithUsage(name_, others);
   }
-  if (seconds_ == 0 && wanted_ == 0) endWithUsage(name_, others);
+  if (seconds_ == 0 && requestedRounds_ == 0) endWithUsage(name_, others);
 }
 
 std::optional<std::string> Campaign::option(std::string_view name) const {
@@ -109,13 +109,16 @@ double Campaign::elapsed() const {
 
 double Campaign::fraction() const {
   const double ofTime = seconds_ > 0 ? elapsed() / seconds_ : 0;
-  const double ofRounds =
-      wanted_ > 0 ? static_cast<double>(rounds_) / static_cast<double>(wanted_) : 0;
+  const double ofRounds = requestedRounds_ > 0
+                              ? static_cast<double>(rounds_) / static_cast<double>(requestedRounds_)
+                              : 0;
   return std::min(1.0, std::max(ofTime, ofRounds));
 }
 
 bool Campaign::next() {
-  if ((wanted_ > 0 && rounds_ >= wanted_) || (seconds_ > 0 && elapsed() >= seconds_)) return false;
+  if ((requestedRounds_ > 0 && rounds_ >= requestedRounds_) ||
+      (seconds_ > 0 && elapsed() >= seconds_))
+    return false;
   ++rounds_;
   return true;
 }
@@ -154,11 +157,12 @@ void Campaign::figures(const Usage& before, const Usage& after) {
   line_ += text.str();
 }
 
-void Campaign::requireFlat(const Usage& before, const Usage& after, [[maybe_unused]] double most) {
+void Campaign::requireFlat(const Usage& before, const Usage& after,
+                           [[maybe_unused]] double maxGrowth) {
 #if !defined(__SANITIZE_ADDRESS__)
   const double heap = after.heap - before.heap, resident = after.resident - before.resident;
-  require(heap <= most, "memory in use grew by " + shortText(heap / kMiB) + " MiB");
-  require(resident <= most + kFragments,
+  require(heap <= maxGrowth, "memory in use grew by " + shortText(heap / kMiB) + " MiB");
+  require(resident <= maxGrowth + kFragments,
           "the resident size grew by " + shortText(resident / kMiB) + " MiB");
 #endif
   require(after.handles <= before.handles,

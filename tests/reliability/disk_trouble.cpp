@@ -203,7 +203,7 @@ void closedFolder(Campaign& campaign, Random& random) {
                                         fs::perms::group_exec | fs::perms::owner_exec);
     ::chmod(folder.path().c_str(), 0555);
     std::fflush(nullptr);
-    // As another person: in a child of its own, so that this one can clean up.
+    // As another user, in a child process, so that this process can clean up.
     const pid_t other = testing_support::startChild([&] {
       if (!dropRights()) ::_exit(kSkipped);
       const std::string wrong = everythingIsRefused(folder.path(), sphereOf(points));
@@ -266,7 +266,7 @@ void spoil(const fs::path& file, Random& random) {
   std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
 }
 
-/// Solved models on disk that were damaged: built anew, and the file goes.
+/// Damaged solved models on disk: the model is built again, and the file is deleted.
 class Cache {
  public:
   explicit Cache(Campaign& campaign) : campaign_(campaign) {

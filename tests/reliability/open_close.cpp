@@ -9,10 +9,11 @@
 #include "app/core/system/destroy_in_background.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/import.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/project/project_file.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/modeling/child_process.h"
-#include "tests/reliability/hand.h"
+#include "tests/reliability/touch_user.h"
 
 namespace palpa::reliability {
 namespace {
@@ -86,12 +87,12 @@ void cycle(Campaign& campaign, const Files& files, Random& random) {
     app::TouchLoop loop;
     const std::vector<Place> places = placesOf(*model);
     const std::uint64_t number = loop.setModel(model);
-    Hand hand(loop, random(), 3);
+    TouchUser user(loop, random(), 3);
     app::TouchSnapshot snapshot;
     const auto end = Clock::now() + kPatience;
     bool isTouched = false;
     for (int moves = 0; (moves < 20 || !isTouched) && Clock::now() < end; ++moves) {
-      hand.act(places);
+      user.act(places);
       std::this_thread::sleep_for(1ms);
       loop.read(snapshot);
       for (const auto& contact : snapshot.touched())
@@ -120,11 +121,11 @@ int main(int argc, char** argv) {
   while (campaign.next()) {
     cycle(campaign, files, random);
     if (isWarm || campaign.fraction() < 1.0 / 3) continue;
-    palpa::app::waitUntilReleased();
+    palpa::app::waitUntilDestroyed();
     before = usageNow();
     isWarm = true;
   }
-  palpa::app::waitUntilReleased();
+  palpa::app::waitUntilDestroyed();
   const Usage after = usageNow();
   campaign.figures(before, after);
   campaign.requireFlat(before, after, 2 * kMiB);

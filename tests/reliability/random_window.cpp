@@ -21,7 +21,7 @@
 #include "modeling/project/project_file.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/reliability/campaign.h"
-#include "tests/reliability/window_hand.h"
+#include "tests/reliability/window_user.h"
 
 namespace palpa::reliability {
 namespace {
@@ -91,24 +91,24 @@ int drive(Campaign& campaign, int argc, char** argv, const QString& folder,
   QApplication::setQuitOnLastWindowClosed(false);
   gui::applyTheme(application, gui::Theme::kLight);
   Log write(log);
-  WindowHand hand(campaign.seed(), folder, std::ref(write));
+  WindowUser user(campaign.seed(), folder, std::ref(write));
   Usage before;
   bool isWarm = false;
   while (campaign.next()) {
-    hand.act();
-    QTest::qWait(pick(hand.random(), 0, 6));
+    user.act();
+    QTest::qWait(pick(user.random(), 0, 6));
     if (campaign.rounds() % 200 == 0) {
-      hand.rest();
-      check(campaign, hand.window().editor());
+      user.rest();
+      check(campaign, user.window().editor());
     }
     if (isWarm || campaign.fraction() < 1.0 / 3) continue;
     before = usageNow();
     isWarm = true;
   }
-  hand.rest();
-  check(campaign, hand.window().editor());
+  user.rest();
+  check(campaign, user.window().editor());
   const Usage after = usageNow();
-  for (const auto& [name, count] : hand.counts()) campaign.figure(name, static_cast<double>(count));
+  for (const auto& [name, count] : user.counts()) campaign.figure(name, static_cast<double>(count));
   campaign.figures(before, after);
   return campaign.end();
 }

@@ -80,7 +80,7 @@ class Kill {
   }
 
  private:
-  /// The child: every state is autosaved, some are then saved, as a person does.
+  /// In the child process: autosaves every state, then saves some of them, as a user does.
   [[noreturn]] void edit(std::uint64_t number, testing_support::Reports& reports) const {
     modeling::Autosave autosave(snapshots_);
     for (;; ++number) {
@@ -128,7 +128,7 @@ class Kill {
     campaign_.require(newest <= reported + 1, "a state from nowhere");
     ++(newest > saved ? sums.fromSnapshot : sums.fromFile);
     if (newest > saved) {
-      // The person takes it and saves.
+      // The user recovers it and saves.
       modeling::writeProject(states_(newest), file_);
     }
     for (const auto* some : {&list.snapshots, &list.outdated})

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
 #include "app/core/session/new_project.h"
 #include "modeling/shapes/primitives.h"
-#include "tests/reliability/hand.h"
+#include "tests/reliability/touch_user.h"
 
 namespace palpa::reliability {
 namespace {
@@ -38,7 +39,7 @@ class Soak {
         model_(modelOf(engine)),
         places_(placesOf(*model_)),
         random_(seed),
-        hand_(loop_, seed, kMaxContacts) {
+        user_(loop_, seed, kMaxContacts) {
     number_ = loop_.setModel(model_);
     await([this](const app::TouchSnapshot& snapshot) {
       return snapshot.model == number_ && snapshot.columnsReady == 1;
@@ -46,13 +47,13 @@ class Soak {
     touchMost();
   }
 
-  const Hand& hand() const { return hand_; }
+  const TouchUser& user() const { return user_; }
   double rate() const { return snapshot_.rate; }
   const app::TouchLoop& loop() const { return loop_; }
   std::uint64_t steps() const { return snapshot_.step; }
 
   void act(Sums& sums) {
-    hand_.act(places_);
+    user_.act(places_);
     std::this_thread::sleep_for(std::chrono::microseconds(pick(random_, 200, 4000)));
     loop_.read(snapshot_);
     ++sums.snapshots;
@@ -60,18 +61,18 @@ class Soak {
     for (const auto& contact : snapshot_.touched()) {
       if (!contact.force.allFinite() || !contact.displacement.allFinite())
         campaign_.fail("a force or displacement is not finite");
-      // What is grabbed is where the hand holds it.
+      // A grabbed place is where the user moved it.
       if (contact.tool.kind == Kind::kGrab &&
-          contact.status == app::TouchSnapshot::Status::kHolding && snapshot_.isConverged &&
+          contact.status == app::TouchSnapshot::Status::kGrabbed && snapshot_.isConverged &&
           (contact.displacement - contact.value).norm() > 1e-3 * (contact.value.norm() + 1))
-        campaign_.fail("a grabbed place is not where it is held");
+        campaign_.fail("a grabbed place is not where it was moved");
     }
     if (!loop_.status().error.empty()) campaign_.fail(loop_.status().error);
   }
 
   /// Lets go of all; nothing is touched any more.
   void rest() {
-    hand_.letGoOfAll();
+    user_.endAll();
     await([](const app::TouchSnapshot& snapshot) { return snapshot.contactCount == 0; });
   }
 
@@ -83,15 +84,15 @@ class Soak {
     modeling::Touch touch;
     touch.at = place.at;
     touch.radius = pickReal(random_, 5, 9);
-    touch.action = modeling::TouchDisplacement{-pickReal(random_, 0.5, 2) * place.normal};
+    touch.kind = modeling::TouchKind::kGrab;
+    touch.vector = -pickReal(random_, 0.5, 2) * place.normal;
     Vector3d wanted;
     try {
       wanted = app::playTouches(*model_, {&touch, 1}).contacts.front().force;
     } catch (const bem::SolverError&) {
       return;  // a support holds the place
     }
-    const app::TouchId id =
-        loop_.begin({Kind::kGrab, *touch.radius}, touch.at, modeling::vectorOf(touch));
+    const app::TouchId id = loop_.begin({Kind::kGrab, *touch.radius}, touch.at, touch.vector);
     await([id](const app::TouchSnapshot& snapshot) {
       const auto* contact = snapshot.find(id);
       return contact && contact->status != app::TouchSnapshot::Status::kWaiting;
@@ -107,13 +108,13 @@ class Soak {
   }
 
  private:
-  /// The loop keeps the memory that its largest touch needed: as many of the largest balls as the
-  /// hand may hold, so that what comes needs no more.
+  /// The loop keeps the memory of its largest touch. So this touches with as many of the largest
+  /// balls as a user may hold; later touches need no more memory.
   void touchMost() {
     std::vector<app::TouchId> balls;
     for (int k = 0; k < kMaxContacts; ++k) {
       const Place& place = places_[places_.size() * static_cast<std::size_t>(k) / kMaxContacts];
-      const bem::ContactTool ball{Kind::kProbe, 9};
+      const bem::ContactTool ball{Kind::kBall, 9};
       balls.push_back(loop_.begin(ball, place.at, place.at + (ball.radius - 2) * place.normal));
     }
     await([](const app::TouchSnapshot& snapshot) { return snapshot.contactCount == kMaxContacts; });
@@ -138,7 +139,7 @@ class Soak {
   const std::vector<Place> places_;
   Random random_;
   app::TouchLoop loop_;
-  Hand hand_;
+  TouchUser user_;
   std::uint64_t number_ = 0;
   app::TouchSnapshot snapshot_;
 };
@@ -177,8 +178,8 @@ int main(int argc, char** argv) {
   const auto latency = splines.loop().latency();
   campaign.require(sums.checks > 0 && steps() > stepsBefore, "there was nothing to compare");
   campaign.figure("touches",
-                  static_cast<double>(triangles.hand().begun() + splines.hand().begun()));
-  campaign.figure("moves", static_cast<double>(triangles.hand().moved() + splines.hand().moved()));
+                  static_cast<double>(triangles.user().begun() + splines.user().begun()));
+  campaign.figure("moves", static_cast<double>(triangles.user().moved() + splines.user().moved()));
   campaign.figure("steps", static_cast<double>(steps()));
   campaign.figure("rate of each loop", static_cast<double>(steps()) / campaign.elapsed() / 2, "Hz");
   campaign.figure("latency p99", 1e3 * latency.p99, "ms");

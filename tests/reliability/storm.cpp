@@ -1,5 +1,5 @@
 // Edits, touches, rebuilds, stops and changes of mode from several threads, as the window makes
-// them; afterwards the model must be the one that the same project gives when it is built anew.
+// them; afterwards the model must equal a full rebuild of the same project.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
@@ -14,7 +14,7 @@
 #include "modeling/error.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/modeling/child_process.h"
-#include "tests/reliability/hand.h"
+#include "tests/reliability/touch_user.h"
 
 namespace palpa::reliability {
 namespace {
@@ -68,7 +68,7 @@ class Window {
   long updates() const { return updates_; }
   long models() const { return models_; }
 
-  /// One random thing a person may do, then what the window does by itself.
+  /// One random action of a user, then the window's reaction.
   void act() {
     try {
       doSomething();
@@ -139,7 +139,7 @@ class Window {
     campaign_.require(!model->report().residual, "an update stayed");
     campaign_.require(model->surface().positions == fresh->surface().positions &&
                           model->surface().triangles == fresh->surface().triangles,
-                      "another mesh than that of the project built anew");
+                      "another mesh than a full rebuild of the project");
     compareForces(*model, *fresh);
   }
 
@@ -154,7 +154,7 @@ class Window {
     return made;
   }
 
-  /// Called from the pipeline's thread and from that of the edits.
+  /// Called from the pipeline's thread and from the thread of the edits.
   void countUpdate() {
     app::RebuildPipeline* pipeline = watched_;
     if (!pipeline) return;
@@ -176,7 +176,8 @@ class Window {
     modeling::Touch touch;
     touch.at = highest->at;
     touch.radius = 7.0;
-    touch.action = modeling::TouchDisplacement{-1.5 * highest->normal};
+    touch.kind = modeling::TouchKind::kGrab;
+    touch.vector = -1.5 * highest->normal;
     const auto forceOf = [&](const app::TouchModel& of) {
       return app::playTouches(of, {&touch, 1}).contacts.front().force;
     };
@@ -188,7 +189,7 @@ class Window {
       return;  // the highest place is held
     }
     campaign_.require((found - wanted).norm() <= 1e-6 * wanted.norm(),
-                      "another force than on the project built anew");
+                      "another force than on a full rebuild of the project");
     loop_.setModel(nullptr);
     const std::uint64_t number = loop_.setModel(pipeline().model());
     const auto end = Clock::now() + kPatience;
@@ -285,7 +286,8 @@ class Window {
         touch.name = "touch " + std::to_string(edits_);
         touch.at = 25 * vector(1).normalized();
         touch.radius = pickReal(random_, 5, 9);
-        touch.action = modeling::TouchDisplacement{vector(1)};
+        touch.kind = modeling::TouchKind::kGrab;
+        touch.vector = vector(1);
         if (project.touches.size() < 2)
           edit(modeling::AddTouch{touch});
         else
@@ -339,7 +341,7 @@ class Window {
 
   /// Prepares the body that is touched for drawing, on another thread, and draws a frame.
   void draw() {
-    const auto body = loop_.body(number_);
+    const auto body = loop_.model(number_);
     if (!body) return;
     drawer_ = std::jthread([body](const std::stop_token& stop) {
       Job job;
@@ -360,7 +362,7 @@ class Window {
   }
 
   void colour() {
-    const auto body = loop_.body(number_);
+    const auto body = loop_.model(number_);
     if (body && oneIn(random_, 2))
       stiffness_.start(body, 7.0);
     else
@@ -400,11 +402,11 @@ void touch(Campaign& campaign, app::TouchLoop& loop, const std::stop_token& stop
     }
     return made;
   }();
-  Hand hand(loop, seed, 6);
+  TouchUser user(loop, seed, 6);
   Random random(seed);
   app::TouchSnapshot snapshot;
   while (!stop.stop_requested()) {
-    hand.act(places);
+    user.act(places);
     loop.read(snapshot);
     ++sums.snapshots;
     for (const auto& contact : snapshot.touched())
@@ -416,9 +418,9 @@ void touch(Campaign& campaign, app::TouchLoop& loop, const std::stop_token& stop
     }
     std::this_thread::sleep_for(std::chrono::microseconds(pick(random, 100, 3000)));
   }
-  hand.letGoOfAll();
-  sums.touches += hand.begun();
-  sums.moves += hand.moved();
+  user.endAll();
+  sums.touches += user.begun();
+  sums.moves += user.moved();
 }
 
 /// Reads all that can be read, as status bar and panels do.
@@ -439,9 +441,9 @@ void round(Campaign& campaign, Random& random, int actions, Sums& sums) {
   Window window(campaign, folder.path(), engine, random());
   {
     std::jthread watcher([&](const std::stop_token& stop) { watch(window, stop); });
-    std::vector<std::jthread> hands;
+    std::vector<std::jthread> users;
     for (int i = 0; i < 2; ++i)
-      hands.emplace_back([&, seed = random()](const std::stop_token& stop) {
+      users.emplace_back([&, seed = random()](const std::stop_token& stop) {
         touch(campaign, window.loop(), stop, seed, sums);
       });
     window.pullOnePoint();

@@ -80,7 +80,7 @@ Usage usageAtRest(Campaign& campaign, gui::MainWindow& window) {
   Usage usage;
   for (int still = 0, waited = 0; still < 4 && waited < kPatience; waited += kStep) {
     QTest::qWait(kStep);
-    app::waitUntilReleased();
+    app::waitUntilDestroyed();
     // Qt keeps up to 10 MiB of pictures, which the icons of each new window go on filling.
     QPixmapCache::clear();
     const Usage now = usageNow();
@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   // Counted with a new window that has nothing open, so that both times the same is there.
   const auto count = [&] {
     window.reset();
-    palpa::app::waitUntilReleased();
+    palpa::app::waitUntilDestroyed();
     window = openWindow();
     return usageAtRest(campaign, *window);
   };

@@ -8,17 +8,17 @@
 
 namespace palpa::app {
 
-/// How long something took, s.
+/// Statistics of durations, s.
 struct Latency {
   std::uint64_t count = 0;
   double p50 = 0, p99 = 0, p999 = 0, largest = 0;  ///< quantiles to 20 µs, up to 40 ms
   /// Ends of the classes, s; the last class has none.
   static constexpr std::array kEnds{0.1e-3, 0.2e-3, 0.3e-3, 0.5e-3, 0.7e-3, 1e-3,
                                     1.5e-3, 2e-3,   3e-3,   5e-3,   10e-3};
-  std::array<std::uint64_t, kEnds.size() + 1> classes{};  ///< how many in each
+  std::array<std::uint64_t, kEnds.size() + 1> classes{};  ///< counts
 };
 
-/// Counts times without locks: one thread adds, others read.
+/// Histogram of durations without locks: one thread adds, others read.
 class LatencyHistogram {
  public:
   void add(std::chrono::nanoseconds time) {
@@ -27,7 +27,7 @@ class LatencyHistogram {
     if (time.count() > largest_.load(std::memory_order_relaxed))
       largest_.store(time.count(), std::memory_order_relaxed);
   }
-  /// What is added meanwhile may be lost or not.
+  /// Durations that are added meanwhile may be lost.
   void clear() {
     for (auto& count : counts_) count.store(0, std::memory_order_relaxed);
     largest_.store(0, std::memory_order_relaxed);

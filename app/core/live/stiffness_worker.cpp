@@ -1,10 +1,7 @@
 #include "app/core/live/stiffness_worker.h"
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <numeric>
-#include <stop_token>
 #include <utility>
 
 #include "app/core/system/priority.h"
@@ -13,59 +10,58 @@
 namespace palpa::app {
 namespace {
 
-/// Between two looks at which columns have come.
-constexpr std::chrono::milliseconds kLook{300};
+/// Interval of the checks for new columns.
+constexpr std::chrono::milliseconds kCheckInterval{300};
 
 }  // namespace
 
 std::vector<double> stiffnessMap(const std::shared_ptr<const TouchModel>& model, double radius,
                                  const Job& job) {
-  const TouchableModel body(model);
-  std::vector<int> all(static_cast<std::size_t>(body.surface().dofs().nodeCount()));
+  const TouchableModel touchable(model);
+  std::vector<int> all(static_cast<std::size_t>(touchable.surface().dofs().nodeCount()));
   std::iota(all.begin(), all.end(), 0);
-  body.columns()->compute(all, job);
-  bem::StiffnessMap map(body.surface(), radius);
-  map.update(*body.columns(), job);
+  touchable.columns()->compute(all, job);
+  bem::StiffnessMap map(touchable.surface(), radius);
+  map.update(*touchable.columns(), job);
   return map.compliances();
 }
 
-void StiffnessWorker::start(std::shared_ptr<const TouchableModel> body, double radius) {
+StiffnessWorker::StiffnessWorker(std::function<void(Result)> receive)
+    : receive_(std::move(receive)), worker_(lowerThreadPriority) {}
+
+void StiffnessWorker::start(std::shared_ptr<const TouchableModel> model, double radius) {
   stop();
-  thread_ = std::jthread([this, body = std::move(body), radius](const std::stop_token& stop) {
-    run(stop, body, radius);
+  worker_.post([this, model = std::move(model), radius](const std::stop_token& stop) {
+    run(stop, model, radius);
   });
 }
 
 void StiffnessWorker::stop() {
-  thread_ = {};  // asks it to stop and waits
+  worker_.cancel();
+  worker_.waitUntilIdle();
 }
 
 void StiffnessWorker::run(const std::stop_token& stop,
-                          const std::shared_ptr<const TouchableModel>& body, double radius) const {
-  lowerThreadPriority();
+                          const std::shared_ptr<const TouchableModel>& model, double radius) const {
   Job job;
   job.stop = stop;
   job.threads = 1;  // the columns need the others
-  bem::StiffnessMap map(body->surface(), radius);
-  std::mutex mutex;
-  std::condition_variable_any sleep;
+  bem::StiffnessMap map(model->surface(), radius);
   bool isFirst = true;
-  while (!stop.stop_requested()) {
+  do {
     try {
-      // The first time also when there is nothing: to say that it has begun.
-      if (map.update(*body->columns(), job) > 0 || isFirst) {
+      // The first result may be empty: it tells that the computation has begun.
+      if (map.update(*model->columns(), job) > 0 || isFirst) {
         isFirst = false;
         receive_(
-            {body, radius, map.compliances(),
+            {model, radius, map.compliances(),
              map.nodeCount() > 0 ? static_cast<double>(map.readyCount()) / map.nodeCount() : 1.0});
       }
     } catch (const Cancelled&) {
       return;
     }
-    if (map.isComplete()) return;
-    std::unique_lock lock(mutex);
-    sleep.wait_for(lock, stop, kLook, [] { return false; });
-  }
+  } while (!map.isComplete() &&
+           sleepUntil(std::chrono::steady_clock::now() + kCheckInterval, stop));
 }
 
 }  // namespace palpa::app

@@ -8,10 +8,10 @@
 
 namespace palpa::app {
 
-/// Names one contact of a touch loop; never used again for another. 0: none.
+/// Number of a contact of a touch loop; never reused. 0: none.
 using TouchId = std::uint32_t;
 
-/// What mouse, script and device alike say to the body.
+/// Command of a mouse, script or device to a touch loop.
 struct TouchCommand {
   enum class Kind : unsigned char { kBegin, kSet, kEnd };
   Kind kind = Kind::kBegin;
@@ -21,17 +21,19 @@ struct TouchCommand {
   Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< of kBegin and kSet, see ContactSimulation
 };
 
-/// Everything that was said to a loop, in its order: enough to do it again.
+/// All commands to a loop in their order, sufficient for a replay.
 struct TouchRecording {
   struct Entry {
-    std::uint64_t step = 0;  ///< before which step, counted from the beginning of the recording
+    std::uint64_t step =
+        0;  ///< that follows the command, counted from the beginning of the recording
     TouchCommand command;
   };
   std::vector<Entry> entries;
-  std::uint64_t steps = 0;  ///< that were made, 1 ms each
-  /// How often the model was replaced meanwhile. Replayed on one model the forces are then others.
+  std::uint64_t steps = 0;  ///< number of steps, 1 ms each
+  /// Number of model changes during the recording. If it is not 0, a replay on one model gives
+  /// other forces.
   int modelChanges = 0;
-  /// Entries were lost because there were more than the recording had room for.
+  /// True if entries were lost because the recording was full.
   bool isFull = false;
 };
 

@@ -3,14 +3,14 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/live/touch_table.h"
+#include "app/core/model/contact_kind.h"
 
 namespace palpa::app {
 
-TouchField::TouchField(std::shared_ptr<const TouchableModel> body)
-    : body_(std::move(body)),
-      evaluator_(body_->surface(), *body_->columns(), body_->base()),
-      field_(body_->base()) {}
+TouchField::TouchField(std::shared_ptr<const TouchableModel> model)
+    : model_(std::move(model)),
+      evaluator_(model_->surface(), *model_->columns(), model_->base()),
+      field_(model_->base()) {}
 
 const Eigen::MatrixXd& TouchField::displacements(const TouchSnapshot& snapshot) {
   evaluator_.evaluate(snapshot.pressed(), false, field_);
@@ -26,19 +26,18 @@ TouchState TouchField::describe(const TouchSnapshot& snapshot) {
   std::vector<TouchState::Contact> contacts;
   for (const TouchSnapshot::Contact& from : snapshot.touched()) {
     TouchState::Contact contact{from.point.position, from.tool.radius, from.force,
-                                from.displacement,   from.stiffness,   nameOf(from.tool.kind)};
+                                from.displacement,   from.stiffness,   touchKindOf(from.tool.kind)};
     contact.status = from.status;
-    contact.normal = body_->surface().normal(from.point);
+    contact.normal = model_->surface().normal(from.point);
     contact.friction = from.tool.friction;
     const auto patch = snapshot.pressed(from);
-    if (from.tool.kind == bem::ContactTool::Kind::kPush ||
-        from.tool.kind == bem::ContactTool::Kind::kProbe) {
+    if (from.tool.presses()) {
       contact.tool = from.value;
       contact.patch.assign(patch.begin(), patch.end());
     }
     contacts.push_back(std::move(contact));
   }
-  return body_->model().describe(field(snapshot), std::move(contacts), &body_->surface());
+  return model_->model().describe(field(snapshot), std::move(contacts), &model_->surface());
 }
 
 }  // namespace palpa::app

@@ -8,23 +8,23 @@
 
 namespace palpa::app {
 
-/// The whole field that belongs to a snapshot of a touch loop, at display rate and beside the loop,
-/// on any one thread. For snapshots of its body only (TouchLoop::body()).
+/// Computes the whole field of a snapshot of a touch loop, at display rate, on any one thread other
+/// than the loop's. Only for snapshots of its model (TouchLoop::model()).
 class TouchField {
  public:
-  explicit TouchField(std::shared_ptr<const TouchableModel> body);
+  explicit TouchField(std::shared_ptr<const TouchableModel> model);
 
-  const std::shared_ptr<const TouchableModel>& body() const { return body_; }
+  const std::shared_ptr<const TouchableModel>& model() const { return model_; }
 
-  /// Displacements alone: three columns of numbers per mask at rest.
+  /// Displacements only. Cost: three columns of numbers per mask at rest.
   const Eigen::MatrixXd& displacements(const TouchSnapshot& snapshot);
   /// Displacements and tractions.
   const bem::BoundaryField& field(const TouchSnapshot& snapshot);
-  /// Everything: the field, reactions of the supports, energy and balance.
+  /// Field, reactions of the supports, energy and balance.
   TouchState describe(const TouchSnapshot& snapshot);
 
  private:
-  std::shared_ptr<const TouchableModel> body_;
+  std::shared_ptr<const TouchableModel> model_;
   bem::FieldEvaluator evaluator_;
   bem::BoundaryField field_;
 };

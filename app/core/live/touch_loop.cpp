@@ -12,33 +12,33 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Whether a new model has the columns that the contacts need is looked at when columns have come,
-/// and after so many steps, as contacts move.
-constexpr int kStepsBetweenLooks = 16;
+/// The loop checks whether a new model has the columns that the contacts need when columns have
+/// been computed, and after this many steps, because contacts move.
+constexpr int kStepsBetweenChecks = 16;
 constexpr std::chrono::milliseconds kRateWindow{250};
-/// How often the loop looks for new input between two steps.
-constexpr std::chrono::microseconds kLook{250};
+/// Interval of the checks for new input between two steps.
+constexpr std::chrono::microseconds kCheckInterval{250};
 
 void sleepUntil(TouchLoop::Clock::time_point time) {
   const auto since = std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch());
   const std::timespec at{static_cast<std::time_t>(since.count() / 1'000'000'000),
                          static_cast<long>(since.count() % 1'000'000'000)};
-  // std::this_thread::sleep_until() asks for the time twice more. Interrupted: a step comes early.
+  // std::this_thread::sleep_until() reads the clock twice more. After an interruption a step comes
+  // early.
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
 }
 
-void copyNodes(const std::vector<int>& nodes, std::uint64_t number,
-               LoopMailbox::ColumnRequest& wanted) {
-  wanted.number = number;
-  wanted.count = static_cast<int>(std::min<std::size_t>(
-      nodes.size(), static_cast<std::size_t>(LoopMailbox::ColumnRequest::kMaxNodes)));
-  std::copy_n(nodes.begin(), wanted.count, wanted.nodes.begin());
+void copyNodes(const std::vector<int>& nodes, std::uint64_t number, ColumnRequest& request) {
+  request.number = number;
+  request.count = static_cast<int>(
+      std::min<std::size_t>(nodes.size(), static_cast<std::size_t>(ColumnRequest::kMaxNodes)));
+  std::copy_n(nodes.begin(), request.count, request.nodes.begin());
 }
 
 }  // namespace
 
 TouchLoop::TouchLoop(Options options)
-    : worker_(mail_, options,
+    : worker_(mailbox_, options,
               [this](std::vector<Vector3d>& points) {
                 read(focusSnapshot_);
                 for (const auto& contact : focusSnapshot_.touched())
@@ -50,7 +50,7 @@ TouchLoop::TouchLoop(Options options)
 
 TouchLoop::~TouchLoop() {
   thread_.request_stop();
-  LoopMailbox::signal(mail_.loopSignal);
+  LoopMailbox::signal(mailbox_.loopSignal);
   thread_.join();
   if (next_) retire(next_);
   if (touched_) retire(touched_);
@@ -75,20 +75,20 @@ void TouchLoop::read(TouchSnapshot& into) const {
   into = results_.front();
 }
 
-void TouchLoop::startRecording(std::size_t most) {
+void TouchLoop::startRecording(std::size_t limit) {
   auto recording = std::make_unique<TouchRecording>();
-  recording->entries.reserve(most);
+  recording->entries.reserve(limit);
   const std::lock_guard lock(recorderMutex_);
   delete newRecording_.exchange(recording.release());
   isRecording_ = true;
-  LoopMailbox::signal(mail_.loopSignal);
+  LoopMailbox::signal(mailbox_.loopSignal);
 }
 
 TouchRecording TouchLoop::stopRecording() {
   const std::lock_guard lock(recorderMutex_);
   if (!std::exchange(isRecording_, false)) return {};
   stopsRecording_.store(true, std::memory_order_release);
-  LoopMailbox::signal(mail_.loopSignal);
+  LoopMailbox::signal(mailbox_.loopSignal);
   finished_.wait(nullptr);
   const std::unique_ptr<TouchRecording> recording(finished_.exchange(nullptr));
   return std::move(*recording);
@@ -96,37 +96,37 @@ TouchRecording TouchLoop::stopRecording() {
 
 void TouchLoop::run(const std::stop_token& stop) {
   ::pthread_setname_np(::pthread_self(), kThreadName);
-  RealtimeScope punctual;
+  RealtimeScope realtime;
   auto due = Clock::now();
   rateSince_ = due;
   for (;;) {
-    const std::uint32_t seen = mail_.loopSignal.load(std::memory_order_acquire);
+    const std::uint32_t seen = mailbox_.loopSignal.load(std::memory_order_acquire);
     if (stop.stop_requested()) return;
     receiveModel();
     if (next_) swapIfReady();
     takeInput();
     if (!touched_) {
       publish();
-      mail_.loopSignal.wait(seen, std::memory_order_acquire);
+      mailbox_.loopSignal.wait(seen, std::memory_order_acquire);
       due = Clock::now();
       continue;
     }
     began_ = Clock::now();
-    touched_->player->step();
+    touched_->stepper->step();
     stepped_ = Clock::now();
     ++step_;
     if (recording_) ++recording_->steps;
     askForColumns();
     publish();
-    punctual.worked(began_, Clock::now());
-    // What came too late is not made up for: the hand has moved on. After a step that came early
-    // for its input the period begins anew.
+    realtime.worked(began_, Clock::now());
+    // A late step is not made up for, because the user has moved on. A step that came early for its
+    // input starts a new period.
     due = due + kPeriod < began_ ? began_ + kPeriod : std::min(due, began_) + kPeriod;
     waitUntil(due, began_ + kMinPeriod);
   }
 }
 
-/// Until the next step is due or, from `earliest` on, there is input for it.
+/// Waits until the next step is due or, from `earliest` on, there is input for it.
 void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) {
   auto next = std::min(earliest, due);
   for (;;) {
@@ -137,44 +137,44 @@ void TouchLoop::waitUntil(Clock::time_point due, Clock::time_point earliest) {
       continue;
     }
     if (next >= due || input_.hasNews()) return;
-    next = std::min(next + kLook, due);
+    next = std::min(next + kCheckInterval, due);
   }
 }
 
 void TouchLoop::receiveModel() {
-  LoopMailbox::ReadyModel* offer = mail_.offered.exchange(nullptr, std::memory_order_acq_rel);
-  if (!offer) return;
+  ReadyModel* ready = mailbox_.ready.exchange(nullptr, std::memory_order_acq_rel);
+  if (!ready) return;
   if (next_) retire(next_);
   next_ = nullptr;
-  if (!offer->player || offer->ended > 0) {
-    input_.endAll(offer->ended, [this](const TouchCommand& command) { apply(command); });
+  if (!ready->stepper || ready->ended > 0) {
+    input_.endAll(ready->ended, [this](const TouchCommand& command) { apply(command); });
     if (touched_ && recording_) ++recording_->modelChanges;
     if (touched_) retire(touched_);
     touched_ = nullptr;
   }
-  if (!offer->player) {
-    retire(offer);
+  if (!ready->stepper) {
+    retire(ready);
     return;
   }
-  next_ = offer;
+  next_ = ready;
   nextReady_ = -1;
 }
 
-/// The next body takes over as soon as it has the columns that the contacts need.
+/// The next model takes over as soon as it has the columns that the contacts need.
 void TouchLoop::swapIfReady() {
-  TouchStepper& player = *next_->player;
-  if (touched_ && !touched_->player->simulation().contacts().empty()) {
-    const int ready = player.body().columns()->readyCount();
-    if (ready == nextReady_ && ++stepsSinceLook_ < kStepsBetweenLooks) return;
+  TouchStepper& stepper = *next_->stepper;
+  if (touched_ && !touched_->stepper->simulation().contacts().empty()) {
+    const int ready = stepper.model().columns()->readyCount();
+    if (ready == nextReady_ && ++stepsSinceCheck_ < kStepsBetweenChecks) return;
     nextReady_ = ready;
-    stepsSinceLook_ = 0;
-    player.takeOver(*touched_->player);
-    // Where the contacts still wait for columns of the old body nothing is lost by leaving it.
-    if (!player.missing().empty() && touched_->player->simulation().missed().empty()) {
-      copyNodes(player.missing(), next_->number, mail_.wanted.back().next);
-      mail_.wanted.back().touched.count = 0;
-      mail_.wanted.publish();
-      LoopMailbox::signal(mail_.workerSignal);
+    stepsSinceCheck_ = 0;
+    stepper.takeOver(*touched_->stepper);
+    // If the contacts still wait for columns of the old model, nothing is lost by leaving it.
+    if (!stepper.missing().empty() && touched_->stepper->simulation().missed().empty()) {
+      copyNodes(stepper.missing(), next_->number, mailbox_.requested.back().next);
+      mailbox_.requested.back().touched.count = 0;
+      mailbox_.requested.publish();
+      LoopMailbox::signal(mailbox_.workerSignal);
       return;
     }
   }
@@ -185,15 +185,13 @@ void TouchLoop::swapIfReady() {
   touched_ = std::exchange(next_, nullptr);
 }
 
-void TouchLoop::retire(LoopMailbox::ReadyModel* offer) {
-  offer->next = mail_.retired.load(std::memory_order_relaxed);
-  while (!mail_.retired.compare_exchange_weak(offer->next, offer, std::memory_order_release)) {
-  }
-  LoopMailbox::signal(mail_.workerSignal);
+void TouchLoop::retire(ReadyModel* model) {
+  mailbox_.retire(model);
+  LoopMailbox::signal(mailbox_.workerSignal);
 }
 
 void TouchLoop::takeInput() {
-  // In this order: what began after a recording was started belongs to it.
+  // In this order, so that a recording contains all contacts begun after its start.
   const std::uint64_t begun = input_.begun();
   takeRecorder();
   if (touched_)
@@ -215,7 +213,7 @@ void TouchLoop::takeRecorder() {
 
 void TouchLoop::apply(const TouchCommand& command) {
   record(command);
-  touched_->player->apply(command);
+  touched_->stepper->apply(command);
 }
 
 void TouchLoop::record(const TouchCommand& command) {
@@ -228,18 +226,18 @@ void TouchLoop::record(const TouchCommand& command) {
 
 /// Tells the worker which columns the step missed.
 void TouchLoop::askForColumns() {
-  const std::vector<int>& missed = touched_->player->simulation().missed();
+  const std::vector<int>& missed = touched_->stepper->simulation().missed();
   if (missed.empty()) return;
-  copyNodes(missed, touched_->number, mail_.wanted.back().touched);
-  mail_.wanted.back().next.count = 0;
-  mail_.wanted.publish();
-  LoopMailbox::signal(mail_.workerSignal);
+  copyNodes(missed, touched_->number, mailbox_.requested.back().touched);
+  mailbox_.requested.back().next.count = 0;
+  mailbox_.requested.publish();
+  LoopMailbox::signal(mailbox_.workerSignal);
 }
 
 void TouchLoop::publish() {
   TouchSnapshot& snapshot = results_.back();
   if (touched_) {
-    touched_->player->describe(snapshot);
+    touched_->stepper->describe(snapshot);
   } else {
     static_cast<TouchSummary&>(snapshot) = {};
   }

@@ -13,15 +13,14 @@
 
 namespace palpa::app {
 
-/// The hand meets the body: a thread of its own that takes what mouse, script or device say, finds
-/// the forces a thousand times a second, and sooner when something new is said (but at most every
-/// half millisecond), and hands them out. Neither side waits for the other: input comes through one
-/// place per contact in which the newest value wins, results go out through a triple buffer, and
-/// the loop itself takes no lock and allocates nothing while contacts are moved (beginning and
-/// ending one, and changing the model, may allocate).
+/// Thread that turns input of mouse, script or device into contact forces, a thousand times a
+/// second and, on new input, sooner (at most every half millisecond). Neither side waits for the
+/// other: input goes through one slot per contact, in which the newest value wins; results go
+/// through a triple buffer. The loop takes no lock, and allocates no memory while contacts are
+/// moved (to begin and end a contact, and to change the model, it may allocate).
 ///
 /// The model may be replaced at any time. Contacts stay in place (ContactSimulation::takeOver); the
-/// old model is touched until the new one has the columns that they need.
+/// loop computes with the old model until the new one has the columns that the contacts need.
 ///
 /// A contact belongs to the thread that began it; different threads may have different contacts.
 /// All other functions may be called from any thread.
@@ -34,15 +33,15 @@ class TouchLoop {
   using Options = TouchWorker::Options;
 
   explicit TouchLoop(Options options = {});
-  /// Waits for the step and the block of columns at hand.
+  /// Waits for the running step and block of columns.
   ~TouchLoop();
   TouchLoop(const TouchLoop&) = delete;
   TouchLoop& operator=(const TouchLoop&) = delete;
 
-  /// What is to be touched from now on, as soon as it can be; returns the number by which snapshots
-  /// call it. A model whose operators equal those before (its key() does) keeps the columns. Null:
-  /// nothing; the contacts that were begun until now end, also when another model follows at once,
-  /// the loop sleeps, and the columns are kept for the next model.
+  /// Sets the model that is touched as soon as it is prepared; returns its number in snapshots. A
+  /// model with the same operators (equal key()) as the one before keeps the columns. Null: no
+  /// model; the contacts begun until now end, even if another model follows at once, the loop
+  /// sleeps, and the columns are kept for the next model.
   std::uint64_t setModel(std::shared_ptr<const TouchModel> model);
 
   /// Begins a contact at the place nearest to `at` (mm, unloaded shape). For `value` see
@@ -53,27 +52,28 @@ class TouchLoop {
                 const Eigen::Vector3d& value) {
     return input_.begin(tool, at, value);
   }
-  /// Moves it; values that are not finite, and contacts that have ended, are ignored.
+  /// Moves a contact; ignores values that are not finite, and contacts that have ended.
   void set(TouchId id, const Eigen::Vector3d& value) { input_.set(id, value); }
-  /// A contact that is never ended stays as a pin.
+  /// Ends a contact. A contact that is never ended stays as a pin.
   void end(TouchId id) {
     input_.end(id);
-    // Without a model the loop sleeps, and the contact's place is needed for others.
-    LoopMailbox::signal(mail_.loopSignal);
+    // Without a model the loop sleeps, but the contact's slot is needed for others.
+    LoopMailbox::signal(mailbox_.loopSignal);
   }
 
-  /// Where the next touch may begin (mm): columns are computed around it.
+  /// Announces where the next touch may begin (mm): columns around it are computed.
   void expect(const Eigen::Vector3d& point);
 
-  /// From set() to the snapshot with the force being published, of all values that were used.
+  /// Time from set() to the publication of the snapshot with the force, of all values that were
+  /// used.
   Latency latency() const { return latencies_.all.read(); }
-  /// Its parts, one after the other, and how late the system wakes the loop.
+  /// The parts of latency(), in their order, and the delays of wake-ups.
   struct Latencies {
     Latency all;
     Latency untilTaken;  ///< from set() until the loop takes the value
     Latency step;        ///< until the forces are found, of those steps that had news
     Latency publishing;  ///< until the snapshot is published
-    Latency lateness;    ///< of every wake-up, behind the time that was asked for
+    Latency lateness;    ///< of every wake-up, behind the requested time
   };
   Latencies latencies() const {
     return {latencies_.all.read(), latencies_.untilTaken.read(), latencies_.step.read(),
@@ -88,16 +88,16 @@ class TouchLoop {
   /// The newest snapshot.
   void read(TouchSnapshot& into) const;
   TouchWorker::Status status() const { return worker_.status(); }
-  /// What a snapshot's `model` means; null when it is not touched any more.
-  std::shared_ptr<const TouchableModel> body(std::uint64_t number) const {
-    return worker_.body(number);
+  /// The model with the number of a snapshot; null if it is not touched any more.
+  std::shared_ptr<const TouchableModel> model(std::uint64_t number) const {
+    return worker_.model(number);
   }
 
-  /// Records all input from now on, up to `most` commands (120 bytes each, reserved as addresses;
-  /// the system gives memory for those that come, so the loop never allocates); contacts that are
-  /// held already begin at step 0. A recording that runs already is given up.
-  void startRecording(std::size_t most = 1U << 19U);
-  /// What was recorded; empty when none runs.
+  /// Records all input from now on, up to `limit` commands. Reserves addresses for them (120 bytes
+  /// each), which the system backs with memory on first use, so the loop never allocates. Contacts
+  /// that exist already begin at step 0. Discards a recording that is running.
+  void startRecording(std::size_t limit = 1U << 19U);
+  /// Ends the recording and returns it; empty if none was running.
   TouchRecording stopRecording();
 
  private:
@@ -105,7 +105,7 @@ class TouchLoop {
   void waitUntil(Clock::time_point due, Clock::time_point earliest);
   void receiveModel();
   void swapIfReady();
-  void retire(LoopMailbox::ReadyModel* offer);
+  void retire(ReadyModel* model);
   void takeInput();
   void takeRecorder();
   void apply(const TouchCommand& command);
@@ -113,7 +113,7 @@ class TouchLoop {
   void askForColumns();
   void publish();
 
-  LoopMailbox mail_;
+  LoopMailbox mailbox_;
   TouchInput input_;
   mutable std::mutex readers_;  // among readers
   mutable TripleBuffer<TouchSnapshot> results_;
@@ -123,7 +123,7 @@ class TouchLoop {
   };
   Histograms latencies_;
 
-  std::mutex recorderMutex_;  // among those who record
+  std::mutex recorderMutex_;  // guards isRecording_
   bool isRecording_ = false;
   std::atomic<TouchRecording*> newRecording_{nullptr}, finished_{nullptr};
   std::atomic<bool> stopsRecording_{false};
@@ -133,10 +133,10 @@ class TouchLoop {
   bool hasHover_ = false;
   TouchSnapshot focusSnapshot_;  // of the worker's thread
 
-  // Of the loop's thread.
-  LoopMailbox::ReadyModel* touched_ = nullptr;
-  LoopMailbox::ReadyModel* next_ = nullptr;
-  int nextReady_ = -1, stepsSinceLook_ = 0;
+  // Only the loop's thread uses them.
+  ReadyModel* touched_ = nullptr;
+  ReadyModel* next_ = nullptr;
+  int nextReady_ = -1, stepsSinceCheck_ = 0;
   Clock::time_point began_, stepped_;  // of the last step
   std::unique_ptr<TouchRecording> recording_;
   std::uint64_t step_ = 0;

@@ -9,12 +9,12 @@
 #include <set>
 
 #include "app/core/live/touch_snapshot.h"
-#include "app/core/live/touch_table.h"
-#include "base/text.h"
+#include "app/core/model/contact_kind.h"
 #include "modeling/error.h"
 #include "modeling/project/atomic_write.h"
 #include "modeling/project/json_guard.h"
 #include "modeling/project/json_values.h"
+#include "modeling/project/migration.h"
 #include "modeling/project/schema_check.h"
 #include "modeling/project/text_file.h"
 
@@ -22,15 +22,12 @@ namespace palpa::app {
 namespace {
 
 using Eigen::Vector3d;
+using modeling::Json;
 using modeling::ModelingError;
 using nlohmann::json;
 using Kind = TouchCommand::Kind;
-using ToolKind = bem::ContactTool::Kind;
 
-constexpr ToolKind kToolKinds[] = {ToolKind::kGrab, ToolKind::kPush, ToolKind::kProbe,
-                                   ToolKind::kForce};
-
-/// Of numbers in units of a quantum, and of whole numbers.
+/// Hash of numbers in units of a quantum, and of whole numbers.
 class Fingerprint {
  public:
   Fingerprint() : state_(XXH64_createState()) { XXH64_reset(state_, 0); }
@@ -55,20 +52,22 @@ class Fingerprint {
   XXH64_state_t* state_;
 };
 
-std::string commandText(const TouchRecording::Entry& entry) {
+Json jsonOf(const TouchRecording::Entry& entry) {
   const TouchCommand& command = entry.command;
-  std::string text = "{\"step\": " + std::to_string(entry.step);
-  const std::string contact = ", \"contact\": " + std::to_string(command.id);
-  if (command.kind == Kind::kEnd) return text + ", \"do\": \"end\"" + contact + "}";
-  if (command.kind == Kind::kSet) {
-    text += ", \"do\": \"set\"" + contact;
-  } else {
-    text += ", \"do\": \"begin\"" + contact + ", \"kind\": \"" + nameOf(command.tool.kind) +
-            "\", \"radius_mm\": " + numberText(command.tool.radius);
-    if (command.tool.friction != 0) text += ", \"friction\": " + numberText(command.tool.friction);
-    text += ", \"at_mm\": " + modeling::vectorText(command.at);
+  const bool isBegin = command.kind == Kind::kBegin;
+  Json object{{"step", entry.step},
+              {"do", isBegin                      ? "begin"
+                     : command.kind == Kind::kSet ? "set"
+                                                  : "end"},
+              {"contact", command.id}};
+  if (isBegin) {
+    object["kind"] = infoOf(command.tool.kind).name;
+    object["radius_mm"] = command.tool.radius;
+    if (command.tool.friction != 0) object["friction"] = command.tool.friction;
+    object["at_mm"] = modeling::jsonOf(command.at);
   }
-  return text + ", \"value\": " + modeling::vectorText(command.value) + "}";
+  if (command.kind != Kind::kEnd) object["value"] = modeling::jsonOf(command.value);
+  return object;
 }
 
 TouchRecording::Entry entryFrom(const json& value) {
@@ -80,18 +79,16 @@ TouchRecording::Entry entryFrom(const json& value) {
   command.kind = what == "begin" ? Kind::kBegin : what == "set" ? Kind::kSet : Kind::kEnd;
   if (command.kind != Kind::kEnd) command.value = modeling::vectorFrom(value["value"]);
   if (command.kind != Kind::kBegin) return entry;
-  const std::string& kind = value["kind"].get_ref<const std::string&>();
-  command.tool = {*std::find_if(std::begin(kToolKinds), std::end(kToolKinds),
-                                [&](ToolKind each) { return kind == nameOf(each); }),
+  command.tool = {*contactKindNamed(value["kind"].get_ref<const std::string&>()),
                   value["radius_mm"], value.value("friction", 0.0)};
   command.at = modeling::vectorFrom(value["at_mm"]);
   return entry;
 }
 
-/// Follows which contacts are there.
+/// Keeps track of the contacts that exist.
 class Contacts {
  public:
-  /// What is wrong with a command: the key and the sentence; empty when nothing is.
+  /// Key and message of an error in a command; empty without an error.
   std::string faultOf(const TouchCommand& command) {
     const std::string name = std::to_string(command.id);
     if (command.kind == Kind::kBegin) return begin(command, name);
@@ -111,9 +108,9 @@ class Contacts {
     present_.insert(command.id);
     if (present_.size() > TouchSnapshot::kMaxContacts)
       return ": more than " + std::to_string(TouchSnapshot::kMaxContacts) + " contacts at once";
-    if (command.tool.kind == ToolKind::kProbe) balls_.insert(command.id);
+    if (command.tool.hasPatch()) balls_.insert(command.id);
     if (balls_.size() > TouchSnapshot::kMaxBalls)
-      return ": more than " + std::to_string(TouchSnapshot::kMaxBalls) + " probes at once";
+      return ": more than " + std::to_string(TouchSnapshot::kMaxBalls) + " balls at once";
     return {};
   }
 
@@ -138,7 +135,7 @@ void checkOrder(const TouchRecording& recording) {
   }
 }
 
-/// Whether it is a recording of a version that can be read, before the schema is asked.
+/// Checks that it is a recording of a known version, before the check against the schema.
 void checkFormat(const json& document, const std::string& source) {
   const auto is = [&](const char* key, const json& value) {
     return document.is_object() && document.contains(key) && document[key] == value;
@@ -185,25 +182,25 @@ std::string differenceOf(const RecordedModel& recorded, const RecordedModel& pre
 
 std::string toJson(const RecordingFile& file) {
   const TouchRecording& recording = file.recording;
-  std::string text =
-      "{\n  \"format\": \"palpa-recording\",\n  \"version\": " + std::to_string(kRecordingVersion) +
-      ",\n  \"model\": {\"name\": " + modeling::quoted(file.model.name) +
-      ", \"key\": " + modeling::quoted(file.model.key) +
-      ", \"nodes\": " + std::to_string(file.model.nodes) +
-      "},\n  \"steps\": " + std::to_string(recording.steps);
-  if (recording.modelChanges > 0)
-    text += ",\n  \"model_changes\": " + std::to_string(recording.modelChanges);
-  if (recording.isFull) text += ",\n  \"end_lost\": true";
-  std::vector<std::string> lines;
-  lines.reserve(recording.entries.size());
-  for (const TouchRecording::Entry& entry : recording.entries) lines.push_back(commandText(entry));
-  return text + ",\n  \"commands\": " + modeling::linesText(lines, "  ") + "\n}\n";
+  Json object{
+      {"format", "palpa-recording"},
+      {"version", kRecordingVersion},
+      {"model", {{"name", file.model.name}, {"key", file.model.key}, {"nodes", file.model.nodes}}},
+      {"steps", recording.steps}};
+  if (recording.modelChanges > 0) object["model_changes"] = recording.modelChanges;
+  if (recording.isFull) object["end_lost"] = true;
+  Json commands = Json::array();
+  for (const TouchRecording::Entry& entry : recording.entries) commands.push_back(jsonOf(entry));
+  object["commands"] = std::move(commands);
+  return modeling::jsonText(object, {"", "commands"}) + "\n";
 }
 
 RecordingFile parseRecording(std::string_view text, const std::string& sourceName) {
-  const json document =
+  json document =
       modeling::parseGuarded(text, sourceName, {kMaxRecordingFile, kMaxRecordingValues, 8});
   checkFormat(document, sourceName);
+  if (document.contains("commands"))
+    for (json& command : document["commands"]) modeling::upgradeKind(command);
   modeling::checkAgainstSchema(document, sourceName, modeling::SchemaName::kRecording);
   const json& model = document["model"];
   RecordingFile file{{model["name"], model["key"], model["nodes"]}, {}};

@@ -4,10 +4,10 @@
 
 namespace palpa::app {
 
-void replay(std::shared_ptr<const TouchableModel> body, const TouchRecording& recording,
+void replay(std::shared_ptr<const TouchableModel> model, const TouchRecording& recording,
             const Job& job, const std::function<void(const TouchSnapshot&)>& seen) {
-  bem::GreensColumns& columns = *body->columns();
-  TouchStepper player(std::move(body));
+  bem::GreensColumns& columns = *model->columns();
+  TouchStepper stepper(std::move(model));
   Job columnsJob = job;
   columnsJob.progress = nullptr;
   TouchSnapshot snapshot;
@@ -15,13 +15,14 @@ void replay(std::shared_ptr<const TouchableModel> body, const TouchRecording& re
   for (std::uint64_t step = 0; step < recording.steps; ++step) {
     job.throwIfCancelled();
     for (; entry != recording.entries.end() && entry->step <= step; ++entry)
-      player.apply(entry->command);
-    while (!player.missing().empty()) columns.compute(player.missing(), columnsJob);
-    player.step();
-    player.describe(snapshot);
+      stepper.apply(entry->command);
+    while (!stepper.missing().empty()) columns.compute(stepper.missing(), columnsJob);
+    stepper.step();
+    stepper.describe(snapshot);
     snapshot.step = step + 1;
     seen(snapshot);
-    job.report("replay", static_cast<double>(step + 1) / static_cast<double>(recording.steps));
+    job.report(Phase::kReplay,
+               static_cast<double>(step + 1) / static_cast<double>(recording.steps));
   }
 }
 

@@ -7,12 +7,12 @@
 
 namespace palpa::app {
 
-/// Does again what was recorded, without a clock: `seen` gets the snapshot after every step (of
-/// which time and rate say nothing). On the model that was touched, from the beginning of its
-/// touches on, these are the forces of the recording, bit for bit, if the live loop had to wait for
-/// no columns; and the same on any number of threads. Missing columns are computed, so `body` must
-/// not be that of a running loop. Progress: "replay". Throws Cancelled.
-void replay(std::shared_ptr<const TouchableModel> body, const TouchRecording& recording,
+/// Replays a recording without a clock: `seen` gets the snapshot after every step (without time and
+/// rate). On the recorded model, and if the recording starts before the first touch, the forces
+/// equal the live forces bit for bit, provided that the live loop never waited for columns; they do
+/// not depend on the number of threads. Computes missing columns, so a running loop must not use
+/// `model`. Phase of progress: "replay". Throws Cancelled.
+void replay(std::shared_ptr<const TouchableModel> model, const TouchRecording& recording,
             const Job& job, const std::function<void(const TouchSnapshot&)>& seen);
 
 }  // namespace palpa::app

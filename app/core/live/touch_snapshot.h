@@ -10,12 +10,12 @@
 
 namespace palpa::app {
 
-/// What a snapshot says of all contacts together.
+/// Figures of a snapshot that concern all contacts together.
 struct TouchSummary {
   std::uint64_t model = 0;  ///< TouchLoop::setModel()'s number of the model touched; 0: none
-  std::uint64_t step = 0;   ///< how many were made so far
+  std::uint64_t step = 0;   ///< number of steps so far
   std::chrono::steady_clock::time_point time;
-  /// Did the last step meet all laws of contact? See bem::ContactSimulation::converged().
+  /// True if the last step met all laws of contact. See bem::ContactSimulation::converged().
   bool isConverged = true;
   double residual = 0;      ///< of the laws, relative
   double columnsReady = 0;  ///< of the model's Green's function, 0 … 1
@@ -24,11 +24,11 @@ struct TouchSummary {
 };
 
 /// The state of all contacts after one step; of fixed size, so that it is handed over without
-/// allocating. Copies copy what is used.
+/// allocation. Copying copies only the used part.
 struct TouchSnapshot : TouchSummary {
   static constexpr int kMaxContacts = 64;
   static constexpr int kMaxBalls = 8;  ///< of these, as each has many masks
-  static constexpr int kMaxPatches = kMaxContacts + kMaxBalls * bem::ContactSimulation::kProbeMasks;
+  static constexpr int kMaxPatches = kMaxContacts + kMaxBalls * bem::ContactTool::kBallMasks;
 
   using Status = bem::ContactSimulation::Status;
   using Patch = bem::ContactSimulation::PatchForce;
@@ -36,7 +36,7 @@ struct TouchSnapshot : TouchSummary {
     TouchId id = 0;
     bem::ContactTool tool{};
     Status status = Status::kWaiting;
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();         ///< as it was given
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();         ///< as given to begin() or set()
     bem::SurfacePoint point{};                               ///< on the unloaded shape
     Eigen::Vector3d force = Eigen::Vector3d::Zero();         ///< N, on the body
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, at the middle
@@ -57,7 +57,7 @@ struct TouchSnapshot : TouchSummary {
     return pressed().subspan(static_cast<std::size_t>(contact.firstPatch),
                              static_cast<std::size_t>(contact.patchCount));
   }
-  /// Null when there is no such contact.
+  /// Null without such a contact.
   const Contact* find(TouchId id) const {
     const auto all = touched();
     const auto place = std::find_if(all.begin(), all.end(),

@@ -6,21 +6,22 @@
 
 namespace palpa::app {
 
-TouchStepper::TouchStepper(std::shared_ptr<const TouchableModel> body, std::uint64_t number)
-    : body_(std::move(body)), number_(number), simulation_(body_->simulate()) {
-  held_.reserve(TouchSnapshot::kMaxContacts);
+TouchStepper::TouchStepper(std::shared_ptr<const TouchableModel> model, std::uint64_t number)
+    : model_(std::move(model)), number_(number), simulation_(model_->simulate()) {
+  contacts_.reserve(TouchSnapshot::kMaxContacts);
 }
 
-std::vector<TouchStepper::Held>::iterator TouchStepper::find(TouchId id) {
-  return std::find_if(held_.begin(), held_.end(), [id](const Held& held) { return held.id == id; });
+std::vector<TouchStepper::Contact>::iterator TouchStepper::find(TouchId id) {
+  return std::find_if(contacts_.begin(), contacts_.end(),
+                      [id](const Contact& contact) { return contact.id == id; });
 }
 
 bool TouchStepper::hasRoomFor(const bem::ContactTool& tool) const {
-  if (held_.size() >= TouchSnapshot::kMaxContacts) return false;
-  if (tool.kind != bem::ContactTool::Kind::kProbe) return true;
+  if (contacts_.size() >= TouchSnapshot::kMaxContacts) return false;
+  if (!tool.hasPatch()) return true;
   const auto& contacts = simulation_.contacts();
   return std::count_if(contacts.begin(), contacts.end(), [](const auto& contact) {
-           return contact.tool.kind == bem::ContactTool::Kind::kProbe;
+           return contact.tool.hasPatch();
          }) < TouchSnapshot::kMaxBalls;
 }
 
@@ -28,41 +29,41 @@ bool TouchStepper::apply(const TouchCommand& command) {
   using Kind = TouchCommand::Kind;
   const auto place = find(command.id);
   if (command.kind == Kind::kBegin) {
-    if (place != held_.end() || !hasRoomFor(command.tool)) return false;
-    held_.push_back({command.id, simulation_.begin(command.tool, command.at, command.value)});
+    if (place != contacts_.end() || !hasRoomFor(command.tool)) return false;
+    contacts_.push_back({command.id, simulation_.begin(command.tool, command.at, command.value)});
     return true;
   }
-  if (place == held_.end()) return false;
+  if (place == contacts_.end()) return false;
   if (command.kind == Kind::kSet) {
     simulation_.set(place->inner, command.value);
   } else {
     simulation_.end(place->inner);
-    held_.erase(place);
+    contacts_.erase(place);
   }
   return true;
 }
 
 void TouchStepper::takeOver(const TouchStepper& other) {
   simulation_.takeOver(other.simulation_);
-  held_ = other.held_;
-  held_.reserve(TouchSnapshot::kMaxContacts);
+  contacts_ = other.contacts_;
+  contacts_.reserve(TouchSnapshot::kMaxContacts);
 }
 
 void TouchStepper::describe(TouchSnapshot& snapshot) const {
   snapshot.model = number_;
   snapshot.isConverged = simulation_.converged();
   snapshot.residual = simulation_.residual();
-  const bem::GreensColumns& columns = *body_->columns();
+  const bem::GreensColumns& columns = *model_->columns();
   snapshot.columnsReady =
       columns.nodeCount() > 0 ? static_cast<double>(columns.readyCount()) / columns.nodeCount() : 1;
   snapshot.contactCount = 0;
   snapshot.patchCount = 0;
   const auto& contacts = simulation_.contacts();
-  assert(contacts.size() == held_.size());
+  assert(contacts.size() == contacts_.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const bem::ContactSimulation::Contact& from = contacts[k];
     TouchSnapshot::Contact& to = snapshot.contacts[snapshot.contactCount++];
-    to = {held_[k].id,         from.tool,
+    to = {contacts_[k].id,     from.tool,
           from.status,         from.value,
           from.point,          from.force,
           from.displacement,   from.stiffness,

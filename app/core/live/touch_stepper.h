@@ -8,43 +8,43 @@
 
 namespace palpa::app {
 
-/// Commands in, snapshots out, a step at a time and without a clock: what the touch loop and a
-/// replay have in common, so that both give the same forces. Not thread-safe.
+/// Turns commands into snapshots, one step at a time and without a clock: the common part of the
+/// touch loop and of a replay, so that both give the same forces. Not thread-safe.
 class TouchStepper {
  public:
-  /// `number`: what snapshots call the body.
-  explicit TouchStepper(std::shared_ptr<const TouchableModel> body, std::uint64_t number = 1);
+  /// `number`: of the model, in snapshots.
+  explicit TouchStepper(std::shared_ptr<const TouchableModel> model, std::uint64_t number = 1);
 
-  const TouchableModel& body() const { return *body_; }
+  const TouchableModel& model() const { return *model_; }
   std::uint64_t number() const { return number_; }
   const bem::ContactSimulation& simulation() const { return simulation_; }
 
-  /// False, and nothing happens, for contacts that are not there, are there already, or are more
-  /// than a snapshot can hold.
+  /// False, without effect, for a contact that does not exist, was begun already, or exceeds the
+  /// capacity of a snapshot.
   bool apply(const TouchCommand& command);
-  /// Would one more contact of this kind fit?
+  /// True if a snapshot has room for one more contact of this kind.
   bool hasRoomFor(const bem::ContactTool& tool) const;
   void step() { simulation_.step(); }
 
-  /// Takes over the contacts of a player of another body.
+  /// Takes over the contacts of a stepper of another model.
   void takeOver(const TouchStepper& other);
-  /// The nodes whose columns the next step would miss.
+  /// Nodes whose columns the next step needs and does not have.
   const std::vector<int>& missing() { return simulation_.missing(); }
 
-  /// Fills in all but time and rate.
+  /// Fills in everything except time and rate.
   void describe(TouchSnapshot& snapshot) const;
 
  private:
-  struct Held {
+  struct Contact {
     TouchId id;
     bem::ContactSimulation::Id inner;
   };
-  std::vector<Held>::iterator find(TouchId id);
+  std::vector<Contact>::iterator find(TouchId id);
 
-  std::shared_ptr<const TouchableModel> body_;
+  std::shared_ptr<const TouchableModel> model_;
   std::uint64_t number_;
   bem::ContactSimulation simulation_;
-  std::vector<Held> held_;  // in the order of the simulation's contacts
+  std::vector<Contact> contacts_;  // in the order of the simulation's contacts
 };
 
 }  // namespace palpa::app

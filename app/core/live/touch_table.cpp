@@ -1,34 +1,20 @@
 #include "app/core/live/touch_table.h"
 
+#include "app/core/model/contact_kind.h"
 #include "base/text.h"
 
 namespace palpa::app {
-
-const char* nameOf(bem::ContactTool::Kind kind) {
-  using Kind = bem::ContactTool::Kind;
-  switch (kind) {
-    case Kind::kGrab:
-      return "grab";
-    case Kind::kPush:
-      return "push";
-    case Kind::kProbe:
-      return "probe";
-    case Kind::kForce:
-      return "force";
-  }
-  return "";
-}
 
 const char* nameOf(TouchSnapshot::Status status) {
   using Status = TouchSnapshot::Status;
   switch (status) {
     case Status::kWaiting:
       return "waiting";
-    case Status::kHeld:
+    case Status::kFixed:
       return "held";
     case Status::kOpen:
       return "open";
-    case Status::kHolding:
+    case Status::kGrabbed:
       return "holding";
     case Status::kSticking:
       return "sticking";
@@ -50,7 +36,7 @@ void TouchTable::add(const TouchSnapshot& snapshot, std::uint64_t step) {
   };
   for (const TouchSnapshot::Contact& contact : snapshot.touched()) {
     out_ << numberText(1e-3 * static_cast<double>(step)) << ',' << contact.id << ','
-         << nameOf(contact.tool.kind) << ',' << nameOf(contact.status);
+         << infoOf(contact.tool.kind).name << ',' << nameOf(contact.status);
     write(contact.point.position);
     write(contact.force);
     out_ << ',' << numberText(contact.force.norm());

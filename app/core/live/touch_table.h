@@ -6,8 +6,8 @@
 
 namespace palpa::app {
 
-/// The table of a replay as comma-separated values: a line of names, then a line for every contact
-/// of every step, numbers with all their digits, units in the names.
+/// Writes a replay as comma-separated values: a line of names with units, then a line for every
+/// contact of every step, numbers with all their digits.
 class TouchTable {
  public:
   explicit TouchTable(std::ostream& out);
@@ -18,9 +18,8 @@ class TouchTable {
   std::ostream& out_;
 };
 
-/// "grab", "push", "probe", "force".
-const char* nameOf(bem::ContactTool::Kind kind);
-/// "waiting", "held", "open", "holding", "sticking", "slipping".
+/// Name in tables and reports: "waiting", "held" (on a support), "open", "holding" (grabbed),
+/// "sticking", "slipping".
 const char* nameOf(TouchSnapshot::Status status);
 
 }  // namespace palpa::app

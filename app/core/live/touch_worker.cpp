@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Columns for places that are not touched leave this part of the memory to those that are.
+/// Part of the memory that columns may take for places that are not touched.
 constexpr double kIdlePart = 0.8;
-/// Bytes that are left to the rest of the system.
+/// Bytes left to the rest of the system.
 constexpr double kReserve = 256.0 * 1024 * 1024;
 
 constexpr const char* kNoMemory =
@@ -24,17 +24,17 @@ constexpr const char* kNoMemory =
 
 constexpr std::size_t kBlock = bem::GreensColumns::kBlock;
 
-/// Fills a block up with the nodes nearest to some points whose columns are missing.
-void addNearest(const TouchableModel& body, const std::vector<Vector3d>& points,
+/// Fills a block with the nodes nearest to some points whose columns are missing.
+void addNearest(const TouchableModel& model, const std::vector<Vector3d>& points,
                 std::vector<int>& block) {
   struct Candidate {
     double distance;
     int node;
   };
-  const std::vector<Vector3d>& places = body.surface().places();
+  const std::vector<Vector3d>& places = model.surface().places();
   std::vector<Candidate> others;
   for (int node = 0; node < static_cast<int>(places.size()); ++node) {
-    if (!body.surface().dofs().isFree(node) || body.columns()->has(node) ||
+    if (!model.surface().dofs().isFree(node) || model.columns()->has(node) ||
         std::find(block.begin(), block.end(), node) != block.end())
       continue;
     double distance = points.empty() ? 0 : std::numeric_limits<double>::infinity();
@@ -52,9 +52,9 @@ void addNearest(const TouchableModel& body, const std::vector<Vector3d>& points,
 
 }  // namespace
 
-TouchWorker::TouchWorker(LoopMailbox& mail, Options options,
+TouchWorker::TouchWorker(LoopMailbox& mailbox, Options options,
                          std::function<void(std::vector<Vector3d>&)> focus)
-    : mail_(mail),
+    : mailbox_(mailbox),
       options_(options),
       focus_(std::move(focus)),
       worker_([this](const std::stop_token& stop) { work(stop); }),
@@ -63,45 +63,45 @@ TouchWorker::TouchWorker(LoopMailbox& mail, Options options,
 TouchWorker::~TouchWorker() {
   worker_.request_stop();
   filler_.request_stop();
-  LoopMailbox::signal(mail_.workerSignal);
+  LoopMailbox::signal(mailbox_.workerSignal);
   LoopMailbox::signal(fillSignal_);
   worker_.join();
   filler_.join();
   releaseRetired();
-  delete mail_.offered.exchange(nullptr);
+  delete mailbox_.ready.exchange(nullptr);
 }
 
 std::uint64_t TouchWorker::setModel(std::shared_ptr<const TouchModel> model, std::uint64_t begun) {
   std::uint64_t number = 0;
-  std::optional<Request> replaced;  // released after the lock
+  std::optional<PendingModel> replaced;  // destroyed after the lock
   {
     const std::lock_guard lock(mutex_);
     number = ++status_.newest;
     std::uint64_t ended = model ? 0 : begun;
-    if (request_) ended = std::max(ended, request_->ended);
-    replaced = std::exchange(request_, Request{number, std::move(model), ended});
+    if (pending_) ended = std::max(ended, pending_->ended);
+    replaced = std::exchange(pending_, PendingModel{number, std::move(model), ended});
     status_.error.clear();
   }
-  LoopMailbox::signal(mail_.workerSignal);
+  LoopMailbox::signal(mailbox_.workerSignal);
   return number;
 }
 
 TouchWorker::Status TouchWorker::status() const {
   const std::lock_guard lock(mutex_);
   Status status = status_;
-  for (const Numbered& numbered : bodies_)
+  for (const Numbered& numbered : models_)
     if (numbered.number == status.prepared) {
-      const bem::GreensColumns& columns = *numbered.body->columns();
+      const bem::GreensColumns& columns = *numbered.model->columns();
       status.columnsReady =
           static_cast<double>(columns.readyCount()) / std::max(columns.nodeCount(), 1);
     }
   return status;
 }
 
-std::shared_ptr<const TouchableModel> TouchWorker::body(std::uint64_t number) const {
+std::shared_ptr<const TouchableModel> TouchWorker::model(std::uint64_t number) const {
   const std::lock_guard lock(mutex_);
-  for (const Numbered& numbered : bodies_)
-    if (numbered.number == number) return numbered.body;
+  for (const Numbered& numbered : models_)
+    if (numbered.number == number) return numbered.model;
   return nullptr;
 }
 
@@ -130,12 +130,13 @@ void TouchWorker::repeat(const std::stop_token& stop, std::atomic<std::uint32_t>
 }
 
 void TouchWorker::work(const std::stop_token& stop) {
-  repeat(stop, mail_.workerSignal, [&] {
+  repeat(stop, mailbox_.workerSignal, [&] {
     releaseRetired();
     if (prepare()) return true;
-    mail_.wanted.update();
-    const LoopMailbox::ColumnRequests& wanted = mail_.wanted.front();
-    if (computeRequested(wanted.touched, stop) || computeRequested(wanted.next, stop)) return true;
+    mailbox_.requested.update();
+    const LoopMailbox::ColumnRequests& requests = mailbox_.requested.front();
+    if (computeRequested(requests.touched, stop) || computeRequested(requests.next, stop))
+      return true;
     if (isUrgent_.exchange(false)) LoopMailbox::signal(fillSignal_);
     return false;
   });
@@ -147,72 +148,69 @@ void TouchWorker::fill(const std::stop_token& stop) {
 }
 
 void TouchWorker::releaseRetired() {
-  LoopMailbox::ReadyModel* retired = mail_.retired.exchange(nullptr, std::memory_order_acquire);
+  ReadyModel* retired = mailbox_.retired.exchange(nullptr, std::memory_order_acquire);
   while (retired) {
-    std::unique_ptr<LoopMailbox::ReadyModel> offer(std::exchange(retired, retired->next));
-    std::shared_ptr<const TouchableModel> body;
+    std::unique_ptr<ReadyModel> ready(std::exchange(retired, retired->next));
+    std::shared_ptr<const TouchableModel> model;
     const std::lock_guard lock(mutex_);
-    const auto place = std::find_if(bodies_.begin(), bodies_.end(), [&](const Numbered& numbered) {
-      return numbered.number == offer->number;
+    const auto place = std::find_if(models_.begin(), models_.end(), [&](const Numbered& numbered) {
+      return numbered.number == ready->number;
     });
-    if (place == bodies_.end()) continue;
-    body = std::move(place->body);
-    bodies_.erase(place);
-    offer.reset();
-    destroyInBackground(std::move(body));
+    if (place == models_.end()) continue;
+    model = std::move(place->model);
+    models_.erase(place);
+    ready.reset();
+    destroyInBackground(std::move(model));
   }
 }
 
 bool TouchWorker::prepare() {
-  Request request;
+  PendingModel pending;
   {
     const std::lock_guard lock(mutex_);
-    if (!request_) return false;
-    request = std::move(*request_);
-    request_.reset();
+    if (!pending_) return false;
+    pending = std::move(*pending_);
+    pending_.reset();
   }
-  auto offer = std::make_unique<LoopMailbox::ReadyModel>();
-  offer->number = request.number;
-  offer->ended = request.ended;
-  if (request.model) {
-    const ModelCache::Key key = request.model->key();
+  auto ready = std::make_unique<ReadyModel>();
+  ready->number = pending.number;
+  ready->ended = pending.ended;
+  if (pending.model) {
+    const ModelCache::Key key = pending.model->key();
     const bool isKnown = columns_ && key == columnsKey_;
     if (isKnown) {
       const std::lock_guard lock(computing_);
-      columns_->continueWith(request.model->problem());
+      columns_->continueWith(pending.model->problem());
     }
-    auto body = std::make_shared<const TouchableModel>(request.model, isKnown ? columns_ : nullptr);
-    columns_ = body->columns();
+    auto model =
+        std::make_shared<const TouchableModel>(pending.model, isKnown ? columns_ : nullptr);
+    columns_ = model->columns();
     columnsKey_ = key;
-    offer->player = std::make_unique<TouchStepper>(body, request.number);
+    ready->stepper = std::make_unique<TouchStepper>(model, pending.number);
     const std::lock_guard lock(mutex_);
-    bodies_.push_back({request.number, std::move(body)});
+    models_.push_back({pending.number, std::move(model)});
   }
   {
     const std::lock_guard lock(mutex_);
-    status_.prepared = request.number;
+    status_.prepared = pending.number;
   }
-  // The one that the loop has not seen yet goes the way of those that it has done with; what ended
-  // with it ends.
-  if (auto* unseen = mail_.offered.exchange(nullptr, std::memory_order_acq_rel)) {
-    offer->ended = std::max(offer->ended, unseen->ended);
-    unseen->next = mail_.retired.load(std::memory_order_relaxed);
-    while (!mail_.retired.compare_exchange_weak(unseen->next, unseen, std::memory_order_release)) {
-    }
+  // A model that the loop has not taken yet is retired; contacts that ended with it end.
+  if (auto* unseen = mailbox_.ready.exchange(nullptr, std::memory_order_acq_rel)) {
+    ready->ended = std::max(ready->ended, unseen->ended);
+    mailbox_.retire(unseen);
   }
-  mail_.offered.store(offer.release(), std::memory_order_release);
-  LoopMailbox::signal(mail_.loopSignal);
+  mailbox_.ready.store(ready.release(), std::memory_order_release);
+  LoopMailbox::signal(mailbox_.loopSignal);
   LoopMailbox::signal(fillSignal_);
   return true;
 }
 
-bool TouchWorker::computeRequested(const LoopMailbox::ColumnRequest& wanted,
-                                   const std::stop_token& stop) {
-  const std::shared_ptr<const TouchableModel> touched = body(wanted.number);
+bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop_token& stop) {
+  const std::shared_ptr<const TouchableModel> touched = model(request.number);
   if (!touched) return false;
   std::vector<int> nodes;
-  for (int k = 0; k < wanted.count; ++k)
-    if (!touched->columns()->has(wanted.nodes[k])) nodes.push_back(wanted.nodes[k]);
+  for (int k = 0; k < request.count; ++k)
+    if (!touched->columns()->has(request.nodes[k])) nodes.push_back(request.nodes[k]);
   if (nodes.empty()) return false;
   if (!hasMemoryFor(*touched, true)) {
     setError(kNoMemory);
@@ -235,9 +233,10 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
   std::shared_ptr<const TouchableModel> newest;
   {
     const std::lock_guard lock(mutex_);
-    if (!bodies_.empty() && bodies_.back().number == status_.prepared) newest = bodies_.back().body;
+    if (!models_.empty() && models_.back().number == status_.prepared)
+      newest = models_.back().model;
   }
-  // The columns of an update take long, and a model of its own will replace it.
+  // The columns of an incremental update take long, and the full model replaces it soon.
   if (!newest || newest->model().report().residual || newest->columns()->isComplete() ||
       !hasMemoryFor(*newest, false))
     return false;
@@ -250,17 +249,17 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
   return true;
 }
 
-/// With the lock on computing_ held.
-void TouchWorker::compute(const TouchableModel& body, std::span<const int> nodes,
+/// Called with computing_ locked.
+void TouchWorker::compute(const TouchableModel& model, std::span<const int> nodes,
                           const std::stop_token& stop) {
   Job job;
   job.stop = stop;
   job.threads = options_.threads;
-  body.columns()->compute(nodes, job);
+  model.columns()->compute(nodes, job);
 }
 
-bool TouchWorker::hasMemoryFor(const TouchableModel& body, bool isUrgent) const {
-  const bem::GreensColumns& columns = *body.columns();
+bool TouchWorker::hasMemoryFor(const TouchableModel& model, bool isUrgent) const {
+  const bem::GreensColumns& columns = *model.columns();
   const double block = columns.blockBytes();
   const double used = block / bem::GreensColumns::kBlock * columns.readyCount();
   const double part = isUrgent ? 1.0 : kIdlePart;

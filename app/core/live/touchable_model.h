@@ -9,12 +9,12 @@
 
 namespace palpa::app {
 
-/// A model with all that touching it at any place takes. Immutable but for the columns, which one
-/// thread fills in.
+/// A model with everything needed to touch it at any place. Immutable except for the columns, which
+/// one thread computes.
 class TouchableModel {
  public:
-  /// About 20 µs per triangle. `columns`: of a body with an equal key, to be shared; null: none are
-  /// there yet. Throws SolverError (kTooLarge) when there is no memory for columns.
+  /// About 20 µs per triangle. `columns`: shared with a model of equal key; null: none yet. Throws
+  /// SolverError (kTooLarge) if there is no memory for columns.
   explicit TouchableModel(std::shared_ptr<const TouchModel> model,
                           std::shared_ptr<bem::GreensColumns> columns = nullptr);
   TouchableModel(const TouchableModel&) = delete;

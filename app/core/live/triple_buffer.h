@@ -5,19 +5,19 @@
 
 namespace palpa::app {
 
-/// Hands the newest value from one thread to another without locks and without waiting on either
-/// side: values that nobody fetched are replaced. One writer and one reader at a time.
+/// Transfers the newest value from one thread to another; neither side locks or waits. A newer
+/// value replaces one that was not fetched. One writer and one reader at a time.
 template <class T>
 class TripleBuffer {
  public:
   // The writer's side.
-  /// What publish() will hand over; holds some older value.
+  /// The value that publish() hands over; contains some older value before.
   T& back() { return values_[back_]; }
   void publish() { back_ = middle_.exchange(back_ | kNew, std::memory_order_acq_rel) & kIndex; }
 
   // The reader's side.
   bool hasNew() const { return (middle_.load(std::memory_order_relaxed) & kNew) != 0; }
-  /// Fetches the newest value into front(); false when there is none since the last time.
+  /// Fetches the newest value into front(); false if there is none since the last call.
   bool update() {
     if (!hasNew()) return false;
     front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;

@@ -10,8 +10,7 @@
 
 namespace palpa::app {
 
-/// The surface is not the boundary of a body, so nothing is computed on it. what() is the sentence
-/// of the first error.
+/// Thrown if the surface is not the boundary of a body. what() is the message of the first error.
 class GeometryError : public modeling::ModelingError {
  public:
   using Findings = std::shared_ptr<const std::vector<modeling::GeometryFinding>>;
@@ -20,7 +19,7 @@ class GeometryError : public modeling::ModelingError {
   explicit GeometryError(Findings findings)
       : ModelingError(findings->front().message), findings_(std::move(findings)) {}
 
-  /// All that was found, errors first, warnings included.
+  /// All findings, errors first, warnings included.
   const Findings& findings() const { return findings_; }
 
  private:

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bem/base/instruction_set.h"
+#include "bem/dense/make_reference_problem.h"
 
 namespace palpa::app {
 namespace {
@@ -28,17 +29,17 @@ constexpr std::size_t kChunk = std::size_t{4} << 20;  // between two looks at th
 constexpr double kKeepFree = 1024.0 * 1024.0 * 1024.0;
 constexpr const char* kEnding = ".model";
 
-/// What a file begins with, in the byte order of the machine; the operators and factors follow.
+/// Beginning of a file, in the byte order of the machine; the operators and factors follow.
 struct Header {
   std::array<char, 8> magic = kMagic;
   std::uint64_t format = kFormat;
   std::uint64_t keyHigh = 0, keyLow = 0;
-  std::uint64_t bytes = 0;     ///< that follow
+  std::uint64_t bytes = 0;     ///< of the rest of the file
   std::uint64_t checksum = 0;  ///< XXH3 of them
 };
 static_assert(sizeof(Header) == 48);
 
-/// The file is not what was written.
+/// Thrown if a file is not as it was written.
 struct Damaged {};
 
 class Hash {
@@ -121,7 +122,7 @@ struct Stored {
   double bytes;
 };
 
-/// What other processes remove meanwhile is left out.
+/// Files that other processes remove meanwhile are left out.
 std::vector<Stored> filesIn(const fs::path& folder) {
   std::vector<Stored> files;
   std::error_code error;
@@ -135,7 +136,7 @@ std::vector<Stored> filesIn(const fs::path& folder) {
   return files;
 }
 
-/// A program that was built anew computes anew: its size and time stand for all of its code.
+/// Makes keys of another build of the program differ: its size and time stand for its code.
 void addProgram(Hash& hash) {
   std::error_code error;
   const fs::path program = "/proc/self/exe";
@@ -155,21 +156,22 @@ std::string temporaryName() {
 
 ModelCache::ModelCache(fs::path folder, double limit) : folder_(std::move(folder)), limit_(limit) {}
 
-ModelCache::Key ModelCache::keyOf(const BoundarySetup& setup, const bem::AssemblyOptions& assembly,
-                                  bem::Precision precision) {
+ModelCache::Key ModelCache::keyOf(const bem::Discretisation& discretisation,
+                                  const bem::ProblemInputs& inputs) {
   Hash hash;
   hash.addValue(kFormat);
   addProgram(hash);
   const std::string instructions = bem::instructionSetName();
   hash.addValue(instructions.size());
   hash.add(instructions.data(), instructions.size());
-  setup.discretisation->write(
+  discretisation.write(
       [&](std::span<const std::byte> bytes) { hash.add(bytes.data(), bytes.size()); });
-  hash.addList(setup.conditions.ofSlot);
-  hash.addValue(setup.material.youngsModulus);
-  hash.addValue(setup.material.poissonRatio);
-  hash.addValue(assembly.tolerance);
-  hash.addValue(bem::choosePrecision(precision, setup.discretisation->displacementCount()));
+  hash.addList(inputs.conditions);
+  const auto& [youngsModulus, poissonRatio] = inputs.material;  // all fields
+  hash.addValue(youngsModulus);
+  hash.addValue(poissonRatio);
+  hash.addValue(inputs.assembly.tolerance);
+  hash.addValue(bem::choosePrecision(inputs.precision, discretisation.displacementCount()));
   const XXH128_hash_t value = hash.value();
   return {value.high64, value.low64};
 }
@@ -182,9 +184,10 @@ fs::path ModelCache::fileOf(const Key& key) const {
   return folder_ / name.data();
 }
 
-std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key, const BoundarySetup& setup,
-                                                        bem::Precision precision, const Job& job,
-                                                        std::string& notice) {
+std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key,
+                                                        const bem::Discretisation& discretisation,
+                                                        const bem::ProblemInputs& inputs,
+                                                        const Job& job, std::string& notice) {
   const fs::path path = fileOf(key);
   const File file(path, O_RDONLY);
   if (!file.isOpen()) return nullptr;
@@ -198,24 +201,24 @@ std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key, const Bo
       throw Damaged{};
     Hash hash;
     std::uint64_t done = 0;
-    auto problem = setup.discretisation->readProblem(
-        setup.conditions.ofSlot, setup.material, precision, [&](std::span<std::byte> bytes) {
+    auto problem =
+        bem::readDenseReferenceProblem(discretisation, inputs, [&](std::span<std::byte> bytes) {
           if (bytes.size() > header.bytes - done) throw Damaged{};
           inChunks(bytes, job, [&](std::span<std::byte> chunk) {
             file.read(chunk);
             hash.add(chunk.data(), chunk.size());
             done += chunk.size();
-            job.report("read", static_cast<double>(done) / static_cast<double>(header.bytes));
+            job.report(Phase::kRead, static_cast<double>(done) / static_cast<double>(header.bytes));
           });
         });
     if (done != header.bytes || hash.value().low64 != header.checksum) throw Damaged{};
-    ::futimens(file.descriptor(), nullptr);  // used now; without permission it only ages sooner
+    ::futimens(file.descriptor(), nullptr);  // without permission the file only ages sooner
     return problem;
   } catch (const Damaged&) {
     std::error_code error;
     notice = fs::remove(path, error)
-                 ? "a stored model was damaged; it was deleted and computed anew"
-                 : "a stored model is damaged and was computed anew; it cannot be deleted in " +
+                 ? "a stored model was damaged; it was deleted and computed again"
+                 : "a stored model is damaged and was computed again; it cannot be deleted in " +
                        folder_.string();
     return nullptr;
   }
@@ -224,7 +227,7 @@ std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key, const Bo
 bool ModelCache::write(const Key& key, const bem::ReferenceProblem& problem, const Job& job) {
   const fs::path path = fileOf(key);
   std::error_code error;
-  // Pivots and a norm come on top of what bytes() counts.
+  // bytes() leaves out pivots and a norm.
   const double bytes = static_cast<double>(problem.bytes()) + 8.0 * problem.dofs().count() + 4096;
   if (bytes > limit_ || fs::exists(path, error)) return true;
   fs::path temporary;

@@ -7,17 +7,16 @@
 #include <mutex>
 #include <string>
 
-#include "app/core/setup/boundary_setup.h"
-#include "bem/problem/reference_problem.h"
+#include "bem/problem/discretisation.h"
 
 namespace palpa::app {
 
-/// Solved models on disk, so that a project that is opened again can be touched without being
-/// assembled and factorised. A file holds the operators and factors of one ReferenceProblem bit by
-/// bit and is found by a hash of everything they were computed from, this very program included.
+/// Solved models on disk: a project that is opened again can be touched without assembly and
+/// factorisation. A file holds the operators and factors of one ReferenceProblem bit by bit. Its
+/// name is a hash of everything they were computed from, the program included.
 ///
-/// The folder may be shared by several processes; all functions may be called from any thread. What
-/// cannot be read or written never stops anything: there is just no stored model.
+/// Several processes may share the folder; all functions may be called from any thread. Failures to
+/// read or write are not errors: the model counts as not stored.
 class ModelCache {
  public:
   /// 128-bit hash of mesh, kinds of conditions, material, precision, options and program.
@@ -26,31 +25,32 @@ class ModelCache {
     bool operator==(const Key&) const = default;
   };
 
-  /// `limit`: bytes that all files together may take; the folder is made when it is first needed,
-  /// readable by its owner only.
+  /// `limit`: bytes that all files together may take. The first write makes the folder, readable by
+  /// its owner only.
   ModelCache(std::filesystem::path folder, double limit);
 
-  static Key keyOf(const BoundarySetup& setup, const bem::AssemblyOptions& assembly,
-                   bem::Precision precision);
+  static Key keyOf(const bem::Discretisation& discretisation, const bem::ProblemInputs& inputs);
 
-  /// The problem stored under the key; null when there is none. A file that is damaged, or not what
-  /// its name says, is deleted, and `notice` gets a sentence. Throws Cancelled, std::bad_alloc.
-  std::unique_ptr<bem::ReferenceProblem> read(const Key& key, const BoundarySetup& setup,
-                                              bem::Precision precision, const Job& job,
+  /// The problem stored under the key; null if there is none. A file that is damaged, or does not
+  /// match its name, is deleted, and `notice` gets a sentence. Throws Cancelled, std::bad_alloc.
+  std::unique_ptr<bem::ReferenceProblem> read(const Key& key,
+                                              const bem::Discretisation& discretisation,
+                                              const bem::ProblemInputs& inputs, const Job& job,
                                               std::string& notice);
 
-  /// Stores the problem and removes what was used longest ago until the limit is kept. Does nothing
-  /// when it is stored already, too large for the limit, or would leave less than 1 GiB of the disk
-  /// free. False with trouble() when it failed. Throws Cancelled; no part of the file is left.
+  /// Stores the problem and removes the files used longest ago until the limit is met. Does nothing
+  /// if the problem is stored already, too large for the limit, or would leave less than 1 GiB of
+  /// the disk free. False, with trouble(), if it failed. Throws Cancelled; no part of the file
+  /// remains.
   bool write(const Key& key, const bem::ReferenceProblem& problem, const Job& job);
 
   double limit() const { return limit_; }
-  /// Applies at once.
+  /// Takes effect immediately.
   void setLimit(double bytes);
   /// Bytes of all files.
   double size() const;
   void clear();
-  /// Why the last writing failed; empty when it did not.
+  /// Reason why the last write failed; empty if it succeeded.
   std::string trouble() const;
 
  private:
@@ -64,8 +64,8 @@ class ModelCache {
   std::string trouble_;
 };
 
-/// `palpa` in $XDG_CACHE_HOME, or in ~/.cache when that is not set to an absolute path; empty when
-/// there is no home folder either.
+/// `palpa` in $XDG_CACHE_HOME, or in ~/.cache if $XDG_CACHE_HOME is not an absolute path; empty
+/// without a home folder.
 std::filesystem::path defaultCacheFolder();
 
 }  // namespace palpa::app

@@ -7,6 +7,7 @@
 
 #include "app/core/system/memory.h"
 #include "bem/base/error.h"
+#include "bem/dense/make_reference_problem.h"
 
 namespace palpa::app {
 namespace {
@@ -16,7 +17,7 @@ double fittingLength(double length, double excess) {
   return length * std::pow(excess, 0.25) * 1.05;
 }
 
-/// What to say of a model that would need so many times the memory there is.
+/// Advice for a model that needs `excess` times the memory available.
 std::string advice(const modeling::MeshSettings& settings, bool hasSplines, double excess,
                    double count) {
   char text[200];
@@ -39,8 +40,8 @@ std::string advice(const modeling::MeshSettings& settings, bool hasSplines, doub
 }  // namespace
 
 void checkMemory(const modeling::MeshSettings& settings, bool hasSplines, double coefficients,
-                 double slots, bem::Precision precision, double wantedLimit) {
-  const double limit = wantedLimit > 0 ? wantedLimit : 0.85 * availableMemory();
+                 double slots, bem::Precision precision, double requestedLimit) {
+  const double limit = requestedLimit > 0 ? requestedLimit : 0.85 * availableMemory();
   if (limit <= 0) return;
   // Numbers beyond the range of int are still to be reported.
   const double chosen = std::min(coefficients, 1e8), chosenSlots = std::min(slots, 1e8);

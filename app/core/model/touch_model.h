@@ -11,37 +11,29 @@
 #include "bem/contact/contact_simulation.h"
 #include "bem/contact/contact_surface.h"
 #include "bem/problem/reference_problem.h"
+#include "modeling/mesh/surface_mesh.h"
 #include "modeling/project/project.h"
 
 namespace palpa::app {
 
-struct BuildOptions {
-  std::optional<double> edgeLength;  ///< mm; replaces that of the project
-  bem::Precision precision = bem::Precision::kAutomatic;
-  /// When absent, what the engine needs: for splines a thousandth of the accuracy wished for.
-  std::optional<bem::AssemblyOptions> assembly;
-  /// Bytes the model may take; 0: 85 % of what is available now.
-  double memoryLimit = 0;
-  /// Where solved models are looked for; null: nowhere. Nothing is written there.
-  std::shared_ptr<ModelCache> cache;
-};
-
+/// Times and figures of a build.
 struct BuildReport {
   int nodes = 0, triangles = 0;
   modeling::MeshQuality quality;
-  double meshSeconds = 0, checkSeconds = 0, solveSeconds = 0;
-  double assembleSeconds = 0, factoriseSeconds = 0;  ///< 0 when it was read from the cache
-  double readSeconds = 0;                            ///< 0 when it was not
+  double meshSeconds = 0;  ///< mesh and setup
+  double checkSeconds = 0, solveSeconds = 0;
+  double assembleSeconds = 0, factoriseSeconds = 0;  ///< 0 if the problem came from the cache
+  double readSeconds = 0;                            ///< 0 if it did not
   double memory = 0;                                 ///< bytes of the operators and factors
-  /// Of an update (updateTouchModel()), which has no factors of its own: how well it fulfils its
-  /// equations, largest residual over the largest term.
+  /// Largest residual over the largest term of the equations, for an incremental update
+  /// (updateTouchModel()), which has no factors.
   std::optional<double> residual;
   GeometryError::Findings warnings;  ///< of the geometry check; never null in a model
-  std::string notice;                ///< what else a person should know, a sentence; mostly empty
+  std::string notice;                ///< a sentence for the user; mostly empty
 };
 
-/// Displacements and tractions on the whole boundary with everything a person wants to read off:
-/// what one solution of the static problem or of a touch is.
+/// One solution of the static problem, with or without touches: displacements and tractions on the
+/// whole boundary, forces, energy and balance.
 struct TouchState {
   using Status = bem::ContactSimulation::Status;
   /// One column, in the coefficients of the model's discretisation.
@@ -56,17 +48,19 @@ struct TouchState {
     double radius;                 ///< mm, of the mask or ball; 0 for a single node
     Eigen::Vector3d force;         ///< N, exerted by the contact on the body
     Eigen::Vector3d displacement;  ///< mm
-    /// N/mm, along the displacement that the contact causes; of pushes and probes along the one
-    /// that all contacts cause there.
+    /// N/mm, along the displacement that the contact causes; for pushes and balls, along the
+    /// displacement that all contacts cause there.
     double stiffness;
-    std::string kind = "grab";         ///< as in project files; "node": a single one
-    std::string name{};                ///< of the touch; may be empty
-    Status status = Status::kHolding;  ///< of pushes and probes at rest: see Path
+    std::optional<modeling::TouchKind> kind = modeling::TouchKind::kGrab;  ///< none: a single node
+    std::string name{};                                 ///< of the touch; may be empty
+    Status status = Status::kGrabbed;                   ///< of pushes and balls at rest: see Path
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward, unit, at `at` as unloaded
     double friction = 0;                                ///< Coulomb's coefficient
     Eigen::Vector3d tool = Eigen::Vector3d::Zero();     ///< mm, in space: fingertip, ball's centre
-    std::vector<bem::ContactSimulation::PatchForce> patch{};  ///< of a push or probe
+    std::vector<bem::ContactSimulation::PatchForce> patch{};  ///< of a push or ball
 
+    bool presses() const { return kind && modeling::infoOf(*kind).presses; }
+    bool isBall() const { return kind && modeling::infoOf(*kind).isBall; }
     /// N, positive into the body.
     double normalForce() const { return 0.0 - force.dot(normal); }
     /// N, along the surface.
@@ -75,30 +69,31 @@ struct TouchState {
     double patchRadius() const;
   };
   std::vector<Contact> contacts;
-  /// How pushes and probes got where they are.
+  /// Convergence of the trajectories of pushes and balls.
   struct Path {
-    int steps = 0;          ///< along the ways, those that were divided counted more than once
-    int settlingSteps = 0;  ///< at the end, until nothing changed any more
-    double change = 0;      ///< of the forces in the last of these, over the largest
+    int steps = 0;          ///< along the trajectories; a divided step counts as several
+    int settlingSteps = 0;  ///< at the end, until no force changed any more
+    double change = 0;      ///< of the forces in the last settling step, over the largest force
     double residual = 0;    ///< of the laws of contact, over the largest force
   };
-  std::optional<Path> path;  ///< none without pushes and probes
+  std::optional<Path> path;  ///< none without pushes and balls
   double energy = 0;         ///< strain energy, mJ
-  /// Norm of the sum of all forces on the body (N): zero for the exact solution, so an honest error
-  /// indicator.
+  /// Norm of the sum of all forces on the body, N: an error indicator, as it is zero for the exact
+  /// solution.
   double balance = 0;
-  /// The same over the largest of these forces; 0 when there are none.
+  /// `balance` over the largest of these forces; 0 if there are none.
   double relativeBalance = 0;
-  /// Relative error of displacements and forces, estimated (see error_estimate.h); empty when it
-  /// was not asked for.
+  /// Estimated relative error of displacements and forces (error_estimate.h); empty if it was not
+  /// requested.
   std::optional<double> errorEstimate;
 };
 
-/// What a project becomes: meshed, assembled, factorised, solved for its own supports and loads,
-/// ready to be touched. Immutable, so that it can be shared between threads.
+/// A project that is meshed, assembled, factorised and solved for its supports and loads, ready to
+/// be touched. Immutable, so that threads can share it. Made by buildTouchModel() and
+/// updateTouchModel().
 class TouchModel {
  public:
-  /// What surface() is a mesh of.
+  /// The body that surface() is a mesh of.
   const modeling::Body& body() const { return body_; }
   const modeling::SurfaceMesh& surface() const { return surface_; }
   const BoundarySetup& setup() const { return setup_; }
@@ -106,25 +101,18 @@ class TouchModel {
   /// The state without touches.
   const TouchState& rest() const { return rest_; }
   const BuildReport& report() const { return report_; }
-  /// What problem() is found by in a cache.
+  /// Key of problem() in a cache.
   const ModelCache::Key& key() const { return key_; }
 
-  /// Forces, energy and balance that belong to a field and its contacts. With a `surface` of this
-  /// model some ten times as fast.
+  /// Adds forces, energy and balance to a field and its contacts. About ten times as fast with a
+  /// `surface` of this model.
   TouchState describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts,
                       const bem::ContactSurface* surface = nullptr) const;
 
  private:
-  friend std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project&,
-                                                           const BuildOptions&, const Job&,
-                                                           const TouchModel*);
-  friend std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project&,
-                                                            const modeling::Project&,
-                                                            const TouchModel&, const BuildOptions&,
-                                                            const Job&);
+  friend class ModelBuilder;
   TouchModel(modeling::Body body, modeling::SurfaceMesh surface, BoundarySetup setup)
       : body_(std::move(body)), surface_(std::move(surface)), setup_(std::move(setup)) {}
-  void setReport(BuildReport report);
 
   modeling::Body body_;
   modeling::SurfaceMesh surface_;
@@ -134,29 +122,5 @@ class TouchModel {
   BuildReport report_;
   ModelCache::Key key_;
 };
-
-/// Runs the whole way from project to model. Phases of progress: "mesh", "check", "setup" (of
-/// supports, loads and spline elements), then "assemble" and "factorise", or "read" when the cache
-/// has the solved problem, and "solve". `former`: an earlier model, whose solved problem is used
-/// again when nothing that it depends on has changed (loads, or a shape that was taken back).
-/// Throws ModelingError (bad project; GeometryError when the surface does not bound a body),
-/// SolverError (cannot be solved; kTooLarge with the estimate before memory is taken), Cancelled.
-std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
-                                                  const BuildOptions& options, const Job& job,
-                                                  const TouchModel* former = nullptr);
-
-/// The model of a project that differs from another, `formerProject`, in the places of control
-/// points, from the model of that: only what moved is integrated anew, and equations are solved
-/// with the former factors as a preconditioner (bem::updateDenseReferenceProblem()). So it can be
-/// touched much sooner than a model of its own, and is to be replaced by one: solutions take longer
-/// and are exact to report().residual. With triangles the mesh is the former one, carried along.
-///
-/// Null when something else differs, when it does not pay, is not exact enough (1e-4) or would take
-/// memory that the model of its own needs, or `former` is an update itself. Phase of progress:
-/// "update". Throws as buildTouchModel().
-std::shared_ptr<const TouchModel> updateTouchModel(const modeling::Project& project,
-                                                   const modeling::Project& formerProject,
-                                                   const TouchModel& former,
-                                                   const BuildOptions& options, const Job& job);
 
 }  // namespace palpa::app

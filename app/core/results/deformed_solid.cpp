@@ -13,12 +13,12 @@ modeling::Solid deformedSolid(const TouchModel& model, const bem::BoundaryField&
     throw modeling::ModelingError(
         "the deformed solid needs the spline engine; this model is one of triangles: export its "
         "triangles, or choose the engine \"splines\"");
-  const modeling::Solid& net = *setup.splineRefinement;
+  const modeling::Solid& refined = *setup.refinedSolid;
   const Eigen::VectorXd u = bem::gluedCoefficients(setup.splines->surface(), field.u.col(0));
-  std::vector<Eigen::Vector3d> points = net.controlPoints();
+  std::vector<Eigen::Vector3d> points = refined.controlPoints();
   for (std::size_t k = 0; k < points.size(); ++k)
     points[k] += scale * u.segment<3>(3 * static_cast<Eigen::Index>(k));
-  return net.withControlPoints(std::move(points));
+  return refined.withControlPoints(std::move(points));
 }
 
 modeling::Project deformedProject(const modeling::Project& project, const TouchModel& model,

@@ -84,11 +84,12 @@ DrawnBody::DrawnBody(std::shared_ptr<const TouchModel> model,
                   3 * static_cast<Eigen::Index>(setup.discretisation->displacementCount()))),
               0, normalsAtRest_);
 
-  std::vector<bool> held(setup.mesh().triangles.size(), false);
+  std::vector<bool> supported(setup.mesh().triangles.size(), false);
   for (const auto& support : setup.supports)
-    for (const int triangle : support.triangles) held[static_cast<std::size_t>(triangle)] = true;
+    for (const int triangle : support.triangles)
+      supported[static_cast<std::size_t>(triangle)] = true;
   for (const int triangle : mesh_.boundaryTriangle)
-    isHeld_.push_back(held[static_cast<std::size_t>(triangle)]);
+    isSupported_.push_back(supported[static_cast<std::size_t>(triangle)]);
   findBorders();
 }
 
@@ -133,9 +134,8 @@ void DrawnBody::sideNormals(const Weights::Coefficients& u, double scale,
 }
 
 void DrawnBody::deform(const Eigen::Ref<const VectorXd>& u, double scale, Shape& shape) const {
-  // Linear displacements on the boundary triangles would show as facets in the normals of the
-  // deformed surface. So the true surface's normals are turned as the mean normals at the nodes
-  // turn.
+  // Normals of linear displacements on the boundary triangles would show facets. So the normals of
+  // the exact surface are rotated by the rotation of the mean normals at the nodes.
   thread_local std::vector<Vector3d> normals;
   const Weights::Coefficients& padded = coefficients(u);
   sideNormals(padded, scale, normals);

@@ -5,22 +5,14 @@
 #include <vector>
 
 #include "app/core/model/touch_model.h"
+#include "app/core/results/surface_quantity.h"
 #include "modeling/mesh/display_mesh.h"
 
 namespace palpa::app {
 
-/// What the surface can be coloured by.
-enum class SurfaceQuantity {
-  kNone,
-  kDisplacement,    ///< |u|, mm
-  kNormalTraction,  ///< MPa, positive outwards
-  kVonMises,        ///< MPa
-  kStiffness,       ///< N/mm, under a fingertip; of the body alone (bem::StiffnessMap)
-};
-
-/// A model's surface as it is drawn: the true surface of the solid, finer than the boundary mesh,
-/// with displacements, colours and normals carried over from the nodes. At sharp edges its points
-/// are split, so that neither normals nor colours that jump there blend across. Immutable.
+/// A model's surface for drawing: the exact surface of the solid, finer than the boundary mesh,
+/// with displacements, colours and normals interpolated from the nodes. Points at sharp edges are
+/// split, so that normals and colours may jump there. Immutable.
 class DrawnBody {
  public:
   /// About 3 µs per point. Throws Cancelled.
@@ -32,40 +24,40 @@ class DrawnBody {
   const modeling::DisplayMesh& mesh() const { return mesh_; }
   /// Edges of triangles between two patches or on a sharp edge, as pairs of points.
   const std::vector<std::array<int, 2>>& borders() const { return borders_; }
-  /// Is the triangle held by a support?
-  const std::vector<bool>& isHeld() const { return isHeld_; }
+  /// Per triangle: true if it lies in a support.
+  const std::vector<bool>& isSupported() const { return isSupported_; }
 
   struct Shape {
     std::vector<Eigen::Vector3d> positions;
     std::vector<Eigen::Vector3d> normals;  ///< unit
     std::vector<double> sizes;             ///< lengths of the displacements (not scaled), mm
   };
-  /// Displaced by `scale` times `u`, the displacement coefficients of the model's discretisation,
-  /// mm, with seven digits. Into a shape that is used again nothing is allocated. About 0.1 µs per
-  /// point.
+  /// Writes the shape displaced by `scale` times `u`, the displacement coefficients of the model's
+  /// discretisation, mm, with seven digits. Allocates nothing if `shape` has been used before.
+  /// About 0.1 µs per point.
   void deform(const Eigen::Ref<const Eigen::VectorXd>& u, double scale, Shape& shape) const;
   /// Displacement of each point, mm.
   std::vector<Eigen::Vector3d> displacements(const Eigen::Ref<const Eigen::VectorXd>& u) const;
 
-  /// Their lengths.
+  /// Lengths of displacements().
   std::vector<double> displacementSizes(const Eigen::Ref<const Eigen::VectorXd>& u) const;
 
-  /// One number per point; empty for kNone, and for kStiffness, which is not of a field. Stresses
-  /// take some microseconds per node.
+  /// One number per point; empty for kNone, and for kStiffness, which is no property of a field.
+  /// Stresses take a few microseconds per node.
   std::vector<double> values(SurfaceQuantity quantity, const bem::BoundaryField& field) const;
 
-  /// N/mm per point, from bem::StiffnessMap::compliances(): infinite where a support holds it, NaN
-  /// where it is not known yet.
+  /// N/mm per point, from bem::StiffnessMap::compliances(): infinite on supports, NaN where it is
+  /// not known yet.
   std::vector<double> stiffnesses(const std::vector<double>& compliances) const;
 
  private:
-  /// Weights of displacement coefficients at places, row by row, in single precision: with splines
-  /// 16 per place, gone through in every frame.
+  /// Weights of displacement coefficients at places, row by row. Single precision, because every
+  /// frame reads all of them: with splines 16 per place.
   class Weights {
    public:
     Weights() = default;
     explicit Weights(const bem::Discretisation::Weights& weights);
-    /// x, y, z of each coefficient, and a zero, so that a place is a sum of whole registers.
+    /// x, y, z and a zero per coefficient, so that a sum takes whole registers.
     using Coefficients = Eigen::Matrix<float, 4, Eigen::Dynamic>;
     Eigen::Vector3d at(std::size_t place, const Coefficients& u) const {
       Eigen::Vector4f sum = Eigen::Vector4f::Zero();
@@ -78,7 +70,7 @@ class DrawnBody {
     std::vector<int> first_{0}, column_;
     std::vector<float> value_;
   };
-  /// `u` as Weights takes it, in memory of the thread.
+  /// `u` in the form that Weights takes, in thread-local memory.
   static const Weights::Coefficients& coefficients(const Eigen::Ref<const Eigen::VectorXd>& u);
   /// Normals of the flat triangles at the sides of the nodes, weighted by area.
   void sideNormals(const Weights::Coefficients& u, double scale,
@@ -93,14 +85,14 @@ class DrawnBody {
   std::shared_ptr<const TouchModel> model_;
   modeling::DisplayMesh mesh_;
   Weights atPoints_, atNodes_;
-  /// The sides of the nodes: one for every smoothing group that meets at a node. What jumps at
-  /// sharp edges has one value per side.
+  /// Sides of the nodes: one for every smoothing group that meets at a node. Quantities that jump
+  /// at sharp edges have one value per side.
   std::vector<std::array<int, 3>> sideOfCorner_;  // per boundary triangle
   std::vector<int> sideOfSlot_;
   int sideCount_ = 0;
   std::vector<Eigen::Vector3d> normalsAtRest_;  // per side
   std::vector<std::array<int, 2>> borders_;
-  std::vector<bool> isHeld_;
+  std::vector<bool> isSupported_;
 };
 
 }  // namespace palpa::app

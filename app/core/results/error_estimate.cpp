@@ -14,13 +14,14 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPresses = 6;
-/// Of a press, in parts of the fingertip's radius; the body is linear, so any would do.
+/// Depth of a press over the fingertip's radius; the result does not depend on it, as the body is
+/// linear.
 constexpr double kDepth = 0.1;
-/// Displacements below this part of the body's size are none.
+/// Displacements below this part of the body's size count as zero.
 constexpr double kStill = 1e-9;
 
-/// The error of one of several fields: what the functions can carry of it, which the soft modes of
-/// slender bodies dominate, and what varies within elements.
+/// The error of one of several fields: the part that the functions can represent, dominated by the
+/// soft modes of slender bodies, and the part that varies within elements.
 class EstimatedError {
  public:
   /// `carried`: bem::Discretisation::estimatedError() of `fields`.
@@ -31,7 +32,7 @@ class EstimatedError {
         p_(fields.p.col(column)),
         carried_(carried.u.col(column)) {}
 
-  /// Sums of squares over some places.
+  /// Sums of squares over places.
   struct Sum {
     double error = 0, moved = 0;
     double relative() const { return moved > 0 ? std::sqrt(error / moved) : 0; }
@@ -55,12 +56,12 @@ bem::BoundaryField carriedError(const TouchModel& model, const bem::BoundaryFiel
   return setup.discretisation->estimatedError(*model.problem(), fields, setup.material, job);
 }
 
-/// Of the middle of a contact and four places half-way to its border, relative to the displacement
-/// of the contact; 0 for one that holds a place where it was.
+/// Relative error at the middle of a contact and four places half-way to its border, over the
+/// displacement of the contact; 0 for a contact that does not move.
 double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error,
                       const TouchState::Contact& contact) {
   EstimatedError::Sum sum;
-  const double reach = contact.kind == "probe" ? contact.patchRadius() : contact.radius;
+  const double reach = contact.isBall() ? contact.patchRadius() : contact.radius;
   const Vector3d along = contact.normal.unitOrthogonal(), across = contact.normal.cross(along);
   for (const Vector3d& direction :
        std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
@@ -69,7 +70,7 @@ double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error
   return moved > kStill * mesh.boundingSize() ? std::sqrt(sum.error / 5) / moved : 0;
 }
 
-/// Every so many triangles one. Triangles with close numbers are close in space.
+/// Visits evenly spread triangles: triangles with close numbers are close in space.
 template <class Visit>
 void spread(const bem::BoundaryMesh& mesh, int samples, const Visit& visit) {
   const int step = std::max(1, mesh.triangleCount() / std::max(samples, 1));
@@ -110,21 +111,20 @@ double estimateTouchError(const TouchModel& model, const Job& job) {
     press.name = "press";
     press.at = place.position;
     press.radius = radius;
-    press.action =
-        modeling::TouchDisplacement{-kDepth * radius * setup.mesh().normal(place.triangle)};
+    press.vector = -kDepth * radius * setup.mesh().normal(place.triangle);
     try {
       presses.push_back(playTouches(model, std::span(&press, 1), 0, quiet));
     } catch (const bem::SolverError&) {
-      // A support holds the place.
+      // The place lies on a support.
     }
   });
-  // All at once: the residual of several fields costs little more than that of one.
+  // All at once: the residual of several fields costs little more than the residual of one.
   const auto count = static_cast<Eigen::Index>(presses.size());
   const bem::BoundaryField& rest = model.rest().field;
   bem::BoundaryField fields{Eigen::MatrixXd(rest.u.rows(), count),
                             Eigen::MatrixXd(rest.p.rows(), count)};
   for (Eigen::Index k = 0; k < count; ++k) {
-    // What loads alone do is not the press.
+    // The effect of the press without the loads.
     fields.u.col(k) = presses[static_cast<std::size_t>(k)].field.u - rest.u;
     fields.p.col(k) = presses[static_cast<std::size_t>(k)].field.p - rest.p;
   }

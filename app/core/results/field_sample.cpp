@@ -13,7 +13,7 @@ void checkNearSurface(const bem::BoundaryMesh& mesh, const Eigen::Vector3d& poin
   const bem::SurfacePoint nearest = bem::nearestSurfacePoint(mesh, point);
   const double allowed = std::max(0.02 * mesh.boundingSize(), mesh.meanEdgeLength());
   if (nearest.distance <= allowed) return;
-  // Rounding of zero would read as 1.85e-16.
+  // Without this, a rounded zero would read as 1.85e-16.
   const auto shown = [&](double coordinate) {
     return std::abs(coordinate) < 1e-9 * mesh.boundingSize() ? 0.0 : coordinate;
   };
@@ -28,8 +28,8 @@ void checkNearSurface(const bem::BoundaryMesh& mesh, const Eigen::Vector3d& poin
 
 namespace {
 
-/// Does a fixed support hold a place?
-bool isHeld(const BoundarySetup& setup, const bem::SurfacePoint& place) {
+/// True if a fixed support prescribes the displacement of a place.
+bool isFixed(const BoundarySetup& setup, const bem::SurfacePoint& place) {
   for (const auto& support : setup.supports) {
     if (support.isFixed &&
         std::binary_search(support.triangles.begin(), support.triangles.end(), place.triangle))
@@ -43,12 +43,12 @@ bool isHeld(const BoundarySetup& setup, const bem::SurfacePoint& place) {
 FieldSample sampleField(const TouchModel& model, const TouchState& state,
                         const Eigen::Vector3d& at) {
   const BoundarySetup& setup = model.setup();
-  checkNearSurface(setup.mesh(), at, "the probe");
+  checkNearSurface(setup.mesh(), at, "the sample");
   const bem::SurfacePoint nearest = bem::nearestSurfacePoint(setup.mesh(), at);
   const Eigen::VectorXd u = state.field.u.col(0), p = state.field.p.col(0);
   const bem::Discretisation& on = *setup.discretisation;
-  // Where a support prescribes the displacement it is known exactly.
-  const Eigen::Vector3d displacement = isHeld(setup, nearest)
+  // A prescribed displacement is known exactly.
+  const Eigen::Vector3d displacement = isFixed(setup, nearest)
                                            ? on.interpolate(nearest, u)
                                            : on.displacementAt(nearest, u, p, setup.material);
   return {at, nearest.position, displacement, on.tractionAt(nearest, p)};

@@ -11,7 +11,7 @@ constexpr double kCovered = 0.95;  // of the free surface
 constexpr std::array kSteps{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0};
 constexpr double kSlack = 1e-9;
 
-/// The nearest steps times a power of ten not above and not below a number > 0.
+/// The nearest steps times a power of ten, not above and not below a value > 0.
 std::array<double, 2> around(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   double below = kSteps.front(), above = kSteps.back();
@@ -47,7 +47,7 @@ StiffnessColours StiffnessColours::of(const bem::BoundaryMesh& mesh,
   }
   colours.range = {around(places.front().first)[0], around(stiffest)[1]};
   if (colours.range[0] == colours.range[1]) colours.range[1] *= 2;
-  // At supports there are stiffer places, if only at their very border.
+  // Supports have stiffer places, at least at their borders.
   colours.isCapped = places.back().first > colours.range[1] ||
                      std::find(compliances.begin(), compliances.end(), 0.0) != compliances.end();
   return colours;

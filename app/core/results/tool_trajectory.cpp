@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/core/model/contact_kind.h"
 #include "bem/problem/greens_columns.h"
 
 namespace palpa::app {
@@ -13,35 +14,36 @@ using Eigen::Vector3d;
 using Simulation = bem::ContactSimulation;
 using Status = Simulation::Status;
 
-/// No tool moves farther in a step, in parts of its radius.
+/// Largest motion of a tool in a step, over its radius.
 constexpr double kStepShare = 0.01;
-/// Tools come from this far above the surface, in parts of their radius.
+/// Height above the surface at which tools start, over their radius.
 constexpr double kLift = 0.02;
 constexpr int kApproachSteps = 5;
-/// A step is divided at most this often by two.
+/// Number of times that a step may be halved.
 constexpr int kMaxHalvings = 5;
-/// Rest is sought until no force changes by more than this part of the largest, but not for longer
-/// than so many steps: where only parts of a ball's patch stick, it goes on creeping slowly.
+/// Tools are at rest if no force changes by more than this part of the largest force. The number of
+/// settling steps is limited because a ball creeps slowly if only parts of its patch stick.
 constexpr double kSettled = 1e-6;
 constexpr int kMaxSettlingSteps = 50;
-/// More than this in a step is no rest.
+/// Largest accepted change of a force in a settling step, over the largest force.
 constexpr double kMaxCreep = 1e-3;
-/// A reference that moves by more than this part of the radius in a step has slid.
+/// A contact has slid if its reference moves by more than this part of the radius in a step.
 constexpr double kSlid = 1e-6;
 
 [[noreturn]] void notConverged(const std::string& message) {
   throw bem::SolverError(bem::SolverError::Kind::kNotConverged, message);
 }
 
-int stepsFor(std::span<const MovingTool> tools, int wanted) {
-  if (wanted > 0) return wanted;
+int stepsFor(std::span<const MovingTool> tools, int requested) {
+  if (requested > 0) return requested;
   double most = 0;
   for (const MovingTool& each : tools)
-    most = std::max(most, each.way.norm() / (kStepShare * each.tool.radius));
+    most = std::max(most, each.motion.norm() / (kStepShare * each.tool.radius));
   return static_cast<int>(std::clamp<double>(std::ceil(most), kMinSteps, kMaxSteps));
 }
 
-/// Where a tool is when it just touches the surface as `field` leaves it, and from where it comes.
+/// Position of a tool that just touches the surface displaced by `field`, and the position above it
+/// from which it approaches.
 struct FirstContact {
   Vector3d start, above;
 };
@@ -49,8 +51,8 @@ struct FirstContact {
 FirstContact firstContact(const bem::ContactSurface& surface, const MovingTool& tool,
                           const bem::BoundaryField& field) {
   const bem::SurfacePoint foot = surface.nearest(tool.at);
-  const bool isBall = tool.tool.kind == bem::ContactTool::Kind::kProbe;
-  // A ball meets the surface in a point: as narrow a mask as the mesh can carry.
+  const bool isBall = infoOf(tool.tool.kind).isBall;
+  // A ball touches the surface in a point: the narrowest mask that the mesh can carry.
   const double radius = isBall ? 0 : tool.tool.radius;
   const bem::ContactMask mask = bem::makeContactMask(surface, foot.position, radius);
   const Vector3d normal = surface.normal(foot);
@@ -59,11 +61,11 @@ FirstContact firstContact(const bem::ContactSurface& surface, const MovingTool& 
   return {start, start + kLift * tool.tool.radius * normal};
 }
 
-/// The simulation of held places and tools.
+/// Simulation of static contacts and moving tools.
 class ToolTrajectory {
  public:
   ToolTrajectory(const TouchModel& model, const bem::ContactSurface& surface,
-                 std::span<const HeldPlace> held, std::span<const MovingTool> tools,
+                 std::span<const StaticContact> staticContacts, std::span<const MovingTool> tools,
                  const bem::BoundaryField& field, const Job& job)
       : tools_(tools),
         columns_(model.problem()),
@@ -71,7 +73,8 @@ class ToolTrajectory {
         job_(job) {
     columnsJob_ = job;
     columnsJob_.progress = nullptr;
-    for (const HeldPlace& place : held) simulation_.begin(place.tool, place.at, place.value);
+    for (const StaticContact& contact : staticContacts)
+      simulation_.begin(contact.tool, contact.at, contact.value);
     for (const MovingTool& tool : tools) {
       first_.push_back(firstContact(surface, tool, field));
       ids_.push_back(simulation_.begin(tool.tool, tool.at, first_.back().above));
@@ -79,14 +82,14 @@ class ToolTrajectory {
     for (int k = 0; k < kApproachSteps; ++k) step();
   }
 
-  /// Puts the tools at a part of their ways. False when the laws cannot be met there.
+  /// Moves the tools to a part of their trajectories. False if the laws cannot be met there.
   bool moveTo(double part) {
     for (std::size_t k = 0; k < ids_.size(); ++k)
-      simulation_.set(ids_[k], first_[k].start + part * tools_[k].way);
+      simulation_.set(ids_[k], first_[k].start + part * tools_[k].motion);
     return step();
   }
 
-  /// One more step with everything where it is.
+  /// One more step without motion.
   bool step() {
     job_.throwIfCancelled();
     while (!simulation_.missing().empty()) columns_.compute(simulation_.missing(), columnsJob_);
@@ -112,7 +115,7 @@ class ToolTrajectory {
   std::vector<Simulation::Id> ids_;
 };
 
-/// Largest change of a force over the largest force; 0 when there is none.
+/// Largest change of a force over the largest force; 0 without forces.
 double changeBetween(const std::vector<Simulation::Contact>& before,
                      const std::vector<Simulation::Contact>& now) {
   double change = 0, largest = 0;
@@ -151,7 +154,7 @@ std::array<std::vector<Simulation::Contact>, 2> followTrajectory(ToolTrajectory&
         notConverged(text);
       }
     }
-    job.report("touch", end);
+    job.report(Phase::kTouch, end);
   }
   return {std::move(before), trajectory.tools()};
 }
@@ -184,15 +187,16 @@ void settle(ToolTrajectory& trajectory, TouchState::Path& path) {
 }  // namespace
 
 ToolsAtRest moveTools(const TouchModel& model, const bem::ContactSurface& surface,
-                      std::span<const HeldPlace> held, std::span<const MovingTool> tools,
-                      const bem::BoundaryField& field, int steps, const Job& job) {
-  ToolTrajectory trajectory(model, surface, held, tools, field, job);
+                      std::span<const StaticContact> staticContacts,
+                      std::span<const MovingTool> tools, const bem::BoundaryField& field, int steps,
+                      const Job& job) {
+  ToolTrajectory trajectory(model, surface, staticContacts, tools, field, job);
   ToolsAtRest result;
   const auto [before, end] = followTrajectory(trajectory, stepsFor(tools, steps), result.path, job);
   settle(trajectory, result.path);
   result.path.residual = trajectory.residual();
   result.contacts = trajectory.tools();
-  // At rest nothing slides, so what slid is known from the step before.
+  // At rest nothing slides, so the last step of the trajectory decides which tools have slid.
   for (std::size_t k = 0; k < tools.size(); ++k) {
     Simulation::Contact& contact = result.contacts[k];
     const bool hasSlid =

@@ -8,39 +8,42 @@
 
 namespace palpa::app {
 
-/// What does not move while tools press: a grabbed place (displacement, mm) or a force (N).
-struct HeldPlace {
+/// A contact that does not change while tools press: a grab (displacement, mm) or a force (N).
+struct StaticContact {
   bem::ContactTool tool;
   Eigen::Vector3d at, value;  ///< mm on the unloaded shape; see ContactSimulation
 };
 
-/// A fingertip or ball on its way.
+/// A fingertip or ball that moves along a straight trajectory.
 struct MovingTool {
-  bem::ContactTool tool;  ///< kPush or kProbe
-  Eigen::Vector3d at;     ///< mm, on the unloaded shape: where it first meets the surface
-  Eigen::Vector3d way;    ///< mm, from there
+  bem::ContactTool tool;   ///< kPush or kBall
+  Eigen::Vector3d at;      ///< mm, on the unloaded shape: where it first meets the surface
+  Eigen::Vector3d motion;  ///< mm, from there
 };
 
+/// State of the tools at the ends of their trajectories.
 struct ToolsAtRest {
-  /// One per tool, with the masks that carry force. kSlipping: slid with the last step of the way.
+  /// One per tool, with the masks that carry force. kSlipping: it slid in the last step of the
+  /// trajectory.
   std::vector<bem::ContactSimulation::Contact> contacts;
   TouchState::Path path;
 };
 
-/// Moves tools straight along their ways, all at the same time and in steps, so that friction has a
-/// history, and then lets them rest until nothing changes any more (Path::change says how far).
-/// `field`: what held places and loads make of the body before the tools come; a tool's first
-/// contact is with that.
+/// Moves tools along their trajectories, all at the same time and in steps, because friction
+/// depends on the history, and then repeats steps at the ends until no force changes any more
+/// (Path::change). `field`: the field of loads and static contacts alone; the tools first touch the
+/// surface that it displaces.
 ///
-/// `steps` = 0: as many as move no tool by more than a hundredth of its radius, at least
-/// kMinSteps. A step that is too large for the laws of contact is divided. Forces are those of
-/// single precision columns: 1e-4 of the largest, or better. Phases of progress: "touch".
+/// `steps` = 0: as many steps as move no tool by more than a hundredth of its radius, at least
+/// kMinSteps. A step that is too large for the laws of contact is divided. Forces are computed with
+/// single precision columns: exact to 1e-4 of the largest force. Phase of progress: "touch".
 ///
-/// Throws SolverError: kBadCondition for a place on a support, kNotConverged when there is no state
-/// of rest or the laws cannot be met; Cancelled.
+/// Throws SolverError: kBadCondition for a place on a support, kNotConverged if the tools do not
+/// come to rest or the laws cannot be met; Cancelled.
 ToolsAtRest moveTools(const TouchModel& model, const bem::ContactSurface& surface,
-                      std::span<const HeldPlace> held, std::span<const MovingTool> tools,
-                      const bem::BoundaryField& field, int steps, const Job& job);
+                      std::span<const StaticContact> staticContacts,
+                      std::span<const MovingTool> tools, const bem::BoundaryField& field, int steps,
+                      const Job& job);
 
 inline constexpr int kMinSteps = 100;
 inline constexpr int kMaxSteps = 10000;

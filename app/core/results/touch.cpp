@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/live/touch_snapshot.h"
+#include "app/core/model/contact_kind.h"
 #include "app/core/results/field_sample.h"
 #include "app/core/results/tool_trajectory.h"
 #include "bem/contact/bilateral_contact_solver.h"
@@ -16,53 +17,44 @@ namespace {
   throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
 }
 
-bem::ContactTool::Kind toolKind(const modeling::Touch& touch) {
-  using Kind = bem::ContactTool::Kind;
-  if (std::holds_alternative<modeling::TouchForce>(touch.action)) return Kind::kForce;
-  if (std::holds_alternative<modeling::TouchPush>(touch.action)) return Kind::kPush;
-  if (std::holds_alternative<modeling::TouchProbe>(touch.action)) return Kind::kProbe;
-  return Kind::kGrab;
-}
-
-/// Touches in the terms of the solvers, and what they tell in the end.
+/// Touches as contacts of the solvers, and the state that the solvers compute.
 class StaticTouchSolution {
  public:
   StaticTouchSolution(const TouchModel& model, const bem::ContactSurface& surface,
                       std::span<const modeling::Touch> touches)
       : model_(model), surface_(surface), touches_(touches) {
     for (const modeling::Touch& touch : touches) {
-      const double* friction = modeling::frictionOf(touch);
-      const bem::ContactTool tool{toolKind(touch),
+      const bem::ContactTool tool{contactKindOf(touch.kind),
                                   touch.radius.value_or(defaultTouchRadius(model.setup().mesh())),
-                                  friction ? *friction : 0.0};
-      if (friction)
-        tools_.push_back({tool, touch.at, modeling::vectorOf(touch)});
+                                  touch.friction};
+      if (tool.presses())
+        tools_.push_back({tool, touch.at, touch.vector});
       else
-        hold(touch, tool);
+        addStatic(touch, tool);
     }
     checkCount();
   }
 
-  const std::vector<HeldPlace>& held() const { return held_; }
+  const std::vector<StaticContact>& staticContacts() const { return static_; }
   const std::vector<MovingTool>& tools() const { return tools_; }
 
-  /// The state of all touches; `base`: the field of loads and of the tools that are at rest.
+  /// The state of all touches; `base`: the field of loads and of the tools at rest.
   TouchState describe(bem::BoundaryField base, const ToolsAtRest& tools) const {
     bem::BilateralContactSolver solver(model_.problem(), model_.setup().discretisation->slots(),
                                        std::move(base));
-    for (std::size_t k = 0; k < held_.size(); ++k) {
-      if (held_[k].tool.kind == bem::ContactTool::Kind::kForce)
-        solver.addForce(masks_[k], held_[k].value);
+    for (std::size_t k = 0; k < static_.size(); ++k) {
+      if (static_[k].tool.kind == bem::ContactTool::Kind::kForce)
+        solver.addForce(masks_[k], static_[k].value);
       else
-        solver.addGrab(masks_[k], held_[k].value);
+        solver.addGrab(masks_[k], static_[k].value);
     }
     const Eigen::VectorXd forces = solver.forces();
     const auto exact = solver.contacts(forces);
     std::vector<TouchState::Contact> contacts;
-    std::size_t nextHeld = 0, nextTool = 0;
+    std::size_t nextStatic = 0, nextTool = 0;
     for (const modeling::Touch& touch : touches_) {
-      if (!modeling::frictionOf(touch))
-        contacts.push_back(describe(touch, exact[nextHeld++]));
+      if (!modeling::infoOf(touch.kind).presses)
+        contacts.push_back(describe(touch, exact[nextStatic++]));
       else if (!tools.contacts.empty())
         contacts.push_back(describe(touch, tools.contacts[nextTool++]));
     }
@@ -72,25 +64,24 @@ class StaticTouchSolution {
   }
 
  private:
-  void hold(const modeling::Touch& touch, const bem::ContactTool& tool) {
+  void addStatic(const modeling::Touch& touch, const bem::ContactTool& tool) {
     masks_.push_back(bem::makeContactMask(surface_, touch.at, tool.radius));
-    Eigen::Vector3d value = modeling::vectorOf(touch);
-    if (std::holds_alternative<modeling::TouchPin>(touch.action))
+    Eigen::Vector3d value = touch.vector;
+    if (touch.kind == modeling::TouchKind::kPin)
       value += Eigen::Vector3d(masks_.back().displacement(model_.rest().field.u));
-    held_.push_back({tool, touch.at, value});
+    static_.push_back({tool, touch.at, value});
   }
 
   void checkCount() const {
     if (tools_.empty()) return;
-    const auto balls = std::count_if(tools_.begin(), tools_.end(), [](const MovingTool& each) {
-      return each.tool.kind == bem::ContactTool::Kind::kProbe;
-    });
+    const auto balls = std::count_if(tools_.begin(), tools_.end(),
+                                     [](const MovingTool& each) { return each.tool.hasPatch(); });
     if (touches_.size() > TouchSnapshot::kMaxContacts)
       badTouch("there are " + std::to_string(touches_.size()) +
-               " touches; beside pushes and probes at most " +
+               " touches; beside pushes and balls at most " +
                std::to_string(TouchSnapshot::kMaxContacts) + " can be played at once");
     if (balls > TouchSnapshot::kMaxBalls)
-      badTouch("there are " + std::to_string(balls) + " probes; at most " +
+      badTouch("there are " + std::to_string(balls) + " balls; at most " +
                std::to_string(TouchSnapshot::kMaxBalls) + " can be played at once");
   }
 
@@ -98,7 +89,7 @@ class StaticTouchSolution {
                                const bem::BilateralContactSolver::Contact& from) const {
     TouchState::Contact contact{from.point.position, from.radius, from.force, from.displacement,
                                 from.stiffness};
-    contact.kind = modeling::kindOf(touch);
+    contact.kind = touch.kind;
     contact.name = touch.name;
     contact.normal = surface_.normal(from.point);
     return contact;
@@ -108,14 +99,14 @@ class StaticTouchSolution {
                                const bem::ContactSimulation::Contact& from) const {
     TouchState::Contact contact{from.point.position, from.tool.radius, from.force,
                                 from.displacement, from.stiffness};
-    contact.kind = modeling::kindOf(touch);
+    contact.kind = touch.kind;
     contact.name = touch.name;
     contact.status = from.status;
     contact.normal = surface_.normal(from.point);
     contact.friction = from.tool.friction;
     contact.tool = from.value;
     contact.patch = from.patch;
-    // A fingertip's mask may be wider than asked for: the mesh cannot carry a narrower one.
+    // A fingertip's mask may be wider than requested if the mesh cannot carry a narrower one.
     if (from.tool.kind == bem::ContactTool::Kind::kPush && !from.patch.empty())
       contact.radius = from.patch.front().radius;
     return contact;
@@ -124,12 +115,12 @@ class StaticTouchSolution {
   const TouchModel& model_;
   const bem::ContactSurface& surface_;
   std::span<const modeling::Touch> touches_;
-  std::vector<HeldPlace> held_;
-  std::vector<bem::ContactMask> masks_;  // of held_
+  std::vector<StaticContact> static_;
+  std::vector<bem::ContactMask> masks_;  // of static_
   std::vector<MovingTool> tools_;
 };
 
-/// The field of the loads and of the forces of tools.
+/// The field of the loads and of the tools' forces.
 bem::BoundaryField pressedBy(const TouchModel& model, const bem::ContactSurface& surface,
                              const ToolsAtRest& tools, const Job& job) {
   bem::BoundaryField field = model.rest().field;
@@ -163,12 +154,12 @@ TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch>
     checkNearSurface(setup.mesh(), touch.at, "the touch \"" + touch.name + "\"");
   const auto shared = setup.discretisation->makeContactSurface(model.problem()->dofs());
   const bem::ContactSurface& surface = *shared;
-  const StaticTouchSolution played(model, surface, touches);
-  if (played.tools().empty()) return played.describe(model.rest().field, {});
-  const ToolsAtRest tools = moveTools(model, surface, played.held(), played.tools(),
-                                      played.describe(model.rest().field, {}).field, steps, job);
+  const StaticTouchSolution solution(model, surface, touches);
+  if (solution.tools().empty()) return solution.describe(model.rest().field, {});
+  const ToolsAtRest tools = moveTools(model, surface, solution.staticContacts(), solution.tools(),
+                                      solution.describe(model.rest().field, {}).field, steps, job);
   bem::BoundaryField base = pressedBy(model, surface, tools, job);
-  return played.describe(std::move(base), tools);
+  return solution.describe(std::move(base), tools);
 }
 
 TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& displacement) {
@@ -178,12 +169,11 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
     badTouch("there is no node " + std::to_string(node) + "; nodes are numbered from 0 to " +
              std::to_string(dofs.nodeCount() - 1));
   if (!dofs.isFree(node))
-    badTouch("node " + std::to_string(node) + " is held by a support; touch a free one");
-  auto greens = std::make_shared<bem::GreensFunction>(model.problem());
+    badTouch("node " + std::to_string(node) + " is fixed by a support; touch a free node");
   const bem::Discretisation& on = *setup.discretisation;
   const Eigen::VectorXd unknown = model.problem()->solve(dofs.knownField(setup.conditions)).col(0);
   const bem::Discretisation::Weights weights = on.placeWeights();
-  bem::NodalSwitching switching(greens, Eigen::VectorXd::Zero(dofs.nodalCount()), unknown,
+  bem::NodalSwitching switching(model.problem(), Eigen::VectorXd::Zero(dofs.nodalCount()), unknown,
                                 model.rest().field, weights);
   switching.add(node);
   // Free nodes have the frame of space, so the values are the components of the displacement.
@@ -194,7 +184,7 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
     moved -= it.value() * model.rest().field.u.col(0).segment<3>(3 * it.col());
   const double stiffness = moved.squaredNorm() > 0 ? force.dot(moved) / moved.squaredNorm() : 0.0;
   return model.describe(std::move(solution.field),
-                        {{on.places()[node], 0.0, force, displacement, stiffness, "node"}});
+                        {{on.places()[node], 0.0, force, displacement, stiffness, std::nullopt}});
 }
 
 }  // namespace palpa::app

@@ -6,15 +6,15 @@
 
 namespace palpa::app {
 
-/// An edge length (mm, two digits) that gives about 600 nodes: solved in a fraction of a second,
-/// and within a few per cent of the converged answer for simple bodies.
+/// An edge length (mm, two digits) that gives about 600 nodes: the model is built in a fraction of
+/// a second, and its results are within a few per cent of converged ones for simple bodies.
 double suitableEdgeLength(const modeling::Body& body);
 
-/// What a new body is made of: a silicone of 0.2 MPa.
+/// Material of a new body: a silicone of 0.2 MPa.
 modeling::Material defaultMaterial();
 
-/// A project around a body that can be touched at once: of the default material, held on its lowest
-/// tenth, with a suitable mesh.
+/// A project with a body that can be touched at once: default material, its lowest tenth fixed, a
+/// suitable mesh.
 modeling::Project makeProject(modeling::Body body, const std::string& name);
 
 }  // namespace palpa::app

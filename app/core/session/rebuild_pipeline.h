@@ -7,107 +7,110 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <string>
-#include <thread>
 #include <vector>
 
-#include "app/core/model/touch_model.h"
+#include "app/core/model/build_touch_model.h"
+#include "base/job.h"
+#include "base/worker_thread.h"
 
 namespace palpa::app {
 
-/// One phase of the present or the last build; the phases are those of buildTouchModel().
+/// One phase of the present or the last build; the phases are listed in kBuildPhases.
 struct BuildStage {
-  std::string phase;
+  Phase phase{};
   double seconds = 0;   ///< so far
   double fraction = 0;  ///< 0 … 1
 };
 
-/// Where the rebuild stands; a copy, consistent in itself.
+/// State of the rebuild; a consistent copy.
 struct RebuildStatus {
   enum class State {
     kEmpty,  ///< nothing was submitted yet
-    /// The newest revision is being built (or waits for the worker to let go). When it is
-    /// modelRevision already, model() is an update of an earlier one, and its own is being built.
+    /// The newest revision is being built, or waits for its turn. If modelRevision is this revision
+    /// already, model() is an incremental update and the full rebuild is running.
     kBuilding,
     kUpToDate,   ///< model() belongs to the newest revision
-    kFailed,     ///< the newest revision cannot be built; `error` says why
-    kCancelled,  ///< the person stopped the newest revision
+    kFailed,     ///< the newest revision cannot be built; `error` is the reason
+    kCancelled,  ///< the user stopped the newest revision
   };
   State state = State::kEmpty;
   std::uint64_t revision = 0;       ///< newest revision submitted; 0: none
   std::uint64_t modelRevision = 0;  ///< revision of model(); 0: none
-  std::string phase;                ///< that runs, as in buildTouchModel(); empty unless kBuilding
+  std::optional<Phase> phase;       ///< that runs; none unless kBuilding
   double fraction = 0;              ///< of the phase, 0 … 1
   double progress = 0;              ///< over all phases, 0 … 1, never falling during a build
-  std::vector<BuildStage> stages;   ///< that were begun, in their order
-  std::string error;                ///< for people; empty unless kFailed
-  /// Of the last geometry check that was finished: why it failed, or warnings. Never null.
+  std::vector<BuildStage> stages;   ///< the phases begun so far, in their order
+  std::string error;                ///< for users; empty unless kFailed
+  /// Findings of the last completed geometry check: the reason of the failure, or warnings. Never
+  /// null.
   GeometryError::Findings findings = std::make_shared<std::vector<modeling::GeometryFinding>>();
-  /// Of model() when it is an update (BuildReport::residual): how exactly it is solved.
+  /// BuildReport::residual of model() if it is an incremental update.
   std::optional<double> residual;
-  /// Condition number of the equations of model(), estimated when nothing else is to be done; 0
-  /// before.
+  /// Estimated condition number of the equations of model(); 0 until it is known. It is estimated
+  /// when nothing else is to be done.
   double condition = 0;
-  /// Estimated relative error of the force under a fingertip on model() (estimateTouchError()),
-  /// found like the condition number; 0 before.
+  /// Estimated relative error of the force under a fingertip on model() (estimateTouchError()); 0
+  /// until it is known.
   double touchError = 0;
 };
 
-/// Turns edits into models on a thread of its own: a snapshot of the project goes in, an immutable
-/// TouchModel comes out. A newer snapshot cancels the build of an older one; what an older build
-/// still delivers is dropped. After an error or a cancelled build the last good model stays.
+/// Builds models in the background: a snapshot of the project goes in, an immutable TouchModel
+/// comes out. A newer snapshot cancels the build of an older one, whose results are dropped. After
+/// an error or a cancelled build the last good model stays.
 ///
-/// When control points have moved, and little else, an update of the last complete model comes
-/// first (updateTouchModel()), unless building takes no time, and the complete one after it.
+/// If control points have moved, and little else changed, an incremental update of the last
+/// complete model (updateTouchModel()) precedes the full rebuild, unless a full rebuild takes no
+/// time.
 ///
-/// All functions may be called from any thread. `changed` is called after every change of
-/// status() or model(), from the worker or from the caller of submit() or cancel(), without locks
-/// held; it must not block and not call back into submit() or the destructor.
+/// All functions may be called from any thread. `changed` is called after every change of status()
+/// or model(), from the worker or from the caller of submit() or cancel(), without locks held; it
+/// must not block and must not call submit() or the destructor.
 class RebuildPipeline {
  public:
+  /// `threads`: for a build; 0: all cores.
   explicit RebuildPipeline(BuildOptions options = {}, int threads = 0,
                            std::function<void()> changed = {});
-  /// Cancels what is being built and waits for the worker (some 20 ms of work).
-  ~RebuildPipeline();
+  /// Cancels the present build and waits for the worker (about 20 ms).
+  ~RebuildPipeline() = default;
   RebuildPipeline(const RebuildPipeline&) = delete;
   RebuildPipeline& operator=(const RebuildPipeline&) = delete;
 
-  /// Starts to build the snapshot, once no newer one has come for the time `quiet`, and returns its
-  /// revision (1, 2, …). What is being built for an older one stops at once.
+  /// Builds the snapshot after the time `quiet`, unless a newer one replaces it before. Returns its
+  /// revision (1, 2, …). The build of an older revision stops at once.
   std::uint64_t submit(modeling::Project snapshot, std::chrono::milliseconds quiet = {});
 
-  /// Starts to build what submit() still holds back.
+  /// Ends the `quiet` time of submit().
   void startPending();
 
-  /// Stops the present build. Nothing happens when none runs.
+  /// Stops the present build; does nothing if none runs.
   void cancel();
 
-  /// Stores the model of the newest revision in BuildOptions::cache, as soon as it is there and
-  /// nothing else is to be done. A newer revision takes this back.
+  /// Stores the model of the newest revision in BuildOptions::cache as soon as it is complete. A
+  /// newer revision revokes this.
   void keepModel();
 
   /// The newest finished model; null before the first.
   std::shared_ptr<const TouchModel> model() const;
   RebuildStatus status() const;
 
-  /// Waits until nothing is being built (nor stored); false when the time is over before.
-  bool waitUntilSettled(std::chrono::milliseconds most) const;
+  /// Waits until nothing is being built or stored; false after the time `limit`.
+  bool waitUntilSettled(std::chrono::milliseconds limit) const;
 
  private:
-  enum class Task { kBuild, kEstimate, kKeep };
+  // Tasks of the worker.
+  void build(std::uint64_t revision, const modeling::Project& project, const std::stop_token& stop);
+  void keep(const std::stop_token& stop);
+  void estimate(const std::stop_token& stop);
 
-  void work(const std::stop_token& stop);
-  /// What is to be done next; called with the lock held.
-  std::optional<Task> nextTask() const;
-  /// Returns when there is a task or `stop` was asked for; nothing then.
-  std::optional<Task> waitForTask(std::unique_lock<std::mutex>& lock, const std::stop_token& stop);
-  void advance(std::uint64_t revision, std::string_view phase, double fraction);
+  /// False if `stop` was triggered before the quiet time was over.
+  bool waitUntilDue(const std::stop_token& stop);
+  void offerUpdate(std::uint64_t revision, const modeling::Project& project, const Job& job);
+  void setEstimate(const TouchModel& model, double RebuildStatus::*estimate, double value);
+  void postKeep();
+  void advance(std::uint64_t revision, Phase phase, double fraction);
   void closeStage();
-  void estimate(const TouchModel& model, const Job& job);
-  void build(std::uint64_t revision, const modeling::Project& project, const Job& job);
-  /// Offers an update of the last complete model when there is one.
-  void update(std::uint64_t revision, const modeling::Project& project, const Job& job);
+  bool isCurrent(std::uint64_t revision) const;
   void take(std::uint64_t revision, std::shared_ptr<const TouchModel>& model);
   void finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
               std::shared_ptr<const TouchModel> model, GeometryError::Findings findings = nullptr);
@@ -117,24 +120,20 @@ class RebuildPipeline {
   const int threads_;
   const std::function<void()> changed_;
 
-  mutable std::mutex mutex_;  // guards everything below
-  mutable std::condition_variable_any wake_;
+  mutable std::mutex mutex_;  // guards everything down to isKeeping_
+  std::condition_variable_any due_;
   mutable std::condition_variable settled_;
   RebuildStatus status_;
-  std::optional<modeling::Project> waiting_;  // the newest snapshot, until the worker takes it
-  std::chrono::steady_clock::time_point notBefore_;  // the worker takes it
-  std::stop_source current_;                         // stops the build of the snapshot taken last
+  std::chrono::steady_clock::time_point notBefore_;  // start of the build submitted last
   std::shared_ptr<const TouchModel> model_;
   std::chrono::steady_clock::time_point stageBegan_;
-  bool estimateDue_ = false;
-  bool keepDue_ = false;
-  bool isKeeping_ = false;
+  bool isKeepDue_ = false, isKeeping_ = false;
 
-  // The last complete model, and what it was built from; the worker's own.
+  // The last complete model and its project; only the worker uses them.
   modeling::Project formerProject_;
   std::shared_ptr<const TouchModel> former_;
 
-  std::jthread worker_;  // last: it uses all of the above
+  WorkerThread worker_;  // last: it uses all of the above
 };
 
 }  // namespace palpa::app

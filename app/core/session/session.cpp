@@ -9,11 +9,11 @@
 namespace palpa::app {
 namespace {
 
-/// While a motion lasts, its build waits until the hand rests for this long.
+/// During a motion, a build waits for this time without commands.
 constexpr std::chrono::milliseconds kQuiet{100};
 
-/// Does the model of a project depend on what changed? Names do not need a new one, touches only
-/// with splines, whose elements rebuildIfNeeded them.
+/// True if the model of a project depends on the change. Names do not matter, touches only with
+/// splines, whose analysis net depends on them.
 bool concernsModel(const modeling::Change& change, const modeling::Project& project) {
   return change.body() || change.material || change.supports || change.loads || change.mesh ||
          (change.touches && usesSplines(project));

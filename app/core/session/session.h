@@ -12,12 +12,11 @@
 
 namespace palpa::app {
 
-/// One project being worked on, as every front end sees it: the document with its history, the file
-/// it belongs to, the snapshot for recovery, and the model that follows the edits in the
-/// background.
+/// An open project, as every front end sees it: the document with its history, its file, the
+/// snapshot for recovery, and the model that is rebuilt after edits in the background.
 ///
-/// All functions are called from one thread, except that the pipeline's `changed` comes from
-/// others. What fails throws ModelingError and leaves the session as it was.
+/// All functions are called from one thread; the pipeline calls `rebuildChanged` from others.
+/// Functions throw ModelingError if they fail, and leave the session unchanged.
 class Session {
  public:
   struct Options {
@@ -34,22 +33,23 @@ class Session {
   Session(modeling::Project project, Options options);
   /// A project read from a file.
   Session(const std::filesystem::path& file, Options options);
-  /// What was recovered from a snapshot: not clean, so that it is offered to be saved.
+  /// A project recovered from a snapshot. It counts as modified, so that the user is asked to save
+  /// it.
   Session(const modeling::Snapshot& snapshot, Options options);
 
   const modeling::Document& document() const { return document_; }
   const modeling::Project& project() const { return document_.project(); }
   RebuildPipeline& pipeline() { return *pipeline_; }
-  /// Null without a folder or a limit.
+  /// Null without a cache folder or limit.
   ModelCache* cache() const { return options_.build.cache.get(); }
-  /// Builds the model again, as after a failure or a stop.
+  /// Builds the model again, after a failure or a stop.
   void rebuild() { pipeline_->submit(project()); }
-  /// The hand has let go: what perform() holds back is built now.
+  /// Ends a motion: builds the model that perform() has delayed.
   void endMotion() { pipeline_->startPending(); }
 
-  /// Applies a command; a change that matters to the model starts a rebuild. A command that is
-  /// merged or in a group is part of a motion: it is built when no other has come for 0.1 s, or at
-  /// endMotion() or endGroup().
+  /// Applies a command; a change that concerns the model starts a rebuild. A command that is merged
+  /// or in a group is part of a motion: its rebuild starts after 0.1 s without further commands, or
+  /// at endMotion() or endGroup().
   modeling::Performed perform(const modeling::Command& command,
                               modeling::Merge merge = modeling::Merge::kNo);
   modeling::Change undo();
@@ -62,22 +62,22 @@ class Session {
   modeling::Change cancelGroup();
   void setView(std::string view) { document_.setView(std::move(view)); }
 
-  /// Where save() writes; none for a project that was never saved.
+  /// The file that save() writes; none for a project that was never saved.
   const std::optional<std::filesystem::path>& file() const { return file_; }
-  /// Are there edits that save() would write? A recovered project counts as edited.
+  /// True if there are unsaved edits. A recovered project counts as edited.
   bool isModified() const { return recovered_ || !document_.isClean(); }
-  /// std::logic_error without a file.
+  /// Throws std::logic_error without a file.
   void save();
   void saveAs(const std::filesystem::path& file);
-  /// The project as it is now was written to `file` by another thread: what saveAs() does after
-  /// writing.
+  /// The part of saveAs() after writing, for a caller whose other thread has written the present
+  /// project to `file`.
   void markSavedAs(const std::filesystem::path& file);
 
-  /// Writes the snapshot when it is due; to be called now and then with the present time. True when
-  /// one was written. Errors reach the caller once per interval.
+  /// Writes the snapshot if it is due; to be called regularly with the present time. True if a
+  /// snapshot was written. Throws at most once per interval.
   bool autosaveIfDue(std::chrono::steady_clock::time_point now);
 
-  /// Forgets the snapshot: the person has saved or does not want the edits.
+  /// Removes the snapshot, because the user has saved or discarded the edits.
   void close();
 
  private:
@@ -88,8 +88,8 @@ class Session {
   std::optional<std::filesystem::path> file_;
   bool recovered_ = false;
   std::unique_ptr<modeling::Autosave> autosave_;
-  std::uint64_t edits_ = 0;           // so far
-  std::uint64_t autosavedEdits_ = 0;  // that are in the snapshot or in the file
+  std::uint64_t edits_ = 0;           // number of edits so far
+  std::uint64_t autosavedEdits_ = 0;  // of these, in the snapshot or in the file
   std::optional<std::chrono::steady_clock::time_point> autosaveDue_;
   std::unique_ptr<RebuildPipeline> pipeline_;
 };

@@ -1,7 +1,6 @@
 #include "app/core/setup/boundary_setup.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -14,9 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 using modeling::Support;
-
-/// Half the width of a thumb's contact under a firm press, mm.
-constexpr double kFingertipRadius = 6.0;
 
 void applySupports(const modeling::Project& project, const std::vector<int>& owner,
                    BoundarySetup& setup) {
@@ -65,12 +61,17 @@ void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& s
   }
 }
 
+bem::Material solverMaterial(const modeling::Material& material) {
+  const auto& [name, youngsModulus, poissonRatio] = material;  // all fields
+  return {youngsModulus, poissonRatio};
+}
+
 }  // namespace
 
 BoundarySetup::BoundarySetup(const modeling::Project& project,
                              std::shared_ptr<const bem::Discretisation> surface)
     : discretisation(std::move(surface)),
-      material{project.material.youngsModulus, project.material.poissonRatio},
+      material(solverMaterial(project.material)),
       conditions(discretisation->displacementCount(), discretisation->slots().count()) {}
 
 void BoundarySetup::addLoad(const std::string& name, Eigen::VectorXd traction) {
@@ -82,32 +83,10 @@ void BoundarySetup::addLoad(const std::string& name, Eigen::VectorXd traction) {
   loads.push_back({name, std::move(traction), resultant, place});
 }
 
-SplineRefinement splineRefinement(const modeling::Project& project) {
-  return splineRefinement(project, ElementSizes::of(project.mesh, fingertipRadius(project)));
-}
-
-bool usesSplines(const modeling::Project& project) {
-  return std::holds_alternative<modeling::Solid>(project.body) &&
-         project.mesh.engine != modeling::Engine::kTriangles;
-}
-
-double defaultTouchRadius(double bodySize) {
-  return std::min(kFingertipRadius, 0.2 * bodySize / std::sqrt(3.0));
-}
-
-double fingertipRadius(const modeling::Project& project) {
-  std::optional<double> narrowest;
-  for (const modeling::Touch& touch : project.touches)
-    if (touch.radius && !std::holds_alternative<modeling::TouchProbe>(touch.action))
-      narrowest = std::min(narrowest.value_or(*touch.radius), *touch.radius);
-  const auto [low, high] = modeling::boundingBox(project.body);
-  return std::max(narrowest.value_or(0), defaultTouchRadius((high - low).norm()));
-}
-
-BoundarySetup makeBoundarySetup(const modeling::Project& project,
-                                const modeling::SurfaceMesh& surface, const SplineRefinement* net) {
-  if (usesSplines(project))
-    return makeSplineSetup(project, surface, net ? *net : splineRefinement(project));
+BoundarySetup makeBoundarySetup(const ProjectGeometry& geometry,
+                                const modeling::SurfaceMesh& surface) {
+  if (geometry.usesSplines()) return makeSplineSetup(geometry, surface);
+  const modeling::Project& project = geometry.project();
   BoundarySetup setup(project, std::make_shared<bem::TriangleDiscretisation>(
                                    boundaryMesh(surface, RegionTags(surface).ofTriangle())));
   for (std::size_t s = 0; s < project.supports.size(); ++s)

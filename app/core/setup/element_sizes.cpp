@@ -16,18 +16,18 @@ namespace {
 ///   mean u below   0.13  0.04   0.03   0.012   5e-3    1.7e-3  8e-4
 /// so the error falls like its sixth power.
 constexpr double kOfRadius = 0.54;
-/// The narrowest mask of a touch over what it asks for, for an error of 1e-2: masks as narrow as
-/// the functions can carry are not yet quite their bumps. The press on the box's top of 6 mm is by
-/// 2 % too stiff with 0.97, by 0.5 % with 0.88.
+/// Narrowest mask at a touch over the requested radius, for an error of 1e-2: masks as narrow as
+/// the functions can carry differ slightly from smooth bumps. A press of 6 mm radius on the box's
+/// top is 2 % too stiff with 0.97, 0.5 % with 0.88.
 constexpr double kOfTouch = 0.95;
 
 }  // namespace
 
-// The rim, measured on the cylinder R = 20 mm, 60 mm high, pressed between bonded plates
-// (elements of about 4 mm, nu = 0.45): without grading the reaction is wrong by 2.1e-3, with a
-// first element of 0.5 by 1.3e-3, of 0.3 by 1.0e-4. At
-// 1e-2 grading the free side alone saves a fifth of the coefficients; without any the balance of
-// the gripper finger is off by 1.1 %, with it by 0.5 %. The budget keeps models quick.
+// The rim was measured on a cylinder (R = 20 mm, 60 mm high) pressed between bonded plates, with
+// elements of about 4 mm and nu = 0.45: the error of the reaction is 2.1e-3 without grading, 1.3e-3
+// with a first element of 0.5, 1.0e-4 with 0.3. At 1e-2, grading only the free side saves a fifth
+// of the coefficients; the balance of the gripper finger is off by 1.1 % without grading, by 0.5 %
+// with it. The budget limits the time to build a model.
 ElementSizes ElementSizes::of(const modeling::MeshSettings& settings, double fingertipRadius) {
   const double wish = settings.accuracy / 1e-2;
   ElementSizes sizes;

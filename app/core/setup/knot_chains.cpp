@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The longest and the most curved of seven lines along a span.
+/// Maxima over seven lines along a span.
 KnotChain::Span measure(const modeling::SurfaceEvaluator& surface, modeling::PatchDirection at,
                         double low, double high) {
   constexpr int kPieces = 8;
@@ -40,35 +40,35 @@ KnotChain::Span measure(const modeling::SurfaceEvaluator& surface, modeling::Pat
 }  // namespace
 
 KnotChains::KnotChains(const modeling::Solid& solid, const modeling::SurfaceEvaluator& surface)
-    : surface_(surface), stripOf_(solid.patches().size(), {-1, -1}) {
+    : surface_(surface), chainOf_(solid.patches().size(), {-1, -1}) {
   for (int patch = 0; patch < surface.patchCount(); ++patch)
     for (int direction = 0; direction < 2; ++direction) {
-      if (stripOf_[patch][direction] >= 0) continue;
-      KnotChain strip{modeling::chainOf(solid, {patch, direction}), {}};
-      for (const modeling::ChainLink& link : strip.links) {
-        stripOf_[link.at.patch][link.at.direction] = count();
+      if (chainOf_[patch][direction] >= 0) continue;
+      KnotChain chain{modeling::chainOf(solid, {patch, direction}), {}};
+      for (const modeling::ChainLink& link : chain.links) {
+        chainOf_[link.at.patch][link.at.direction] = count();
         const auto& knots = surface.spans(link.at.patch, link.at.direction);
         std::vector<KnotChain::Span> spans;
         for (std::size_t k = 1; k < knots.size(); ++k)
           spans.push_back(measure(surface, link.at, knots[k - 1], knots[k]));
         if (link.reversed) std::reverse(spans.begin(), spans.end());
-        strip.spans.push_back(std::move(spans));
+        chain.spans.push_back(std::move(spans));
       }
-      strips_.push_back(std::move(strip));
+      chains_.push_back(std::move(chain));
     }
 }
 
 const modeling::ChainLink& KnotChains::linkOf(modeling::PatchDirection at) const {
-  const auto& links = strips_[of(at)].links;
+  const auto& links = chains_[of(at)].links;
   return *std::find_if(links.begin(), links.end(), [&](const modeling::ChainLink& link) {
     return link.at.patch == at.patch && link.at.direction == at.direction;
   });
 }
 
 double KnotChains::extent(modeling::PatchDirection at) const {
-  const KnotChain& strip = strips_[of(at)];
+  const KnotChain& chain = chains_[of(at)];
   double length = 0;
-  for (const KnotChain::Span& span : strip.spans[&linkOf(at) - strip.links.data()])
+  for (const KnotChain::Span& span : chain.spans[&linkOf(at) - chain.links.data()])
     length += span.length;
   return length;
 }
@@ -78,12 +78,12 @@ double KnotChains::placeOf(modeling::PatchDirection at, double parameter) const 
   const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, parameter);
   const double place = static_cast<double>(above - knots.begin()) - 1 +
                        (parameter - *(above - 1)) / (*above - *(above - 1));
-  return linkOf(at).reversed ? strips_[of(at)].spanCount() - place : place;
+  return linkOf(at).reversed ? chains_[of(at)].spanCount() - place : place;
 }
 
 double KnotChains::parameterOf(modeling::PatchDirection at, double place) const {
   const auto& knots = surface_.spans(at.patch, at.direction);
-  const int spans = strips_[of(at)].spanCount();
+  const int spans = chains_[of(at)].spanCount();
   if (linkOf(at).reversed) place = spans - place;
   const double nearest = std::round(place);
   if (std::abs(place - nearest) < 1e-9) return knots[static_cast<std::size_t>(nearest)];

@@ -8,42 +8,42 @@
 
 namespace palpa::app {
 
-/// A strip of patches between two rows of glued sides. All directions along it share knots; places
-/// along it are numbers of a span of its first link's design knots plus a fraction.
+/// A strip of patches between two rows of glued sides. All directions along it share knots. A place
+/// along it is the number of a span of the design knots of its first link plus a fraction.
 struct KnotChain {
   std::vector<modeling::ChainLink> links;
-  /// The longest and the most curved of some lines along a span of a link.
+  /// Maxima over some lines along a span of a link.
   struct Span {
     double length = 0;  ///< mm
     double turn = 0;    ///< rad
   };
-  std::vector<std::vector<Span>> spans;  ///< of each link, in the order of the first one's
+  std::vector<std::vector<Span>> spans;  ///< per link, in the order of the first link's spans
   int spanCount() const { return static_cast<int>(spans.front().size()); }
 };
 
-/// All strips of a solid's design net. Immutable; the surface must outlive it.
+/// All chains of a solid's design net. Immutable; the surface must outlive it.
 class KnotChains {
  public:
   /// About 60 µs per knot span of a patch.
   KnotChains(const modeling::Solid& solid, const modeling::SurfaceEvaluator& surface);
 
-  int count() const { return static_cast<int>(strips_.size()); }
-  const KnotChain& operator[](int strip) const { return strips_[strip]; }
-  /// The strip that a direction of a patch belongs to.
-  int of(modeling::PatchDirection at) const { return stripOf_[at.patch][at.direction]; }
+  int count() const { return static_cast<int>(chains_.size()); }
+  const KnotChain& operator[](int chain) const { return chains_[chain]; }
+  /// The chain of a direction of a patch.
+  int of(modeling::PatchDirection at) const { return chainOf_[at.patch][at.direction]; }
   const modeling::ChainLink& linkOf(modeling::PatchDirection at) const;
 
   /// Largest extent of a patch in a direction, mm.
   double extent(modeling::PatchDirection at) const;
-  /// A parameter of a patch's direction as a place along its strip.
+  /// The place along its chain of a parameter of a patch's direction.
   double placeOf(modeling::PatchDirection at, double parameter) const;
-  /// The other way round.
+  /// The inverse of placeOf().
   double parameterOf(modeling::PatchDirection at, double place) const;
 
  private:
   const modeling::SurfaceEvaluator& surface_;
-  std::vector<std::array<int, 2>> stripOf_;
-  std::vector<KnotChain> strips_;
+  std::vector<std::array<int, 2>> chainOf_;
+  std::vector<KnotChain> chains_;
 };
 
 }  // namespace palpa::app

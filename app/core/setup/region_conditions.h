@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "bem/model/traction_projection.h"
+#include "modeling/mesh/surface_mesh.h"
 #include "modeling/project/project.h"
 
-// What supports and loads demand, for both kinds of boundary elements. Regions are numbered as in
-// meshRegions(): those of the supports, then those of the loads that have one.
+// Conditions of supports and loads, for both engines. Regions are numbered as in meshRegions(): the
+// supports' first, then the regions of the loads that have one.
 namespace palpa::app {
 
 /// Tags of boundary elements: one per combination of regions that occurs, 0 for none.
@@ -18,8 +19,8 @@ class RegionTags {
   explicit RegionTags(const modeling::SurfaceMesh& mesh);
 
   const std::vector<int>& ofTriangle() const { return ofTriangle_; }
-  /// The tag for what has another tag and lies in one more region; combinations that no triangle
-  /// has get numbers of their own.
+  /// The tag of the regions of `tag` and `region` together; a combination that no triangle has gets
+  /// a new tag.
   int with(int tag, int region);
   /// Regions of a tag, ascending.
   const std::vector<int>& regions(int tag) const { return combinations_[tag]; }
@@ -36,17 +37,17 @@ class RegionTags {
 /// The project's mesh with tags, checked.
 bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags);
 
-/// Which support holds each triangle; -1 for none. Throws SolverError (kBadCondition) when two
-/// supports claim the same place.
+/// The support of each triangle; -1 for none. Throws SolverError (kBadCondition) if two supports
+/// claim the same place.
 std::vector<int> supportOfTriangle(const modeling::Project& project,
                                    const modeling::SurfaceMesh& surface);
 
-/// The displacement that the supports meeting at a place prescribe: that of a fixed one, otherwise
-/// the shortest vector with all the rollers' normal components.
+/// The displacement that the supports meeting at a place prescribe: the displacement of a fixed
+/// one, otherwise the shortest vector with the normal components of all rollers.
 class PrescribedDisplacement {
  public:
-  /// `position`: mm, for the message. Throws SolverError (kBadCondition) when another support
-  /// prescribes something else.
+  /// `position`: mm, for the message. Throws SolverError (kBadCondition) if another support
+  /// prescribes a different displacement.
   void addFixed(const modeling::Support& support, const Eigen::Vector3d& position);
   void addRoller(const modeling::Support& support, const Eigen::Vector3d& normal);
   Eigen::Vector3d value() const;  ///< mm
@@ -56,7 +57,7 @@ class PrescribedDisplacement {
   std::vector<std::pair<Eigen::Vector3d, double>> rows_;
 };
 
-/// What a load does to the surface of its region; a bump carries its own extent.
+/// The traction of a load on the surface of its region; a bump is zero outside its radius.
 struct LoadTraction {
   bem::TractionFunction traction;
   /// Length over which it varies, mm; infinite where it is smooth at the size of an element.

@@ -7,19 +7,19 @@
 namespace palpa::app {
 namespace {
 
-/// Of one element to the next, from an edge where a support ends.
+/// Growth from one element to the next, away from an edge where a support ends.
 constexpr double kMaxGrowth = 2.5;
-/// Sizes grow by so much per mm of distance from a mark.
+/// Growth of sizes per mm of distance from a mark, mm.
 constexpr double kGrowthPerLength = 0.8;
 constexpr int kMaxHalvings = 6;
-/// Of a function's width that may be too much: a body that is a little longer than a whole number
-/// of elements shall not take one more in each span.
+/// Excess width of a function that is accepted, so that a body a little longer than a whole number
+/// of elements does not get one more element in each span.
 constexpr double kSlack = 0.1;
-/// Longest element over the largest that is allowed side by side with its like, and the steps in
-/// which less is tried.
+/// Length of the longest element tried, over the largest even element allowed, and the step by
+/// which shorter ones are tried.
 constexpr double kMaxLengthRatio = 1.45, kStep = 0.03;
 
-/// Standard deviation of the cubic B-spline over four elements, over that of elements of size 1.
+/// Standard deviation of the cubic B-spline over four elements, over the deviation for size 1.
 /// The B-spline is the density of Σ w_i t_i with w uniform on the simplex (H. B. Curry and I. J.
 /// Schoenberg, 1966), so its variance is Σ (t_i - mean)^2 / 30.
 double width(const std::array<double, 4>& sizes) {
@@ -32,12 +32,11 @@ double width(const std::array<double, 4>& sizes) {
   return std::sqrt((squares - sum * sum / 5) / 10);
 }
 
-/// Largest width of a function when each span is divided evenly. Beyond the ends the elements go on
-/// as in a mirror.
-double widest(const std::vector<double>& need, const std::vector<int>& pieces) {
+/// Largest width of a function on evenly divided spans. The elements are mirrored at both ends.
+double widest(const std::vector<double>& need, const std::vector<int>& counts) {
   std::vector<double> sizes;
   for (std::size_t k = 0; k < need.size(); ++k)
-    sizes.insert(sizes.end(), static_cast<std::size_t>(pieces[k]), need[k] / pieces[k]);
+    sizes.insert(sizes.end(), static_cast<std::size_t>(counts[k]), need[k] / counts[k]);
   const auto count = static_cast<int>(sizes.size());
   const auto sizeAt = [&](int e) {
     if (e < 0) e = -1 - e;
@@ -52,13 +51,13 @@ double widest(const std::vector<double>& need, const std::vector<int>& pieces) {
 
 }  // namespace
 
-std::vector<int> evenPieces(const std::vector<double>& need) {
+std::vector<int> elementCounts(const std::vector<double>& need) {
   // Equal spans get equal numbers.
   for (double longest = kMaxLengthRatio;; longest -= kStep) {
-    std::vector<int> pieces;
+    std::vector<int> counts;
     for (const double each : need)
-      pieces.push_back(std::max(1, static_cast<int>(std::ceil(each / longest))));
-    if (longest <= 1 || widest(need, pieces) <= 1 + kSlack) return pieces;
+      counts.push_back(std::max(1, static_cast<int>(std::ceil(each / longest))));
+    if (longest <= 1 || widest(need, counts) <= 1 + kSlack) return counts;
   }
 }
 
@@ -88,11 +87,10 @@ std::vector<double> rimSizes(double rim) {
 
 namespace {
 
-void halve(double low, double high, const std::vector<DivisionMark>& marks, int depth,
+void halve(double low, double high, const std::vector<SizeMark>& marks, int depth,
            std::vector<double>& ends) {
   const bool isTooLarge =
-      depth < kMaxHalvings &&
-      std::any_of(marks.begin(), marks.end(), [&](const DivisionMark& mark) {
+      depth < kMaxHalvings && std::any_of(marks.begin(), marks.end(), [&](const SizeMark& mark) {
         const double distance = std::max({0.0, low - mark.at, mark.at - high}) * mark.millimetres;
         return (high - low) * mark.millimetres > mark.size + kGrowthPerLength * distance;
       });
@@ -106,7 +104,7 @@ void halve(double low, double high, const std::vector<DivisionMark>& marks, int 
 
 }  // namespace
 
-void halveAtMarks(double low, double high, const std::vector<DivisionMark>& marks,
+void halveAtMarks(double low, double high, const std::vector<SizeMark>& marks,
                   std::vector<double>& ends) {
   halve(low, high, marks, 0, ends);
 }

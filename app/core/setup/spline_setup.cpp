@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector3d;
 using modeling::Support;
 
-/// Supports that overlap, or that meet with different displacements, are found on the mesh: there
-/// both kinds of elements say the same.
+/// Finds supports that overlap, or that meet with different displacements. It looks at the mesh, so
+/// that both engines give the same message.
 void checkSupports(const modeling::Project& project, const modeling::SurfaceMesh& mesh) {
   const std::vector<int> owner = supportOfTriangle(project, mesh);
   std::map<int, PrescribedDisplacement> ofNode;
@@ -26,17 +26,17 @@ void checkSupports(const modeling::Project& project, const modeling::SurfaceMesh
         ofNode[node].addFixed(project.supports[owner[t]], mesh.positions[node]);
 }
 
-/// The surface cut into the parts of supports and loads.
-bem::SplineSurface taggedSurface(const modeling::Project& project, const modeling::Solid& solid,
+/// The surface of the refined `solid`, cut into the parts of supports and loads.
+bem::SplineSurface taggedSurface(const ProjectGeometry& geometry, const modeling::Solid& solid,
                                  RegionTags& tags) {
-  bem::SplineSurface surface = splineSurfaceOf(solid);
-  const std::vector<modeling::MeshRegion> regions = modeling::meshRegions(project);
+  bem::SplineSurface surface = splineSurfaceOf(solid, geometry.smoothingGroups());
+  const std::vector<modeling::MeshRegion>& regions = geometry.regions();
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const auto region = static_cast<int>(r);
     surface = bem::withPart(
         surface, surfacePart(regions[r].where, solid),
         [&](int tag) { return tags.with(tag, region); },
-        r < project.supports.size() ? bem::Tearing::kTorn : bem::Tearing::kWhole);
+        r < geometry.project().supports.size() ? bem::Tearing::kTorn : bem::Tearing::kWhole);
   }
   return surface;
 }
@@ -86,18 +86,19 @@ void applyLoads(const modeling::Project& project, const RegionTags& tags, Bounda
 
 }  // namespace
 
-BoundarySetup makeSplineSetup(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
-                              const SplineRefinement& net) {
+BoundarySetup makeSplineSetup(const ProjectGeometry& geometry, const modeling::SurfaceMesh& mesh) {
+  const modeling::Project& project = geometry.project();
   checkSupports(project, mesh);
-  const auto& design = std::get<modeling::Solid>(project.body);
-  auto solid = std::make_shared<const modeling::Solid>(refined(design, net));
+  auto solid =
+      std::make_shared<const modeling::Solid>(refined(geometry.solid(), geometry.refinement()));
   RegionTags tags(mesh);
-  bem::SplineSurface surface = taggedSurface(project, *solid, tags);
+  bem::SplineSurface surface = taggedSurface(geometry, *solid, tags);
   const auto splines = std::make_shared<const bem::SplineDiscretisation>(
-      boundaryMesh(mesh, tags.ofTriangle()), std::move(surface), splineTriangles(design, mesh));
+      boundaryMesh(mesh, tags.ofTriangle()), std::move(surface),
+      splineTriangles(geometry.solid(), geometry.evaluator(), mesh));
   BoundarySetup setup(project, splines);
   setup.splines = splines;
-  setup.splineRefinement = std::move(solid);
+  setup.refinedSolid = std::move(solid);
   for (std::size_t s = 0; s < project.supports.size(); ++s)
     setup.supports.push_back({project.supports[s].name, mesh.trianglesOfRegion[s],
                               elementsIn(splines->surface(), tags, static_cast<int>(s)),

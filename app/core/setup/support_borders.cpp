@@ -13,13 +13,13 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMinSamples = 24, kMaxSamples = 96;  ///< pieces of a patch per direction
-constexpr double kInwards = 0.01;  ///< of the patch: how far off an edge its two sides are asked
+constexpr double kInwards = 0.01;  ///< distance of samples from an edge, in the patch's size
 
 bool contains(const bem::SurfacePart& part, int patch, const Vector3d& x) {
   return part.hasPatch(patch) || (part.level && part.level(x) < 0);
 }
 
-/// Does a part end along most of an edge?
+/// True if a part ends along most of an edge.
 bool endsAlong(const modeling::SurfaceEvaluator& surface, const modeling::SolidEdge& edge,
                const bem::SurfacePart& part) {
   constexpr int kPlaces = 5;
@@ -47,7 +47,7 @@ bool endsAlong(const modeling::SurfaceEvaluator& surface, const modeling::SolidE
   return 2 * differ > kPlaces;
 }
 
-/// Samples of a patch in a grid, and where the sign of a level function changes between them.
+/// Samples of a patch in a grid, and the places between them where a level function changes sign.
 class PatchSamples {
  public:
   PatchSamples(const modeling::SurfaceEvaluator& surface, int patch, int pieces,

@@ -1,21 +1,25 @@
 #include "app/core/setup/to_spline_surface.h"
 
 #include "modeling/mesh/node_place.h"
-#include "modeling/solid/surface_evaluator.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::app {
 
 bem::SplineSurface splineSurfaceOf(const modeling::Solid& solid) {
-  const std::vector<int> groups = modeling::smoothingGroups(
-      solid, modeling::sharpEdges(solid, modeling::SurfaceEvaluator(solid)));
+  return splineSurfaceOf(
+      solid, modeling::smoothingGroups(
+                 solid, modeling::sharpEdges(solid, modeling::SurfaceEvaluator(solid))));
+}
+
+bem::SplineSurface splineSurfaceOf(const modeling::Solid& solid,
+                                   const std::vector<int>& smoothingGroups) {
   std::vector<bem::SplinePatch> patches;
   for (std::size_t p = 0; p < solid.patches().size(); ++p) {
     const modeling::Patch& from = solid.patches()[p];
     bem::SplinePatch patch{{bem::BsplineBasis(from.degree[0], from.knots[0]),
                             bem::BsplineBasis(from.degree[1], from.knots[1])},
                            {},
-                           groups[p]};
+                           smoothingGroups[p]};
     for (int j = 0; j < patch.basis[1].count(); ++j)
       for (int i = 0; i < patch.basis[0].count(); ++i) patch.net.push_back(from.net[i][j]);
     patches.push_back(std::move(patch));
@@ -24,8 +28,8 @@ bem::SplineSurface splineSurfaceOf(const modeling::Solid& solid) {
 }
 
 std::vector<bem::SplineMesh::Triangle> splineTriangles(const modeling::Solid& solid,
+                                                       const modeling::SurfaceEvaluator& surface,
                                                        const modeling::SurfaceMesh& mesh) {
-  const modeling::SurfaceEvaluator surface(solid);
   std::vector<modeling::NodePlace> places;
   places.reserve(mesh.parameters.size());
   for (const modeling::SurfaceParameter& at : mesh.parameters)

@@ -13,22 +13,21 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kMaxDivisions = 60;  ///< for one place
-/// Equal elements in a span of the design up to which it is divided evenly anew.
-constexpr int kMaxEvenPieces = 4;
-/// Half-way to the border of a mask functions may be this much wider than in its middle.
+/// A span of the design with at most this many equal elements gets one more equal element.
+constexpr int kMaxEvenElements = 4;
+/// Width of functions half-way to the border of a mask, over their width in its middle.
 constexpr double kWiderAside = 1.25;
-/// A patch is near a place that lies within this part of the touch's radius of it, more than the
-/// nearest one.
+/// A patch counts as near a place if its distance exceeds the distance of the nearest patch by at
+/// most this part of the touch's radius.
 constexpr double kNear = 0.05;
-/// The smallest contact of a ball that is to be resolved, in its radius.
+/// The smallest contact of a ball that is resolved, over the ball's radius.
 constexpr double kMinBallShare = 0.2;
 
-/// Radius of the mask that a touch asks for, mm; none: a fingertip, anywhere.
+/// Radius of the mask that a touch asks for, mm; none for a fingertip, which all places resolve.
 std::optional<double> radiusOf(const modeling::Touch& touch) {
-  if (!touch.radius || !std::holds_alternative<modeling::TouchProbe>(touch.action))
-    return touch.radius;
+  if (!touch.radius || !modeling::infoOf(touch.kind).isBall) return touch.radius;
   // A ball in a half-space pressed in by d touches a circle of radius √(R d) (H. Hertz).
-  const double depth = modeling::vectorOf(touch).norm() / *touch.radius;
+  const double depth = touch.vector.norm() / *touch.radius;
   return *touch.radius * std::clamp(std::sqrt(depth), kMinBallShare, 1.0);
 }
 
@@ -86,7 +85,7 @@ Functions functionsAt(int degree, const std::vector<double>& breaks,
   std::vector<double> derivatives(degree + 1);
   basis.evaluate(span, parameter, found.values.data(), derivatives.data());
   for (int i = span; i <= span + degree; ++i) {
-    // As of even elements of the mean size of those that it covers (bem::SplineMaskWidths).
+    // The width on even elements with the mean size of the covered ones (bem::SplineMaskWidths).
     const int first = std::max(i - degree, 0);
     const int last = std::min(i + 1, static_cast<int>(lengths.size()) - 1);
     found.deviations.push_back(std::sqrt((degree + 1) / 12.0) * (lengths[last] - lengths[first]) /
@@ -99,17 +98,17 @@ Functions functionsAt(int degree, const std::vector<double>& breaks,
   return found;
 }
 
-/// Divides an element of a strip, with one more end: its whole span evenly anew where that has
-/// equal elements, and few, or functions are so little too wide (a factor above 1) that it does;
-/// else it is halved.
-void divide(std::vector<double>& ends, std::size_t element, double tooWide) {
+/// Divides an element of a chain; one end is added. The whole span is divided evenly again if its
+/// elements are equal and either few or the excess width of the functions (a factor above 1) is
+/// small enough; otherwise the element is halved.
+void divide(std::vector<double>& ends, std::size_t element, double excess) {
   const double low = element == 0 ? 0 : ends[element - 1], high = ends[element];
   const double span = std::floor((low + high) / 2), pieces = 1 / (high - low);
   const auto first = std::upper_bound(ends.begin(), ends.end(), span + 1e-9);
   const auto last = std::upper_bound(first, ends.end(), span + 1 + 1e-9);
   const auto count = last - first;
   bool isEven = std::abs(pieces - static_cast<double>(count)) < 1e-6 &&
-                (count <= kMaxEvenPieces || tooWide * pieces < pieces + 1);
+                (count <= kMaxEvenElements || excess * pieces < pieces + 1);
   for (auto end = first; isEven && end != last; ++end)
     isEven = std::abs(*end - span - static_cast<double>(end - first + 1) / pieces) < 1e-6;
   if (!isEven) {
@@ -117,10 +116,10 @@ void divide(std::vector<double>& ends, std::size_t element, double tooWide) {
     return;
   }
   const auto at = ends.erase(first, last - 1);
-  std::vector<double> anew;
+  std::vector<double> even;
   for (std::ptrdiff_t k = 1; k <= count; ++k)
-    anew.push_back(span + static_cast<double>(k) / static_cast<double>(count + 1));
-  ends.insert(at, anew.begin(), anew.end());
+    even.push_back(span + static_cast<double>(k) / static_cast<double>(count + 1));
+  ends.insert(at, even.begin(), even.end());
 }
 
 /// Root of the larger eigenvalue of a² u uᵀ + b² v vᵀ for unit u and v with u·v = cosine.
@@ -131,9 +130,9 @@ double widest(double a, double b, double cosine) {
 
 }  // namespace
 
-TouchRefinement::TouchRefinement(const modeling::Project& project, const KnotChains& strips,
+TouchRefinement::TouchRefinement(const modeling::Project& project, const KnotChains& chains,
                                  const modeling::SurfaceEvaluator& surface)
-    : strips_(strips), surface_(surface) {
+    : chains_(chains), surface_(surface) {
   for (const modeling::Touch& touch : project.touches)
     if (const auto radius = radiusOf(touch)) addPlaces(touch.at, *radius, surface.patchCount());
 }
@@ -173,14 +172,14 @@ bool TouchRefinement::divideAt(const Place& place, double radius, const std::vec
   std::array<Functions, 2> functions;
   for (int d = 0; d < 2; ++d) {
     const modeling::PatchDirection at{place.patch, d};
-    std::vector<double> breaks{strips_.parameterOf(at, 0)};
-    for (const double end : ends[strips_.of(at)]) breaks.push_back(strips_.parameterOf(at, end));
+    std::vector<double> breaks{chains_.parameterOf(at, 0)};
+    for (const double end : ends[chains_.of(at)]) breaks.push_back(chains_.parameterOf(at, end));
     std::sort(breaks.begin(), breaks.end());
     std::vector<Vector3d> positions;
     for (const double t : breaks)
       positions.push_back(d == 0 ? surface_.position(place.patch, t, place.parameters[1])
                                  : surface_.position(place.patch, place.parameters[0], t));
-    functions[d] = functionsAt(degrees[strips_.of(at)], breaks, positions, place.parameters[d]);
+    functions[d] = functionsAt(degrees[chains_.of(at)], breaks, positions, place.parameters[d]);
   }
   const auto jet = surface_.evaluate(place.patch, place.parameters[0], place.parameters[1]);
   const double lengths = jet.du.norm() * jet.dv.norm();
@@ -194,13 +193,13 @@ bool TouchRefinement::divideAt(const Place& place, double radius, const std::vec
     for (std::size_t j = 0; j < functions[1].values.size(); ++j)
       width += functions[0].values[i] * functions[1].values[j] *
                widest(functions[0].deviations[i], functions[1].deviations[j], cosine);
-  const double tooWide = bem::SplineMaskWidths::kMinWidth * width / radius;
-  if (tooWide <= 1) return false;
+  const double excess = bem::SplineMaskWidths::kMinWidth * width / radius;
+  if (excess <= 1) return false;
 
   const int d = along[0] >= along[1] ? 0 : 1;
   const modeling::PatchDirection at{place.patch, d};
-  std::vector<double>& strip = ends[strips_.of(at)];
-  // Of elements of a length the one nearest to the place.
+  std::vector<double>& chainEnds = ends[chains_.of(at)];
+  // Among elements of equal length, the one nearest to the place.
   const auto count = static_cast<int>(functions[d].sizes.size());
   int longest = 0;
   double most = 0;
@@ -210,8 +209,8 @@ bool TouchRefinement::divideAt(const Place& place, double radius, const std::vec
     most = std::max(most, size);
   }
   auto element = static_cast<std::size_t>(functions[d].firstElement + longest);
-  if (strips_.linkOf(at).reversed) element = strip.size() - 1 - element;
-  divide(strip, element, tooWide);
+  if (chains_.linkOf(at).reversed) element = chainEnds.size() - 1 - element;
+  divide(chainEnds, element, excess);
   return true;
 }
 

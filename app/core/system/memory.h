@@ -4,13 +4,13 @@
 
 namespace palpa::app {
 
-/// Memory that can still be taken without swapping, bytes; 0 when the system does not say.
+/// Memory available without swapping, bytes; 0 if unknown.
 double availableMemory();
 /// Largest resident size of this process so far, bytes.
 double peakMemory();
 /// Makes the allocator keep freed blocks of up to 32 MiB for the next request instead of returning
-/// each to the system: a program that solves block after block otherwise spends half its time on
-/// page faults. For `main` to call once; process-wide.
+/// them to the system: otherwise a program that solves many blocks spends half its time on page
+/// faults. For `main` to call once; applies to the whole process.
 void reuseFreedMemory();
 /// "1.4 GiB", "236 MiB".
 std::string formatBytes(double bytes);

@@ -15,27 +15,27 @@
 namespace palpa::app {
 namespace {
 
-constexpr int kBackground = 10;  // a ninth of the time beside a busy thread of the window
+constexpr int kBackground = 10;  // a ninth of the time next to a busy thread of the window
 constexpr int kRasteriser = 5;   // a third
 constexpr int kForeground = -10;
 constexpr const char* kRasteriserName = "llvmpipe";
 
-/// Length of a turn that is asked for, ns: the shortest that Linux gives.
-constexpr std::uint64_t kTurn = 100'000;
+/// Requested length of a time slice, ns: the shortest that Linux gives.
+constexpr std::uint64_t kTimeSlice = 100'000;
 
-/// What sched_setattr(2) takes. The C library does not know it yet, and the kernel's own header
-/// contradicts the library's.
+/// Argument of sched_setattr(2). The C library has no declaration yet, and the kernel's header
+/// contradicts the library's headers.
 struct SchedulingAttributes {
   std::uint32_t size = sizeof(SchedulingAttributes);
   std::uint32_t policy = SCHED_OTHER;
-  std::uint64_t flags = 1;  // SCHED_FLAG_RESET_ON_FORK: threads that it starts are ordinary ones
+  std::uint64_t flags = 1;  // SCHED_FLAG_RESET_ON_FORK: new threads are ordinary ones
   std::int32_t nice = 0;
   std::uint32_t priority = 0;  // of the real-time classes
-  std::uint64_t runtime = 0;   // ns; of SCHED_OTHER: the length of its turns
+  std::uint64_t runtime = 0;   // ns; length of a time slice (SCHED_OTHER)
   std::uint64_t deadline = 0, period = 0;
 };
 
-/// A thread that works more than this part of a span of time does not go first in the next.
+/// Load above which a thread loses real-time priority, measured over kSpan.
 constexpr double kMaxLoad = 0.5;
 constexpr std::chrono::milliseconds kSpan{100};
 
@@ -53,7 +53,7 @@ void forEachThread(const Act& act) {
   }
 }
 
-/// Of the calling thread; false when it is not allowed.
+/// Applies to the calling thread; false if it is not allowed.
 bool setScheduling(const SchedulingAttributes& attributes) {
   return ::syscall(SYS_sched_setattr, 0, &attributes, 0U) == 0;
 }
@@ -61,7 +61,7 @@ bool setScheduling(const SchedulingAttributes& attributes) {
 }  // namespace
 
 void lowerThreadPriority() {
-  // Linux gives every thread a priority of its own; should it refuse, things are only slower.
+  // On Linux the priority belongs to the thread. A failure only makes the window slower.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackground);
 }
 
@@ -83,17 +83,17 @@ RealtimeScope::RealtimeScope() : mayBeRealtime_(true), since_(Clock::now()) {
   setRealtime(true);
 }
 
-void RealtimeScope::setRealtime(bool first) {
-  if (first && mayBeRealtime_) {
+void RealtimeScope::setRealtime(bool isWanted) {
+  if (isWanted && mayBeRealtime_) {
     SchedulingAttributes realtime;
     realtime.policy = SCHED_RR;
-    realtime.priority = 1;  // the lowest one goes before all threads without one
+    realtime.priority = 1;  // the lowest one precedes all ordinary threads
     mayBeRealtime_ = isRealtime_ = setScheduling(realtime);
     if (isRealtime_) return;
   }
   isRealtime_ = false;
   SchedulingAttributes ordinary;
-  ordinary.runtime = kTurn;
+  ordinary.runtime = kTimeSlice;
   ordinary.nice = kForeground;
   if (setScheduling(ordinary)) return;
   ordinary.nice = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));

@@ -4,49 +4,48 @@
 
 namespace palpa::app {
 
-/// Lets all other threads go first: the calling thread, and those it starts from now on, run at
-/// nice 10. For threads that compute in the background of a window.
+/// Lowers the priority of the calling thread, and of the threads it starts from now on, to nice 10.
+/// For threads that compute in the background of a window.
 void lowerThreadPriority();
 
-/// As lowerThreadPriority() for all threads of the process but the first: those that OpenBLAS
-/// starts when it is loaded, at the priority of the window. For `main` to call before anything
-/// else.
+/// lowerThreadPriority() for all threads of the process except the first. OpenBLAS starts threads
+/// at the window's priority when it is loaded. For `main` to call before anything else.
 void lowerPriorityOfLoadedThreads();
 
-/// Where the processor draws: lets the threads of Mesa's software rasteriser wait for those of the
-/// window, which would wait for the picture anyhow. To be called once there is a picture; quick,
-/// may be called again.
+/// Lowers the priority of the threads of Mesa's software rasteriser below the window's threads,
+/// which would wait for the picture anyway. To be called after the first picture; quick, may be
+/// called again.
 void lowerPriorityOfRasteriser();
 
-/// The calling thread has something to do every millisecond, and takes little time for it.
+/// Raises the priority of the calling thread, for its lifetime: for a thread with a little work
+/// every millisecond.
 ///
-/// What the system allows is asked for: to go before everything else (SCHED_RR; root, or a limit
-/// `rtprio` in /etc/security/limits.conf), or a larger share (nice -10; the same for `nice`). What
-/// every user may have, from Linux 6.12 on, is to wait for shorter turns of others, in exchange for
-/// shorter ones of its own; and timers that are exact to a nanosecond instead of 50 µs.
+/// It requests what the system allows: real-time priority (SCHED_RR; needs root or a limit `rtprio`
+/// in /etc/security/limits.conf), otherwise a larger share (nice -10; a limit `nice`). Every user
+/// gets, from Linux 6.12 on, short time slices, which start sooner, and timers that are exact to a
+/// nanosecond instead of 50 µs.
 ///
-/// A thread that goes before everything else could stop the machine. So it must say how long it
-/// worked: while that is more than half of the time, it is as others are.
+/// A thread with real-time priority could stop the machine. So the thread reports its working time:
+/// above 50 % load it loses real-time priority until the load falls.
 class RealtimeScope {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Of the calling thread, for its lifetime.
   RealtimeScope();
   RealtimeScope(const RealtimeScope&) = delete;
   RealtimeScope& operator=(const RealtimeScope&) = delete;
 
-  /// To be called after each piece of work.
+  /// To be called after each step of work.
   void worked(Clock::time_point from, Clock::time_point to);
 
-  /// Does it go before everything else at the moment?
+  /// True while the thread has real-time priority.
   bool isRealtime() const { return isRealtime_; }
 
  private:
-  void setRealtime(bool first);
+  void setRealtime(bool isWanted);
 
   bool mayBeRealtime_ = false, isRealtime_ = false;
-  Clock::time_point since_;  // of the present span of time
-  Clock::duration busy_{0};  // within it
+  Clock::time_point since_;  // start of the present measurement
+  Clock::duration busy_{0};  // working time since then
 };
 
 }  // namespace palpa::app

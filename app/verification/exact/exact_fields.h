@@ -13,8 +13,8 @@ struct ExactField {
   std::function<Eigen::Matrix3d(const Eigen::Vector3d& x)> stress;        ///< MPa
 };
 
-/// u = gradient x + shift. At nu = 0.5 the gradient must be free of trace, and the stress is its
-/// deviatoric part minus `pressure`, which has to be 0 for any other material.
+/// u = gradient x + shift. At nu = 0.5 the gradient must be trace-free, and the stress is its
+/// deviatoric part minus `pressure`, which must be 0 for any other material.
 ExactField linearField(const Eigen::Matrix3d& gradient, const Eigen::Vector3d& shift,
                        const bem::Material& material, double pressure = 0);
 
@@ -22,7 +22,7 @@ ExactField linearField(const Eigen::Matrix3d& gradient, const Eigen::Vector3d& s
 ExactField kelvinField(const Eigen::Vector3d& source, const Eigen::Vector3d& force,
                        const bem::Material& material);
 
-/// A gradient without any symmetry; free of trace if asked for.
+/// A gradient without symmetry; trace-free if requested.
 Eigen::Matrix3d generalGradient(bool traceless);
 
 /// Gradient of a function by central differences of order 4 with the given step; column j is the
@@ -30,7 +30,7 @@ Eigen::Matrix3d generalGradient(bool traceless);
 Eigen::Matrix3d differences(const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& f,
                             const Eigen::Vector3d& at, double step);
 
-/// The larger of two errors; infinite when one is not a number, so that no comparison lets it pass.
+/// The larger of two errors; infinite if one is not a number, so that it passes no comparison.
 double worse(double error, double other);
 
 /// Hooke's law, for nu < 0.5.

@@ -24,8 +24,8 @@ bem::BoundaryMesh boxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& hig
 /// the caps. Groups and tags: 0 side, 1 bottom, 2 top.
 bem::BoundaryMesh cylinderMesh(double radius, double height, int around, int up);
 
-/// The same cylinder with cells that become small towards its edges (at the edges about a quarter
-/// of their mean), for supports that make the stress singular there.
+/// The same cylinder with cells that become smaller towards its edges (there about a quarter of the
+/// mean size), for supports with singular stress at the edges.
 bem::BoundaryMesh gradedCylinderMesh(double radius, double height, int around, int up);
 
 /// Tube; groups and tags: 0 outer side, 1 bottom, 2 top, 3 inner side.

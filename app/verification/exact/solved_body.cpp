@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "bem/dense/make_reference_problem.h"
 #include "bem/model/traction_projection.h"
 
 namespace palpa::verification {
@@ -44,8 +45,9 @@ SolvedBody::SolvedBody(BoundaryMesh bodyMesh, const Material& bodyMaterial, cons
       {allTriangles(mesh),
        [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
        std::numeric_limits<double>::infinity()});
-  problem = makeDenseReferenceProblem(mesh, slots, conditions, material, options.assembly,
-                                      options.precision, options.job, &times);
+  problem = makeDenseReferenceProblem(mesh, slots,
+                                      {conditions, material, options.assembly, options.precision},
+                                      options.job, &times);
   field = problem->solveField(problem->dofs().knownField(given));
 }
 

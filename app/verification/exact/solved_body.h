@@ -10,16 +10,16 @@ namespace palpa::verification {
 
 using ConditionOfTag = std::function<bem::SlotCondition(int tag)>;
 
-/// Every triangle's tag becomes `tag` where its centroid fulfils `inside`.
+/// Sets the tag of every triangle whose centroid is `inside` to `tag`.
 bem::BoundaryMesh retagged(bem::BoundaryMesh mesh, int tag,
                            const std::function<bool(const Eigen::Vector3d&)>& inside);
 
-/// Indices of all triangles, or of those with one tag.
+/// Indices of all triangles, or of the triangles with a tag.
 std::vector<int> allTriangles(const bem::BoundaryMesh& mesh);
 std::vector<int> trianglesWithTag(const bem::BoundaryMesh& mesh, int tag);
 
-/// A body whose boundary data were taken from an exact field, and its numerical solution.
-/// Displacements are given at the nodes; tractions are the L2 projection of stress times the normal
+/// A body with boundary data of an exact field, and its numerical solution. Displacements are
+/// prescribed at the nodes; tractions are the L2 projection of stress times the normal
 /// of the mesh.
 struct SolvedBody {
   bem::BoundaryMesh mesh;
@@ -43,12 +43,12 @@ struct SolvedBody {
 
   /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the mesh.
   double displacementError(const ExactField& exact) const;
-  /// Largest error of a nodal displacement, over the largest exact one.
+  /// Largest error of a nodal displacement, over the largest exact value.
   double maxDisplacementError(const ExactField& exact) const;
-  /// Root mean square of the errors of the nodal displacements, over that of the exact ones.
+  /// Root mean square of the errors of the nodal displacements, over the rms of the exact values.
   double rmsDisplacementError(const ExactField& exact) const;
-  /// Largest error of a traction, over the largest exact one. The exact one is taken with the
-  /// slot's mean normal, so on curved faces it is meaningful only to the order of the mesh.
+  /// Largest error of a traction, over the largest exact value. The exact traction uses the
+  /// slot's mean normal, so on curved faces it is exact only to the order of the mesh.
   double maxTractionError(const ExactField& exact) const;
 };
 

@@ -8,42 +8,42 @@
 
 namespace palpa::reliability {
 
-/// A place of a body's surface.
+/// A place on a body's surface.
 struct Place {
   Eigen::Vector3d at, normal;  ///< mm; outward, unit
 };
 /// The nodes of a model's mesh.
 std::vector<Place> placesOf(const app::TouchModel& model);
 
-/// Touches a body at random: begins, moves and ends contacts of every kind, several at once.
-/// One thread per hand.
-class Hand {
+/// Touches a body at random: begins, moves and ends contacts of every kind, several at a time.
+/// Each user needs one thread.
+class TouchUser {
  public:
-  Hand(app::TouchLoop& loop, std::uint64_t seed, int most)
-      : loop_(loop), random_(seed), most_(most) {}
+  TouchUser(app::TouchLoop& loop, std::uint64_t seed, int maxContacts)
+      : loop_(loop), random_(seed), maxContacts_(maxContacts) {}
 
-  /// Does one random thing.
+  /// Performs one random action.
   void act(const std::vector<Place>& places);
-  void letGoOfAll();
-  /// What was done so far.
+  void endAll();
+  // Numbers of actions so far.
   long begun() const { return begun_; }
   long moved() const { return moved_; }
   long refused() const { return refused_; }
 
  private:
-  struct Held {
+  struct Contact {
     app::TouchId id;
     bem::ContactTool tool;
     Place place;
   };
   void begin(const std::vector<Place>& places);
-  /// A value within a millimetre or two of where the contact began.
-  Eigen::Vector3d valueOf(const Held& held);
+  /// A value within one or two millimetres of the contact's beginning.
+  Eigen::Vector3d valueOf(const Contact& contact);
 
   app::TouchLoop& loop_;
   Random random_;
-  int most_;
-  std::vector<Held> held_;
+  int maxContacts_;
+  std::vector<Contact> contacts_;
   long begun_ = 0, moved_ = 0, refused_ = 0;
 };
 

@@ -15,22 +15,22 @@ class QFileDialog;
 
 namespace palpa::reliability {
 
-/// Gives a window of the program random input, and dialogs random answers. Files that are named to
-/// it lie in one folder. What it does is told to a log line by line, before it is done. With the
-/// same seed it makes the same choices as long as the window answers in the same order.
-class WindowHand {
+/// Sends random input to a window of the program, and random answers to dialogs. All files lie in
+/// one folder. Each action is logged in one line before it is performed. With the same seed the
+/// choices are the same, as long as the window responds in the same order.
+class WindowUser {
  public:
-  WindowHand(std::uint64_t seed, QString folder, std::function<void(const QString&)> log);
-  ~WindowHand();
+  WindowUser(std::uint64_t seed, QString folder, std::function<void(const QString&)> log);
+  ~WindowUser();
 
   gui::MainWindow& window() { return *window_; }
   Random& random() { return random_; }
 
-  /// One action; returns when dialogs that it brought up are closed again.
+  /// Performs one action; returns when the dialogs that it opened are closed.
   void act();
-  /// Lets go of buttons, closes what is open, and waits until the rebuild has settled or stopped.
+  /// Releases buttons, closes dialogs, and waits until the rebuild has settled or stopped.
   void rest();
-  /// How often what was done.
+  /// Number of actions of each kind.
   const std::map<std::string, long>& counts() const { return counts_; }
 
  private:
@@ -54,7 +54,7 @@ class WindowHand {
   void dropFile();
   void resize();
 
-  // Dialogs and popups stop act() until they are closed; these run meanwhile, from timers.
+  // Dialogs and popups block act() until they are closed; timers call these functions meanwhile.
   void attend();
   void answer(QWidget& dialog);
   void answerFileDialog(QFileDialog& dialog);
@@ -64,10 +64,10 @@ class WindowHand {
   const QString folder_;
   const std::function<void(const QString&)> log_;
   std::unique_ptr<gui::MainWindow> window_;
-  Qt::MouseButton held_ = Qt::NoButton;
+  Qt::MouseButton pressed_ = Qt::NoButton;
   QPoint pointer_;
   QPointer<QWidget> answered_;  // the dialog that was answered last
-  int answers_ = 0;             // how often
+  int answers_ = 0;             // number of its answers
   int files_ = 0;
   std::map<std::string, long> counts_;
 };

@@ -1,4 +1,4 @@
-#include "tests/reliability/window_hand.h"
+#include "tests/reliability/window_user.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -54,15 +54,15 @@ bool isUsable(const QWidget& widget) {
 
 }  // namespace
 
-WindowHand::WindowHand(std::uint64_t seed, QString folder, std::function<void(const QString&)> log)
+WindowUser::WindowUser(std::uint64_t seed, QString folder, std::function<void(const QString&)> log)
     : random_(seed), folder_(std::move(folder)), log_(std::move(log)) {
   openWindow();
   QTimer::singleShot(kAttendEvery, qApp, [this] { attend(); });
 }
 
-WindowHand::~WindowHand() = default;
+WindowUser::~WindowUser() = default;
 
-void WindowHand::openWindow() {
+void WindowUser::openWindow() {
   window_.reset();
   window_ = std::make_unique<gui::MainWindow>();
   window_->settings().setMemoryLimitGiB(kMemoryGiB);
@@ -73,19 +73,19 @@ void WindowHand::openWindow() {
   window_->begin({});
 }
 
-void WindowHand::note(const char* kind, const QString& what) {
+void WindowUser::note(const char* kind, const QString& what) {
   ++counts_[kind];
   log_(QString("%1 %2").arg(kind, what));
 }
 
-QPoint WindowHand::placeIn(const QWidget& widget) {
+QPoint WindowUser::placeIn(const QWidget& widget) {
   // Mostly where the body is drawn.
   const double spread = oneIn(random_, 4) ? 0.5 : 0.22;
   return {static_cast<int>(widget.width() * (0.5 + pickReal(random_, -spread, spread))),
           static_cast<int>(widget.height() * (0.5 + pickReal(random_, -spread, spread)))};
 }
 
-Qt::KeyboardModifiers WindowHand::modifiers() {
+Qt::KeyboardModifiers WindowUser::modifiers() {
   Qt::KeyboardModifiers chosen;
   if (oneIn(random_, 4)) chosen |= Qt::ShiftModifier;
   if (oneIn(random_, 4)) chosen |= Qt::ControlModifier;
@@ -93,14 +93,14 @@ Qt::KeyboardModifiers WindowHand::modifiers() {
   return chosen;
 }
 
-QString WindowHand::number() {
+QString WindowUser::number() {
   static const QStringList kOdd{"",    "0",   "-1",    "1e9",  "1e-300", "abc",  "-0.0001",
                                 "0,5", "nan", "1e400", "3 mm", "0.7 N",  "12 in"};
   if (oneIn(random_, 4)) return oneOf(random_, kOdd);
   return QString::number(pickReal(random_, oneIn(random_, 3) ? -20 : 0, 30), 'g', 3);
 }
 
-QString WindowHand::file(bool isNew) {
+QString WindowUser::file(bool isNew) {
   static const QStringList kEndings{"json", "step", "iges", "brep", "stl", "obj",
                                     "ply",  "csv",  "png",  "xyz",  ""};
   const QStringList all = QDir(folder_).entryList(QDir::Files);
@@ -109,13 +109,13 @@ QString WindowHand::file(bool isNew) {
   return folder_ + QString("/new%1.%2").arg(files_++ % 40).arg(oneOf(random_, kEndings));
 }
 
-void WindowHand::act() {
+void WindowUser::act() {
   if (QApplication::activeModalWidget() || QApplication::activePopupWidget() ||
       gui::isBackgroundJobRunning())
     return;  // attend() is busy with it
   if (!window_->isVisible()) {
     note("restart");
-    held_ = Qt::NoButton;
+    pressed_ = Qt::NoButton;
     openWindow();
     return;
   }
@@ -169,7 +169,7 @@ void WindowHand::act() {
   }
 }
 
-void WindowHand::rest() {
+void WindowUser::rest() {
   release();
   for (int i = 0; i < 4000; ++i) {
     const auto state = window_->editor().rebuildStatus().state;
@@ -182,8 +182,8 @@ void WindowHand::rest() {
   if (!window_->isVisible()) openWindow();
 }
 
-void WindowHand::press() {
-  if (held_ != Qt::NoButton) return move();
+void WindowUser::press() {
+  if (pressed_ != Qt::NoButton) return move();
   constexpr std::array kButtons{Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::RightButton,
                                 Qt::MiddleButton};
   const Qt::MouseButton button = oneOf(random_, kButtons);
@@ -194,7 +194,7 @@ void WindowHand::press() {
     QTest::mouseDClick(&view(), button, with, pointer_);
     return;
   }
-  held_ = button;
+  pressed_ = button;
   note("press", QString("%1 at %2,%3 with %4")
                     .arg(button)
                     .arg(pointer_.x())
@@ -203,33 +203,33 @@ void WindowHand::press() {
   QTest::mousePress(&view(), button, with, pointer_);
 }
 
-void WindowHand::move() {
-  pointer_ = held_ == Qt::NoButton || oneIn(random_, 15)
+void WindowUser::move() {
+  pointer_ = pressed_ == Qt::NoButton || oneIn(random_, 15)
                  ? placeIn(view())
                  : pointer_ + QPoint(pick(random_, -25, 25), pick(random_, -25, 25));
   note("move", QString("to %1,%2").arg(pointer_.x()).arg(pointer_.y()));
-  QMouseEvent event(QEvent::MouseMove, pointer_, view().mapToGlobal(pointer_), Qt::NoButton, held_,
-                    modifiers());
+  QMouseEvent event(QEvent::MouseMove, pointer_, view().mapToGlobal(pointer_), Qt::NoButton,
+                    pressed_, modifiers());
   QApplication::sendEvent(&view(), &event);
 }
 
-void WindowHand::release() {
-  if (held_ == Qt::NoButton) return;
+void WindowUser::release() {
+  if (pressed_ == Qt::NoButton) return;
   note("release");
-  const Qt::MouseButton button = std::exchange(held_, Qt::NoButton);
+  const Qt::MouseButton button = std::exchange(pressed_, Qt::NoButton);
   QTest::mouseRelease(&view(), button, modifiers(), pointer_);
 }
 
-void WindowHand::wheel() {
+void WindowUser::wheel() {
   const QPoint at = placeIn(view());
   const int notches = pick(random_, 0, 1) ? 1 : -1;
   note("wheel", QString::number(notches));
-  QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, held_, modifiers(),
+  QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120 * notches}, pressed_, modifiers(),
                     Qt::NoScrollPhase, false);
   QApplication::sendEvent(&view(), &event);
 }
 
-void WindowHand::key() {
+void WindowUser::key() {
   constexpr std::array kKeys{Qt::Key_Escape, Qt::Key_Delete, Qt::Key_Return,   Qt::Key_Tab,
                              Qt::Key_Space,  Qt::Key_Up,     Qt::Key_Down,     Qt::Key_Left,
                              Qt::Key_Right,  Qt::Key_F2,     Qt::Key_Home,     Qt::Key_Plus,
@@ -244,7 +244,7 @@ void WindowHand::key() {
   QTest::keyClick(target, key, with);
 }
 
-void WindowHand::trigger() {
+void WindowUser::trigger() {
   QList<QAction*> actions = window_->findChildren<QAction*>();
   actions.removeIf([](const QAction* action) {
     return !action->isEnabled() || action->isSeparator() || action->menu() ||
@@ -256,13 +256,13 @@ void WindowHand::trigger() {
   action->trigger();
 }
 
-void WindowHand::useWidget(QWidget& root) {
+void WindowUser::useWidget(QWidget& root) {
   QList<QWidget*> widgets = root.findChildren<QWidget*>();
   widgets.removeIf([](const QWidget* widget) { return !isUsable(*widget); });
   if (!widgets.isEmpty()) use(*oneOf(random_, widgets));
 }
 
-void WindowHand::use(QWidget& widget) {
+void WindowUser::use(QWidget& widget) {
   const QPointer<QWidget> guard(&widget);
   note("widget", nameOf(widget));
   if (auto* items = qobject_cast<QAbstractItemView*>(&widget)) return useItem(*items);
@@ -287,7 +287,7 @@ void WindowHand::use(QWidget& widget) {
   }
 }
 
-void WindowHand::useItem(QAbstractItemView& items) {
+void WindowUser::useItem(QAbstractItemView& items) {
   const QAbstractItemModel* model = items.model();
   if (!model || model->rowCount() == 0) return;
   QModelIndex index = model->index(pick(random_, 0, model->rowCount() - 1), 0);
@@ -303,7 +303,7 @@ void WindowHand::useItem(QAbstractItemView& items) {
   if (guard && oneIn(random_, 3)) QTest::keyClick(guard, oneOf(random_, kKeys));
 }
 
-void WindowHand::dropFile() {
+void WindowUser::dropFile() {
   const QString name = file(false);
   note("drop", name);
   QMimeData data;
@@ -312,13 +312,13 @@ void WindowHand::dropFile() {
   QApplication::sendEvent(window_.get(), &event);
 }
 
-void WindowHand::resize() {
+void WindowUser::resize() {
   const QSize size(pick(random_, 300, 1900), pick(random_, 200, 1180));
   note("resize", QString("%1 x %2").arg(size.width()).arg(size.height()));
   window_->resize(size);
 }
 
-void WindowHand::attend() {
+void WindowUser::attend() {
   // First of all: what follows may bring up a dialog that needs answers, too.
   QTimer::singleShot(kAttendEvery, qApp, [this] { attend(); });
   if (QWidget* popup = QApplication::activePopupWidget())
@@ -329,7 +329,7 @@ void WindowHand::attend() {
     gui::cancelBackgroundJob();
 }
 
-void WindowHand::answerPopup(QWidget& popup) {
+void WindowUser::answerPopup(QWidget& popup) {
   auto* menu = qobject_cast<QMenu*>(&popup);
   if (!menu || oneIn(random_, 3)) {
     note("popup closed");
@@ -351,7 +351,7 @@ void WindowHand::answerPopup(QWidget& popup) {
   QTest::keyClick(menu, Qt::Key_Return);
 }
 
-void WindowHand::answer(QWidget& dialog) {
+void WindowUser::answer(QWidget& dialog) {
   answers_ = answered_ == &dialog ? answers_ + 1 : 0;
   answered_ = &dialog;
   if (auto* files = qobject_cast<QFileDialog*>(&dialog)) return answerFileDialog(*files);
@@ -373,7 +373,7 @@ void WindowHand::answer(QWidget& dialog) {
   useWidget(dialog);
 }
 
-void WindowHand::answerFileDialog(QFileDialog& dialog) {
+void WindowUser::answerFileDialog(QFileDialog& dialog) {
   // Only names in the folder: nothing else of the dialog is touched.
   if (answers_ == 0) return;  // it proposes a name once it has read its folder
   auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
