@@ -1,69 +1,52 @@
 #include "app/cli/body_file.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
 #include "app/core/session/new_project.h"
-#include "app/view/mesh_file.h"
 #include "modeling/exchange/cad_export.h"
-#include "modeling/exchange/cad_format.h"
-#include "modeling/exchange/mesh_reader.h"
+#include "modeling/exchange/file_format.h"
+#include "modeling/exchange/mesh_writer.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::cli {
 namespace {
 
-std::string endingOf(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 void writeMeshOf(const modeling::Project& project, const std::string& path, bool remesh,
                  const Job& job) {
   const auto* body = std::get_if<modeling::MeshBody>(&project.body);
   if (body && !remesh) {
-    view::writeMesh({body->positions(), body->triangles(), {}, {}}, path);
+    modeling::writeMesh({body->positions(), body->triangles(), {}, {}}, path);
     return;
   }
   const auto regions = modeling::meshRegions(project);
   const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
-  view::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
+  modeling::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
 }
 
 }  // namespace
 
-Job modelingJob(const Context& context) {
-  ProgressLine& line = context.progress;
-  return {context.stop,
-          [&line](std::string_view phase, double fraction) { line.show(phase, fraction); }};
-}
-
 ReadBody readBody(const std::string& path, const modeling::ImportOptions& options, const Job& job) {
-  if (endingOf(path) == ".json") return {modeling::readProject(path), 0.0, {}};
+  if (modeling::fileFormatOf(path) == modeling::FileFormat::kProject)
+    return {modeling::readProject(path), 0.0, {}};
   modeling::ImportedBody imported = modeling::importBody(path, options, job);
   const std::string name = std::filesystem::path(path).stem().string();
   return {app::makeProject(std::move(imported.body), name), imported.deviation,
           std::move(imported.notes)};
 }
 
-void requireWritable(const std::string& path) {
-  if (endingOf(path) == ".json" || modeling::isMeshFile(path) || modeling::cadFormatOf(path))
-    return;
-  throw OutputError("cannot write " + path + ": the name must end in " + kWritableEndings);
-}
-
 void writeBody(const modeling::Project& project, const std::string& path, bool remesh,
                const Job& job) {
-  if (endingOf(path) == ".json")
-    modeling::writeProject(project, path);
-  else if (modeling::isMeshFile(path))
-    writeMeshOf(project, path, remesh, job);
-  else
-    modeling::exportCad(project.body, path, project.name, job);
+  switch (infoOf(modeling::requireFormat(path, modeling::isWritable)).kind) {
+    case modeling::FileKind::kProject:
+      return modeling::writeProject(project, path);
+    case modeling::FileKind::kCad:
+      return modeling::exportCad(project.body, path, project.name, job);
+    case modeling::FileKind::kMesh:
+      return writeMeshOf(project, path, remesh, job);
+  }
 }
 
 Json toJson(const ReadBody& read) {

@@ -9,8 +9,9 @@
 #include "app/core/setup/boundary_setup.h"
 #include "app/core/system/memory.h"
 #include "bem/base/error.h"
-#include "bem/problem/reference_problem.h"
+#include "bem/dense/make_reference_problem.h"
 #include "modeling/error.h"
+#include "modeling/mesh/mesh.h"
 
 namespace palpa::cli {
 namespace {
@@ -26,7 +27,7 @@ class CheckCommand : public Command {
   void run(const Context& context) override {
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const Job job = modelingJob(context);
+    const Job job = context.job();
     const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     const auto findings = modeling::checkGeometry(mesh, project.body, job);
@@ -34,7 +35,7 @@ class CheckCommand : public Command {
     for (const auto& finding : findings) {
       if (finding.isError) problems.push_back({kBadInput, "bad_input", finding.message});
     }
-    // What holds or touches a faulty surface means nothing.
+    // Supports and touches on a faulty surface have no meaning.
     double memory = 0;
     if (problems.empty()) memory = checkSolution(project, mesh, problems);
 
@@ -61,7 +62,8 @@ class CheckCommand : public Command {
   }
 
  private:
-  /// Collects what would keep the project from being solved and touched; returns the bytes needed.
+  /// Adds the reasons why the project cannot be solved or touched; returns the memory it needs,
+  /// bytes.
   static double checkSolution(const modeling::Project& project, const modeling::SurfaceMesh& mesh,
                               std::vector<Failure>& problems) {
     const auto collect = [&](const auto& part) {
@@ -75,7 +77,7 @@ class CheckCommand : public Command {
     };
     double bytes = 0;
     collect([&] {
-      const app::BoundarySetup setup = app::makeBoundarySetup(project, mesh);
+      const app::BoundarySetup setup = app::makeBoundarySetup(app::ProjectGeometry(project), mesh);
       for (const modeling::Touch& touch : project.touches) {
         collect([&] {
           app::checkNearSurface(setup.mesh(), touch.at, "the touch \"" + touch.name + "\"");

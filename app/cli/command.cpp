@@ -6,6 +6,12 @@
 
 namespace palpa::cli {
 
+Job Context::job() const {
+  return {stop,
+          [&line = progress](Phase phase, double fraction) { line.show(nameOf(phase), fraction); },
+          options.threads};
+}
+
 void Context::print(const Json& report, const std::string& text) const {
   progress.clear();
   if (options.json) {

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "app/cli/progress_line.h"
+#include "base/job.h"
 
 namespace palpa::cli {
 
-/// Numbers and names keep the order in which they are written.
+/// JSON whose keys keep their order.
 using Json = nlohmann::ordered_json;
 
 /// Options every subcommand has.
@@ -22,17 +23,20 @@ struct CommonOptions {
   int threads = 0;     ///< 0: all cores
 };
 
-/// What a running command may use.
+/// Options and services for a running command.
 struct Context {
   CommonOptions options;
   std::stop_token stop;
   ProgressLine& progress;
 
-  /// Writes `report` as JSON, or `text`, or nothing, as the options say.
+  /// Stop token, number of threads and progress line for long operations.
+  Job job() const;
+
+  /// Writes `report` as JSON, or `text`, or nothing, depending on the options.
   void print(const Json& report, const std::string& text) const;
 };
 
-/// One subcommand: declares its options, then runs once if it was the one chosen. Errors are
+/// One subcommand: declares its options, then runs once if the user chose it. Errors are
 /// exceptions; `errors.h` turns them into exit codes.
 class Command {
  public:

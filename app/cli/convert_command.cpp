@@ -1,6 +1,7 @@
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/values.h"
+#include "modeling/exchange/file_format.h"
 
 namespace palpa::cli {
 namespace {
@@ -16,8 +17,7 @@ class ConvertCommand : public Command {
 
   void declare(CLI::App& options) override {
     options
-        .add_option("file", file_,
-                    std::string("File to read: .json (a project), ") + modeling::kImportFileEndings)
+        .add_option("file", file_, "File to read: " + modeling::endingsText(modeling::isReadable))
         ->required()
         ->type_name("");
     options
@@ -29,7 +29,9 @@ class ConvertCommand : public Command {
             "--tolerance", tolerance_,
             "Largest deviation of patches from curved faces in mm (default: 1e-4 of the size)")
         ->type_name("LENGTH");
-    options.add_option("-o,--output", output_, std::string("File to write: ") + kWritableEndings)
+    options
+        .add_option("-o,--output", output_,
+                    "File to write: " + modeling::endingsText(modeling::isWritable))
         ->required()
         ->type_name("FILE");
   }
@@ -38,8 +40,8 @@ class ConvertCommand : public Command {
     modeling::ImportOptions options;
     if (!edgeLength_.empty()) options.edgeLength = parsePositive("--edge-length", edgeLength_);
     if (!tolerance_.empty()) options.tolerance = parsePositive("--tolerance", tolerance_);
-    requireWritable(output_);
-    const Job job = modelingJob(context);
+    modeling::requireFormat(output_, modeling::isWritable);
+    const Job job = context.job();
     ReadBody read = readBody(file_, options, job);
     if (options.edgeLength > 0) read.project.mesh.edgeLength = options.edgeLength;
     writeBody(read.project, output_, options.edgeLength > 0, job);

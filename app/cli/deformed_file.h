@@ -8,13 +8,13 @@
 
 namespace palpa::cli {
 
-/// The option --deformed: the displaced body as a file of its own.
+/// The option --deformed: writes the displaced body to a separate file.
 class DeformedFile {
  public:
   void declare(CLI::App& options);
-  /// Throws OutputError when the name has no known ending. To be called before the work.
+  /// Throws ModelingError if the name has no known ending. To be called before the work.
   void validate() const;
-  /// Does nothing when the option was not given. Throws ModelingError for models of triangles.
+  /// Does nothing without the option. Throws ModelingError for models of triangles.
   void write(const modeling::Project& project, const app::TouchModel& model,
              const app::TouchState& state, const Context& context) const;
 

@@ -13,7 +13,7 @@
 namespace palpa::cli {
 namespace {
 
-/// What a command changed, besides moved points: "supports, loads".
+/// The parts that a command changed, except points: "supports, loads".
 std::vector<std::string> changedParts(const modeling::Change& change) {
   std::vector<std::string> parts;
   const auto add = [&](bool changed, const char* name) {
@@ -77,7 +77,7 @@ class EditCommand : public Command {
   }
 
  private:
-  /// Errors name the command by its place in the file.
+  /// Errors name the command by its position in the file.
   modeling::Edited applied(const modeling::Command& command, const modeling::Project& project,
                            std::size_t index) const {
     try {

@@ -7,19 +7,20 @@
 
 namespace palpa::cli {
 
-/// The command line is wrong in a way CLI11 cannot see (a number out of range, a pair of options).
+/// An error of the command line that CLI11 cannot detect (a number out of range, a pair of
+/// options).
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A file the command was asked to write cannot be written.
+/// An output file cannot be written.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The command has written its report, which says what is wrong.
+/// The command has written its report, which states the error.
 class ReportedFailure : public std::runtime_error {
  public:
   explicit ReportedFailure(const std::string& message, ExitCode code = kBadInput)
@@ -31,8 +32,7 @@ class ReportedFailure : public std::runtime_error {
   ExitCode code_;
 };
 
-/// What remains of an exception at the end of the program: one line for people, a code for the
-/// shell.
+/// An exception at the end of the program: one line for the user, a code for the shell.
 struct Failure {
   ExitCode code = kInternalError;
   std::string kind;  ///< the code's name in JSON: "usage", "bad_input", …
@@ -40,7 +40,10 @@ struct Failure {
   bool isReported = false;  ///< standard output has it already
 };
 
-/// Translates the exception being handled. To be called inside a catch block.
+/// Translates the current exception. Call it inside a catch block.
 Failure currentFailure();
+
+/// Writes to standard error that an option, or a value of an option, has a new name.
+void noteFormerName(const std::string& former, const std::string& present);
 
 }  // namespace palpa::cli

@@ -2,6 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/project_input.h"
+#include "modeling/exchange/file_format.h"
 
 namespace palpa::cli {
 namespace {
@@ -16,19 +17,18 @@ class ExportCommand : public Command {
     input_.declare(options);
     options
         .add_option("-o,--output", output_,
-                    "File to write: .step, .stp, .iges, .igs, .brep (the solid), .stl, .obj, .ply "
-                    "(its mesh)")
+                    "File to write: " + modeling::endingsText(modeling::isCad) + " (the solid), " +
+                        modeling::endingsText(modeling::isWritableMesh) + " (its mesh)")
         ->required()
         ->type_name("FILE");
   }
 
   void run(const Context& context) override {
-    requireWritable(output_);
-    if (std::filesystem::path(output_).extension() == ".json")
+    if (modeling::requireFormat(output_, modeling::isWritable) == modeling::FileFormat::kProject)
       throw UsageError(
           "export: --output must be a CAD or mesh file; palpa-cli convert copies projects");
     const ReadBody read{input_.read(), 0.0, {}};
-    writeBody(read.project, output_, input_.hasEdgeLength(), modelingJob(context));
+    writeBody(read.project, output_, input_.hasEdgeLength(), context.job());
     Json report{{"file", output_}};
     report.update(toJson(read));
     context.print(report, output_ + ": written from " + input_.file() + "\n" + toText(read));

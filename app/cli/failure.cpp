@@ -1,6 +1,8 @@
+#include <iostream>
 #include <new>
+
 #include "app/cli/errors.h"
-#include "app/view/errors.h"
+#include "app/view/files/errors.h"
 #include "base/job.h"
 #include "bem/base/error.h"
 #include "modeling/error.h"
@@ -22,7 +24,7 @@ Failure failureOf(const bem::SolverError& error) {
     case Kind::kBadMaterial:
     case Kind::kBadCondition:
       return {kBadInput, "bad_input", error.what()};
-    case Kind::kNotHeld:
+    case Kind::kNotFixed:
     case Kind::kIncompressible:
     case Kind::kTooLarge:
     case Kind::kSingular:
@@ -58,6 +60,10 @@ Failure currentFailure() {
   } catch (const std::exception& error) {
     return {kInternalError, "internal", std::string("internal error: ") + error.what()};
   }
+}
+
+void noteFormerName(const std::string& former, const std::string& present) {
+  std::cerr << "palpa-cli: " << former << " is the former name of " << present << '\n';
 }
 
 }  // namespace palpa::cli

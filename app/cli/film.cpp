@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "app/cli/errors.h"
-#include "app/cli/simulation.h"
 #include "app/cli/text.h"
 #include "app/core/live/touch_field.h"
 #include "app/core/live/touch_replay.h"
+#include "app/view/scene/arrows.h"
 #include "modeling/error.h"
 
 namespace palpa::cli {
@@ -17,47 +17,44 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What the pictures of a film have in common.
+/// Colours, arrow lengths and camera for all pictures of a film.
 class CommonView {
  public:
-  void add(const view::SurfaceScene& scene) {
-    if (scene.field) {
+  void add(const view::Picture& picture) {
+    if (picture.field) {
       const auto [low, high] =
-          std::minmax_element(scene.field->values.begin(), scene.field->values.end());
-      range_[0] = std::min(range_[0], scene.field->range ? (*scene.field->range)[0] : *low);
+          std::minmax_element(picture.field->values.begin(), picture.field->values.end());
+      range_[0] = std::min(range_[0], picture.field->range ? (*picture.field->range)[0] : *low);
       range_[1] = std::max(range_[1], *high);
     }
-    for (const Vector3d& point : scene.deformedPositions()) reach(point);
-    for (const view::ProbeBall& ball : scene.balls)
+    for (const Vector3d& point : picture.positions) reach(point);
+    for (const view::Ball& ball : picture.balls)
       for (const Vector3d& direction : directions()) reach(ball.center + ball.radius * direction);
     double force = 0;
-    for (const view::ForceArrow& arrow : scene.arrows) {
-      arrows_.push_back(arrow);
+    for (const view::ForceArrow& arrow : picture.arrows.arrows) {
+      arrows_.arrows.push_back(arrow);
       force = std::max(force, arrow.force.norm());
     }
     if (force >= fullForce_) {
       fullForce_ = force;
-      camera_ = scene.camera;
+      camera_ = picture.camera;
     }
-    if (diagonal_ == 0) diagonal_ = diagonalOf(scene);
-    arrowLength_ = scene.arrowLength;
+    if (fullLength_ == 0) fullLength_ = view::kFullArrowLength * diagonalOf(picture.body);
   }
 
   /// To be called once, after all.
   void finish() {
-    for (const view::ForceArrow& arrow : arrows_) {
-      if (fullForce_ == 0) break;
-      const Vector3d along = arrowLength_ * diagonal_ / fullForce_ * arrow.force;
-      reach(arrow.anchor == view::ForceArrow::Anchor::kTail ? Vector3d(arrow.at + along)
-                                                            : Vector3d(arrow.at - along));
-    }
+    if (fullForce_ > 0) arrows_.fullForce = fullForce_;
+    for (const view::PlacedArrow& placed : view::placeArrows(arrows_, fullLength_))
+      reach(placed.freeEnd());
   }
 
-  void applyTo(view::SurfaceScene& scene) const {
-    if (scene.field && range_[0] <= range_[1]) scene.field->range = range_;
-    scene.fullForce = fullForce_;
-    scene.camera = camera_;
-    scene.room.assign(extremes_.begin(), extremes_.end());
+  void applyTo(view::Picture& picture) const {
+    if (picture.field && range_[0] <= range_[1]) picture.field->range = range_;
+    picture.arrows.fullForce = arrows_.fullForce;
+    picture.arrows.minShare = 0;
+    picture.camera = camera_;
+    picture.room.assign(extremes_.begin(), extremes_.end());
   }
 
  private:
@@ -77,9 +74,9 @@ class CommonView {
     return all;
   }
 
-  static double diagonalOf(const view::SurfaceScene& scene) {
-    Vector3d low = scene.positions.front(), high = low;
-    for (const Vector3d& point : scene.positions) {
+  static double diagonalOf(const view::ViewportBody& body) {
+    Vector3d low = body.positions.front(), high = low;
+    for (const Vector3d& point : body.positions) {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }
@@ -95,38 +92,39 @@ class CommonView {
 
   std::array<double, 2> range_{std::numeric_limits<double>::infinity(),
                                -std::numeric_limits<double>::infinity()};
-  std::vector<view::ForceArrow> arrows_;
+  view::LiveArrows arrows_;  // of all pictures
   std::array<Vector3d, kDirections> extremes_;
   bool isAny_ = false;
-  double fullForce_ = 0, diagonal_ = 0, arrowLength_ = 0;
+  double fullForce_ = 0;   // N
+  double fullLength_ = 0;  // mm
   view::CameraView camera_;
 };
 
 }  // namespace
 
 Film::Film(const modeling::Project& project, std::shared_ptr<const app::TouchModel> model,
-           const app::TouchRecording& recording, const SceneOptions& options)
+           const app::TouchRecording& recording, const PictureOptions& options)
     : project_(project),
       body_(std::make_shared<const app::TouchableModel>(std::move(model))),
       recording_(recording),
       options_(options) {}
 
-void Film::forEachScene(double rate, const Context& context,
-                        const std::function<void(view::SurfaceScene&, int number)>& seen) const {
+void Film::forEachPicture(double rate, const Context& context,
+                          const std::function<void(view::Picture&, int number)>& seen) const {
   app::TouchField field(body_);
   int number = 0;
   std::uint64_t step = 0;
-  app::replay(body_, recording_, jobOf(context), [&](const app::TouchSnapshot& snapshot) {
+  app::replay(body_, recording_, context.job(), [&](const app::TouchSnapshot& snapshot) {
     const auto due = static_cast<std::uint64_t>(std::llround(1000.0 * number / rate));
     if (step++ < due) return;
-    view::SurfaceScene scene =
-        makeScene(project_, body_->sharedModel(), field.describe(snapshot), options_);
-    scene.captions.push_back(format("%.3f s", 1e-3 * static_cast<double>(due)));
-    seen(scene, number++);
+    view::Picture picture =
+        makePicture(project_, body_->sharedModel(), field.describe(snapshot), options_);
+    picture.caption.lines.push_back(format("%.3f s", 1e-3 * static_cast<double>(due)));
+    seen(picture, number++);
   });
 }
 
-int Film::draw(const std::filesystem::path& folder, double rate, const view::PictureOptions& size,
+int Film::draw(const std::filesystem::path& folder, double rate, const view::PictureSize& size,
                const Context& context) const {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -134,14 +132,14 @@ int Film::draw(const std::filesystem::path& folder, double rate, const view::Pic
     throw OutputError("cannot make the folder " + folder.string() + ": " + error.message());
   CommonView common;
   int count = 0;
-  forEachScene(rate, context, [&](view::SurfaceScene& scene, int) {
-    common.add(scene);
+  forEachPicture(rate, context, [&](view::Picture& picture, int) {
+    common.add(picture);
     ++count;
   });
   common.finish();
-  forEachScene(rate, context, [&](view::SurfaceScene& scene, int number) {
-    common.applyTo(scene);
-    view::renderToPng(scene, folder / format("frame_%05d.png", number), size);
+  forEachPicture(rate, context, [&](view::Picture& picture, int number) {
+    common.applyTo(picture);
+    view::writePicture(picture, size, folder / format("frame_%05d.png", number));
     context.progress.show("draw", static_cast<double>(number + 1) / count);
   });
   context.progress.clear();
@@ -158,7 +156,7 @@ app::TouchState Film::at(double seconds, const Context& context) const {
   until.steps = static_cast<std::uint64_t>(wanted) + 1;
   app::TouchField field(body_);
   app::TouchSnapshot last;
-  app::replay(body_, until, jobOf(context),
+  app::replay(body_, until, context.job(),
               [&](const app::TouchSnapshot& snapshot) { last = snapshot; });
   context.progress.clear();
   return field.describe(last);

@@ -7,7 +7,7 @@
 
 namespace palpa::cli {
 
-/// What is wrong with a surface, as a list of objects.
+/// Faults of a surface as a list of JSON objects.
 Json toJson(const std::vector<modeling::GeometryFinding>& findings);
 
 }  // namespace palpa::cli

@@ -5,8 +5,8 @@
 namespace palpa::cli {
 namespace {
 
-constexpr std::size_t kNames = 28;  // columns
-constexpr std::size_t kTexts = 80 - kNames;
+constexpr std::size_t kNameColumns = 28;  // columns
+constexpr std::size_t kTextColumns = 80 - kNameColumns;
 
 /// Characters, not bytes: "…" and "°" take one column.
 std::size_t columnsOf(const std::string& text) {
@@ -21,7 +21,7 @@ std::string wrapped(const std::string& text) {
   std::size_t used = 0;
   while (words >> word) {
     const std::size_t size = columnsOf(word);
-    if (used > 0 && used + 1 + size > kTexts) {
+    if (used > 0 && used + 1 + size > kTextColumns) {
       result += '\n';
       used = 0;
     }
@@ -35,7 +35,7 @@ std::string wrapped(const std::string& text) {
 }  // namespace
 
 HelpFormat::HelpFormat() {
-  column_width(kNames);
+  column_width(kNameColumns);
   label("SUBCOMMAND", "COMMAND");
   label("OPTIONS", "options");
   label("REQUIRED", "(required)");
@@ -48,7 +48,8 @@ std::string HelpFormat::make_option_desc(const CLI::Option* option) const {
 
 std::string HelpFormat::make_subcommand(const CLI::App* command) const {
   std::ostringstream out;
-  CLI::detail::format_help(out, command->get_name(), wrapped(command->get_description()), kNames);
+  CLI::detail::format_help(out, command->get_name(), wrapped(command->get_description()),
+                           kNameColumns);
   return out.str();
 }
 

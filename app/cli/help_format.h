@@ -5,7 +5,7 @@
 
 namespace palpa::cli {
 
-/// What --help prints: lines that fit a terminal of 80 columns, in the words of the documentation.
+/// Format of --help: lines of at most 80 columns.
 class HelpFormat : public CLI::Formatter {
  public:
   HelpFormat();

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/values.h"
+#include "modeling/exchange/file_format.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::cli {
@@ -16,7 +17,8 @@ class ImportCommand : public Command {
   std::string example() const override { return "palpa-cli import bracket.step -o bracket.json"; }
 
   void declare(CLI::App& options) override {
-    options.add_option("file", file_, std::string("File to read: ") + modeling::kImportFileEndings)
+    options
+        .add_option("file", file_, "File to read: " + modeling::endingsText(modeling::isImportable))
         ->required()
         ->type_name("");
     options
@@ -38,9 +40,9 @@ class ImportCommand : public Command {
     modeling::ImportOptions options;
     if (!edgeLength_.empty()) options.edgeLength = parsePositive("--edge-length", edgeLength_);
     if (!tolerance_.empty()) options.tolerance = parsePositive("--tolerance", tolerance_);
-    if (std::filesystem::path(file_).extension() == ".json")
+    if (modeling::fileFormatOf(file_) == modeling::FileFormat::kProject)
       throw UsageError("import: " + file_ + " is a project already");
-    ReadBody read = readBody(file_, options, modelingJob(context));
+    ReadBody read = readBody(file_, options, context.job());
     if (!name_.empty()) read.project.name = name_;
     if (options.edgeLength > 0) read.project.mesh.edgeLength = options.edgeLength;
     modeling::checkProject(read.project);

@@ -2,6 +2,7 @@
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/json_values.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::cli {
@@ -40,18 +41,17 @@ std::string loadText(const modeling::Load& load) {
 }
 
 std::string touchText(const modeling::Touch& touch) {
-  std::string text = modeling::kindOf(touch) + (" at " + toText(touch.at));
-  const Eigen::Vector3d& vector = modeling::vectorOf(touch);
-  if (std::holds_alternative<modeling::TouchForce>(touch.action)) {
-    text += ", " + toText(vector) + " N";
-  } else if (std::holds_alternative<modeling::TouchPin>(touch.action) && vector.isZero(0)) {
+  const modeling::TouchKindInfo& kind = modeling::infoOf(touch.kind);
+  std::string text = kind.name + (" at " + toText(touch.at));
+  if (kind.isForce) {
+    text += ", " + toText(touch.vector) + " N";
+  } else if (!kind.needsVector && touch.vector.isZero(0)) {
     text += ", held in place";
   } else {
-    text += ", moved by " + toText(vector) + " mm";
+    text += ", moved by " + toText(touch.vector) + " mm";
   }
   if (touch.radius) text += format(", radius %.6g mm", *touch.radius);
-  if (const double* friction = modeling::frictionOf(touch))
-    text += format(", friction %.6g", *friction);
+  if (kind.presses) text += format(", friction %.6g", touch.friction);
   return text;
 }
 
@@ -81,7 +81,7 @@ std::array<Eigen::Vector3d, 2> surfaceBox(const modeling::Body& body) {
   return solid ? surfaceBox(modeling::SurfaceEvaluator(*solid)) : modeling::boundingBox(body);
 }
 
-/// Adds what the body consists of to the report and returns it as text.
+/// Adds the parts of the body to the report and returns them as text.
 std::string describe(const modeling::Solid& solid, Json& report) {
   report["control_points"] = solid.controlPoints().size();
   report["patches"] = Json::array();
@@ -121,7 +121,7 @@ std::string describe(const modeling::Body& body, Json& report) {
 class InfoCommand : public Command {
  public:
   std::string name() const override { return "info"; }
-  std::string summary() const override { return "Say what a project holds"; }
+  std::string summary() const override { return "Show the contents of a project"; }
   std::string example() const override { return "palpa-cli info ball.json"; }
 
   void declare(CLI::App& options) override { input_.declare(options); }
@@ -135,10 +135,7 @@ class InfoCommand : public Command {
         modeling::estimateNodeCount(project.body, project.mesh, modeling::meshRegions(project));
 
     Json report{{"name", project.name},
-                {"material",
-                 {{"name", project.material.name},
-                  {"youngs_modulus_MPa", project.material.youngsModulus},
-                  {"poisson_ratio", project.material.poissonRatio}}},
+                {"material", modeling::jsonOf(project.material)},
                 {"bounding_box_mm", {toJson(box[0]), toJson(box[1])}},
                 {"volume_mm3", volume},
                 {"area_mm2", area},

@@ -14,7 +14,7 @@
 namespace palpa::cli {
 namespace {
 
-/// Thrown by options that print something and end the program.
+/// Thrown by options that print a text and end the program.
 struct Printed : CLI::Success {
   explicit Printed(std::string what) : text(std::move(what)) {}
   std::string text;
@@ -51,7 +51,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 done, 2 usage, 3 bad input, 4 cannot be solved, 5 cancelled.\n"
       "'palpa-cli COMMAND --help' shows the options of a command and an example.");
 
-  // For packages: in no group, so that the help does not list them.
+  // For packages. Without a group the help does not list them.
   app.add_flag_callback("--manual", [&app] { throw Printed(manualPage(app)); })->group("");
   app.add_flag_callback("--bash-completion", [&app] { throw Printed(bashCompletion(app)); })
       ->group("");
@@ -77,7 +77,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& success) {
     return app.exit(success);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    // CLI11 may give up before it has seen --json.
+    // CLI11 may stop before it reads --json.
     const bool asJson = std::any_of(argv, argv + argc,
                                     [](std::string_view argument) { return argument == "--json"; });
     report({kUsage, "usage", usageMessage(error, app, argc, argv)}, asJson);

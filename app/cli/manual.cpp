@@ -6,7 +6,7 @@
 namespace palpa::cli {
 namespace {
 
-/// Text for troff: a minus stays one, and no line begins with a command.
+/// Escapes minus signs, backslashes, and a dot or quote at the start of a line for troff.
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -30,7 +30,7 @@ std::vector<const CLI::Option*> optionsOf(const CLI::App& app) {
   return app.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
 }
 
-/// All names of an option, and the word for its value.
+/// All names of an option and the name of its value.
 std::string heading(const CLI::Option& option) {
   std::string text;
   for (const std::string& name : option.get_snames()) text += "-" + name + ", ";

@@ -5,8 +5,7 @@
 
 namespace palpa::cli {
 
-/// The manual page of the program, for man(1): what --help says of the program and all of its
-/// commands.
+/// Manual page for man(1): the --help texts of the program and of all commands.
 std::string manualPage(const CLI::App& app);
 
 /// Completion for bash: commands, the options of each, and files.

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/text.h"
+#include "modeling/project/json_values.h"
 #include "modeling/project/material_library.h"
 
 namespace palpa::cli {
@@ -19,11 +20,9 @@ class MaterialsCommand : public Command {
     Json report{{"materials", Json::array()}};
     std::string text;
     for (const auto& [material, note, reference] : modeling::materialLibrary()) {
-      report["materials"].push_back({{"name", material.name},
-                                     {"youngs_modulus_MPa", material.youngsModulus},
-                                     {"poisson_ratio", material.poissonRatio},
-                                     {"note", note},
-                                     {"reference", reference}});
+      Json& entry = report["materials"].emplace_back(modeling::jsonOf(material));
+      entry["note"] = note;
+      entry["reference"] = reference;
       text += format("%s: E = %.6g MPa, nu = %.6g\n", material.name.c_str(), material.youngsModulus,
                      material.poissonRatio);
       text += "  " + note + "\n  " + reference + "\n";

@@ -3,8 +3,9 @@
 #include "app/cli/mesh_report.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
-#include "app/view/errors.h"
-#include "app/view/mesh_file.h"
+#include "modeling/exchange/file_format.h"
+#include "modeling/exchange/mesh_writer.h"
+#include "modeling/mesh/mesh.h"
 
 namespace palpa::cli {
 namespace {
@@ -20,24 +21,24 @@ class MeshCommand : public Command {
   void declare(CLI::App& options) override {
     input_.declare(options);
     options
-        .add_option(
-            "-o,--output", output_,
-            "Mesh file to write: " + view::meshFileEndings() + " (.vtp names patches and supports)")
+        .add_option("-o,--output", output_,
+                    "Mesh file to write: " + modeling::endingsText(modeling::isWritableMesh) +
+                        " (.vtp names patches and supports)")
         ->type_name("FILE");
   }
 
   void run(const Context& context) override {
-    // A wrong file name is better known before the work than after it.
-    if (!output_.empty()) view::requireMeshFileName(output_);
+    // Check the file name before the work.
+    if (!output_.empty()) modeling::requireFormat(output_, modeling::isWritableMesh);
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
     const modeling::SurfaceMesh mesh =
-        modeling::mesh(project.body, project.mesh, regions, modelingJob(context));
+        modeling::mesh(project.body, project.mesh, regions, context.job());
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     Json report = toJson(mesh, quality);
     std::string text = toText(mesh, quality);
     if (!output_.empty()) {
-      view::writeMesh(meshFile(project, mesh), output_);
+      modeling::writeMesh(meshFile(project, mesh), output_);
       report["file"] = output_;
       text += "written    " + output_ + "\n";
     }
@@ -45,9 +46,9 @@ class MeshCommand : public Command {
   }
 
  private:
-  static view::MeshFile meshFile(const modeling::Project& project,
-                                 const modeling::SurfaceMesh& mesh) {
-    view::MeshFile file{mesh.positions, mesh.triangles, {}, {}};
+  static modeling::MeshFile meshFile(const modeling::Project& project,
+                                     const modeling::SurfaceMesh& mesh) {
+    modeling::MeshFile file{mesh.positions, mesh.triangles, {}, {}};
     file.triangleData.push_back(
         {"patch", 1, {mesh.patchOfTriangle.begin(), mesh.patchOfTriangle.end()}});
     file.triangleData.push_back(
@@ -55,7 +56,7 @@ class MeshCommand : public Command {
          1,
          {mesh.smoothingGroupOfTriangle.begin(), mesh.smoothingGroupOfTriangle.end()}});
     // meshRegions() lists the supports first.
-    view::MeshData support{"support", 1, std::vector<double>(mesh.triangles.size(), -1)};
+    modeling::MeshData support{"support", 1, std::vector<double>(mesh.triangles.size(), -1)};
     for (std::size_t i = 0; i < project.supports.size(); ++i) {
       for (const int triangle : mesh.trianglesOfRegion[i]) {
         support.values[static_cast<std::size_t>(triangle)] = static_cast<double>(i);

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "modeling/mesh/mesh.h"
+#include "modeling/mesh/surface_mesh.h"
 
 namespace palpa::cli {
 

@@ -7,7 +7,7 @@
 
 namespace palpa::cli {
 
-/// One line on standard error that follows long work, rewritten in place: "assemble  45 %".
+/// Progress of long work as one line on standard error, rewritten in place: "assemble  45 %".
 /// Silent unless standard error is a terminal. Thread-safe.
 class ProgressLine {
  public:

@@ -13,14 +13,16 @@ void ProjectInput::declare(CLI::App& options) {
                   "Target length of mesh edges in mm, instead of the project's")
       ->type_name("LENGTH");
   options
-      .add_option("--engine", engine_,
-                  "What the body is computed with: spline (on its own patches), triangles, or "
-                  "automatic; instead of the project's")
+      .add_option(
+          "--engine", engine_,
+          "Engine that computes the body: spline (on its patches), triangles, or automatic; "
+          "instead of the project's")
       ->type_name("ENGINE");
   options
-      .add_option("--accuracy", accuracy_,
-                  "Relative error wished for with splines, 0.0001 to 0.1: how fine their elements "
-                  "are; instead of the project's")
+      .add_option(
+          "--accuracy", accuracy_,
+          "Relative error to aim at with splines, 0.0001 to 0.1, which sets the size of their "
+          "elements; instead of the project's")
       ->type_name("NUMBER");
   options
       .add_option("--element-length", elementLength_,

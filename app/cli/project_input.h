@@ -7,16 +7,16 @@
 
 namespace palpa::cli {
 
-/// The project a command works on, and the options that change it for this run.
+/// The project of a command, with the options that change it for this run.
 class ProjectInput {
  public:
-  /// Adds FILE, --edge-length, and what chooses the engine and how fine its elements are.
+  /// Adds FILE, --edge-length, --engine, --accuracy and --element-length.
   void declare(CLI::App& options);
 
-  /// Reads the file and applies the options. Errors as readProject(), and UsageError.
+  /// Reads the file and applies the options. Throws as readProject(), and UsageError.
   modeling::Project read() const;
 
-  /// True when the command line changes the mesh size.
+  /// True if the command line changes the mesh size.
   bool hasEdgeLength() const { return !edgeLength_.empty(); }
 
   const std::string& file() const { return file_; }

@@ -4,42 +4,41 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/film.h"
+#include "app/cli/project_input.h"
 #include "app/cli/replay_report.h"
-#include "app/cli/simulation.h"
+#include "app/cli/state_picture.h"
 #include "app/cli/state_report.h"
-#include "app/cli/state_scene.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/text.h"
+#include "app/cli/touch_options.h"
 #include "app/cli/values.h"
 #include "app/core/live/stiffness_worker.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
-#include "app/view/display.h"
-#include "app/view/picture.h"
+#include "app/view/files/display.h"
 
 namespace palpa::cli {
 namespace {
-
-const std::map<std::string, app::SurfaceQuantity> kFields{
-    {"none", app::SurfaceQuantity::kNone},
-    {"displacement", app::SurfaceQuantity::kDisplacement},
-    {"normal-traction", app::SurfaceQuantity::kNormalTraction},
-    {"von-mises", app::SurfaceQuantity::kVonMises},
-    {"stiffness", app::SurfaceQuantity::kStiffness}};
 
 /// Directions from the eye into the scene.
 const std::map<std::string, Eigen::Vector3d> kViews{{"front", {0, 1, 0}}, {"back", {0, -1, 0}},
                                                     {"left", {1, 0, 0}},  {"right", {-1, 0, 0}},
                                                     {"top", {0, 0, -1}},  {"bottom", {0, 0, 1}}};
 
-template <class Map>
-std::vector<std::string> namesOf(const Map& map) {
+std::vector<std::string> fieldNames() {
   std::vector<std::string> names;
-  for (const auto& [name, value] : map) names.push_back(name);
+  for (const app::SurfaceQuantityInfo& info : app::kSurfaceQuantities) names.push_back(info.name);
   return names;
 }
 
-view::PictureOptions parseSize(const std::string& text) {
-  view::PictureOptions size;
+std::vector<std::string> viewNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, direction] : kViews) names.push_back(name);
+  return names;
+}
+
+view::PictureSize parseSize(const std::string& text) {
+  view::PictureSize size;
   const char* end = text.data() + text.size();
   const auto width = std::from_chars(text.data(), end, size.width);
   if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
@@ -98,9 +97,9 @@ class RenderCommand : public Command {
         ->type_name("FACTOR");
     options.add_option("--zoom", zoom_, "Larger than 1: closer (default 1: everything is seen)")
         ->type_name("FACTOR");
-    options.add_flag("--parallel", scene_.parallel, "Parallel instead of perspective projection");
-    options.add_flag("--mesh-edges", scene_.showMeshEdges, "Draw the edges of the mesh");
-    options.add_flag("--reactions", scene_.showReactions, "Draw the supports' reactions");
+    options.add_flag("--parallel", options_.parallel, "Parallel instead of perspective projection");
+    options.add_flag("--mesh-edges", options_.showMeshEdges, "Draw the edges of the mesh");
+    options.add_flag("--reactions", options_.showReactions, "Draw the supports' reactions");
     options.add_flag("--no-ghost", noGhost_, "Do not draw the undeformed shape");
   }
 
@@ -108,25 +107,25 @@ class RenderCommand : public Command {
     // Whatever can be wrong without solving is better known before it.
     touch_.validate();
     validateRecording();
-    SceneOptions sceneOptions = readSceneOptions();
-    const view::PictureOptions size = size_.empty() ? view::PictureOptions{} : parseSize(size_);
+    PictureOptions pictureOptions = readPictureOptions();
+    const view::PictureSize size = size_.empty() ? view::PictureSize{} : parseSize(size_);
     const modeling::Project project = input_.read();
     view::requireDisplay();
 
-    const auto model = buildModel(touch_.touched(project), context);
-    if (sceneOptions.field == app::SurfaceQuantity::kStiffness) {
+    const auto model = app::buildTouchModel(touch_.touched(project), {}, context.job());
+    if (pictureOptions.field == app::SurfaceQuantity::kStiffness) {
       const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh())
                                                : parsePositive("--fingertip", fingertip_);
-      sceneOptions.compliances = app::stiffnessMap(model, radius, jobOf(context));
+      pictureOptions.compliances = app::stiffnessMap(model, radius, context.job());
       context.progress.clear();
     }
     if (!recording_.empty()) {
-      drawRecording(project, model, sceneOptions, size, context);
+      drawRecording(project, model, pictureOptions, size, context);
       return;
     }
     const bool touched = touch_.isGiven() || !project.touches.empty();
     drawState(project, model, touched ? touch_.play(*model, project, context) : model->rest(),
-              sceneOptions, size, context);
+              pictureOptions, size, context);
   }
 
  private:
@@ -162,9 +161,9 @@ class RenderCommand : public Command {
 
   void drawState(const modeling::Project& project,
                  const std::shared_ptr<const app::TouchModel>& model, const app::TouchState& state,
-                 const SceneOptions& sceneOptions, const view::PictureOptions& size,
+                 const PictureOptions& pictureOptions, const view::PictureSize& size,
                  const Context& context) const {
-    view::renderToPng(makeScene(project, model, state, sceneOptions), output_, size);
+    view::writePicture(makePicture(project, model, state, pictureOptions), size, output_);
     const StateReport report{*model, state, {}};
     Json json = report.json();
     json["file"] = output_;
@@ -173,13 +172,13 @@ class RenderCommand : public Command {
 
   void drawRecording(const modeling::Project& project,
                      const std::shared_ptr<const app::TouchModel>& model,
-                     const SceneOptions& sceneOptions, const view::PictureOptions& size,
+                     const PictureOptions& pictureOptions, const view::PictureSize& size,
                      const Context& context) const {
     const app::RecordingFile file = app::readRecording(recording_);
     const ReplayReport report(file, app::recordedModelOf(*model, project.name));
-    const Film film(project, model, file.recording, sceneOptions);
+    const Film film(project, model, file.recording, pictureOptions);
     if (!atTime_.empty()) {
-      drawState(project, model, film.at(parseNumber("--at-time", atTime_), context), sceneOptions,
+      drawState(project, model, film.at(parseNumber("--at-time", atTime_), context), pictureOptions,
                 size, context);
       return;
     }
@@ -191,15 +190,15 @@ class RenderCommand : public Command {
     context.print(json, text + format("written    %d pictures in ", count) + frames_ + "\n");
   }
 
-  SceneOptions readSceneOptions() const {
-    SceneOptions options = scene_;
-    const auto field = kFields.find(field_);
-    if (field == kFields.end()) {
+  PictureOptions readPictureOptions() const {
+    PictureOptions options = options_;
+    const auto field = app::surfaceQuantityNamed(field_);
+    if (!field) {
       throw UsageError("--field: there is no field '" + field_ + "'" +
-                       didYouMean(field_, namesOf(kFields)) +
+                       didYouMean(field_, fieldNames()) +
                        "; known are displacement, normal-traction, von-mises, stiffness, none");
     }
-    options.field = field->second;
+    options.field = *field;
     if (!fingertip_.empty()) {
       if (options.field != app::SurfaceQuantity::kStiffness)
         throw UsageError("--fingertip has a meaning with --field stiffness alone");
@@ -211,8 +210,7 @@ class RenderCommand : public Command {
     if (const auto view = kViews.find(view_); view != kViews.end()) {
       options.viewDirection = view->second;
     } else if (!view_.empty() && view_.find(',') == std::string::npos) {
-      throw UsageError("--view: there is no view '" + view_ + "'" +
-                       didYouMean(view_, namesOf(kViews)) +
+      throw UsageError("--view: there is no view '" + view_ + "'" + didYouMean(view_, viewNames()) +
                        "; known are front, back, left, right, top, bottom, or a direction x,y,z");
     } else if (!view_.empty()) {
       options.viewDirection = parseVector("--view", view_);
@@ -222,8 +220,8 @@ class RenderCommand : public Command {
   }
 
   ProjectInput input_;
-  TouchInput touch_;
-  SceneOptions scene_;
+  TouchOptions touch_;
+  PictureOptions options_;
   std::string output_;
   std::string recording_;
   std::string atTime_;

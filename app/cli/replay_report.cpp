@@ -4,6 +4,7 @@
 
 #include "app/cli/text.h"
 #include "app/core/live/touch_table.h"
+#include "app/core/model/contact_kind.h"
 
 namespace palpa::cli {
 namespace {
@@ -29,7 +30,7 @@ ReplayReport::ReplayReport(const app::RecordingFile& file, app::RecordedModel pr
 
 ReplayReport::Contact& ReplayReport::find(const app::TouchSnapshot::Contact& contact,
                                           std::uint64_t step) {
-  // Those that are there now were begun last.
+  // Present contacts are the last ones of the list.
   const auto found = std::find_if(contacts_.rbegin(), contacts_.rend(),
                                   [&](const Contact& each) { return each.id == contact.id; });
   if (found != contacts_.rend()) return *found;
@@ -70,7 +71,7 @@ Json ReplayReport::json() const {
               {"contacts", Json::array()}};
   for (const Contact& contact : contacts_) {
     Json one{{"contact", contact.id},
-             {"kind", app::nameOf(contact.tool.kind)},
+             {"kind", app::infoOf(contact.tool.kind).name},
              {"radius_mm", contact.tool.radius},
              {"friction", contact.tool.friction},
              {"from_s", seconds(contact.first)},
@@ -93,8 +94,8 @@ std::string ReplayReport::text() const {
                             commands_, contacts_.size());
   for (const std::string& warning : warnings_) text += "warning    " + warning + "\n";
   for (const Contact& contact : contacts_) {
-    text += format("contact    %u: %s, radius %.4g mm", contact.id, app::nameOf(contact.tool.kind),
-                   contact.tool.radius);
+    text += format("contact    %u: %s, radius %.4g mm", contact.id,
+                   app::infoOf(contact.tool.kind).name, contact.tool.radius);
     if (contact.tool.friction > 0) text += format(", friction %.4g", contact.tool.friction);
     text += format(", %.3f … %.3f s", seconds(contact.first), seconds(contact.last));
     for (const auto status : contact.statuses)

@@ -9,17 +9,17 @@
 
 namespace palpa::cli {
 
-/// What `touch --recording` tells of a replay. The keys of the JSON object are documented in
+/// Report of `touch --recording` on a replay. The keys of the JSON object are documented in
 /// docs/guide/command-line.md.
 class ReplayReport {
  public:
-  /// `present`: the model that it is replayed on.
+  /// `present`: the model of the replay.
   ReplayReport(const app::RecordingFile& file, app::RecordedModel present);
 
   /// The snapshot after a step, from 0.
   void add(const app::TouchSnapshot& snapshot, std::uint64_t step);
 
-  /// What a person should know of the recording, sentences.
+  /// Sentences on differences between the recording and the replay.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   Json json() const;

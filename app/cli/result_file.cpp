@@ -4,7 +4,8 @@
 #include <fstream>
 
 #include "app/cli/errors.h"
-#include "app/view/mesh_file.h"
+#include "modeling/exchange/file_format.h"
+#include "modeling/exchange/mesh_writer.h"
 
 namespace palpa::cli {
 namespace {
@@ -14,8 +15,8 @@ bool isJson(const std::string& path) {
 }
 
 /// Mean traction of each triangle: the traction jumps across edges, so it has no value at nodes.
-view::MeshData triangleTractions(const app::TouchModel& model, const Eigen::MatrixXd& p) {
-  view::MeshData data{"traction_MPa", 3, {}};
+modeling::MeshData triangleTractions(const app::TouchModel& model, const Eigen::MatrixXd& p) {
+  modeling::MeshData data{"traction_MPa", 3, {}};
   for (const auto& slots : model.setup().meshSlots().ofCorner) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const int slot : slots) mean += p.col(0).segment<3>(3 * slot) / 3;
@@ -24,10 +25,22 @@ view::MeshData triangleTractions(const app::TouchModel& model, const Eigen::Matr
   return data;
 }
 
+bool holdsFields(const modeling::FileFormatInfo& info) {
+  return info.format == modeling::FileFormat::kVtp;
+}
+
 }  // namespace
 
+std::string resultFileHelp() {
+  constexpr auto kHoldsShapeOnly = [](const modeling::FileFormatInfo& info) {
+    return isWritableMesh(info) && !holdsFields(info);
+  };
+  return "Result file: .json (the report), " + modeling::endingsText(holdsFields) +
+         " (mesh with fields), " + modeling::endingsText(kHoldsShapeOnly) + " (deformed shape)";
+}
+
 void requireResultFileName(const std::string& path) {
-  if (!isJson(path)) view::requireMeshFileName(path);
+  if (!isJson(path)) modeling::requireFormat(path, modeling::isWritableMesh);
 }
 
 std::string jsonText(const Json& report) {
@@ -48,10 +61,10 @@ void writeResult(const app::TouchModel& model, const app::TouchState& state, con
     return;
   }
   const bem::BoundaryMesh& mesh = model.setup().mesh();
-  view::MeshFile file{mesh.nodes, mesh.triangles, {}, {}};
+  modeling::MeshFile file{mesh.nodes, mesh.triangles, {}, {}};
   const bem::BoundaryField onMesh = model.setup().discretisation->valuesOnMesh(state.field);
   const auto u = onMesh.u.col(0);
-  if (std::filesystem::path(path).extension() == ".vtp") {
+  if (holdsFields(infoOf(modeling::requireFormat(path, modeling::isWritableMesh)))) {
     file.pointData.push_back({"displacement_mm", 3, {u.begin(), u.end()}});
     file.triangleData.push_back(triangleTractions(model, onMesh.p));
   } else {
@@ -59,7 +72,7 @@ void writeResult(const app::TouchModel& model, const app::TouchState& state, con
       file.positions[static_cast<std::size_t>(node)] += u.segment<3>(3 * node);
     }
   }
-  view::writeMesh(file, path);
+  modeling::writeMesh(file, path);
 }
 
 }  // namespace palpa::cli

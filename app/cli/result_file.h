@@ -7,12 +7,11 @@
 
 namespace palpa::cli {
 
-/// The files `solve` and `touch` write: .json holds the report, .vtp the undeformed mesh with
-/// displacement and traction, .stl, .obj and .ply the deformed shape.
-inline constexpr const char* kResultFileHelp =
-    "Result file: .json (the report), .vtp (mesh with fields), .stl, .obj or .ply (deformed shape)";
+/// Help text for the files that `solve` and `touch` write: .json holds the report, .vtp the
+/// undeformed mesh with displacement and traction, other mesh files the deformed shape.
+std::string resultFileHelp();
 
-/// Throws ViewError when the ending is none of these. To be called before the long work.
+/// Throws ModelingError if the ending is none of these. Call it before long work.
 void requireResultFileName(const std::string& path);
 
 std::string jsonText(const Json& report);

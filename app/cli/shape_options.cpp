@@ -17,7 +17,7 @@ namespace {
 
 using Shape = decltype(modeling::Primitive::shape);
 
-/// The value of an option that was given, or its default.
+/// Values of the given options, and defaults for the others.
 class Values {
  public:
   Values(const std::string& shape, const std::map<std::string, std::string>& values)
@@ -84,7 +84,7 @@ constexpr Option kOptions[] = {
     {"--control-points", "N", "Control points per direction and patch (default: the shape's)"},
 };
 
-/// How a body of this kind is held.
+/// Where a body of this kind is fixed.
 enum class Base { kBottomPatches, kLowestTenth };
 
 struct Kind {

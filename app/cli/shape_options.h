@@ -8,7 +8,7 @@
 #include "modeling/body/region.h"
 #include "modeling/shapes/make_primitive.h"
 
-// The shapes `palpa-cli new` can make and the options that describe them.
+// The shapes of `palpa-cli new` and their options.
 namespace palpa::cli {
 
 /// "sphere, ellipsoid, …": all names, in the order of the help.
@@ -19,15 +19,16 @@ class ShapeOptions {
  public:
   void declare(CLI::App& options);
 
-  /// @throws UsageError: a shape that does not exist, an option without meaning for it, a missing
-  ///         or malformed value; ModelingError: a profile file that cannot be read
+  /// Throws UsageError for an unknown shape, an option without meaning for it, a missing or
+  /// malformed value; ModelingError for a profile file that cannot be read.
   modeling::Primitive primitive(const std::string& shape) const;
 
  private:
   std::map<std::string, std::string> values_;
 };
 
-/// Where a new body of this shape is held: its flat base, or the lowest tenth of a round one.
+/// The region where a new body of this shape is fixed: its flat base, or the lowest tenth of a
+/// round body.
 modeling::Region baseOf(const modeling::Primitive& primitive, const modeling::Solid& solid);
 
 }  // namespace palpa::cli

@@ -1,8 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/deformed_file.h"
+#include "app/cli/project_input.h"
 #include "app/cli/result_file.h"
-#include "app/cli/simulation.h"
+#include "app/cli/sample_options.h"
 #include "app/cli/state_report.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/error_estimate.h"
 
 namespace palpa::cli {
@@ -12,24 +14,27 @@ class SolveCommand : public Command {
  public:
   std::string name() const override { return "solve"; }
   std::string summary() const override { return "Solve for a project's supports and loads"; }
-  std::string example() const override { return "palpa-cli solve ball.json --probe 0,0,25 --json"; }
+  std::string example() const override {
+    return "palpa-cli solve ball.json --sample 0,0,25 --json";
+  }
 
   void declare(CLI::App& options) override {
     input_.declare(options);
-    probes_.declare(options);
-    options.add_option("-o,--output", output_, kResultFileHelp)->type_name("FILE");
+    samples_.declare(options);
+    options.add_option("-o,--output", output_, resultFileHelp())->type_name("FILE");
     deformed_.declare(options);
   }
 
   void run(const Context& context) override {
-    probes_.validate();
+    samples_.validate();
     if (!output_.empty()) requireResultFileName(output_);
     deformed_.validate();
     const modeling::Project project = input_.read();
-    const auto model = buildModel(project, context);
+    const auto model = app::buildTouchModel(project, {}, context.job());
     app::TouchState state = model->rest();
-    state.errorEstimate = app::estimateError(*model, state, jobOf(context));
-    const StateReport report{*model, state, probes_.read(*model, state)};
+    state.errorEstimate = app::estimateError(*model, state, context.job());
+    const StateReport report{*model, state, samples_.evaluate(*model, state), 0,
+                             samples_.hasFormerName()};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
     deformed_.write(project, *model, state, context);
     context.print(report.json(), report.text());
@@ -37,7 +42,7 @@ class SolveCommand : public Command {
 
  private:
   ProjectInput input_;
-  ProbeInput probes_;
+  SampleOptions samples_;
   std::string output_;
   DeformedFile deformed_;
 };

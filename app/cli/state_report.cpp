@@ -21,14 +21,14 @@ std::string toText(const char* what, const std::string& name, const bem::Resulta
          cli::toText(resultant.moment, 4) + " N·mm\n";
 }
 
-bool isPushing(const app::TouchState::Contact& contact) {
-  return contact.kind == "push" || contact.kind == "probe";
+const char* kindName(const app::TouchState::Contact& contact) {
+  return contact.kind ? modeling::infoOf(*contact.kind).name : "node";
 }
 
 Json toJson(const app::TouchState::Contact& contact) {
   Json json;
   if (!contact.name.empty()) json["name"] = contact.name;
-  json["kind"] = contact.kind;
+  json["kind"] = kindName(contact);
   json["status"] = app::nameOf(contact.status);
   json["at_mm"] = cli::toJson(contact.at);
   json["radius_mm"] = contact.radius;
@@ -38,7 +38,7 @@ Json toJson(const app::TouchState::Contact& contact) {
   json["tangential_force_N"] = contact.tangentialForce().norm();
   json["displacement_mm"] = cli::toJson(contact.displacement);
   json["stiffness_N_per_mm"] = contact.stiffness;
-  if (!isPushing(contact)) return json;
+  if (!contact.presses()) return json;
   json["friction"] = contact.friction;
   json["tool_mm"] = cli::toJson(contact.tool);
   json["patch"] = {{"radius_mm", contact.patchRadius()}, {"masks", Json::array()}};
@@ -53,16 +53,16 @@ Json toJson(const app::TouchState::Contact& contact) {
 std::string toText(const app::TouchState::Contact& contact) {
   const char* label = contact.name.empty() ? "touch" : contact.name.c_str();
   std::string text = format("%-10s %s", "contact", label);
-  text += std::string(": ") + contact.kind + ", " + app::nameOf(contact.status) + ", at " +
+  text += std::string(": ") + kindName(contact) + ", " + app::nameOf(contact.status) + ", at " +
           cli::toText(contact.at, 4) + " mm";
   if (contact.radius > 0) text += format(", radius %.4g mm", contact.radius);
-  if (isPushing(contact)) text += format(", friction %.4g", contact.friction);
+  if (contact.presses()) text += format(", friction %.4g", contact.friction);
   text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
   text += "           force " + cli::toText(contact.force, 4) +
           format(" N, |%.4g| N: %.4g N into the body, %.4g N along it; stiffness %.4g N/mm\n",
                  contact.force.norm(), contact.normalForce(), contact.tangentialForce().norm(),
                  contact.stiffness);
-  if (contact.kind == "probe" && !contact.patch.empty())
+  if (contact.isBall() && !contact.patch.empty())
     text += format("           patch radius %.4g mm, %zu masks\n", contact.patchRadius(),
                    contact.patch.size());
   return text;
@@ -78,7 +78,7 @@ std::string engineText(const app::TouchModel& model) {
                 on.displacementCount(), on.elementCount(), build.nodes);
 }
 
-/// Largest displacement of a node and where it is.
+/// Largest displacement of a node, and its position.
 struct LargestDisplacement {
   double length = 0;  ///< mm
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
@@ -131,13 +131,14 @@ Json StateReport::json() const {
   report["relative_balance"] = state.relativeBalance;
   report["energy_mJ"] = state.energy;
   report["largest_displacement"] = {{"u_mm", largest.length}, {"at_mm", cli::toJson(largest.at)}};
-  report["probes"] = Json::array();
-  for (const app::FieldSample& probe : probes) {
-    report["probes"].push_back({{"at_mm", cli::toJson(probe.at)},
-                                {"nearest_surface_mm", cli::toJson(probe.nearestSurface)},
-                                {"u_mm", cli::toJson(probe.displacement)},
-                                {"traction_MPa", cli::toJson(probe.traction)}});
+  report["samples"] = Json::array();
+  for (const app::FieldSample& sample : samples) {
+    report["samples"].push_back({{"at_mm", cli::toJson(sample.at)},
+                                 {"nearest_surface_mm", cli::toJson(sample.nearestSurface)},
+                                 {"u_mm", cli::toJson(sample.displacement)},
+                                 {"traction_MPa", cli::toJson(sample.traction)}});
   }
+  if (hasFormerKey) report["probes"] = report["samples"];
   report["seconds"] = {{"mesh", build.meshSeconds},
                        {"assemble", build.assembleSeconds},
                        {"factorise", build.factoriseSeconds},
@@ -169,15 +170,15 @@ std::string StateReport::text() const {
   }
   text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);
-  // A body at rest has no error to speak of.
+  // A body at rest has no error.
   if (state.errorEstimate && *state.errorEstimate > 0)
     text += format("accuracy   displacements and forces are good to about %.2g %% (estimated)\n",
                    100 * *state.errorEstimate);
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";
-  for (const app::FieldSample& probe : probes) {
-    text += "probe      " + cli::toText(probe.nearestSurface, 5) + " mm: u " +
-            cli::toText(probe.displacement) + " mm, traction " + cli::toText(probe.traction) +
+  for (const app::FieldSample& sample : samples) {
+    text += "sample     " + cli::toText(sample.nearestSurface, 5) + " mm: u " +
+            cli::toText(sample.displacement) + " mm, traction " + cli::toText(sample.traction) +
             " MPa\n";
   }
   text +=

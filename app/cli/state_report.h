@@ -9,13 +9,14 @@
 
 namespace palpa::cli {
 
-/// What `solve`, `touch` and `render` tell about a state. The keys of the JSON object are
-/// documented in docs/guide/command-line.md.
+/// Report of `solve`, `touch` and `render` on a state. docs/guide/command-line.md documents the
+/// keys of the JSON object.
 struct StateReport {
   const app::TouchModel& model;
   const app::TouchState& state;
-  std::vector<app::FieldSample> probes;
-  double touchSeconds = 0;  ///< s, 0 without touches
+  std::vector<app::FieldSample> samples;
+  double touchSeconds = 0;    ///< s, 0 without touches
+  bool hasFormerKey = false;  ///< json() has the samples as "probes", too
 
   Json json() const;
   std::string text() const;

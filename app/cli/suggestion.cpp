@@ -6,7 +6,7 @@
 namespace palpa::cli {
 namespace {
 
-constexpr std::size_t kLettersPerSlip = 3;
+constexpr std::size_t kLettersPerError = 3;
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -14,8 +14,8 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Slips between two words (optimal string alignment: no letter is changed twice).
-std::size_t slips(const std::string& a, const std::string& b) {
+/// Number of typing errors between two words (optimal string alignment: no letter changes twice).
+std::size_t typingErrors(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
@@ -34,14 +34,14 @@ std::size_t slips(const std::string& a, const std::string& b) {
 std::string didYouMean(std::string_view typed, const std::vector<std::string>& known) {
   const std::string word = lower(typed);
   const std::string* best = nullptr;
-  std::size_t fewest = std::max<std::size_t>(1, word.size() / kLettersPerSlip) + 1;
+  std::size_t fewest = std::max<std::size_t>(1, word.size() / kLettersPerError) + 1;
   for (const std::string& each : known) {
-    const std::size_t count = slips(word, lower(each));
+    const std::size_t count = typingErrors(word, lower(each));
     if (count >= fewest) continue;
     fewest = count;
     best = &each;
   }
-  if (!best && word.size() >= kLettersPerSlip) {
+  if (!best && word.size() >= kLettersPerError) {
     const auto holds = std::find_if(known.begin(), known.end(), [&](const std::string& each) {
       return lower(each).find(word) != std::string::npos;
     });

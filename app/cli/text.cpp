@@ -25,11 +25,11 @@ std::string format(const char* pattern, ...) {
 }
 
 std::string toText(const Eigen::Vector3d& vector, int digits) {
-  // What is rounding error beside the largest component is zero to a reader; so is -0.
+  // Rounding errors, relative to the largest component, and -0 are shown as 0.
   const double negligible = 1e-8 * vector.cwiseAbs().maxCoeff();
   const Eigen::Vector3d v =
       vector.unaryExpr([&](double x) { return std::abs(x) <= negligible ? 0.0 : x; });
-  // With as many decimals as the largest has: what is only noise beside it reads as 0.
+  // All components have the decimals of the largest one, so that noise reads as 0.
   const double largest = v.cwiseAbs().maxCoeff();
   const int decimals =
       largest > 0 ? digits - 1 - static_cast<int>(std::floor(std::log10(largest))) : 0;

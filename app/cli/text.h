@@ -5,7 +5,7 @@
 
 #include "app/cli/command.h"
 
-/// Text for people. Internal to app/cli.
+/// Text for users. Internal to app/cli.
 namespace palpa::cli {
 
 /// printf into a string.

@@ -5,12 +5,15 @@
 #include "app/cli/commands.h"
 #include "app/cli/deformed_file.h"
 #include "app/cli/errors.h"
+#include "app/cli/project_input.h"
 #include "app/cli/replay_report.h"
 #include "app/cli/result_file.h"
-#include "app/cli/simulation.h"
+#include "app/cli/sample_options.h"
 #include "app/cli/state_report.h"
+#include "app/cli/touch_options.h"
 #include "app/core/live/touch_replay.h"
 #include "app/core/live/touch_table.h"
+#include "app/core/model/build_touch_model.h"
 #include "app/core/results/error_estimate.h"
 #include "modeling/error.h"
 
@@ -25,7 +28,7 @@ class TouchCommand : public Command {
     return "palpa-cli touch ball.json --at 25,0,0 --displace -2,0,0\n"
            "  palpa-cli touch ball.json --at 25,0,0 --kind force --force -0.5,0,0 --radius 8\n"
            "  palpa-cli touch ball.json --at 0,0,25 --kind push --displace 3,0,-2 --friction 0.2\n"
-           "  palpa-cli touch ball.json --at 0,0,25 --kind probe --displace 0,0,-2 --radius 10 "
+           "  palpa-cli touch ball.json --at 0,0,25 --kind ball --displace 0,0,-2 --radius 10 "
            "--friction 0.5\n"
            "  palpa-cli touch ball.json --at 0,0,25 --displace 0,0,-2 --at 25,0,0 --kind pin\n"
            "    (two at once: the options of each follow its --at)\n"
@@ -36,23 +39,23 @@ class TouchCommand : public Command {
   void declare(CLI::App& options) override {
     input_.declare(options);
     touch_.declare(options);
-    probes_.declare(options);
+    samples_.declare(options);
     options
         .add_option("--recording", recording_,
                     "Replay what was recorded in the window (Simulate > Save recording) or by a "
                     "script, a thousand steps a second")
         ->type_name("FILE");
     options
-        .add_option("-o,--output", output_,
-                    std::string(kResultFileHelp) +
-                        "; with --recording .json or .csv (the forces of every step)")
+        .add_option(
+            "-o,--output", output_,
+            resultFileHelp() + "; with --recording .json or .csv (the forces of every step)")
         ->type_name("FILE");
     deformed_.declare(options);
   }
 
   void run(const Context& context) override {
     touch_.validate();
-    probes_.validate();
+    samples_.validate();
     if (!recording_.empty()) {
       replay(context);
       return;
@@ -65,12 +68,13 @@ class TouchCommand : public Command {
                                     ": the project has no recorded touches; give one with --at "
                                     "x,y,z --displace x,y,z");
     }
-    const auto model = buildModel(touch_.touched(project), context);
+    const auto model = app::buildTouchModel(touch_.touched(project), {}, context.job());
     const auto start = std::chrono::steady_clock::now();
     app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    state.errorEstimate = app::estimateError(*model, state, jobOf(context));
-    const StateReport report{*model, state, probes_.read(*model, state), seconds.count()};
+    state.errorEstimate = app::estimateError(*model, state, context.job());
+    const StateReport report{*model, state, samples_.evaluate(*model, state), seconds.count(),
+                             samples_.hasFormerName()};
     if (!output_.empty()) writeResult(*model, state, report.json(), output_);
     deformed_.write(project, *model, state, context);
     context.print(report.json(), report.text());
@@ -78,22 +82,22 @@ class TouchCommand : public Command {
 
  private:
   void replay(const Context& context) {
-    if (touch_.isGiven() || touch_.hasSteps() || probes_.isGiven())
+    if (touch_.isGiven() || touch_.hasSteps() || samples_.isGiven())
       throw UsageError(
           "--recording says itself what is touched; leave out --at, --node, --steps "
-          "and --probe");
+          "and --sample");
     const bool isTable = std::filesystem::path(output_).extension() == ".csv";
     if (!output_.empty() && !isTable && std::filesystem::path(output_).extension() != ".json")
       throw UsageError("-o: with --recording expected a name that ends in .csv or .json, found '" +
                        output_ + "'");
     const app::RecordingFile file = app::readRecording(recording_);
     const modeling::Project project = input_.read();
-    const auto model = buildModel(project, context);
+    const auto model = app::buildTouchModel(project, {}, context.job());
     ReplayReport report(file, app::recordedModelOf(*model, project.name));
     std::ostringstream text;
     app::TouchTable table(text);
     std::uint64_t step = 0;
-    app::replay(std::make_shared<const app::TouchableModel>(model), file.recording, jobOf(context),
+    app::replay(std::make_shared<const app::TouchableModel>(model), file.recording, context.job(),
                 [&](const app::TouchSnapshot& snapshot) {
                   if (isTable) table.add(snapshot, step);
                   report.add(snapshot, step++);
@@ -104,8 +108,8 @@ class TouchCommand : public Command {
   }
 
   ProjectInput input_;
-  TouchInput touch_;
-  ProbeInput probes_;
+  TouchOptions touch_;
+  SampleOptions samples_;
   std::string recording_;
   std::string output_;
   DeformedFile deformed_;

@@ -13,7 +13,7 @@ std::optional<double> number(std::string_view text) {
   // Quoted vectors may have spaces: "0, 0, 25".
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  // from_chars knows no leading plus sign; people write one.
+  // from_chars does not accept a leading plus sign, which users write.
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   double value = 0;
   const char* end = text.data() + text.size();

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Values of options as text. All throw UsageError that names the option and what it expects.
+/// Parsers of option values. All throw UsageError with the option and the expected value.
 namespace palpa::cli {
 
 /// A finite number. Independent of the locale.

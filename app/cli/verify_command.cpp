@@ -4,13 +4,12 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
-#include "app/cli/simulation.h"
 #include "app/cli/text.h"
 #include "app/cli/verify_report.h"
 #include "app/verification/convergence.h"
-#include "app/view/convergence_plot.h"
-#include "app/view/display.h"
-#include "app/view/errors.h"
+#include "app/view/charts/convergence_plot.h"
+#include "app/view/files/display.h"
+#include "app/view/files/errors.h"
 
 namespace palpa::cli {
 namespace {
@@ -19,7 +18,7 @@ using verification::ReferenceData;
 using verification::Result;
 using verification::Task;
 
-/// What the plot shows: the series of each engine.
+/// Contents of the plot: the series of each engine.
 std::vector<view::ErrorCurve> curvesOf(const std::vector<Result>& results) {
   std::vector<view::ErrorCurve> curves;
   for (const Result& result : results) {
@@ -85,10 +84,10 @@ class VerifyCommand : public Command {
       const double done = static_cast<double>(k) / static_cast<double>(plan.tasks.size());
       const std::string what = task.name + " (" + task.engine + ")";
       context.progress.show(what, done);
-      Job job = jobOf(context);
+      Job job = context.job();
       job.throwIfCancelled();
-      job.progress = [&](std::string_view phase, double) {
-        context.progress.show(what + ": " + std::string(phase), done);
+      job.progress = [&](Phase phase, double) {
+        context.progress.show(what + ": " + std::string(nameOf(phase)), done);
       };
       report.add(task.run(job));
     }
@@ -115,7 +114,7 @@ class VerifyCommand : public Command {
                        ", which --case leaves out");
   }
 
-  /// Looked for before the long work, which is worth doing without a plot, too.
+  /// Checked before the long work, which runs without a plot, too.
   std::string reasonForNoPlot() const {
     if (plot_.empty()) return {};
     try {
@@ -126,7 +125,7 @@ class VerifyCommand : public Command {
     }
   }
 
-  /// Why the plot could not be drawn, or nothing.
+  /// Reason why the plot could not be drawn; empty if it was drawn.
   std::string draw(const std::vector<Result>& results) const {
     try {
       view::drawConvergence(curvesOf(results), plot_);

@@ -14,7 +14,7 @@ using verification::ConvergenceStep;
 using verification::Omitted;
 using verification::Result;
 
-/// Columns as wide as their widest cell, two spaces apart, numbers to the right.
+/// Columns as wide as their widest cell, two spaces apart, numbers aligned to the right.
 std::string aligned(const std::vector<std::vector<std::string>>& rows,
                     const std::vector<bool>& isNumber) {
   std::vector<std::size_t> widths(isNumber.size());
@@ -33,7 +33,7 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows,
   return text;
 }
 
-/// Words in lines of at most kWidth characters, each behind `indent` spaces.
+/// Wraps text into lines of at most kWidth characters, each after `indent` spaces.
 std::string wrapped(const std::string& words, std::size_t indent) {
   constexpr std::size_t kWidth = 100;
   std::istringstream rest(words);

@@ -10,14 +10,14 @@
 #include <numbers>
 #include <optional>
 
-#include "app/view/arrow_labels.h"
-#include "app/view/arrow_mesh.h"
-#include "app/view/arrows.h"
-#include "app/view/colour_map.h"
-#include "app/view/ring_dashes.h"
-#include "app/view/surface_shader.h"
+#include "app/view/layers/arrow_labels.h"
+#include "app/view/layers/arrow_mesh.h"
+#include "app/view/layers/ring_dashes.h"
+#include "app/view/layers/surface_shader.h"
+#include "app/view/scene/arrows.h"
+#include "app/view/scene/colour_map.h"
 
-// The geometry of what changes while one touches; nothing is drawn.
+// The geometry of arrows, labels, rings and colours during a simulation; nothing is drawn.
 namespace palpa::view {
 namespace {
 
@@ -30,7 +30,7 @@ ForceArrow arrow(double force) {
 
 double drawnLength(double force, double fullForce) {
   const LiveArrows live{{arrow(force)}, fullForce};
-  const auto placed = placeLiveArrows(live, 20);
+  const auto placed = placeArrows(live, 20);
   return placed.empty() ? 0 : (placed[0].tip - placed[0].tail).norm();
 }
 
@@ -46,7 +46,7 @@ TEST(LiveArrows, AreAsLongAsTheirForceUpToTheFullOne) {
 
 TEST(LiveArrows, DoNotDependOnEachOther) {
   const LiveArrows live{{arrow(1), arrow(100)}, 4};
-  const auto placed = placeLiveArrows(live, 20);
+  const auto placed = placeArrows(live, 20);
   ASSERT_EQ(placed.size(), 2);
   EXPECT_DOUBLE_EQ((placed[0].tip - placed[0].tail).norm(), 5);
 }
@@ -54,7 +54,7 @@ TEST(LiveArrows, DoNotDependOnEachOther) {
 TEST(LiveArrows, EndOrBeginWhereTheyAreHeld) {
   LiveArrows live{{arrow(1), arrow(1)}, 1};
   live.arrows[1].anchor = ForceArrow::Anchor::kTip;
-  const auto placed = placeLiveArrows(live, 20);
+  const auto placed = placeArrows(live, 20);
   EXPECT_EQ(placed[0].tail, Vector3d(1, 2, 3));
   EXPECT_EQ(placed[0].freeEnd(), Vector3d(1, 2, 23));
   EXPECT_EQ(placed[1].tip, Vector3d(1, 2, 3));
@@ -74,7 +74,7 @@ TEST(SolidArrow, ShrinksInAllDirectionsWhenItIsShort) {
   EXPECT_NEAR(tiny.shaftRadius / tiny.headLength, full.shaftRadius / full.headLength, 1e-12);
 }
 
-/// Six times the volume within the surface: positive when it is closed and seen from outside.
+/// Six times the volume within the surface: positive if it is closed and oriented outwards.
 double volume(vtkPolyData* surface) {
   double sum = 0;
   vtkNew<vtkIdList> corners;
@@ -121,7 +121,7 @@ TEST(ArrowLabel, GivesWay) {
   }
 }
 
-/// Something trembles at the border of a label's place.
+/// An obstacle trembles at the border of the place of a label.
 TEST(ArrowLabel, DoesNotJumpToAndFro) {
   const ArrowLabelWish wish{{200, 150}, {1, 0}, {60, 20}};
   const PixelBox ahead = placeArrowLabel(wish, kPicture, kGap, {}).box;

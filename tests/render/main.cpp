@@ -1,7 +1,7 @@
 // Regression test of the pictures:
 //   CASE BASELINES OUTPUT   draws one case and compares it with BASELINES/CASE.png
 //   --cases NAME…           fails unless these are all the cases
-//   --notices OUTPUT        fails unless the comparison notices visible changes
+//   --notices OUTPUT        fails unless the comparison detects visible changes
 //   --reused OUTPUT         fails unless a window shows the same after showing something else
 //   --no-display            fails unless drawing without a display throws
 #include <cstdlib>
@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "app/view/errors.h"
+#include "app/view/files/errors.h"
 #include "tests/render/compare.h"
-#include "tests/render/scenes.h"
+#include "tests/render/picture_scenes.h"
 #include "tests/render/simulate_scenes.h"
 #include "tests/render/viewport_scenes.h"
 
@@ -25,12 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What draws each case.
+/// Functions that draw the cases.
 std::map<std::string, std::function<void(const fs::path&)>> pictures() {
   std::map<std::string, std::function<void(const fs::path&)>> all;
-  for (const auto& [name, scene] : allCases()) {
+  for (const auto& [name, scene] : pictureCases()) {
     all[name] = [scene](const fs::path& path) {
-      view::renderToPng(scene.scene, path, scene.options);
+      view::writePicture(scene.picture, scene.size, path);
     };
   }
   for (const auto& cases : {viewportCases(), simulateCases()}) {
@@ -79,7 +79,8 @@ int requireAllCases(const std::vector<std::string>& names) {
   return 1;
 }
 
-/// How many of the changes of a case, whose picture is `base`, are not noticed; `same` is none.
+/// Number of changes of a case, whose picture is `base`, that the comparison does not detect;
+/// `same` changes nothing.
 int countUnnoticed(const ViewportCase& original, const fs::path& base, const std::string& same,
                    const std::map<std::string, std::function<void(view::Viewport&)>>& changes,
                    const fs::path& output) {
@@ -100,7 +101,7 @@ int countUnnoticed(const ViewportCase& original, const fs::path& base, const std
   return failures;
 }
 
-/// Small but visible changes of a picture of the interactive view; each must be found.
+/// Small but visible changes of a viewport; each must be found.
 int requireViewportChangesNoticed(const fs::path& output) {
   const ViewportCase original = viewportCases().at("viewport_selection_gizmo");
   const fs::path base = output / "notices_viewport.png";
@@ -120,7 +121,7 @@ int requireViewportChangesNoticed(const fs::path& output) {
   return countUnnoticed(original, base, "viewport_same", changes, output);
 }
 
-/// The same for what is shown while one touches.
+/// The same for contents of a simulation.
 int requireTouchChangesNoticed(const fs::path& output) {
   const ViewportCase original = simulateCases().at("simulate_pull_ghost");
   const fs::path base = output / "notices_touch.png";
@@ -133,13 +134,13 @@ int requireTouchChangesNoticed(const fs::path& output) {
       {"touch_no_field", [](view::Viewport& v) { v.setField({}); }},
       {"touch_a_ball",
        [](view::Viewport& v) {
-         v.setProbeBalls({{{12, -25, 8}, 5}});
+         v.setBalls({{{12, -25, 8}, 5}});
        }},
   };
   return countUnnoticed(original, base, "touch_same", changes, output);
 }
 
-/// A window that has shown something else before shows the same as a new one.
+/// A window that has shown another case shows the same as a new one.
 int requireNothingLeftBehind(const fs::path& output) {
   fs::create_directories(output);
   std::map<std::string, ViewportCase> cases = viewportCases();
@@ -147,7 +148,7 @@ int requireNothingLeftBehind(const fs::path& output) {
   const fs::path fresh = output / "fresh.png";
   const fs::path reused = output / "reused.png";
   int failures = 0;
-  for (const auto& [first, last] : {std::pair{"viewport_hovered_point", "viewport_high_dpi"},
+  for (const auto& [first, last] : {std::pair{"viewport_knot_lines", "viewport_high_dpi"},
                                     std::pair{"viewport_high_dpi", "viewport_selection_gizmo"},
                                     std::pair{"viewport_knot_lines", "viewport_close_up"},
                                     std::pair{"simulate_many_contacts", "simulate_push"},
@@ -155,7 +156,7 @@ int requireNothingLeftBehind(const fs::path& output) {
                                     std::pair{"simulate_pull_ghost", "viewport_close_up"}}) {
     ViewportCase before = cases.at(first);
     ViewportCase after = cases.at(last);
-    // Visibilities are not part of what a case sets up anew.
+    // Cases do not set visibilities again.
     after.setUp = [setUp = after.setUp](view::Viewport& viewport) {
       viewport.setControlNetVisible(true);
       viewport.setGridVisible(true);
@@ -176,26 +177,29 @@ int requireNothingLeftBehind(const fs::path& output) {
 /// Draws one scene with small but visible changes; each must be found.
 int requireChangesNoticed(const fs::path& output) {
   fs::create_directories(output);
-  const Case original = allCases().at("sphere_contact_push");
+  PictureCase original = pictureCases().at("picture_push");
+  original.size = {1200, 900};
   const fs::path base = output / "notices.png";
-  view::renderToPng(original.scene, base, original.options);
+  view::writePicture(original.picture, original.size, base);
 
-  std::map<std::string, view::SurfaceScene> changed;
-  for (const char* name : {"same", "other_number", "no_arrow", "no_contact_patch", "no_ghost",
-                           "other_range", "turned_by_two_degrees"}) {
-    changed[name] = original.scene;
+  std::map<std::string, view::Picture> changed;
+  for (const char* name : {"same", "other_number", "no_arrow", "no_ring", "no_ghost", "other_range",
+                           "no_title", "no_supports", "turned_by_two_degrees"}) {
+    changed[name] = original.picture;
   }
-  changed["other_number"].arrows[0].label = "7.00 N";
-  changed["no_arrow"].arrows.pop_back();
-  changed["no_contact_patch"].contactPatches.clear();
-  changed["no_ghost"].showUndeformed = false;
+  changed["other_number"].arrows.arrows[0].label = "7.00 N";
+  changed["no_arrow"].arrows.arrows.pop_back();
+  changed["no_ring"].rings.clear();
+  changed["no_ghost"].hasGhost = false;
   changed["other_range"].field->range = {0.0, 6.0};
+  changed["no_title"].caption.title.clear();
+  changed["no_supports"].supports.clear();
   changed["turned_by_two_degrees"].camera.direction += Eigen::Vector3d(0.02, 0.03, 0);
 
   int failures = 0;
   for (const auto& [name, scene] : changed) {
     const fs::path picture = output / ("notices_" + name + ".png");
-    view::renderToPng(scene, picture, original.options);
+    view::writePicture(scene, original.size, picture);
     const Difference result = compare(picture, base, {});
     const bool right = result.acceptable() == (name == "same");
     std::cout << name << ": " << result.text() << (right ? "" : "  <- wrong") << '\n';
@@ -209,7 +213,7 @@ int requireChangesNoticed(const fs::path& output) {
 int requireDisplayError() {
   unsetenv("DISPLAY");
   try {
-    view::renderToPng(allCases().begin()->second.scene, "never-written.png");
+    view::writePicture(pictureCases().begin()->second.picture, {}, "never-written.png");
   } catch (const view::NoDisplayError& error) {
     const std::string message = error.what();
     std::cout << message << '\n';

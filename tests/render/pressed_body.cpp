@@ -65,22 +65,25 @@ std::vector<Vector3d> Pressed::ring(const Vector3d& around, double radius) const
   return points;
 }
 
-void Pressed::show(Viewport& viewport) const {
-  viewport.setBody(rest);
-  viewport.setControlNet({});
-  viewport.fit();
-  viewport.moveBody(moved.positions, moved.normals);
-  std::vector<double> base;
+std::vector<double> Pressed::base() const {
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const Vector3d& place : rest.positions) {
     lowest = std::min(lowest, place.z());
     highest = std::max(highest, place.z());
   }
-  for (const Vector3d& place : rest.positions) {
+  std::vector<double> base;
+  for (const Vector3d& place : rest.positions)
     base.push_back(place.z() - lowest - 0.15 * (highest - lowest));
-  }
-  viewport.setRegions(base, {});
+  return base;
+}
+
+void Pressed::show(Viewport& viewport) const {
+  viewport.setBody(rest);
+  viewport.setControlNet({});
+  viewport.fit();
+  viewport.moveBody(moved.positions, moved.normals);
+  viewport.setRegions(base(), {});
 }
 
 }  // namespace palpa::render_tests

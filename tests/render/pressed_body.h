@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "app/view/viewport.h"
+#include "app/view/viewport/viewport.h"
 #include "modeling/solid/solid.h"
 
 namespace palpa::render_tests {
@@ -24,13 +24,16 @@ class Pressed {
   Eigen::Vector3d at(const Eigen::Vector3d& place) const;
 
   view::ScalarField displacement(double full) const;
-  /// How far the surface moved outwards, in the colours of a traction.
+  /// Outward movement of the surface, in the colours of a traction.
   view::ScalarField traction() const;
 
   /// The circle about `around`, a point of a sphere at the origin, on the moved surface.
   std::vector<Eigen::Vector3d> ring(const Eigen::Vector3d& around, double radius) const;
 
-  /// The moved body, its lowest part held, as fit() shows it at rest.
+  /// For Viewport::setRegions(): the lowest part is fixed.
+  std::vector<double> base() const;
+
+  /// The moved body, its lowest part fixed, as fit() shows it at rest.
   void show(view::Viewport& viewport) const;
 
   view::ViewportBody rest, moved;

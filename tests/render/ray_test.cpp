@@ -1,4 +1,4 @@
-#include "app/view/ray.h"
+#include "app/view/camera/ray.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/view/triangle_boxes.h"
+#include "app/view/camera/triangle_boxes.h"
 #include "tests/render/shapes.h"
 
 namespace palpa::view {

@@ -1,6 +1,5 @@
 #include "tests/render/shapes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -76,66 +75,6 @@ Shape box(const Eigen::Vector3d& size, int n) {
     const Eigen::Vector3d centred = 0.5 * size.cwiseProduct(p);
     return Eigen::Vector3d(centred + Eigen::Vector3d(0, 0, 0.5 * size.z()));
   });
-}
-
-Shape cylinder(double radius, double height, int around, int along) {
-  Shape shape;
-  PointCollector points(shape);
-  const auto at = [&](double r, int i, double z) {
-    const double angle = 2 * std::numbers::pi * i / around;
-    return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z);
-  };
-  const int rings = std::max(1, along / 3);
-  for (int i = 0; i < around; ++i) {
-    for (int k = 0; k < along; ++k) {
-      const double low = height * k / along;
-      const double high = height * (k + 1) / along;
-      points.quad(at(radius, i, low), at(radius, i + 1, low), at(radius, i + 1, high),
-                  at(radius, i, high));
-    }
-    for (int k = 0; k < rings; ++k) {
-      const double inner = radius * k / rings;
-      const double outer = radius * (k + 1) / rings;
-      points.quad(at(inner, i, height), at(outer, i, height), at(outer, i + 1, height),
-                  at(inner, i + 1, height));
-      points.quad(at(inner, i, 0), at(inner, i + 1, 0), at(outer, i + 1, 0), at(outer, i, 0));
-    }
-  }
-  // The innermost ring's quads have collapsed to triangles.
-  std::erase_if(shape.triangles, [](const view::Triangle& t) {
-    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-  });
-  return shape;
-}
-
-std::vector<int> trianglesWhere(const Shape& shape,
-                                const std::function<bool(const Eigen::Vector3d&)>& inside) {
-  std::vector<int> chosen;
-  for (std::size_t i = 0; i < shape.triangles.size(); ++i) {
-    const view::Triangle& t = shape.triangles[i];
-    const bool all = std::all_of(t.begin(), t.end(), [&](int corner) {
-      return inside(shape.positions[static_cast<std::size_t>(corner)]);
-    });
-    if (all) chosen.push_back(static_cast<int>(i));
-  }
-  return chosen;
-}
-
-std::vector<Eigen::Vector3d> bump(const Shape& shape, const Eigen::Vector3d& center, double radius,
-                                  const Eigen::Vector3d& peak) {
-  std::vector<Eigen::Vector3d> values;
-  for (const Eigen::Vector3d& p : shape.positions) {
-    const double rho = (p - center).norm() / radius;
-    const double weight = rho < 1 ? std::pow(1 - rho * rho, 2) : 0.0;
-    values.push_back(weight * peak);
-  }
-  return values;
-}
-
-std::vector<double> norms(const std::vector<Eigen::Vector3d>& vectors) {
-  std::vector<double> values;
-  for (const Eigen::Vector3d& v : vectors) values.push_back(v.norm());
-  return values;
 }
 
 }  // namespace palpa::render_tests

@@ -60,7 +60,7 @@ void pull(Viewport& viewport) {
   viewport.setGhost(sphere.rest);
   viewport.setLiveArrows(
       {{{sphere.at(at), {-0.9, -0.4, 0.3}, Anchor::kTail, Role::kApplied, "1.03 N"}}, 1});
-  viewport.setContactRings({{sphere.ring(at, 3), State::kHolding}});
+  viewport.setContactRings({{sphere.ring(at, 3), State::kGrabbed}});
 }
 
 void traction(Viewport& viewport) {
@@ -75,45 +75,22 @@ void traction(Viewport& viewport) {
         {sphere.at(out), 0.75 / kRadius * out, Anchor::kTail, Role::kApplied, "0.750 N"}},
        1});
   viewport.setContactRings(
-      {{sphere.ring(in, 4), State::kSlipping}, {sphere.ring(out, 4), State::kHolding}});
+      {{sphere.ring(in, 4), State::kSlipping}, {sphere.ring(out, 4), State::kGrabbed}});
 }
 
-/// A ball presses from the upper right; the ring of the contact is seen through it.
-void probe(Viewport& viewport) {
+/// A ball presses from the upper right on a plain body; the ring of the contact is seen through it.
+void ball(Viewport& viewport) {
   const Vector3d at = onSphere(0.35, -0.6, 0.72);
   const Pressed sphere(modeling::makeSphere(kRadius), {{at, -4.5 / kRadius * at, 9}});
   sphere.show(viewport);
-  viewport.setField(sphere.displacement(5));
-  const double ball = 9;
-  viewport.setProbeBalls({{sphere.at(at) * (1 + ball / sphere.at(at).norm()), ball}});
+  const double radius = 9;
+  viewport.setBalls({{sphere.at(at) * (1 + radius / sphere.at(at).norm()), radius}});
   viewport.setContactRings({{sphere.ring(at, 4.5), State::kSticking}});
   viewport.setLiveArrows(
       {{{sphere.at(at), -2.4 / kRadius * at, Anchor::kTip, Role::kApplied, "2.40 N"}}, 3});
 }
 
-void plainProbe(Viewport& viewport) {
-  probe(viewport);
-  viewport.setField({});
-}
-
-void ghost(Viewport& viewport) {
-  const Pressed box(modeling::makeBox({40, 30, 20}), {{{0, 0, 20}, {6, 0, -7}, 14}});
-  box.show(viewport);
-  viewport.setGhost(box.rest);
-}
-
-/// Enlarged ten times: the ghost stands inside the drawn shape.
-void enlarged(Viewport& viewport) {
-  const Pressed cylinder(modeling::makeCylinder(15, 40), {{{0, 0, 55}, {16, 4, 6}, 32}});
-  cylinder.show(viewport);
-  viewport.setField(cylinder.displacement(20));
-  ViewportBody lines = cylinder.rest;
-  lines.triangles.clear();
-  lines.patchOfTriangle.clear();
-  viewport.setGhost(lines);
-}
-
-/// From hardly anything to more than the full length.
+/// From a vanishing force to more than the full one.
 void growingArrows(Viewport& viewport) {
   const Pressed sphere(modeling::makeSphere(kRadius), {});
   sphere.show(viewport);
@@ -154,7 +131,7 @@ void rings(Viewport& viewport) {
   sphere.show(viewport);
   viewport.setField(sphere.displacement(6));
   viewport.setContactRings({{sphere.ring(onSphere(0.95, -0.15, 0.35), 4), State::kOpen},
-                            {sphere.ring(onSphere(-0.25, -0.9, 0.1), 4), State::kHolding},
+                            {sphere.ring(onSphere(-0.25, -0.9, 0.1), 4), State::kGrabbed},
                             {sphere.ring(onSphere(0.25, -0.75, 0.65), 4), State::kSticking},
                             {sphere.ring(onSphere(0.35, -0.9, -0.1), 4), State::kSlipping},
                             {sphere.ring(onSphere(0.8, -0.5, 0.2), 4), State::kFailed},
@@ -185,7 +162,7 @@ void regions(Viewport& viewport) {
   viewport.setMarks(marks);
 }
 
-/// Quick changes after the first picture: what the loop does.
+/// Quick changes after the first picture, as in a simulation.
 void updated(Viewport& viewport) {
   push(viewport);
   viewport.render(view::Quality::kQuick);
@@ -216,24 +193,23 @@ void tinyNumbers(Viewport& viewport) {
   viewport.setRegions({}, {});
 }
 
-/// Two balls, the nearer one given first: it is drawn over the other all the same.
-void twoProbes(Viewport& viewport) {
+/// Two balls, the nearer one given first: it is still drawn over the other.
+void twoBalls(Viewport& viewport) {
   const Vector3d near = onSphere(0.65, -0.60, 0.45), far = onSphere(0.30, -0.25, 0.92);
   const Pressed sphere(modeling::makeSphere(kRadius),
                        {{near, -3 / kRadius * near, 9}, {far, -3 / kRadius * far, 9}});
   sphere.show(viewport);
   viewport.setField(sphere.displacement(5));
   const double ball = 12;
-  const auto on = [&](const Vector3d& at) -> view::ProbeBall {
+  const auto on = [&](const Vector3d& at) -> view::Ball {
     return {sphere.at(at) * (1 + ball / sphere.at(at).norm()), ball};
   };
-  viewport.setProbeBalls({on(near), on(far)});
+  viewport.setBalls({on(near), on(far)});
   viewport.setContactRings(
       {{sphere.ring(near, 4.5), State::kSticking}, {sphere.ring(far, 4.5), State::kSticking}});
 }
 
-/// A field over ratios that goes on beyond its end, partly unknown; shown as fit() does beside the
-/// bar.
+/// A logarithmic field, capped and partly unknown; fit() leaves room for its bar.
 void stiffness(Viewport& viewport) {
   const Pressed sphere(modeling::makeSphere(kRadius), {});
   sphere.show(viewport);
@@ -257,18 +233,9 @@ std::function<void(Viewport&)> dark(std::function<void(Viewport&)> light) {
   };
 }
 
-std::function<void(Viewport&)> shaded(std::function<void(Viewport&)> scene, view::Shading shading) {
-  return [scene = std::move(scene), shading](Viewport& viewport) {
-    scene(viewport);
-    viewport.setShading(shading);
-  };
-}
-
-std::function<void(Viewport&)> parallel(std::function<void(Viewport&)> scene) {
-  return [scene = std::move(scene)](Viewport& viewport) {
-    viewport.setParallelProjection(true);
-    scene(viewport);
-  };
+void wire(Viewport& viewport) {
+  push(viewport);
+  viewport.setShading(view::Shading::kWire);
 }
 
 }  // namespace
@@ -276,31 +243,20 @@ std::function<void(Viewport&)> parallel(std::function<void(Viewport&)> scene) {
 std::map<std::string, ViewportCase> simulateCases() {
   return {
       {"simulate_push", {push}},
-      {"simulate_dark_push", {dark(push)}},
       {"simulate_pull_ghost", {pull}},
       {"simulate_dark_pull_ghost", {dark(pull)}},
       {"simulate_traction", {traction}},
-      {"simulate_dark_traction", {dark(traction)}},
-      {"simulate_probe", {probe}},
-      {"simulate_dark_probe", {dark(plainProbe)}},
-      {"simulate_ghost", {ghost}},
-      {"simulate_dark_ghost", {dark(ghost)}},
-      {"simulate_enlarged", {enlarged}},
+      {"simulate_dark_ball", {dark(ball)}},
+      {"simulate_two_balls", {twoBalls}},
       {"simulate_growing_arrows", {growingArrows}},
       {"simulate_many_contacts", {manyContacts}},
       {"simulate_rings", {rings}},
       {"simulate_dark_rings", {dark(plainRings)}},
       {"simulate_regions", {regions}},
-      {"simulate_shaded", {shaded(pull, view::Shading::kShaded)}},
-      {"simulate_wire", {shaded(push, view::Shading::kWire)}},
+      {"simulate_wire", {wire}},
       {"simulate_updated", {updated}},
       {"simulate_tiny_numbers", {tinyNumbers}},
-      {"simulate_two_probes", {twoProbes}},
-      {"simulate_stiffness", {stiffness}},
       {"simulate_dark_stiffness", {dark(stiffness), 480, 400}},
-      {"simulate_parallel", {parallel(probe), 640, 480}},
-      {"simulate_narrow", {push, 320, 240}},
-      {"simulate_high_dpi", {push, 1200, 900, 2}},
   };
 }
 

@@ -4,7 +4,7 @@
 
 namespace palpa::render_tests {
 
-/// Pictures of the interactive view while one touches: dented bodies with their field, contacts,
+/// Pictures of a viewport during a simulation: dented bodies with their field, contacts,
 /// forces and ghost.
 std::map<std::string, ViewportCase> simulateCases();
 

@@ -1,4 +1,4 @@
-#include "app/view/ticks.h"
+#include "app/view/scene/ticks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/view/turntable.h"
+#include "app/view/camera/turntable.h"
 
 #include <gtest/gtest.h>
 
@@ -43,22 +43,20 @@ void expectNear(const Vector2d& a, const Vector2d& b, double tolerance = 1e-8) {
   EXPECT_NEAR(a.y(), b.y(), tolerance);
 }
 
-TEST_P(TurntableTest, FitLeavesRoomAtTheRight) {
-  constexpr double kReserve = 150;
-  camera.fit({corners.begin(), corners.end()}, 60, kReserve);
-  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+TEST_P(TurntableTest, FitLeavesRoomAtTheEdges) {
+  const Reserve reserve{150, 80, 40};
+  camera.fit({corners.begin(), corners.end()}, 60, reserve);
+  Vector2d low(1e9, 1e9);
+  Vector2d high(-1e9, -1e9);
   for (const Vector3d& corner : corners) {
-    const Vector2d pixel = camera.toPixel(corner);
-    left = std::min(left, pixel.x());
-    right = std::max(right, pixel.x());
-    top = std::min(top, pixel.y());
-    bottom = std::max(bottom, pixel.y());
+    low = low.cwiseMin(camera.toPixel(corner));
+    high = high.cwiseMax(camera.toPixel(corner));
   }
-  // Perspective moves what is near a little further than what is far.
-  EXPECT_LT(right, 1280 - kReserve - 60 + 20);
-  EXPECT_NEAR((left + right) / 2, (1280 - kReserve) / 2, 25);
-  EXPECT_GE(top, 60 - 2);
-  EXPECT_LE(bottom, 740 + 2);
+  // Perspective moves near points a little further than far ones.
+  EXPECT_LT(high.x(), 1280 - reserve.right - 60 + 20);
+  EXPECT_NEAR((low.x() + high.x()) / 2, (1280 - reserve.right) / 2, 25);
+  EXPECT_GE(low.y(), 60 + reserve.top - 12);
+  EXPECT_LE(high.y(), 740 - reserve.bottom + 12);
 }
 
 TEST_P(TurntableTest, FitShowsEverythingAndTouchesTwoMargins) {
@@ -159,7 +157,7 @@ TEST_P(TurntableTest, ClippingRangeHoldsTheScene) {
     EXPECT_GT(far, near);
     for (const Vector3d& corner : corners) {
       EXPECT_LT(other.depth(corner), far);
-      // In perspective what is (almost) behind the eye cannot be held.
+      // In perspective the range cannot include points (almost) behind the eye.
       if (other.parallel() || other.depth(corner) > 0.03 * other.distance()) {
         EXPECT_GT(other.depth(corner), near);
       }

@@ -73,15 +73,6 @@ void selection(Viewport& viewport) {
   viewport.setGizmo(view::Gizmo{points[moved], normal, view::GizmoAxis::kX});
 }
 
-void hoveredPoint(Viewport& viewport) {
-  const Solid cylinder = modeling::makeCylinder(15, 40);
-  show(cylinder, viewport);
-  const std::size_t point = nearest(cylinder, {15, 0, 40});
-  std::vector<HandleState> states(cylinder.controlPoints().size(), HandleState::kPlain);
-  states[point] = HandleState::kHovered;
-  viewport.setHandleStates(states);
-}
-
 void rubberBand(Viewport& viewport) {
   const Solid box = modeling::makeBox({40, 30, 20});
   show(box, viewport);
@@ -124,24 +115,6 @@ void warnings(Viewport& viewport) {
                         {{14, -3, 19}, "Control points coincide"}});
 }
 
-void darkSelection(Viewport& viewport) {
-  selection(viewport);
-  viewport.setTheme(view::ViewportTheme::dark());
-}
-
-void darkBoundaryConditions(Viewport& viewport) {
-  boundaryConditions(viewport);
-  viewport.setTheme(view::ViewportTheme::dark());
-}
-
-void wire(Viewport& viewport) {
-  const Solid cylinder = modeling::makeCylinder(15, 40);
-  show(cylinder, viewport);
-  viewport.setMarks(marks(cylinder, {{"bottom", Mark::kSupport}}));
-  viewport.setControlNetVisible(false);
-  viewport.setShading(view::Shading::kWire);
-}
-
 void parallelTop(Viewport& viewport) {
   show(modeling::makeBox({40, 30, 20}), viewport);
   viewport.setParallelProjection(true);
@@ -173,12 +146,6 @@ void plainShaded(Viewport& viewport) {
   viewport.setShading(view::Shading::kShaded);
   viewport.setControlNetVisible(false);
   viewport.setAxesVisible(false);
-}
-
-void fromBelow(Viewport& viewport) {
-  show(modeling::makeCylinder(15, 40), viewport);
-  viewport.orbit({0, -100});
-  viewport.fit();
 }
 
 /// The sphere with one point selected and a gizmo of the kind on it.
@@ -306,21 +273,6 @@ void meshBody(Viewport& viewport) {
   viewport.setRegions(field(flat, [](const Vector3d& x) { return x.z() + 12; }), {});
 }
 
-void fittedSelection(Viewport& viewport) {
-  const Solid sphere = modeling::makeSphere(25);
-  show(sphere, viewport);
-  std::vector<HandleState> states(sphere.controlPoints().size(), HandleState::kPlain);
-  std::vector<Vector3d> chosen;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const Vector3d& point = sphere.controlPoints()[i];
-    if ((point - Vector3d(10, -22, 12)).norm() > 12) continue;
-    states[i] = HandleState::kSelected;
-    chosen.push_back(point);
-  }
-  viewport.setHandleStates(states);
-  viewport.fitTo(chosen);
-}
-
 void nothingShown(Viewport& viewport) {
   boundaryConditions(viewport);
   viewport.setMarks(std::vector<Mark>(
@@ -368,43 +320,25 @@ ControlNet controlNet(const Solid& solid) {
 
 std::map<std::string, ViewportCase> viewportCases() {
   return {
-      {"viewport_sphere_net", {[](Viewport& v) { show(modeling::makeSphere(25), v); }}},
-      {"viewport_cylinder_edges", {[](Viewport& v) {
-         show(modeling::makeCylinder(15, 40), v);
-         v.setControlNetVisible(false);
-       }}},
       {"viewport_shaded", {plainShaded}},
-      {"viewport_wire", {wire}},
       {"viewport_selection_gizmo", {selection}},
-      {"viewport_hovered_point", {hoveredPoint}},
       {"viewport_rubber_band", {rubberBand}},
-      {"viewport_boundary_conditions", {boundaryConditions}},
+      {"viewport_dark_boundary_conditions", {dark(boundaryConditions)}},
       {"viewport_warnings", {warnings}},
-      {"viewport_dark_selection", {darkSelection}},
-      {"viewport_dark_boundary_conditions", {darkBoundaryConditions}},
       {"viewport_parallel_top", {parallelTop}},
       {"viewport_grid_from_afar", {gridFromAfar}},
       {"viewport_close_up", {closeUp}},
-      {"viewport_from_below", {fromBelow}},
       {"viewport_knot_lines", {knotLines}},
       {"viewport_high_dpi", {selection, 1200, 900, 2}},
-      {"viewport_gizmo_rotate", {rotateGizmo}},
+      {"viewport_dark_gizmo_rotate", {dark(rotateGizmo)}},
       {"viewport_gizmo_scale", {scaleGizmo}},
       {"viewport_tool_drawing", {toolDrawing}},
-      {"viewport_touches", {touches}},
-      {"viewport_regions", {regions}},
+      {"viewport_dark_touches", {dark(touches)}},
       {"viewport_regions_overlapping", {overlappingRegions}},
       {"viewport_regions_of_patches", {patchRegions}},
       {"viewport_regions_wire", {wireRegions}},
       {"viewport_mesh_body", {meshBody}},
-      {"viewport_fit_selection", {fittedSelection}},
       {"viewport_nothing_shown", {nothingShown}},
-      {"viewport_dark_gizmo_rotate", {dark(rotateGizmo)}},
-      {"viewport_dark_tool_drawing", {dark(toolDrawing)}},
-      {"viewport_dark_touches", {dark(touches)}},
-      {"viewport_dark_regions", {dark(regions)}},
-      {"viewport_high_dpi_tool_drawing", {toolDrawing, 1200, 900, 2}},
-      {"viewport_high_dpi_regions", {regions, 1200, 900, 2}},
       {"viewport_empty", {[](Viewport& v) { v.fit(); }, 320, 240}},
   };
 }

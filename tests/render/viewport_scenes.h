@@ -4,16 +4,16 @@
 #include <map>
 #include <string>
 
-#include "app/view/viewport.h"
+#include "app/view/viewport/viewport.h"
 #include "modeling/solid/solid.h"
 
 namespace palpa::render_tests {
 
-/// A solid as the interactive view takes it.
+/// A solid for a viewport.
 view::ViewportBody viewportBody(const modeling::Solid& solid, int piecesPerSpan = 6);
 view::ControlNet controlNet(const modeling::Solid& solid);
 
-/// A picture of the interactive view.
+/// A picture of a viewport.
 struct ViewportCase {
   std::function<void(view::Viewport&)> setUp;
   int width = 800;

@@ -1,4 +1,4 @@
-#include "app/view/viewport.h"
+#include "app/view/viewport/viewport.h"
 
 #include <gtest/gtest.h>
 #include <vtkNew.h>
@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/view/grid_actor.h"
-#include "app/view/viewport_geometry.h"
+#include "app/view/layers/grid_actor.h"
+#include "app/view/layers/vtk_arrays.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/render/viewport_scenes.h"
 
@@ -293,7 +293,7 @@ TEST_P(ViewportTest, WrongContactsAreRefused) {
   viewport.setFieldValues(values, {1, 1});
   EXPECT_THROW(viewport.setFieldValues({1.0}, {0, 2}), std::invalid_argument);
   EXPECT_THROW(viewport.setFieldValues(values, {0, std::nan("")}), std::invalid_argument);
-  viewport.setBody(body);  // and with it no field
+  viewport.setBody(body);  // removes the field
   EXPECT_THROW(viewport.setFieldValues(values, {0, 2}), std::invalid_argument);
 
   ViewportBody ghost = body;
@@ -302,15 +302,15 @@ TEST_P(ViewportTest, WrongContactsAreRefused) {
   viewport.setGhost(body);
   viewport.setGhost({});
   EXPECT_THROW(viewport.setLiveArrows({{}, 0}), std::invalid_argument);
-  EXPECT_THROW(viewport.setProbeBalls({{{0, 0, 0}, 0}}), std::invalid_argument);
-  EXPECT_THROW(viewport.setProbeBalls({{{std::nan(""), 0, 0}, 1}}), std::invalid_argument);
+  EXPECT_THROW(viewport.setBalls({{{0, 0, 0}, 0}}), std::invalid_argument);
+  EXPECT_THROW(viewport.setBalls({{{std::nan(""), 0, 0}, 1}}), std::invalid_argument);
   viewport.setContactRings({{{}, ContactRing::State::kOpen}});
 }
 
-TEST_P(ViewportTest, LiveThingsDoNotChangeWhatIsFitted) {
+TEST_P(ViewportTest, LiveThingsDoNotChangeTheFit) {
   const double zoom = viewport.camera().zoom;
   viewport.setLiveArrows({{{{20, 0, 10}, {1, 0, 0}, ForceArrow::Anchor::kTail, {}, ""}}, 1});
-  viewport.setProbeBalls({{{200, 0, 0}, 50}});
+  viewport.setBalls({{{200, 0, 0}, 50}});
   ViewportBody ghost = body;
   for (Vector3d& place : ghost.positions) place *= 10;
   viewport.setGhost(ghost);
@@ -368,11 +368,12 @@ TEST(Ground, SpacingIsRound) {
   EXPECT_DOUBLE_EQ(roundSpacing(0.03), 0.05);
 }
 
-TEST(DistinctLines, KeepsOneOfEachPair) {
+TEST(DistinctLines, KeepsOneOfEachPairAndJoinsNeighbours) {
   const std::vector<Vector3d> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 0},
                                      {1, 0, 0}, {0, 0, 0}, {1, 1, 0}};
   const std::vector<std::vector<int>> lines{{0, 1, 2}, {3, 4, 5}, {0, 6, 2}, {0, 1}};
-  const std::vector<std::vector<int>> expected{{0, 1, 2}, {0, 6, 2}, {0, 1}};
+  // Three lines end at point 0, two at point 2.
+  const std::vector<std::vector<int>> expected{{0, 1, 2, 6, 0}, {0, 1}};
   EXPECT_EQ(distinctLines(lines, points), expected);
 }
 

@@ -1,4 +1,4 @@
-#include "app/view/ray.h"
+#include "app/view/camera/ray.h"
 
 #include <Eigen/Geometry>
 

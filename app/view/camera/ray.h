@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/view/scene.h"
+#include "app/view/scene/scene.h"
 
 /// Lines of sight. Internal to app/view; pure arithmetic, no VTK.
 namespace palpa::view {

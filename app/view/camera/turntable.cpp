@@ -1,4 +1,4 @@
-#include "app/view/turntable.h"
+#include "app/view/camera/turntable.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -69,33 +69,37 @@ void Turntable::setDistance(double distance) {
 }
 
 Turntable::Fit Turntable::fitting(const std::vector<Eigen::Vector3d>& points, double margin,
-                                  double reserve) const {
+                                  const Reserve& reserve) const {
   Bounds bounds;
   for (const Eigen::Vector3d& point : points) bounds.add(point);
   const double size = bounds.empty() ? 0 : bounds.size().norm();
   if (size <= 1e-9 * sceneRadius_) return {bounds.empty() ? focus_ : bounds.center(), distance_};
 
   const double spare = std::min({margin, 0.25 * width_, 0.25 * height_});
-  const double kept = std::min(reserve, width_ / 3.0);
-  const Rectangle target{spare, spare, width_ - spare - kept, height_ - spare};
+  const double right = std::min(reserve.right, width_ / 3.0);
+  const double top = std::min(reserve.top, height_ / 4.0);
+  const double bottom = std::min(reserve.bottom, height_ / 4.0);
+  const Rectangle target{spare, spare + bottom, width_ - spare - right, height_ - spare - top};
   const Eigen::Matrix3d toView = axes().toView();
   const Placement placement = fitPlacement(parallel_, points, toView, target, height_);
   const double distance = height_ / (2 * placement.pixelsPerLength * halfAngleTangent());
   // A line seen end on would draw the camera into it.
   if (!(distance >= size)) return {bounds.center(), size};
-  // What is looked at appears in the middle of the picture: to its right by half of what is kept.
-  const Eigen::Vector3d aside(0.5 * kept / placement.pixelsPerLength, 0, 0);
+  // The focus appears in the middle of the picture, beside the middle of the target.
+  const Eigen::Vector3d aside =
+      Eigen::Vector3d(0.5 * right, 0.5 * (top - bottom), 0) / placement.pixelsPerLength;
   return {toView.transpose() * (placement.focus + aside), distance};
 }
 
-void Turntable::fit(const std::vector<Eigen::Vector3d>& points, double margin, double reserve) {
+void Turntable::fit(const std::vector<Eigen::Vector3d>& points, double margin,
+                    const Reserve& reserve) {
   const Fit found = fitting(points, margin, reserve);
   focus_ = found.focus;
   setDistance(found.distance);
 }
 
 double Turntable::fittingDistance(const std::vector<Eigen::Vector3d>& points, double margin) const {
-  return fitting(points, margin, 0).distance;
+  return fitting(points, margin, {}).distance;
 }
 
 ViewAxes Turntable::axes() const {

@@ -3,19 +3,24 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "app/view/bounds.h"
-#include "app/view/ray.h"
-#include "app/view/view_fit.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/ray.h"
+#include "app/view/camera/view_fit.h"
 
-/// The camera of the interactive view. Internal to app/view; pure arithmetic, no VTK.
+/// The camera of the view. Internal to app/view; pure arithmetic, no VTK.
 namespace palpa::view {
+
+/// Pixels at the edges of a picture that words and bars need.
+struct Reserve {
+  double right = 0, top = 0, bottom = 0;
+};
 
 /// A camera that turns about the vertical axis (azimuth) and tilts (elevation), looking at a focus
 /// from a distance. The vertical stays upright in the picture: at ±90 degrees of elevation the tilt
 /// ends instead of flipping over.
 ///
 /// Pixels are counted from the top left corner. The parallel projection has the same scale as the
-/// perspective one has in the plane through the focus.
+/// perspective projection in the plane through the focus.
 class Turntable {
  public:
   Turntable();
@@ -38,10 +43,10 @@ class Turntable {
   void pan(const Eigen::Vector2d& pixels, const Eigen::Vector3d& point);
   /// Comes nearer by the factor, as far as the limits allow; `point` stays where it appears.
   void zoom(double factor, const Eigen::Vector3d& point);
-  /// Shows all points, with `margin` pixels left free on each side, and `reserve` pixels (at most a
-  /// third of the width) more at the right. A single place comes to the middle at the distance
-  /// there was; nothing happens without points.
-  void fit(const std::vector<Eigen::Vector3d>& points, double margin, double reserve = 0);
+  /// Shows all points, with `margin` pixels free on each side, and `reserve` in addition, of which
+  /// at most a third of the width and a quarter of the height count. A single point comes to the
+  /// middle at the same distance as before; without points nothing happens.
+  void fit(const std::vector<Eigen::Vector3d>& points, double margin, const Reserve& reserve = {});
   /// The distance that fit() would choose.
   double fittingDistance(const std::vector<Eigen::Vector3d>& points, double margin) const;
 
@@ -72,7 +77,8 @@ class Turntable {
     Eigen::Vector3d focus;
     double distance;
   };
-  Fit fitting(const std::vector<Eigen::Vector3d>& points, double margin, double reserve) const;
+  Fit fitting(const std::vector<Eigen::Vector3d>& points, double margin,
+              const Reserve& reserve) const;
 
   double azimuth_ = 0;    ///< rad, of the direction of view about the vertical, from x to y
   double elevation_ = 0;  ///< rad, of the direction of view above the horizontal

@@ -1,11 +1,11 @@
-#include "app/view/view_fit.h"
+#include "app/view/camera/view_fit.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 
 namespace palpa::view {
 namespace {
@@ -55,8 +55,9 @@ Placement fitPlacement(bool parallel, const std::vector<Eigen::Vector3d>& points
   const double nearest = std::max(flat.size().z(), std::numeric_limits<double>::min());
   const double largest = height / (2 * nearest * std::tan(kVerticalViewAngle / 2));
   placement.pixelsPerLength = std::min(placement.pixelsPerLength, largest);
-  // The perspective size depends on the distance, and that on the size: a contraction, since near
-  // parts grow only by (size / distance). Eight rounds are far below a pixel.
+  // The perspective size depends on the distance, and the distance on the size: a contraction,
+  // since near parts grow only by (size / distance). After eight rounds the error is far below a
+  // pixel.
   for (int round = 0; round < 8; ++round) {
     const double distance =
         height / (2 * placement.pixelsPerLength * std::tan(kVerticalViewAngle / 2));

@@ -4,11 +4,21 @@
 #include <numbers>
 #include <vector>
 
-#include "app/view/rectangle.h"
-#include "app/view/scene.h"
+#include "app/view/scene/scene.h"
 
 /// Finding the camera that shows given points. Internal to app/view; pure arithmetic, no VTK.
 namespace palpa::view {
+
+/// A rectangle of the picture, in pixels from its lower left corner.
+struct Rectangle {
+  double left = 0;
+  double bottom = 0;
+  double right = 0;
+  double top = 0;
+
+  double width() const { return right - left; }
+  double height() const { return top - bottom; }
+};
 
 /// Of every perspective camera, rad.
 inline constexpr double kVerticalViewAngle = 24 * std::numbers::pi / 180;

@@ -1,4 +1,4 @@
-#include "app/view/convergence_plot.h"
+#include "app/view/charts/convergence_plot.h"
 
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
@@ -7,8 +7,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "app/view/display.h"
-#include "app/view/log_chart.h"
+#include "app/view/charts/log_chart.h"
+#include "app/view/files/display.h"
 
 namespace palpa::view {
 namespace {

@@ -19,7 +19,7 @@ struct ErrorCurve {
 /// elements, on logarithmic axes, as a PNG file that replaces an existing one. At most six curves.
 ///
 /// Throws std::invalid_argument for malformed curves, NoDisplayError without a display, ViewError
-/// when the file cannot be written.
+/// if the file cannot be written.
 void drawConvergence(const std::vector<ErrorCurve>& curves, const std::filesystem::path& path);
 
 }  // namespace palpa::view

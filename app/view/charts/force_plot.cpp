@@ -1,4 +1,4 @@
-#include "app/view/force_plot.h"
+#include "app/view/charts/force_plot.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>
@@ -22,7 +22,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "app/view/ticks.h"
+#include "app/view/scene/ticks.h"
 
 namespace palpa::view {
 namespace {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
 class vtkRenderWindow;
 
@@ -14,7 +15,7 @@ namespace palpa::view {
 /// Forces over time as curves, drawn into a render window given by the caller. Not thread-safe.
 class ForcePlot {
  public:
-  /// The window's OpenGL context, when it has one, must be current here and in the destructor.
+  /// The window's OpenGL context, if it has one, must be current here and in the destructor.
   explicit ForcePlot(vtkRenderWindow* window);
   ~ForcePlot();
 
@@ -24,11 +25,12 @@ class ForcePlot {
     std::vector<double> times;   ///< s, ascending
     std::vector<double> forces;  ///< one per time, in `unit` of setCurves()
   };
-  /// Of curves with this number, red, green, blue; there are six, which then begin again.
+  /// Of curves with this number: red, green, blue; number 6 has the colour of 0.
   static std::array<unsigned char, 3> colour(int number);
-  /// Names of the curves in the picture, above all of them; where nothing else says what they are.
+  /// Names of the curves, above all of them: for a picture without other explanation.
   void setLegendShown(bool shown);
-  /// Shows the times from `begin` to `end`; std::invalid_argument for arrays of unequal lengths.
+  /// Shows the times from `begin` to `end`. Throws std::invalid_argument for arrays of unequal
+  /// lengths.
   void setCurves(const std::vector<Curve>& curves, double begin, double end,
                  const std::string& unit);
   void setTheme(const ViewportTheme& theme);

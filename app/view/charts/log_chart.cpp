@@ -1,4 +1,4 @@
-#include "app/view/log_chart.h"
+#include "app/view/charts/log_chart.h"
 
 #include <vtkAxis.h>
 #include <vtkChartLegend.h>
@@ -10,12 +10,11 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cstdio>
 
-#include "app/view/png.h"
+#include "app/view/files/png.h"
 
 namespace palpa::view::charts {
 namespace {
@@ -137,11 +136,7 @@ void TwoCharts::setAxes(int index, const Range& along, const std::string& alongT
 void TwoCharts::write(const std::filesystem::path& path) {
   // The space for the labels is known once something was drawn.
   for (int round = 0; round < 2; ++round) window_->Render();
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(window_);
-  image->ReadFrontBufferOff();
-  image->Update();
-  writePng(image->GetOutput(), path);
+  writePng(window_, path);
 }
 
 }  // namespace palpa::view::charts

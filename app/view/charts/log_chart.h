@@ -22,7 +22,7 @@ inline constexpr std::array<Colour, 6> kColours{
     {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}}};
 inline constexpr Colour kGrey{90, 90, 90};
 
-/// Both coordinates are logarithms: VTK's own logarithmic axes choose labels of their own.
+/// Both coordinates are logarithms: VTK's logarithmic axes do not let the caller choose labels.
 struct Range {
   double lower = INFINITY, upper = -INFINITY;
   void add(double value);
@@ -52,7 +52,7 @@ class TwoCharts {
   vtkChartXY* chart(int index) { return charts_[index]; }
   void setAxes(int index, const Range& along, const std::string& alongTitle, const Range& values,
                const std::string& valuesTitle);
-  /// ViewError when the file cannot be written.
+  /// Throws ViewError if the file cannot be written.
   void write(const std::filesystem::path& path);
 
  private:

@@ -1,11 +1,11 @@
-#include "app/view/display.h"
+#include "app/view/files/display.h"
 
 #include <X11/Xlib.h>
 
 #include <cstdlib>
 #include <string>
 
-#include "app/view/errors.h"
+#include "app/view/files/errors.h"
 
 namespace palpa::view {
 

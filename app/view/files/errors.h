@@ -4,7 +4,8 @@
 
 namespace palpa::view {
 
-/// The world's fault while drawing or writing: the message says what, where and what to do.
+/// Drawing or writing failed because of input or environment. The message names place, problem and
+/// remedy.
 class ViewError : public Error {
  public:
   using Error::Error;

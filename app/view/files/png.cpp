@@ -1,18 +1,53 @@
-#include "app/view/png.h"
+#include "app/view/files/png.h"
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 
-#include "app/view/errors.h"
+#include "app/view/files/errors.h"
 
 namespace palpa::view {
+namespace {
 
-void writePng(vtkImageData* image, const std::filesystem::path& path) {
+/// The pixels of an image `width` pixels wide, averaged over blocks.
+void reduce(const unsigned char* source, int width, int reduction, vtkImageData* image) {
+  const int* size = image->GetDimensions();
+  auto* target = static_cast<unsigned char*>(image->GetScalarPointer());
+  const int block = reduction * reduction;
+  for (int y = 0; y < size[1]; ++y) {
+    for (int x = 0; x < size[0]; ++x) {
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        int sum = 0;
+        for (int dy = 0; dy < reduction; ++dy) {
+          for (int dx = 0; dx < reduction; ++dx) {
+            const auto row = static_cast<std::size_t>(reduction * y + dy);
+            const auto column = static_cast<std::size_t>(reduction * x + dx);
+            sum += source[3 * (row * static_cast<std::size_t>(width) + column) + channel];
+          }
+        }
+        *target++ = static_cast<unsigned char>((sum + block / 2) / block);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void writePng(vtkRenderWindow* window, const std::filesystem::path& path, int reduction) {
+  const int width = window->GetSize()[0], height = window->GetSize()[1];
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(width / reduction, height / reduction, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  reduce(pixels->GetPointer(0), width, reduction, image);
   vtkNew<vtkPNGWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(image);
-  // VTK reports a failed write on its own error channel; the exception below says it in words.
+  // VTK reports a failed write on its error channel; the exception below has a better message.
   vtkObject::GlobalWarningDisplayOff();
   writer->Write();
   vtkObject::GlobalWarningDisplayOn();

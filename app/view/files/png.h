@@ -1,13 +1,14 @@
 #pragma once
 
-#include <vtkImageData.h>
-
 #include <filesystem>
+
+class vtkRenderWindow;
 
 /// Picture files. Internal to app/view.
 namespace palpa::view {
 
-/// Throws ViewError when the file cannot be written.
-void writePng(vtkImageData* image, const std::filesystem::path& path);
+/// Writes the pixels that were drawn last, averaged over blocks of `reduction`² pixels (a divisor
+/// of the window's width and height). Throws ViewError if the file cannot be written.
+void writePng(vtkRenderWindow* window, const std::filesystem::path& path, int reduction = 1);
 
 }  // namespace palpa::view

@@ -1,4 +1,4 @@
-#include "app/view/arrow_labels.h"
+#include "app/view/layers/arrow_labels.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -45,7 +45,7 @@ void addArrowCover(const SeenArrow& arrow, double width, std::vector<PixelBox>& 
 ArrowLabelPlace placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2d& picture,
                                 double gap, const std::vector<PixelBox>& taken,
                                 std::optional<int> before) {
-  constexpr double kBetter = 0.7;  // of what the place before covers: worth moving
+  constexpr double kBetter = 0.7;  // of the area that the previous place covers: worth moving
   const Eigen::Vector2d ahead =
       wish.along.norm() > 0 ? Eigen::Vector2d(wish.along.normalized()) : Eigen::Vector2d(0, -1);
   const Eigen::Vector2d half = 0.5 * wish.size;
@@ -54,7 +54,7 @@ ArrowLabelPlace placeArrowLabel(const ArrowLabelWish& wish, const Eigen::Vector2
   double least = std::numeric_limits<double>::infinity();
   int choice = -1;
   for (const double distance : {1.0, 2.2, 4.0, 7.0}) {
-    // No further back than to the side: there lies the arrow.
+    // No further back than to the side: the arrow lies there.
     for (const int step : {0, 1, -1, 2, -2, 3, -3, 4, -4}) {
       ++choice;
       const Eigen::Vector2d away = Eigen::Rotation2Dd(step * std::numbers::pi / 8) * ahead;

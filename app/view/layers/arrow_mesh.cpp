@@ -1,4 +1,4 @@
-#include "app/view/arrow_mesh.h"
+#include "app/view/layers/arrow_mesh.h"
 
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -9,8 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/view/arrows.h"
-#include "app/view/viewport_geometry.h"
+#include "app/view/layers/vtk_arrays.h"
 
 namespace palpa::view {
 namespace {

@@ -10,12 +10,18 @@
 
 #include <vector>
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// Arrows as solid bodies, for the interactive view. Internal to app/view.
+/// Arrows as solid bodies. Internal to app/view.
 namespace palpa::view {
 
-/// An arrow with the radii that belong to its length.
+/// Thickness, in diagonals of the body.
+inline constexpr double kArrowShaftRadius = 0.0045;
+inline constexpr double kArrowHeadRadius = 0.0126;
+inline constexpr double kArrowHeadLength = 0.0372;
+
+/// An arrow with the radii for its length.
 struct SolidArrow {
   Eigen::Vector3d tail, tip;  ///< apart
   double shaftRadius;         ///< mm
@@ -23,14 +29,14 @@ struct SolidArrow {
   double headLength;
   Colour colour{};
 
-  /// In the proportions of pictures with a body of that diagonal; smaller in all directions where
-  /// it is too short for its head.
+  /// As thick as suits a body of that diagonal, the same for all arrows; smaller in all directions
+  /// where it is too short for its head.
   static SolidArrow of(const Eigen::Vector3d& tail, const Eigen::Vector3d& tip, double diagonal,
                        const Colour& colour);
 };
 
-/// Any number of arrows as one surface, which is written anew when they move: one actor draws them
-/// all. An actor each costs more than everything else in the picture when there are dozens.
+/// Any number of arrows as one surface, so that one actor draws them: dozens of actors cost more
+/// than everything else in the picture.
 class ArrowMesh {
  public:
   ArrowMesh();

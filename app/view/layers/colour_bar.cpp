@@ -1,23 +1,26 @@
-#include "app/view/colour_bar.h"
+#include "app/view/layers/colour_bar.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/colour_map.h"
+#include "app/view/scene/colour_map.h"
 
 namespace palpa::view {
 namespace {
 
 // In logical pixels.
 constexpr double kFontSize = 13;
+constexpr double kSmallFontSize = 11.5;
 constexpr double kBarWidth = 16;
 constexpr double kTick = 4;
 constexpr double kToNumber = 4;
 constexpr double kPad = 7;
 constexpr double kFromEdge = 12;
 constexpr double kTallest = 300;
+constexpr double kMinHeight = 40;
+constexpr double kWords = 52;  // height of a plate with two lines, about
 
-constexpr double kShareOfHeight = 0.62;  // of the picture
+constexpr double kShareOfHeight = 0.62;  // of the picture between the captions
 constexpr int kStrips = 128;
 
 /// "Displacement" and below it "mm", or with a factor of ten "10^-6 MPa".
@@ -29,11 +32,32 @@ std::vector<std::string> titlesOf(const ScalarField& field, const Ticks& ticks) 
   return {field.name, unit};
 }
 
+/// Widest and total extent of texts below each other.
+Eigen::Vector2d extentOf(const TextPool& texts, double gap) {
+  Eigen::Vector2d extent(0, -gap);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (texts.extent(i).isZero()) continue;
+    extent.x() = std::max(extent.x(), texts.extent(i).x());
+    extent.y() += texts.extent(i).y() + gap;
+  }
+  return extent.cwiseMax(0.0);
+}
+
+void placeBelow(const Eigen::Vector2d& corner, double gap, int pictureHeight, TextPool& texts) {
+  Eigen::Vector2d place = corner;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (texts.extent(i).isZero()) continue;
+    texts.place(i, place, pictureHeight);
+    place.y() += texts.extent(i).y() + gap;
+  }
+}
+
 }  // namespace
 
 ColourBar::ColourBar(vtkRenderer* overlay)
     : titles_(overlay),
       numbers_(overlay),
+      extremes_(overlay),
       colours_(colourSteps(ScalarField::Colours::kSequential, kStrips)) {}
 
 void ColourBar::set(const std::optional<ScalarField>& field, const ViewportTheme& theme,
@@ -42,8 +66,7 @@ void ColourBar::set(const std::optional<ScalarField>& field, const ViewportTheme
   pixelRatio_ = pixelRatio;
   field_ = field;
   if (!field_) {
-    titles_.hideAll();
-    numbers_.hideAll();
+    for (TextPool* texts : {&titles_, &numbers_, &extremes_}) texts->hideAll();
     return;
   }
   range_ = colourNumberRange(*field_);
@@ -52,66 +75,68 @@ void ColourBar::set(const std::optional<ScalarField>& field, const ViewportTheme
   colours_ = colourSteps(coloursOf_, kStrips);
 }
 
-Ticks ColourBar::ticks(double pictureHeight) const {
-  const double height = std::min(kTallest * pixelRatio_, kShareOfHeight * pictureHeight);
-  const int wanted = std::clamp(static_cast<int>(height / (3 * kFontSize * pixelRatio_)), 2, 8);
-  return fieldTicks(*field_, wanted);
+double ColourBar::barHeight(double pictureHeight, const Reserve& caption) const {
+  const double free = pictureHeight - caption.top - caption.bottom;
+  const double words = (field_->extremes ? 2 : 1) * kWords * pixelRatio_;
+  return std::min({kTallest * pixelRatio_, kShareOfHeight * free,
+                   std::max(free - words, kMinHeight * pixelRatio_)});
 }
 
-double ColourBar::reach(double pictureHeight) {
+Ticks ColourBar::setTexts(double height) {
+  const double size = kFontSize * pixelRatio_;
+  const Ticks ticks = fieldTicks(*field_, std::clamp(static_cast<int>(height / (3 * size)), 2, 8));
+  titles_.set(titlesOf(*field_, ticks), {size, true, theme_.text});
+  numbers_.set(ticks.labels, {size, false, theme_.text});
+  std::vector<std::string> extremes;
+  if (field_->extremes) {
+    // Beyond a capped range the largest value is not known.
+    if (!field_->isCapped) extremes.push_back("max  " + threeDigits((*field_->extremes)[1]));
+    extremes.push_back("min  " + threeDigits((*field_->extremes)[0]));
+  }
+  extremes_.set(extremes, {kSmallFontSize * pixelRatio_, false, theme_.text});
+  return ticks;
+}
+
+double ColourBar::reach(double pictureHeight, const Reserve& caption, bool withWords) {
   if (!field_) return 0;
-  const double unit = pixelRatio_;
-  const Ticks numbers = ticks(pictureHeight);
-  numbers_.set(numbers.labels, {kFontSize * unit, false, theme_.text});
-  double width = 0;
-  for (std::size_t i = 0; i < numbers.labels.size(); ++i)
-    width = std::max(width, numbers_.extent(i).x());
-  return width + (kBarWidth + kTick + kToNumber + 2 * kPad + kFromEdge) * unit;
+  setTexts(barHeight(pictureHeight, caption));
+  double width = (kBarWidth + kTick + kToNumber) * pixelRatio_ + extentOf(numbers_, 0).x();
+  if (withWords) width = std::max({width, extentOf(titles_, 0).x(), extentOf(extremes_, 0).x()});
+  return width + (2 * kPad + kFromEdge) * pixelRatio_;
 }
 
-void ColourBar::update(const Turntable& camera, std::vector<PixelBox>& taken, FlatShapes& shapes) {
+void ColourBar::update(const Turntable& camera, const Reserve& caption,
+                       std::vector<PixelBox>& taken, FlatShapes& shapes) {
   if (!field_) return;
   const double unit = pixelRatio_;
-  const double height = std::min(kTallest * unit, kShareOfHeight * camera.height());
-  const Ticks ticks = this->ticks(camera.height());
-  const TextStyle style{kFontSize * unit, false, theme_.text};
-  titles_.set(titlesOf(*field_, ticks), {style.size, true, theme_.text});
-  numbers_.set(ticks.labels, style);
+  const double height = barHeight(camera.height(), caption);
+  const Ticks ticks = setTexts(height);
 
-  // Two plates, one below the other: the bar's own is narrow and leaves the view free.
+  // Plates below each other: the bar's own is narrow and leaves the view free.
   const Eigen::Vector2d pad = Eigen::Vector2d(kPad, kPad) * unit;
   const double gap = 4 * unit;
-  Eigen::Vector2d titles(0, -gap);
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (titles_.extent(i).isZero()) continue;
-    titles.x() = std::max(titles.x(), titles_.extent(i).x());
-    titles.y() += titles_.extent(i).y() + gap;
-  }
-  double numbersWidth = 0;
-  for (std::size_t i = 0; i < ticks.labels.size(); ++i)
-    numbersWidth = std::max(numbersWidth, numbers_.extent(i).x());
-  const Eigen::Vector2d bar((kBarWidth + kTick + kToNumber) * unit + numbersWidth, height);
-  const Eigen::Vector2d titleSize =
-      titles.y() > 0 ? Eigen::Vector2d(titles + 2 * pad) : Eigen::Vector2d(0, 0);
-  const Eigen::Vector2d barSize = bar + 2 * pad;
+  const auto padded = [&](const Eigen::Vector2d& extent) {
+    return extent.isZero() ? extent : Eigen::Vector2d(extent + 2 * pad);
+  };
+  const Eigen::Vector2d titleSize = padded(extentOf(titles_, gap));
+  const Eigen::Vector2d barSize =
+      padded({(kBarWidth + kTick + kToNumber) * unit + extentOf(numbers_, 0).x(), height});
+  const Eigen::Vector2d extremesSize = padded(extentOf(extremes_, gap));
   const double right = std::round(camera.width() - kFromEdge * unit);
-  const double top = std::round(0.5 * (camera.height() - titleSize.y() - barSize.y()));
-  const PixelBox titlePlate{{std::round(right - titleSize.x()), top},
-                            {right, std::round(top + titleSize.y())}};
-  const PixelBox plate{{std::round(right - barSize.x()), titlePlate.high.y()},
-                       {right, std::round(titlePlate.high.y() + barSize.y())}};
-  for (const PixelBox& box : {titlePlate, plate}) {
-    if (box.high.y() == box.low.y()) continue;
+  double top = std::round(0.5 * (camera.height() + caption.top - caption.bottom - titleSize.y() -
+                                 barSize.y() - extremesSize.y()));
+  const auto addPlate = [&](const Eigen::Vector2d& size) {
+    const PixelBox box{{std::round(right - size.x()), top}, {right, std::round(top + size.y())}};
+    top = box.high.y();
+    if (size.isZero()) return box;
     taken.push_back(box);
     shapes.addPlate(box.low, box.high, theme_.text, theme_, unit, 0.2);
-  }
+    return box;
+  };
+  placeBelow(addPlate(titleSize).low + pad, gap, camera.height(), titles_);
+  const PixelBox plate = addPlate(barSize);
+  placeBelow(addPlate(extremesSize).low + pad, gap, camera.height(), extremes_);
 
-  Eigen::Vector2d corner = titlePlate.low + pad;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (titles_.extent(i).isZero()) continue;
-    titles_.place(i, corner, camera.height());
-    corner.y() += titles_.extent(i).y() + gap;
-  }
   const double halfNumber = ticks.labels.empty() ? 0 : 0.5 * numbers_.extent(0).y();
   const Eigen::Vector2d barLow = (plate.low + pad + Eigen::Vector2d(0, halfNumber)).array().round();
   const Eigen::Vector2d barHigh(barLow.x() + std::round(kBarWidth * unit),

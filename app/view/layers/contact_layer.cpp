@@ -1,4 +1,4 @@
-#include "app/view/contact_layer.h"
+#include "app/view/layers/contact_layer.h"
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/ring_dashes.h"
+#include "app/view/layers/ring_dashes.h"
 
 namespace palpa::view {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kRingWidth = 2.6;  // logical pixels
 constexpr double kBorderWidth = 5;
 constexpr double kBorderOpacity = 0.75;
 constexpr double kFaint = 0.30;
-/// Amber: neither among the colours of fields nor those of bodies.
+/// Amber: no field and no body has this colour.
 constexpr Colour kGlass{0.98, 0.76, 0.40};
 constexpr Colour kBorderColour{0.06, 0.07, 0.10};
 
@@ -42,7 +42,7 @@ RingLook lookOf(State state) {
       return {{1.00, 0.66, 0.12}, 14, 0.68};
     case State::kFailed:
       return {{1.00, 0.25, 0.25}, 4, 0.80};
-    case State::kHolding:
+    case State::kGrabbed:
       break;
   }
   return {{1.00, 1.00, 1.00}, 1, 1};
@@ -121,7 +121,7 @@ void ContactRings::setPixelRatio(double ratio) {
   faint_->GetProperty()->SetLineWidth(static_cast<float>(kRingWidth * ratio));
 }
 
-ProbeBalls::ProbeBalls(vtkRenderer* scene) : scene_(scene) {
+Balls::Balls(vtkRenderer* scene) : scene_(scene) {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(1);
   sphere->SetThetaResolution(64);
@@ -130,7 +130,7 @@ ProbeBalls::ProbeBalls(vtkRenderer* scene) : scene_(scene) {
   unitSphere_ = sphere->GetOutput();
 }
 
-void ProbeBalls::add() {
+void Balls::add() {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(unitSphere_);
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -150,23 +150,23 @@ void ProbeBalls::add() {
   actors_.push_back(actor);
 }
 
-void ProbeBalls::set(const std::vector<ProbeBall>& balls) {
+void Balls::set(const std::vector<Ball>& balls) {
   balls_ = balls;
   while (actors_.size() < balls.size()) add();
   for (std::size_t i = 0; i < actors_.size(); ++i) actors_[i]->SetVisibility(i < balls.size());
   bounds_ = {};
-  for (const ProbeBall& ball : balls) {
+  for (const Ball& ball : balls) {
     bounds_.add(ball.center - Eigen::Vector3d::Constant(ball.radius));
     bounds_.add(ball.center + Eigen::Vector3d::Constant(ball.radius));
   }
 }
 
-void ProbeBalls::update(const Turntable& camera) {
-  std::sort(balls_.begin(), balls_.end(), [&](const ProbeBall& a, const ProbeBall& b) {
+void Balls::update(const Turntable& camera) {
+  std::sort(balls_.begin(), balls_.end(), [&](const Ball& a, const Ball& b) {
     return camera.depth(a.center) > camera.depth(b.center);
   });
   for (std::size_t i = 0; i < balls_.size(); ++i) {
-    const ProbeBall& ball = balls_[i];
+    const Ball& ball = balls_[i];
     actors_[i]->SetPosition(ball.center.x(), ball.center.y(), ball.center.z());
     actors_[i]->SetScale(ball.radius);
   }

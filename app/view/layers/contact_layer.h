@@ -8,16 +8,16 @@
 
 #include <vector>
 
-#include "app/view/bounds.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_geometry.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/vtk_arrays.h"
+#include "app/view/scene/scene.h"
 
-/// Contacts in the interactive view. Internal to app/view.
+/// Contacts. Internal to app/view.
 namespace palpa::view {
 
-/// Rings on the surface, with a dark border that parts them from any colour below, faint where the
-/// body hides them.
+/// Rings on the surface, with a dark border against any colour below, faint where the body hides
+/// them.
 class ContactRings {
  public:
   ContactRings(vtkRenderer* scene, vtkRenderer* shineThrough);
@@ -34,23 +34,24 @@ class ContactRings {
   Bounds bounds_;
 };
 
-/// Translucent balls, clear in the middle so that the contact behind can be seen, and dense at the
+/// Translucent balls, clear in the middle, so that the contact behind is visible, and dense at the
 /// rim. Only near sides are drawn, the balls farther away first.
-class ProbeBalls {
+class Balls {
  public:
-  explicit ProbeBalls(vtkRenderer* scene);
+  explicit Balls(vtkRenderer* scene);
 
-  void set(const std::vector<ProbeBall>& balls);
+  void set(const std::vector<Ball>& balls);
   /// To be called before drawing.
   void update(const Turntable& camera);
   const Bounds& bounds() const { return bounds_; }
+  const std::vector<Ball>& balls() const { return balls_; }
 
  private:
   void add();
 
   vtkRenderer* scene_;
   vtkSmartPointer<vtkPolyData> unitSphere_;
-  std::vector<ProbeBall> balls_;
+  std::vector<Ball> balls_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;  ///< drawn in this order; kept when not needed
   Bounds bounds_;
 };

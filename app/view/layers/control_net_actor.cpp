@@ -1,4 +1,4 @@
-#include "app/view/control_net_actor.h"
+#include "app/view/layers/control_net_actor.h"
 
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
@@ -10,7 +10,7 @@ namespace palpa::view {
 namespace {
 
 constexpr double kRim = 1.2;             // logical pixels, width of the rim around a handle
-constexpr double kHiddenOpacity = 0.20;  // of what the body hides
+constexpr double kHiddenOpacity = 0.20;  // of handles behind the body
 
 /// Diameter in pixels.
 double sizeOf(HandleState state) {

@@ -3,14 +3,15 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
-#include "app/view/viewport_geometry.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/layers/vtk_arrays.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// The control net of the interactive view. Internal to app/view.
+/// The control net. Internal to app/view.
 namespace palpa::view {
 
 /// Net lines and round handles, drawn twice: in the scene, and faintly in a renderer in front of it
-/// so that what the body hides shimmers through.
+/// so that hidden handles shimmer through the body.
 class ControlNetActor {
  public:
   ControlNetActor(vtkRenderer* scene, vtkRenderer* shineThrough);

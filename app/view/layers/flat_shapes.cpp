@@ -1,4 +1,4 @@
-#include "app/view/flat_shapes.h"
+#include "app/view/layers/flat_shapes.h"
 
 #include <vtkActor2D.h>
 #include <vtkCellData.h>

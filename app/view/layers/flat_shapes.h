@@ -7,16 +7,16 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "app/view/viewport_geometry.h"
+#include "app/view/layers/vtk_arrays.h"
 
-/// Flat shapes of the interactive view. Internal to app/view.
+/// Flat shapes. Internal to app/view.
 namespace palpa::view {
 
 /// Between words and the border of their plate, logical pixels.
 inline const Eigen::Vector2d kPlatePad(6, 4);
 
-/// Coloured polygons in one actor of a renderer's overlay, made anew for every picture. Pixels are
-/// counted from the picture's top left corner; later shapes cover earlier ones.
+/// Coloured polygons in one actor of an overlay, added again for every picture. Pixels are counted
+/// from the top left corner of the picture; later shapes cover earlier ones.
 class FlatShapes {
  public:
   explicit FlatShapes(vtkRenderer* overlay);
@@ -38,7 +38,7 @@ class FlatShapes {
   /// The ground of words, with a frame of that opacity.
   void addPlate(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Colour& frame,
                 const ViewportTheme& theme, double pixelRatio, double frameOpacity = 0.7);
-  /// To be called when all shapes are added.
+  /// To be called after all shapes.
   void finish();
 
  private:

@@ -1,15 +1,16 @@
-#include "app/view/force_arrows.h"
+#include "app/view/layers/force_arrows.h"
 
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include "app/view/scene/arrows.h"
+
 namespace palpa::view {
 namespace {
 
 constexpr double kMaxLoadLength = 0.17;  // of the body's diagonal
-constexpr double kMaxLiveLength = 0.25;
-constexpr double kThickness = 0.6;  // of the arrows in pictures: they stand among handles and lines
+constexpr double kMinLoadShare = 0.25;
 constexpr double kFaint = 0.22;
 constexpr double kFontSize = 13;  // logical pixels
 constexpr double kGap = 8;
@@ -21,7 +22,13 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
   mapper->SetColorModeToDirectScalars();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  setArrowLooks(actor->GetProperty(), opacity);
+  vtkProperty* property = actor->GetProperty();
+  property->SetOpacity(opacity);
+  property->SetAmbient(0.35);
+  property->SetDiffuse(0.70);
+  property->SetSpecular(0.15);
+  property->SetSpecularPower(20);
+  property->BackfaceCullingOn();
   actor->VisibilityOff();
   return actor;
 }
@@ -39,15 +46,18 @@ ForceArrows::ForceArrows(vtkRenderer* scene, vtkRenderer* shineThrough, vtkRende
 
 void ForceArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
                       const ViewportTheme& theme, double pixelRatio) {
-  show(placeArrows(arrows, kMaxLoadLength * bodyDiagonal), bodyDiagonal, theme, pixelRatio);
+  double largest = 0;
+  for (const ForceArrow& arrow : arrows) largest = std::max(largest, arrow.force.norm());
+  show({arrows, largest, kMinLoadShare}, kMaxLoadLength * bodyDiagonal, bodyDiagonal, theme,
+       pixelRatio);
 }
 
 void ForceArrows::set(const LiveArrows& arrows, double bodyDiagonal, const ViewportTheme& theme,
                       double pixelRatio) {
-  show(placeLiveArrows(arrows, kMaxLiveLength * bodyDiagonal), bodyDiagonal, theme, pixelRatio);
+  show(arrows, kFullArrowLength * bodyDiagonal, bodyDiagonal, theme, pixelRatio);
 }
 
-void ForceArrows::show(const std::vector<PlacedArrow>& arrows, double bodyDiagonal,
+void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiagonal,
                        const ViewportTheme& theme, double pixelRatio) {
   theme_ = theme;
   pixelRatio_ = pixelRatio;
@@ -56,18 +66,18 @@ void ForceArrows::show(const std::vector<PlacedArrow>& arrows, double bodyDiagon
   labels_.clear();
   std::vector<SolidArrow> solids;
   std::vector<std::string> words;
-  for (const PlacedArrow& placed : arrows) {
+  for (const PlacedArrow& placed : placeArrows(arrows, longest)) {
     ends_.push_back(placed.tail);
     ends_.push_back(placed.tip);
-    // Reactions are quiet: they take the colour of text, applied forces one that stands out.
+    // Reactions take the quiet colour of text, applied forces a strong one.
     const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
-                              ? arrowColour(placed.arrow->role)
+                              ? kAppliedForceColour
                               : mixed(theme.text, theme.body, 0.25);
-    solids.push_back(SolidArrow::of(placed.tail, placed.tip, kThickness * bodyDiagonal, colour));
+    solids.push_back(SolidArrow::of(placed.tail, placed.tip, bodyDiagonal, colour));
     labels_.push_back({placed.freeEnd(), placed.heldEnd(), colour});
     words.push_back(placed.arrow->label);
   }
-  // As many as before are the same ones, a little later.
+  // An equal number of arrows: probably the same ones, a little later.
   if (before.size() == labels_.size())
     for (std::size_t i = 0; i < labels_.size(); ++i) labels_[i].choice = before[i].choice;
   mesh_.set(solids);

@@ -7,31 +7,32 @@
 #include <string>
 #include <vector>
 
-#include "app/view/arrow_labels.h"
-#include "app/view/arrow_mesh.h"
-#include "app/view/arrows.h"
-#include "app/view/flat_shapes.h"
-#include "app/view/text_pool.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/arrow_labels.h"
+#include "app/view/layers/arrow_mesh.h"
+#include "app/view/layers/flat_shapes.h"
+#include "app/view/layers/text_pool.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// Force arrows of the interactive view. Internal to app/view.
+/// Force arrows. Internal to app/view.
 namespace palpa::view {
 
 /// Solid arrows that shine faintly through the body, with labels on plates beside their free ends.
-/// All of it is kept and written anew: arrows may change for every picture.
+/// The actors are kept: arrows may change for every picture.
 class ForceArrows {
  public:
   ForceArrows(vtkRenderer* scene, vtkRenderer* shineThrough, vtkRenderer* overlay);
 
-  /// Loads: the largest force a sixth of `bodyDiagonal` (mm) long.
+  /// Loads: the largest force a sixth of `bodyDiagonal` (mm) long, the others at least a quarter of
+  /// this length.
   void set(const std::vector<ForceArrow>& arrows, double bodyDiagonal, const ViewportTheme& theme,
            double pixelRatio);
-  /// The largest a quarter of it.
+  /// The full force kFullArrowLength · `bodyDiagonal` long.
   void set(const LiveArrows& arrows, double bodyDiagonal, const ViewportTheme& theme,
            double pixelRatio);
   void setVisible(bool visible);
-  /// Places the labels where nothing of `taken` is, which they join; to be called before drawing,
+  /// Places the labels beside the boxes of `taken` and adds their own; to be called before drawing,
   /// between clear() and finish() of `shapes`.
   void update(const Turntable& camera, std::vector<PixelBox>& taken, FlatShapes& shapes);
 
@@ -45,8 +46,8 @@ class ForceArrows {
     std::optional<int> choice{};  ///< of its place in the picture before
   };
 
-  void show(const std::vector<PlacedArrow>& arrows, double bodyDiagonal, const ViewportTheme& theme,
-            double pixelRatio);
+  void show(const LiveArrows& arrows, double longest, double bodyDiagonal,
+            const ViewportTheme& theme, double pixelRatio);
   void updateVisibility();
 
   ArrowMesh mesh_;

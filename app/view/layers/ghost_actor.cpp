@@ -1,4 +1,4 @@
-#include "app/view/ghost_actor.h"
+#include "app/view/layers/ghost_actor.h"
 
 #include <vtkDataObject.h>
 #include <vtkNew.h>
@@ -14,15 +14,15 @@ namespace {
 constexpr Colour kOnDark{0.92, 0.94, 0.98};
 constexpr Colour kOnWhite{0.13, 0.15, 0.20};
 
-/// The rim shows where the outline of the shape was, without looking for it.
+/// The dense rim shows the outline of the shape without computing it.
 constexpr const char* kDenseRim = R"(
 float facing = abs(normalVCVSOutput.z);
 opacity = mix(0.70, 0.16, smoothstep(0.0, 0.45, facing));
 //VTK::Light::Impl
 )";
 
-/// Behind everything. Moved there by vertices, not by pixels: then those that the body covers are
-/// left out before their colours are computed.
+/// Behind everything. The vertices move, not the pixels: so the depth test discards pixels behind
+/// the body before their colours are computed.
 constexpr const char* kFarthest =
     "gl_Position.z = 0.99999 * gl_Position.w;\n"
     "//VTK::Light::Impl\n";
@@ -32,7 +32,7 @@ void setLines(vtkActor* actor, const std::vector<std::vector<int>>& lines) {
   actor->SetVisibility(!lines.empty());
 }
 
-// The far side of the shape, seen through the body, would only confuse.
+// Without lines of the far side, which would confuse.
 constexpr const char* kDeclareFacing = R"(//VTK::Normal::Dec
 in vec3 outwardsMC;
 out float facingVSOutput;

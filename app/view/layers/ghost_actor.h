@@ -9,16 +9,17 @@
 #include <array>
 #include <optional>
 
-#include "app/view/bounds.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_geometry.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/vtk_arrays.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// The undeformed shape in the interactive view. Internal to app/view.
+/// The undeformed shape. Internal to app/view.
 namespace palpa::view {
 
 /// The near side, denser towards its rim, behind everything else: where the two shapes nearly
-/// coincide, a border between "in front" and "behind" would only show rounding errors. To be made
+/// coincide, a border between "in front" and "behind" would only show rounding errors. Create it
 /// right after the body.
 class GhostSide {
  public:
@@ -33,13 +34,13 @@ class GhostSide {
   vtkSmartPointer<vtkActor> actor_;
 };
 
-/// Borders and knot lines; where the body hides them, those of the near side are drawn faintly. To
-/// be made after the body.
+/// Borders and knot lines; the hidden ones of the near side are drawn faintly. Create it after the
+/// body.
 class GhostLines {
  public:
   GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough);
   void set(const ViewportBody& body);
-  /// `field`: the colours of the body, where it is not plain, which the lines must stand out from.
+  /// `field`: the colours of the body, if any: the lines contrast with them.
   void setTheme(const ViewportTheme& theme, const std::optional<ScalarField::Colours>& field);
   void setPixelRatio(double ratio);
   /// To be called before drawing.

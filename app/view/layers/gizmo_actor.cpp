@@ -1,4 +1,4 @@
-#include "app/view/gizmo_actor.h"
+#include "app/view/layers/gizmo_actor.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkAppendPolyData.h>
@@ -15,7 +15,7 @@
 
 #include <Eigen/Geometry>
 
-#include "app/view/axis_colours.h"
+#include "app/view/scene/theme.h"
 
 namespace palpa::view {
 namespace {

@@ -5,11 +5,11 @@
 #include <array>
 #include <optional>
 
-#include "app/view/flat_shapes.h"
-#include "app/view/gizmo_handles.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_geometry.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/flat_shapes.h"
+#include "app/view/layers/gizmo_handles.h"
+#include "app/view/layers/vtk_arrays.h"
+#include "app/view/scene/scene.h"
 
 /// The handles for moving, turning and scaling a selection. Internal to app/view.
 namespace palpa::view {

@@ -1,4 +1,4 @@
-#include "app/view/gizmo_handles.h"
+#include "app/view/layers/gizmo_handles.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,10 +6,18 @@
 #include <limits>
 #include <numbers>
 
-#include "app/view/segment.h"
-
 namespace palpa::view {
 namespace {
+
+/// Distance from `point` to the segment between `a` and `b`.
+double distanceToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a,
+                         const Eigen::Vector2d& b) {
+  const Eigen::Vector2d along = b - a;
+  const double lengthSquared = along.squaredNorm();
+  const double t =
+      lengthSquared > 0 ? std::clamp(along.dot(point - a) / lengthSquared, 0.0, 1.0) : 0.0;
+  return (point - a - t * along).norm();
+}
 
 // In logical pixels.
 constexpr double kReach = 8;
@@ -80,7 +88,7 @@ std::vector<GizmoRing> gizmoRings(const Gizmo& gizmo, const Turntable& camera, d
   std::vector<GizmoRing> rings;
   const auto scale = gizmoScale(gizmo, camera, pixelRatio);
   if (!scale || gizmo.kind != GizmoKind::kRotate) return rings;
-  // The line of sight to the gizmo: what faces the viewer there, also far from the middle.
+  // The line of sight to the gizmo, not the direction of view: also right far from the middle.
   const Eigen::Vector3d sight = camera.parallel()
                                     ? camera.axes().forward
                                     : Eigen::Vector3d((gizmo.at - camera.eye()).normalized());
@@ -107,7 +115,7 @@ GizmoAxis gizmoAxisAt(const Eigen::Vector2d& pixel, const Gizmo& gizmo, const Tu
       candidates.push_back({axis, distance, 0.5 * (camera.depth(a) + camera.depth(b))});
     }
   };
-  // What is in the middle lies on the arrows that start there.
+  // The handle in the middle lies on the arrows that start there.
   const bool hasMiddle = gizmo.kind != GizmoKind::kRotate;
   if (hasMiddle && (camera.toPixel(gizmo.at) - pixel).norm() <= reach) return GizmoAxis::kAll;
   for (const GizmoArrow& arrow : gizmoArrows(gizmo, camera, pixelRatio)) {
@@ -121,7 +129,7 @@ GizmoAxis gizmoAxisAt(const Eigen::Vector2d& pixel, const Gizmo& gizmo, const Tu
   std::erase_if(candidates, [&](const Candidate& candidate) {
     return candidate.distance > smallest + kSamePlace * pixelRatio;
   });
-  // Arrows do not cross but in the middle: there the nearest is meant, not the one in front.
+  // Arrows cross only in the middle: there the nearest counts, not the one in front.
   const bool byDepth = gizmo.kind == GizmoKind::kRotate;
   const auto first = std::min_element(
       candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {

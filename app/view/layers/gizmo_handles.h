@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/view/turntable.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/scene/scene.h"
 
 /// Where the handles of the gizmo lie and which one is under the pointer. Internal to app/view;
 /// pure arithmetic, no VTK.
@@ -36,18 +36,17 @@ struct GizmoRing {
   std::vector<std::array<Eigen::Vector3d, 2>> segments;
 };
 
-/// Millimetres per logical pixel at the gizmo; nothing when it lies behind the eye.
+/// Millimetres per logical pixel at the gizmo; nothing if it lies behind the eye.
 std::optional<double> gizmoScale(const Gizmo& gizmo, const Turntable& camera, double pixelRatio);
 
-/// The arrows, or shafts with boxes, that can be seen from the camera: not those that point at the
-/// eye, and none when the gizmo lies behind it. Their length is constant in pixels. None when the
-/// gizmo turns.
+/// The visible arrows, or shafts with boxes: without arrows that point at the eye, and none if the
+/// gizmo lies behind it. Their length is constant in pixels. None for a gizmo that turns.
 std::vector<GizmoArrow> gizmoArrows(const Gizmo& gizmo, const Turntable& camera, double pixelRatio);
 
 /// The rings of a gizmo that turns, the outer one (kAll, about the direction of view) first.
 std::vector<GizmoRing> gizmoRings(const Gizmo& gizmo, const Turntable& camera, double pixelRatio);
 
-/// The handle nearest to `pixel` within easy reach; the one in front where several are about as
+/// The handle nearest to `pixel` within easy reach; the one in front if several are about as
 /// near.
 GizmoAxis gizmoAxisAt(const Eigen::Vector2d& pixel, const Gizmo& gizmo, const Turntable& camera,
                       double pixelRatio);

@@ -1,4 +1,4 @@
-#include "app/view/grid_actor.h"
+#include "app/view/layers/grid_actor.h"
 
 #include <vtkMapper.h>
 #include <vtkNew.h>
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/axis_colours.h"
+#include "app/view/scene/theme.h"
 
 namespace palpa::view {
 namespace {

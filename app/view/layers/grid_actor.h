@@ -4,11 +4,11 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "app/view/bounds.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_geometry.h"
+#include "app/view/camera/bounds.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/vtk_arrays.h"
 
-/// The ground grid of the interactive view. Internal to app/view.
+/// The ground grid. Internal to app/view.
 namespace palpa::view {
 
 /// The smallest of 1, 2, 5 times a power of ten that is at least `smallest` (> 0).
@@ -18,7 +18,7 @@ double roundSpacing(double smallest);
 /// so that the grid neither cuts the body nor follows every small move.
 double groundLevel(const Bounds& body);
 
-/// A horizontal grid around what the camera looks at, fading outwards; its spacing follows the
+/// A horizontal grid around the focus of the camera, fading outwards; its spacing follows the
 /// zoom. Every tenth line is stronger; the x and y axes are coloured.
 class GridActor {
  public:

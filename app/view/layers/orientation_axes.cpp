@@ -1,19 +1,19 @@
-#include "app/view/orientation_axes.h"
+#include "app/view/layers/orientation_axes.h"
 
 #include <vtkTextProperty.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/axis_colours.h"
-#include "app/view/text.h"
+#include "app/view/layers/text.h"
+#include "app/view/scene/theme.h"
 
 namespace palpa::view {
 namespace {
 
 // In logical pixels.
 constexpr double kFontSize = 13;
-constexpr double kFromCorner = 52;
+constexpr double kFromCorner = 0.5 * OrientationAxes::kSide;
 constexpr double kLength = 30;
 constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
 

@@ -6,15 +6,18 @@
 
 #include <array>
 
-#include "app/view/flat_shapes.h"
-#include "app/view/turntable.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/flat_shapes.h"
 
-/// The axes in the corner of the interactive view. Internal to app/view.
+/// The axes in the corner. Internal to app/view.
 namespace palpa::view {
 
 /// Three axes with letters in the lower left corner that turn with the camera.
 class OrientationAxes {
  public:
+  /// Side of the square in the corner that they need, logical pixels.
+  static constexpr double kSide = 104;
+
   explicit OrientationAxes(vtkRenderer* overlay);
 
   void setVisible(bool visible);

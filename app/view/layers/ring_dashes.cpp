@@ -1,4 +1,4 @@
-#include "app/view/ring_dashes.h"
+#include "app/view/layers/ring_dashes.h"
 
 #include <cmath>
 

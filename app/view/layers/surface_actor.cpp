@@ -1,4 +1,4 @@
-#include "app/view/surface_actor.h"
+#include "app/view/layers/surface_actor.h"
 
 #include <vtkCellData.h>
 #include <vtkNew.h>
@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/colour_map.h"
+#include "app/view/scene/colour_map.h"
 
 namespace palpa::view {
 namespace {
 
-/// How much of the mark's own colour replaces that of the body.
+/// Share of the colour of the mark in the colour of a marked triangle.
 constexpr double kMarkStrength = 0.82;
 /// In the wire picture only marked triangles are drawn, as a tint of this opacity.
 constexpr double kTintOpacity = 0.35;
@@ -53,6 +53,11 @@ std::array<unsigned char, 4> bytes(const Colour& colour, double opacity) {
 }
 
 }  // namespace
+
+SupportColours supportColours(const ViewportTheme& theme, bool hasField) {
+  const Colour ground = hasField ? mixed(theme.body, kGrey, 0.7) : colourOf(Mark::kSupport, theme);
+  return {ground, mixed(ground, theme.line, strokeStrength(hasField))};
+}
 
 SurfaceActor::SurfaceActor(vtkRenderer* renderer)
     : points_(makeFloatPoints()),
@@ -156,7 +161,7 @@ void SurfaceActor::setRegions(const std::vector<double>& supports,
 }
 
 void SurfaceActor::setScale(double millimetresPerPixel) {
-  // In steps: the strokes stay on the body while one comes nearer.
+  // In steps: the strokes stay on the body while the camera comes nearer.
   const double step = std::exp2(std::round(std::log2(kHatch * millimetresPerPixel)));
   if (step == scale_) return;
   scale_ = step;
@@ -177,9 +182,7 @@ void SurfaceActor::updateRegionLooks() {
   uniforms.ambient = kAmbient;
   uniforms.diffuse = kDiffuse;
   uniforms.tintOpacity = kTintOpacity;
-  // Beside the colours of a field, supports are grey.
-  uniforms.support =
-      fieldColours_ ? mixed(theme_.body, kGrey, 0.7) : colourOf(Mark::kSupport, theme_);
+  uniforms.support = supportColours(theme_, fieldColours_.has_value()).ground;
   uniforms.load = colourOf(Mark::kLoad, theme_);
   uniforms.body = theme_.body;
   uniforms.edge = theme_.line;
@@ -276,9 +279,9 @@ void SurfaceActor::colourTriangles() {
   }
   colours_->Modified();
   surface_->Modified();
-  // Without marks, and so while one touches, no colours of triangles are looked up.
+  // Without marks, as during a simulation, no colours of triangles are looked up.
   body_->GetMapper()->SetScalarVisibility(wire || anyMark_);
-  // Rounded like theirs, so that the body keeps its colour when the first mark is set.
+  // Rounded like the colours of triangles, so that the first mark does not change the body.
   Colour plain{};
   for (std::size_t k = 0; k < 3; ++k) plain[k] = std::round(255 * theme_.body[k]) / 255;
   body_->GetProperty()->SetAmbientColor(plain.data());

@@ -8,12 +8,20 @@
 #include <optional>
 #include <vector>
 
-#include "app/view/surface_shader.h"
-#include "app/view/viewport_geometry.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/layers/surface_shader.h"
+#include "app/view/layers/vtk_arrays.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// The body of the interactive view. Internal to app/view.
+/// The body. Internal to app/view.
 namespace palpa::view {
+
+/// Colours of supports and of the strokes of their hatching.
+struct SupportColours {
+  Colour ground, stroke;
+};
+/// `hasField`: beside the colours of a field supports are grey.
+SupportColours supportColours(const ViewportTheme& theme, bool hasField);
 
 /// Surface, border and knot lines in a renderer. The actors live as long as this object; new shapes
 /// are written into their arrays.
@@ -28,7 +36,7 @@ class SurfaceActor {
   void setMarks(const std::vector<Mark>& marks);
   /// Viewport::setRegions().
   void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
-  /// Viewport::setField(); the range must be there.
+  /// Viewport::setField(); the range is required.
   void setField(const std::optional<ScalarField>& field);
   /// `range` not empty. Only where there is a field.
   void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);

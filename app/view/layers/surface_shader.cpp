@@ -1,4 +1,4 @@
-#include "app/view/surface_shader.h"
+#include "app/view/layers/surface_shader.h"
 
 #include <vtkDataObject.h>
 #include <vtkPolyDataMapper.h>
@@ -13,13 +13,12 @@
 #include <utility>
 #include <vector>
 
-#include "app/view/colour_map.h"
+#include "app/view/scene/colour_map.h"
 
 namespace palpa::view {
 namespace {
 
-/// Far below all places in the colours; where it takes part in the mean over a triangle, the
-/// triangle has no colour.
+/// Far below all places in the colours: a triangle with one such corner has no colour.
 constexpr float kNowhere = -1e6F;
 constexpr double kFarthestPlace = 1e3;
 
@@ -27,7 +26,8 @@ constexpr double kFarthestPlace = 1e3;
 /// triangles: the numbers are interpolated to each pixel, and their slope there gives the distance
 /// to the border for a line of constant width. Supports are hatched, so that they can be told from
 /// loads without colour. The colour of a marked triangle stays visible where it is in a region.
-/// Words in capitals stand for true or false: what is not shown is not computed.
+/// Words in capitals stand for numbers, or for true or false: colours that are not shown are not
+/// computed.
 constexpr const char* kColourRegions = R"(//VTK::Color::Impl
 vec3 plain = ambientColor / ambientPart;
 vec3 region = plain;
@@ -48,8 +48,7 @@ if (ANY_SUPPORT) {
   float across = regionsVSOutput.z / hatchStep;
   float fromStroke = abs(fract(across) - 0.5) / max(fwidth(across), 1e-6);
   float stroke = clamp(1.3 * lineScale + 0.5 - fromStroke, 0.0, 1.0);
-  float strokeStrength = HAS_FIELD ? 0.45 : 0.30;
-  region = mix(region, mix(supportColour, edgeColour, strokeStrength * stroke), inside);
+  region = mix(region, mix(supportColour, edgeColour, STROKE_STRENGTH * stroke), inside);
   strongest = max(strongest, inside);
   edge = max(clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
 }
@@ -159,6 +158,7 @@ void applyShader(const SurfaceLook& look, vtkActor* surface) {
   passThrough(arrays, surface);
   std::string colours = kColourRegions;
   replaceAll(colours, "FIELD_COLOUR", hasField ? fieldColour(*look.field) : "");
+  replaceAll(colours, "STROKE_STRENGTH", std::to_string(strokeStrength(hasField)));
   for (const auto& [word, value] :
        {std::pair("HAS_FIELD", hasField), std::pair("WIRE", look.isWire),
         std::pair("ANY_SUPPORT", look.anySupport), std::pair("ANY_LOAD", look.anyLoad),

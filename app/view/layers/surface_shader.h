@@ -4,12 +4,13 @@
 
 #include <optional>
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// How the surface of the interactive view computes its colours. Internal to app/view.
+/// Colours of the surface. Internal to app/view.
 namespace palpa::view {
 
-/// Which variant of the shader draws the surface: what is not shown is not computed.
+/// Variant of the shader: colours that are not shown are not computed.
 struct SurfaceLook {
   bool isWire = false;
   bool anySupport = false;
@@ -20,6 +21,11 @@ struct SurfaceLook {
   bool operator==(const SurfaceLook&) const = default;
 };
 
+/// Share of SurfaceUniforms::edge in the strokes of supports.
+inline double strokeStrength(bool hasField) {
+  return hasField ? 0.45 : 0.30;
+}
+
 /// The numbers the shader needs.
 struct SurfaceUniforms {
   double hatchStep = 1;  ///< mm between the strokes of the hatching
@@ -29,8 +35,8 @@ struct SurfaceUniforms {
   Colour support{}, load{}, body{}, edge{};
 };
 
-/// The number that the point array "field" holds for a share of the way from the lowest value of
-/// the colours to the highest: of any size, or NaN, which has no colour.
+/// The number in the point array "field" for a share of the way from the lowest value of the
+/// colours to the highest: of any size, or NaN, which has no colour.
 float placeInColours(double share);
 
 /// The actor's mapper has the point arrays "regions" (support, load, place across the hatching) and

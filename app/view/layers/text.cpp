@@ -1,4 +1,4 @@
-#include "app/view/text.h"
+#include "app/view/layers/text.h"
 
 #include <vtkTextProperty.h>
 
@@ -13,7 +13,7 @@ vtkSmartPointer<vtkTextActor> makeText(const std::string& text, const TextStyle&
   actor->SetTextScaleModeToNone();
   vtkTextProperty* property = actor->GetTextProperty();
   property->SetFontFamilyToArial();
-  // At 72 dots per inch, which picture.cpp sets, a point is a pixel.
+  // At 72 dots per inch, which Viewport sets, a point is a pixel.
   property->SetFontSize(static_cast<int>(std::lround(std::max(style.size, 6.0))));
   property->SetBold(style.bold);
   property->SetItalic(false);
@@ -30,11 +30,6 @@ Eigen::Vector2d textSize(vtkTextActor* text, vtkRenderer* renderer) {
   double size[2] = {0, 0};
   text->GetSize(renderer, size);
   return {size[0], size[1]};
-}
-
-void placeText(vtkTextActor* text, const Eigen::Vector2d& corner, vtkRenderer* renderer) {
-  text->SetPosition(std::round(corner.x()), std::round(corner.y()));
-  renderer->AddActor2D(text);
 }
 
 }  // namespace palpa::view

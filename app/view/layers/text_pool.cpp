@@ -1,4 +1,4 @@
-#include "app/view/text_pool.h"
+#include "app/view/layers/text_pool.h"
 
 #include <cmath>
 

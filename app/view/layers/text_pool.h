@@ -8,14 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "app/view/text.h"
+#include "app/view/layers/text.h"
 
-/// Texts of the interactive view that change often. Internal to app/view.
+/// Texts that change often. Internal to app/view.
 namespace palpa::view {
 
-/// Texts in one style in the overlay of a renderer. The actors are kept, also those that are not
-/// needed at the moment; a text is drawn into its image anew only when its words or the style
-/// change.
+/// Texts in one style in the overlay of a renderer. The actors are kept, also the
+/// hidden ones; VTK draws the image of a text again only if its words or the style change.
 class TextPool {
  public:
   explicit TextPool(vtkRenderer* overlay) : overlay_(overlay) {}
@@ -31,8 +30,8 @@ class TextPool {
   /// Shows it with its upper left corner at `corner`, in pixels from the top left of a picture of
   /// that height.
   void place(std::size_t index, const Eigen::Vector2d& corner, int pictureHeight);
-  /// Not to be called for what is placed again before the picture is drawn: VTK makes the image of
-  /// a text anew after that.
+  /// Not to be called for a text that is placed again before the next picture: VTK would draw its
+  /// image again.
   void hide(std::size_t index);
   void hideAll();
 

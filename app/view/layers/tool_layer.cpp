@@ -1,4 +1,4 @@
-#include "app/view/tool_layer.h"
+#include "app/view/layers/tool_layer.h"
 
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>

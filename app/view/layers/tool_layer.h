@@ -7,13 +7,14 @@
 #include <functional>
 #include <vector>
 
-#include "app/view/flat_shapes.h"
-#include "app/view/text_pool.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_geometry.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/flat_shapes.h"
+#include "app/view/layers/text_pool.h"
+#include "app/view/layers/vtk_arrays.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
-/// What tools draw, and touches, in the interactive view. Internal to app/view.
+/// Drawings of tools, and touches. Internal to app/view.
 namespace palpa::view {
 
 /// Words on plates.
@@ -41,7 +42,7 @@ class ToolLayer {
   /// To be called before drawing, between clear() and finish() of `shapes`.
   void update(const Turntable& camera, FlatShapes& shapes);
 
-  /// Ends of what must be drawn: the depth range follows them.
+  /// Ends of the lines: the depth range includes them.
   const std::vector<Eigen::Vector3d>& ends() const { return ends_; }
 
  private:
@@ -59,7 +60,7 @@ class ToolLayer {
   double pixelRatio_ = 1;
 };
 
-/// Dots with arrows at the places of touches. Those that the body hides are faint.
+/// Dots with arrows at the places of touches, faint behind the body.
 class TouchLayer {
  public:
   explicit TouchLayer(vtkRenderer* overlay) : labels_(overlay) {}

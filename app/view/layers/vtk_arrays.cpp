@@ -1,4 +1,4 @@
-#include "app/view/viewport_geometry.h"
+#include "app/view/layers/vtk_arrays.h"
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -6,10 +6,53 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
+#include <map>
 
-#include "app/view/bounds.h"
+#include "app/view/camera/bounds.h"
 
 namespace palpa::view {
+namespace {
+
+/// Lines whose ends meet at a place where no third line ends, as one line: OpenGL leaves out the
+/// last pixel of a line, so that two lines that end at the same place have a gap there.
+std::vector<std::vector<int>> joined(const std::vector<std::vector<int>>& lines,
+                                     const std::vector<Eigen::Vector3d>& positions) {
+  const auto placeOf = [&](int point) {
+    const Eigen::Vector3d& place = positions[static_cast<std::size_t>(point)];
+    return std::array<double, 3>{place.x(), place.y(), place.z()};
+  };
+  std::map<std::array<double, 3>, std::vector<std::size_t>> linesAt;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].empty()) continue;
+    linesAt[placeOf(lines[i].front())].push_back(i);
+    linesAt[placeOf(lines[i].back())].push_back(i);
+  }
+  std::vector<bool> isUsed(lines.size(), false);
+  std::vector<std::vector<int>> result;
+  for (std::size_t first = 0; first < lines.size(); ++first) {
+    if (isUsed[first] || lines[first].empty()) continue;
+    isUsed[first] = true;
+    std::vector<int> line = lines[first];
+    for (int side = 0; side < 2; ++side) {
+      for (;;) {
+        const auto place = placeOf(line.back());
+        const std::vector<std::size_t>& here = linesAt[place];
+        const auto next =
+            std::find_if(here.begin(), here.end(), [&](std::size_t i) { return !isUsed[i]; });
+        if (here.size() != 2 || next == here.end()) break;
+        isUsed[*next] = true;
+        std::vector<int> more = lines[*next];
+        if (placeOf(more.front()) != place) std::reverse(more.begin(), more.end());
+        line.insert(line.end(), more.begin() + 1, more.end());
+      }
+      std::reverse(line.begin(), line.end());
+    }
+    result.push_back(std::move(line));
+  }
+  return result;
+}
+
+}  // namespace
 
 void assign(const std::vector<Eigen::Vector3d>& from, vtkFloatArray* to) {
   to->SetNumberOfComponents(3);
@@ -55,7 +98,7 @@ std::vector<std::vector<int>> distinctLines(const std::vector<std::vector<int>>&
                     [&](const std::vector<int>& other) { return same(line, other); });
     if (!known) distinct.push_back(line);
   }
-  return distinct;
+  return joined(distinct, positions);
 }
 
 vtkSmartPointer<vtkCellArray> polylines(const std::vector<std::vector<int>>& lines) {
@@ -95,12 +138,6 @@ vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines) 
 
 void setColour(vtkActor* actor, const Colour& colour) {
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-}
-
-Colour mixed(const Colour& a, const Colour& b, double t) {
-  Colour colour;
-  for (std::size_t i = 0; i < 3; ++i) colour[i] = (1 - t) * a[i] + t * b[i];
-  return colour;
 }
 
 }  // namespace palpa::view

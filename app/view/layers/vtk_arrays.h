@@ -10,20 +10,22 @@
 #include <array>
 #include <vector>
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
 /// VTK's arrays from plain ones. Internal to app/view.
 namespace palpa::view {
 
-/// Copies the points (as float) into the array, which keeps its identity: what is drawn from it
-/// follows without being made again.
+/// Copies the points (as float) into the array, which keeps its identity: its actors follow
+/// without being created again.
 void assign(const std::vector<Eigen::Vector3d>& from, vtkFloatArray* to);
 void assign(const std::vector<Eigen::Vector3d>& from, vtkPoints* to);
 
 vtkSmartPointer<vtkPoints> makeFloatPoints();
 
-/// Each line once: neighbouring patches name their common border both, forwards or backwards, with
-/// points of their own. Drawn twice, it would be stippled where the two cover different pixels.
+/// Each line once: two neighbouring patches list their common border, forwards or backwards, with
+/// separate points. Drawn twice, it would be stippled where the two cover different pixels.
+/// Lines that continue each other are joined.
 std::vector<std::vector<int>> distinctLines(const std::vector<std::vector<int>>& lines,
                                             const std::vector<Eigen::Vector3d>& positions);
 
@@ -40,8 +42,5 @@ void blendInOrder(vtkActor* actor);
 vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines);
 
 void setColour(vtkActor* actor, const Colour& colour);
-
-/// The mixture (1 - t) a + t b.
-Colour mixed(const Colour& a, const Colour& b, double t);
 
 }  // namespace palpa::view

@@ -1,9 +1,9 @@
-#include "app/view/warning_signs.h"
+#include "app/view/layers/warning_signs.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/text.h"
+#include "app/view/layers/text.h"
 
 namespace palpa::view {
 namespace {

@@ -6,9 +6,10 @@
 
 #include <vector>
 
-#include "app/view/flat_shapes.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/flat_shapes.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
 /// Warnings at places of the body. Internal to app/view.
 namespace palpa::view {

@@ -1,4 +1,7 @@
-#include "app/view/colour_map.h"
+#include "app/view/scene/colour_map.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -66,31 +69,22 @@ Ticks fieldTicks(const ScalarField& field, int wanted) {
   return ticks;
 }
 
-vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field) {
-  auto map = vtkSmartPointer<vtkColorTransferFunction>::New();
-  const auto [low, high] = colourNumberRange(field);
-  if (field.colours == ScalarField::Colours::kDiverging) {
+std::vector<Colour> colourSteps(ScalarField::Colours colours, int count) {
+  vtkNew<vtkColorTransferFunction> map;
+  if (colours == ScalarField::Colours::kDiverging) {
     // K. Moreland, Diverging color maps for scientific visualization (2009).
     map->SetColorSpaceToDiverging();
-    map->AddRGBPoint(low, 0.230, 0.299, 0.754);
-    map->AddRGBPoint(high, 0.706, 0.016, 0.150);
+    map->AddRGBPoint(0, 0.230, 0.299, 0.754);
+    map->AddRGBPoint(1, 0.706, 0.016, 0.150);
   } else {
     map->SetColorSpaceToLab();
     for (std::size_t i = 0; i < kViridis.size(); ++i) {
       const Colour colour = fromHex(kViridis[i]);
       const double t = static_cast<double>(i) / (kViridis.size() - 1);
-      map->AddRGBPoint(low + t * (high - low), colour[0], colour[1], colour[2]);
+      map->AddRGBPoint(t, colour[0], colour[1], colour[2]);
     }
   }
   map->Build();
-  return map;
-}
-
-std::vector<Colour> colourSteps(ScalarField::Colours colours, int count) {
-  ScalarField unit;
-  unit.colours = colours;
-  unit.range = {0.0, 1.0};
-  const auto map = colourMap(unit);
   std::vector<Colour> steps(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     map->GetColor(i / (count - 1.0), steps[static_cast<std::size_t>(i)].data());

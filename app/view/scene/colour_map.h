@@ -1,46 +1,32 @@
 #pragma once
 
-#include <vtkColorTransferFunction.h>
-#include <vtkSmartPointer.h>
-
 #include <array>
 #include <vector>
 
-#include "app/view/scene.h"
-#include "app/view/ticks.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
+#include "app/view/scene/ticks.h"
 
-/// Colours. Internal to app/view.
+/// Colours of fields. Internal to app/view.
 namespace palpa::view {
 
-using Colour = std::array<double, 3>;  ///< red, green, blue in 0 … 1
-
-inline constexpr Colour kBodyColour{0.74, 0.80, 0.87};
-inline constexpr Colour kSupportColour{0.47, 0.49, 0.53};
-inline constexpr Colour kGhostColour{0.45, 0.52, 0.60};
-inline constexpr Colour kLineColour{0.13, 0.15, 0.18};
-inline constexpr Colour kTextColour{0.10, 0.11, 0.13};
-inline constexpr Colour kAppliedForceColour{0.85, 0.07, 0.22};
-inline constexpr Colour kReactionColour{0.16, 0.21, 0.30};
-
-/// The values at the two ends of the field's colours. Where the field gives no range: the data's
-/// own, made symmetric about zero for diverging colours, and widened when all values are equal.
+/// The values at the two ends of the field's colours. Without a range: the extremes of the data,
+/// made symmetric about zero for diverging colours; widened if all values are equal.
 std::array<double, 2> colourRange(const ScalarField& field);
 
-/// The number that stands for a value in colourMap(): itself, or its decimal logarithm.
+/// The number that stands for a value between the colours: itself, or its decimal logarithm.
 double colourNumber(const ScalarField& field, double value);
 
-/// The ends of colourMap(): the numbers of those of colourRange().
+/// The numbers of the ends of colourRange().
 std::array<double, 2> colourNumberRange(const ScalarField& field);
-
-/// The field's colours over `colourNumberRange(field)`: viridis (perceptually uniform, readable in
-/// grey and for colour-blind people) or Moreland's blue-white-red.
-vtkSmartPointer<vtkColorTransferFunction> colourMap(const ScalarField& field);
 
 /// Numbers to write beside the field's colours, about `wanted` (>= 2). Where the field is capped,
 /// the last one is its end, "≥ 20".
 Ticks fieldTicks(const ScalarField& field, int wanted);
 
-/// `count` >= 2 colours of the map at equal distances, from the lowest value to the highest.
+/// `count` >= 2 colours at equal distances, from the lowest value to the highest: viridis
+/// (perceptually uniform, readable in grey and for colour-blind people) or Moreland's
+/// blue-white-red.
 std::vector<Colour> colourSteps(ScalarField::Colours colours, int count);
 
 /// A colour map as polynomials, one for the lower and one for the upper half of the values: within

@@ -1,6 +1,12 @@
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/theme.h"
 
 namespace palpa::view {
+
+Colour mixed(const Colour& a, const Colour& b, double t) {
+  Colour colour;
+  for (std::size_t i = 0; i < 3; ++i) colour[i] = (1 - t) * a[i] + t * b[i];
+  return colour;
+}
 
 ViewportTheme ViewportTheme::light() {
   ViewportTheme theme;

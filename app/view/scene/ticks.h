@@ -5,7 +5,7 @@
 
 namespace palpa::view {
 
-/// Numbers written beside a scalar bar.
+/// Numbers written beside a colour bar or an axis.
 struct Ticks {
   std::vector<double> values;       ///< ascending, multiples of 1, 2, 2.5 or 5 times a power of ten
   std::vector<std::string> labels;  ///< values / 10^exponent, all with the same number of decimals

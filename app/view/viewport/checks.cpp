@@ -1,4 +1,4 @@
-#include "app/view/viewport_checks.h"
+#include "app/view/viewport/checks.h"
 
 #include <stdexcept>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
 
-/// Refusing what the interactive view cannot draw. Internal to app/view.
+/// Checks of arguments. Internal to app/view.
 namespace palpa::view {
 
 /// Throws std::invalid_argument with the message unless the condition holds.

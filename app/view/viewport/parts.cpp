@@ -1,15 +1,33 @@
-#include "app/view/viewport_parts.h"
+#include "app/view/viewport/parts.h"
+
+#include <vtkLight.h>
 
 #include <algorithm>
 #include <numbers>
 
-#include "app/view/body.h"
-#include "app/view/text.h"
+#include "app/view/layers/text.h"
+#include "app/view/viewport/checks.h"
 
 namespace palpa::view {
 namespace {
 
 constexpr double kFallbackDiagonal = 100;  // mm, where there is no body
+
+/// A key light from the upper left of the camera and a soft fill from the right.
+void addLights(vtkRenderer* renderer) {
+  renderer->RemoveAllLights();
+  renderer->AutomaticLightCreationOff();
+  const auto add = [renderer](double x, double y, double intensity) {
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToCameraLight();
+    light->SetPosition(x, y, 1);
+    light->SetFocalPoint(0, 0, 0);
+    light->SetIntensity(intensity);
+    renderer->AddLight(light);
+  };
+  add(-0.60, 0.65, 0.85);
+  add(0.30, -0.5, 0.36);
+}
 
 }  // namespace
 
@@ -32,6 +50,7 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       axes(overlay),
       gizmoActor(overlay),
       colourBar(overlay),
+      captionLayer(overlay),
       balls(scene) {
   window->SetMultiSamples(0);  // in software four samples take three times as long
   window->SetDPI(72);          // a point of a font is a pixel
@@ -44,7 +63,7 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
     window->AddRenderer(renderer);
   }
   scene->GradientBackgroundOn();
-  // VTK skips a renderer that has nothing visible, and with it the smoothing of what it covers.
+  // VTK skips a renderer without visible actors, and with it the smoothing of everything below.
   overlay->AddActor2D(makeText(" ", {}));
 }
 
@@ -80,6 +99,12 @@ void Viewport::Parts::remakeLiveArrows() {
 void Viewport::Parts::applyField() {
   colourBar.set(field, theme, pixelRatio);
   ghostLines.setTheme(theme, field ? std::optional(field->colours) : std::nullopt);
+  remakeCaption();
+}
+
+void Viewport::Parts::remakeCaption() {
+  const SupportColours colours = supportColours(theme, field.has_value());
+  captionLayer.set(caption, theme, colours.ground, colours.stroke, pixelRatio);
 }
 
 void Viewport::Parts::remakeWarnings() {
@@ -138,11 +163,22 @@ void Viewport::Parts::applyCamera() {
   vtkView->SetClippingRange(range[0], range[1]);
 }
 
+void Viewport::Parts::look(const CameraView& view, const std::vector<Eigen::Vector3d>& points,
+                           const Reserve& reserve) {
+  require(view.direction.norm() > 0 && view.zoom > 0, "a camera needs a direction and a zoom > 0");
+  camera.setDirection(view.direction, view.up);
+  camera.setParallel(view.parallel);
+  syncSize();
+  camera.fit(points, fitMargin(), reserve);
+  camera.setDistance(camera.distance() / view.zoom);
+}
+
 void Viewport::Parts::updateOverlay() {
   shapes.clear(camera.height());
   axes.update(camera, shapes);
   std::vector<PixelBox> taken;
-  colourBar.update(camera, taken, shapes);
+  colourBar.update(camera, captionLayer.reserve(camera.width()), taken, shapes);
+  captionLayer.update(camera, taken, shapes);
   arrows.update(camera, taken, shapes);
   liveArrows.update(camera, taken, shapes);
   gizmoActor.update(gizmo, camera, pixelRatio, shapes);
@@ -169,8 +205,10 @@ double Viewport::Parts::fitMargin() const {
   return 0.09 * std::min(camera.width(), camera.height());
 }
 
-double Viewport::Parts::fitReserve() {
-  return field ? colourBar.reach(camera.height()) : 0;
+Reserve Viewport::Parts::fitReserve(bool withWords) {
+  Reserve reserve = captionLayer.reserve(camera.width());
+  reserve.right = colourBar.reach(camera.height(), reserve, withWords);
+  return reserve;
 }
 
 double Viewport::Parts::bodyDiagonal() const {

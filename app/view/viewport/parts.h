@@ -6,26 +6,27 @@
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
-#include "app/view/colour_bar.h"
-#include "app/view/contact_layer.h"
-#include "app/view/control_net_actor.h"
-#include "app/view/flat_shapes.h"
-#include "app/view/force_arrows.h"
-#include "app/view/ghost_actor.h"
-#include "app/view/gizmo_actor.h"
-#include "app/view/grid_actor.h"
-#include "app/view/orientation_axes.h"
-#include "app/view/surface_actor.h"
-#include "app/view/tool_layer.h"
-#include "app/view/triangle_boxes.h"
-#include "app/view/turntable.h"
-#include "app/view/viewport.h"
-#include "app/view/warning_signs.h"
+#include "app/view/camera/triangle_boxes.h"
+#include "app/view/camera/turntable.h"
+#include "app/view/layers/caption_layer.h"
+#include "app/view/layers/colour_bar.h"
+#include "app/view/layers/contact_layer.h"
+#include "app/view/layers/control_net_actor.h"
+#include "app/view/layers/flat_shapes.h"
+#include "app/view/layers/force_arrows.h"
+#include "app/view/layers/ghost_actor.h"
+#include "app/view/layers/gizmo_actor.h"
+#include "app/view/layers/grid_actor.h"
+#include "app/view/layers/orientation_axes.h"
+#include "app/view/layers/surface_actor.h"
+#include "app/view/layers/tool_layer.h"
+#include "app/view/layers/warning_signs.h"
+#include "app/view/viewport/viewport.h"
 
 /// Internal to app/view.
 namespace palpa::view {
 
-/// What a Viewport consists of.
+/// State and layers of a Viewport.
 struct Viewport::Parts {
   Parts(vtkRenderWindow* renderWindow, double ratio);
   ~Parts();
@@ -36,25 +37,30 @@ struct Viewport::Parts {
   void syncBounds();
   void remakeArrows();
   void remakeLiveArrows();
-  /// After the field, but for its values, or the theme has changed.
+  /// After the field, except its values, or the theme has changed.
   void applyField();
+  void remakeCaption();
   void remakeWarnings();
   void remakeTouches();
   void remakeTool();
   void applyTheme();
   void applyCamera();
+  /// Viewport::setCamera(), showing the points beside the reserve.
+  void look(const CameraView& view, const std::vector<Eigen::Vector3d>& points,
+            const Reserve& reserve);
   void updateOverlay();
 
   /// Everything that fit() shows.
   std::vector<Eigen::Vector3d> shownPoints() const;
   double fitMargin() const;
-  /// Pixels at the right edge that fit() leaves to the scalar bar.
-  double fitReserve();
+  /// Pixels that fit() leaves to the colour bar and the caption; `withWords`: to the words of the
+  /// bar, too.
+  Reserve fitReserve(bool withWords);
   double bodyDiagonal() const;
-  /// What lies under a pixel: the surface, or the plane through the focus.
+  /// The point under a pixel: on the surface, or in the plane through the focus.
   Eigen::Vector3d pointUnder(const Eigen::Vector2d& pixel) const;
   std::optional<RayHit> firstHit(const Ray& ray) const;
-  /// True when the body lies between the eye and the point.
+  /// True if the body lies between the eye and the point.
   bool hidden(const Eigen::Vector3d& point) const;
 
   vtkSmartPointer<vtkRenderWindow> window;
@@ -79,12 +85,13 @@ struct Viewport::Parts {
   std::optional<Gizmo> gizmo;
   std::vector<TouchMarker> touches;
   ToolDrawing toolDrawing;
+  Caption caption;
   std::optional<std::array<Eigen::Vector2d, 2>> rubberBand;
   Bounds bodyBounds, netBounds;
 
-  // Drawn below the texts, and smoothed in fine pictures with all that the overlay covers.
+  // Drawn below the texts, and smoothed in fine pictures like everything below the overlay.
   FlatShapes shapes;
-  // Within a renderer, what is added later is blended over what was added before.
+  // Within a renderer, later actors are blended over earlier ones.
   SurfaceActor surface;
   GhostSide ghostSide;
   GridActor grid;
@@ -99,7 +106,8 @@ struct Viewport::Parts {
   OrientationAxes axes;
   GizmoActor gizmoActor;
   ColourBar colourBar;
-  ProbeBalls balls;
+  CaptionLayer captionLayer;
+  Balls balls;
 };
 
 }  // namespace palpa::view

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/view/viewport_parts.h"
+#include "app/view/viewport/parts.h"
 
-// What lies under a pixel, and lengths from pixels: the const half of Viewport.
+// Picking, and lengths from pixels: the const half of Viewport.
 namespace palpa::view {
 namespace {
 
 /// A hidden handle counts as this much farther from the pointer, in parts of the reach: it can be
-/// picked where no visible one is about as near.
+/// picked if no visible one is about as near.
 constexpr double kHiddenPenalty = 0.5;
 /// Handles whose distances to the pointer differ by less lie on top of each other, logical pixels.
 constexpr double kSamePlace = 1.5;

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/view/colour_map.h"
-#include "app/view/viewport_checks.h"
-#include "app/view/viewport_parts.h"
+#include "app/view/scene/colour_map.h"
+#include "app/view/viewport/checks.h"
+#include "app/view/viewport/parts.h"
 
-// Simulate mode.
+// Setters for simulation and pictures.
 namespace palpa::view {
 namespace {
 
@@ -51,6 +51,11 @@ void Viewport::setGhost(const std::optional<ViewportBody>& body) {
   parts_->ghostLines.set(ghost);
 }
 
+void Viewport::setCaption(const Caption& caption) {
+  parts_->caption = caption;
+  parts_->remakeCaption();
+}
+
 void Viewport::setLiveArrows(const LiveArrows& arrows) {
   require(arrows.fullForce > 0 && std::isfinite(arrows.fullForce), "the full force is positive");
   parts_->liveForces = arrows;
@@ -61,8 +66,8 @@ void Viewport::setContactRings(const std::vector<ContactRing>& rings) {
   parts_->rings.set(rings);
 }
 
-void Viewport::setProbeBalls(const std::vector<ProbeBall>& balls) {
-  for (const ProbeBall& ball : balls) {
+void Viewport::setBalls(const std::vector<Ball>& balls) {
+  for (const Ball& ball : balls) {
     require(ball.radius > 0 && std::isfinite(ball.radius) && ball.center.allFinite(),
             "a ball needs a place and a positive radius");
   }

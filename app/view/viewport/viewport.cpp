@@ -1,14 +1,10 @@
-#include "app/view/viewport.h"
-
-#include <vtkImageData.h>
-#include <vtkPointData.h>
-#include <vtkUnsignedCharArray.h>
+#include "app/view/viewport/viewport.h"
 
 #include <algorithm>
 
-#include "app/view/png.h"
-#include "app/view/viewport_checks.h"
-#include "app/view/viewport_parts.h"
+#include "app/view/files/png.h"
+#include "app/view/viewport/checks.h"
+#include "app/view/viewport/parts.h"
 
 namespace palpa::view {
 namespace {
@@ -223,7 +219,7 @@ void Viewport::fit() {
 
 void Viewport::fitTo(const std::vector<Eigen::Vector3d>& points) {
   parts_->syncSize();
-  parts_->camera.fit(points, parts_->fitMargin(), parts_->fitReserve());
+  parts_->camera.fit(points, parts_->fitMargin(), parts_->fitReserve(false));
 }
 
 void Viewport::lookFrom(StandardView view) {
@@ -248,13 +244,20 @@ CameraView Viewport::camera() const {
 }
 
 void Viewport::setCamera(const CameraView& view) {
-  require(view.direction.norm() > 0 && view.zoom > 0, "a camera needs a direction and a zoom > 0");
-  parts_->camera.setDirection(view.direction, view.up);
-  parts_->camera.setParallel(view.parallel);
+  // Without reserve: a CameraView means the same with and without a field.
+  parts_->look(view, parts_->shownPoints(), {});
+}
+
+void Viewport::frame(const CameraView& view, const std::vector<Eigen::Vector3d>& room) {
   parts_->syncSize();
-  // Whatever is drawn beside the body: a CameraView means the same with and without a field.
-  parts_->camera.fit(parts_->shownPoints(), parts_->fitMargin());
-  parts_->camera.setDistance(parts_->camera.distance() / view.zoom);
+  std::vector<Eigen::Vector3d> points = parts_->shownPoints();
+  const std::vector<Eigen::Vector3d>& ends = parts_->liveArrows.ends();
+  points.insert(points.end(), ends.begin(), ends.end());
+  points.insert(points.end(), room.begin(), room.end());
+  for (const Ball& ball : parts_->balls.balls())
+    for (const double side : {-ball.radius, ball.radius})
+      for (int k = 0; k < 3; ++k) points.push_back(ball.center + side * Eigen::Vector3d::Unit(k));
+  parts_->look(view, points, parts_->fitReserve(true));
 }
 
 void Viewport::warmUp() {
@@ -285,14 +288,7 @@ void Viewport::render(Quality quality) {
 
 void Viewport::writePng(const std::filesystem::path& path) {
   render();
-  const int width = parts_->camera.width();
-  const int height = parts_->camera.height();
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(width, height, 1);
-  vtkNew<vtkUnsignedCharArray> pixels;
-  parts_->window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
-  image->GetPointData()->SetScalars(pixels);
-  view::writePng(image, path);
+  view::writePng(parts_->window, path);
 }
 
 }  // namespace palpa::view

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
+#include "app/view/scene/theme.h"
 
 class vtkRenderWindow;
 
@@ -17,11 +18,11 @@ namespace palpa::view {
 /// The directions of the standard views: looking at the body's front (along +y), and so on.
 enum class StandardView { kFront, kBack, kLeft, kRight, kTop, kBottom, kIsometric };
 
-/// The interactive picture of a body: surface, control net, marks, arrows, grid, axes; its camera;
-/// and what lies under the pointer. Knows no window system: it draws into a render window given by
-/// the caller, from the thread that owns its OpenGL context. Nothing here is thread-safe.
+/// Draws a body: surface, control net, marks, arrows, grid, axes, words; has its camera, and finds
+/// the things under a pixel. Knows no window system: it draws into a render window of the caller,
+/// from the thread that owns its OpenGL context; picture.h draws without a window. Not thread-safe.
 ///
-/// Setters only note what to draw; render() draws it. Pixel coordinates are device pixels with the
+/// Setters store; render() draws. Pixel coordinates are device pixels with the
 /// origin at the top left, as window systems deliver them. Arrays of wrong lengths and indices out
 /// of range throw std::invalid_argument.
 ///
@@ -36,7 +37,7 @@ class Viewport {
  public:
   /// `pixelRatio`: device pixels per logical pixel; widths and sizes of handles grow with it. Sets
   /// the window's dots per inch and layers and turns its multisampling off. The window's OpenGL
-  /// context, when it has one, must be current here and in the destructor.
+  /// context, if it has one, must be current here and in the destructor.
   explicit Viewport(vtkRenderWindow* window, double pixelRatio = 1.0);
   ~Viewport();
 
@@ -75,56 +76,62 @@ class Viewport {
   /// Cheap enough to be set with every moveBody().
   void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
 
-  // What happens while one touches. All of it may be set anew for every picture.
-  /// Colours the surface by one number per position, beside a scalar bar; none: plain. The field
+  // Simulation. All of it may be set again for every picture.
+  /// Colours the surface by one number per position, beside a colour bar; none: plain. The field
   /// needs a range, so that colours stay while the numbers change: the caller decides when it
-  /// grows. Supports are then hatched in grey, and loads have a border alone, so that the only
-  /// colours are those of the field and of marks. Where a number is NaN there is no colour. In the
-  /// wire picture the lines are coloured.
+  /// grows. Supports are then hatched in grey, and loads only have a border, so that all colours
+  /// belong to the field or to marks. NaN has no colour. In the wire picture the lines are
+  /// coloured.
   void setField(const std::optional<ScalarField>& field);
-  /// The same field with other numbers and another range: the quick path. std::invalid_argument
-  /// without a field.
+  /// The same field with other numbers and another range: the quick path. Throws
+  /// std::invalid_argument if there is no field.
   void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);
   /// The undeformed shape: thin lines along its borders and knot lines, faint where the body hides
-  /// them, and its translucent near side when it has triangles. None to remove it. It is left out
-  /// of fit(). Its triangles need not be as fine as those of the body: drawing them takes time.
+  /// them, and its translucent near side if it has triangles. None to remove it. fit() ignores it.
+  /// Its triangles may be coarser than the triangles of the body: drawing them takes time.
   void setGhost(const std::optional<ViewportBody>& body);
-  /// Sizes follow the body as setBody() had it. Not hidden by setRegionsVisible(), and left out of
-  /// fit().
+  /// Sizes follow the body of setBody(), not its movement. setRegionsVisible() does not hide them;
+  /// fit() ignores them.
   void setLiveArrows(const LiveArrows& arrows);
   void setContactRings(const std::vector<ContactRing>& rings);
-  void setProbeBalls(const std::vector<ProbeBall>& balls);
+  void setBalls(const std::vector<Ball>& balls);
+  /// Title and caption lines around the body; fit() and frame() leave room for them.
+  void setCaption(const Caption& caption);
 
   /// A rectangle between two pixels while selecting; none to remove it.
   void setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners);
 
-  // Camera. Orbiting turns about the vertical axis and the screen's horizontal one; the point
-  // looked at stays.
+  // Camera. Orbiting turns about the vertical axis and the horizontal axis of the screen; the
+  // focus stays.
   void orbit(const Eigen::Vector2d& pixels);
-  /// With `from`, the pixel where the movement begins, what lies there follows the pointer exactly;
-  /// otherwise what lies in the depth of the point looked at.
+  /// With `from`, the pixel where the movement begins, the point there follows the pointer exactly;
+  /// otherwise a point in the depth of the focus does.
   void pan(const Eigen::Vector2d& pixels, const std::optional<Eigen::Vector2d>& from = {});
-  /// Factor > 1 comes nearer; what lies under `at` stays there. Ends at a 500th of the body's
-  /// radius before the point looked at, and at 200 radii from it.
+  /// Factor > 1 comes nearer; the point under `at` stays there. Ends at a 500th of the body's
+  /// radius before the focus, and at 200 radii from it.
   void zoom(double factor, const Eigen::Vector2d& at);
-  /// Shows the body, the net when it is visible, and the arrows, with a margin around them, beside
-  /// the scalar bar when there is one.
+  /// Shows the body, the net if visible, and the arrows, with a margin around them, beside the
+  /// colour bar and the caption.
   void fit();
   void fitTo(const std::vector<Eigen::Vector3d>& points);
-  /// Turns only: the point looked at and the distance stay.
+  /// Turns only: focus and distance stay.
   void lookFrom(StandardView view);
-  /// What lies in the depth of the point looked at keeps its size.
+  /// Things in the depth of the focus keep their size.
   void setParallelProjection(bool parallel);
   bool parallelProjection() const;
-  /// Direction, projection and size. As for pictures, a CameraView has no place: setCamera() looks
-  /// at the middle of what fit() shows without a scalar bar. A rolled `up` is straightened.
+  /// Direction, projection and size. A CameraView has no position: setCamera() looks at the middle
+  /// of the things that fit() shows, without a colour bar. A rolled `up` is straightened.
   CameraView camera() const;
   void setCamera(const CameraView& camera);
 
-  // What lies under a pixel.
+  /// As setCamera(), but for a picture: shows everything except the ghost, also live arrows, balls
+  /// and the points of `room`, beside the colour bar and the caption.
+  void frame(const CameraView& camera, const std::vector<Eigen::Vector3d>& room = {});
+
+  // Picking.
   std::optional<SurfaceHit> surfaceAt(const Eigen::Vector2d& pixel) const;
-  /// The control point whose handle is nearest to the pixel, the one in front when several are;
-  /// within `reach` logical pixels. One behind the body counts as half a reach farther away.
+  /// The control point whose handle is nearest to the pixel, the one in front if several are;
+  /// within `reach` logical pixels. A point behind the body counts as half a reach farther away.
   std::optional<int> controlPointAt(const Eigen::Vector2d& pixel, double reach = 9) const;
   /// All within the rectangle, hidden ones too, in ascending order.
   std::vector<int> controlPointsIn(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
@@ -139,20 +146,20 @@ class Viewport {
   Eigen::Vector2d toPixel(const Eigen::Vector3d& point) const;
   /// The point under `pixel` in the plane through `through` parallel to the screen.
   Eigen::Vector3d inViewPlane(const Eigen::Vector2d& pixel, const Eigen::Vector3d& through) const;
-  /// The point of the line `through` + s `direction` nearest to the ray under `pixel`; nothing when
+  /// The point of the line `through` + s `direction` nearest to the ray under `pixel`; nothing if
   /// the line points at the eye.
   std::optional<Eigen::Vector3d> onLine(const Eigen::Vector2d& pixel,
                                         const Eigen::Vector3d& through,
                                         const Eigen::Vector3d& direction) const;
 
-  /// Draws once what a person will soon see, so that its shaders are compiled then: each takes Mesa
-  /// a tenth of a second. To be called before anything is selected.
+  /// Draws handles and gizmo once, so that their shaders are compiled before the user needs them:
+  /// each takes Mesa a tenth of a second. To be called before anything is selected.
   void warmUp();
 
   /// Draws everything into the window.
   void render(Quality quality = Quality::kFine);
 
-  /// Draws finely and writes what the window shows as PNG. Throws ViewError.
+  /// Draws finely and writes the picture of the window as PNG. Throws ViewError.
   void writePng(const std::filesystem::path& path);
 
  private:

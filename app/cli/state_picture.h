@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "app/core/results/drawn_body.h"
+#include "app/view/viewport/picture.h"
+#include "modeling/project/project.h"
+
+namespace palpa::cli {
+
+/// Options of `palpa-cli render` that say what a picture shows.
+struct PictureOptions {
+  app::SurfaceQuantity field = app::SurfaceQuantity::kDisplacement;
+  std::vector<double> compliances;  ///< app::stiffnessMap(), for kStiffness
+  double displacementScale = 1;
+  bool showUndeformed = true;
+  bool showMeshEdges = false;
+  bool showReactions = false;
+  /// From the eye into the scene; if absent, a direction from which the touches are visible.
+  std::optional<Eigen::Vector3d> viewDirection;
+  bool parallel = false;
+  double zoom = 1;
+};
+
+/// The picture of a state: deformed surface, colours, force arrows with newtons, supports,
+/// captions.
+view::Picture makePicture(const modeling::Project& project,
+                          const std::shared_ptr<const app::TouchModel>& model,
+                          const app::TouchState& state, const PictureOptions& options);
+
+}  // namespace palpa::cli

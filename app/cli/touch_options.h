@@ -1,0 +1,59 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/core/model/touch_model.h"
+
+namespace palpa::cli {
+
+/// The options that describe touches: groups that begin with --at, or --node. Without them a
+/// command plays the touches of the project.
+class TouchOptions {
+ public:
+  void declare(CLI::App& options);
+
+  /// Throws UsageError for combinations without meaning. Call it before long work.
+  void validate() const;
+
+  /// True if the command line describes a touch.
+  bool isGiven() const { return option(kAt).isGiven() || !node_.empty(); }
+
+  bool hasSteps() const { return !steps_.empty(); }
+
+  /// The project with the touches of the command line, if there are any, instead of the recorded
+  /// ones. Build the model for it: its elements follow the touches.
+  modeling::Project touched(modeling::Project project) const;
+
+  /// Throws SolverError, Cancelled.
+  app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
+                       const Context& context) const;
+
+ private:
+  /// Options of one touch; each may occur once per touch.
+  enum Which { kAt, kKind, kDisplace, kForce, kRadius, kFriction, kCount };
+  struct Repeated {
+    CLI::Option* option = nullptr;
+    std::vector<std::string> values;
+    bool isGiven() const { return !values.empty(); }
+  };
+  /// The values of one touch; empty: not given.
+  using Group = std::array<std::string, kCount>;
+
+  const Repeated& option(Which which) const { return repeated_[which]; }
+  std::vector<Group> groups() const;
+  static modeling::Touch touchOf(const Group& group);
+  std::vector<modeling::Touch> touches() const;
+  void validateNode() const;
+  int steps() const;
+
+  const CLI::App* app_ = nullptr;
+  std::array<Repeated, kCount> repeated_;
+  std::string node_;
+  std::string steps_;
+};
+
+}  // namespace palpa::cli

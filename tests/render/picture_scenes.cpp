@@ -1,0 +1,142 @@
+#include "tests/render/picture_scenes.h"
+
+#include <cmath>
+
+#include "modeling/shapes/primitives.h"
+#include "tests/render/pressed_body.h"
+#include "tests/render/viewport_scenes.h"
+
+namespace palpa::render_tests {
+namespace {
+
+using Eigen::Vector3d;
+using view::Picture;
+using Anchor = view::ForceArrow::Anchor;
+using Role = view::ForceArrow::Role;
+
+constexpr double kRadius = 25;  // mm
+
+Picture pictureOf(const Pressed& body) {
+  Picture picture;
+  picture.body = body.rest;
+  picture.positions = body.moved.positions;
+  picture.normals = body.moved.normals;
+  picture.supports = body.base();
+  return picture;
+}
+
+/// A pressed sphere with its reaction, as `palpa-cli render --reactions` shows it.
+PictureCase push() {
+  const Vector3d at = kRadius * Vector3d(0.05, -0.7, 0.7).normalized();
+  const Pressed sphere(modeling::makeSphere(kRadius), {{at, -5.0 / kRadius * at, 10}});
+  Picture picture = pictureOf(sphere);
+  picture.field = sphere.displacement(5);
+  picture.field->range.reset();
+  picture.hasGhost = true;
+  picture.arrows = {{{sphere.at(at), -1.34 / kRadius * at, Anchor::kTip, Role::kApplied, "1.34 N"},
+                     {{0, 0, -25}, 1.34 / kRadius * at, Anchor::kTip, Role::kReaction, "1.34 N"}},
+                    1.34,
+                    0.25};
+  picture.rings = {{sphere.ring(at, 5), view::ContactRing::State::kSticking}};
+  picture.caption = {"Sphere, pressed from above",
+                     "fixed: base",
+                     {"silicone, E = 0.25 MPa, nu = 0.48, 1538 nodes"}};
+  return {picture};
+}
+
+PictureCase pull() {
+  const Vector3d at = kRadius * Vector3d(0.8, -0.55, 0.1).normalized();
+  const Pressed sphere(modeling::makeSphere(kRadius), {{at, {9, -5, 2}, 11}});
+  Picture picture = pictureOf(sphere);
+  picture.field = sphere.displacement(11);
+  picture.hasGhost = true;
+  picture.arrows = {{{sphere.at(at), {0.9, -0.5, 0.2}, Anchor::kTail, Role::kApplied, "1.05 N"}},
+                    1.05};
+  picture.rings = {{sphere.ring(at, 4), view::ContactRing::State::kGrabbed}};
+  picture.caption = {"Sphere, pulled at its side", "fixed: base", {}};
+  return {picture};
+}
+
+PictureCase dark() {
+  PictureCase result = push();
+  result.picture.theme = view::ViewportTheme::dark();
+  return result;
+}
+
+/// The title is too long for the picture.
+PictureCase small() {
+  PictureCase result = pull();
+  result.picture.caption.title = "Sphere, pulled at its side with a title that is wide";
+  result.size = {320, 240};
+  return result;
+}
+
+/// A ball from below, seen from there; no field.
+PictureCase ball() {
+  const Vector3d at = kRadius * Vector3d(0.4, -0.6, -0.5).normalized();
+  const Pressed sphere(modeling::makeSphere(kRadius), {{at, -3 / kRadius * at, 9}});
+  Picture picture = pictureOf(sphere);
+  const double radius = 9;
+  picture.balls = {{sphere.at(at) * (1 + radius / sphere.at(at).norm()), radius}};
+  picture.rings = {{sphere.ring(at, 4.5), view::ContactRing::State::kSlipping}};
+  picture.arrows = {{{sphere.at(at), -2.4 / kRadius * at, Anchor::kTip, Role::kApplied, "2.40 N"}},
+                    2.4};
+  picture.camera.direction = {-0.72, 0.58, 0.5};
+  picture.caption.supports = "fixed: base";
+  return {picture, {640, 480}};
+}
+
+/// Two lines of caption, a ghost beside the body, and no perspective.
+PictureCase front() {
+  const Pressed box(modeling::makeBox({40, 30, 20}), {{{0, 0, 20}, {8, 0, -4}, 22}});
+  Picture picture = pictureOf(box);
+  picture.field = box.displacement(10);
+  picture.hasGhost = true;
+  picture.camera = {{0, 1, 0}, {0, 0, 1}, true, 1};
+  picture.caption = {"Sheared box", "", {"front view, parallel projection", "second line"}};
+  return {picture};
+}
+
+/// Labels side by side; small forces keep their arrows.
+PictureCase manyArrows() {
+  const Pressed cylinder(modeling::makeCylinder(20, 60), {});
+  Picture picture = pictureOf(cylinder);
+  picture.supports.clear();
+  picture.arrows = {{}, 1, 0.25};
+  const std::array<double, 6> angles{-2.2, -1.6, -1.4, -1.2, 0.2, 1.0};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const Vector3d outward(std::cos(angles[i]), std::sin(angles[i]), 0);
+    const double force = i == 0 ? 0.02 : 0.2 * static_cast<double>(i);
+    picture.arrows.arrows.push_back({20 * outward + Vector3d(0, 0, 12 + 8.0 * (i % 3)),
+                                     force * outward, Anchor::kTail, Role::kApplied,
+                                     std::to_string(force).substr(0, 4) + " N"});
+  }
+  picture.caption.title = "Six pins";
+  return {picture};
+}
+
+/// A picture of a film: arrows are relative to a larger force, and there is room for other
+/// pictures.
+PictureCase film() {
+  PictureCase result = pull();
+  result.picture.arrows.fullForce = 3;
+  result.picture.field->range = {0, 20};
+  result.picture.room = {{60, -30, 20}, {0, 0, 45}};
+  result.picture.caption.lines = {"0.280 s"};
+  return result;
+}
+
+}  // namespace
+
+std::map<std::string, PictureCase> pictureCases() {
+  return {{"picture_push", push()},
+          {"picture_dark_push", dark()},
+          {"picture_pull", pull()},
+          {"picture_small", small()},
+          {"picture_ball", ball()},
+          {"picture_front", front()},
+          {"picture_many_arrows", manyArrows()},
+          {"picture_film", film()}};
+}
+
+}  // namespace palpa::render_tests
