@@ -107,7 +107,7 @@ TEST_F(FileDialogs, ProfilesComeFromFiles) {
       [&](NewSolidDialog& dialog) {
         EXPECT_TRUE(fromFile(dialog, "Lofted sections", PALPA_PROJECTS "/profiles/handle.json"));
         keepPicture("loft", &dialog);
-        // A profile of another kind is refused with words, and the list says what is there.
+        // A profile of another kind is refused with a message.
         EXPECT_FALSE(fromFile(dialog, "Extruded profile", PALPA_PROJECTS "/profiles/handle.json"));
         EXPECT_FALSE(dialog.findChild<QLabel*>("problem")->text().isEmpty());
         EXPECT_TRUE(fromFile(dialog, "Extruded profile", PALPA_PROJECTS "/profiles/sole.json"));
@@ -145,7 +145,7 @@ TEST_F(FileDialogs, TheGuideShowsItsPages) {
   auto* reader = guide->findChild<GuideReader*>();
   auto* contents = guide->findChild<QTreeWidget*>("contents");
   EXPECT_TRUE(reader->toPlainText().contains("First touch in five minutes"));
-  // Every page of the list opens, and its pictures are there and fit.
+  // Every page of the list opens with its pictures, which fit the page.
   ASSERT_GE(contents->topLevelItemCount(), 7);
   for (int i = 0; i < contents->topLevelItemCount(); ++i) {
     contents->setCurrentItem(contents->topLevelItem(i));
@@ -154,7 +154,7 @@ TEST_F(FileDialogs, TheGuideShowsItsPages) {
     EXPECT_FALSE(reader->horizontalScrollBar()->isVisible());
     keepPicture(QString("guide-%1").arg(i), guide);
   }
-  // A link to a heading of another page puts it on top; Back leads back.
+  // A link to a heading of another page scrolls it to the top; Back returns.
   contents->setCurrentItem(contents->topLevelItem(0));
   reader->setSource(QUrl("window.md#nothing-is-lost"));
   EXPECT_TRUE(reader->source().path().endsWith("/window.md"));
@@ -163,7 +163,7 @@ TEST_F(FileDialogs, TheGuideShowsItsPages) {
   keepPicture("guide-heading", guide);
   reader->backward();
   EXPECT_TRUE(reader->source().path().endsWith("/README.md"));
-  // Words are found, once more from the top after the last.
+  // The search continues at the top after the last match.
   QTest::keyClicks(guide->findChild<QLineEdit*>("find"), "five minutes");
   QTest::keyClick(guide->findChild<QLineEdit*>("find"), Qt::Key_Return);
   EXPECT_EQ(reader->textCursor().selectedText(), "five minutes");
@@ -173,7 +173,7 @@ TEST_F(FileDialogs, TheGuideShowsItsPages) {
     if (reader->textCursor().position() == first) break;
   }
   EXPECT_EQ(reader->textCursor().position(), first);
-  // It follows the theme.
+  // The page follows the theme.
   reader->setSource(QUrl("command-line.md"));
   window_->settings().setTheme(Theme::kDark);
   keepPicture("guide-dark", guide);

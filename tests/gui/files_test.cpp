@@ -20,7 +20,7 @@ TEST_F(Files, AJobCanBeCancelledWhileTheWindowLives) {
         result = runInBackground(*window_, "Working", [](const Job& job) {
           for (;;) {
             job.throwIfCancelled();
-            job.report("count", 0.4);
+            job.report(Phase::kMesh, 0.4);
             std::this_thread::yield();
           }
           return 2;
@@ -52,7 +52,7 @@ TEST_F(Files, ErrorsStayAndAnUnknownEndingIsSaid) {
   EXPECT_EQ(window_->messages().messages().size(), 1);
 }
 
-/// Counts how often a widget is asked to lay itself out.
+/// Counts the layout requests of a widget.
 class LayoutCounter : public QObject {
  public:
   bool eventFilter(QObject*, QEvent* event) override {

@@ -6,14 +6,14 @@
 #include <numbers>
 
 #include "app/gui/base/canvas.h"
-#include "app/view/force_plot.h"
+#include "app/view/charts/force_plot.h"
 #include "tests/gui/photographer.h"
 
 namespace palpa::gui {
 namespace {
 
 const QSize kFrame(520, 400);
-constexpr int kAnswer = 120;  // ms until the forces of a motion are found and drawn
+constexpr int kAnswer = 120;  // ms until the forces of a motion are computed and drawn
 
 class Camera {
  public:
@@ -49,13 +49,13 @@ void open(Photographer& p, const QString& project, const QString& tool) {
   p.window().viewport().viewport().fit();
 }
 
-/// The place where the body is seen nearest to a wish.
+/// Visible place of the body nearest to a given pixel.
 QPoint onBody(Photographer& p, QPoint wish) {
   ViewportWidget& view = p.window().viewport();
   constexpr int kStep = 4, kMaxPictures = 400;
   for (int aside = 0; aside < kMaxPictures; aside += kStep)
     for (const int side : {-1, 1}) {
-      // Well within it: both neighbours are on the body, too.
+      // Both neighbours are on the body, too.
       const QPoint at = wish + QPoint(side * aside, 0);
       const auto isHit = [&](int off) {
         return view.viewport()
@@ -68,7 +68,7 @@ QPoint onBody(Photographer& p, QPoint wish) {
   std::exit(1);
 }
 
-/// A tool is pressed in with the wheel, led through `way`, and taken out again.
+/// Presses a contact in with the wheel, moves it along `way`, and removes it.
 void pressAlong(Photographer& p, const QString& name, QPoint at, int notches,
                 const std::function<QPoint(double)>& way, int steps) {
   Camera camera(p, name);
@@ -136,7 +136,7 @@ void film(const QString& folder) {
   pressAlong(
       p, "gripper-finger", onFinger, 14,
       [&](double way) {
-        // There and back.
+        // Forward and back.
         const double share = way < 0.5 ? 2 * way : 2 - 2 * way;
         return onFinger + QPoint(0, static_cast<int>(std::lround(170 * share)));
       },
@@ -177,7 +177,7 @@ int plotSlide(const QString& csv, const QString& png) {
   view::ForcePlot plot(canvas.window());
   plot.setPixelRatio(1.3);
   plot.setLegendShown(true);
-  // The axes are known once something was drawn.
+  // The axes are known after the first drawing.
   for (int round = 0; round < 2; ++round) {
     plot.setCurves(shownCurves, 0, 2 * std::numbers::pi * kSecondsPerRadian, "N");
     plot.render();

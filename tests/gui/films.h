@@ -4,12 +4,11 @@
 
 namespace palpa::gui {
 
-/// Numbered pictures of the sphere, the cylinder and the gripper finger being touched with the
-/// mouse: FOLDER/sphere/000.png …
+/// Makes numbered pictures of touched bodies (sphere, cylinder, gripper finger):
+/// FOLDER/sphere/000.png …
 void film(const QString& folder);
 
-/// Draws the forces of a table that `palpa-touch-bench --csv` wrote over time; returns an exit
-/// code.
+/// Plots the forces of a table of `palpa-touch-bench --csv` over time; returns an exit code.
 int plotSlide(const QString& csv, const QString& png);
 
 }  // namespace palpa::gui

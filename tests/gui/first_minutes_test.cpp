@@ -8,12 +8,12 @@
 #include <map>
 
 #include "app/gui/base/appearance.h"
-#include "app/gui/docks/forces_dock.h"
 #include "app/gui/base/measures.h"
+#include "app/gui/docks/forces_dock.h"
 #include "app/gui/widgets/vector_edit.h"
 #include "tests/gui/window_fixture.h"
 
-// What a person meets in the first minutes: menus, keys, the bar, words that can be read.
+// The first minutes of a user: menus, keys, tool bar, readable texts.
 namespace palpa::gui {
 namespace {
 
@@ -91,7 +91,7 @@ TEST_F(FirstMinutes, WordsCanBeReadInBothThemes) {
     for (const auto role : {QPalette::Text, QPalette::PlaceholderText})
       for (const auto ground : {QPalette::Window, QPalette::Base})
         EXPECT_GE(contrast(palette.color(role), palette.color(ground)), 4.5) << role << ground;
-    // Refusals have their colour from the style sheet.
+    // The colour of refusals comes from the style sheet.
     QLabel refusal("no", window_.get());
     refusal.setObjectName("refusal");
     refusal.ensurePolished();
@@ -102,7 +102,7 @@ TEST_F(FirstMinutes, WordsCanBeReadInBothThemes) {
 }
 
 TEST_F(FirstMinutes, ACheckedItemWithAPictureIsMarked) {
-  // As it is drawn: the row of an item that is on differs from the same row when it is off.
+  // The drawn row of a checked item differs from the same row unchecked.
   QMenu* menu = nullptr;
   for (QAction* each : window_->menuBar()->actions())
     if (each->text().contains("View")) menu = each->menu();
@@ -129,7 +129,7 @@ TEST_F(FirstMinutes, CoordinatesFitIntoTheirFields) {
   QuantityEdit& x = position->component(0);
   EXPECT_LT(x.fontMetrics().horizontalAdvance(x.text()), x.width() - 8) << x.text().toStdString();
   EXPECT_EQ(x.value(), exact);
-  // All digits are there to be changed, and looking at them changes nothing.
+  // With focus the field shows all digits; focus alone changes no value.
   x.setFocus();
   EXPECT_NEAR(parsed(x.text(), Quantity::kLength, {}).value(), exact, 1e-7);
   view().setFocus();
@@ -150,7 +150,7 @@ TEST_F(FirstMinutes, MeasuresFollowTheUnits) {
 TEST_F(FirstMinutes, AModelThatCannotBeBuiltSaysWhyOverTheView) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
-  // Two supports on one place, as a newcomer's first click makes them.
+  // Two supports on the same patch, as made by a first click.
   modeling::Support second = editor().project().supports.front();
   second.name = "second";
   ASSERT_TRUE(editor().perform(modeling::AddSupport{second}));
@@ -161,7 +161,7 @@ TEST_F(FirstMinutes, AModelThatCannotBeBuiltSaysWhyOverTheView) {
   };
   EXPECT_TRUE(QTest::qWaitFor(isSaid, 20000));
   keepPicture("cannot-be-built");
-  // It goes with the reason.
+  // The message disappears with its reason.
   editor().undo();
   waitForModel();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !isSaid(); }, 5000));
@@ -182,7 +182,7 @@ TEST_F(FirstMinutes, TheCopyOfBeforeTheLastSaveCanBeOpened) {
   ASSERT_TRUE(editor().save());
   ASSERT_TRUE(window_->openFile(file + ".bak"));
   EXPECT_EQ(text(), before);
-  // It has no file of its own: saving must not write over the copy.
+  // The project has no file: saving must not overwrite the copy.
   EXPECT_TRUE(editor().fileName().isEmpty());
 }
 

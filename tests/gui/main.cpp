@@ -12,8 +12,8 @@
 
 namespace {
 
-/// Ends the program when one test takes too long, with the name of the test and of the dialog that
-/// nobody closed: a modal dialog would wait for ever.
+/// Ends the program if a test takes too long, and prints the names of the test and of an open modal
+/// dialog, which would wait for ever.
 class Watchdog : public testing::EmptyTestEventListener {
  public:
   Watchdog() : thread_([this](const std::stop_token& stop) { watch(stop); }) {}
@@ -41,7 +41,7 @@ class Watchdog : public testing::EmptyTestEventListener {
           stop.stop_requested() || test_.empty())
         continue;
       std::cerr << test_ << " does not end.";
-      // Not of this thread, but the program ends with this line anyhow.
+      // Called from another thread; harmless, as the program ends here.
       if (const QWidget* modal = QApplication::activeModalWidget())
         std::cerr << " Open: " << modal->metaObject()->className() << " \""
                   << modal->windowTitle().toStdString() << '"';
@@ -62,9 +62,9 @@ class Watchdog : public testing::EmptyTestEventListener {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();  // needs no display
-  // Mesa would keep shaders in the cache folder, which is another one for each test.
+  // Mesa would store shaders in the cache folder, which differs for each test.
   qputenv("MESA_SHADER_CACHE_DISABLE", "true");
-  // Dialogs of the desktop's own could not be found by the tests.
+  // Tests cannot find native dialogs of the desktop.
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);

@@ -41,7 +41,7 @@ class ModelDock : public WindowTest {
   }
   void rename(const QModelIndex& index, const QString& name) {
     QTest::keyClick(typeName(index, name), Qt::Key_Return);
-    QApplication::processEvents();  // the tree takes the name once the key is done
+    QApplication::processEvents();  // the tree applies the name after the key event
   }
   std::string nameOf(int support) { return editor().project().supports[support].name; }
 };
@@ -50,12 +50,14 @@ TEST_F(ModelDock, ListsWhatTheProjectHolds) {
   const modeling::Solid& solid = *editor().solid();
   EXPECT_EQ(rows().rowCount(rows().indexOf(RowKind::kPatches)),
             static_cast<int>(solid.patches().size()));
-  EXPECT_EQ(rows().rowCount(rows().indexOf(RowKind::kEdges)), static_cast<int>(solid.edges().size()));
+  EXPECT_EQ(rows().rowCount(rows().indexOf(RowKind::kEdges)),
+            static_cast<int>(solid.edges().size()));
   EXPECT_EQ(row(RowKind::kSupports, 0).data().toString().toStdString(), nameOf(0));
   EXPECT_FALSE(tree().isExpanded(rows().indexOf(RowKind::kPatches)));
   EXPECT_FALSE(tree().isExpanded(rows().indexOf(RowKind::kEdges)));
-  // All else is there without scrolling.
-  EXPECT_LE(tree().visualRect(rows().indexOf(RowKind::kMesh)).bottom(), tree().viewport()->height());
+  // All other rows are visible without scrolling.
+  EXPECT_LE(tree().visualRect(rows().indexOf(RowKind::kMesh)).bottom(),
+            tree().viewport()->height());
   keepPicture("model-dock");
 }
 
@@ -66,7 +68,7 @@ TEST_F(ModelDock, ARowUnderThePointerShowsItsPatch) {
   const auto picture = [this] { return view().grab().toImage(); };
   const QImage before = picture();
   const auto showsAPatch = [&] {
-    for (const int patch : {1, 4, 5}) {  // some lie on the far side
+    for (const int patch : {1, 4, 5}) {  // some are on the far side
       const QModelIndex index = row(RowKind::kPatches, patch);
       tree().scrollTo(index);
       QTest::mouseMove(tree().viewport(), tree().visualRect(index).center());
@@ -75,7 +77,7 @@ TEST_F(ModelDock, ARowUnderThePointerShowsItsPatch) {
     }
     return false;
   };
-  EXPECT_TRUE(QTest::qWaitFor(showsAPatch));  // the window manager may hold back the pointer
+  EXPECT_TRUE(QTest::qWaitFor(showsAPatch));  // the window manager may delay the pointer
   QEvent leave(QEvent::Leave);
   QApplication::sendEvent(tree().viewport(), &leave);
   EXPECT_EQ(picture(), before);
@@ -86,7 +88,7 @@ TEST_F(ModelDock, ChosenRowsAreSelectedAndBack) {
   EXPECT_EQ(editor().selection(), Selection::ofPatches({1}));
   click(row(RowKind::kPatches, 3), Qt::ControlModifier);
   EXPECT_EQ(editor().selection(), Selection::ofPatches({1, 3}));
-  click(row(RowKind::kSupports, 0), Qt::ControlModifier);  // another kind: alone
+  click(row(RowKind::kSupports, 0), Qt::ControlModifier);  // another kind is selected alone
   EXPECT_EQ(editor().selection(), Selection::of(Selection::Kind::kSupport, nameOf(0)));
   EXPECT_EQ(tree().selectionModel()->selectedRows(), QModelIndexList{row(RowKind::kSupports, 0)});
   editor().select(Selection::ofEdges({2}));
@@ -116,7 +118,7 @@ TEST_F(ModelDock, ANameBeingTypedCountsWhenTheWindowIsClosedAndNeverAfterwards) 
                           [](QMessageBox& box) { box.button(QMessageBox::Cancel)->click(); });
   EXPECT_EQ(nameOf(0), "foot");
   typeName(row(RowKind::kSupports, 0), "base");
-  window_.reset();  // not entered into a project that is gone
+  window_.reset();  // must not rename in a destroyed project
 }
 
 TEST_F(ModelDock, TakenAndEmptyNamesAreRefusedInWords) {
@@ -138,7 +140,7 @@ TEST_F(ModelDock, DeletesWhatCanBeDeletedAndSaysWhyOthersStay) {
   QTest::keyClick(&view(), Qt::Key_Delete);
   ASSERT_EQ(refused.count(), 1);
   EXPECT_TRUE(refused[0][0].toString().contains("Control points cannot be deleted"));
-  // Two actions with the key would do nothing.
+  // A key with two actions would be ambiguous.
   const auto actions = window_->findChildren<QAction*>();
   EXPECT_EQ(std::count_if(actions.begin(), actions.end(),
                           [](const QAction* each) {

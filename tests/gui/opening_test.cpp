@@ -30,7 +30,7 @@ class Opening : public WindowTest {
 
 TEST_F(Opening, BrokenProjectsAreNamedAndThePresentOneStays) {
   const std::string before = text();
-  const QString version = broken("version.json", "\"version\": 2", "\"version\": 99");
+  const QString version = broken("version.json", "\"version\": 3", "\"version\": 99");
   const QString number = broken("number.json", "MPa\": 0.1", "MPa\": NaN");
   const QString truncated = folder_.filePath("truncated.json");
   QFile::copy(kSphere, truncated);
@@ -72,7 +72,7 @@ TEST_F(Opening, AVanishedRecentFileIsGreyAndTheListCanBeCleared) {
   auto* menu = find<QMenu>("recent");
   Q_EMIT menu->aboutToShow();
   EXPECT_TRUE(menu->findChild<QAction*>(file)->isEnabled());
-  // Gone between the menu and the click: said, nothing else.
+  // A file removed between menu and click gives a message only.
   QAction* entry = menu->findChild<QAction*>(file);
   QFile::remove(file);
   entry->trigger();

@@ -14,7 +14,7 @@
 
 namespace palpa::gui {
 
-/// A person with a camera: drives a window of its own and photographs it for the user guide.
+/// Drives a window by mouse and key events and photographs it for the user guide.
 class Photographer {
  public:
   explicit Photographer(QString folder) : folder_(std::move(folder)) {
@@ -89,7 +89,7 @@ class Photographer {
   }
   void pressWithBall(QPoint at) {
     simulate("Ball");
-    held_ = at;
+    pressedAt_ = at;
     QTest::mousePress(&view(), Qt::LeftButton, {}, at);
     for (int i = 0; i < 10; ++i) {
       wheel(at, 1);
@@ -99,7 +99,7 @@ class Photographer {
   }
   void grab(QPoint at, QPoint by) {
     simulate("Grab");
-    held_ = at + by;
+    pressedAt_ = at + by;
     QTest::mousePress(&view(), Qt::LeftButton, {}, at);
     for (int i = 1; i <= 20; ++i) move(at + by * i / 20, Qt::LeftButton);
     QTest::qWait(2000);
@@ -110,20 +110,20 @@ class Photographer {
     QApplication::sendEvent(&view(), &event);
   }
   void press(QPoint at) {
-    held_ = at;
+    pressedAt_ = at;
     QTest::mousePress(&view(), Qt::LeftButton, {}, at);
   }
   void dragTo(QPoint at) {
-    held_ = at;
+    pressedAt_ = at;
     move(at, Qt::LeftButton);
   }
-  void release() { QTest::mouseRelease(&view(), Qt::LeftButton, {}, held_); }
+  void release() { QTest::mouseRelease(&view(), Qt::LeftButton, {}, pressedAt_); }
   MainWindow& window() { return window_; }
   const QString& folder() const { return folder_; }
 
   /// Back to modelling.
   void letGo() {
-    QTest::mouseRelease(&view(), Qt::LeftButton, {}, held_);
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, pressedAt_);
     action("Model")->trigger();
   }
 
@@ -157,7 +157,7 @@ class Photographer {
 
   QString folder_;
   MainWindow window_;
-  QPoint held_;  // where a contact is held
+  QPoint pressedAt_;  // place of the pressed button
 };
 
 }  // namespace palpa::gui

@@ -8,7 +8,7 @@
 namespace palpa::gui {
 namespace {
 
-/// Touches of the project, played in Simulate mode, and what the Forces panel says of several.
+/// Stored touches played in Simulate mode, and the Forces panel with several contacts.
 class PlayedTouches : public WindowTest {
  protected:
   Simulation& simulation() { return window_->simulation(); }
@@ -37,13 +37,13 @@ TEST_F(PlayedTouches, ArePlayedAsTheCommandLinePlaysThem) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
   ASSERT_TRUE(editor().perform(
-      modeling::AddTouch{{"side", {25, 0, 0}, modeling::TouchForce{{-0.3, 0, 0}}, 6.0}}));
+      modeling::AddTouch{{"side", {25, 0, 0}, modeling::TouchKind::kForce, {-0.3, 0, 0}, 6.0}}));
   ASSERT_TRUE(editor().perform(
-      modeling::AddTouch{{"ball", {0, -25, 0}, modeling::TouchProbe{{0, 1.5, 0}, 0.0}, 8.0}}));
+      modeling::AddTouch{{"ball", {0, -25, 0}, modeling::TouchKind::kBall, {0, 1.5, 0}, 8.0}}));
   simulate();
   QTest::keyClick(&view(), Qt::Key_T);
   ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 3; }, 20000));
-  // A second, and the columns they wait for.
+  // A second, and the time for their columns.
   const auto model = editor().model();
   const app::TouchState exact = app::playTouches(*model, editor().project().touches);
   const auto differs = [&](std::size_t k) {
@@ -79,7 +79,7 @@ TEST_F(PlayedTouches, DeleteOverTheViewLeavesTheProjectAlone) {
   QTest::keyClick(&view(), Qt::Key_Delete);
   EXPECT_EQ(text(), before);
   EXPECT_TRUE(simulation().snapshot().find(*pin));
-  // Over a pin it lets go of it.
+  // Delete over a pin removes it.
   const auto& contact = *simulation().snapshot().find(*pin);
   moveTo(pixelOf(contact.point.position + simulation().displacementAt(contact.point)));
   QTest::keyClick(&view(), Qt::Key_Delete);
@@ -95,11 +95,11 @@ TEST_F(PlayedTouches, ContactsKeepTheirNumbers) {
   QTest::qWait(200);
   EXPECT_EQ(forces().text(0, 0), "Grab 1");
   EXPECT_EQ(forces().text(1, 0), "Grab 2");
-  simulation().letGo(*first);
+  simulation().end(*first);
   ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 1; }, 5000));
   QTest::qWait(300);
   EXPECT_EQ(forces().text(0, 0), "Grab 2");
-  // The row wears the colour of its curve.
+  // The row has the colour of its curve.
   const QIcon spot = find<QTreeWidget>("contacts")->topLevelItem(0)->icon(0);
   const auto [red, green, blue] = view::ForcePlot::colour(1);
   EXPECT_EQ(spot.pixmap(8, 8).toImage().pixelColor(4, 4), QColor(red, green, blue));

@@ -21,7 +21,7 @@ class PointTools : public WindowTest {
   PointTools() {
     EXPECT_TRUE(window_->openFile(kSphere));
     options_ = window_->findChild<PointOptions*>();
-    QApplication::setActiveWindow(window_.get());  // or no shortcut would hear of a key
+    QApplication::setActiveWindow(window_.get());  // shortcuts need an active window
     view().setFocus();
   }
 
@@ -74,7 +74,7 @@ TEST_F(PointTools, TypedLengthsAreExactAndOneStep) {
   keepPicture("typed-length");
   key(Qt::Key_Return);
   EXPECT_EQ(places()[point], from + Vector3d(5, 0, 0));
-  // Digits do not turn the view or switch the grid meanwhile, and afterwards they do again.
+  // During a motion digits do not trigger shortcuts of the view; afterwards they do.
   keys("gz12.5-");
   key(Qt::Key_Backspace);
   key(Qt::Key_Return);
@@ -121,7 +121,7 @@ TEST_F(PointTools, EscapeAndTheRightButtonTakeTheMotionBackOnly) {
   QTest::mouseClick(&view(), Qt::RightButton, {}, QPoint(300, 300));
   EXPECT_EQ(text(), text1);
   EXPECT_EQ(editor().selection(), Selection::ofPoints({point}));
-  // Back to the start by hand, then Escape: the same.
+  // A drag back to the start, then Escape: the same.
   keys("gx2");
   key(Qt::Key_Backspace);
   keys("0");
@@ -136,7 +136,7 @@ TEST_F(PointTools, ShortcutsSleepDuringAMotion) {
   const std::string moving = text();
   QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(text(), moving);
-  // A menu used with the mouse ends the motion as it is.
+  // A menu entry chosen with the mouse ends the motion.
   editor().undo();
   EXPECT_FALSE(editor().session().document().canUndo());
   key(Qt::Key_Escape);
@@ -187,7 +187,7 @@ TEST_F(PointTools, TurningAndScalingByNumbers) {
   const int point = *points.begin();
   const Vector3d arm = places()[point] - centre;
   action("Rotate")->trigger();
-  EXPECT_EQ(editor().selection().points, points);  // stays with another tool
+  EXPECT_EQ(editor().selection().points, points);  // unchanged by another tool
   view().setFocus();
   keys("z30");
   keepPicture("rotate");
@@ -240,10 +240,10 @@ TEST_F(PointTools, FalloffAndMirrorTakeOthersAlong) {
   moveTo(pixelOfPoint(point));
   keys("gx2");
   keepPicture("falloff");
-  // Points that keep smooth edges smooth may move in addition.
+  // Smooth edges may move further points.
   EXPECT_EQ(places()[point], before[point] + Vector3d(2, 0, 0));
   for (int follower : followers) EXPECT_NE(places()[follower], before[follower]) << follower;
-  // The wheel widens the reach of what is under way.
+  // The wheel increases the falloff of the present motion.
   const double radius = options_->falloff();
   QWheelEvent wheel(QPointF(300, 300), view().mapToGlobal(QPointF(300, 300)), {}, {0, 120},
                     Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
@@ -315,7 +315,7 @@ TEST_F(PointTools, EdgesLieWhereTheyArePicked) {
   options_->setPick(PointOptions::Pick::kEdges);
   int picked = 0;
   for (int edge = 0; edge < int(editor().solid()->edges().size()); ++edge) {
-    // The middle of the edge's row of points lies near the edge of a ball's patch.
+    // The middle control point of the edge is near the edge of the sphere's patch.
     const std::set<int> points = pointsOfEdge(*editor().solid(), edge);
     const auto [a, b] = editor().solid()->edges()[edge].vertices;
     EXPECT_TRUE(points.contains(a) && points.contains(b));

@@ -7,8 +7,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/gui/workspace/tool_box.h"
 #include "app/gui/widgets/vector_edit.h"
+#include "app/gui/workspace/tool_box.h"
 #include "tests/gui/window_fixture.h"
 
 namespace palpa::gui {
@@ -72,11 +72,11 @@ TEST_F(PropertiesDock, AShapeIsMadeAnewFromItsNumbers) {
   enter(field("length0"), "30");
   ASSERT_TRUE(project().primitive);
   EXPECT_DOUBLE_EQ(std::get<modeling::SphereShape>(project().primitive->shape).radius, 30.0);
-  // Facts of the body follow when it has been at rest for a moment.
+  // Facts of the body are updated after a short rest.
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return std::abs(fact("size").section(' ', 0, 0).toDouble() - 60.0) < 0.1; }, 5000))
       << fact("size").toStdString();
-  // A moved point ends it.
+  // A moved point removes the primitive.
   editor().perform(
       modeling::MovePoints{modeling::PointSelection::of({0}), modeling::MoveBy{{0.5, 0, 0}}, {}});
   EXPECT_EQ(page().findChild<QWidget*>("length0"), nullptr);
@@ -188,13 +188,14 @@ TEST_F(PropertiesDock, LoadsOfAllKinds) {
 
 TEST_F(PropertiesDock, ATouchBecomesAForceWithARadius) {
   using namespace modeling;
-  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, {}}});
+  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchKind::kGrab, {0, 0, -2}, {}}});
   editor().select(Selection::of(Selection::Kind::kTouch, "poke"));
   auto& kind = field<QComboBox>("kind");
   kind.setFocus();
   QTest::keyClick(&kind, Qt::Key_Down);
-  EXPECT_EQ(std::get<TouchForce>(project().touches.back().action).vector.z(), -1.0);
-  EXPECT_TRUE(field<QComboBox>("kind").hasFocus());  // of the page made anew
+  EXPECT_EQ(project().touches.back().kind, TouchKind::kForce);
+  EXPECT_EQ(project().touches.back().vector.z(), -1.0);
+  EXPECT_TRUE(field<QComboBox>("kind").hasFocus());  // of the new page
   QTest::mouseClick(&field<QCheckBox>("usualRadius"), Qt::LeftButton, {}, QPoint(8, 8));
   enter(field("radius"), "3");
   EXPECT_EQ(project().touches.back().radius, 3.0);
@@ -203,7 +204,7 @@ TEST_F(PropertiesDock, ATouchBecomesAForceWithARadius) {
 
 TEST_F(PropertiesDock, ATouchBecomesAPushWithFrictionAndAPin) {
   using namespace modeling;
-  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchDisplacement{{0, 0, -2}}, {}}});
+  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchKind::kGrab, {0, 0, -2}, {}}});
   editor().select(Selection::of(Selection::Kind::kTouch, "poke"));
   const auto choose = [&](int steps) {
     auto& kind = field<QComboBox>("kind");
@@ -212,19 +213,22 @@ TEST_F(PropertiesDock, ATouchBecomesAPushWithFrictionAndAPin) {
       QTest::keyClick(&field<QComboBox>("kind"), steps > 0 ? Qt::Key_Down : Qt::Key_Up);
   };
   choose(2);
-  // On the way it was a force, so the length is that of a unit.
-  EXPECT_EQ(std::get<TouchPush>(project().touches.back().action).vector.z(), -1.0);
+  // The conversion through a force sets the length to 1.
+  EXPECT_EQ(project().touches.back().kind, TouchKind::kPush);
+  EXPECT_EQ(project().touches.back().vector.z(), -1.0);
   enter(field<VectorEdit>("vector").component(0), "0.5");
   enter(field("friction"), "11");
   EXPECT_TRUE(refusalOf(field("friction")).isVisible());
   enter(field("friction"), "0.3");
   choose(1);
-  const auto probe = std::get<TouchProbe>(project().touches.back().action);
-  EXPECT_EQ(probe.friction, 0.3);
-  EXPECT_EQ(probe.vector, Eigen::Vector3d(0.5, 0, -1));
-  keepPicture("properties-probe");
+  const Touch ball = project().touches.back();
+  EXPECT_EQ(ball.kind, TouchKind::kBall);
+  EXPECT_EQ(ball.friction, 0.3);
+  EXPECT_EQ(ball.vector, Eigen::Vector3d(0.5, 0, -1));
+  keepPicture("properties-ball");
   choose(1);
-  EXPECT_EQ(std::get<TouchPin>(project().touches.back().action).vector.norm(), 0.0);
+  EXPECT_EQ(project().touches.back().kind, TouchKind::kPin);
+  EXPECT_EQ(project().touches.back().vector.norm(), 0.0);
 }
 
 TEST_F(PropertiesDock, ADragRefreshesTheNumbersLater) {
@@ -243,10 +247,11 @@ TEST_F(PropertiesDock, WhatWasTypedDoesNotOutliveTheWindow) {
   window_.reset();
 }
 
-/// A tool with something to set.
+/// A tool with options.
 class SomeTool : public Tool {
  public:
   QString hint() const override { return {}; }
+  KeyHelp keyHelp() const override { return {}; }
   QWidget* makeOptions(QWidget* parent) override {
     auto* box = new QCheckBox("Wobble", parent);
     box->setObjectName("wobble");
@@ -259,7 +264,7 @@ TEST_F(PropertiesDock, TheActiveToolsOptionsComeFirst) {
   Tool& first = window_->tools().active();
   Tool* tool = window_->tools().add(std::make_unique<SomeTool>(), &menu, {"move", "So&me tool"});
   const auto heading = [this] {
-    QTest::qWait(20);  // until the former ones are gone
+    QTest::qWait(20);  // until the former options are deleted
     const auto sections =
         window_->findChild<QDockWidget*>("properties")->findChildren<QWidget*>("toolOptions");
     return sections.size() == 1 ? sections[0]->findChild<QLabel*>("heading")->text() : QString();
@@ -298,7 +303,7 @@ TEST_F(PropertiesDock, NothingIsCutOffInANarrowPanel) {
   const std::string patch = editor().solid()->patches()[0].name;
   editor().perform(AddLoad{{"t", UniformTraction{Region::ofPatches({patch}), {0, 0, 1}}}});
   editor().perform(AddLoad{{"b", Bump{{0, 0, 25}, 5, 0.1, {0, 0, -1}}}});
-  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchForce{{0, 0, -2}}, 3.0}});
+  editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchKind::kForce, {0, 0, -2}, 3.0}});
   using Kind = Selection::Kind;
   for (const auto& [name, selection] :
        {std::pair{"nothing", Selection()},

@@ -12,7 +12,7 @@ namespace {
 class RebuildDock : public WindowTest {
  protected:
   RebuildDock() { showDock(); }
-  /// It is a tab behind Properties.
+  /// The panel is a tab behind Properties.
   void showDock() { QTest::mouseClick(find<QPushButton>("rebuildStatus"), Qt::LeftButton); }
 };
 using State = app::RebuildStatus::State;
@@ -21,12 +21,12 @@ bool waitForState(const Editor& editor, State state) {
   return QTest::qWaitFor([&] { return editor.rebuildStatus().state == state; }, 60000);
 }
 
-/// Lets the dock, which looks 30 times a second, see the present state.
+/// Waits until the panel, updated 30 times a second, shows the present state.
 void waitForDock() {
   QTest::qWait(100);
 }
 
-/// The sphere with a mesh that takes long enough to be stopped.
+/// Sphere with a mesh whose build takes long enough to stop it.
 modeling::Project slowSphere(const Editor& editor) {
   modeling::Project project = editor.project();
   project.mesh.edgeLength = 1.9;

@@ -6,13 +6,13 @@
 namespace palpa::gui {
 namespace {
 
-/// One sitting, with keys and mouse alone.
+/// A session with keys and mouse only.
 class RecordedSession : public WindowTest {
  protected:
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     QTest::keyClick(&view(), key, modifiers);
   }
-  /// Answers the file dialog that `keys` bring up.
+  /// Answers the file dialog opened by `keys`.
   void chooseFile(Qt::Key key, Qt::KeyboardModifiers modifiers, const QString& file) {
     withDialog<QFileDialog>([&] { press(key, modifiers); },
                             [&](QFileDialog& dialog) { WindowTest::chooseFile(dialog, file); });
@@ -24,7 +24,7 @@ class RecordedSession : public WindowTest {
     const Eigen::Vector3d place = editor().solid()->controlPoints()[point];
     const QPoint from = pixelOf(place);
     const QPoint out = from - view().rect().center();
-    // How far a pixel is at the point's depth.
+    // Length of a pixel at the point's depth.
     const Eigen::Vector2d pixel(from.x(), from.y());
     const Eigen::Vector3d shifted =
         view().viewport().inViewPlane(pixel + Eigen::Vector2d(out.x(), out.y()), place);
@@ -45,7 +45,7 @@ TEST_F(RecordedSession, EndsWithTheSameDocumentAfterReopening) {
 
   const int point = dragPointOutwards();
   const Eigen::Vector3d moved = editor().solid()->controlPoints()[point];
-  // Net and surface are drawn where they are now: the handle is found there.
+  // The handle is found at the drawn position of the net.
   const QPoint at = pixelOf(moved);
   EXPECT_EQ(view().viewport().controlPointAt({at.x(), at.y()}), point);
   keepPicture("session-1-dragged");

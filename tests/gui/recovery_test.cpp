@@ -15,7 +15,7 @@
 namespace palpa::gui {
 namespace {
 
-/// With snapshots of a program that crashed.
+/// Fixture with snapshots of a crashed program.
 class Recovery : public WindowTest {
  protected:
   QDir snapshotFolder() const { return folder_.filePath("palpa/autosave"); }
@@ -27,8 +27,8 @@ class Recovery : public WindowTest {
     return made;
   }
 
-  /// Leaves a snapshot as a program does that is gone: the process that wrote it began at another
-  /// time than any that runs.
+  /// Leaves a snapshot of a program that no longer runs: its start time belongs to no present
+  /// process.
   void crash(const modeling::Project& lost, const QString& original = {}) {
     modeling::Autosave(modeling::defaultAutosaveFolder()).write(lost, original.toStdString(), 7);
     for (const QFileInfo& each : snapshotFolder().entryInfoList(QDir::Files)) {
@@ -41,7 +41,7 @@ class Recovery : public WindowTest {
     }
   }
 
-  /// Starts the program's work and runs `act` on the dialog that comes.
+  /// Calls MainWindow::begin() and runs `act` on the dialog.
   void begin(const std::function<void(RecoveryDialog&)>& act) {
     bool isAnswered = false;
     withDialog<RecoveryDialog>(
@@ -73,7 +73,7 @@ TEST_F(Recovery, TheEditsComeBackAndAreSavedToTheirFile) {
   EXPECT_TRUE(window_->isWindowModified());
   EXPECT_EQ(editor().fileName(), file);
   EXPECT_EQ(modeling::readProject(file.toStdString()).name, "as it was saved");
-  // The new session has its own snapshot in place of the old one.
+  // The snapshot of the new session replaces the old one.
   EXPECT_EQ(snapshotFiles().size(), 1);
   EXPECT_TRUE(modeling::findRecoverable(modeling::defaultAutosaveFolder()).snapshots.empty());
   QApplication::setActiveWindow(window_.get());
@@ -117,7 +117,7 @@ TEST_F(Recovery, OldSnapshotsOfWhatWasSavedLaterGo) {
         std::filesystem::file_time_type::clock::now() + std::chrono::seconds(5));
   }
   window_->begin({});
-  // The one of today stays: another program may have written its file.
+  // Today's snapshot stays: another program may have written its file.
   EXPECT_TRUE(QTest::qWaitFor([&] { return snapshotFiles().size() == 1; }, 10000));
   const auto left = modeling::findRecoverable(modeling::defaultAutosaveFolder());
   ASSERT_EQ(left.outdated.size(), 1u);
@@ -130,7 +130,7 @@ TEST_F(Recovery, DiscardingAsksAndThenRemoves) {
   begin([&](RecoveryDialog& dialog) {
     auto* list = dialog.findChild<QTreeWidget*>("snapshots");
     EXPECT_EQ(list->topLevelItemCount(), 2);
-    EXPECT_EQ(list->topLevelItem(0)->text(0), "two");  // the latest first
+    EXPECT_EQ(list->topLevelItem(0)->text(0), "two");  // newest first
     const auto discard = [&](QMessageBox::StandardButton answer) {
       withDialog<QMessageBox>([&] { click(dialog, "discard"); },
                               [&](QMessageBox& question) {
@@ -164,7 +164,7 @@ TEST_F(Recovery, TheOthersAreOfferedByTheMenu) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return isAnswered; }, 10000));
       },
       [&](RecoveryDialog& dialog) {
-        // What was recovered is not saved yet: it must not be lost for the other.
+        // The recovered project is not saved yet; recovering another one must not lose it.
         withDialog<QMessageBox>(
             [&] { click(dialog, "recover"); },
             [](QMessageBox& question) { question.button(QMessageBox::Cancel)->click(); });

@@ -17,7 +17,7 @@
 namespace palpa::gui {
 namespace {
 
-/// With an edit that is not saved, and the file it belongs to.
+/// Fixture with an unsaved edit of a file.
 class Saving : public WindowTest {
  protected:
   void openAndEdit() {
@@ -31,7 +31,7 @@ class Saving : public WindowTest {
   }
   std::string savedName() const { return modeling::readProject(file_.toStdString()).name; }
 
-  /// Answers the question that `act` brings up.
+  /// Answers the question opened by `act`.
   void answer(const std::function<void()>& act, QMessageBox::StandardButton button) {
     withDialog<QMessageBox>(act, [&](QMessageBox& question) {
       EXPECT_TRUE(question.text().contains("ball.json")) << question.text().toStdString();
@@ -49,7 +49,7 @@ class Saving : public WindowTest {
     EXPECT_TRUE(enter.isAccepted());
     QDropEvent event({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &event);
-    QTest::qWait(20);  // questions and reading begin when the other program is free again
+    QTest::qWait(20);  // the window asks and reads after the drop has returned
   }
 
   /// Types a name into the dialog for files and presses Enter.
@@ -96,7 +96,7 @@ TEST_F(Saving, ANewSolidAsks) {
   withDialog<NewSolidDialog>(
       [&] { answer([&] { action("New")->trigger(); }, QMessageBox::Discard); },
       [](NewSolidDialog& dialog) { dialog.reject(); });
-  // Nothing was made, so nothing is gone.
+  // Nothing was edited: no question.
   EXPECT_EQ(editor().project().name, "edited");
   EXPECT_TRUE(window_->isWindowModified());
 }
@@ -123,7 +123,7 @@ TEST_F(Saving, WhatCannotBeSavedKeepsTheWindowOpen) {
   EXPECT_TRUE(window_->isWindowModified());
   ASSERT_EQ(window_->messages().messages().size(), 1);
   EXPECT_TRUE(window_->messages().messages().front().contains("ball.json"));
-  // A place where nobody may write.
+  // A folder without write permission.
   EXPECT_FALSE(editor().saveAs("/proc/ball.json"));
   EXPECT_TRUE(window_->isWindowModified());
   EXPECT_EQ(editor().fileName(), folder + "/ball.json");

@@ -11,8 +11,8 @@
 #include "tests/gui/films.h"
 #include "tests/gui/photographer.h"
 
-// Makes the pictures of the user guide; drives the window as a person would and photographs it. See
-// scripts/make-screenshots and scripts/make-animations.
+// Makes the pictures of the user guide; drives the window by mouse and key events and photographs
+// it. See scripts/make-screenshots and scripts/make-animations.
 //   palpa_screenshots FOLDER             the pictures
 //   palpa_screenshots --films FOLDER     numbered pictures of bodies being touched, a folder each
 //   palpa_screenshots --plot CSV PNG     forces that palpa-touch-bench --csv wrote, as curves
@@ -58,7 +58,7 @@ void photograph(const QString& folder) {
   p.letGo();
   p.open("gripper-finger");
   p.simulate("Grab");
-  p.action("Stiffness under a fingertip")->trigger();
+  p.action("Stiffness")->trigger();
   (void)QTest::qWaitFor([&] { return p.window().simulation().stiffnessReady() >= 1; }, 120000);
   p.window().viewport().viewport().fit();
   p.window().viewport().update();
@@ -71,7 +71,7 @@ void photograph(const QString& folder) {
   p.letGo();
   p.theme(Theme::kLight);
 
-  // A point is pulled through the opposite side: where the surface cuts itself is marked.
+  // A point is pulled through the opposite side: signs mark the self-intersection.
   p.open("sphere");
   p.moveHighestPoint({0, 0, -130});
   p.find<QPushButton>("rebuildStatus")->click();
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: palpa_screenshots [--films] FOLDER | --plot CSV PNG\n");
     return 2;
   }
-  // Settings and snapshots of the person who runs this stay as they are.
+  // Keeps the user's settings and snapshots unchanged.
   const QTemporaryDir own;
   qputenv("XDG_STATE_HOME", own.path().toUtf8());
   qputenv("XDG_CACHE_HOME", own.path().toUtf8());

@@ -28,7 +28,7 @@ class Simulate : public WindowTest {
     ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().drawn() != nullptr; }, 20000));
     QTest::qWait(50);
   }
-  /// A point on the sphere that is well seen.
+  /// A clearly visible point of the sphere.
   QPoint onBody() { return pixelOf({15, -15, 13}); }
   const app::TouchSnapshot::Contact* contact() {
     const auto touched = simulation().snapshot().touched();
@@ -53,9 +53,9 @@ TEST_F(Simulate, AGrabPullsAndTheDockSaysWithHowManyNewtons) {
   ASSERT_TRUE(waitForForce());
   QTest::qWait(300);
   const auto held = *contact();
-  EXPECT_EQ(held.status, Status::kHolding);
+  EXPECT_EQ(held.status, Status::kGrabbed);
   EXPECT_GT(held.displacement.norm(), 1.0);
-  // The dock reads what the loop found.
+  // The panel shows the result of the loop.
   EXPECT_TRUE(forces().text(0, 0).startsWith("Grab 1"));
   EXPECT_EQ(forces().text(0, 1), shown(held.force.norm(), Quantity::kForce, {}, 4));
   EXPECT_TRUE(forces().text(1, 0).contains("base"));
@@ -79,7 +79,7 @@ TEST_F(Simulate, EnlargedDisplacementsFollowThePointer) {
     const auto& point = contact()->point;
     return view().viewport().toPixel(point.position + scale * contact()->displacement);
   };
-  // The place is drawn under the hand: the hand's way was divided by the scale.
+  // The place is drawn under the pointer: the motion was divided by the scale.
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return (drawn() - Eigen::Vector2d(to.x(), to.y())).norm() < 2.5; }, 3000))
       << drawn().transpose() << " is not " << to.x() << ' ' << to.y();
@@ -113,10 +113,10 @@ TEST_F(Simulate, TheSurfaceIsPlainUntilItIsTouched) {
 
 TEST_F(Simulate, TheSurfaceIsColouredByItsStiffness) {
   enter();
-  action("Stiffness under a fingertip")->trigger();
+  action("Stiffness")->trigger();
   ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().stiffnessReady() >= 1; }, 60000));
   QTest::qWait(100);
-  // What the colours say at a place is what a finger feels there.
+  // The colour at a place equals the stiffness of a fingertip there.
   const auto& body = *simulation().drawn();
   std::size_t top = 0;
   for (std::size_t i = 0; i < body.mesh().positions.size(); ++i)
@@ -133,12 +133,12 @@ TEST_F(Simulate, TheSurfaceIsColouredByItsStiffness) {
   QTest::qWait(100);
   EXPECT_NEAR(contact()->stiffness, stiffness, 0.03 * stiffness);
   keepPicture("simulate-stiffness");
-  // Where it is held it is stiffer than the colours go.
+  // On a support the stiffness exceeds the range of the colours.
   double stiffest = 0;
   for (const double value : simulation().values()) stiffest = std::max(stiffest, value);
   EXPECT_EQ(stiffest, simulation().range()[1]);
   EXPECT_TRUE(simulation().stiffnessColours().isCapped);
-  // A wider finger feels a stiffer body.
+  // The body is stiffer under a wider fingertip.
   simulation().setFingertip(1.5 * radius);
   ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().stiffnessReady() >= 1; }, 60000));
   QTest::qWait(100);
@@ -171,7 +171,7 @@ TEST_F(Simulate, TheForcesPanelNeedsNoScrollingAndLetsGo) {
   EXPECT_TRUE(forces().details(0).startsWith("holds: "));
   if (const QString folder = qEnvironmentVariable("PALPA_PICTURES"); !folder.isEmpty())
     forces().grab().save(folder + "/simulate-forces-300.png");
-  // Delete lets go of the chosen pin, and is not about the project.
+  // Delete ends the selected pin and does not act on the project.
   const std::string before = text();
   list->setCurrentItem(list->topLevelItem(0));
   list->setFocus();
@@ -197,7 +197,7 @@ TEST_F(Simulate, ABallIsPushedInWithTheWheel) {
   QTest::qWait(300);
   EXPECT_GT(sizes.back(), sizes[sizes.size() / 2]);
   EXPECT_TRUE(contact()->status == Status::kSticking || contact()->status == Status::kSlipping);
-  // It presses: the force points into the body.
+  // The contact presses: its force points into the body.
   EXPECT_LT(contact()->force.dot(contact()->point.position), 0);
   keepPicture("simulate-ball");
   QTest::mouseRelease(&view(), Qt::LeftButton, {}, at);
@@ -210,7 +210,7 @@ TEST_F(Simulate, ShiftLeavesAPinAndEscapeLetsGo) {
   slowly(at, at + QPoint(40, 20));
   QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(40, 20));
   ASSERT_TRUE(waitForForce());
-  // A second one, beside it.
+  // A second contact.
   const QPoint other = at + QPoint(-150, 40);
   action("Force")->trigger();
   QTest::mousePress(&view(), Qt::LeftButton, {}, other);
@@ -267,7 +267,7 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
       },
       20000));
   EXPECT_LT(nearest, 1e-3 * force.norm());
-  // As a table: its last contact line before letting go has it, too.
+  // The last contact line of the table before the release has the same force.
   const QString file = folder_.filePath("forces.csv");
   withDialog<QFileDialog>([&] { action("Export forces")->trigger(); },
                           [&](QFileDialog& dialog) { chooseFile(dialog, file); });
@@ -278,7 +278,7 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   const int column = static_cast<int>(lines[0].split(',').indexOf("force_N"));
   EXPECT_NEAR(lines.back().split(',')[column].toDouble(), force.norm(), 1e-3 * force.norm());
   keepPicture("simulate-recorded");
-  // Kept in a file, another table of it has the same bytes.
+  // A table of the saved recording has the same bytes.
   const QString kept = folder_.filePath("hand.json"), again = folder_.filePath("again.csv");
   withDialog<QFileDialog>([&] { action("Save recording")->trigger(); },
                           [&](QFileDialog& dialog) { chooseFile(dialog, kept); });
@@ -294,7 +294,7 @@ TEST_F(Simulate, ARecordingIsReplayedAndExported) {
   ASSERT_TRUE(second.open(QIODevice::ReadOnly));
   table.seek(0);
   EXPECT_EQ(second.readAll(), table.readAll());
-  // Not a recording: said, and the one that is there stays.
+  // Not a recording: a message, and the present recording stays.
   const QString wrong = folder_.filePath("wrong.json");
   QFile broken(wrong);
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
@@ -315,7 +315,7 @@ TEST_F(Simulate, ThePointerMovesWhileAnotherMeshTakesOver) {
   slowly(at, at + QPoint(30, 0));
   QTest::mouseRelease(&view(), Qt::LeftButton, Qt::ShiftModifier, at + QPoint(30, 0));
   ASSERT_TRUE(waitForForce());
-  // Finer: the new mesh has triangles that the old one lacks.
+  // The finer mesh has triangle numbers that the old one lacks.
   const std::uint64_t model = simulation().snapshot().model;
   modeling::MeshSettings finer = editor().project().mesh;
   finer.edgeLength /= 1.6;
@@ -341,7 +341,7 @@ TEST_F(Simulate, ClosingEndsAReplay) {
   QTest::qWait(50);
   action("Record")->trigger();
   action("Replay")->trigger();
-  ASSERT_FALSE(action("Export forces")->isEnabled());  // it runs
+  ASSERT_FALSE(action("Export forces")->isEnabled());  // running
   window_.reset();
 }
 

@@ -48,7 +48,7 @@ class SurfaceTools : public WindowTest {
     QTest::mouseClick(&view(), Qt::LeftButton, modifiers, at);
   }
   const modeling::Project& project() { return editor().project(); }
-  /// One step of undo leads back to the project as it was opened.
+  /// One undo step restores the opened project.
   void expectOneStep() {
     ASSERT_TRUE(editor().session().document().canUndo());
     editor().undo();
@@ -102,7 +102,7 @@ TEST_F(SurfaceTools, TheBrushPaintsAStrokeUnderThePointer) {
   for (int i = 0; i <= 4; ++i)
     EXPECT_LT(stroke.value(placeAt(from + (to - from) * i / 4).position), -2.0);
   keepPicture("support-brush");
-  // More of the same support: a second step; Ctrl erases what is under the pointer.
+  // A second stroke is a second step; Ctrl erases under the pointer.
   drag(to, to + QPoint(0, 90));
   EXPECT_EQ(project().supports.back().where.parts.size(), 2u);
   drag(middle() + QPoint(0, -40), middle() + QPoint(1, -41), Qt::ControlModifier);
@@ -150,7 +150,7 @@ TEST_F(SurfaceTools, AButtonThatWasReleasedElsewherePaintsNoMore) {
   use("Paint support");
   moveTo(middle());
   QTest::mousePress(&view(), Qt::LeftButton, {}, middle());
-  // A dialog gets the release; back in the view no button is held.
+  // A dialog receives the release; back in the view no button is pressed.
   moveTo(middle() + QPoint(30, 0));
   EXPECT_FALSE(editor().session().document().isInGroup());
   const std::string painted = text();
@@ -188,7 +188,7 @@ TEST_F(SurfaceTools, PressOnAPatchWithAShareOfYoungsModulus) {
   keepPicture("load-pressure");
   enter("loadStrength", "5 kPa");
   EXPECT_DOUBLE_EQ(std::get<modeling::Pressure>(project().loads.back().what).pressure, 0.005);
-  // A selected pressure is not a traction: choosing that kind makes a new load.
+  // With a selected pressure, the kind traction creates a new load.
   choose("loadKind", 1);
   click(middle() + QPoint(3, 3));
   ASSERT_EQ(project().loads.size(), loads + 2);
@@ -223,22 +223,22 @@ TEST_F(SurfaceTools, ATouchIsPulledOutOrPressedIn) {
   drag(middle(), middle() + QPoint(40, 0));
   ASSERT_EQ(project().touches.size(), touches + 1);
   const modeling::Touch pulled = project().touches.back();
-  const Eigen::Vector3d vector = std::get<modeling::TouchDisplacement>(pulled.action).vector;
+  ASSERT_EQ(pulled.kind, modeling::TouchKind::kGrab);
+  const Eigen::Vector3d vector = pulled.vector;
   EXPECT_LT((pulled.at - placeAt(middle()).position).norm(), 0.2);
   EXPECT_LE((pixelOf(pulled.at + vector) - middle() - QPoint(40, 0)).manhattanLength(), 3);
   editor().undo();
   click(middle());
-  const auto pressed =
-      std::get<modeling::TouchDisplacement>(project().touches.back().action).vector;
+  const Eigen::Vector3d pressed = project().touches.back().vector;
   const auto [low, high] = modeling::boundingBox(project().body);
   EXPECT_NEAR(pressed.norm(), 0.05 * (high - low).maxCoeff(), 1e-9);
   EXPECT_LT(pressed.dot(project().touches.back().at), 0);
   keepPicture("touch");
   editor().undo();
-  // Along the normal the pointer only chooses how far.
+  // Along the normal the pointer sets only the distance.
   drag(middle() + QPoint(40, -40), middle() + QPoint(70, -60), Qt::ControlModifier);
   const modeling::Touch along = project().touches.back();
-  const Eigen::Vector3d way = std::get<modeling::TouchDisplacement>(along.action).vector;
+  const Eigen::Vector3d way = along.vector;
   EXPECT_GT(way.norm(), 0.1);
   EXPECT_GT(std::abs(way.normalized().dot(along.at.normalized())), 0.999);
   expectOneStep();
@@ -252,15 +252,15 @@ TEST_F(SurfaceTools, ATouchIsOfTheKindThatWasChosen) {
   enter("touchFriction", "0.4");
   click(middle());
   const modeling::Touch touch = project().touches.back();
-  ASSERT_STREQ(modeling::kindOf(touch), "push");
-  EXPECT_DOUBLE_EQ(*modeling::frictionOf(touch), 0.4);
-  EXPECT_LT(modeling::vectorOf(touch).dot(touch.at), 0);
+  ASSERT_EQ(touch.kind, modeling::TouchKind::kPush);
+  EXPECT_DOUBLE_EQ(touch.friction, 0.4);
+  EXPECT_LT(touch.vector.dot(touch.at), 0);
   keepPicture("touch-push");
   choose("touchKind", 3);
   EXPECT_FALSE(option<QuantityEdit>("touchFriction").isEnabled());
   click(middle() + QPoint(30, 30));
-  ASSERT_STREQ(modeling::kindOf(project().touches.back()), "pin");
-  EXPECT_EQ(modeling::vectorOf(project().touches.back()).norm(), 0);
+  ASSERT_EQ(project().touches.back().kind, modeling::TouchKind::kPin);
+  EXPECT_EQ(project().touches.back().vector.norm(), 0);
 }
 
 TEST_F(SurfaceTools, AKnotIsInsertedUnderThePointerAndRemovedAgain) {
@@ -297,7 +297,7 @@ TEST_F(SurfaceTools, AKnotThatShapesTheBodyStays) {
   enter("knotTolerance", "0");
   QSignalSpy refused(&editor(), &Editor::refused);
   QSignalSpy said(&editor(), &Editor::said);
-  // Along a line over the ball there is some knot line, or the tool says that there is none.
+  // A path over the sphere crosses a knot line, or the tool reports that there is none.
   for (int x = -100; x <= 100; x += 20) click(middle() + QPoint(x, 30));
   EXPECT_EQ(text(), steps0_);
   EXPECT_EQ(refused.count() + said.count(), 11);

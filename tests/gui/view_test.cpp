@@ -82,7 +82,7 @@ TEST_F(View, TurnsAndZoomsByKeys) {
 TEST_F(View, KeysOfTheMenuAndOfTheSelectionKeepApart) {
   ASSERT_TRUE(window_->openFile(kSphere));
   view().setFocus();
-  // Without a selection Z and G are the menu's, with one they begin a motion.
+  // Z and G are shortcuts of the menu without a selection, and begin a motion with one.
   QTest::keyClick(&view(), Qt::Key_Z);
   EXPECT_TRUE(action("Wire")->isChecked());
   QTest::keyClick(&view(), Qt::Key_G);
@@ -123,7 +123,7 @@ TEST_F(View, SurvivesANewContext) {
   central->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(central));
   EXPECT_LT(differing(), 1e-3);
-  // While it is away, the scene changes.
+  // The scene changes while the view is hidden.
   editor().select(Selection::ofPatches({0}));
   EXPECT_GT(differing(), 1e-3);
   editor().select({});

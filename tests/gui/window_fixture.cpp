@@ -25,7 +25,7 @@ void WindowTest::restart() {
   window_ = std::make_unique<MainWindow>();
   window_->show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
-  // Without a window manager no window becomes active by itself, and shortcuts need an active one.
+  // Without a window manager no window becomes active, and shortcuts need an active window.
   QApplication::setActiveWindow(window_.get());
 }
 
@@ -76,7 +76,7 @@ void WindowTest::drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers) {
 void WindowTest::chooseFile(QFileDialog& dialog, const QString& file) {
   auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
   auto* buttons = dialog.findChild<QDialogButtonBox*>("buttonBox");
-  // Once the folder is read, the file that was proposed is selected and named.
+  // The dialog proposes its file after reading the folder.
   QTest::qWait(300);
   name->setText(file);
   QTest::mouseClick(

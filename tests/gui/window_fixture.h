@@ -17,7 +17,7 @@
 
 namespace palpa::gui {
 
-/// The window on a display, with settings, snapshots and caches in a folder of its own.
+/// The window on a display, with settings, snapshots and caches in a temporary folder.
 class WindowTest : public testing::Test {
  protected:
   static inline const QString kSphere = PALPA_PROJECTS "/sphere.json";
@@ -43,31 +43,30 @@ class WindowTest : public testing::Test {
     return window_->findChild<T*>(name);
   }
 
-  /// In logical pixels of the view.
+  /// Position in logical pixels of the view.
   QPoint pixelOf(const Eigen::Vector3d& place);
   QPoint pixelOfPoint(int point) { return pixelOf(editor().solid()->controlPoints()[point]); }
-  /// A control point that can be seen and picked where it is drawn.
+  /// A control point that is visible and pickable at its drawn position.
   int visiblePoint();
 
   void moveTo(QPoint at, Qt::MouseButtons buttons = Qt::NoButton,
               Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   void drag(QPoint from, QPoint to, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
 
-  /// Names a file in a file dialog (as pasted: typing would make it wander through the folders) and
-  /// accepts.
+  /// Enters a file name into a file dialog as a whole (typing would change the folder) and accepts.
   static void chooseFile(QFileDialog& dialog, const QString& file);
 
-  /// Shows the picture of the window, or of a dialog, to people: written to the folder
-  /// PALPA_PICTURES names; nothing without it.
+  /// Writes a picture of the window or a dialog to the folder named by PALPA_PICTURES, if set, for
+  /// inspection.
   void keepPicture(const QString& name, QWidget* of = nullptr);
 
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;
 };
 
-/// Runs `act` on the modal dialog of type T that `open` brings up; fails when none comes up within
-/// five seconds, when `act` leaves it open, or when another dialog stays open afterwards, and
-/// closes what is there, so that `open` returns.
+/// Runs `act` on the modal dialog of type T opened by `open`. Fails if no dialog opens within five
+/// seconds, if `act` leaves it open, or if another dialog stays open; then closes the dialogs, so
+/// that `open` returns.
 template <class T>
 void withDialog(const std::function<void()>& open, const std::function<void(T&)>& act) {
   constexpr int kPatience = 5000;  // ms

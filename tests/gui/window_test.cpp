@@ -22,7 +22,7 @@ TEST_F(Window, ADraggedPointMovesTheBodyAndTheModelFollows) {
   EXPECT_EQ(editor().selection(), Selection::ofPoints({point}));
   const Eigen::Vector3d moved = editor().solid()->controlPoints()[point];
   EXPECT_GT((moved - place).norm(), 0.5);
-  // The point is drawn where the pointer let it go.
+  // The point is drawn at the release of the pointer.
   EXPECT_LE((pixelOfPoint(point) - (pixel + QPoint(40, -20))).manhattanLength(), 2);
   EXPECT_TRUE(window_->isWindowModified());
   waitForModel();
@@ -96,7 +96,7 @@ TEST_F(Window, CanBeClosedWhileTheModelIsBuilt) {
   window_.reset();
 }
 
-/// How many different colours a picture has.
+/// Number of different colours in a picture.
 std::size_t colours(const QImage& image) {
   std::set<QRgb> found;
   for (int y = 0; y < image.height(); y += 3)

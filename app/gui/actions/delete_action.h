@@ -4,7 +4,7 @@
 
 namespace palpa::gui {
 
-/// Edit > Delete: removes the selected support, load or touch, and says why other things stay.
+/// Adds Edit > Delete: removes the selected support, load or touch, or states why it cannot.
 void addDeleteAction(const Workspace& workspace);
 
 }  // namespace palpa::gui

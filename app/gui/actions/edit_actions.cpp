@@ -1,7 +1,6 @@
 #include "app/gui/actions/edit_actions.h"
 
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
@@ -15,7 +14,7 @@ EditActions::EditActions(const Workspace& workspace)
   menus.bar->addAction(undo_);
   menus.bar->addAction(redo_);
   menus.bar->addSeparator();
-  // What is named here falls off a narrow bar last.
+  // The first items of the bar stay visible in a narrow window.
   menus.views = menus.bar->addSeparator();
   menus.edit->addSeparator();
   connect(&editor, &Editor::fileChanged, this, &EditActions::update);

@@ -7,7 +7,7 @@
 
 namespace palpa::gui {
 
-/// The head of the Edit menu: undo and redo, with the names of the steps.
+/// First entries of the Edit menu: undo and redo, with the names of the steps.
 class EditActions : public QObject {
   Q_OBJECT
 

@@ -1,38 +1,41 @@
 #include "app/gui/actions/file_actions.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
 #include "app/core/session/new_project.h"
 #include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/export_dialog.h"
+#include "app/gui/dialogs/file_dialogs.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
+#include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/examples.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/workspace/menus.h"
-#include "modeling/exchange/cad_format.h"
-#include "modeling/exchange/import.h"
-#include "modeling/exchange/mesh_reader.h"
+#include "modeling/exchange/file_format.h"
 #include "modeling/shapes/make_primitive.h"
 
 namespace palpa::gui {
 namespace {
 
-const char* kBodies = "*.step *.stp *.iges *.igs *.brep *.stl *.obj *.ply";
-
-/// The endings under which desktops know projects, too, and the copies that saving keeps.
-bool isProject(const QString& file) {
-  for (const char* ending : {".json", ".palpa", ".json.bak", ".palpa.bak"})
-    if (file.endsWith(ending, Qt::CaseInsensitive)) return true;
-  return false;
+/// None for a file that cannot be opened. Backup copies (backupPath) have the format of their
+/// project.
+std::optional<modeling::FileFormat> formatToOpen(const QString& file) {
+  const bool isBackup = file.endsWith(".bak", Qt::CaseInsensitive);
+  const auto format = modeling::fileFormatOf(file.chopped(isBackup ? 4 : 0).toStdString());
+  if (!format || !infoOf(*format).canRead) return std::nullopt;
+  if (isBackup && format != modeling::FileFormat::kProject) return std::nullopt;
+  return format;
 }
 
-bool isBody(const QString& file) {
-  return modeling::cadFormatOf(file.toStdString()) || modeling::isMeshFile(file.toStdString());
+QString patterns(modeling::FormatFilter accepts) {
+  return QString::fromStdString(modeling::endingPatterns(accepts));
+}
+
+bool isProject(const modeling::FileFormatInfo& info) {
+  return info.kind == modeling::FileKind::kProject;
 }
 
 }  // namespace
@@ -42,7 +45,7 @@ FileActions::FileActions(const Workspace& workspace)
   Menus& menus = workspace_.menus;
   QMenu* menu = menus.file;
   menus.bar->addAction(
-      menus.add(menu, {"new", tr("&New …"), QKeySequence::New, tr("Make a solid from a shape")},
+      menus.add(menu, {"new", tr("&New …"), QKeySequence::New, tr("Create a solid from a shape")},
                 this, [this] { newSolid(); }));
   menus.bar->addAction(menus.add(
       menu, {"open", tr("&Open …"), QKeySequence::Open, tr("Open a project, CAD file or mesh")},
@@ -73,7 +76,7 @@ void FileActions::addImportAndExport() {
   Menus& menus = workspace_.menus;
   menus.add(menus.file,
             {"import", tr("&Import …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
-             tr("Make a new project from a CAD file or a mesh")},
+             tr("Create a project from a CAD file or a mesh")},
             this, [this] { importBody(); });
   menus.add(menus.file,
             {"export", tr("&Export …"), QKeySequence(Qt::CTRL | Qt::Key_E),
@@ -89,8 +92,8 @@ void FileActions::addPrimitiveEditing() {
                             {nullptr,
                              tr("Edit &primitive …"),
                              {},
-                             tr("Change the sizes of the shape the solid was made from; possible "
-                                "until its control points are edited")},
+                             tr("Change the sizes of the shape of the solid; possible until "
+                                "control points are edited")},
                             this, [this] { editPrimitive(); });
   const auto update = [this, edit] {
     edit->setEnabled(workspace_.editor.project().primitive.has_value());
@@ -131,21 +134,23 @@ void FileActions::fillExamples(QMenu* menu) {
       if (mayDiscard()) openExample(name);
     });
     action->setObjectName(example.title);
-    action->setStatusTip(example.what);
-    action->setToolTip(example.what);
+    action->setStatusTip(example.description);
+    action->setToolTip(example.description);
   }
   menu->setToolTipsVisible(true);
 }
 
 bool FileActions::openFile(const QString& file) {
   Editor& editor = workspace_.editor;
-  if (!isProject(file) && !isBody(file)) {
+  const auto format = formatToOpen(file);
+  if (!format) {
     Q_EMIT editor.refused(
-        tr("%1 cannot be opened: its name must end in .json or .palpa (a project), %2")
-            .arg(QFileInfo(file).fileName(), modeling::kImportFileEndings));
+        tr("%1 cannot be opened: its name must end in %2")
+            .arg(QFileInfo(file).fileName(),
+                 QString::fromStdString(modeling::endingsText(modeling::isReadable))));
     return false;
   }
-  const bool isOpen = isProject(file) ? editor.open(file) : editor.importFile(file);
+  const bool isOpen = isProject(infoOf(*format)) ? editor.open(file) : editor.importFile(file);
   if (isOpen) workspace_.settings.addRecentFile(file);
   return isOpen;
 }
@@ -174,50 +179,29 @@ bool FileActions::openExample(const QString& name) {
 void FileActions::open() {
   if (!mayDiscard()) return;
   const QString file =
-      askFileToOpen(tr("Open"), tr("All that can be opened (*.json *.palpa %1);;Projects (*.json "
-                                   "*.palpa);;Copies of before the last save (*.json.bak "
-                                   "*.palpa.bak);;CAD and meshes (%1);;All files (*)")
-                                    .arg(kBodies));
+      askFileToOpen(workspace_, tr("Open"),
+                    tr("All readable files (%1);;Projects (%2);;Copies of before the last save "
+                       "(%3);;CAD and meshes (%4);;All files (*)")
+                        .arg(patterns(modeling::isReadable), patterns(isProject),
+                             patterns(isProject).replace(' ', ".bak ") + ".bak",
+                             patterns(modeling::isImportable)));
   if (!file.isEmpty()) openFile(file);
 }
 
 void FileActions::importBody() {
   if (!mayDiscard()) return;
-  const QString file = askFileToOpen(tr("Import"), tr("CAD and meshes (%1)").arg(kBodies));
+  const QString file = askFileToOpen(
+      workspace_, tr("Import"), tr("CAD and meshes (%1)").arg(patterns(modeling::isImportable)));
   if (!file.isEmpty()) openFile(file);
 }
 
-QString FileActions::askFileToOpen(const QString& title, const QString& filter) {
-  const QString file = QFileDialog::getOpenFileName(&workspace_.window, title,
-                                                    workspace_.settings.lastFolder(), filter);
-  if (!file.isEmpty()) workspace_.settings.setLastFolder(QFileInfo(file).absolutePath());
-  return file;
-}
-
-QString FileActions::askFileToWrite(const QString& title, const QString& filter,
-                                    const QString& ending) {
-  QFileDialog dialog(&workspace_.window, title, workspace_.settings.lastFolder(), filter);
-  dialog.setAcceptMode(QFileDialog::AcceptSave);
-  dialog.setDefaultSuffix(ending);  // before it asks whether to overwrite
-  const QString present = workspace_.editor.fileName();
-  QString name = present.isEmpty() ? QString::fromStdString(workspace_.editor.project().name)
-                                   : QFileInfo(present).completeBaseName();
-  if (!present.isEmpty()) dialog.setDirectory(QFileInfo(present).absolutePath());
-  dialog.selectFile(name.replace('/', '-') + ending);
-  if (dialog.exec() != QDialog::Accepted) return {};
-  QString file = dialog.selectedFiles().value(0);
-  // Another ending than that of the format would give another format, or none.
-  if (!file.endsWith(ending, Qt::CaseInsensitive)) {
-    file += ending;
-    if (QFileInfo::exists(file) &&
-        QMessageBox::question(
-            &workspace_.window, title,
-            tr("%1 exists already. Replace it?").arg(QFileInfo(file).fileName())) !=
-            QMessageBox::Yes)
-      return {};
-  }
-  workspace_.settings.setLastFolder(QFileInfo(file).absolutePath());
-  return file;
+void FileActions::showWelcome() {
+  WelcomeDialog dialog(&workspace_.window);
+  dialog.exec();
+  using Choice = WelcomeDialog::Choice;
+  if (dialog.choice() == Choice::kNewSolid) newSolid();
+  if (dialog.choice() == Choice::kOpen) open();
+  if (dialog.choice() == Choice::kExample && mayDiscard()) openExample(dialog.example());
 }
 
 bool FileActions::save() {
@@ -225,7 +209,9 @@ bool FileActions::save() {
 }
 
 bool FileActions::saveAs() {
-  const QString file = askFileToWrite(tr("Save as"), tr("Projects (*.json)"), ".json");
+  const QString ending = infoOf(modeling::FileFormat::kProject).endings.front();
+  const QString file =
+      askFileToWrite(workspace_, tr("Save as"), tr("Projects (*%1)").arg(ending), ending);
   if (file.isEmpty() || !workspace_.editor.saveAs(file)) return false;
   workspace_.settings.addRecentFile(file);
   return true;
@@ -243,14 +229,15 @@ void FileActions::recover() {
 void FileActions::exportBody() {
   ExportDialog dialog(workspace_.editor.project(), &workspace_.window);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString file = askFileToWrite(tr("Export"), dialog.filter(), dialog.ending());
+  const QString file = askFileToWrite(workspace_, tr("Export"), dialog.filter(), dialog.ending());
   if (!file.isEmpty()) workspace_.editor.exportFile(file, dialog.surface());
 }
 
 void FileActions::savePicture() {
   PictureDialog dialog(workspace_.view.size(), &workspace_.window);
   if (dialog.exec() != QDialog::Accepted) return;
-  const QString file = askFileToWrite(tr("Save picture"), tr("Pictures (*.png)"), ".png");
+  const QString file =
+      askFileToWrite(workspace_, tr("Save picture"), tr("Pictures (*.png)"), ".png");
   if (file.isEmpty()) return;
   try {
     workspace_.view.writePicture(file.toStdString(), dialog.pictureSize());

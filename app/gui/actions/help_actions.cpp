@@ -10,14 +10,13 @@
 #include "app/gui/dialogs/guide_window.h"
 #include "app/gui/dialogs/keys_dialog.h"
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 namespace {
 
 /// The folder of the guide of the installation, or of the source folder the program was built in;
-/// empty when there is none.
+/// empty if absent.
 QString findGuide() {
   const QString program = QCoreApplication::applicationDirPath();
   QStringList places{program + "/../share/doc/palpa/docs/guide"};
@@ -27,8 +26,8 @@ QString findGuide() {
   return {};
 }
 
-void showGuide(MainWindow& window) {
-  if (auto* open = window.findChild<GuideWindow*>()) {
+void showGuide(const Workspace& workspace) {
+  if (auto* open = workspace.window.findChild<GuideWindow*>()) {
     open->show();
     open->raise();
     open->activateWindow();
@@ -36,11 +35,11 @@ void showGuide(MainWindow& window) {
   }
   const QString folder = findGuide();
   if (folder.isEmpty()) {
-    Q_EMIT window.editor().refused(
+    Q_EMIT workspace.editor.refused(
         QObject::tr("The user guide is not beside the program; install Palpa again"));
     return;
   }
-  (new GuideWindow(folder, &window))->show();
+  (new GuideWindow(folder, &workspace.window))->show();
 }
 
 QString aboutText() {
@@ -58,16 +57,15 @@ QString aboutText() {
 
 }  // namespace
 
-void addHelpActions(const Workspace& workspace) {
-  MainWindow* window = &workspace.window;
+void addHelpActions(const Workspace& workspace, FileActions& files) {
   Menus& menus = workspace.menus;
+  QWidget* window = &workspace.window;
   menus.add(menus.help, {"help", QObject::tr("&User guide"), QKeySequence(Qt::Key_F1)}, window,
-            [window] { showGuide(*window); });
-  menus.add(menus.help, {nullptr, QObject::tr("&Welcome …")}, window,
-            [window] { window->showWelcome(); });
+            [workspace] { showGuide(workspace); });
+  menus.add(menus.help, {nullptr, QObject::tr("&Welcome …")}, &files, &FileActions::showWelcome);
   menus.add(menus.help,
             {nullptr, QObject::tr("&Keyboard and mouse …"), QKeySequence(Qt::CTRL | Qt::Key_F1)},
-            window, [window] { KeysDialog(window).exec(); });
+            window, [workspace] { KeysDialog(workspace).exec(); });
   menus.help->addSeparator();
   menus.add(menus.help, {nullptr, QObject::tr("&About Palpa")}, window,
             [window] { QMessageBox::about(window, QObject::tr("About Palpa"), aboutText()); });

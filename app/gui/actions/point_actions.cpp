@@ -3,9 +3,8 @@
 #include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/number_dialog.h"
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
-#include "app/gui/workspace/menus.h"
 #include "app/gui/document/point_groups.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 
@@ -81,7 +80,7 @@ void PointActions::moveTo() {
   if (dialog.exec() != QDialog::Accepted) return;
   modeling::MovePoints command{modeling::PointSelection::of({moved.begin(), moved.end()}),
                                modeling::MoveBy{place.value() - from}, options_.reach(solid)};
-  // A single point lands on the very numbers, not on a rounded sum.
+  // A single point gets exactly the typed numbers, without rounding of a sum.
   if (moved.size() == 1) command.how = modeling::MoveTo{{place.value()}};
   workspace_.editor.perform(command);
 }

@@ -9,7 +9,7 @@
 
 namespace palpa::gui {
 
-/// Entries of the Edit menu that move the selected points by exact numbers.
+/// Entries of the Edit menu that move selected points by exact numbers.
 class PointActions : public QObject {
   Q_OBJECT
 

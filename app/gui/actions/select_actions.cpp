@@ -3,9 +3,8 @@
 #include <QActionGroup>
 
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
-#include "app/gui/workspace/menus.h"
 #include "app/gui/document/point_groups.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 namespace {
@@ -39,21 +38,18 @@ SelectActions::SelectActions(const Workspace& workspace, PointOptions& options)
 
 void SelectActions::addPicks() {
   auto* group = new QActionGroup(this);
-  const auto add = [&](Pick pick, const Menus::Item& item) {
-    QAction* action = workspace_.menus.add(workspace_.menus.select, item, this,
-                                           [this, pick] { options_.setPick(pick); });
+  for (const PointOptions::PickInfo& info : PointOptions::pickInfos()) {
+    QAction* action = workspace_.menus.add(workspace_.menus.select,
+                                           {info.icon, info.menuText, info.key, info.tip}, this,
+                                           [this, pick = info.pick] { options_.setPick(pick); });
     action->setCheckable(true);
     group->addAction(action);
-    const auto show = [this, action, pick] { action->setChecked(options_.pick() == pick); };
+    const auto show = [this, action, pick = info.pick] {
+      action->setChecked(options_.pick() == pick);
+    };
     connect(&options_, &PointOptions::changed, action, show);
     show();
-  };
-  add(Pick::kPoints, {"point", tr("Pick &points"), QKeySequence(Qt::ALT | Qt::Key_1),
-                      tr("Clicks and boxes select control points")});
-  add(Pick::kPatches, {"patch", tr("Pick pa&tches"), QKeySequence(Qt::ALT | Qt::Key_2),
-                       tr("Clicks and boxes select patches")});
-  add(Pick::kEdges, {"edge", tr("Pick &edges"), QKeySequence(Qt::ALT | Qt::Key_3),
-                     tr("Clicks and boxes select edges")});
+  }
 }
 
 void SelectActions::addSelections() {
@@ -77,7 +73,7 @@ void SelectActions::addSelections() {
       this, [this] { workspace_.editor.select({}); });
   needSolid_.push_back(menus.add(menus.select,
                                  {nullptr, tr("&Invert"), QKeySequence(Qt::CTRL | Qt::Key_I),
-                                  tr("Select what is not selected instead")},
+                                  tr("Select everything else instead")},
                                  this, &SelectActions::invert));
   needPoints_.push_back(menus.add(menus.select,
                                   {nullptr, tr("&Grow"), QKeySequence(Qt::CTRL | Qt::Key_G),
@@ -93,7 +89,7 @@ void SelectActions::addSelections() {
       {nullptr,
        tr("Points &of patches and edges"),
        {},
-       tr("Select the points of what is selected")},
+       tr("Select the points of the selected patches and edges")},
       this,
       selectPoints([](const std::set<int>& points, const modeling::Solid&) { return points; })));
 }

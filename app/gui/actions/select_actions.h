@@ -9,7 +9,7 @@
 
 namespace palpa::gui {
 
-/// The Select menu: what clicks select, and selections made from the whole body or from others.
+/// The Select menu: kind of selection, and selections of all, none, neighbours.
 class SelectActions : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class SelectActions : public QObject {
   const Workspace workspace_;
   PointOptions& options_;
   std::vector<QAction*> needSolid_;
-  std::vector<QAction*> needPoints_;  // selected, or of selected patches and edges
+  std::vector<QAction*> needPoints_;  // including points of selected patches and edges
 };
 
 }  // namespace palpa::gui

@@ -4,7 +4,6 @@
 
 #include "app/gui/dialogs/transform_dialog.h"
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
@@ -12,7 +11,7 @@ namespace {
 
 constexpr int kMaxDegree = 5;
 
-/// Enables the action, or disables it with the reason as its tool tip.
+/// Enables the action, or disables it with the obstacle as its tool tip.
 void setPossible(QAction* action, const QString& obstacle) {
   action->setEnabled(obstacle.isEmpty());
   action->setToolTip(obstacle.isEmpty() ? action->statusTip() : obstacle);
@@ -45,10 +44,9 @@ SolidActions::SolidActions(const Workspace& workspace)
                        {},
                        tr("Make the surface smooth across the selected edges and keep it so")},
                       this, [this] { setEdges(true); });
-  sharp_ = menus.add(
-      menus.solid,
-      {"edge", tr("S&harp edges"), {}, tr("Let the surface have a crease at the selected edges")},
-      this, [this] { setEdges(false); });
+  sharp_ = menus.add(menus.solid,
+                     {"edge", tr("S&harp edges"), {}, tr("Allow a crease at the selected edges")},
+                     this, [this] { setEdges(false); });
   menus.solid->addSeparator();
   menus.add(menus.solid,
             {"move",
@@ -102,7 +100,7 @@ void SolidActions::elevate(int direction) {
   editor.beginGroup(tr("Elevate degree"));
   auto degree = degrees.begin();
   for (int patch : patches) {
-    // A patch beside one that was raised before has been raised with it.
+    // A neighbour of a raised patch may have been raised with it.
     const modeling::Patch& now = editor.solid()->patches()[patch];
     const int wanted = *degree++;
     if (now.degree[direction] >= wanted) continue;

@@ -7,8 +7,8 @@
 
 namespace palpa::gui {
 
-/// The part of the Solid menu that changes the whole solid, selected patches or selected edges.
-/// What cannot be done now is disabled; its tool tip says why.
+/// Entries of the Solid menu that change the whole solid, selected patches or selected edges. Tool
+/// tips of disabled entries state the reason.
 class SolidActions : public QObject {
   Q_OBJECT
 

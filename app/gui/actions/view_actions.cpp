@@ -5,9 +5,9 @@
 
 #include "app/gui/base/appearance.h"
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
 #include "app/gui/view/scene_controller.h"
 #include "app/gui/view/viewport_widget.h"
+#include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 namespace {
@@ -43,7 +43,7 @@ void ViewActions::addFits() {
       }));
   QAction* selection = menus.add(menus.view,
                                  {"fit-selection", tr("Fit &selection"),
-                                  QKeySequence(Qt::SHIFT | Qt::Key_F), tr("Show what is selected")},
+                                  QKeySequence(Qt::SHIFT | Qt::Key_F), tr("Show the selection")},
                                  this, [this] { fitSelection(); });
   selection->setShortcuts({QKeySequence(Qt::SHIFT | Qt::Key_F), QKeySequence(Qt::Key_Period)});
   menus.view->addSeparator();
@@ -74,21 +74,21 @@ void ViewActions::addDirections() {
 
 void ViewActions::addNavigation() {
   Menus& menus = workspace_.menus;
-  QMenu* turn = menus.view->addMenu(icon("rotate"), tr("T&urn and zoom"));
-  turn->setToolTipsVisible(true);
-  // Plain arrow keys move what is selected.
+  QMenu* orbitMenu = menus.view->addMenu(icon("rotate"), tr("Orbit and &zoom"));
+  orbitMenu->setToolTipsVisible(true);
+  // Plain arrow keys move the selection.
   const auto add = [&](const QString& text, int key, const Eigen::Vector2d& step) {
-    menus.add(turn, {nullptr, text, QKeySequence(Qt::ALT | key)}, this,
+    menus.add(orbitMenu, {nullptr, text, QKeySequence(Qt::ALT | key)}, this,
               [this, step] { orbit(kOrbitStep * step); });
   };
-  add(tr("Turn &left"), Qt::Key_Left, {-1, 0});
-  add(tr("Turn &right"), Qt::Key_Right, {1, 0});
-  add(tr("Turn &up"), Qt::Key_Up, {0, -1});
-  add(tr("Turn &down"), Qt::Key_Down, {0, 1});
-  QAction* in = menus.add(turn, {nullptr, tr("Zoom &in"), QKeySequence(Qt::Key_Plus)}, this,
+  add(tr("Orbit &left"), Qt::Key_Left, {-1, 0});
+  add(tr("Orbit &right"), Qt::Key_Right, {1, 0});
+  add(tr("Orbit &up"), Qt::Key_Up, {0, -1});
+  add(tr("Orbit &down"), Qt::Key_Down, {0, 1});
+  QAction* in = menus.add(orbitMenu, {nullptr, tr("Zoom &in"), QKeySequence(Qt::Key_Plus)}, this,
                           [this] { zoom(kZoomStep); });
   in->setShortcuts({QKeySequence(Qt::Key_Plus), QKeySequence(Qt::Key_Equal)});
-  menus.add(turn, {nullptr, tr("Zoom &out"), QKeySequence(Qt::Key_Minus)}, this,
+  menus.add(orbitMenu, {nullptr, tr("Zoom &out"), QKeySequence(Qt::Key_Minus)}, this,
             [this] { zoom(1 / kZoomStep); });
   parallel_ = menus.addToggle(menus.view,
                               {"perspective", tr("&Parallel projection"), QKeySequence(Qt::Key_5),
@@ -141,8 +141,12 @@ void ViewActions::addToggles() {
     parts_.push_back({action, shown});
     return action;
   };
-  menus.bar->addAction(add({"net", tr("&Control net"), QKeySequence(Qt::Key_N)},
-                           &SavedView::showsNet, &Viewport::setControlNetVisible));
+  QAction* net = add({"net", tr("&Control net"), QKeySequence(Qt::Key_N)}, &SavedView::showsNet,
+                     &Viewport::setControlNetVisible);
+  menus.bar->addAction(net);
+  // Simulate mode draws no control net.
+  connect(&workspace_.tools, &ToolBox::changed, net,
+          [this, net] { net->setEnabled(workspace_.tools.mode() == Mode::kModel); });
   menus.bar->addAction(add({"grid", tr("Gri&d"), QKeySequence(Qt::Key_G)}, &SavedView::showsGrid,
                            &Viewport::setGridVisible));
   add({"axes", tr("&Axes")}, &SavedView::showsAxes, &Viewport::setAxesVisible);
@@ -163,7 +167,7 @@ void ViewActions::look(StandardView from) {
 void ViewActions::lookFromOpposite() {
   view::CameraView camera = workspace_.view.viewport().camera();
   camera.direction = -camera.direction;
-  // Seen from above or below, the picture turns about its horizontal line.
+  // From above or below, rotate about the horizontal line of the picture.
   if (std::abs(camera.direction.z()) > 1 - 1e-9) camera.up = -camera.up;
   workspace_.view.viewport().setCamera(camera);
   workspace_.view.update();

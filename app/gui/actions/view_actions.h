@@ -4,13 +4,13 @@
 #include <QObject>
 #include <vector>
 
-#include "app/gui/workspace/menus.h"
 #include "app/gui/view/saved_view.h"
+#include "app/gui/workspace/menus.h"
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
-/// The View menu: where one looks from and what is shown. Kept with the project.
+/// The View menu: camera and visible items, stored with the project.
 class ViewActions : public QObject {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ViewActions : public QObject {
   void save();
   void restore();
 
-  /// A part of the picture that can be hidden.
+  /// Item of the view that can be hidden.
   struct Part {
     QAction* action;
     bool SavedView::*shown;

@@ -14,8 +14,8 @@ namespace {
 
 Theme theme_ = Theme::kLight;
 
-/// Words in `second` and `error` have a contrast of at least 4.5 with window and base; `faint` is
-/// for what is disabled.
+/// Text in `second` and `error` has a contrast of at least 4.5 with window and base; `faint` is the
+/// colour of disabled items.
 struct Colours {
   QColor window, base, alternate, text, second, faint, button, border, accent, onAccent, chosen,
       error;
@@ -85,13 +85,13 @@ QToolTip { border: 1px solid %2; padding: 4px; }
            c.chosen.name(), c.error.name(), c.faint.name());
 }
 
-/// Draws an SVG whose black is replaced by the palette's text colour at the moment of drawing.
+/// Draws an SVG in the palette's text colour instead of black.
 class TintedIconEngine : public QIconEngine {
  public:
   explicit TintedIconEngine(QByteArray svg) : svg_(std::move(svg)) {}
 
-  // The state does not count: it is On for checked buttons, checked lines of menus and rows of
-  // trees that are open, which have backgrounds of their own.
+  // Ignores the state: checked buttons, checked menu entries and open tree rows show it by their
+  // background.
   void paint(QPainter* painter, const QRect& rectangle, QIcon::Mode mode,
              QIcon::State /*state*/) override {
     const Colours colours = coloursOf(theme_);

@@ -4,23 +4,23 @@
 #include <QIcon>
 #include <QString>
 
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/theme.h"
 
-// How the window looks: one light and one dark theme, icons that follow them.
+// Appearance of the window: a light and a dark theme, icons in the colours of the theme.
 namespace palpa::gui {
 
 enum class Theme { kLight, kDark };
 
-/// Sets style, palette and style sheet of the whole application. May be called again at any time.
+/// Sets style, palette and style sheet of the application, at any time.
 void applyTheme(QApplication& application, Theme theme);
 
-/// The theme set last.
+/// The theme of the last applyTheme().
 Theme currentTheme();
 
 view::ViewportTheme viewportTheme(Theme theme);
 
-/// An icon of resources/icons in the text colour of the theme, greyed when disabled. It follows
-/// later changes of the theme.
+/// Icon of resources/icons in the text colour of the present theme, grey while disabled. It is
+/// drawn again when the theme changes.
 QIcon icon(const QString& name);
 
 }  // namespace palpa::gui

@@ -14,12 +14,12 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kPatience = 400;  // ms until the dialog appears
-constexpr int kRefresh = 50;    // ms between two looks at the progress
+constexpr int kRefresh = 50;    // ms between two updates of the progress
 
-/// Of the running job; only the window's thread uses it.
+/// Stop source of the running job; only the window's thread uses it.
 std::stop_source* running_ = nullptr;
 
-/// What the worker tells the window.
+/// State that the worker reports to the window.
 struct Shared {
   std::mutex mutex;
   std::string phase;
@@ -27,7 +27,7 @@ struct Shared {
   bool isDone = false;
 };
 
-/// Keeps `running_` right, whatever is thrown.
+/// Resets `running_` also after an exception.
 struct Registration {
   explicit Registration(std::stop_source& stop) { running_ = &stop; }
   ~Registration() { running_ = nullptr; }
@@ -53,9 +53,9 @@ bool runWorkInBackground(QWidget& window, const QString& title, const Background
 
   Job job;
   job.stop = stop.get_token();
-  job.progress = [&shared](std::string_view phase, double fraction) {
+  job.progress = [&shared](Phase phase, double fraction) {
     const std::lock_guard lock(shared.mutex);
-    shared.phase = phase;
+    shared.phase = nameOf(phase);
     shared.fraction = fraction;
   };
   std::jthread worker([&] {
@@ -73,7 +73,7 @@ bool runWorkInBackground(QWidget& window, const QString& title, const Background
     return shared.isDone;
   };
 
-  // Input that arrives before the dialog is kept for later: most jobs end within this time.
+  // Input that arrives before the dialog waits: most jobs end within this time.
   QApplication::setOverrideCursor(Qt::BusyCursor);
   QTimer patience;
   patience.setSingleShot(true);

@@ -7,26 +7,26 @@
 
 #include "base/job.h"
 
-// Long operations away from the thread of the window.
+// Long operations outside the window's thread.
 namespace palpa::gui {
 
 using BackgroundWork = std::function<void(const Job&)>;
 
-/// Runs `work` on a thread of its own and returns when it has ended. Meanwhile the window is drawn
-/// and its timers run, but it takes no input; after 0.4 s a dialog with `title`, the phase, the
-/// fraction and a Cancel button stands over it. What `work` throws is thrown here.
+/// Runs `work` on a separate thread and returns after its end. Meanwhile the window is drawn and
+/// its timers run, but it accepts no input; after 0.4 s a dialog shows `title`, the phase, the
+/// fraction and a Cancel button. Rethrows exceptions of `work`.
 ///
-/// False when the person cancelled: `work` was asked to stop, and what it may have finished all the
-/// same is to be dropped. One at a time; std::logic_error for a second one.
+/// False if the user cancelled: `work` was asked to stop, and the caller must discard its result.
+/// Runs one job at a time; throws std::logic_error for a second one.
 bool runWorkInBackground(QWidget& window, const QString& title, const BackgroundWork& work);
 
-/// Is such an operation running?
+/// True while a job is running.
 bool isBackgroundJobRunning();
 
-/// Asks the running operation, if any, to stop; it ends as if the person had cancelled.
+/// Asks the running job to stop, as the Cancel button does. Does nothing without a job.
 void cancelBackgroundJob();
 
-/// The same for work with a result; nothing when the person cancelled.
+/// The same for work with a result; nothing if the user cancelled.
 template <class Work>
 auto runInBackground(QWidget& window, const QString& title, const Work& work)
     -> std::optional<std::invoke_result_t<Work, const Job&>> {

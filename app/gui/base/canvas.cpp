@@ -38,9 +38,8 @@ Canvas::Canvas() {
   window_->SetOwnContext(0);
   window_->OpenGLInitContext();
   window_->SetReadyForRendering(true);
-  window_->SetFrameBlitModeToNoBlit();  // nobody looks at the surface itself
-  // What VTK's own windows set and a context begins without: of two shapes in the same depth the
-  // later one is seen.
+  window_->SetFrameBlitModeToNoBlit();  // the surface is never shown
+  // As in VTK's windows: of two shapes at the same depth, the later one is visible.
   window_->GetState()->Reset();
   window_->GetState()->vtkglDepthFunc(GL_LEQUAL);
 }
@@ -77,7 +76,7 @@ QImage Canvas::image() {
   drawn->ActivateReadBuffer(0);
   QOpenGLFunctions* gl = context_.functions();
   gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  // The layout of QImage's RGB32, and mostly of the frame buffer: nothing is converted.
+  // Layout of QImage's RGB32 and of most frame buffers: no conversion.
   constexpr GLenum kBgra = 0x80E1, kBytes = 0x8367;  // GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV
   gl->glReadPixels(0, 0, width, height, kBgra, kBytes, pixels_.data());
   window_->GetState()->PopFramebufferBindings();

@@ -10,11 +10,11 @@
 
 namespace palpa::gui {
 
-/// A render window of VTK on an OpenGL context of its own that nobody sees, and what was drawn into
-/// it as an image: the view is then a widget like any other (docs/decisions/018).
+/// Off-screen render window of VTK with a separate OpenGL context. Its content is read as an image,
+/// so that views are ordinary widgets (docs/decisions/018).
 class Canvas {
  public:
-  /// Needs the application. Without OpenGL isValid() is false and nothing may be drawn.
+  /// Needs a QApplication. Without OpenGL isValid() is false and nothing may be drawn.
   Canvas();
   ~Canvas();
   Canvas(const Canvas&) = delete;
@@ -23,19 +23,19 @@ class Canvas {
   bool isValid() const { return context_.isValid(); }
   vtkRenderWindow* window() { return window_; }
 
-  /// VTK's objects may be drawn and destroyed afterwards.
+  /// Required before VTK objects are drawn or destroyed.
   void makeCurrent();
-  /// Device pixels.
+  /// Size in device pixels.
   void resize(const QSize& size);
   QSize size() const;
-  /// What was drawn last, without a copy: valid until the next call of any function.
+  /// The last picture, without a copy: valid until the next call of any function.
   QImage image();
 
  private:
   QOffscreenSurface surface_;
   QOpenGLContext context_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
-  std::vector<QRgb> pixels_, rows_;  // as OpenGL gives them; from the top
+  std::vector<QRgb> pixels_, rows_;  // rows from the bottom, as OpenGL returns them; from the top
 };
 
 }  // namespace palpa::gui

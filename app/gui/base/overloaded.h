@@ -2,7 +2,7 @@
 
 namespace palpa::gui {
 
-/// Several lambdas as one visitor for std::visit.
+/// Combines lambdas into a visitor for std::visit.
 template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;

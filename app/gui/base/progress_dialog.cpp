@@ -15,7 +15,7 @@ ProgressDialog::ProgressDialog(const QString& title, QWidget* parent)
   auto* what = new QLabel(title, this);
   what->setWordWrap(true);
   phase_->setObjectName("phase");
-  bar_->setRange(0, 0);  // until the job tells how far it is
+  bar_->setRange(0, 0);  // until the job reports a fraction
   auto* buttons = new QDialogButtonBox(this);
   cancel_ = buttons->addButton(QDialogButtonBox::Cancel);
   cancel_->setObjectName("cancel");

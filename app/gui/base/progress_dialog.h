@@ -7,8 +7,8 @@
 
 namespace palpa::gui {
 
-/// What a job in the background does, with a button to stop it. Cancelling emits rejected() and
-/// leaves the dialog open: it goes when the job has ended.
+/// Progress of a background job, with a button to stop it. Cancelling emits rejected() and leaves
+/// the dialog open until the job has ended.
 class ProgressDialog : public QDialog {
   Q_OBJECT
 

@@ -9,8 +9,9 @@
 namespace palpa::gui {
 namespace {
 
-constexpr std::array<const char*, 5> kUnitKeys{"units/length", "units/force", "units/stress",
-                                               "units/angle", "units/number"};
+QString unitKey(std::size_t quantity) {
+  return QStringLiteral("units/") + quantities()[quantity].key;
+}
 
 double finiteOr(const QVariant& value, double fallback, double most) {
   bool isNumber = false;
@@ -28,9 +29,9 @@ int between(const QVariant& value, int low, int high, int fallback) {
 
 Settings::Settings(QObject* parent)
     : QObject(parent), file_(QSettings::IniFormat, QSettings::UserScope, "palpa", "palpa") {
-  for (std::size_t i = 0; i < kUnitKeys.size(); ++i) {
-    const QString symbol = file_.value(kUnitKeys[i]).toString();
-    const auto units = unitsOf(static_cast<Quantity>(i));
+  for (std::size_t i = 0; i < kQuantityCount; ++i) {
+    const QString symbol = file_.value(unitKey(i)).toString();
+    const auto& units = unitsOf(static_cast<Quantity>(i));
     const auto found = std::find_if(units.begin(), units.end(),
                                     [&](const Unit& unit) { return unit.symbol == symbol; });
     if (found != units.end()) units_.chosen[i] = static_cast<int>(found - units.begin());
@@ -54,8 +55,8 @@ void Settings::setTheme(Theme theme) {
 void Settings::setUnits(const ShownUnits& units) {
   if (units == units_) return;
   units_ = units;
-  for (std::size_t i = 0; i < kUnitKeys.size(); ++i)
-    file_.setValue(kUnitKeys[i], units_.of(static_cast<Quantity>(i)).symbol);
+  for (std::size_t i = 0; i < kQuantityCount; ++i)
+    file_.setValue(unitKey(i), units_.of(static_cast<Quantity>(i)).symbol);
   Q_EMIT changed();
 }
 

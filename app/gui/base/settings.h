@@ -10,8 +10,8 @@
 
 namespace palpa::gui {
 
-/// What a person prefers, kept between runs. Values out of range in the file become defaults.
-/// Setters write at once and emit `changed` when the value differs.
+/// Preferences of the user, stored between runs. Values in the file that are out of range become
+/// defaults. Setters write immediately and emit `changed` if the value differs.
 class Settings : public QObject {
   Q_OBJECT
 
@@ -26,38 +26,38 @@ class Settings : public QObject {
   ShownUnits units() const { return units_; }
   void setUnits(const ShownUnits& units);
 
-  /// Threads of the rebuild; 0: all cores.
+  /// Number of threads of the rebuild; 0: all cores.
   int threads() const;
   void setThreads(int threads);
 
-  /// Memory one model may take, GiB; 0: most of what is free.
+  /// Memory limit of one model, GiB; 0: most of the free memory.
   double memoryLimitGiB() const;
   void setMemoryLimitGiB(double limit);
 
-  /// Size the cache of models on disk may reach, GiB; 0: no cache.
+  /// Size limit of the model cache on disk, GiB; 0: no cache.
   double cacheLimitGiB() const;
   void setCacheLimitGiB(double limit);
 
-  /// Seconds from the first unsaved edit to a snapshot for recovery.
+  /// Time from the first unsaved edit to a snapshot for recovery, s.
   int autosaveSeconds() const;
   void setAutosaveSeconds(int seconds);
 
-  /// Absolute names, latest first.
+  /// Absolute names, newest first.
   QStringList recentFiles() const;
   void addRecentFile(const QString& file);
   void removeRecentFile(const QString& file);
   void clearRecentFiles();
 
-  /// Folder that file dialogs begin in.
+  /// Initial folder of file dialogs.
   QString lastFolder() const;
   void setLastFolder(const QString& folder);
 
-  /// Of the window: QMainWindow::saveGeometry() and saveState(); empty before the first close.
+  /// QMainWindow::saveGeometry() and saveState() of the last run; empty before the first close.
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   void setWindow(const QByteArray& geometry, const QByteArray& state);
 
-  /// True until the first time the window was closed.
+  /// True until the window is closed for the first time.
   bool isFirstRun() const;
 
  Q_SIGNALS:

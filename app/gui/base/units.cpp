@@ -1,42 +1,45 @@
 #include "app/gui/base/units.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace palpa::gui {
 
-std::span<const Unit> unitsOf(Quantity quantity) {
-  static const std::vector<Unit> lengths{{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
-  static const std::vector<Unit> forces{
-      {"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"lbf", 4.4482216152605}};
-  static const std::vector<Unit> stresses{{"MPa", 1}, {"kPa", 1e-3}, {"Pa", 1e-6}, {"GPa", 1e3}};
-  static const std::vector<Unit> angles{{"°", std::numbers::pi / 180.0}, {"rad", 1}};
-  static const std::vector<Unit> numbers{{"", 1}};
-  switch (quantity) {
-    case Quantity::kLength:
-      return lengths;
-    case Quantity::kForce:
-      return forces;
-    case Quantity::kStress:
-      return stresses;
-    case Quantity::kAngle:
-      return angles;
-    case Quantity::kNumber:
-      break;
-  }
-  return numbers;
+const std::array<QuantityInfo, kQuantityCount>& quantities() {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("Units", text); };
+  static const std::array<QuantityInfo, kQuantityCount> infos{{
+      {"length", tr("&Length:"), {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}}},
+      {"force", tr("&Force:"), {{"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"lbf", 4.4482216152605}}},
+      {"stress", tr("&Stress:"), {{"MPa", 1}, {"kPa", 1e-3}, {"Pa", 1e-6}, {"GPa", 1e3}}},
+      {"angle", tr("&Angle:"), {{"°", std::numbers::pi / 180.0}, {"rad", 1}}},
+      {"number", {}, {{"", 1}}},
+  }};
+  return infos;
+}
+
+Unit shownUnit(const QString& programUnit, const ShownUnits& units) {
+  Unit result;
+  const QStringList parts = programUnit.split('/');
+  for (const QString& part : parts)
+    for (std::size_t i = 0; i < kQuantityCount; ++i) {
+      if (quantities()[i].units.front().symbol != part) continue;
+      const Unit& chosen = units.of(static_cast<Quantity>(i));
+      const bool isFirst = result.symbol.isEmpty();
+      result.symbol = isFirst ? chosen.symbol : result.symbol + "/" + chosen.symbol;
+      result.factor = isFirst ? chosen.factor : result.factor / chosen.factor;
+    }
+  return result;
 }
 
 QString shown(double value, Quantity quantity, const ShownUnits& units, int digits) {
   const Unit& unit = units.of(quantity);
   double number = value / unit.factor;
-  if (number == 0.0) number = 0.0;  // no "-0"
-  // Up to ten million all digits before the point, rather than a power of ten.
-  constexpr double kPlain = 1e7;
+  if (number == 0.0) number = 0.0;   // turns -0 into 0
+  constexpr double kMaxPlain = 1e7;  // larger numbers are shown with a power of ten
   const double size = std::abs(number);
-  const int before = size >= 1.0 && size < kPlain ? static_cast<int>(std::log10(size)) + 1 : 0;
+  const int before = size >= 1.0 && size < kMaxPlain ? static_cast<int>(std::log10(size)) + 1 : 0;
   const QString text = QString::number(number, 'g', std::max(digits, before));
   if (unit.symbol.isEmpty()) return text;
   return unit.symbol == "°" ? text + unit.symbol : text + " " + unit.symbol;
@@ -45,7 +48,7 @@ QString shown(double value, Quantity quantity, const ShownUnits& units, int digi
 std::optional<double> parsed(const QString& text, Quantity quantity, const ShownUnits& units) {
   QString number = text.trimmed();
   double factor = units.of(quantity).factor;
-  // The longest symbol that fits: "mN" and "N" both end in N.
+  // Use the longest matching symbol: "mN" and "N" both end in N.
   qsizetype longest = 0;
   for (const Unit& unit : unitsOf(quantity)) {
     const qsizetype length = unit.symbol.size();

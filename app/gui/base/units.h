@@ -3,36 +3,50 @@
 #include <QString>
 #include <array>
 #include <optional>
-#include <span>
+#include <vector>
 
-// The units that people see. Everything inside the program is in mm, N, MPa and rad.
+// Units for display. All values inside the program are in mm, N, MPa and rad.
 namespace palpa::gui {
 
 enum class Quantity { kLength, kForce, kStress, kAngle, kNumber };
+inline constexpr std::size_t kQuantityCount = 5;
 
 struct Unit {
   QString symbol;
-  double factor = 1;  ///< of the program's own unit: shown number = own number / factor
+  double factor = 1;  ///< size in the program's unit: shown number = value / factor
 };
 
-/// The units a quantity can be shown in, the default first. kNumber has one without a symbol.
-std::span<const Unit> unitsOf(Quantity quantity);
+struct QuantityInfo {
+  const char* key;          ///< in the file of preferences
+  QString label;            ///< in the preferences, with &; empty without a choice of units
+  std::vector<Unit> units;  ///< the default first; kNumber has one unit without a symbol
+};
 
-/// The unit each quantity is shown in, by its place in unitsOf(). A value; the one in force belongs
-/// to the settings.
+/// All quantities, in the order of Quantity.
+const std::array<QuantityInfo, kQuantityCount>& quantities();
+
+inline const std::vector<Unit>& unitsOf(Quantity quantity) {
+  return quantities()[static_cast<std::size_t>(quantity)].units;
+}
+
+/// Chosen unit of each quantity, as an index into unitsOf(). Settings::units() is the present
+/// choice.
 struct ShownUnits {
-  std::array<int, 5> chosen{};
+  std::array<int, kQuantityCount> chosen{};
   const Unit& of(Quantity quantity) const {
     return unitsOf(quantity)[chosen[static_cast<std::size_t>(quantity)]];
   }
   bool operator==(const ShownUnits&) const = default;
 };
 
-/// "12.5 mm": up to `digits` significant digits, no trailing zeros. For display only.
+/// Chosen unit for a unit of the program, as in "mm" or "N/mm"; no symbol for "".
+Unit shownUnit(const QString& programUnit, const ShownUnits& units);
+
+/// "12.5 mm": up to `digits` significant digits, without trailing zeros.
 QString shown(double value, Quantity quantity, const ShownUnits& units, int digits = 6);
 
-/// Reads a number in the shown unit, or with any unit of the quantity written behind it ("0.5 cm",
-/// "3e-2"); a comma is a decimal point when there is no point. Nothing when it is not a number.
+/// Reads a number in the chosen unit, or followed by any unit of the quantity ("0.5 cm", "3e-2"). A
+/// comma is a decimal point unless the text has a point. Nothing if the text is not a number.
 std::optional<double> parsed(const QString& text, Quantity quantity, const ShownUnits& units);
 
 }  // namespace palpa::gui

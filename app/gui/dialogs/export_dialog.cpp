@@ -5,43 +5,25 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardItemModel>
-#include <algorithm>
-#include <string_view>
 
 namespace palpa::gui {
-namespace {
 
-struct Format {
-  const char* ending;
-  const char* name;
-  bool isCad;
-};
-
-constexpr Format kFormats[] = {
-    {".json", QT_TR_NOOP("Palpa project: patches to go on modelling"), true},
-    {".step", QT_TR_NOOP("STEP: exact patches, for CAD"), true},
-    {".iges", QT_TR_NOOP("IGES: exact patches, for older CAD"), true},
-    {".brep", QT_TR_NOOP("BREP: exact patches, OpenCASCADE"), true},
-    {".stl", QT_TR_NOOP("STL: triangles, for 3D printing"), false},
-    {".obj", QT_TR_NOOP("OBJ: triangles, for rendering"), false},
-    {".ply", QT_TR_NOOP("PLY: triangles"), false},
-    {".vtp", QT_TR_NOOP("VTP: triangles, for ParaView"), false}};
-
-}  // namespace
-
+using modeling::FileFormat;
+using modeling::FileFormatInfo;
 ExportDialog::ExportDialog(const modeling::Project& project, QWidget* parent, Subject subject)
     : QDialog(parent), format_(new QComboBox(this)), surface_(new QComboBox(this)) {
   setObjectName("export");
   setWindowTitle(subject == Subject::kBody ? tr("Export") : tr("Export deformed solid"));
   const bool isSolid = std::holds_alternative<modeling::Solid>(project.body);
   format_->setObjectName("format");
-  for (const Format& format : kFormats) {
-    if (std::string_view(format.ending) == ".json" && subject == Subject::kBody) continue;
-    format_->addItem(tr(format.name), QString(format.ending));
+  for (const FileFormatInfo& info : modeling::kFileFormats) {
+    const bool isProject = info.kind == modeling::FileKind::kProject;
+    if (!info.canWrite || (isProject && subject == Subject::kBody)) continue;
+    format_->addItem(QString("%1: %2").arg(info.name, tr(info.use)), static_cast<int>(info.format));
     auto* items = qobject_cast<QStandardItemModel*>(format_->model());
-    items->item(format_->count() - 1)->setEnabled(isSolid || !format.isCad);
+    items->item(format_->count() - 1)->setEnabled(isSolid || isWritableMesh(info));
   }
-  format_->setCurrentIndex(isSolid ? 0 : format_->findData(".stl"));
+  format_->setCurrentIndex(isSolid ? 0 : format_->findData(static_cast<int>(FileFormat::kStl)));
   surface_->setObjectName("surface");
   if (!isSolid)
     surface_->addItem(tr("The body's own triangles"),
@@ -73,12 +55,16 @@ ExportDialog::ExportDialog(const modeling::Project& project, QWidget* parent, Su
   update();
 }
 
+const modeling::FileFormatInfo& ExportDialog::format() const {
+  return infoOf(static_cast<FileFormat>(format_->currentData().toInt()));
+}
+
 QString ExportDialog::ending() const {
-  return format_->currentData().toString();
+  return format().endings.front();
 }
 
 QString ExportDialog::filter() const {
-  return format_->currentText().section(':', 0, 0) + " (*" + ending() + ")";
+  return QString("%1 (*%2)").arg(format().name, ending());
 }
 
 ExportedSurface ExportDialog::surface() const {
@@ -86,9 +72,7 @@ ExportedSurface ExportDialog::surface() const {
 }
 
 void ExportDialog::update() {
-  const auto* format = std::find_if(std::begin(kFormats), std::end(kFormats),
-                                    [this](const Format& each) { return ending() == each.ending; });
-  surface_->setEnabled(!format->isCad);
+  surface_->setEnabled(isWritableMesh(format()));
 }
 
 }  // namespace palpa::gui

@@ -9,12 +9,12 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kInterval = 100;  // ms between two looks whether the answer has come
+constexpr int kInterval = 100;  // ms between two checks for the answer
 
 }  // namespace
 
 struct FitMeasurement::Answer {
-  double deviation = -1;  // stays below zero where the shape cannot be made
+  double deviation = -1;  // mm; negative if the shape cannot be made
   std::atomic<bool> isThere = false;
 };
 
@@ -25,7 +25,7 @@ FitMeasurement::FitMeasurement(QObject* parent) : QObject(parent) {
 
 void FitMeasurement::ask(const modeling::Primitive& primitive) {
   waiting_ = primitive;
-  isWanted_ = false;  // what is being measured
+  isWanted_ = false;  // the running measurement is outdated
   timer_.start();
 }
 
@@ -49,7 +49,7 @@ void FitMeasurement::look() {
     try {
       answer->deviation = modeling::makeMeasuredPrimitive(primitive).deviation;
     } catch (const std::exception&) {
-      // The dialog has said so already.
+      // The dialog has already shown the error.
     }
     answer->isThere = true;
   });

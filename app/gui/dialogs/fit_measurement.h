@@ -9,8 +9,8 @@
 
 namespace palpa::gui {
 
-/// How far the solid of a primitive is from the exact shape, measured on another thread: it may
-/// take a second. Only the newest question is answered.
+/// Measures the distance between the solid of a primitive and the exact shape, on another thread,
+/// since it may take a second. Only the newest request is answered.
 class FitMeasurement : public QObject {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class FitMeasurement : public QObject {
   explicit FitMeasurement(QObject* parent);
 
   void ask(const modeling::Primitive& primitive);
-  /// No answer comes any more.
+  /// Drops pending requests: `measured` is not emitted any more.
   void forget();
 
  Q_SIGNALS:
@@ -31,7 +31,7 @@ class FitMeasurement : public QObject {
 
   std::shared_ptr<Answer> answer_;
   std::optional<modeling::Primitive> waiting_;
-  bool isWanted_ = false;  // is what is being measured still asked for?
+  bool isWanted_ = false;  // the running measurement belongs to the newest request
   QTimer timer_;
 };
 

@@ -20,14 +20,14 @@ constexpr int kMargin = 24;          // beside the text
 constexpr int kMaxImageWidth = 900;  // logical pixels
 constexpr int kLineHeight = 125;     // per cent
 
-/// The name by which links refer to a heading, as on the web: lower case, words joined by "-".
+/// Anchor of a heading, as on the web: lower case, words joined by "-".
 QString anchorOf(QString heading) {
   static const QRegularExpression kPunctuation("[^\\w\\- ]",
                                                QRegularExpression::UseUnicodePropertiesOption);
   return heading.toLower().remove(kPunctuation).replace(' ', '-');
 }
 
-/// Tables are as wide as the page, with lines between their cells.
+/// Makes tables as wide as the page, with lines between their cells.
 void layOutTables(QTextFrame* frame) {
   for (QTextFrame* child : frame->childFrames()) layOutTables(child);
   auto* table = qobject_cast<QTextTable*>(frame);
@@ -41,7 +41,7 @@ void layOutTables(QTextFrame* frame) {
   table->setFormat(format);
 }
 
-/// Links can lead to a heading; code stands out and wraps; lines and headings get some space.
+/// Adds anchors to headings, background and wrapping to code, and space to lines and headings.
 void layOutText(QTextDocument& document, const QBrush& behindCode) {
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
     QTextCursor cursor(block);
@@ -64,7 +64,7 @@ void layOutText(QTextDocument& document, const QBrush& behindCode) {
   }
 }
 
-/// The reader of Markdown gives links the colour of the theme the program began with.
+/// Colours links again: the Markdown reader uses the theme at the start of the program.
 void colourLinks(QTextDocument& document, const QBrush& colour) {
   std::vector<std::pair<int, int>> links;  // from, to
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
@@ -86,7 +86,7 @@ void colourLinks(QTextDocument& document, const QBrush& colour) {
 GuideReader::GuideReader(QWidget* parent) : QTextBrowser(parent) {
   setObjectName("guideReader");
   document()->setDocumentMargin(kMargin);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // so that pictures know their width
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // keeps the width of pictures constant
 }
 
 QVariant GuideReader::loadResource(int type, const QUrl& name) {
@@ -119,7 +119,7 @@ void GuideReader::doSetSource(const QUrl& name, QTextDocument::ResourceType type
   verticalScrollBar()->setValue(verticalScrollBar()->value() - kMargin / 2);
 }
 
-// The colour behind code is that of the theme in which a page was read.
+// The background of code has the colour of the theme at reading: read the page again.
 void GuideReader::changeEvent(QEvent* event) {
   QTextBrowser::changeEvent(event);
   if (event->type() != QEvent::PaletteChange || source().isEmpty()) return;

@@ -4,15 +4,15 @@
 
 namespace palpa::gui {
 
-/// Shows pages of the documentation: Markdown files with pictures, tables and links between them.
-/// Links to other pages and to headings are followed here, all others by the desktop.
+/// Shows pages of the documentation: Markdown files with pictures, tables and links. It follows
+/// links to pages and headings itself and passes all others to the desktop.
 class GuideReader : public QTextBrowser {
   Q_OBJECT
 
  public:
   explicit GuideReader(QWidget* parent = nullptr);
 
-  /// Pictures are made as wide as the page at most.
+  /// Scales pictures down to the width of the page.
   QVariant loadResource(int type, const QUrl& name) override;
 
  protected:

@@ -26,10 +26,10 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent) : QDialog(paren
     button->setAutoDefault(false);
     button->setEnabled(false);
   }
-  wanted_ = new QLineEdit(this);
-  wanted_->setObjectName("find");
-  wanted_->setPlaceholderText(tr("Find on this page, Enter for the next"));
-  wanted_->setClearButtonEnabled(true);
+  searchText_ = new QLineEdit(this);
+  searchText_->setObjectName("find");
+  searchText_->setPlaceholderText(tr("Find on this page, Enter for the next"));
+  searchText_->setClearButtonEnabled(true);
   contents_ = new QTreeWidget(this);
   contents_->setObjectName("contents");
   contents_->setAccessibleName(tr("Contents"));
@@ -42,7 +42,7 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent) : QDialog(paren
   line->addWidget(back);
   line->addWidget(forward);
   line->addStretch(1);
-  line->addWidget(wanted_, 2);
+  line->addWidget(searchText_, 2);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(contents_);
   splitter->addWidget(reader_);
@@ -53,14 +53,14 @@ GuideWindow::GuideWindow(const QString& folder, QWidget* parent) : QDialog(paren
   column->addWidget(splitter, 1);
   resize(1080, 800);
   ensurePolished();
-  column->activate();  // pictures are as wide as the page, so its width must be known
+  column->activate();  // pictures need the width of the page
 
   connect(back, &QPushButton::clicked, reader_, &GuideReader::backward);
   connect(forward, &QPushButton::clicked, reader_, &GuideReader::forward);
   connect(reader_, &GuideReader::backwardAvailable, back, &QPushButton::setEnabled);
   connect(reader_, &GuideReader::forwardAvailable, forward, &QPushButton::setEnabled);
   connect(reader_, &GuideReader::sourceChanged, this, &GuideWindow::chooseShown);
-  connect(wanted_, &QLineEdit::returnPressed, this, &GuideWindow::find);
+  connect(searchText_, &QLineEdit::returnPressed, this, &GuideWindow::find);
   connect(contents_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item) reader_->setSource(item->data(0, Qt::UserRole).toUrl());
   });
@@ -79,7 +79,7 @@ void GuideWindow::fillContents(const QString& folder) {
   add(tr("Begin here"), base);
   QFile file(first);
   if (!file.open(QIODevice::ReadOnly)) return;
-  // A page of the guide is a line of the list of contents: "- [Title](page.md): what it says".
+  // Each page is a line of the list of contents: "- [Title](page.md): description".
   static const QRegularExpression kEntry("^- \\[([^\\]]+)\\]\\(([^)#]+\\.md)\\)",
                                          QRegularExpression::MultilineOption);
   const QString text = QString::fromUtf8(file.readAll());
@@ -99,9 +99,9 @@ void GuideWindow::chooseShown(const QUrl& place) {
 }
 
 void GuideWindow::find() {
-  if (reader_->find(wanted_->text())) return;
-  reader_->moveCursor(QTextCursor::Start);  // once more from the top
-  reader_->find(wanted_->text());
+  if (reader_->find(searchText_->text())) return;
+  reader_->moveCursor(QTextCursor::Start);  // search again from the top
+  reader_->find(searchText_->text());
 }
 
 }  // namespace palpa::gui

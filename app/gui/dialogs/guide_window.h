@@ -9,13 +9,13 @@ namespace palpa::gui {
 
 class GuideReader;
 
-/// The user guide, beside the window: the list of its pages, a page, a field to find words. Pages
-/// are files of the installation, so it needs no network.
+/// Window with the user guide: list of pages, page, search field. Pages are files of the
+/// installation; no network is needed.
 class GuideWindow : public QDialog {
   Q_OBJECT
 
  public:
-  /// `folder` holds README.md, whose links to other pages make the list.
+  /// `folder` contains README.md; its links to other pages are the list.
   GuideWindow(const QString& folder, QWidget* parent);
 
  private:
@@ -25,7 +25,7 @@ class GuideWindow : public QDialog {
 
   GuideReader* reader_;
   QTreeWidget* contents_;
-  QLineEdit* wanted_;
+  QLineEdit* searchText_;
 };
 
 }  // namespace palpa::gui

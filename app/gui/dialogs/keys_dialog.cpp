@@ -3,11 +3,12 @@
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
-#include <QMainWindow>
 #include <QMenu>
-#include <QMenuBar>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include "app/gui/workspace/menus.h"
+#include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 namespace {
@@ -16,18 +17,17 @@ QString plain(QString text) {
   return text.remove('&').remove(QStringLiteral(" …"));
 }
 
-void addGroup(QTreeWidget* table, const QString& title,
-              const std::vector<std::pair<QString, QString>>& rows) {
-  if (rows.empty()) return;
-  auto* group = new QTreeWidgetItem(table, {title});
+void addGroup(QTreeWidget* table, const KeyHelp& help) {
+  if (help.rows.empty()) return;
+  auto* group = new QTreeWidgetItem(table, {help.title});
   QFont font = group->font(0);
   font.setBold(true);
   group->setFont(0, font);
-  for (const auto& [what, keys] : rows) new QTreeWidgetItem(group, {what, keys});
+  for (const KeyHelp::Row& row : help.rows) new QTreeWidgetItem(group, {row.action, row.keys});
 }
 
-std::vector<std::pair<QString, QString>> shortcutsOf(const QMenu* menu) {
-  std::vector<std::pair<QString, QString>> rows;
+std::vector<KeyHelp::Row> shortcutsOf(const QMenu* menu) {
+  std::vector<KeyHelp::Row> rows;
   for (const QAction* action : menu->actions()) {
     if (const auto* below = action->menu<QMenu*>()) {
       const auto more = shortcutsOf(below);
@@ -36,46 +36,24 @@ std::vector<std::pair<QString, QString>> shortcutsOf(const QMenu* menu) {
     QStringList keys;
     for (const QKeySequence& each : action->shortcuts())
       keys << each.toString(QKeySequence::NativeText);
-    if (!keys.isEmpty()) rows.emplace_back(plain(action->text()), keys.join(", "));
+    if (!keys.isEmpty()) rows.push_back({plain(action->text()), keys.join(", ")});
   }
   return rows;
 }
 
 }  // namespace
 
-KeysDialog::KeysDialog(QWidget* window) : QDialog(window) {
+KeysDialog::KeysDialog(const Workspace& workspace) : QDialog(&workspace.window) {
   setObjectName("keys");
   setWindowTitle(tr("Keyboard and mouse"));
   auto* table = new QTreeWidget(this);
   table->setObjectName("table");
   table->setAccessibleName(windowTitle());
-  table->setHeaderLabels({tr("What"), tr("Keys or mouse")});
-  addGroup(table, tr("Navigation"),
-           {{tr("Turn the view"), tr("Middle button, or Alt + left button")},
-            {tr("Move the view"), tr("Right button, Shift + middle button")},
-            {tr("Zoom at the pointer"), tr("Wheel")}});
-  addGroup(table, tr("Moving, turning and scaling points"),
-           {{tr("Begin without a drag"), tr("G, or X, Y, Z")},
-            {tr("Hold to an axis or the normal; again: free"), tr("X, Y, Z, N")},
-            {tr("Exact length, angle or factor"), tr("Digits, Backspace")},
-            {tr("Round"), tr("Ctrl")},
-            {tr("Width of the falloff"), tr("Wheel")},
-            {tr("Nudge; ten times as far"), tr("Arrow keys; with Shift")},
-            {tr("Confirm; take back"), tr("Enter or click; Escape or right button")}});
-  addGroup(table, tr("Tools on the surface"),
-           {{tr("Brush: smaller, larger; erase"), tr("[ and ]; Ctrl")},
-            {tr("Touch along the normal"), tr("Ctrl, or N while dragging")},
-            {tr("Knot: other direction; middle of the span"), tr("Tab, or Shift; Ctrl")}});
-  addGroup(table, tr("Simulate"),
-           {{tr("Touch"), tr("Left button")},
-            {tr("Along the normal"), tr("Ctrl, or wheel")},
-            {tr("Leave a pin"), tr("Shift while letting go")},
-            {tr("Take hold of a pin"), tr("Left button on it")},
-            {tr("Let go of a pin; of all"), tr("Double click or Delete; Escape")}});
-  if (auto* main = qobject_cast<QMainWindow*>(window))
-    for (const QAction* each : main->menuBar()->actions())
-      if (const auto* menu = each->menu<QMenu*>())
-        addGroup(table, plain(each->text()), shortcutsOf(menu));
+  table->setHeaderLabels({tr("Action"), tr("Keys or mouse")});
+  addGroup(table, ViewportWidget::navigationHelp());
+  for (const KeyHelp& group : workspace.tools.keyHelp()) addGroup(table, group);
+  for (const QMenu* menu : workspace.menus.all)
+    addGroup(table, {plain(menu->title()), shortcutsOf(menu)});
   table->expandAll();
   table->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   table->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);

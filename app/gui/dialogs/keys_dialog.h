@@ -2,14 +2,16 @@
 
 #include <QDialog>
 
+#include "app/gui/workspace/workspace.h"
+
 namespace palpa::gui {
 
-/// Every shortcut of the window's actions, and what the mouse does in the view.
+/// List of all shortcuts of the menus and of the keys and mouse buttons of navigation and tools.
 class KeysDialog : public QDialog {
   Q_OBJECT
 
  public:
-  explicit KeysDialog(QWidget* window);
+  explicit KeysDialog(const Workspace& workspace);
 };
 
 }  // namespace palpa::gui

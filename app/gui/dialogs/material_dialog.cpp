@@ -6,13 +6,14 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "app/gui/document/editor.h"
 #include "modeling/project/material_library.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr double kMinModulus = 1e-9;  // MPa: a pascal's thousandth, softer than any gel
-constexpr double kMaxModulus = 1e9;   // MPa: beyond diamond
+constexpr double kMinModulus = 1e-9;  // MPa (1 mPa): softer than any gel
+constexpr double kMaxModulus = 1e9;   // MPa: stiffer than diamond
 
 const modeling::LibraryMaterial& entryOf(int index) {
   return modeling::materialLibrary()[static_cast<std::size_t>(index)];
@@ -47,7 +48,7 @@ MaterialDialog::MaterialDialog(const Settings& settings, const modeling::Materia
   modulus_->field().setObjectName("modulus");
   ratio_->field().setObjectName("ratio");
   modulus_->setRange(kMinModulus, kMaxModulus);
-  // -1 itself is excluded.
+  // Excludes -1.
   ratio_->setRange(std::nextafter(-1.0, 0.0), 0.5);
 
   auto* form = new QFormLayout;
@@ -65,14 +66,13 @@ MaterialDialog::MaterialDialog(const Settings& settings, const modeling::Materia
   resize(620, 620);
 
   fillList();
-  name_->setText(QString::fromStdString(present.name));
-  modulus_->setValue(present.youngsModulus);
-  ratio_->setValue(present.poissonRatio);
+  const auto& [name, youngsModulus, poissonRatio] = present;  // all fields have an input
+  name_->setText(QString::fromStdString(name));
+  modulus_->setValue(youngsModulus);
+  ratio_->setValue(poissonRatio);
   const auto& library = modeling::materialLibrary();
   for (std::size_t i = 0; i < library.size(); ++i)
-    if (library[i].material.name == present.name &&
-        library[i].material.youngsModulus == present.youngsModulus &&
-        library[i].material.poissonRatio == present.poissonRatio) {
+    if (library[i].material == present) {
       taken_ = static_cast<int>(i);
       list_->setCurrentItem(list_->topLevelItem(taken_));
     }
@@ -151,7 +151,7 @@ void MaterialDialog::showSource() {
       source_->setText(QString::fromStdString(entry.note + "\n" + entry.reference));
       return;
     }
-    // Other constants are another material; a name of the library would mislead.
+    // Other constants are another material and must not keep the library's name.
     if (name_->text() == QString::fromStdString(entry.material.name)) {
       taken_ = -1;
       name_->setText(tr("%1, changed").arg(name_->text()));
@@ -164,6 +164,12 @@ void MaterialDialog::showSource() {
 
 modeling::Material MaterialDialog::material() const {
   return {name_->text().trimmed().toStdString(), *modulus_->value(), *ratio_->value()};
+}
+
+void editMaterial(const Workspace& workspace) {
+  Editor& editor = workspace.editor;
+  MaterialDialog dialog(workspace.settings, editor.project().material, &workspace.window);
+  if (dialog.exec() == QDialog::Accepted) editor.perform(modeling::SetMaterial{dialog.material()});
 }
 
 }  // namespace palpa::gui

@@ -6,18 +6,20 @@
 #include <QTreeWidget>
 
 #include "app/gui/widgets/number_row.h"
+#include "app/gui/workspace/workspace.h"
 #include "modeling/project/project.h"
 
 namespace palpa::gui {
 
-/// The material of the body: from the library with the source of its constants, or own values.
+/// Choice of the material: from the library, with the source of its constants, or with typed
+/// values.
 class MaterialDialog : public QDialog {
   Q_OBJECT
 
  public:
   MaterialDialog(const Settings& settings, const modeling::Material& present, QWidget* parent);
 
-  /// Valid after it was accepted.
+  /// Valid after the dialog was accepted.
   modeling::Material material() const;
 
  private:
@@ -35,8 +37,11 @@ class MaterialDialog : public QDialog {
   NumberRow* modulus_;
   NumberRow* ratio_;
   QPushButton* ok_;
-  int taken_ = -1;         // the entry of the library that the fields show
-  bool isTaking_ = false;  // the fields change because an entry is taken
+  int taken_ = -1;         // library entry in the fields
+  bool isTaking_ = false;  // take() is changing the fields
 };
+
+/// Asks for the material of the project and sets it.
+void editMaterial(const Workspace& workspace);
 
 }  // namespace palpa::gui

@@ -19,9 +19,9 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kRowsOfAllShapes = 2;  // degree and control points, below the shape's own
+constexpr int kRowsOfAllShapes = 2;  // degree and control points, below the shape's lengths
 
-/// A length that is not broken before its unit.
+/// Prevents a line break before the unit.
 QString unbroken(QString length) {
   return length.replace(' ', QChar::Nbsp);
 }
@@ -55,7 +55,7 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
                                            .arg(unbroken(shown(deviation, Quantity::kLength,
                                                                settings_.units(), 2)))));
   });
-  // The list has all shapes in the order of the variant, so that one can be found by its index.
+  // Kinds are listed in the order of the variant.
   std::size_t first = 1;
   if (present) {
     for (first = 0; first < primitiveKinds().size(); ++first)
@@ -129,7 +129,7 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   row->addLayout(right, 3);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   ok_ = buttons->button(QDialogButtonBox::Ok);
-  ok_->setText(isPresent ? tr("&Change") : tr("&Make"));
+  ok_->setText(isPresent ? tr("&Change") : tr("&Create"));
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
@@ -175,7 +175,7 @@ void NewSolidDialog::addProfileRow() {
   profile_->setObjectName("profile");
   for (const auto& profile : kindOf(shownKind_).profiles) profile_->addItem(profile.title);
   profile_->addItem(tr("From a file …"));
-  // A shape that is there already may have any profile.
+  // An existing shape may have any profile.
   if (!kinds_->isVisibleTo(this)) {
     profile_->insertItem(0, tr("As it is"));
     profile_->setCurrentIndex(0);
@@ -240,7 +240,7 @@ void NewSolidDialog::update() {
 
 void NewSolidDialog::showProblem(const QString& problem) {
   setMakable(problem.isEmpty());
-  // At the field that the message names first, or beneath all of them.
+  // Show it at the field that the message names first, or below all fields.
   NumberRow* guilty = nullptr;
   qsizetype earliest = problem.size();
   for (std::size_t i = 0; i < lengths_.size(); ++i) {

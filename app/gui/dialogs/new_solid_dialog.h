@@ -9,24 +9,24 @@
 #include <optional>
 #include <vector>
 
-#include "app/gui/dialogs/fit_measurement.h"
 #include "app/gui/base/settings.h"
+#include "app/gui/dialogs/fit_measurement.h"
 #include "app/gui/view/viewport_widget.h"
 #include "app/gui/widgets/number_row.h"
 #include "modeling/shapes/primitive.h"
 
 namespace palpa::gui {
 
-/// Chooses a shape and its sizes, with a picture that follows every keystroke.
+/// Choice of a shape and its sizes, with a preview that follows every keystroke.
 class NewSolidDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// With `present` the shape is there already and only its sizes are asked for.
+  /// With `present` the dialog edits the sizes of an existing shape.
   NewSolidDialog(Settings& settings, const std::optional<modeling::Primitive>& present,
                  QWidget* parent);
 
-  /// Valid after it was accepted.
+  /// Valid after the dialog was accepted.
   const modeling::Primitive& primitive() const { return primitive_; }
   QString shapeTitle() const;
 
@@ -51,14 +51,14 @@ class NewSolidDialog : public QDialog {
   QSpinBox* degree_;
   QSpinBox* controlPoints_;
   ViewportWidget* preview_;
-  QLabel* stale_;  // over the preview while the sizes give no solid
+  QLabel* stale_;  // covers the preview while the sizes give no solid
   QLabel* facts_;
   QLabel* problem_;
   QPushButton* ok_;
   FitMeasurement fit_;
   QString expected_;
   int shownKind_ = -1;
-  bool isFresh_ = true;  // the camera is to look at the whole next solid
+  bool isFresh_ = true;  // reset the camera for the next solid
 };
 
 }  // namespace palpa::gui

@@ -43,7 +43,7 @@ QuantityEdit& NumberDialog::addLength(const QString& label, double value) {
 
 void NumberDialog::accept() {
   for (QuantityEdit* field : findChildren<QuantityEdit*>()) {
-    Q_EMIT field->editingFinished();  // what is typed counts now, wherever the focus is
+    Q_EMIT field->editingFinished();  // applies unfinished input
     if (field->property("refused").toBool()) {
       problem_->setText(tr("“%1”: %2").arg(field->text(), field->toolTip()));
       field->setFocus();

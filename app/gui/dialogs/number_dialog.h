@@ -8,12 +8,12 @@
 
 namespace palpa::gui {
 
-/// Asks for a few exact numbers. OK is refused, with the reason, while one of them is bad.
+/// Asks for exact numbers. OK is refused, with the reason, while a number is invalid.
 class NumberDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `text`: a sentence on what will be done.
+  /// `text`: sentence about the effect.
   NumberDialog(const QString& title, const QString& text, const Settings& settings,
                QWidget* parent);
 

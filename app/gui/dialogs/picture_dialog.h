@@ -5,8 +5,7 @@
 
 namespace palpa::gui {
 
-/// The size of a picture of the view, in pixels; the shape of the view is kept unless the person
-/// lets it go.
+/// Size of a picture of the view, in pixels. Keeps the aspect ratio of the view unless unchecked.
 class PictureDialog : public QDialog {
   Q_OBJECT
 

@@ -44,16 +44,14 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
 QWidget* PreferencesDialog::makeUnits() {
   auto* group = new QGroupBox(tr("Units"), this);
   auto* form = new QFormLayout(group);
-  const std::array<std::pair<const char*, QString>, 4> rows{{{"length", tr("&Length:")},
-                                                             {"force", tr("&Force:")},
-                                                             {"stress", tr("&Stress:")},
-                                                             {"angle", tr("&Angle:")}}};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < kQuantityCount; ++i) {
+    const QuantityInfo& quantity = quantities()[i];
+    if (quantity.label.isEmpty()) continue;
     units_[i] = new QComboBox(group);
-    units_[i]->setObjectName(rows[i].first);
-    for (const Unit& unit : unitsOf(static_cast<Quantity>(i))) units_[i]->addItem(unit.symbol);
+    units_[i]->setObjectName(quantity.key);
+    for (const Unit& unit : quantity.units) units_[i]->addItem(unit.symbol);
     units_[i]->setCurrentIndex(settings_.units().chosen[i]);
-    form->addRow(rows[i].second, units_[i]);
+    form->addRow(quantity.label, units_[i]);
   }
   auto* note = new QLabel(tr("Project files are always in mm, N and MPa."), group);
   note->setEnabled(false);
@@ -81,7 +79,7 @@ QWidget* PreferencesDialog::makeLimits() {
   threads_->setRange(0, 1024);
   threads_->setSpecialValueText(tr("all cores"));
   threads_->setValue(settings_.threads());
-  memory_ = makeSizeField("memory", settings_.memoryLimitGiB(), tr("most of what is free"));
+  memory_ = makeSizeField("memory", settings_.memoryLimitGiB(), tr("most of the free memory"));
   autosave_ = new QSpinBox(group);
   autosave_->setObjectName("autosave");
   autosave_->setRange(5, 86400);
@@ -132,7 +130,8 @@ void PreferencesDialog::showCacheSize() {
 
 void PreferencesDialog::accept() {
   ShownUnits units = settings_.units();
-  for (std::size_t i = 0; i < units_.size(); ++i) units.chosen[i] = units_[i]->currentIndex();
+  for (std::size_t i = 0; i < kQuantityCount; ++i)
+    if (units_[i]) units.chosen[i] = units_[i]->currentIndex();
   settings_.setUnits(units);
   settings_.setThreads(threads_->value());
   settings_.setMemoryLimitGiB(memory_->value());

@@ -13,8 +13,8 @@
 
 namespace palpa::gui {
 
-/// Theme, units and limits. The theme changes at once, so that it can be judged; everything else
-/// with OK. Cancel leaves all as it was.
+/// Theme, units and limits. The theme changes immediately as a preview, everything else with OK.
+/// Cancel restores the theme.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class PreferencesDialog : public QDialog {
   Settings& settings_;
   Theme themeBefore_;
   QComboBox* theme_;
-  std::array<QComboBox*, 4> units_{};
+  std::array<QComboBox*, kQuantityCount> units_{};  // null without a choice
   QSpinBox* threads_ = nullptr;
   QDoubleSpinBox* memory_ = nullptr;
   QDoubleSpinBox* cache_ = nullptr;

@@ -34,7 +34,7 @@ std::vector<PrimitiveLength> axes(Eigen::Vector3d Shape::*member, const QString&
   return all;
 }
 
-/// Cubic, or of the degree given, with uniform clamped knots.
+/// Curve with uniform clamped knots.
 ProfileCurve curve(std::vector<Eigen::Vector2d> points, int degree = 3) {
   ProfileCurve made;
   made.degree = degree;

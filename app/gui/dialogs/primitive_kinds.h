@@ -6,13 +6,13 @@
 
 #include "modeling/shapes/primitive.h"
 
-// The shapes as the dialog for new solids offers them: names, numbers, example profiles.
+// Shapes of the dialog for new solids: titles, lengths, example profiles.
 namespace palpa::gui {
 
-/// A length of a shape.
+/// Length of a shape.
 struct PrimitiveLength {
-  QString label;        ///< with & for the form
-  std::string inWords;  ///< as messages of modeling name it: "the radius"
+  QString label;        ///< label in the form, with &
+  std::string inWords;  ///< name in messages of modeling: "the radius"
   bool mayBeZero = false;
   std::function<double&(modeling::Primitive&)> in;
 };
@@ -20,9 +20,9 @@ struct PrimitiveLength {
 struct PrimitiveKind {
   QString title;
   QString icon;                   ///< name in resources/icons
-  modeling::Primitive primitive;  ///< with the sizes to begin with
+  modeling::Primitive primitive;  ///< with its initial sizes
   std::vector<PrimitiveLength> lengths;
-  /// Shapes that begin with a profile, for those made from one; empty for the others.
+  /// Example shapes with a profile; empty for shapes without profiles.
   struct Profile {
     QString title;
     decltype(modeling::Primitive::shape) shape;
@@ -32,8 +32,8 @@ struct PrimitiveKind {
 
 const std::vector<PrimitiveKind>& primitiveKinds();
 
-/// Replaces the profile of a revolve, extrude or loft shape by the one in a file.
-/// @throws ModelingError
+/// Replaces the profile of a revolve, extrude or loft shape by the profile in a file. Throws
+/// ModelingError.
 void readProfileInto(modeling::Primitive& primitive, const QString& file);
 
 }  // namespace palpa::gui

@@ -19,7 +19,7 @@ namespace {
 constexpr int kUntilNextLook = 100;  // ms
 constexpr std::chrono::hours kKeptThoughOutdated(30 * 24);
 
-/// Calls `act` as soon as no dialog is open and no file is being read.
+/// Calls `act` as soon as no dialog is open and no job is running.
 void whenFree(QWidget& window, const std::function<void()>& act) {
   if (!isBackgroundJobRunning() && !QApplication::activeModalWidget() &&
       !QApplication::activePopupWidget() && QApplication::mouseButtons() == Qt::NoButton)
@@ -115,8 +115,8 @@ void offerRecovery(Editor& editor, QWidget& window, const std::function<bool()>&
   QThread* search = QThread::create([found] {
     try {
       *found = modeling::findRecoverable(modeling::defaultAutosaveFolder());
-      // Their files were written later, and they would stay for ever. Another program may have
-      // written these files, so they are kept for a while.
+      // The projects of outdated snapshots were saved later. The snapshots are still kept for a
+      // while, since another program may have written those files.
       const auto now = std::chrono::system_clock::now();
       for (const modeling::Snapshot& old : found->outdated)
         if (now - old.time > kKeptThoughOutdated) modeling::discard(old);

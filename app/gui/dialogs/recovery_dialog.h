@@ -10,17 +10,17 @@
 
 namespace palpa::gui {
 
-/// What a crash left: each can be recovered, discarded, or kept for the next start.
+/// Snapshots of a crashed session. Each can be recovered, discarded, or kept for the next start.
 class RecoveryDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `mayReplace` is asked before the open project gives way to a recovered one.
+  /// `mayReplace` decides before a recovered project replaces the open one.
   RecoveryDialog(Editor& editor, std::vector<modeling::Snapshot> snapshots,
                  std::function<bool()> mayReplace, QWidget* parent);
 
  private:
-  /// Null when nothing is chosen.
+  /// Null without a choice.
   const modeling::Snapshot* chosen() const;
   void recover();
   void discard();
@@ -31,9 +31,9 @@ class RecoveryDialog : public QDialog {
   QTreeWidget* list_;
 };
 
-/// Looks for snapshots on a thread of its own and shows the dialog when there are some and nothing
-/// else is being asked or done; `done` is called afterwards, with whether there were any. `window`
-/// waits for the thread when it goes earlier; nothing else happens then.
+/// Searches for snapshots on a separate thread. Shows the dialog if any exist, as soon as no other
+/// dialog is open and no job is running. Then calls `done`, which receives whether any existed. The
+/// destructor of `window` waits for the thread; in this case neither happens.
 void offerRecovery(Editor& editor, QWidget& window, const std::function<bool()>& mayReplace,
                    const std::function<void(bool any)>& done);
 

@@ -10,8 +10,8 @@
 
 namespace palpa::gui {
 
-/// Moves, rotates, scales or mirrors the whole body by numbers. What cannot be done is said in the
-/// dialog, which stays open.
+/// Moves, rotates, scales or mirrors the whole body by exact numbers. After an error the dialog
+/// stays open and shows it.
 class TransformDialog : public QDialog {
   Q_OBJECT
 

@@ -32,12 +32,12 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
   font.setBold(true);
   title->setFont(font);
   auto* how = new QLabel(
-      tr("1.  Drag the control points: the solid follows, and so does its model.\n"
-         "2.  The middle button, or Alt with the left one, turns the view; the right one moves it; "
-         "the wheel zooms.\n"
-         "3.  Say where the solid is held and loaded (menu Supports & Loads).\n"
-         "4.  Press Simulate (F5) and pull at the surface: arrows and the panel Forces say how "
-         "strongly it resists."),
+      tr("1.  Drag control points to shape the solid.\n"
+         "2.  The middle button, or Alt with the left button, orbits the view; the right button "
+         "pans; the wheel zooms.\n"
+         "3.  Place supports and loads (menu Supports & Loads).\n"
+         "4.  Press Simulate (F5) and drag the surface: arrows and the Forces panel show the "
+         "forces."),
       this);
   how->setWordWrap(true);
 
@@ -52,7 +52,7 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
   grid->addWidget(open, 2, 0);
   int place = 0;
   for (const Example& example : examples()) {
-    auto* link = makeLink(example.name, example.title, example.what, "solid", this);
+    auto* link = makeLink(example.name, example.title, example.description, "solid", this);
     connect(link, &QAbstractButton::clicked, this,
             [this, name = example.name] { choose(Choice::kExample, name); });
     grid->addWidget(link, 1 + place / 2, 1 + place % 2);
@@ -69,7 +69,7 @@ WelcomeDialog::WelcomeDialog(QWidget* parent) : QDialog(parent) {
   column->addLayout(grid);
   column->addWidget(close, 0, Qt::AlignRight);
   resize(820, 460);
-  fresh->setFocus(Qt::TabFocusReason);  // so that it is drawn
+  fresh->setFocus(Qt::TabFocusReason);  // this reason draws the focus frame
 }
 
 void WelcomeDialog::choose(Choice choice, const QString& example) {

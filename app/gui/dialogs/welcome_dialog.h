@@ -4,7 +4,7 @@
 
 namespace palpa::gui {
 
-/// Where to begin: an example, a new solid, a file; and how to look around.
+/// Choice of an example, a new solid or a file to begin with, and a short introduction.
 class WelcomeDialog : public QDialog {
   Q_OBJECT
 
@@ -14,7 +14,7 @@ class WelcomeDialog : public QDialog {
   explicit WelcomeDialog(QWidget* parent);
 
   Choice choice() const { return choice_; }
-  /// Name of the example that was chosen.
+  /// Name of the chosen example.
   QString example() const { return example_; }
 
  private:

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/model/contact_kind.h"
+
 namespace palpa::gui {
 namespace {
 
-using Kind = bem::ContactTool::Kind;
 using Status = app::TouchSnapshot::Status;
 
 QString words(const char* text) {
@@ -17,29 +18,19 @@ QString words(const char* text) {
 
 }  // namespace
 
-QString kindText(Kind kind) {
-  switch (kind) {
-    case Kind::kGrab:
-      return words("Grab");
-    case Kind::kPush:
-      return words("Push");
-    case Kind::kProbe:
-      return words("Ball");
-    case Kind::kForce:
-      return words("Force");
-  }
-  return {};
+QString kindText(bem::ContactTool::Kind kind) {
+  return words(app::infoOf(kind).label);
 }
 
 QString statusText(Status status) {
   switch (status) {
     case Status::kWaiting:
       return words("waits for its place to be solved");
-    case Status::kHeld:
+    case Status::kFixed:
       return words("on a support: no force");
     case Status::kOpen:
       return words("does not touch");
-    case Status::kHolding:
+    case Status::kGrabbed:
       return words("holds");
     case Status::kSticking:
       return words("sticks");
@@ -57,7 +48,7 @@ QString vectorText(const Eigen::Vector3d& vector, const Unit& unit) {
   QStringList parts;
   for (int k = 0; k < 3; ++k) {
     const double value = vector[k] / unit.factor;
-    // What rounds to zero has no sign.
+    // Avoid "-0".
     const bool isZero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
     parts << QString::number(isZero ? 0.0 : value, 'f', decimals);
   }

@@ -13,23 +13,23 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kInterval = 80;  // ms between two looks: numbers that change faster cannot be read
-constexpr int kFewDigits = 3;  // where the column is narrow
+constexpr int kInterval = 80;  // ms between two updates: faster changes cannot be read
+constexpr int kFewDigits = 3;  // in narrow columns
 constexpr int kColumns = 4;
 constexpr int kContactRole = Qt::UserRole, kCurveRole = Qt::UserRole + 1;
-constexpr int kSwatch = 10;           // px, of the colour of a contact's curve
-constexpr double kLargeMotion = 0.1;  // of the body's size: beyond it the linear model only hints
+constexpr int kSwatch = 10;           // px, colour sample of a curve
+constexpr double kLargeMotion = 0.1;  // of the body's size: limit of the linear model
 
 using Status = app::TouchSnapshot::Status;
 
-/// mm, the diagonal of the body's box.
+/// Diagonal of the body's box, mm.
 double sizeOf(const app::DrawnBody& body) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& place : body.mesh().positions) box.extend(place);
   return box.diagonal().norm();
 }
 
-/// A spot in the colour of a curve.
+/// Square in the colour of a curve.
 QIcon swatch(int curve) {
   const auto [red, green, blue] = view::ForcePlot::colour(curve);
   QPixmap spot(kSwatch, kSwatch);
@@ -57,7 +57,7 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   list_->setIndentation(12);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->setHeaderLabels({tr("Contact"), tr("Force"), tr("Moved"), tr("Stiffness")});
-  // All of it is seen at once: components stand in a line of their own.
+  // Columns fit the panel; components have a separate line.
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -69,7 +69,7 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   list_->setMinimumHeight(104);
   list_->installEventFilter(this);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
-  list_->setToolTip(tr("Delete lets go of the chosen contact"));
+  list_->setToolTip(tr("Delete ends the selected contact"));
   connect(list_, &QWidget::customContextMenuRequested, this, &ForcesDock::showMenu);
   plot_->setPlaceholder(tr("Touch the solid: the force of each contact over the last %1 seconds is "
                            "drawn here.")
@@ -78,8 +78,8 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   summary_->setWordWrap(true);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   summary_->setToolTip(tr(
-      "Balance: the sum of all forces on the body, over the largest of them; zero in truth, so it "
-      "tells of the error."));
+      "Balance: the sum of all forces on the body, over the largest; an estimate of the error, as "
+      "the exact sum is zero."));
   auto* content = new QWidget(this);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 6);
@@ -141,7 +141,7 @@ void ForcesDock::fillRow(int row, const Row& filled) {
   const auto set = [](QTreeWidgetItem* of, int column, const QString& text) {
     if (of->text(column) == text) return;
     of->setText(column, text);
-    of->setToolTip(column, text);  // where the column is too narrow
+    of->setToolTip(column, text);  // for narrow columns
   };
   for (int column = 0; column < filled.cells.size(); ++column)
     set(item, column, filled.cells[column]);
@@ -155,10 +155,10 @@ void ForcesDock::fillRow(int row, const Row& filled) {
   item->setFlags(filled.contact ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemIsEnabled);
 }
 
-void ForcesDock::letGoOfChosen() {
+void ForcesDock::endSelected() {
   for (const QTreeWidgetItem* item : list_->selectedItems()) {
     const auto contact = item->data(0, kContactRole).toULongLong();
-    if (contact) simulation_.letGo(contact);
+    if (contact) simulation_.end(contact);
   }
   list_->clearSelection();
 }
@@ -168,8 +168,8 @@ bool ForcesDock::eventFilter(QObject* watched, QEvent* event) {
   if (watched != list_ || !isKey || list_->selectedItems().isEmpty() ||
       !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Delete))
     return QDockWidget::eventFilter(watched, event);
-  // Before Edit > Delete, which is about the project.
-  if (event->type() == QEvent::KeyPress) letGoOfChosen();
+  // Before Edit > Delete, which acts on the project.
+  if (event->type() == QEvent::KeyPress) endSelected();
   event->accept();
   return true;
 }
@@ -181,9 +181,9 @@ void ForcesDock::showMenu(const QPoint& at) {
   list_->setCurrentItem(item);
   auto* menu = new QMenu(list_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(tr("&Let go"), QKeySequence(QKeySequence::Delete), this,
-                  &ForcesDock::letGoOfChosen);
-  menu->addAction(tr("Let go of &all"), &simulation_, &Simulation::letGoOfAll);
+  menu->addAction(tr("&Release"), QKeySequence(QKeySequence::Delete), this,
+                  &ForcesDock::endSelected);
+  menu->addAction(tr("Release &all"), &simulation_, &Simulation::endAll);
   menu->popup(list_->viewport()->mapToGlobal(at));
 }
 
@@ -222,7 +222,7 @@ void ForcesDock::showForces() {
   }
   if (!simulation_.drawn()) {
     rows(0);
-    summary_->setText(tr("Touching begins as soon as the model is built."));
+    summary_->setText(tr("Touching is possible as soon as the model is built."));
     return;
   }
   const app::TouchSnapshot& snapshot = simulation_.snapshot();
@@ -233,7 +233,7 @@ void ForcesDock::showForces() {
     return shown(vector.norm(), Quantity::kForce, settings_.units(), kForceDigits);
   };
   for (const auto& contact : snapshot.touched()) {
-    const bool hasForce = contact.status != Status::kWaiting && contact.status != Status::kHeld;
+    const bool hasForce = contact.status != Status::kWaiting && contact.status != Status::kFixed;
     const double stiffness = contact.stiffness * length.factor / force.factor;
     Row filled;
     filled.contact = contact.id;

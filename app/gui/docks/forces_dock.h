@@ -13,8 +13,8 @@
 
 namespace palpa::gui {
 
-/// What the hand feels: force, displacement and stiffness of every contact, the supports'
-/// reactions, energy and balance, some times a second while something is touched.
+/// Panel with force, displacement and stiffness of every contact, the supports' reactions, energy
+/// and balance, updated several times a second.
 class ForcesDock : public QDockWidget {
   Q_OBJECT
 
@@ -22,17 +22,17 @@ class ForcesDock : public QDockWidget {
   ForcesDock(Simulation& simulation, const Editor& editor, const Settings& settings,
              QWidget* parent);
 
-  /// The words of a cell, as a person reads them; empty when there is none.
+  /// Text of a cell; empty if absent.
   QString text(int row, int column) const;
-  /// Those below the row: what the contact does, and the components of its force.
+  /// Text below the row: state of the contact and components of its force.
   QString details(int row) const;
 
  protected:
-  /// Delete lets go of the chosen contact.
+  /// Delete ends the selected contact.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void letGoOfChosen();
+  void endSelected();
   void showMenu(const QPoint& at);
   void showForces();
   void showPlot();
@@ -40,10 +40,10 @@ class ForcesDock : public QDockWidget {
     QStringList cells;
     QString details;
     app::TouchId contact = 0;  ///< 0: not a contact
-    int curve = -1;            ///< number of its curve in the plot; -1: none
+    int curve = -1;            ///< number of the curve in the plot; -1: none
   };
-  /// A contact keeps its number as long as it, or its curve, is seen; numbers begin with 1 again
-  /// when there is none.
+  /// Number of a contact: constant while the contact or its curve is visible. Numbers restart
+  /// with 1.
   int numberOf(app::TouchId contact);
   void fillRow(int row, const Row& filled);
 

@@ -5,7 +5,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kInterval = 30;  // ms between two looks while something is dragged
+constexpr int kInterval = 30;  // ms between two updates during a drag
 
 }  // namespace
 
@@ -38,24 +38,24 @@ void HistoryDock::showHistory() {
   const int present = static_cast<int>(history.position);
   while (list_->count() > count) delete list_->takeItem(list_->count() - 1);
   while (list_->count() < count) list_->addItem(QString());
-  QPixmap nothing(16, 16);  // keeps the texts aligned
+  QPixmap nothing(16, 16);  // aligns the texts
   nothing.fill(Qt::transparent);
   for (int row = 0; row < count; ++row) {
     QListWidgetItem& item = *list_->item(row);
     const bool isSaved = history.saved == static_cast<std::size_t>(row);
     const bool hasFile = !editor_.fileName().isEmpty();
     QString text = QString::fromStdString(history.labels[row]);
-    if (text.isEmpty()) text = hasFile ? tr("As opened") : tr("Beginning");
-    // Setting what is already there costs a redraw.
+    if (text.isEmpty()) text = hasFile ? tr("As opened") : tr("Start");
+    // Setting the same text costs a redraw.
     if (item.text() != text) item.setText(text);
     const bool showsSaved = isSaved && hasFile;
     if (item.icon().isNull() || item.data(Qt::UserRole).toBool() != showsSaved) {
       item.setData(Qt::UserRole, showsSaved);
       item.setIcon(showsSaved ? icon("save") : QIcon(nothing));
     }
-    QString tip = row > present ? tr("Undone; click to do it again") : tr("Click to go back here");
+    QString tip = row > present ? tr("Undone; click to redo") : tr("Click to go back here");
     if (row == present) tip = tr("The project as it is now");
-    item.setToolTip(showsSaved ? tip + "\n" + tr("This is what the file holds") : tip);
+    item.setToolTip(showsSaved ? tip + "\n" + tr("The file contains this state") : tip);
     QFont font = list_->font();
     font.setBold(row == present);
     item.setFont(font);

@@ -8,7 +8,7 @@
 
 namespace palpa::gui {
 
-/// The steps of the history: done, present, undone. A click or Enter goes to a step.
+/// Panel with the steps of the history. A click or Enter goes to a step.
 class HistoryDock : public QDockWidget {
   Q_OBJECT
 

@@ -6,7 +6,9 @@
 #include "app/gui/base/appearance.h"
 #include "app/gui/document/body_places.h"
 #include "app/gui/document/naming.h"
-#include "app/gui/window/main_window.h"
+#include "app/gui/document/point_groups.h"
+#include "app/gui/view/scene_controller.h"
+#include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 
@@ -35,12 +37,12 @@ ModelDock::ModelDock(const Workspace& workspace)
   view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   setWidget(view_);
-  openUsual();
+  expandGroups();
   connect(tree_, &QAbstractItemModel::modelReset, this, [this] {
-    openUsual();
+    expandGroups();
     showSelection();
   });
-  // Rows that come and go take choices with them: the selection decides, when all is in place.
+  // Added and removed rows change the choice of rows: restore it from the selection.
   connect(&workspace.editor, &Editor::projectChanged, this, [this](const modeling::Change& change) {
     if (change.topology || change.supports || change.loads || change.touches) showSelection();
   });
@@ -48,7 +50,7 @@ ModelDock::ModelDock(const Workspace& workspace)
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ModelDock::chooseRows);
   connect(view_, &QWidget::customContextMenuRequested, this, &ModelDock::showMenu);
-  // The row under the pointer shows its patch in the view.
+  // Highlight the patch of the row under the pointer.
   view_->setMouseTracking(true);
   view_->viewport()->installEventFilter(this);
   connect(view_, &QAbstractItemView::entered, this, [this](const QModelIndex& index) {
@@ -57,7 +59,7 @@ ModelDock::ModelDock(const Workspace& workspace)
   });
   connect(view_, &QAbstractItemView::viewportEntered, this,
           [this] { workspace_.scene.setHoveredPatch(std::nullopt); });
-  // Names are edited by a double click; rows without one open and close by it.
+  // A double click edits a name; rows without a name open and close.
   connect(view_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
     const QModelIndex row = index.siblingAtColumn(0);
     if ((tree_->flags(row) & Qt::ItemIsEditable) == 0)
@@ -66,7 +68,7 @@ ModelDock::ModelDock(const Workspace& workspace)
 }
 
 ModelDock::~ModelDock() {
-  // A name that is being edited goes with the view; it must not be entered into what is left.
+  // Discard an unfinished name edit instead of applying it during destruction.
   isFollowing_ = true;
   view_->setModel(nullptr);
 }
@@ -76,18 +78,18 @@ bool ModelDock::eventFilter(QObject* watched, QEvent* event) {
   return QDockWidget::eventFilter(watched, event);
 }
 
-void ModelDock::openUsual() {
-  // The lists of patches and edges are long and stay closed.
-  for (const RowKind node :
+void ModelDock::expandGroups() {
+  // The long lists of patches and edges stay closed.
+  for (const RowKind rowKind :
        {RowKind::kProject, RowKind::kBody, RowKind::kSupports, RowKind::kLoads, RowKind::kTouches})
-    view_->expand(tree_->indexOf(node));
+    view_->expand(tree_->indexOf(rowKind));
 }
 
 void ModelDock::showSelection() {
   if (isFollowing_) return;
   const Selection& selection = workspace_.editor.selection();
   const QItemSelectionModel* chosen = view_->selectionModel();
-  // A row without a meaning for the selection, such as the material, stays chosen.
+  // A row that selects nothing, such as the material, stays chosen.
   if (tree_->selectionOf(chosen->selectedIndexes(), chosen->currentIndex()) == selection) {
     const bool isMixed = !selection.empty() && chosen->selectedRows().size() !=
                                                    tree_->rowsOf(selection).indexes().size() / 2;
@@ -110,7 +112,7 @@ void ModelDock::chooseRows() {
   const QItemSelectionModel* chosen = view_->selectionModel();
   Selection selection = tree_->selectionOf(chosen->selectedIndexes(), chosen->currentIndex());
   workspace_.editor.select(std::move(selection));
-  // Rows of other kinds are let go once the view is done with the click.
+  // Deselect rows of other kinds after the view has handled the click.
   QMetaObject::invokeMethod(this, &ModelDock::showSelection, Qt::QueuedConnection);
 }
 
@@ -118,8 +120,9 @@ void ModelDock::showMenu(const QPoint& at) {
   const QModelIndex row = view_->indexAt(at).siblingAtColumn(0);
   if (!row.isValid()) return;
   Editor& editor = workspace_.editor;
-  const RowKind node = ModelTree::kindOfRow(row);
-  const bool isNamed = node == RowKind::kSupport || node == RowKind::kLoad || node == RowKind::kTouch;
+  const RowKind rowKind = ModelTree::kindOfRow(row);
+  const bool isNamed =
+      rowKind == RowKind::kSupport || rowKind == RowKind::kLoad || rowKind == RowKind::kTouch;
   auto* menu = new QMenu(this);
   menu->setObjectName("modelMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -142,10 +145,9 @@ void ModelDock::showMenu(const QPoint& at) {
       deleteSelected(editor);
     })->setShortcut(QKeySequence::Delete);
   }
-  if (node == RowKind::kPatch && editor.solid())
+  if (rowKind == RowKind::kPatch && editor.solid())
     add(tr("Select &points"), "net", [&editor] {
-      editor.select(
-          Selection::ofPoints(pointsOfPatches(editor.project().body, editor.selection().patches)));
+      editor.select(Selection::ofPoints(pointsOf(editor.selection(), *editor.solid())));
     });
   if (!menu->isEmpty()) menu->addSeparator();
   add(tr("&Zoom to"), "fit", [this] {

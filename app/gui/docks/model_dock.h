@@ -8,7 +8,7 @@
 
 namespace palpa::gui {
 
-/// The project as a tree. What is chosen in it is what is selected in the view, and back.
+/// Panel with the project as a tree. Selection in tree and view are the same.
 class ModelDock : public QDockWidget {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class ModelDock : public QDockWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void openUsual();
+  void expandGroups();
   void showSelection();
   void chooseRows();
   void showMenu(const QPoint& at);
@@ -28,7 +28,7 @@ class ModelDock : public QDockWidget {
   Workspace workspace_;
   ModelTree* tree_;
   QTreeView* view_;
-  bool isFollowing_ = false;  // the rows are being chosen because the selection changed
+  bool isFollowing_ = false;  // showSelection() is selecting rows
 };
 
 }  // namespace palpa::gui

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "app/gui/base/appearance.h"
-#include "app/gui/document/naming.h"
 #include "app/gui/base/overloaded.h"
+#include "app/gui/document/naming.h"
 
 namespace palpa::gui {
 namespace {
@@ -17,72 +17,46 @@ namespace {
 using RowKind = ModelTree::RowKind;
 using Kind = Selection::Kind;
 
-/// The row above; the project for the project itself, which has none.
-RowKind parentOf(RowKind node) {
-  switch (node) {
-    case RowKind::kPatches:
-    case RowKind::kEdges:
-      return RowKind::kBody;
-    case RowKind::kPatch:
-      return RowKind::kPatches;
-    case RowKind::kEdge:
-      return RowKind::kEdges;
-    case RowKind::kSupport:
-      return RowKind::kSupports;
-    case RowKind::kLoad:
-      return RowKind::kLoads;
-    case RowKind::kTouch:
-      return RowKind::kTouches;
-    default:
-      return RowKind::kProject;
-  }
-}
+/// Row that holds a list, kind of its items, and how they are selected by name.
+struct List {
+  RowKind group, item;
+  std::optional<Kind> kind;
+};
 
-/// What the rows below are, for nodes that hold a list; the node itself for all others.
-RowKind childOf(RowKind node) {
-  switch (node) {
-    case RowKind::kPatches:
-      return RowKind::kPatch;
-    case RowKind::kEdges:
-      return RowKind::kEdge;
-    case RowKind::kSupports:
-      return RowKind::kSupport;
-    case RowKind::kLoads:
-      return RowKind::kLoad;
-    case RowKind::kTouches:
-      return RowKind::kTouch;
-    default:
-      return node;
-  }
-}
+/// In the order of ModelTree::lists_.
+constexpr std::array<List, 5> kLists{{{RowKind::kPatches, RowKind::kPatch, {}},
+                                      {RowKind::kEdges, RowKind::kEdge, {}},
+                                      {RowKind::kSupports, RowKind::kSupport, Kind::kSupport},
+                                      {RowKind::kLoads, RowKind::kLoad, Kind::kLoad},
+                                      {RowKind::kTouches, RowKind::kTouch, Kind::kTouch}}};
 
-/// The place in ModelTree::lists_ of what a node holds.
-std::optional<std::size_t> listOf(RowKind parent) {
-  switch (parent) {
-    case RowKind::kPatches:
-      return 0;
-    case RowKind::kEdges:
-      return 1;
-    case RowKind::kSupports:
-      return 2;
-    case RowKind::kLoads:
-      return 3;
-    case RowKind::kTouches:
-      return 4;
-    default:
-      return std::nullopt;
-  }
-}
-
-bool isListed(RowKind node) {
-  return node >= RowKind::kPatch;
-}
-
-std::optional<Kind> kindOf(RowKind node) {
-  if (node == RowKind::kSupport) return Kind::kSupport;
-  if (node == RowKind::kLoad) return Kind::kLoad;
-  if (node == RowKind::kTouch) return Kind::kTouch;
+/// Index of the list below a row; nothing for rows without a list.
+std::optional<std::size_t> listOf(RowKind group) {
+  for (std::size_t i = 0; i < kLists.size(); ++i)
+    if (kLists[i].group == group) return i;
   return std::nullopt;
+}
+
+/// The list that contains rows of a kind; null for fixed rows.
+const List* listWith(RowKind item) {
+  const auto* found = std::find_if(kLists.begin(), kLists.end(),
+                                   [&](const List& list) { return list.item == item; });
+  return found == kLists.end() ? nullptr : &*found;
+}
+
+bool isListed(RowKind row) {
+  return listWith(row) != nullptr;
+}
+
+/// Parent row; the project for the project itself.
+RowKind parentOf(RowKind row) {
+  if (const List* list = listWith(row)) return list->group;
+  return row == RowKind::kPatches || row == RowKind::kEdges ? RowKind::kBody : RowKind::kProject;
+}
+
+std::optional<Kind> selectionKindOf(RowKind row) {
+  const List* list = listWith(row);
+  return list ? list->kind : std::nullopt;
 }
 
 QIcon cachedIcon(const QString& name) {
@@ -130,8 +104,8 @@ void ModelTree::showChange(const modeling::Change& change) {
   if (change.supports) replace(RowKind::kSupports, supportLines());
   if (change.loads) replace(RowKind::kLoads, loadLines());
   if (change.touches) replace(RowKind::kTouches, touchLines());
-  const auto touch = [this](RowKind node) {
-    const QModelIndex row = indexOf(node);
+  const auto touch = [this](RowKind rowKind) {
+    const QModelIndex row = indexOf(rowKind);
     Q_EMIT dataChanged(row, row.siblingAtColumn(1));
   };
   if (change.name) touch(RowKind::kProject);
@@ -146,7 +120,7 @@ void ModelTree::replace(RowKind parent, Lines lines) {
   const auto first = static_cast<int>(
       std::mismatch(old.begin(), old.end(), lines.begin(), lines.end()).first - old.begin());
   if (old.size() != lines.size()) {
-    // Rows that stay keep their place, so that the view keeps what is chosen and open.
+    // Keep unchanged rows, so that the view keeps chosen and open rows.
     const int longest = static_cast<int>(std::min(old.size(), lines.size())) - first;
     int same = 0;
     while (same < longest && old[old.size() - 1 - same] == lines[lines.size() - 1 - same]) ++same;
@@ -175,8 +149,9 @@ const ModelTree::Lines* ModelTree::linesOf(RowKind parent) const {
 }
 
 const std::vector<RowKind>& ModelTree::fixedChildren(RowKind parent) const {
-  static const std::vector<RowKind> ofProject{RowKind::kBody,    RowKind::kSupports, RowKind::kLoads,
-                                           RowKind::kTouches, RowKind::kMaterial, RowKind::kMesh};
+  static const std::vector<RowKind> ofProject{RowKind::kBody,     RowKind::kSupports,
+                                              RowKind::kLoads,    RowKind::kTouches,
+                                              RowKind::kMaterial, RowKind::kMesh};
   static const std::vector<RowKind> ofSolid{RowKind::kPatches, RowKind::kEdges};
   static const std::vector<RowKind> ofMesh{RowKind::kPatches};
   static const std::vector<RowKind> none;
@@ -185,8 +160,8 @@ const std::vector<RowKind>& ModelTree::fixedChildren(RowKind parent) const {
   return none;
 }
 
-QModelIndex ModelTree::indexOf(RowKind node) const {
-  const RowKind group = isListed(node) ? parentOf(node) : node;
+QModelIndex ModelTree::indexOf(RowKind rowKind) const {
+  const RowKind group = isListed(rowKind) ? parentOf(rowKind) : rowKind;
   if (group == RowKind::kProject) return createIndex(0, 0, static_cast<quintptr>(group));
   const auto& siblings = fixedChildren(parentOf(group));
   const auto found = std::find(siblings.begin(), siblings.end(), group);
@@ -198,8 +173,8 @@ QModelIndex ModelTree::index(int row, int column, const QModelIndex& parent) con
   if (!hasIndex(row, column, parent)) return {};
   if (!parent.isValid()) return createIndex(row, column, static_cast<quintptr>(RowKind::kProject));
   const RowKind above = kindOfRow(parent);
-  const RowKind node = linesOf(above) ? childOf(above) : fixedChildren(above)[row];
-  return createIndex(row, column, static_cast<quintptr>(node));
+  const RowKind rowKind = linesOf(above) ? kLists[*listOf(above)].item : fixedChildren(above)[row];
+  return createIndex(row, column, static_cast<quintptr>(rowKind));
 }
 
 QModelIndex ModelTree::parent(const QModelIndex& index) const {
@@ -210,31 +185,31 @@ QModelIndex ModelTree::parent(const QModelIndex& index) const {
 int ModelTree::rowCount(const QModelIndex& parent) const {
   if (!parent.isValid()) return 1;
   if (parent.column() > 0) return 0;
-  const RowKind node = kindOfRow(parent);
-  if (const Lines* lines = linesOf(node)) return static_cast<int>(lines->size());
-  return static_cast<int>(fixedChildren(node).size());
+  const RowKind rowKind = kindOfRow(parent);
+  if (const Lines* lines = linesOf(rowKind)) return static_cast<int>(lines->size());
+  return static_cast<int>(fixedChildren(rowKind).size());
 }
 
-ModelTree::Line ModelTree::lineOf(RowKind node) const {
+ModelTree::Line ModelTree::lineOf(RowKind rowKind) const {
   const modeling::Project& project = editor_.project();
-  switch (node) {
+  switch (rowKind) {
     case RowKind::kProject:
       return {QString::fromStdString(project.name), {}, "model", tr("The project")};
     case RowKind::kBody:
-      return {bodyTitle(project), {}, "solid", tr("The body that is modelled and touched")};
+      return {bodyTitle(project), {}, "solid", tr("The body")};
     case RowKind::kPatches:
       return {hasEdges_ ? tr("Patches") : tr("Faces"), {}, "patch", {}};
     case RowKind::kEdges:
       return {tr("Edges"), {}, "edge", {}};
     case RowKind::kSupports:
-      return {tr("Supports"), {}, "paint-support", tr("Where the body is held")};
+      return {tr("Supports"), {}, "paint-support", tr("Supported parts of the surface")};
     case RowKind::kLoads:
-      return {tr("Loads"), {}, "place-load", tr("What presses or pulls on the body")};
+      return {tr("Loads"), {}, "place-load", tr("Pressures and tractions on the surface")};
     case RowKind::kTouches:
       return {tr("Touches"),
               {},
               "place-touch",
-              tr("Where the project is touched; Simulate plays them")};
+              tr("Touches stored in the project; Simulate plays them")};
     case RowKind::kMaterial:
       return {tr("Material"), QString::fromStdString(project.material.name), "material",
               QString::fromStdString(project.material.name)};
@@ -286,7 +261,7 @@ ModelTree::Lines ModelTree::supportLines() const {
     const bool isFixed = each.kind == modeling::Support::Kind::kFixed;
     lines.push_back({QString::fromStdString(each.name), isFixed ? tr("fixed") : tr("roller"),
                      "paint-support",
-                     isFixed ? tr("Held in all directions") : tr("Slides along the surface")});
+                     isFixed ? tr("Fixed in all directions") : tr("Slides along the surface")});
   }
   return lines;
 }
@@ -307,27 +282,21 @@ ModelTree::Lines ModelTree::loadLines() const {
 ModelTree::Lines ModelTree::touchLines() const {
   Lines lines;
   for (const modeling::Touch& each : editor_.project().touches)
-    lines.push_back(
-        {QString::fromStdString(each.name),
-         std::visit(Overloaded{[](const modeling::TouchDisplacement&) { return tr("grab"); },
-                               [](const modeling::TouchForce&) { return tr("force"); },
-                               [](const modeling::TouchPush&) { return tr("push"); },
-                               [](const modeling::TouchProbe&) { return tr("ball"); },
-                               [](const modeling::TouchPin&) { return tr("pin"); }},
-                    each.action),
-         "place-touch",
-         {}});
+    lines.push_back({QString::fromStdString(each.name),
+                     tr(modeling::infoOf(each.kind).name),
+                     "place-touch",
+                     {}});
   return lines;
 }
 
 QVariant ModelTree::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const RowKind node = kindOfRow(index);
-  const Lines* siblings = isListed(node) ? linesOf(parentOf(node)) : nullptr;
+  const RowKind rowKind = kindOfRow(index);
+  const Lines* siblings = isListed(rowKind) ? linesOf(parentOf(rowKind)) : nullptr;
   if (siblings && index.row() >= static_cast<int>(siblings->size())) return {};
-  const Line line = siblings ? (*siblings)[index.row()] : lineOf(node);
+  const Line line = siblings ? (*siblings)[index.row()] : lineOf(rowKind);
   const bool isName = index.column() == 0;
-  const Lines* below = linesOf(node);
+  const Lines* below = linesOf(rowKind);
   switch (role) {
     case Qt::DisplayRole:
       if (isName) return line.name;
@@ -349,18 +318,19 @@ QVariant ModelTree::data(const QModelIndex& index, int role) const {
 
 Qt::ItemFlags ModelTree::flags(const QModelIndex& index) const {
   Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-  const RowKind node = kindOfRow(index);
-  const bool hasName = node == RowKind::kProject || (isListed(node) && node != RowKind::kEdge);
+  const RowKind rowKind = kindOfRow(index);
+  const bool hasName =
+      rowKind == RowKind::kProject || (isListed(rowKind) && rowKind != RowKind::kEdge);
   if (index.column() == 0 && hasName) flags |= Qt::ItemIsEditable;
   return flags;
 }
 
 bool ModelTree::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (role != Qt::EditRole || (flags(index) & Qt::ItemIsEditable) == 0) return false;
-  const RowKind node = kindOfRow(index);
+  const RowKind rowKind = kindOfRow(index);
   const QString name = value.toString();
-  if (node == RowKind::kProject) return renameProject(editor_, name);
-  if (node == RowKind::kPatch) return renamePatch(editor_, index.row(), name);
+  if (rowKind == RowKind::kProject) return renameProject(editor_, name);
+  if (rowKind == RowKind::kPatch) return renamePatch(editor_, index.row(), name);
   return renameNamed(editor_, *selectionOf({index}, index).named, name);
 }
 
@@ -372,12 +342,12 @@ Selection ModelTree::selectionOf(const QModelIndexList& rows, const QModelIndex&
   if (listed.empty()) return selection;
   const bool currentCounts = listed.contains(current.siblingAtColumn(0));
   const QModelIndex leading = currentCounts ? current : listed.back();
-  const RowKind node = kindOfRow(leading);
-  if (const auto kind = kindOf(node))
+  const RowKind rowKind = kindOfRow(leading);
+  if (const auto kind = selectionKindOf(rowKind))
     return Selection::of(*kind, data(leading.siblingAtColumn(0)).toString().toStdString());
   for (const QModelIndex& row : listed)
-    if (kindOfRow(row) == node)
-      (node == RowKind::kPatch ? selection.patches : selection.edges).insert(row.row());
+    if (kindOfRow(row) == rowKind)
+      (rowKind == RowKind::kPatch ? selection.patches : selection.edges).insert(row.row());
   return selection;
 }
 
@@ -390,9 +360,9 @@ QItemSelection ModelTree::rowsOf(const Selection& selection) const {
   for (int patch : selection.patches) add(RowKind::kPatches, patch);
   for (int edge : selection.edges) add(RowKind::kEdges, edge);
   if (selection.named) {
-    const RowKind parent = selection.named->kind == Kind::kSupport ? RowKind::kSupports
-                        : selection.named->kind == Kind::kLoad  ? RowKind::kLoads
-                                                                : RowKind::kTouches;
+    const RowKind parent = std::find_if(kLists.begin(), kLists.end(), [&](const List& list) {
+                             return list.kind == selection.named->kind;
+                           })->group;
     const QString name = QString::fromStdString(selection.named->name);
     const Lines& lines = *linesOf(parent);
     for (int row = 0; row < static_cast<int>(lines.size()); ++row)

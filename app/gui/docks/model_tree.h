@@ -10,9 +10,8 @@
 
 namespace palpa::gui {
 
-/// The open project as a tree: its body with patches and edges, supports, loads, touches, material
-/// and mesh. Column 0 has names, column 1 a word about each. Follows the editor; names can be
-/// edited.
+/// Item model of the open project: body with patches and edges, supports, loads, touches, material
+/// and mesh. Column 0 has editable names, column 1 a detail. Follows the editor.
 class ModelTree : public QAbstractItemModel {
   Q_OBJECT
 
@@ -36,12 +35,13 @@ class ModelTree : public QAbstractItemModel {
 
   ModelTree(Editor& editor, QObject* parent);
 
-  static RowKind kindOfRow(const QModelIndex& index) { return static_cast<RowKind>(index.internalId()); }
-  /// The row with everything of one kind: the node itself, or the parent of listed ones.
-  QModelIndex indexOf(RowKind node) const;
+  static RowKind kindOfRow(const QModelIndex& index) {
+    return static_cast<RowKind>(index.internalId());
+  }
+  /// The row with everything of one kind: the row itself, or the parent of listed rows.
+  QModelIndex indexOf(RowKind rowKind) const;
 
-  /// What the chosen rows mean to the editor. Where they are of several kinds, the kind of
-  /// `current` counts.
+  /// Selection for the chosen rows. If they have several kinds, the kind of `current` is used.
   Selection selectionOf(const QModelIndexList& rows, const QModelIndex& current) const;
   QItemSelection rowsOf(const Selection& selection) const;
 
@@ -51,7 +51,7 @@ class ModelTree : public QAbstractItemModel {
   int columnCount(const QModelIndex& = {}) const override { return 2; }
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// Renames; a name that cannot be given is said through Editor::refused.
+  /// Renames. Editor::refused states why a name is impossible.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  private:
@@ -63,7 +63,7 @@ class ModelTree : public QAbstractItemModel {
 
   void showAll();
   void showChange(const modeling::Change& change);
-  Line lineOf(RowKind node) const;  // of the rows that are always there
+  Line lineOf(RowKind rowKind) const;  // of the fixed rows
   Lines patchLines() const;
   Lines edgeLines() const;
   Lines supportLines() const;

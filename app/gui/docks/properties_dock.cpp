@@ -5,18 +5,17 @@
 #include <QFormLayout>
 #include <QFrame>
 
-#include "app/gui/properties/pages.h"
 #include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
+#include "app/gui/properties/pages.h"
 #include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kSoon = 30;    // ms between two refreshes while something is dragged
-constexpr int kLater = 250;  // ms of rest before what takes time is computed
+constexpr int kSoon = 30;    // ms between two refreshes during a drag
+constexpr int kLater = 250;  // ms of rest before slow values are computed
 
-/// Names from the page down to a field, to find it again in another page.
+/// Object names from the page down to a field, to find the field in another page.
 QStringList pathOf(const QWidget* field, const QWidget* page) {
   QStringList path;
   for (const QWidget* each = field; each && each != page; each = each->parentWidget())
@@ -98,7 +97,7 @@ void PropertiesDock::showTool() {
     return;
   }
   section->setObjectName("toolOptions");
-  // Tools need not know how narrow the panel is.
+  // Adapt the options to the narrow panel.
   if (auto* form = qobject_cast<QFormLayout*>(options->layout()))
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (QComboBox* box : options->findChildren<QComboBox*>()) shrinkable(*box);
@@ -126,7 +125,7 @@ void PropertiesDock::showPage() {
   leaveLettersToMenus(*page_);
   page_->refresh();
   column_->insertWidget(options_ ? 1 : 0, page_);
-  page_->show();  // at once, not with the next event: its fields may be used right away
+  page_->show();  // now, not with the next event: its fields may be used immediately
   key_ = pageKey(workspace_.editor);
   later_.start();
 }
@@ -136,7 +135,7 @@ void PropertiesDock::removePage() {
   column_->removeWidget(page_);
   page_->setObjectName({});
   page_->hide();
-  page_->deleteLater();  // the change may come from one of its fields
+  page_->deleteLater();  // the signal may come from one of its fields
 }
 
 bool PropertiesDock::updatePage() {

@@ -5,14 +5,14 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/gui/properties/property_page.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/properties/property_page.h"
 #include "app/gui/view/tool.h"
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
-/// What is selected as numbers to read and change; above them, what can be set for the active tool.
+/// Panel with the options of the active tool and, below, the editable numbers of the selection.
 class PropertiesDock : public QDockWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class PropertiesDock : public QDockWidget {
   void showPage();
   void showChange(const modeling::Change& change);
   void removePage();
-  /// Makes the page anew when other rows are needed. True when it did.
+  /// Replaces the page if other rows are needed. True if replaced.
   bool updatePage();
 
   Workspace workspace_;

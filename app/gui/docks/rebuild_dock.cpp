@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/model/build_phase.h"
 #include "app/core/system/memory.h"
 #include "app/gui/base/appearance.h"
 
@@ -35,12 +36,12 @@ QString warningText(const app::BuildReport& report) {
   return lines.join(". ") + (lines.isEmpty() ? "" : ".");
 }
 
-/// Can the present shape be touched already, by an update of an earlier model?
+/// True if an incremental update of an earlier model makes the present shape touchable.
 bool isUpdate(const app::RebuildStatus& status) {
   return status.residual && status.modelRevision == status.revision;
 }
 
-/// What to know of a model that is an update.
+/// Note about a model that is an incremental update.
 QString updateText(const app::RebuildStatus& status) {
   return RebuildDock::tr(
              "The present shape can be touched: its equations are solved with the help of an "
@@ -56,7 +57,8 @@ QString failureText(const app::RebuildStatus& status) {
   if (!text.endsWith('.')) text += '.';
   const auto errors = std::count_if(status.findings->begin(), status.findings->end(),
                                     [](const auto& finding) { return finding.isError; });
-  if (status.stages.empty() || status.stages.back().phase != "check" || errors == 0) return text;
+  if (status.stages.empty() || status.stages.back().phase != Phase::kCheck || errors == 0)
+    return text;
   text += ' ' + (errors > 1 ? RebuildDock::tr("%Ln places are marked in the view.", nullptr,
                                               static_cast<int>(errors))
                             : RebuildDock::tr("The place is marked in the view."));
@@ -149,16 +151,10 @@ RebuildDock::Row RebuildDock::addRow(QGridLayout& grid, const QString& name,
 }
 
 void RebuildDock::makeStages(QGridLayout& grid) {
-  for (const auto& [phase, name] : {std::pair{"update", tr("Update the model")},
-                                    {"mesh", tr("Mesh")},
-                                    {"check", tr("Check the surface")},
-                                    {"setup", tr("Set up supports and loads")},
-                                    {"read", tr("Read the stored model")},
-                                    {"assemble", tr("Assemble")},
-                                    {"factorise", tr("Factorise")},
-                                    {"solve", tr("Solve")}}) {
-    stages_.push_back(addRow(grid, name, QString("stage-") + phase));
-    stages_.back().phase = phase;
+  for (const app::BuildPhase& phase : app::kBuildPhases) {
+    const QString name = QString::fromStdString(std::string(nameOf(phase.phase)));
+    stages_.push_back(addRow(grid, tr(phase.label), "stage-" + name));
+    stages_.back().phase = phase.phase;
   }
   total_ = addRow(grid, tr("Total"), "stage-total");
 }
@@ -207,7 +203,7 @@ void RebuildDock::showState(const app::RebuildStatus& status) {
   details_->setVisible(!details.isEmpty());
   progress_->setVisible(isBuilding);
   progress_->setValue(percent(status.progress));
-  // A button that vanishes under the keyboard's focus hands it to the one that takes its place.
+  // A hidden button passes its focus to the button that replaces it.
   const bool hadFocus = stop_->hasFocus() || again_->hasFocus();
   const bool canRepeat = status.state == State::kFailed || status.state == State::kCancelled;
   stop_->setVisible(isBuilding);
@@ -217,20 +213,22 @@ void RebuildDock::showState(const app::RebuildStatus& status) {
 }
 
 void RebuildDock::showStages(const app::RebuildStatus& status) {
-  const auto find = [&](const std::string& phase) {
+  const auto find = [&](Phase phase) {
     return std::find_if(status.stages.begin(), status.stages.end(),
                         [&](const app::BuildStage& stage) { return stage.phase == phase; });
   };
-  const auto wasReached = [&](const char* phase) { return find(phase) != status.stages.end(); };
-  // From the disk, or that of the former model.
-  const bool isKnown = (wasReached("read") || wasReached("solve")) && !wasReached("assemble");
+  const auto wasReached = [&](Phase phase) { return find(phase) != status.stages.end(); };
+  // Factorised model from the disk or of the previous shape.
+  const bool isKnown =
+      (wasReached(Phase::kRead) || wasReached(Phase::kSolve)) && !wasReached(Phase::kAssemble);
   double total = 0;
   for (const Row& row : stages_) {
     const auto stage = find(row.phase);
     const bool wasBegun = stage != status.stages.end();
-    const bool isShown = row.phase == "read" || row.phase == "update"          ? wasBegun
-                         : row.phase == "assemble" || row.phase == "factorise" ? !isKnown
-                                                                               : true;
+    const bool isShown = row.phase == Phase::kRead || row.phase == Phase::kUpdate ? wasBegun
+                         : row.phase == Phase::kAssemble || row.phase == Phase::kFactorise
+                             ? !isKnown
+                             : true;
     row.name->setVisible(isShown);
     row.value->setVisible(isShown);
     row.name->setEnabled(wasBegun);

@@ -11,8 +11,8 @@
 
 namespace palpa::gui {
 
-/// What the background does: the state in words, progress with a button to stop, the stages with
-/// their times, and the facts of the model.
+/// Panel with the state of the rebuild, its progress with a button to stop, the stages with their
+/// times, and the facts of the model.
 class RebuildDock : public QDockWidget {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class RebuildDock : public QDockWidget {
 
  private:
   struct Row {
-    std::string phase;  // of a stage
+    Phase phase{};  // of a stage
     QLabel* name;
     QLabel* value;
   };
@@ -48,7 +48,7 @@ class RebuildDock : public QDockWidget {
 
 /// "Up to date", "Building the model 40 %", …: for the dock and the status bar.
 QString rebuildText(const app::RebuildStatus& status);
-/// Why the newest shape has no model, and what can be done; for a status that is kFailed.
+/// Reason of a failed build, and its remedy; for a status kFailed.
 QString failureText(const app::RebuildStatus& status);
 
 }  // namespace palpa::gui

@@ -1,6 +1,8 @@
 #include "app/gui/document/body_places.h"
 
 #include "app/gui/base/overloaded.h"
+#include "app/gui/document/named_items.h"
+#include "app/gui/document/point_groups.h"
 
 namespace palpa::gui {
 namespace {
@@ -17,8 +19,7 @@ const Places& allPlaces(const modeling::Body& body) {
 
 void addPatch(const modeling::Body& body, int patch, Places& places) {
   if (const auto* solid = std::get_if<modeling::Solid>(&body)) {
-    for (int point : pointsOfPatches(body, {patch}))
-      places.push_back(solid->controlPoints()[point]);
+    for (int point : pointsOfPatch(*solid, patch)) places.push_back(solid->controlPoints()[point]);
     return;
   }
   const auto& mesh = std::get<modeling::MeshBody>(body);
@@ -43,41 +44,30 @@ void addRegion(const modeling::Body& body, const modeling::Region& region, Place
                             for (const Eigen::Vector3d& place : allPlaces(body))
                               if (half.value(place) < 0.0) places.push_back(place);
                           },
-                          // Other parts have no extent known here: the rest of the region decides.
+                          // The extent of other parts is unknown here; the rest of the region is
+                          // enough.
                           [](const auto&) {}},
                part);
 }
 
 void addNamed(const modeling::Project& project, const Selection::Named& named, Places& places) {
-  if (named.kind == Selection::Kind::kSupport)
-    for (const modeling::Support& each : project.supports)
-      if (each.name == named.name) addRegion(project.body, each.where, places);
-  if (named.kind == Selection::Kind::kLoad)
-    for (const modeling::Load& each : project.loads)
-      if (each.name == named.name) {
-        if (const modeling::Region* region = modeling::regionOf(each))
-          addRegion(project.body, *region, places);
-        else if (const auto* bump = std::get_if<modeling::Bump>(&each.what))
-          addBall(bump->center, bump->radius, places);
-      }
-  if (named.kind == Selection::Kind::kTouch)
-    for (const modeling::Touch& each : project.touches)
-      if (each.name == named.name) {
-        const auto corners = modeling::boundingBox(project.body);
-        addBall(each.at, each.radius.value_or(0.1 * (corners[1] - corners[0]).norm()), places);
-      }
+  if (named.kind == Selection::Kind::kSupport) {
+    if (const auto* support = findNamed(project.supports, named.name))
+      addRegion(project.body, support->where, places);
+  } else if (named.kind == Selection::Kind::kLoad) {
+    const auto* load = findNamed(project.loads, named.name);
+    if (!load) return;
+    if (const modeling::Region* region = modeling::regionOf(*load))
+      addRegion(project.body, *region, places);
+    else if (const auto* bump = std::get_if<modeling::Bump>(&load->what))
+      addBall(bump->center, bump->radius, places);
+  } else if (const auto* touch = findNamed(project.touches, named.name)) {
+    const auto corners = modeling::boundingBox(project.body);
+    addBall(touch->at, touch->radius.value_or(0.1 * (corners[1] - corners[0]).norm()), places);
+  }
 }
 
 }  // namespace
-
-std::set<int> pointsOfPatches(const modeling::Body& body, const std::set<int>& patches) {
-  std::set<int> points;
-  if (const auto* solid = std::get_if<modeling::Solid>(&body))
-    for (int patch : patches)
-      for (const std::vector<int>& row : solid->patches()[patch].net)
-        points.insert(row.begin(), row.end());
-  return points;
-}
 
 Places placesOf(const modeling::Project& project, const Selection& selection) {
   Places places;

@@ -1,18 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <set>
 #include <vector>
 
-#include "app/gui/document/editor.h"
+#include "app/gui/document/selection.h"
+#include "modeling/project/project.h"
 
-// Where the things of a project are, to look at them.
+// Positions of the items of a project, for fitting the view.
 namespace palpa::gui {
 
-/// Control points of the patches of a solid; empty for a mesh body.
-std::set<int> pointsOfPatches(const modeling::Body& body, const std::set<int>& patches);
-
-/// Points around what is selected (mm), those of the whole body when nothing is.
+/// Points around the selection (mm); points of the whole body without a selection.
 std::vector<Eigen::Vector3d> placesOf(const modeling::Project& project, const Selection& selection);
 
 }  // namespace palpa::gui

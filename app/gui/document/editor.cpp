@@ -2,10 +2,10 @@
 
 #include <QFileInfo>
 #include <QMetaObject>
-#include <algorithm>
 
 #include "app/core/session/new_project.h"
 #include "app/core/system/destroy_in_background.h"
+#include "app/gui/document/named_items.h"
 #include "modeling/error.h"
 #include "modeling/exchange/import.h"
 #include "modeling/project/project_file.h"
@@ -15,10 +15,10 @@ namespace palpa::gui {
 namespace {
 
 constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-constexpr int kRebuildInterval = 33;      // ms between two announcements of the rebuild's progress
-constexpr int kAutosaveInterval = 10000;  // ms between two looks whether a snapshot is due
+constexpr int kRebuildInterval = 33;      // ms between two reports of the rebuild's progress
+constexpr int kAutosaveInterval = 10000;  // ms between two checks whether a snapshot is due
 
-/// What the program starts with: a ball on a fixed base.
+/// The initial project: a sphere on a fixed base.
 modeling::Project firstProject() {
   const modeling::Primitive sphere{modeling::SphereShape{}};
   modeling::Project project = app::makeProject(modeling::makePrimitive(sphere), "Untitled");
@@ -50,7 +50,7 @@ Editor::Editor(Settings& settings, QObject* parent) : QObject(parent), settings_
 
 Editor::~Editor() {
   session_->close();
-  app::waitUntilReleased();  // sessions that were replaced tell this object of their rebuild
+  app::waitUntilDestroyed();  // sessions that were replaced tell this object of their rebuild
 }
 
 app::Session::Options Editor::sessionOptions() {
@@ -60,7 +60,7 @@ app::Session::Options Editor::sessionOptions() {
   options.cacheFolder = app::defaultCacheFolder();
   options.cacheLimit = settings_.cacheLimitGiB() * kGiB;
   options.autosaveEvery = std::chrono::seconds(settings_.autosaveSeconds());
-  // From the worker's thread: only starts the timer, in this object's thread.
+  // Called in the worker's thread: only starts the timer, in this object's thread.
   options.rebuildChanged = [this] {
     QMetaObject::invokeMethod(
         this,
@@ -72,7 +72,7 @@ app::Session::Options Editor::sessionOptions() {
   try {
     options.autosaveFolder = modeling::defaultAutosaveFolder();
   } catch (const modeling::ModelingError&) {
-    // Without a home folder there are no snapshots; everything else works.
+    // Without a home folder the session writes no snapshots.
   }
   return options;
 }
@@ -82,7 +82,7 @@ bool Editor::attempt(const Work& work) {
   try {
     work();
     return true;
-  } catch (const std::exception& error) {  // none may reach Qt's event loop
+  } catch (const std::exception& error) {  // must not reach Qt's event loop
     Q_EMIT refused(QString::fromStdString(error.what()));
     return false;
   }
@@ -91,7 +91,7 @@ bool Editor::attempt(const Work& work) {
 void Editor::adopt(std::unique_ptr<app::Session> session) {
   Q_EMIT aboutToReplace();
   session_->close();
-  // Its worker may need a moment to let go; the window does not wait for it.
+  // Its worker may need a moment to stop; the window does not wait for it.
   app::destroyInBackground(std::shared_ptr<app::Session>(std::move(session_)));
   session_ = std::move(session);
   selection_ = {};
@@ -124,8 +124,8 @@ bool Editor::open(const QString& file) {
   const std::filesystem::path path = file.toStdString();
   return openInBackground(tr("Opening %1").arg(QFileInfo(file).fileName()),
                           [&](const Job&, const app::Session::Options& options) {
-                            // A copy that saving kept has no file of its own: saving it asks for
-                            // one.
+                            // A backup copy opens as a project without a file: saving asks for a
+                            // name.
                             if (path.extension() == ".bak")
                               return std::make_unique<app::Session>(modeling::readProject(path),
                                                                     options);
@@ -148,9 +148,10 @@ bool Editor::importFile(const QString& file) {
   if (!isOpen) return false;
   for (const std::string& note : notes) Q_EMIT said(QString::fromStdString(note));
   if (!solid())
-    Q_EMIT said(tr("%1 became a mesh body: it can be held, loaded, touched and simulated, but it "
-                   "has no control points to move, and it cannot be exported as CAD.")
-                    .arg(info.fileName()));
+    Q_EMIT said(
+        tr("%1 became a mesh body: it accepts supports, loads and touches, but it has no control "
+           "points to move, and it cannot be exported as CAD.")
+            .arg(info.fileName()));
   return true;
 }
 
@@ -174,7 +175,7 @@ bool Editor::recover(const modeling::Snapshot& snapshot) {
                        });
   if (!isOpen) return false;
   return attempt([&] {
-    // The edits must at no time be without a snapshot: write the new one first, at once.
+    // The edits must always have a snapshot: write the new one before discarding the old.
     const auto now = std::chrono::steady_clock::now();
     bool isKept = session_->autosaveIfDue(now);
     if (!isKept) isKept = session_->autosaveIfDue(now + sessionOptions().autosaveEvery);
@@ -192,7 +193,7 @@ bool Editor::saveAs(const QString& file) {
   attempt([&] {
     const std::filesystem::path path = file.toStdString();
     const modeling::Project copy = project();
-    // Writing cannot be stopped halfway: what was written counts, even after a Cancel.
+    // Writing cannot be interrupted: the file is complete even after Cancel.
     runner_(tr("Saving %1").arg(QFileInfo(file).fileName()), [&](const Job&) {
       modeling::writeProject(copy, path);
       isSaved = true;
@@ -228,10 +229,10 @@ void Editor::goToState(std::size_t position) {
 
 void Editor::changed(const modeling::Change& change) {
   if (!change.any()) return;
-  // Those who hear of the change must not see a selection of what is gone, and those who hear of
-  // the selection must have seen the change.
+  // Receivers of projectChanged must not see removed items in the selection, and receivers of
+  // selectionChanged must already know the change.
   const Selection before = selection_;
-  forgetWhatIsGone(change);
+  deselectRemoved(change);
   Q_EMIT projectChanged(change);
   if (selection_ != before) Q_EMIT selectionChanged();
   Q_EMIT fileChanged();
@@ -252,20 +253,10 @@ void Editor::cancelGroup() {
   changed(session_->cancelGroup());
 }
 
-void Editor::forgetWhatIsGone(const modeling::Change& change) {
+void Editor::deselectRemoved(const modeling::Change& change) {
   Selection kept = selection_;
   if (change.topology) kept = {{}, {}, {}, kept.named};
-  if (kept.named) {
-    const auto isThere = [&](const auto& list) {
-      return std::any_of(list.begin(), list.end(),
-                         [&](const auto& each) { return each.name == kept.named->name; });
-    };
-    const modeling::Project& now = project();
-    const bool found = kept.named->kind == Selection::Kind::kSupport ? isThere(now.supports)
-                       : kept.named->kind == Selection::Kind::kLoad  ? isThere(now.loads)
-                                                                     : isThere(now.touches);
-    if (!found) kept.named.reset();
-  }
+  if (kept.named && !hasNamed(project(), *kept.named)) kept.named.reset();
   selection_ = std::move(kept);
 }
 

@@ -7,20 +7,20 @@
 #include <memory>
 
 #include "app/core/session/session.h"
+#include "app/gui/base/settings.h"
 #include "app/gui/document/export_body.h"
 #include "app/gui/document/selection.h"
-#include "app/gui/base/settings.h"
 
 namespace palpa::gui {
 
-/// The open project as the window's parts share it: the session, what is selected, and signals for
-/// everything that changes. Errors become the signal `refused`; nothing throws.
+/// The open project for the parts of the window: session, selection, and signals for all changes.
+/// Functions do not throw; errors are emitted as `refused`.
 class Editor : public QObject {
   Q_OBJECT
 
  public:
-  /// Does long work, elsewhere than in the window's thread, and returns when it has ended; false
-  /// when the person cancelled. What the work throws comes out of it.
+  /// Runs long work outside the window's thread and returns after its end; false if the user
+  /// cancelled. Rethrows exceptions of the work.
   using Runner =
       std::function<bool(const QString& title, const std::function<void(const Job&)>& work)>;
 
@@ -28,46 +28,46 @@ class Editor : public QObject {
   ~Editor() override;
 
   const modeling::Project& project() const { return session_->project(); }
-  /// Null when the body is a mesh body, which has no control points.
+  /// Null for a mesh body, which has no control points.
   const modeling::Solid* solid() const { return std::get_if<modeling::Solid>(&project().body); }
   const Settings& settings() const { return settings_; }
   const app::Session& session() const { return *session_; }
   app::RebuildStatus rebuildStatus() const { return session_->pipeline().status(); }
   std::shared_ptr<const app::TouchModel> model() const { return session_->pipeline().model(); }
 
-  /// How files are read and written from now on; until then in the caller's thread.
+  /// Runs file operations from now on; without a runner they run in the caller's thread.
   void setRunner(Runner runner) { runner_ = std::move(runner); }
 
-  // Projects. False when it failed (refused was emitted) or was cancelled; the present one is still
-  // open then.
+  // Projects. False after a failure (`refused` was emitted) or a cancellation; the present project
+  // then stays open.
   void start(modeling::Project project);
   bool open(const QString& file);
   bool importFile(const QString& file);
-  /// Writes the body: a CAD file (solids only) or a triangle mesh, by the ending of the name.
+  /// Writes the body as a CAD file (solids only) or a triangle mesh, by the ending of the name.
   bool exportFile(const QString& file, ExportedSurface surface);
-  /// Opens what a crash left; its snapshot goes when the new session has written its own.
+  /// Opens a snapshot of a crashed session and discards it after the new session has written one.
   bool recover(const modeling::Snapshot& snapshot);
-  /// To fileName(); false without one.
+  /// Saves to fileName(); false without a name.
   bool save();
   bool saveAs(const QString& file);
   QString fileName() const;
-  /// How the window shows the project, saved with it; not an edit.
+  /// Camera and visible items as text, saved with the project; not an edit.
   void setView(const std::string& view) { session_->setView(view); }
 
   // Edits.
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::kNo);
-  /// After the last of a motion's merged commands: its rebuild need not wait for more.
+  /// Call after the last merged command of a motion: starts the rebuild without waiting for more.
   void endMotion() { session_->endMotion(); }
   void undo();
   void redo();
-  /// Undoes or redoes up to a state of Document::history().
+  /// Undoes or redoes to a state of Document::history().
   void goToState(std::size_t position);
   void cancelRebuild() { session_->pipeline().cancel(); }
-  /// After a stop or a failure.
+  /// Repeats a stopped or failed rebuild.
   void rebuildAgain() { session_->rebuild(); }
 
-  /// Makes the edits until endGroup() one step of undo; Session::beginGroup(). Nothing is ended or
-  /// cancelled where a failed command, or another project, has done so meanwhile.
+  /// Makes the edits until endGroup() one undo step (Session::beginGroup()). endGroup() and
+  /// cancelGroup() do nothing if a failed command or another project has ended the group.
   void beginGroup(const QString& label);
   void endGroup();
   void cancelGroup();
@@ -76,22 +76,22 @@ class Editor : public QObject {
   void select(Selection selection);
 
  Q_SIGNALS:
-  /// The time to end what was begun with the present project.
+  /// Emitted before the project is replaced; tools must abort.
   void aboutToReplace();
   void projectReplaced();
   void projectChanged(const modeling::Change& change);
   void selectionChanged();
-  /// The rebuild's state, phase or model changed; at most 30 times a second.
+  /// State, phase or model of the rebuild changed; at most 30 times a second.
   void rebuildChanged();
-  /// The time for setView().
+  /// Emitted before the project is written; the view must call setView().
   void aboutToSave();
-  /// The file or whether there is something to save changed.
+  /// The file name or Session::isModified() changed.
   void fileChanged();
   /// The project was written to its file.
   void saved(const QString& file);
-  /// Something could not be done; a sentence for people.
+  /// An operation failed; `message` is a sentence for the user.
   void refused(const QString& message);
-  /// Something worth knowing happened; a sentence for people.
+  /// A note for the user.
   void said(const QString& message);
 
  private:
@@ -103,7 +103,7 @@ class Editor : public QObject {
   template <class Work>
   bool attempt(const Work& work);
 
-  void forgetWhatIsGone(const modeling::Change& change);
+  void deselectRemoved(const modeling::Change& change);
 
   Settings& settings_;
   Runner runner_;

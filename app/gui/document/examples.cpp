@@ -12,7 +12,7 @@ std::vector<Example> examples() {
   const auto tr = [](const char* text) { return QObject::tr(text); };
   return {{"sphere", tr("Sphere"), tr("A ball on a fixed base")},
           {"box", tr("Box"), tr("A block with flat faces and sharp edges")},
-          {"cylinder", tr("Cylinder"), tr("A round bar, held at its bottom")},
+          {"cylinder", tr("Cylinder"), tr("A round bar, fixed at its bottom")},
           {"fingertip-pad", tr("Fingertip pad"), tr("A soft pad as on a robot's finger")},
           {"gripper-finger", tr("Gripper finger"), tr("A finger that bends when it is pressed")},
           {"torus-seal", tr("Seal"), tr("A rubber ring, pressed from above")},

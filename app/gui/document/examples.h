@@ -7,17 +7,17 @@
 
 namespace palpa::gui {
 
-/// A project that comes with the program, built into it.
+/// Project built into the program.
 struct Example {
-  QString name;   ///< of its file, without ending
-  QString title;  ///< for menus
-  QString what;   ///< one sentence
+  QString name;         ///< file name without ending
+  QString title;        ///< for menus
+  QString description;  ///< one sentence
 };
 
 /// From simple to elaborate.
 std::vector<Example> examples();
 
-/// The project of an example. @throws ModelingError when there is none of this name
+/// The project of an example. Throws ModelingError for an unknown name.
 modeling::Project readExample(const QString& name);
 
 }  // namespace palpa::gui

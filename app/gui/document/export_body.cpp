@@ -3,18 +3,20 @@
 #include <array>
 #include <map>
 
-#include "app/view/mesh_file.h"
 #include "modeling/exchange/cad_export.h"
-#include "modeling/exchange/cad_format.h"
+#include "modeling/exchange/file_format.h"
+#include "modeling/exchange/mesh_writer.h"
 #include "modeling/mesh/display_mesh.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::gui {
 namespace {
 
-/// Drawn surfaces have two vertices at sharp edges; files get one, so that they are closed.
-view::MeshFile welded(const modeling::DisplayMesh& drawn) {
-  view::MeshFile file;
+/// Merges the duplicate vertices that drawn surfaces have at sharp edges, so that the file is
+/// closed.
+modeling::MeshFile welded(const modeling::DisplayMesh& drawn) {
+  modeling::MeshFile file;
   std::map<std::array<double, 3>, int> known;
   std::vector<int> numbers;
   for (const Eigen::Vector3d& p : drawn.positions) {
@@ -32,29 +34,28 @@ view::MeshFile welded(const modeling::DisplayMesh& drawn) {
 
 void exportBody(const modeling::Project& project, const std::filesystem::path& path,
                 ExportedSurface surface, const Job& job) {
-  if (path.extension() == ".json") {
-    modeling::writeProject(project, path);
-    return;
+  switch (infoOf(modeling::requireFormat(path, modeling::isWritable)).kind) {
+    case modeling::FileKind::kProject:
+      return modeling::writeProject(project, path);
+    case modeling::FileKind::kCad:
+      return modeling::exportCad(project.body, path, project.name, job);
+    case modeling::FileKind::kMesh:
+      break;
   }
-  if (modeling::cadFormatOf(path)) {
-    modeling::exportCad(project.body, path, project.name, job);
-    return;
-  }
-  view::requireMeshFileName(path);
   const auto* own = std::get_if<modeling::MeshBody>(&project.body);
   if (own && surface == ExportedSurface::kOwnTriangles) {
-    view::writeMesh({own->positions(), own->triangles(), {}, {}}, path);
+    modeling::writeMesh({own->positions(), own->triangles(), {}, {}}, path);
     return;
   }
   const modeling::SurfaceMesh mesh =
       modeling::mesh(project.body, project.mesh, modeling::meshRegions(project), job);
   if (surface == ExportedSurface::kDrawnSurface) {
-    const view::MeshFile file = welded(modeling::displayMesh(mesh, project.body, {}, job));
+    const modeling::MeshFile file = welded(modeling::displayMesh(mesh, project.body, {}, job));
     job.throwIfCancelled();
-    view::writeMesh(file, path);
+    modeling::writeMesh(file, path);
   } else {
     job.throwIfCancelled();
-    view::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
+    modeling::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
   }
 }
 

@@ -7,16 +7,16 @@
 
 namespace palpa::gui {
 
-/// Which triangles a mesh file gets.
+/// Triangles of a mesh file.
 enum class ExportedSurface {
-  kModelMesh,     ///< of the simulation: the project's edge length, nodes on the true surface
-  kDrawnSurface,  ///< the finer ones that are drawn
-  kOwnTriangles,  ///< of a mesh body, as it was imported
+  kModelMesh,     ///< mesh of the simulation: the project's edge length, nodes on the exact surface
+  kDrawnSurface,  ///< the finer drawn surface
+  kOwnTriangles,  ///< the imported triangles of a mesh body
 };
 
-/// Writes the body of a project: the solid to .step, .stp, .iges, .igs and .brep, triangles to
-/// .stl, .obj, .ply and .vtp, the whole project to .json. `surface` matters for triangles only;
-/// kOwnTriangles is taken as kModelMesh for a solid. @throws ModelingError, ViewError, Cancelled
+/// Writes a project, the solid of a project as CAD file, or the triangles of its body, depending on
+/// the file's ending. `surface` applies to triangles only; kOwnTriangles means kModelMesh for a
+/// solid. Throws ModelingError, Cancelled.
 void exportBody(const modeling::Project& project, const std::filesystem::path& path,
                 ExportedSurface surface, const Job& job);
 

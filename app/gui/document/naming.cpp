@@ -1,9 +1,9 @@
 #include "app/gui/document/naming.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 
 #include "app/gui/base/overloaded.h"
+#include "app/gui/document/named_items.h"
 
 namespace palpa::gui {
 namespace {
@@ -13,27 +13,6 @@ using Kind = Selection::Kind;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Naming", text);
-}
-
-/// Calls `work` with the list of things of a kind.
-template <class Work>
-auto withList(const Project& project, Kind kind, const Work& work) {
-  switch (kind) {
-    case Kind::kSupport:
-      return work(project.supports);
-    case Kind::kLoad:
-      return work(project.loads);
-    case Kind::kTouch:
-      break;
-  }
-  return work(project.touches);
-}
-
-bool isTaken(const Project& project, Kind kind, const std::string& name) {
-  return withList(project, kind, [&](const auto& list) {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const auto& each) { return each.name == name; });
-  });
 }
 
 QString takenText(Kind kind, const QString& name) {
@@ -95,16 +74,15 @@ bool renameNamed(Editor& editor, const Selection::Named& which, const QString& n
   if (refuseEmpty(editor, trimmed)) return false;
   const std::string to = trimmed.toStdString();
   if (to == which.name) return true;
-  if (isTaken(editor.project(), which.kind, to)) {
+  if (hasNamed(editor.project(), {which.kind, to})) {
     Q_EMIT editor.refused(takenText(which.kind, trimmed));
     return false;
   }
   const bool wasSelected = editor.selection().named == which;
-  const Selection::Named old = which;  // `which` may be the selection's own
+  const Selection::Named old = which;  // `which` may refer to the selection
   const bool done = withList(editor.project(), old.kind, [&](const auto& list) {
-    const auto found = std::find_if(list.begin(), list.end(),
-                                    [&](const auto& each) { return each.name == old.name; });
-    if (found == list.end()) return false;
+    const auto* found = findNamed(list, old.name);
+    if (!found) return false;
     auto renamed = *found;
     renamed.name = to;
     return editor.perform(replacement(old.name, renamed));
@@ -116,12 +94,11 @@ bool renameNamed(Editor& editor, const Selection::Named& which, const QString& n
 void duplicate(Editor& editor, const Selection::Named& which) {
   const Selection::Named original = which;
   std::string name;
-  for (int i = 2; name.empty() || isTaken(editor.project(), original.kind, name); ++i)
+  for (int i = 2; name.empty() || hasNamed(editor.project(), {original.kind, name}); ++i)
     name = original.name + " " + std::to_string(i);
   const bool done = withList(editor.project(), original.kind, [&](const auto& list) {
-    const auto found = std::find_if(list.begin(), list.end(),
-                                    [&](const auto& each) { return each.name == original.name; });
-    if (found == list.end()) return false;
+    const auto* found = findNamed(list, original.name);
+    if (!found) return false;
     auto copy = *found;
     copy.name = name;
     return editor.perform(addition(copy));

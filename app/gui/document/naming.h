@@ -5,23 +5,23 @@
 
 #include "app/gui/document/editor.h"
 
-// Names of the things of a project, and what can be done to things that have one.
+// Renaming, duplicating and deleting the named items of a project.
 namespace palpa::gui {
 
-/// Renames a patch, or says through Editor::refused why not. True when it has the name now.
+/// Renames a patch. False, with a reason in Editor::refused, if the name cannot be given.
 bool renamePatch(Editor& editor, int patch, const QString& name);
-/// The same for a support, load or touch, which stays selected when it was.
+/// The same for a support, load or touch. A selected item stays selected.
 bool renameNamed(Editor& editor, const Selection::Named& which, const QString& name);
 bool renameProject(Editor& editor, const QString& name);
 
-/// Adds a copy with a name of its own and selects it.
+/// Adds a copy with a free name and selects it.
 void duplicate(Editor& editor, const Selection::Named& which);
 
-/// Deletes the selected support, load or touch. Where something else is selected, says through
-/// Editor::refused why it cannot be deleted.
+/// Deletes the selected support, load or touch. For any other selection Editor::refused states why
+/// it cannot be deleted.
 void deleteSelected(Editor& editor);
 
-/// "Sphere", "Extrusion", …; "Solid" when it is not known, "Mesh body".
+/// "Sphere", "Box", …; "Solid" without a known primitive; "Mesh body".
 QString bodyTitle(const modeling::Project& project);
 
 }  // namespace palpa::gui

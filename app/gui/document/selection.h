@@ -6,8 +6,8 @@
 
 namespace palpa::gui {
 
-/// What is selected: control points, patches or edges of the body, or one thing of the project that
-/// has a name. Only one of these kinds at a time.
+/// Selected control points, patches or edges of the body, or one named item of the project. Only
+/// one of the members is not empty.
 struct Selection {
   enum class Kind { kSupport, kLoad, kTouch };
   struct Named {

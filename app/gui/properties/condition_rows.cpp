@@ -1,9 +1,8 @@
 #include <QCoreApplication>
-#include <array>
 
+#include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/properties/pages.h"
-#include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 namespace {
@@ -12,12 +11,13 @@ using Eigen::Vector3d;
 using modeling::Load;
 using modeling::Support;
 using modeling::Touch;
+using modeling::TouchKind;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Properties", text);
 }
 
-/// The selected one; a default when it is just going.
+/// The selected item; a default one while it is being removed.
 template <class One>
 One selected(const Editor& editor, const std::vector<One>& list) {
   if (editor.selection().named)
@@ -59,8 +59,7 @@ void addName(PropertyPage& page) {
       });
 }
 
-/// Reads and writes a member of the variant in a load; the page is made anew when it is of another
-/// kind.
+/// Reads a member of the variant in a load. For a load of another kind another page is made.
 template <class What, class Member>
 auto reader(Editor& editor, Member What::*member) {
   return [&editor, member] {
@@ -81,45 +80,53 @@ auto writer(Editor& editor, Member What::*member) {
   };
 }
 
-using Action = decltype(Touch::action);
-
-/// The action of another kind that comes nearest: direction and friction stay. Millimetres are no
-/// newtons, so a length of one is begun with; a pin begins where it is.
-Action withKind(const Touch& touch, int kind) {
-  using namespace modeling;
-  const Vector3d& vector = vectorOf(touch);
-  const bool wasForce = std::holds_alternative<TouchForce>(touch.action);
-  const Vector3d moved = wasForce ? Vector3d(vector.stableNormalized()) : vector;
-  const double* friction = frictionOf(touch);
-  const double kept = friction ? *friction : 0.0;
-  const std::array<Action, std::variant_size_v<Action>> ofKind{
-      TouchDisplacement{moved}, TouchForce{vector.stableNormalized()}, TouchPush{moved, kept},
-      TouchProbe{moved, kept}, TouchPin{}};
-  return ofKind[kind];
+QString kindText(TouchKind kind) {
+  switch (kind) {
+    case TouchKind::kGrab:
+      return tr("Grab: is moved");
+    case TouchKind::kForce:
+      return tr("Force: is pulled");
+    case TouchKind::kPush:
+      return tr("Push: a fingertip that slides");
+    case TouchKind::kBall:
+      return tr("Ball: presses and slides");
+    case TouchKind::kPin:
+      return tr("Pin: is fixed in place");
+  }
+  return {};
 }
 
-/// What the displacement is measured from.
-QString displacementNote(const Touch& touch) {
-  using namespace modeling;
-  if (std::holds_alternative<TouchForce>(touch.action)) return {};
-  if (std::holds_alternative<TouchDisplacement>(touch.action))
-    return tr("From the unloaded shape.");
-  if (std::holds_alternative<TouchPin>(touch.action))
-    return tr("From where supports and loads alone leave the place.");
-  return tr("From where the tool first meets the surface.");
+/// The touch as another kind, with its direction and friction. Between a displacement and a force
+/// the length becomes 1; a pin starts where the place is.
+Touch withKind(Touch touch, TouchKind kind) {
+  const modeling::TouchKindInfo& info = modeling::infoOf(kind);
+  if (modeling::infoOf(touch.kind).isForce != info.isForce) touch.vector.stableNormalize();
+  if (!info.needsVector) touch.vector.setZero();
+  if (!info.presses) touch.friction = 0;
+  touch.kind = kind;
+  return touch;
 }
 
-bool setFriction(Editor& editor, double friction) {
-  Touch touch = touchOf(editor);
-  if (auto* push = std::get_if<modeling::TouchPush>(&touch.action)) push->friction = friction;
-  if (auto* probe = std::get_if<modeling::TouchProbe>(&touch.action)) probe->friction = friction;
-  return put(editor, touch);
+/// Origin of the displacement; empty for a force.
+QString displacementNote(TouchKind kind) {
+  switch (kind) {
+    case TouchKind::kForce:
+      return {};
+    case TouchKind::kGrab:
+      return tr("From the unloaded shape.");
+    case TouchKind::kPin:
+      return tr("From where supports and loads alone leave the place.");
+    case TouchKind::kPush:
+    case TouchKind::kBall:
+      return tr("From where the tool first meets the surface.");
+  }
+  return {};
 }
 
 void addTouchRadius(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addCheck(
-      tr("As wide as a &fingertip usually is"), "usualRadius",
+      tr("Default radius of a &fingertip"), "usualRadius",
       [&editor] { return !touchOf(editor).radius.has_value(); },
       [&editor](bool isUsual) {
         Touch touch = touchOf(editor);
@@ -210,37 +217,35 @@ void addTouchRows(PropertyPage& page) {
         touch.at = at;
         return put(editor, touch);
       });
+  QStringList kinds;
+  for (const modeling::TouchKindInfo& info : modeling::kTouchKinds) kinds << kindText(info.kind);
   page.addChoice(
-      tr("&Kind"), "kind",
-      {tr("Grab: is moved"), tr("Force: is pulled"), tr("Push: a fingertip that slides"),
-       tr("Ball: presses and slides"), tr("Pin: is held in place")},
-      [&editor] { return static_cast<int>(touchOf(editor).action.index()); },
-      [&editor](int kind) {
-        Touch touch = touchOf(editor);
-        if (kind == static_cast<int>(touch.action.index())) return true;
-        touch.action = withKind(touch, kind);
-        return put(editor, touch);
+      tr("&Kind"), "kind", kinds, [&editor] { return static_cast<int>(touchOf(editor).kind); },
+      [&editor](int chosen) {
+        const Touch touch = touchOf(editor);
+        const auto kind = static_cast<TouchKind>(chosen);
+        return kind == touch.kind || put(editor, withKind(touch, kind));
       });
-  const bool isForce = std::holds_alternative<modeling::TouchForce>(touchOf(editor).action);
+  const modeling::TouchKindInfo& kind = modeling::infoOf(touchOf(editor).kind);
   page.addVector(
-      isForce ? tr("&Force x, y, z") : tr("&Displacement x, y, z"), "vector",
-      isForce ? Quantity::kForce : Quantity::kLength,
-      [&editor] { return modeling::vectorOf(touchOf(editor)); },
+      kind.isForce ? tr("&Force x, y, z") : tr("&Displacement x, y, z"), "vector",
+      kind.isForce ? Quantity::kForce : Quantity::kLength,
+      [&editor] { return touchOf(editor).vector; },
       [&editor](const Vector3d& vector) {
         Touch touch = touchOf(editor);
-        std::visit([&](auto& action) { action.vector = vector; }, touch.action);
+        touch.vector = vector;
         return put(editor, touch);
       });
-  if (const QString note = displacementNote(touchOf(editor)); !note.isEmpty()) page.addNote(note);
-  if (modeling::frictionOf(touchOf(editor)))
+  if (const QString note = displacementNote(kind.kind); !note.isEmpty()) page.addNote(note);
+  if (kind.presses)
     page.addQuantity(
         tr("Fri&ction"), "friction", Quantity::kNumber,
-        [&editor] {
-          const Touch touch = touchOf(editor);
-          const double* friction = modeling::frictionOf(touch);
-          return friction ? *friction : 0.0;
-        },
-        [&editor](double friction) { return setFriction(editor, friction); });
+        [&editor] { return touchOf(editor).friction; },
+        [&editor](double friction) {
+          Touch touch = touchOf(editor);
+          touch.friction = friction;
+          return put(editor, touch);
+        });
   addTouchRadius(page);
 }
 

@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 
-#include "app/gui/properties/pages.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/properties/pages.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::gui {
@@ -20,7 +20,7 @@ QString sideText(const modeling::Solid& solid, const modeling::PatchEdge& use) {
 QString joinedText(const Editor& editor) {
   QStringList texts;
   for (int index : editor.selection().edges) {
-    if (texts.size() == 12) {  // more do not fit
+    if (texts.size() == 12) {  // no room for more
       texts.push_back(tr("and %1 more").arg(editor.selection().edges.size() - 12));
       break;
     }
@@ -45,7 +45,7 @@ double lengthOf(const Editor& editor) {
   return length;
 }
 
-/// 0: sharp, 1: smooth, -1: some of each.
+/// 0: sharp, 1: smooth, -1: both.
 int kindOf(const Editor& editor) {
   std::set<bool> kinds;
   for (int index : editor.selection().edges) kinds.insert(editor.solid()->edges()[index].smooth);

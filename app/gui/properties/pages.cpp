@@ -1,27 +1,21 @@
 #include "app/gui/properties/pages.h"
 
 #include "app/gui/document/editor.h"
+#include "app/gui/document/named_items.h"
 
 namespace palpa::gui {
 namespace {
 
 using modeling::Project;
 
-template <class One>
-const One* find(const std::vector<One>& list, const std::string& name) {
-  for (const One& each : list)
-    if (each.name == name) return &each;
-  return nullptr;
-}
-
 QString namedKey(const Project& project, const Selection::Named& named) {
   switch (named.kind) {
     case Selection::Kind::kSupport: {
-      const auto* support = find(project.supports, named.name);
+      const auto* support = findNamed(project.supports, named.name);
       return support ? "support " + regionKey(support->where) : QString("support");
     }
     case Selection::Kind::kLoad: {
-      const auto* load = find(project.loads, named.name);
+      const auto* load = findNamed(project.loads, named.name);
       if (!load) return "load";
       const modeling::Region* region = modeling::regionOf(*load);
       return QString("load %1 ").arg(load->what.index()) +
@@ -30,8 +24,10 @@ QString namedKey(const Project& project, const Selection::Named& named) {
     case Selection::Kind::kTouch:
       break;
   }
-  const auto* touch = find(project.touches, named.name);
-  return touch ? QString("touch %1 %2").arg(touch->action.index()).arg(touch->radius.has_value())
+  const auto* touch = findNamed(project.touches, named.name);
+  return touch ? QString("touch %1 %2")
+                     .arg(static_cast<int>(touch->kind))
+                     .arg(touch->radius.has_value())
                : QString("touch");
 }
 

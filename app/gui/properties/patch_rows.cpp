@@ -1,10 +1,10 @@
 #include <QCoreApplication>
 
-#include "app/gui/document/body_places.h"
-#include "app/gui/document/naming.h"
-#include "app/gui/properties/pages.h"
-#include "app/gui/document/editor.h"
 #include "app/gui/base/measures.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/document/naming.h"
+#include "app/gui/document/point_groups.h"
+#include "app/gui/properties/pages.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::gui {
@@ -18,7 +18,7 @@ const std::set<int>& chosen(const Editor& editor) {
   return editor.selection().patches;
 }
 
-/// The selected one; null for faces of a mesh body.
+/// The selected patch; null for faces of a mesh body.
 const modeling::Patch* patchOf(const Editor& editor) {
   if (!editor.solid() || chosen(editor).empty()) return nullptr;
   return &editor.solid()->patches()[*chosen(editor).begin()];
@@ -125,7 +125,7 @@ void addPatchRows(PropertyPage& page) {
   page.addNote(tr("Below 1 the mesh is finer here."));
   if (editor.solid())
     page.addButton(tr("&Select points"), "selectPoints", "net", [&editor] {
-      editor.select(Selection::ofPoints(pointsOfPatches(editor.project().body, chosen(editor))));
+      editor.select(Selection::ofPoints(pointsOf(editor.selection(), *editor.solid())));
     });
 }
 

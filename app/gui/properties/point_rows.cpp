@@ -1,7 +1,7 @@
 #include <QCoreApplication>
 
-#include "app/gui/properties/pages.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/properties/pages.h"
 
 namespace palpa::gui {
 namespace {

@@ -1,10 +1,10 @@
 #include <QCoreApplication>
 #include <array>
 
+#include "app/gui/base/overloaded.h"
+#include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/properties/pages.h"
-#include "app/gui/document/editor.h"
-#include "app/gui/base/overloaded.h"
 #include "modeling/shapes/shape_parameters.h"
 
 namespace palpa::gui {
@@ -16,7 +16,7 @@ QString tr(const char* text) {
   return QCoreApplication::translate("Properties", text);
 }
 
-/// A length of a shape; lists of vectors have one for each component.
+/// A length of a shape.
 struct Length {
   QString label;
   double* value;
@@ -108,8 +108,8 @@ void addPrimitiveRows(PropertyPage& page) {
   points->setSpecialValueText(tr("automatic"));
   points->setToolTip(tr("Per direction and patch"));
   page.addNote(
-      tr("Until a control point is moved the body can be made anew from these numbers; supports "
-         "and loads stay."));
+      tr("Until a control point is moved, these numbers rebuild the body; supports and loads "
+         "stay."));
 }
 
 }  // namespace palpa::gui

@@ -1,15 +1,16 @@
 #include <Eigen/Geometry>
-#include <QAction>
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
+#include "app/gui/base/measures.h"
+#include "app/gui/dialogs/material_dialog.h"
+#include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/properties/pages.h"
-#include "app/gui/document/editor.h"
-#include "app/gui/window/main_window.h"
-#include "app/gui/base/measures.h"
+#include "app/gui/view/scene_controller.h"
 #include "modeling/error.h"
+#include "modeling/mesh/mesh.h"
 #include "modeling/project/material_library.h"
 
 namespace palpa::gui {
@@ -19,7 +20,7 @@ QString tr(const char* text) {
   return QCoreApplication::translate("Properties", text);
 }
 
-/// Constants that a person changes are no longer those of the library's material.
+/// Renames a library material with changed constants.
 void renameWhenChanged(modeling::Material& material) {
   const auto& library = modeling::materialLibrary();
   const bool isOfLibrary = std::any_of(library.begin(), library.end(), [&](const auto& each) {
@@ -29,6 +30,8 @@ void renameWhenChanged(modeling::Material& material) {
 }
 
 void addMaterial(PropertyPage& page) {
+  // A new field needs a row: it does not compile here.
+  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio] = modeling::Material{};
   Editor& editor = page.editor();
   page.addSection(tr("Material"));
   page.addFact(tr("Name"), "materialName",
@@ -51,8 +54,8 @@ void addMaterial(PropertyPage& page) {
         renameWhenChanged(material);
         return editor.perform(modeling::SetMaterial{material});
       });
-  if (auto* choose = page.workspace().window.findChild<QAction*>("Material"))
-    page.addButton(tr("Choo&se …"), "chooseMaterial", "material", [choose] { choose->trigger(); });
+  page.addButton(tr("Choo&se …"), "chooseMaterial", "material",
+                 [workspace = page.workspace()] { editMaterial(workspace); });
 }
 
 QString nodesText(const Editor& editor) {
@@ -70,7 +73,7 @@ QString nodesText(const Editor& editor) {
 
 using ChangeMesh = std::function<bool(const std::function<void(modeling::MeshSettings&)>&)>;
 
-/// What a solid is computed with, and how fine.
+/// Engine of a solid and its accuracy.
 void addEngine(PropertyPage& page, const ChangeMesh& change) {
   Editor& editor = page.editor();
   page.addChoice(
@@ -80,7 +83,7 @@ void addEngine(PropertyPage& page, const ChangeMesh& change) {
         return change([&](auto& mesh) { mesh.engine = static_cast<modeling::Engine>(engine); });
       });
   page.addQuantity(
-          tr("Accuracy &wish, %"), "accuracy", Quantity::kNumber,
+          tr("Target &accuracy, %"), "accuracy", Quantity::kNumber,
           [&editor] { return 100 * editor.project().mesh.accuracy; },
           [change](double percent) {
             return change([&](auto& mesh) {
@@ -103,7 +106,7 @@ void addEngine(PropertyPage& page, const ChangeMesh& change) {
 void addMesh(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Mesh"));
-  // One setting changed, the others as they are.
+  // Changes one setting and keeps the others.
   const ChangeMesh change = [&editor](const std::function<void(modeling::MeshSettings&)>& edit) {
     modeling::MeshSettings mesh = editor.project().mesh;
     edit(mesh);
@@ -154,7 +157,7 @@ void addBody(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Body"));
   page.addFact(tr("Size"), "size", [&page] {
-    // Of the surface as shown; the control points stand farther out.
+    // Extent of the drawn surface; control points extend farther.
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& place : page.workspace().scene.surface().positions)
       box.extend(place);

@@ -17,7 +17,7 @@
 namespace palpa::gui {
 namespace {
 
-/// Messages begin with the place in the project ("supports[0].where: …"), which is the field here.
+/// Removes the location in the project ("supports[0].where: …"): the message stands at its field.
 QString withoutPlace(QString message) {
   static const QRegularExpression place(QStringLiteral(R"(^[a-z_0-9.\[\]]+: )"));
   message.remove(place);
@@ -25,8 +25,7 @@ QString withoutPlace(QString message) {
   return message;
 }
 
-/// A box whose value the wheel changes only while it has the focus, so that scrolling the page in
-/// passing changes nothing.
+/// Box that ignores the wheel without focus, so that scrolling the page changes no values.
 template <class Box>
 class CalmBox : public Box {
  public:
@@ -91,7 +90,7 @@ void PropertyPage::forgetTyping() {
 
 void PropertyPage::retire() {
   isRetired_ = true;
-  // A field that loses the focus as it goes would enter what was typed, into another thing.
+  // A field that loses the focus while it is removed would apply its input to another item.
   for (QWidget* widget : findChildren<QWidget*>()) widget->blockSignals(true);
 }
 
@@ -102,7 +101,7 @@ bool PropertyPage::attempt(QWidget* field, const std::function<bool()>& work) {
                                   [&refusal](const QString& message) { refusal = message; });
   const bool done = work();
   disconnect(connection);
-  if (isRetired_) return done;  // by what was done
+  if (isRetired_) return done;  // `work` replaced the page
   for (QLabel* label : findChildren<QLabel*>("refusal")) label->hide();
   if (!done) {
     if (auto* label = field->parentWidget()->findChild<QLabel*>("refusal")) {
@@ -133,7 +132,7 @@ void PropertyPage::addField(const QString& label, const QString& name, QWidget* 
                             bool isWide) {
   field->setObjectName(name);
   field->setAccessibleName(label);
-  // The sentence that says why something was refused stands below its field.
+  // The label below the field shows the reason of a refusal.
   auto* cell = new QWidget(this);
   auto* column = new QVBoxLayout(cell);
   column->setContentsMargins(0, 0, 0, 0);

@@ -15,37 +15,37 @@
 
 namespace palpa::gui {
 
-/// Lets a box be narrower than its longest choice.
+/// Allows a box to be narrower than its longest choice.
 void shrinkable(QComboBox& box);
 
-/// Takes the underlined letters from labels and buttons: with Alt, letters open the menus, and a
-/// letter that a panel has, too, would open nothing.
+/// Removes the underlined letters of labels and buttons: a letter that a menu has, too, would be
+/// ambiguous with Alt.
 void leaveLettersToMenus(QWidget& panel);
 
-/// A form with the properties of what is selected. Pages add their rows when they are made, each
-/// with how to read and how to write its value; the page keeps the fields in step with the project.
+/// Form with the properties of the selection. Each row has functions to read and write its value;
+/// the page updates the fields from the project.
 ///
-/// Writing is one command; what the editor refuses is said below the field, and the field shows the
-/// old value again.
+/// Writing is one command. If the editor refuses it, the message appears below the field, and the
+/// field shows the old value again.
 class PropertyPage : public QWidget {
   Q_OBJECT
 
  public:
   template <class Value>
   using Get = std::function<Value()>;
-  /// False when the editor refused.
+  /// False if the editor refused.
   template <class Value>
   using Set = std::function<bool(const Value&)>;
 
   explicit PropertyPage(const Workspace& workspace);
 
-  /// Shows the present values; what is being typed stays. Cheap: for every frame of a drag.
+  /// Shows the present values and keeps unfinished input. Fast enough for every frame of a drag.
   void refresh();
-  /// Also what takes milliseconds to compute: areas, numbers of nodes.
+  /// Shows values that take milliseconds to compute: areas, numbers of nodes.
   void refreshSlowValues();
-  /// Drops what was typed and not entered, and what was refused: something else is selected now.
+  /// Drops unfinished input and messages, after a change of the selection.
   void forgetTyping();
-  /// Nothing that happens to the fields has an effect any more: the page is about to go.
+  /// Disconnects the fields before the page is removed.
   void retire();
 
   void addSection(const QString& title);
@@ -59,16 +59,16 @@ class PropertyPage : public QWidget {
   void addChoice(const QString& label, const QString& name, const QStringList& choices,
                  Get<int> get, Set<int> set);
   void addCheck(const QString& text, const QString& name, Get<bool> get, Set<bool> set);
-  /// Something to read only.
+  /// Adds a read-only value.
   void addFact(const QString& label, const QString& name, Get<QString> get);
-  /// The same when it takes milliseconds.
+  /// The same for a value that takes milliseconds.
   void addSlowFact(const QString& label, const QString& name, Get<QString> get);
   void addNote(const QString& text);
-  /// A row of any kind over the full width.
+  /// Adds a widget over the full width.
   void addWidget(QWidget* widget) { form_->addRow(widget); }
   void addButton(const QString& text, const QString& name, const QString& picture,
                  std::function<void()> work);
-  /// Does `work` for a field of the page; what is refused is said at the field.
+  /// Calls `work` for a field of the page and shows a refusal below the field.
   bool attempt(QWidget* field, const std::function<bool()>& work);
 
   const Workspace& workspace() const { return workspace_; }

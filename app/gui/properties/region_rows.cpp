@@ -4,9 +4,9 @@
 #include <QToolButton>
 
 #include "app/gui/base/appearance.h"
-#include "app/gui/properties/pages.h"
-#include "app/gui/document/editor.h"
 #include "app/gui/base/overloaded.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/properties/pages.h"
 
 namespace palpa::gui {
 namespace {
@@ -50,7 +50,7 @@ class RegionRows {
     };
   }
 
-  /// A line of text with a button behind it that removes what it names.
+  /// Line of text with a button that removes the named part.
   void addRemovable(const QString& text, const QString& name, Edit remove) const {
     auto* row = new QWidget(&page_);
     auto* layout = new QHBoxLayout(row);
@@ -60,7 +60,7 @@ class RegionRows {
     auto* button = new QToolButton(row);
     button->setObjectName(name + "Remove");
     button->setIcon(icon("delete"));
-    button->setToolTip(tr("Take this out of the region"));
+    button->setToolTip(tr("Remove this part from the region"));
     button->setAccessibleName(tr("Remove %1").arg(text));
     button->setFocusPolicy(Qt::StrongFocus);
     auto* refusal = new QLabel(row);
@@ -153,14 +153,15 @@ class RegionRows {
     });
   }
 
-  /// The patches that the region does not name yet.
+  /// Menu of the patches that the region does not contain.
   QMenu* patchMenu(const Region& region, QToolButton* button) const {
     std::set<std::string> named;
     for (const modeling::RegionPart& part : region.parts)
       if (const auto* set = std::get_if<PatchSet>(&part))
         named.insert(set->patches.begin(), set->patches.end());
     auto* menu = new QMenu(button);
-    menu->setStyleSheet(QStringLiteral("QMenu { menu-scrollable: 1; }"));  // there may be hundreds
+    menu->setStyleSheet(
+        QStringLiteral("QMenu { menu-scrollable: 1; }"));  // for hundreds of patches
     for (const std::string& name : modeling::patchNames(page_.editor().project().body))
       if (!named.contains(name))
         QObject::connect(menu->addAction(QString::fromStdString(name)), &QAction::triggered, &page_,

@@ -10,7 +10,7 @@ namespace palpa::gui {
 namespace {
 
 constexpr const char* kPictures = "frame_%05d.png";
-constexpr int kPatience = 50;  // ms between two looks whether the video is to be given up
+constexpr int kPatience = 50;  // ms between two checks of `isStopped`
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void makeVideo(const std::filesystem::path& folder, const std::filesystem::path&
                const std::function<bool()>& isStopped) {
   QProcess program;
   program.setProcessChannelMode(QProcess::MergedChannels);
-  // Even sizes and this pixel format are what all players can show.
+  // All players support even sizes and this pixel format.
   program.start(videoProgram(),
                 {"-y", "-loglevel", "error", "-framerate", QString::number(kAnimationRate), "-i",
                  QString::fromStdString((folder / kPictures).string()), "-vf",

@@ -6,7 +6,7 @@
 #include "app/core/results/deformed_solid.h"
 #include "app/gui/base/background_job.h"
 #include "app/gui/dialogs/export_dialog.h"
-#include "app/gui/window/main_window.h"
+#include "app/gui/dialogs/file_dialogs.h"
 
 namespace palpa::gui {
 namespace {
@@ -25,13 +25,13 @@ void exportDeformed(const Workspace& workspace, Simulation& simulation) {
   }
   const auto model = simulation.body()->sharedModel();
   try {
-    // Before a file is asked for: this fails for models of triangles.
+    // Before the dialog: fails for models of triangles.
     const modeling::Project deformed =
         app::deformedProject(workspace.editor.project(), *model, state->field, simulation.scale());
     ExportDialog dialog(deformed, &workspace.window, ExportDialog::Subject::kDeformedSolid);
     if (dialog.exec() != QDialog::Accepted) return;
-    const QString file = workspace.window.files().askFileToWrite(dialog.windowTitle(),
-                                                                 dialog.filter(), dialog.ending());
+    const QString file =
+        askFileToWrite(workspace, dialog.windowTitle(), dialog.filter(), dialog.ending());
     if (file.isEmpty()) return;
     const bool isDone = runWorkInBackground(
         workspace.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),

@@ -5,8 +5,9 @@
 
 namespace palpa::gui {
 
-/// Asks for a format and a file and writes the solid as it is touched now: patches as a project or
-/// CAD file, or its triangles. Says why when the model is one of triangles or nothing is shown yet.
+/// Asks for a format and a file and writes the present deformed shape: patches as a project or CAD
+/// file, or triangles. Editor::refused states why it is impossible (a model of triangles, no
+/// model).
 void exportDeformed(const Workspace& workspace, Simulation& simulation);
 
 }  // namespace palpa::gui

@@ -7,14 +7,14 @@
 
 namespace palpa::gui {
 
-/// The forces of the last seconds, as often as pictures were drawn.
+/// Forces of the last seconds, one sample per drawn frame.
 class ForceHistory {
  public:
   static constexpr double kSeconds = 15;
 
   struct Sample {
-    double time;                                          ///< s, since the first
-    std::vector<std::pair<app::TouchId, double>> forces;  ///< N, one per contact
+    double time;                                          ///< since the first sample, s
+    std::vector<std::pair<app::TouchId, double>> forces;  ///< of each contact, N
   };
 
   void add(const app::TouchSnapshot& snapshot) {

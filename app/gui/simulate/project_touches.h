@@ -9,27 +9,27 @@
 
 namespace palpa::gui {
 
-/// Plays the touches of the project by hand, as `palpa-cli touch` does: grabs, forces and pins
-/// within a second, then, from where these leave the surface, fingertips and balls within another.
-/// They stay as pins.
+/// Performs the touches of the project, as `palpa-cli touch` does: grabs, forces and pins within a
+/// second, then fingertips and balls on the deformed surface within another. The contacts stay as
+/// pins.
 class ProjectTouches : public QObject {
   Q_OBJECT
 
  public:
   ProjectTouches(const Editor& editor, Simulation& simulation, QObject* parent);
 
-  /// Lets go of everything else first. Needs Simulation::drawn().
+  /// Ends all other contacts first. Does nothing without Simulation::drawn().
   void play();
 
  private:
   struct Motion {
     app::TouchId id;
-    Eigen::Vector3d from, way;  // value, see bem::ContactSimulation::begin()
+    Eigen::Vector3d from, by;  // of the value, see bem::ContactSimulation::begin()
   };
-  /// Begins those that press, or the others.
+  /// Begins the touches that press, or the others.
   void begin(bool pressing);
-  std::optional<Motion> begin(const modeling::Touch& touch, bem::ContactTool::Kind kind);
-  /// Is what was begun where it shall be, in the picture too?
+  std::optional<Motion> begin(const modeling::Touch& touch);
+  /// True if all begun contacts have reached their values, also in the drawn snapshot.
   bool isSettled() const;
   void advance();
 

@@ -6,6 +6,7 @@
 
 #include "app/core/live/touch_replay.h"
 #include "app/core/live/touch_table.h"
+#include "base/worker_thread.h"
 #include "bem/base/error.h"
 
 namespace palpa::gui {
@@ -51,25 +52,19 @@ void Recorder::open(app::RecordingFile file) {
 void Recorder::replay() {
   if (isReplaying_ || !recording_ || !simulation_.isActive()) return;
   stop();
-  simulation_.letGoOfAll();
+  simulation_.endAll();
   isReplaying_ = true;
   Q_EMIT changed();
   player_ = std::jthread([this, recording = *recording_](const std::stop_token& stop) {
     using Clock = std::chrono::steady_clock;
     app::TouchLoop& loop = simulation_.loop();
-    std::map<app::TouchId, app::TouchId> ids;  // of the recording, of now
+    std::map<app::TouchId, app::TouchId> ids;  // of the recording, of the loop
     const auto begin = Clock::now();
     const auto at = [&](std::uint64_t step) {
       return begin + app::TouchLoop::kPeriod * static_cast<std::int64_t>(step);
     };
-    std::mutex mutex;
-    std::condition_variable_any stopped;
-    const auto waitUntil = [&](Clock::time_point time) {
-      std::unique_lock lock(mutex);
-      return !stopped.wait_until(lock, stop, time, [&] { return stop.stop_requested(); });
-    };
     for (const app::TouchRecording::Entry& entry : recording.entries) {
-      if (!waitUntil(at(entry.step))) break;
+      if (!sleepUntil(at(entry.step), stop)) break;
       const app::TouchCommand& command = entry.command;
       try {
         if (command.kind == app::TouchCommand::Kind::kBegin)
@@ -79,10 +74,10 @@ void Recorder::replay() {
         else if (ids.contains(command.id))
           loop.end(ids[command.id]);
       } catch (const app::TouchRefused&) {
-        // A contact that does not fit beside those that are held now is left out.
+        // Skip a contact that the loop refuses beside the present ones.
       }
     }
-    if (!stop.stop_requested()) waitUntil(at(recording.steps));
+    if (!stop.stop_requested()) sleepUntil(at(recording.steps), stop);
     for (const auto& [before, now] : ids) loop.end(now);
     QMetaObject::invokeMethod(
         this,

@@ -10,8 +10,8 @@
 
 namespace palpa::gui {
 
-/// Records what the hand does in Simulate mode, does it again, and tells the forces of every
-/// millisecond. One recording at a time; it belongs to the window, not to the project.
+/// Records and replays the contacts of Simulate mode and computes the forces of every millisecond.
+/// Holds one recording, which belongs to the window, not to the project.
 class Recorder : public QObject {
   Q_OBJECT
 
@@ -22,24 +22,24 @@ class Recorder : public QObject {
   bool isRecording() const { return isRecording_; }
   void start();
   void stop();
-  /// None before the first.
+  /// Nothing before the first recording.
   const std::optional<app::TouchRecording>& recording() const { return recording_; }
-  /// What recording() was made on; its name is empty until it was saved or opened.
+  /// Model of recording(); its name is empty until the recording is saved or opened.
   const app::RecordedModel& recordedModel() const { return recordedModel_; }
-  /// Takes a recording from a file; what is being recorded or replayed ends.
+  /// Takes a recording from a file. Stops recording and replay.
   void open(app::RecordingFile file);
 
   bool isReplaying() const { return isReplaying_; }
-  /// Plays the recording to the touch loop, as fast as it was made.
+  /// Sends the recording to the touch loop, at the recorded speed.
   void replay();
   void stopReplay();
 
-  /// What a replay on the present body gives; each snapshot as soon as it is there, on the caller's
-  /// thread. Throws SolverError, Cancelled.
+  /// Computes a replay on the model. Calls `seen` for each snapshot, on the caller's thread. Throws
+  /// SolverError, Cancelled.
   static void play(const std::shared_ptr<const app::TouchModel>& model,
                    const app::TouchRecording& recording, const Job& job,
                    const std::function<void(const app::TouchSnapshot&)>& seen);
-  /// Writes app::TouchTable. Throws std::runtime_error naming the file.
+  /// Writes the forces as app::TouchTable. Throws std::runtime_error with the file name.
   static void writeTable(const std::shared_ptr<const app::TouchModel>& model,
                          const app::TouchRecording& recording, const std::filesystem::path& file,
                          const Job& job);

@@ -6,11 +6,11 @@
 #include <QTemporaryDir>
 
 #include "app/gui/base/background_job.h"
-#include "app/gui/dialogs/picture_dialog.h"
 #include "app/gui/base/progress_dialog.h"
-#include "app/gui/window/main_window.h"
-#include "app/gui/workspace/menus.h"
+#include "app/gui/dialogs/file_dialogs.h"
+#include "app/gui/dialogs/picture_dialog.h"
 #include "app/gui/simulate/animation.h"
+#include "app/gui/workspace/menus.h"
 #include "modeling/error.h"
 
 namespace palpa::gui {
@@ -29,11 +29,11 @@ RecordingActions::RecordingActions(const Workspace& workspace, Simulation& simul
   menus.simulate->addSeparator();
   record_ = menus.addToggle(menus.simulate,
                             {"record", tr("&Record"), QKeySequence(Qt::CTRL | Qt::Key_R),
-                             tr("Record what the hand does, a thousand times a second")},
+                             tr("Record all touches, a thousand times a second")},
                             false, this, [this](bool on) { toggleRecording(on); });
   replay_ = menus.add(menus.simulate,
                       {"replay", tr("Re&play"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
-                       tr("Do again what was recorded")},
+                       tr("Repeat the recorded touches")},
                       this, [this] {
                         if (recorder_.isReplaying())
                           recorder_.stopReplay();
@@ -41,13 +41,13 @@ RecordingActions::RecordingActions(const Workspace& workspace, Simulation& simul
                           recorder_.replay();
                       });
   save_ = menus.add(menus.simulate,
-                    {nullptr, tr("Sa&ve recording …"), {}, tr("Keep what was recorded in a file")},
+                    {nullptr, tr("Sa&ve recording …"), {}, tr("Write the recording to a file")},
                     this, [this] { saveRecording(); });
   open_ = menus.add(menus.simulate,
                     {nullptr,
                      tr("Ope&n recording …"),
                      {},
-                     tr("Take a recording from a file, to be replayed and exported")},
+                     tr("Read a recording from a file, to replay and export it")},
                     this, [this] { openRecording(); });
   table_ = menus.add(menus.simulate,
                      {nullptr,
@@ -76,8 +76,8 @@ void RecordingActions::update() {
   record_->setChecked(recorder_.isRecording());
   record_->setText(recorder_.isRecording() ? tr("Stop &recording") : tr("&Record"));
   record_->setToolTip((recorder_.isRecording()
-                           ? tr("Everything the hand does is being recorded; press again to stop")
-                           : tr("Record what the hand does, a thousand times a second")) +
+                           ? tr("Recording all touches; press again to stop")
+                           : tr("Record all touches, a thousand times a second")) +
                       " (" + record_->shortcut().toString(QKeySequence::NativeText) + ")");
   replay_->setEnabled(isActive && isThere);
   replay_->setText(recorder_.isReplaying() ? tr("Stop re&play") : tr("Re&play"));
@@ -90,12 +90,11 @@ void RecordingActions::update() {
 void RecordingActions::toggleRecording(bool on) {
   if (on) {
     recorder_.start();
-    workspace_.window.statusBar()->showMessage(
-        tr("Recording what the hand does; Ctrl+R or the button stops"));
+    workspace_.statusBar.showMessage(tr("Recording all touches; Ctrl+R or the button stops"));
     return;
   }
   recorder_.stop();
-  workspace_.window.statusBar()->clearMessage();
+  workspace_.statusBar.clearMessage();
   if (!recorder_.recording()) {
     Q_EMIT workspace_.editor.said(tr("Nothing was recorded: nothing was touched"));
     return;
@@ -109,8 +108,8 @@ void RecordingActions::toggleRecording(bool on) {
 }
 
 void RecordingActions::saveRecording() {
-  const QString file = workspace_.window.files().askFileToWrite(tr("Save recording"),
-                                                                tr("Recordings (*.json)"), ".json");
+  const QString file =
+      askFileToWrite(workspace_, tr("Save recording"), tr("Recordings (*.json)"), ".json");
   if (file.isEmpty()) return;
   app::RecordingFile kept{recorder_.recordedModel(), *recorder_.recording()};
   if (kept.model.name.empty()) kept.model.name = workspace_.editor.project().name;
@@ -123,8 +122,7 @@ void RecordingActions::saveRecording() {
 }
 
 void RecordingActions::openRecording() {
-  const QString file =
-      workspace_.window.files().askFileToOpen(tr("Open recording"), tr("Recordings (*.json)"));
+  const QString file = askFileToOpen(workspace_, tr("Open recording"), tr("Recordings (*.json)"));
   if (file.isEmpty()) return;
   try {
     app::RecordingFile opened = app::readRecording(file.toStdString());
@@ -143,7 +141,7 @@ void RecordingActions::openRecording() {
 
 void RecordingActions::exportTable() {
   const QString file =
-      workspace_.window.files().askFileToWrite(tr("Export forces"), tr("Tables (*.csv)"), ".csv");
+      askFileToWrite(workspace_, tr("Export forces"), tr("Tables (*.csv)"), ".csv");
   if (file.isEmpty()) return;
   const auto model = simulation_.body()->sharedModel();
   const app::TouchRecording recording = *recorder_.recording();
@@ -198,8 +196,7 @@ void RecordingActions::exportAnimation() {
   if (dialog.exec() != QDialog::Accepted) return;
   const bool isVideo = !videoProgram().isEmpty();
   const QString target =
-      isVideo ? workspace_.window.files().askFileToWrite(tr("Export animation"),
-                                                         tr("Videos (*.mp4)"), ".mp4")
+      isVideo ? askFileToWrite(workspace_, tr("Export animation"), tr("Videos (*.mp4)"), ".mp4")
               : QFileDialog::getExistingDirectory(&workspace_.window, tr("Folder for the pictures"),
                                                   workspace_.settings.lastFolder());
   if (target.isEmpty()) return;

@@ -8,7 +8,7 @@
 
 namespace palpa::gui {
 
-/// The part of the Simulate menu that records, replays and exports.
+/// Entries of the Simulate menu that record, replay and export.
 class RecordingActions : public QObject {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class RecordingActions : public QObject {
   void openRecording();
   void exportTable();
   void exportAnimation();
-  /// Draws the pictures of a replay; false when it was stopped.
+  /// Draws the pictures of a replay; false if the user cancelled.
   bool drawInto(const std::filesystem::path& folder, const QSize& size);
 
   Workspace workspace_;

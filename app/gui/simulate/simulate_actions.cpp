@@ -2,16 +2,38 @@
 
 #include <QActionGroup>
 #include <QToolButton>
+#include <array>
 
-#include "app/gui/window/main_window.h"
-#include "app/gui/workspace/menus.h"
 #include "app/gui/simulate/deformed_export.h"
+#include "app/gui/workspace/menus.h"
 #include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 
 using Kind = bem::ContactTool::Kind;
-using app::SurfaceQuantity;
+
+namespace {
+
+Menus::Item itemOf(Kind kind) {
+  const auto tr = [](const char* text) { return SimulateActions::tr(text); };
+  switch (kind) {
+    case Kind::kGrab:
+      return {"simulate-grab", tr("&Grab"), QKeySequence(Qt::Key_H),
+              tr("Grab the surface and pull it in any direction")};
+    case Kind::kPush:
+      return {"simulate-push", tr("&Push"), QKeySequence(Qt::Key_P),
+              tr("Press with a fingertip that slides and sticks")};
+    case Kind::kBall:
+      return {"simulate-ball", tr("&Ball"), QKeySequence(Qt::Key_B),
+              tr("Press with a rigid ball; the contact grows with depth")};
+    case Kind::kForce:
+      return {"simulate-force", tr("&Force"), QKeySequence(Qt::Key_D),
+              tr("Pull with a given force")};
+  }
+  return {};
+}
+
+}  // namespace
 
 SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulation,
                                  SimulationView& pictures)
@@ -24,14 +46,13 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
   addTools();
   addPictures();
   recording_ = new RecordingActions(workspace, simulation);
-  onlySimulating_.push_back(workspace.menus.add(
-      workspace.menus.simulate,
-      {nullptr,
-       tr("Export &deformed solid …"),
-       {},
-       tr("Write the solid as it is touched now as patches, for CAD or to go on "
-          "modelling")},
-      this, [this] { exportDeformed(workspace_, simulation_); }));
+  onlySimulating_.push_back(
+      workspace.menus.add(workspace.menus.simulate,
+                          {nullptr,
+                           tr("Export &deformed solid …"),
+                           {},
+                           tr("Write the deformed solid as patches, for CAD or further modelling")},
+                          this, [this] { exportDeformed(workspace_, simulation_); }));
   connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
   connect(&options_, &SimulateOptions::changed, this, [this] {
     if (simulation_.drawn()) simulation_.setFingertip(options_.radius(*simulation_.drawn()));
@@ -64,7 +85,7 @@ void SimulateActions::addModes() {
     action->setCheckable(true);
     modes->addAction(action);
     menus.bar->insertAction(menus.views, action);
-    // Where one is matters more than anything else in the bar: with words.
+    // The mode is the most important state in the bar: show its name.
     static_cast<QToolButton*>(menus.bar->widgetForAction(action))
         ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
@@ -72,29 +93,22 @@ void SimulateActions::addModes() {
 }
 
 void SimulateActions::addTools() {
-  const auto add = [this](Kind kind, const Menus::Item& item) {
-    workspace_.tools.add(
-        std::make_unique<SimulateTool>(kind, workspace_.settings, simulation_, options_, workspace_.view),
-        workspace_.menus.simulate, item, Mode::kSimulate);
-  };
-  add(Kind::kGrab, {"hand-grab", tr("&Grab"), QKeySequence(Qt::Key_H),
-                    tr("Take hold of the surface and pull it anywhere")});
-  add(Kind::kPush, {"hand-push", tr("&Push"), QKeySequence(Qt::Key_P),
-                    tr("Press with a fingertip that slides and sticks")});
-  add(Kind::kProbe, {"hand-ball", tr("&Ball"), QKeySequence(Qt::Key_B),
-                     tr("Press with a rigid ball; the contact grows with depth")});
-  add(Kind::kForce,
-      {"hand-force", tr("&Force"), QKeySequence(Qt::Key_D), tr("Pull with a given force")});
+  static constexpr std::array kKinds{Kind::kGrab, Kind::kPush, Kind::kBall, Kind::kForce};
+  static_assert(kKinds.size() + 1 == modeling::kTouchKinds.size(), "all kinds except pins");
+  for (const Kind kind : kKinds)
+    workspace_.tools.add(std::make_unique<SimulateTool>(kind, workspace_.settings, simulation_,
+                                                        options_, workspace_.view),
+                         workspace_.menus.simulate, itemOf(kind), Mode::kSimulate);
   workspace_.menus.simulate->addSeparator();
   play_ = workspace_.menus.add(
       workspace_.menus.simulate,
       {"place-touch", tr("Play the &touches of the project"), QKeySequence(Qt::Key_T),
-       tr("Touch the solid as the project says; the touches stay as pins")},
+       tr("Perform the stored touches; they stay as pins")},
       this, [this] { touches_.play(); });
   onlySimulating_.push_back(workspace_.menus.add(
       workspace_.menus.simulate,
-      {"hand-release", tr("&Let go of all"), {}, tr("Remove all contacts and pins (Escape)")}, this,
-      [this] { simulation_.letGoOfAll(); }));
+      {"simulate-release", tr("&Release all"), {}, tr("Remove all contacts and pins (Escape)")},
+      this, [this] { simulation_.endAll(); }));
   workspace_.menus.simulate->addSeparator();
 }
 
@@ -102,20 +116,17 @@ void SimulateActions::addPictures() {
   Menus& menus = workspace_.menus;
   QMenu* colours = menus.simulate->addMenu(tr("&Colour by"));
   auto* group = new QActionGroup(this);
-  const auto add = [&](SurfaceQuantity quantity, const QString& text) {
-    QAction* action = menus.addToggle(colours, {nullptr, text}, simulation_.quantity() == quantity,
-                                      this, [this, quantity](bool on) {
-                                        if (on) simulation_.setQuantity(quantity);
-                                      });
+  for (const app::SurfaceQuantityInfo& info : app::kSurfaceQuantities) {
+    const bool isPlain = info.quantity == app::SurfaceQuantity::kNone;
+    QAction* action = menus.addToggle(
+        colours, {nullptr, isPlain ? tr("&Plain") : "&" + tr(info.label)},
+        simulation_.quantity() == info.quantity, this, [this, quantity = info.quantity](bool on) {
+          if (on) simulation_.setQuantity(quantity);
+        });
     group->addAction(action);
-  };
-  add(SurfaceQuantity::kDisplacement, tr("&Displacement |u|"));
-  add(SurfaceQuantity::kNormalTraction, tr("&Normal traction"));
-  add(SurfaceQuantity::kVonMises, tr("&von Mises stress"));
-  add(SurfaceQuantity::kStiffness, tr("&Stiffness under a fingertip"));
-  add(SurfaceQuantity::kNone, tr("&Plain"));
+  }
   menus.addToggle(menus.simulate,
-                  {nullptr, tr("&Undeformed shape"), {}, tr("Show where the surface was")},
+                  {nullptr, tr("&Undeformed shape"), {}, tr("Show the undeformed shape as lines")},
                   pictures_.isGhostShown(), this, [this](bool on) { pictures_.setGhostShown(on); });
   QMenu* scales = menus.simulate->addMenu(tr("D&raw displacements"));
   auto* factors = new QActionGroup(this);
@@ -133,8 +144,6 @@ void SimulateActions::show(bool isActive) {
   (isActive ? simulate_ : model_)->setChecked(true);
   for (QAction* action : onlySimulating_) action->setEnabled(isActive);
   updatePlay();
-  // The net is not drawn while the solid is touched.
-  if (auto* net = workspace_.window.findChild<QAction*>("Control net")) net->setEnabled(!isActive);
   workspace_.tools.setMode(isActive ? Mode::kSimulate : Mode::kModel);
 }
 

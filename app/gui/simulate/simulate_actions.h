@@ -2,15 +2,15 @@
 
 #include <QObject>
 
-#include "app/gui/simulate/simulate_tool.h"
 #include "app/gui/simulate/project_touches.h"
 #include "app/gui/simulate/recording_actions.h"
+#include "app/gui/simulate/simulate_tool.h"
 #include "app/gui/simulate/simulation_view.h"
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
-/// The Simulate menu: the switch between the modes, the hand's tools, what is drawn.
+/// The Simulate menu: modes, tools, display.
 class SimulateActions : public QObject {
   Q_OBJECT
 

@@ -2,17 +2,12 @@
 
 #include <QFormLayout>
 
+#include "app/core/model/contact_kind.h"
 #include "app/core/results/touch.h"
-#include "app/gui/tools/condition_choice.h"
+#include "app/gui/widgets/form_row.h"
 #include "app/gui/widgets/quantity_edit.h"
 
 namespace palpa::gui {
-namespace {
-
-constexpr double kMaxFriction = 10;
-
-}  // namespace
-
 double SimulateOptions::radius(const app::DrawnBody& body) const {
   return radius_.value_or(app::defaultTouchRadius(body.model().setup().mesh()));
 }
@@ -28,7 +23,7 @@ void SimulateOptions::setFriction(double friction) {
 }
 
 QWidget* SimulateOptions::makeFields(Kind kind, Settings& settings, Simulation& simulation,
-                                 QWidget* parent) {
+                                     QWidget* parent) {
   auto* fields = new QWidget(parent);
   auto* form = new QFormLayout(fields);
   form->setContentsMargins(0, 0, 0, 0);
@@ -39,19 +34,19 @@ QWidget* SimulateOptions::makeFields(Kind kind, Settings& settings, Simulation& 
     radius->setEnabled(simulation.drawn() != nullptr);
   };
   showRadius();
-  const bool isBall = kind == Kind::kProbe;
-  addRow(form, isBall ? tr("&Radius of the ball") : tr("&Radius of the fingertip"), radius,
-         "contactRadius",
-         isBall ? tr("The ball is rigid; its contact grows with depth")
-                : tr("The contact presses on a disc of this radius"));
+  const bool isBall = app::infoOf(kind).isBall;
+  addFormRow(form, isBall ? tr("&Radius of the ball") : tr("&Radius of the fingertip"), radius,
+             "contactRadius",
+             isBall ? tr("The ball is rigid; its contact grows with depth")
+                    : tr("The contact presses on a disc of this radius"));
   connect(radius, &QuantityEdit::edited, this, &SimulateOptions::setRadius);
   connect(&simulation, &Simulation::bodyChanged, radius, showRadius);
-  if (!isPushing(kind)) return fields;
+  if (!bem::ContactTool{kind}.presses()) return fields;
   auto* friction = new QuantityEdit(Quantity::kNumber, settings, fields);
-  friction->setRange(0, kMaxFriction);
+  friction->setRange(0, modeling::kMaxFriction);
   friction->setValue(friction_);
-  addRow(form, tr("&Friction"), friction, "contactFriction",
-         tr("Coulomb's coefficient; 0: it slides freely"));
+  addFormRow(form, tr("&Friction"), friction, "contactFriction",
+             tr("Coulomb's coefficient; 0 slides freely"));
   connect(friction, &QuantityEdit::edited, this, &SimulateOptions::setFriction);
   return fields;
 }

@@ -8,23 +8,20 @@
 
 namespace palpa::gui {
 
-/// What all hand tools share and a person can set.
+/// Options shared by the tools of Simulate mode.
 class SimulateOptions : public QObject {
   Q_OBJECT
 
  public:
   using Kind = bem::ContactTool::Kind;
 
-  /// Does a contact of this kind press on the surface, so that it may slide?
-  static bool isPushing(Kind kind) { return bem::ContactTool{kind}.isPushing(); }
-
-  /// mm; that of a fingertip for the body when none was set.
+  /// Radius of contacts, mm; default: a fingertip for the body.
   double radius(const app::DrawnBody& body) const;
   double friction() const { return friction_; }
   void setRadius(double radius);
   void setFriction(double friction);
 
-  /// Fields for what a contact of this kind needs; they follow the body.
+  /// Fields for a contact of this kind; they follow the body.
   QWidget* makeFields(Kind kind, Settings& settings, Simulation& simulation, QWidget* parent);
 
  Q_SIGNALS:

@@ -10,32 +10,32 @@ namespace {
 using Kind = bem::ContactTool::Kind;
 using Style = view::ToolDrawing::Style;
 
-constexpr double kNotch = 0.05;   // of the radius: how far a notch of the wheel presses
+constexpr double kNotch = 0.05;   // of the radius, per notch of the wheel
 constexpr double kPinReach = 12;  // pixels
 
-/// Drawn mm per mm of displacement; 1 where displacements are not drawn, so that the hand still can
-/// touch.
+/// Drawn mm per mm of displacement; 1 if displacements are not drawn, so that drags keep their
+/// effect.
 double drawnScale(const Simulation& simulation) {
   return simulation.scale() > 0 ? simulation.scale() : 1;
 }
 
-/// N per mm by which the arrow of a given force is pulled: about the stiffness of a half-space
-/// under a disc, so that the pull looks like what it does.
+/// N per mm of drag for a force: about the stiffness of a half-space under a disc, so that drag and
+/// displacement look alike.
 double forcePerLength(const app::DrawnBody& body, double radius) {
   return 2 * body.model().setup().material.youngsModulus * radius;
 }
 
 }  // namespace
 
-SimulateTool::SimulateTool(Kind kind, Settings& settings, Simulation& simulation, SimulateOptions& options,
-                   ViewportWidget& widget)
+SimulateTool::SimulateTool(Kind kind, Settings& settings, Simulation& simulation,
+                           SimulateOptions& options, ViewportWidget& widget)
     : kind_(kind),
       settings_(settings),
       simulation_(simulation),
       options_(options),
       widget_(widget) {
   connect(&simulation, &Simulation::activeChanged, this, [this] {
-    hold_.reset();
+    drag_.reset();
     Q_EMIT changed();
   });
   connect(&simulation, &Simulation::bodyChanged, this, &Tool::changed);
@@ -68,7 +68,7 @@ std::optional<app::TouchId> SimulateTool::pinAt(const Eigen::Vector2d& pixel) co
   std::optional<app::TouchId> nearest;
   double least = kPinReach * widget_.devicePixelRatioF();
   for (const auto& contact : simulation_.snapshot().touched()) {
-    if (simulation_.isOver(contact.id)) continue;
+    if (simulation_.hasEnded(contact.id)) continue;
     const Eigen::Vector3d drawn =
         contact.point.position + simulation_.scale() * simulation_.displacementAt(contact.point);
     const double distance = (widget_.viewport().toPixel(drawn) - pixel).norm();
@@ -90,7 +90,7 @@ bool SimulateTool::press(const PointerEvent& event) {
     const double gain = contact.tool.kind == Kind::kForce
                             ? forcePerLength(*simulation_.drawn(), contact.tool.radius)
                             : 1;
-    hold_ = Hold{*pin,
+    drag_ = Drag{*pin,
                  contact.tool.kind,
                  gain,
                  drawnScale(simulation_),
@@ -106,18 +106,27 @@ bool SimulateTool::press(const PointerEvent& event) {
   const auto place = placeAt(event.pixel);
   if (!place) return true;
   const double radius = options_.radius(*simulation_.drawn());
-  const bem::ContactTool tool{kind_, radius,
-                              SimulateOptions::isPushing(kind_) ? options_.friction() : 0};
-  // It begins without a jump: where the place is, touching, or without force.
+  bem::ContactTool tool{kind_, radius};
+  if (tool.presses()) tool.friction = options_.friction();
+  // Begin without a jump: at the present place, in contact, or without force.
   const Eigen::Vector3d displaced =
       simulation_.displacementAt(simulation_.body()->surface().tree().nearest(place->at));
   Eigen::Vector3d start = Eigen::Vector3d::Zero();
-  if (kind_ == Kind::kGrab) start = displaced;
-  if (kind_ == Kind::kPush) start = place->at + displaced;
-  if (kind_ == Kind::kProbe) start = place->at + displaced + radius * place->normal;
+  switch (kind_) {
+    case Kind::kForce:
+      break;
+    case Kind::kGrab:
+      start = displaced;
+      break;
+    case Kind::kPush:
+      start = place->at + displaced;
+      break;
+    case Kind::kBall:
+      start = place->at + displaced + radius * place->normal;
+  }
   const auto id = simulation_.begin(tool, place->at, start);
   if (!id) return true;
-  hold_ = Hold{*id,
+  drag_ = Drag{*id,
                kind_,
                kind_ == Kind::kForce ? forcePerLength(*simulation_.drawn(), radius) : 1,
                drawnScale(simulation_),
@@ -133,38 +142,38 @@ bool SimulateTool::press(const PointerEvent& event) {
 }
 
 void SimulateTool::pull(const Eigen::Vector2d& pixel, bool alongNormal) {
-  if (alongNormal != hold_->alongNormal) {
-    hold_->alongNormal = alongNormal;
-    hold_->done = hold_->motion;
-    hold_->from = pixel;
+  if (alongNormal != drag_->alongNormal) {
+    drag_->alongNormal = alongNormal;
+    drag_->done = drag_->motion;
+    drag_->from = pixel;
   }
   const view::Viewport& viewport = widget_.viewport();
-  const Eigen::Vector3d place = hold_->place + hold_->done;
+  const Eigen::Vector3d place = drag_->place + drag_->done;
   const auto at = [&](const Eigen::Vector2d& where) {
-    return alongNormal ? viewport.onLine(where, place, hold_->normal)
+    return alongNormal ? viewport.onLine(where, place, drag_->normal)
                        : std::optional(viewport.inViewPlane(where, place));
   };
-  const auto before = at(hold_->from), now = at(pixel);
+  const auto before = at(drag_->from), now = at(pixel);
   if (!before || !now || !now->allFinite()) return;
-  hold_->motion = hold_->done + (*now - *before);
+  drag_->motion = drag_->done + (*now - *before);
   follow();
 }
 
 void SimulateTool::follow() {
-  // The motion is one in the picture. Displacements are drawn larger there, places on the surface
-  // are not: what presses goes along the surface as far as the hand, and into it by the part that
-  // is drawn as far.
-  Eigen::Vector3d moved = hold_->motion / hold_->scale;
-  if (SimulateOptions::isPushing(hold_->kind)) {
-    const Eigen::Vector3d inwards = hold_->normal * hold_->normal.dot(hold_->motion);
-    moved = hold_->motion - inwards + inwards / hold_->scale;
+  // Motions are measured in the picture, where displacements are scaled but places on the surface
+  // are not. So pushing contacts follow the pointer along the surface, and only their motion into
+  // the surface is divided by the scale.
+  Eigen::Vector3d moved = drag_->motion / drag_->scale;
+  if (bem::ContactTool{drag_->kind}.presses()) {
+    const Eigen::Vector3d inwards = drag_->normal * drag_->normal.dot(drag_->motion);
+    moved = drag_->motion - inwards + inwards / drag_->scale;
   }
-  simulation_.move(hold_->id, hold_->start + hold_->gain * moved);
+  simulation_.move(drag_->id, drag_->start + drag_->gain * moved);
 }
 
 bool SimulateTool::move(const PointerEvent& event) {
   pointer_ = event.pixel;
-  if (!hold_) {
+  if (!drag_) {
     drawHover(event.pixel);
     return false;
   }
@@ -183,10 +192,10 @@ void SimulateTool::drawHover(const Eigen::Vector2d& pixel) {
 }
 
 bool SimulateTool::release(const PointerEvent& event) {
-  if (event.button != Qt::LeftButton || !hold_) return false;
+  if (event.button != Qt::LeftButton || !drag_) return false;
   const bool stays = (event.modifiers & Qt::ShiftModifier) != 0;
-  if (!stays) simulation_.letGo(hold_->id);
-  hold_.reset();
+  if (!stays) simulation_.end(drag_->id);
+  drag_.reset();
   widget_.setCursor(cursor());
   Q_EMIT changed();
   return true;
@@ -195,24 +204,24 @@ bool SimulateTool::release(const PointerEvent& event) {
 bool SimulateTool::doubleClick(const PointerEvent& event) {
   if (event.button != Qt::LeftButton) return false;
   if (const auto pin = pinAt(event.pixel)) {
-    simulation_.letGo(*pin);
+    simulation_.end(*pin);
     return true;
   }
   return press(event);
 }
 
 bool SimulateTool::wheel(const PointerEvent&, double notches) {
-  if (!hold_ || !simulation_.drawn()) return false;
+  if (!drag_ || !simulation_.drawn()) return false;
   const Eigen::Vector3d step =
-      -notches * kNotch * options_.radius(*simulation_.drawn()) * hold_->scale * hold_->normal;
-  hold_->done += step;
-  hold_->motion += step;
+      -notches * kNotch * options_.radius(*simulation_.drawn()) * drag_->scale * drag_->normal;
+  drag_->done += step;
+  drag_->motion += step;
   follow();
   return true;
 }
 
 void SimulateTool::leave() {
-  if (hold_) return;
+  if (drag_) return;
   widget_.viewport().setToolDrawing({});
   widget_.update();
 }
@@ -223,52 +232,59 @@ bool SimulateTool::wantsKey(const QKeyEvent& event) const {
 
 bool SimulateTool::key(QKeyEvent* event) {
   if (!wantsKey(*event)) return false;
-  const auto pin = hold_ ? std::nullopt : pinAt(pointer_);
-  if (pin) simulation_.letGo(*pin);
+  const auto pin = drag_ ? std::nullopt : pinAt(pointer_);
+  if (pin) simulation_.end(*pin);
   return true;
 }
 
 bool SimulateTool::cancel() {
-  if (hold_) {
-    simulation_.letGo(hold_->id);
-    hold_.reset();
+  if (drag_) {
+    simulation_.end(drag_->id);
+    drag_.reset();
     widget_.setCursor(cursor());
     Q_EMIT changed();
     return true;
   }
   if (!simulation_.isActive() || simulation_.snapshot().contactCount == 0) return false;
-  simulation_.letGoOfAll();
+  simulation_.endAll();
   return true;
 }
 
 void SimulateTool::deactivate() {
-  if (hold_) cancel();
+  if (drag_) cancel();
   widget_.viewport().setToolDrawing({});
 }
 
 QCursor SimulateTool::cursor() const {
-  return hold_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
+  return drag_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
 }
 
 QString SimulateTool::hint() const {
-  if (hold_)
-    return tr("Ctrl or the wheel: along the normal. Shift when letting go: it stays as a pin");
-  if (!simulation_.drawn()) return tr("Touching begins as soon as the first model is built");
+  if (drag_)
+    return tr("Ctrl or the wheel: along the normal. Shift while releasing: stays as a pin");
+  if (!simulation_.drawn()) return tr("Touching is possible as soon as the first model is built");
   if (pins_ > 0)
-    return tr(
-        "A press on a pin takes hold of it; a double click or Delete lets go of it, Escape of "
-        "all");
+    return tr("Drag a pin to move it; double-click or Delete removes it; Escape removes all pins");
   switch (kind_) {
     case Kind::kGrab:
-      return tr("Press on the surface and drag: it follows the hand");
+      return tr("Drag the surface: it follows the pointer");
     case Kind::kPush:
       return tr("Press on the surface, push in with the wheel or Ctrl, drag to slide");
-    case Kind::kProbe:
+    case Kind::kBall:
       return tr("Press on the surface to set a ball on it, push in with the wheel or Ctrl");
     case Kind::kForce:
       return tr("Press on the surface and drag out a force");
   }
   return {};
+}
+
+KeyHelp SimulateTool::keyHelp() const {
+  return {tr("Simulate"),
+          {{tr("Touch"), tr("Left button")},
+           {tr("Along the normal"), tr("Ctrl, or wheel")},
+           {tr("Leave a pin"), tr("Shift while releasing the button")},
+           {tr("Move a pin"), tr("Left button on it")},
+           {tr("Remove a pin; all pins"), tr("Double click or Delete; Escape")}}};
 }
 
 QWidget* SimulateTool::makeOptions(QWidget* parent) {

@@ -11,16 +11,16 @@
 
 namespace palpa::gui {
 
-/// The hand in Simulate mode: a press begins a contact, dragging moves it parallel to the screen,
-/// or along the normal of its place with Ctrl or the wheel; release lets go, with Shift it stays as
-/// a pin. A press on a pin takes hold of it again.
+/// Touches the body in Simulate mode: a press begins a contact, a drag moves it parallel to the
+/// screen, or along the normal with Ctrl or the wheel. A release ends the contact; with Shift it
+/// stays as a pin. A pin can be dragged again.
 class SimulateTool : public Tool {
   Q_OBJECT
 
  public:
   using Kind = bem::ContactTool::Kind;
   SimulateTool(Kind kind, Settings& settings, Simulation& simulation, SimulateOptions& options,
-           ViewportWidget& widget);
+               ViewportWidget& widget);
 
   void deactivate() override;
   bool press(const PointerEvent& event) override;
@@ -29,40 +29,41 @@ class SimulateTool : public Tool {
   bool doubleClick(const PointerEvent& event) override;
   bool wheel(const PointerEvent& event, double notches) override;
   void leave() override;
-  /// Delete lets go of the pin under the pointer; never of a support or load that was selected
-  /// while modelling, which is not seen here.
+  /// Takes Delete, which removes the pin under the pointer and must not delete a support or load
+  /// that is still selected from modelling.
   bool wantsKey(const QKeyEvent& event) const override;
   bool key(QKeyEvent* event) override;
-  /// Lets go of what is held; otherwise of all pins.
+  /// Ends the dragged contact; without one, all pins.
   bool cancel() override;
   QCursor cursor() const override;
   QString hint() const override;
+  KeyHelp keyHelp() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
  private:
-  /// Place, on the unloaded shape and as it is drawn, and normal under a pixel.
+  /// Place under a pixel, on the unloaded and on the drawn shape, and its normal.
   struct Place {
     Eigen::Vector3d at, drawn, normal;
   };
   std::optional<Place> placeAt(const Eigen::Vector2d& pixel) const;
   std::optional<app::TouchId> pinAt(const Eigen::Vector2d& pixel) const;
   void pull(const Eigen::Vector2d& pixel, bool alongNormal);
-  /// Gives the contact the value of the motion so far.
+  /// Sets the value of the contact from the present motion.
   void follow();
   void drawHover(const Eigen::Vector2d& pixel);
 
-  /// What is held.
-  struct Hold {
+  /// The dragged contact.
+  struct Drag {
     app::TouchId id = 0;
     Kind kind{};
-    double gain = 1;         // value per mm that the place moves
-    double scale = 1;        // that displacements are drawn with
-    Eigen::Vector3d start;   // value before any motion
-    Eigen::Vector3d place;   // mm, where it is drawn: the plane of the motion
+    double gain = 1;         // value per mm of motion
+    double scale = 1;        // factor of drawn displacements
+    Eigen::Vector3d start;   // value at the start
+    Eigen::Vector3d place;   // mm, as drawn: point of the plane of motion
     Eigen::Vector3d normal;  // unit, outwards
     Eigen::Vector2d from;    // pixel of the last change of direction
-    Eigen::Vector3d done;    // mm, motion before `from`
-    Eigen::Vector3d motion;  // mm, so far
+    Eigen::Vector3d done;    // mm, motion up to `from`
+    Eigen::Vector3d motion;  // mm, present
     bool alongNormal = false;
   };
 
@@ -71,9 +72,9 @@ class SimulateTool : public Tool {
   Simulation& simulation_;
   SimulateOptions& options_;
   ViewportWidget& widget_;
-  std::optional<Hold> hold_;
+  std::optional<Drag> drag_;
   Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();  // pixel
-  int pins_ = 0;                                       // as the hint has them
+  int pins_ = 0;                                       // number in the present hint
 };
 
 }  // namespace palpa::gui

@@ -14,13 +14,13 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kFrame = 16;          // ms between two frames at most
-constexpr double kHeadroom = 0.25;  // a range this much too large is made smaller
-/// As many triangles are drawn in time without a graphics card; more only where the mesh has them.
+constexpr int kFrame = 16;          // ms between two frames
+constexpr double kHeadroom = 0.25;  // a range is reduced if the values fill less than this share
+/// Number of triangles that are drawn in time without a graphics card; a finer mesh has more.
 constexpr double kTriangles = 8000;
 constexpr int kMaxPieces = 8;  // of an edge of the mesh
 
-/// The smallest range of colours: of the body's size, of Young's modulus.
+/// Smallest range of colours, as a share of the body's size or of Young's modulus.
 constexpr double kMinShare = 0.005;
 
 modeling::DisplaySettings displaySettings(const app::TouchModel& model) {
@@ -31,7 +31,7 @@ modeling::DisplaySettings displaySettings(const app::TouchModel& model) {
   return settings;
 }
 
-/// The smallest of 1, 2, 5 times a power of ten that is not below `value` > 0.
+/// Smallest 1, 2 or 5 times a power of ten that is not below `value` > 0.
 double roundUp(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double step : {1.0, 2.0, 5.0})
@@ -54,7 +54,7 @@ Simulation::Simulation(Editor& editor, QObject* parent)
   connect(&timer_, &QTimer::timeout, this, &Simulation::frame);
   connect(&editor, &Editor::rebuildChanged, this, &Simulation::followModel);
   connect(&editor, &Editor::projectReplaced, this, [this] {
-    if (isActive()) letGoOfAll();
+    if (isActive()) endAll();
   });
 }
 
@@ -71,9 +71,10 @@ void Simulation::setActive(bool active) {
     Q_EMIT leaving();
     timer_.stop();
     isLive_ = true;
-    letGoOfAll();
+    endAll();
     loop_->setModel(nullptr);
-    maker_ = {};
+    maker_.cancel();
+    maker_.waitUntilIdle();
     stiffnessWorker_.stop();
     model_.reset();
     drawn_.reset();
@@ -101,13 +102,13 @@ std::optional<app::TouchId> Simulation::begin(const bem::ContactTool& tool,
   }
 }
 
-void Simulation::letGo(app::TouchId id) {
+void Simulation::end(app::TouchId id) {
   loop_->end(id);
-  over_.insert(id);
+  ended_.insert(id);
 }
 
-void Simulation::letGoOfAll() {
-  for (const auto& contact : snapshot_.touched()) letGo(contact.id);
+void Simulation::endAll() {
+  for (const auto& contact : snapshot_.touched()) end(contact.id);
 }
 
 void Simulation::setQuantity(app::SurfaceQuantity quantity) {
@@ -125,24 +126,24 @@ void Simulation::setFingertip(double radius) {
   computeStiffness();
 }
 
-/// Anew, and only as long as it is looked at: it takes time from the columns.
+/// Restarts the stiffness map. It is computed only while it is shown, since it delays the columns.
 void Simulation::computeStiffness() {
   stiffnessWorker_.stop();
   stiffnesses_.clear();
   stiffnessReady_ = 0;
   isDirty_ = true;
   if (quantity_ != app::SurfaceQuantity::kStiffness || !field_) return;
-  const app::TouchModel& model = field_->body()->model();
-  stiffnessWorker_.start(field_->body(),
+  const app::TouchModel& model = field_->model()->model();
+  stiffnessWorker_.start(field_->model(),
                          fingertip_.value_or(app::defaultTouchRadius(model.setup().mesh())));
 }
 
 void Simulation::receiveStiffness(const app::StiffnessWorker::Result& result) {
-  // What was on its way when another map was asked for.
-  if (!field_ || result.body != field_->body() || quantity_ != app::SurfaceQuantity::kStiffness ||
+  // A late result of a previous map.
+  if (!field_ || result.model != field_->model() || quantity_ != app::SurfaceQuantity::kStiffness ||
       result.radius != fingertip_.value_or(result.radius))
     return;
-  const app::BoundarySetup& setup = result.body->model().setup();
+  const app::BoundarySetup& setup = result.model->model().setup();
   stiffnesses_ = drawn_->stiffnesses(result.compliances);
   stiffnessColours_ =
       app::StiffnessColours::of(setup.mesh(), setup.meshSlots(), result.compliances);
@@ -165,7 +166,7 @@ bool Simulation::isBehind() const {
 }
 
 std::shared_ptr<const app::TouchableModel> Simulation::body() const {
-  return field_ ? field_->body() : nullptr;
+  return field_ ? field_->model() : nullptr;
 }
 
 std::optional<app::TouchState> Simulation::describe() {
@@ -194,13 +195,13 @@ void Simulation::frame() {
   if (!isLive_) return;
   loop_->read(incoming_);
   if (incoming_.model != drawnNumber_) {
-    // Until the new body is drawn the picture stays as it is, and so does the snapshot, whose
-    // places are on the triangles of drawn().
+    // Keep picture and snapshot until the new body is drawn: the places of the snapshot refer to
+    // the triangles of drawn().
     if (incoming_.model != 0 && incoming_.model != wantedNumber_) makeDrawn(incoming_.model);
     return;
   }
   snapshot_ = incoming_;
-  std::erase_if(over_, [this](app::TouchId id) { return !snapshot_.find(id); });
+  std::erase_if(ended_, [this](app::TouchId id) { return !snapshot_.find(id); });
   const bool isTouched = snapshot_.contactCount > 0;
   if (!drawn_ || (!isDirty_ && !isTouched && !wasTouched_)) return;
   if (!isDirty_ && snapshot_.step == lastStep_) return;
@@ -212,11 +213,10 @@ void Simulation::frame() {
 }
 
 void Simulation::makeDrawn(std::uint64_t number) {
-  const auto body = loop_->body(number);
-  if (!body) return;  // another one comes
+  const auto body = loop_->model(number);
+  if (!body) return;  // a newer one follows
   wantedNumber_ = number;
-  maker_ = std::jthread([this, number, body](const std::stop_token& stop) {
-    app::lowerThreadPriority();
+  maker_.replace([this, number, body](const std::stop_token& stop) {
     Job job;
     job.stop = stop;
     try {
@@ -228,7 +228,7 @@ void Simulation::makeDrawn(std::uint64_t number) {
           this, [this, number, drawn, field] { adopt(number, drawn, std::move(*field)); },
           Qt::QueuedConnection);
     } catch (const Cancelled&) {
-      // The mode was left, or a newer body came.
+      // The mode was left, or a newer body arrived.
     }
   });
 }
@@ -238,7 +238,7 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
   if (!isActive() || number != wantedNumber_) return;
   loop_->read(incoming_);
   if (!isLive_ || incoming_.model != number) {
-    wantedNumber_ = 0;  // made again, or already the next one
+    wantedNumber_ = 0;  // make it again, or the next one
     return;
   }
   if (field_) app::destroyInBackground(std::shared_ptr<app::TouchField>(std::move(field_)));
@@ -265,7 +265,7 @@ void Simulation::evaluate() {
   if (quantity_ == app::SurfaceQuantity::kDisplacement) values_ = shape_.sizes;
   if (quantity_ == app::SurfaceQuantity::kStiffness) {
     values_ = stiffnesses_;
-    // No colour where nothing is known yet.
+    // No colour where the stiffness is unknown.
     values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
   }
   updateRange();
@@ -288,15 +288,15 @@ void Simulation::updateRange() {
   double largest = 0;
   for (const double value : values_) largest = std::max(largest, std::abs(value));
   if (largest == 0) {
-    // Nothing is touched, and no load acts: the body as it is, not all of it in the colour of zero.
+    // Without contacts and loads show no colours, instead of one colour for zero.
     std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
   }
-  // Steady while one presses harder, and at rest: the person compares colours over time.
+  // Change the range rarely, so that colours can be compared over time.
   const double present = range_[1];
   const double least = leastRange();
   if (present == 0 || largest > present || (largest > 0 && largest < kHeadroom * present))
     range_[1] = roundUp(std::max(largest, least));
-  range_[0] = quantity_ == app::SurfaceQuantity::kNormalTraction ? -range_[1] : 0;
+  range_[0] = app::infoOf(quantity_).isSigned ? -range_[1] : 0;
 }
 
 }  // namespace palpa::gui

@@ -6,20 +6,20 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include "app/core/live/stiffness_worker.h"
 #include "app/core/live/touch_field.h"
 #include "app/core/live/touch_loop.h"
 #include "app/core/results/drawn_body.h"
 #include "app/core/results/stiffness_colours.h"
+#include "app/core/system/priority.h"
 #include "app/gui/document/editor.h"
+#include "base/worker_thread.h"
 
 namespace palpa::gui {
 
-/// Simulate mode without its pictures: the touch loop on the newest model, what it says, and the
-/// body as its forces deform it. Follows the editor: after an edit the old model is touched until
-/// the new one is ready.
+/// Simulate mode without its drawing: the touch loop on the newest model, its snapshots, and the
+/// deformed body. After an edit, touches act on the old model until the new one is ready.
 class Simulation : public QObject {
   Q_OBJECT
 
@@ -28,56 +28,55 @@ class Simulation : public QObject {
   ~Simulation() override;
 
   bool isActive() const { return timer_.isActive(); }
-  /// Leaving lets go of everything.
+  /// Leaving the mode ends all contacts.
   void setActive(bool active);
 
-  // The hand. Places are on the unloaded shape, values as for bem::ContactSimulation::begin().
-  /// Nothing when it is refused; Editor::refused says why.
+  // Contacts. Places are on the unloaded shape, values as for bem::ContactSimulation::begin().
+  /// Nothing if refused; Editor::refused states the reason.
   std::optional<app::TouchId> begin(const bem::ContactTool& tool, const Eigen::Vector3d& at,
                                     const Eigen::Vector3d& value);
   void move(app::TouchId id, const Eigen::Vector3d& value) { loop_->set(id, value); }
-  void letGo(app::TouchId id);
-  /// Was it let go, though the snapshot still has it?
-  bool isOver(app::TouchId id) const { return over_.contains(id); }
-  void letGoOfAll();
-  /// Where the pointer is, mm on the unloaded shape: columns are computed around it.
+  void end(app::TouchId id);
+  /// True if the contact has ended, even if the snapshot still contains it.
+  bool hasEnded(app::TouchId id) const { return ended_.contains(id); }
+  void endAll();
+  /// Pointer position on the unloaded shape, mm: columns near it are computed first.
   void expect(const Eigen::Vector3d& at) { loop_->expect(at); }
 
-  // What is drawn.
+  // Display.
   void setQuantity(app::SurfaceQuantity quantity);
   app::SurfaceQuantity quantity() const { return quantity_; }
-  /// mm, of the fingertip whose stiffness colours the surface; a fingertip's for the body when none
-  /// was set.
+  /// Radius of the fingertip of the stiffness colours, mm; default: a fingertip for the body.
   void setFingertip(double radius);
-  /// How much of the surface has its stiffness, 0 … 1.
+  /// Share of the surface with known stiffness, 0 … 1.
   double stiffnessReady() const { return stiffnessReady_; }
-  /// Its colours.
+  /// Colours of the stiffness.
   const app::StiffnessColours& stiffnessColours() const { return stiffnessColours_; }
-  /// Factor of the displacements in the picture, 0 … 1000; forces do not know of it.
+  /// Factor of the drawn displacements, 0 … 1000; forces do not depend on it.
   void setScale(double scale);
   double scale() const { return scale_; }
 
-  /// The state of the last frame; its places are on the triangles of drawn().
+  /// State of the last frame; its places refer to the triangles of drawn().
   const app::TouchSnapshot& snapshot() const { return snapshot_; }
-  /// Null until the first model is there.
+  /// Null until the first model is ready.
   const app::DrawnBody* drawn() const { return drawn_.get(); }
   const app::DrawnBody::Shape& shape() const { return shape_; }
-  /// One number per point of drawn(), with the ends of the colours: round and steady.
+  /// One number per point of drawn(); the range of the colours has round ends and changes rarely.
   const std::vector<double>& values() const { return values_; }
   const std::array<double, 2>& range() const { return range_; }
-  /// Reactions, energy and balance of the last frame; some milliseconds.
+  /// Reactions, energy and balance of the last frame; costs some milliseconds.
   std::optional<app::TouchState> describe();
-  /// Is an older model touched than the project has?
+  /// True if touches act on an older model than the project's.
   bool isBehind() const;
   app::TouchWorker::Status columns() const { return loop_->status(); }
   app::TouchLoop& loop() { return *loop_; }
-  /// The body whose pictures are drawn; null before the first.
+  /// The drawn body; null before the first.
   std::shared_ptr<const app::TouchableModel> body() const;
 
-  /// Keeps body() and the picture as they are, whatever the loop says, until showLive().
+  /// Ignores the loop: keeps body() and the picture until showLive().
   void freeze() { isLive_ = false; }
   void showLive();
-  /// Draws a snapshot of body(), as of a replay; the picture must be frozen.
+  /// Draws a snapshot of body(), for example of a replay. Requires freeze().
   void show(const app::TouchSnapshot& snapshot);
 
   /// Displacement of a surface point of drawn() in the last frame, mm.
@@ -85,9 +84,9 @@ class Simulation : public QObject {
 
  Q_SIGNALS:
   void activeChanged(bool active);
-  /// The mode is being left; everything is still there.
+  /// Emitted before the mode is left, while the contacts still exist.
   void leaving();
-  /// drawn() is another one; framed() follows.
+  /// drawn() was replaced; framed() follows.
   void bodyChanged();
   /// shape(), values() and snapshot() are new.
   void framed();
@@ -108,10 +107,10 @@ class Simulation : public QObject {
 
   Editor& editor_;
   std::unique_ptr<app::TouchLoop> loop_;
-  std::shared_ptr<const app::TouchModel> model_;  // that the loop was given last
+  std::shared_ptr<const app::TouchModel> model_;  // last model given to the loop
   QTimer timer_;
-  app::TouchSnapshot incoming_, snapshot_;  // as the loop says it now; of drawn()
-  std::set<app::TouchId> over_;
+  app::TouchSnapshot incoming_, snapshot_;  // latest of the loop; of drawn()
+  std::set<app::TouchId> ended_;
   std::uint64_t lastStep_ = 0;
   bool wasTouched_ = false, isDirty_ = false;
   bool isLive_ = true;
@@ -125,10 +124,10 @@ class Simulation : public QObject {
   app::SurfaceQuantity quantity_ = app::SurfaceQuantity::kDisplacement;
   double scale_ = 1;
   std::optional<double> fingertip_;
-  std::vector<double> stiffnesses_;  // one per point, in the range of the colours
+  std::vector<double> stiffnesses_;  // one per point, capped to the range of the colours
   app::StiffnessColours stiffnessColours_;
   double stiffnessReady_ = 0;
-  std::jthread maker_;  // of drawn bodies
+  WorkerThread maker_{app::lowerThreadPriority};  // of drawn bodies
   app::StiffnessWorker stiffnessWorker_;
 };
 

@@ -6,52 +6,24 @@
 #include <limits>
 #include <numbers>
 
+#include "app/core/model/contact_kind.h"
+
 namespace palpa::gui {
 namespace {
 
 using Status = app::TouchSnapshot::Status;
-using Kind = bem::ContactTool::Kind;
 using app::SurfaceQuantity;
 
 constexpr int kRingPieces = 40;
 constexpr int kDigits = 3;
-constexpr double kClearlyAcross = 0.15;  // sine of a force's angle with the surface
-
-/// Below zero on held triangles, above on free ones, with the border along their common edges.
-std::vector<double> supportField(const app::DrawnBody& body) {
-  constexpr double kOnBorder = -1e-3;  // a held triangle with three corners there is still inside
-  std::vector<double> field(body.mesh().positions.size(), 1.0);
-  std::vector<bool> isFree(field.size(), false);
-  for (std::size_t t = 0; t < body.mesh().triangles.size(); ++t)
-    for (const int corner : body.mesh().triangles[t]) {
-      const auto i = static_cast<std::size_t>(corner);
-      if (body.isHeld()[t])
-        field[i] = -1.0;
-      else
-        isFree[i] = true;
-    }
-  bool any = false;
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    any = any || field[i] < 0;
-    if (field[i] < 0 && isFree[i]) field[i] = kOnBorder;
-  }
-  if (!any) field.clear();
-  return field;
-}
-
-std::vector<std::vector<int>> polylines(const std::vector<std::array<int, 2>>& pairs) {
-  std::vector<std::vector<int>> lines;
-  lines.reserve(pairs.size());
-  for (const auto& [a, b] : pairs) lines.push_back({a, b});
-  return lines;
-}
+constexpr double kMinSine = 0.15;  // of the angle between force and surface that decides its side
 
 view::ContactRing::State stateOf(Status status, bool isConverged) {
   using State = view::ContactRing::State;
   if (!isConverged) return State::kFailed;
   switch (status) {
-    case Status::kHolding:
-      return State::kHolding;
+    case Status::kGrabbed:
+      return State::kGrabbed;
     case Status::kSticking:
       return State::kSticking;
     case Status::kSlipping:
@@ -80,7 +52,7 @@ SimulationView::SimulationView(Simulation& simulation, const Settings& settings,
 
 void SimulationView::enterOrLeave(bool active) {
   if (active) {
-    // The body as it is modelled stays until the first model is there.
+    // The undeformed body stays visible until the first model is ready.
     scene_.setShown(false);
     return;
   }
@@ -89,53 +61,31 @@ void SimulationView::enterOrLeave(bool active) {
   viewport.setGhost(std::nullopt);
   viewport.setLiveArrows({});
   viewport.setContactRings({});
-  viewport.setProbeBalls({});
+  viewport.setBalls({});
   hasBody_ = false;
   fullForce_ = 0;
   scene_.setShown(true);
   widget_.update();
 }
 
-Unit SimulationView::fieldUnit() const {
-  const Unit& length = settings_.units().of(Quantity::kLength);
-  const Unit& force = settings_.units().of(Quantity::kForce);
-  switch (simulation_.quantity()) {
-    case SurfaceQuantity::kDisplacement:
-      return length;
-    case SurfaceQuantity::kStiffness:
-      return {force.symbol + "/" + length.symbol, force.factor / length.factor};
-    default:
-      return settings_.units().of(Quantity::kStress);
+view::ScalarField SimulationView::fieldLooks() const {
+  const app::SurfaceQuantityInfo& info = app::infoOf(simulation_.quantity());
+  view::ScalarField field;
+  QString name = tr(info.label);
+  if (info.quantity == SurfaceQuantity::kStiffness) {
+    const double ready = simulation_.stiffnessReady();
+    if (ready < 1) name = tr("%1, %2 %").arg(name).arg(std::floor(100 * ready));
+    field.isCapped = simulation_.stiffnessColours().isCapped;
   }
+  field.name = name.toStdString();
+  field.unit = fieldUnit().symbol.toStdString();
+  if (info.isSigned) field.colours = view::ScalarField::Colours::kDiverging;
+  field.isLogarithmic = info.isLogarithmic;
+  return field;
 }
 
-view::ScalarField SimulationView::fieldLooks() const {
-  view::ScalarField field;
-  field.unit = fieldUnit().symbol.toStdString();
-  switch (simulation_.quantity()) {
-    case SurfaceQuantity::kDisplacement:
-      field.name = tr("Displacement |u|").toStdString();
-      break;
-    case SurfaceQuantity::kNormalTraction:
-      field.name = tr("Normal traction").toStdString();
-      field.colours = view::ScalarField::Colours::kDiverging;
-      break;
-    case SurfaceQuantity::kVonMises:
-      field.name = tr("von Mises stress").toStdString();
-      break;
-    case SurfaceQuantity::kStiffness: {
-      const double ready = simulation_.stiffnessReady();
-      field.name =
-          (ready < 1 ? tr("Stiffness, %1 %").arg(std::floor(100 * ready)) : tr("Stiffness"))
-              .toStdString();
-      field.isLogarithmic = true;
-      field.isCapped = simulation_.stiffnessColours().isCapped;
-      break;
-    }
-    case SurfaceQuantity::kNone:
-      break;
-  }
-  return field;
+Unit SimulationView::fieldUnit() const {
+  return shownUnit(app::infoOf(simulation_.quantity()).unit, settings_.units());
 }
 
 void SimulationView::showBody() {
@@ -143,8 +93,10 @@ void SimulationView::showBody() {
   const modeling::DisplayMesh& mesh = body.mesh();
   view::Viewport& viewport = widget_.viewport();
   viewport.setBody({simulation_.shape().positions, simulation_.shape().normals, mesh.triangles,
-                    mesh.patchOfTriangle, polylines(body.borders()), polylines(mesh.edgeLines)});
-  viewport.setRegions(supportField(body), {});
+                    mesh.patchOfTriangle, view::linesBetween(body.borders()),
+                    view::linesBetween(mesh.edgeLines)});
+  viewport.setRegions(
+      view::regionOfTriangles(mesh.triangles, body.isSupported(), mesh.positions.size()), {});
   hasBody_ = true;
   showField();
   showGhost();
@@ -157,7 +109,7 @@ void SimulationView::showField() {
     viewport.setField(std::nullopt);
   } else {
     view::ScalarField field = fieldLooks();
-    // The next frame brings the numbers.
+    // The next frame sets the values.
     field.values.assign(simulation_.drawn()->mesh().positions.size(),
                         std::numeric_limits<double>::quiet_NaN());
     field.range = std::array<double, 2>{1, 2};
@@ -177,9 +129,9 @@ void SimulationView::showGhost() {
     return;
   }
   const app::DrawnBody& body = *simulation_.drawn();
-  // Lines alone: shading the whole surface once more would halve the frame rate.
+  // Lines only: shading the surface again would halve the frame rate.
   widget_.viewport().setGhost(view::ViewportBody{
-      body.mesh().positions, body.mesh().normals, {}, {}, polylines(body.borders()), {}});
+      body.mesh().positions, body.mesh().normals, {}, {}, view::linesBetween(body.borders()), {}});
 }
 
 void SimulationView::showFrame() {
@@ -216,7 +168,7 @@ void SimulationView::showContacts() {
   const app::TouchSnapshot& snapshot = simulation_.snapshot();
   view::LiveArrows arrows;
   std::vector<view::ContactRing> rings;
-  std::vector<view::ProbeBall> balls;
+  std::vector<view::Ball> balls;
   double largest = 0;
   std::erase_if(isPressing_, [&](const auto& known) { return !snapshot.find(known.first); });
   for (const auto& contact : snapshot.touched()) {
@@ -227,10 +179,10 @@ void SimulationView::showContacts() {
     if (force > 0) {
       const Eigen::Vector3d normal =
           simulation_.drawn()->model().setup().mesh().normal(contact.point.triangle);
-      // A force along the surface is now above it and now below: the arrow stays as it was.
+      // A force along the surface changes its side often: keep the arrow as it was.
       const double outwards = contact.force.dot(normal) / force;
       bool& isPressing = isPressing_.try_emplace(contact.id, outwards < 0).first->second;
-      if (std::abs(outwards) > kClearlyAcross) isPressing = outwards < 0;
+      if (std::abs(outwards) > kMinSine) isPressing = outwards < 0;
       arrows.arrows.push_back(
           {drawn, contact.force,
            isPressing ? view::ForceArrow::Anchor::kTip : view::ForceArrow::Anchor::kTail,
@@ -238,7 +190,7 @@ void SimulationView::showContacts() {
            shown(force, Quantity::kForce, settings_.units(), kDigits).toStdString()});
     }
     double radius = contact.tool.radius;
-    if (contact.tool.kind == Kind::kProbe) {
+    if (app::infoOf(contact.tool.kind).isBall) {
       balls.push_back({contact.value + (simulation_.scale() - 1) * moved, contact.tool.radius});
       radius = 0;
       for (const auto& patch : snapshot.pressed(contact))
@@ -248,13 +200,13 @@ void SimulationView::showContacts() {
     if (radius > 0)
       rings.push_back({ring(contact, radius), stateOf(contact.status, snapshot.isConverged)});
   }
-  // Steady while one presses harder, as the colours.
+  // Change the scale rarely, as for the colours.
   if (largest > fullForce_ || largest < 0.1 * fullForce_) fullForce_ = 2 * largest;
   arrows.fullForce = fullForce_ > 0 ? fullForce_ : 1;
   view::Viewport& viewport = widget_.viewport();
   viewport.setLiveArrows(arrows);
   viewport.setContactRings(rings);
-  viewport.setProbeBalls(balls);
+  viewport.setBalls(balls);
 }
 
 }  // namespace palpa::gui

@@ -3,16 +3,16 @@
 #include <QObject>
 #include <map>
 
-#include "app/gui/view/scene_controller.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/simulate/simulation.h"
+#include "app/gui/view/scene_controller.h"
 #include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 
-/// The pictures of Simulate mode: the deformed surface in colours, arrows with newtons, rings
-/// around contacts, balls, and the undeformed shape as a ghost. Gives the view back to the scene
-/// controller when the mode is left.
+/// Drawing of Simulate mode: the deformed surface in colours, arrows with newtons, rings around
+/// contacts, balls, and the undeformed shape as lines. After the mode the scene controller draws
+/// again.
 class SimulationView : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class SimulationView : public QObject {
   void showGhost();
   void showFrame();
   void showContacts();
-  /// Name, unit and colours of what the surface shows.
+  /// Name, unit and colours of the shown quantity.
   view::ScalarField fieldLooks() const;
   Unit fieldUnit() const;
   std::vector<Eigen::Vector3d> ring(const app::TouchSnapshot::Contact& contact,
@@ -42,8 +42,8 @@ class SimulationView : public QObject {
   ViewportWidget& widget_;
   bool isGhostShown_ = true;
   bool hasBody_ = false;
-  double fullForce_ = 0;                     // N, of the longest arrow
-  std::map<app::TouchId, bool> isPressing_;  // is the arrow drawn onto the surface?
+  double fullForce_ = 0;                     // force of the longest arrow, N
+  std::map<app::TouchId, bool> isPressing_;  // the tip of the arrow is on the surface
 };
 
 }  // namespace palpa::gui

@@ -11,7 +11,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kPiecesPerTurn = 72;
 
-/// Where the segment a b meets the sphere: up to two fractions in 0 … 1, ascending.
+/// Intersections of the segment a b with the sphere: up to two fractions in 0 … 1, ascending.
 std::vector<double> crossings(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                               const Eigen::Vector3d& centre, double radius) {
   const Eigen::Vector3d along = b - a;

@@ -1,6 +1,5 @@
 #include "app/gui/tools/condition_choice.h"
 
-#include <QLabel>
 #include <QSignalBlocker>
 
 namespace palpa::gui {
@@ -31,15 +30,6 @@ void ConditionChoice::refresh(std::optional<std::size_t> alternative) {
     for (int i = 1; i < count(); ++i)
       if (itemText(i).toStdString() == named->name) chosen = i;
   setCurrentIndex(chosen);
-}
-
-void addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& name,
-            const QString& tip) {
-  field->setObjectName(name);
-  QString plain = label;
-  field->setAccessibleName(plain.remove('&'));
-  field->setToolTip(tip);
-  form->addRow(label, field);  // makes the label the field's buddy
 }
 
 }  // namespace palpa::gui

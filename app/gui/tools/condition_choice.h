@@ -1,22 +1,21 @@
 #pragma once
 
 #include <QComboBox>
-#include <QFormLayout>
 
 #include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 
-/// A list of the things a tool can work on: a new one, or one that is there. It shows and sets the
-/// selection.
+/// List of the supports or loads that a tool can edit: a new one, or an existing one. Shows and
+/// sets the selection.
 class ConditionChoice : public QComboBox {
   Q_OBJECT
 
  public:
-  /// `fresh`: what stands for a new one.
+  /// `fresh`: text for a new one.
   ConditionChoice(Editor& editor, Selection::Kind kind, const QString& fresh, QWidget* parent);
 
-  /// Lists what is there now: of loads those of one alternative of Load::what, by its index.
+  /// Lists the present supports or loads; only loads with this index of Load::what, if given.
   void refresh(std::optional<std::size_t> alternative = {});
 
  private:
@@ -24,9 +23,5 @@ class ConditionChoice : public QComboBox {
   Selection::Kind kind_;
   QString fresh_;
 };
-
-/// A row with a label that is the buddy of its field.
-void addRow(QFormLayout* form, const QString& label, QWidget* field, const QString& name,
-            const QString& tip = {});
 
 }  // namespace palpa::gui

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/gui/tools/condition_choice.h"
+#include "app/gui/widgets/form_row.h"
 #include "modeling/solid/isoparametric_line.h"
 
 namespace palpa::gui {
 namespace {
 
-/// The middle of the span around a parameter.
+/// Middle of the span around a parameter.
 double spanMiddle(const std::vector<double>& knots, double parameter) {
   const auto above = std::upper_bound(knots.begin(), knots.end(), parameter);
   const auto high =
@@ -17,7 +17,7 @@ double spanMiddle(const std::vector<double>& knots, double parameter) {
   return 0.5 * (*(high - 1) + *high);
 }
 
-/// A parameter with no more digits than a pointer can choose: a thousandth of the range.
+/// Rounds a parameter to about a thousandth of the range, the precision of the pointer.
 double rounded(double parameter, const std::array<double, 2>& range) {
   const double step = std::pow(10.0, std::floor(std::log10((range[1] - range[0]) / 999.0)));
   return std::round(parameter / step) * step;
@@ -105,6 +105,10 @@ void KnotTool::setDirection(int direction) {
   Q_EMIT changed();
 }
 
+std::vector<KeyHelp::Row> KnotTool::keyRows() const {
+  return {{tr("Knot: other direction; middle of the span"), tr("Tab, or Shift; Ctrl")}};
+}
+
 QString KnotTool::hint() const {
   return tr("Click to insert a line of constant %1; Tab changes to %2, Ctrl takes the middle "
             "between two knots")
@@ -118,7 +122,7 @@ QWidget* KnotTool::makeOptions(QWidget* parent) {
   auto* direction = new QComboBox(options);
   direction->addItems({tr("Constant u"), tr("Constant v")});
   direction->setCurrentIndex(direction_);
-  addRow(form, tr("&Line"), direction, "knotDirection", tr("Which line is inserted (Tab)"));
+  addFormRow(form, tr("&Line"), direction, "knotDirection", tr("Which line is inserted (Tab)"));
   connect(direction, &QComboBox::activated, this, &KnotTool::setDirection);
   connect(this, &Tool::changed, direction,
           [this, direction] { direction->setCurrentIndex(direction_); });

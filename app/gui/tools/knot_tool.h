@@ -5,9 +5,9 @@
 
 namespace palpa::gui {
 
-/// Inserts knots: shows the lines that would appear, on all patches that share the knot, and
-/// inserts them on a click. Tab (or Shift, while held) changes between lines of constant u and v,
-/// Ctrl takes the middle of the span.
+/// Inserts knots: shows the new lines on all patches that share the knot, and inserts them on a
+/// click. Tab (or pressed Shift) switches between lines of constant u and v, Ctrl takes the middle
+/// of the span.
 class KnotTool : public SurfaceTool {
   Q_OBJECT
 
@@ -28,6 +28,7 @@ class KnotTool : public SurfaceTool {
   void setDirection(int direction);
 
  private:
+  std::vector<KeyHelp::Row> keyRows() const override;
   struct Knot {
     modeling::PatchDirection at;
     double parameter = 0;

@@ -1,15 +1,11 @@
 #include "app/gui/tools/load_options.h"
 
+#include "app/gui/widgets/form_row.h"
+
 namespace palpa::gui {
 namespace {
 
 using LoadKind = LoadTool::LoadKind;
-
-/// Shows or hides a field together with its label.
-void setRowVisible(QFormLayout* form, QWidget* field, bool isVisible) {
-  field->setVisible(isVisible);
-  if (QWidget* label = form->labelForField(field)) label->setVisible(isVisible);
-}
 
 }  // namespace
 
@@ -28,14 +24,15 @@ LoadOptions::LoadOptions(LoadTool& tool, Editor& editor, const Settings& setting
   form_->setContentsMargins(0, 0, 0, 0);
   kind_->addItems({tr("Pressure"), tr("Uniform traction"), tr("Bump")});
   share_->setWordWrap(true);
-  addRow(form_, tr("&Kind"), kind_, "loadKind",
-         tr("Pressure acts along the normal, a traction in one direction, a bump around a point"));
-  addRow(form_, tr("&Load"), load_, "placedLoad", tr("Which load gets the patches"));
-  addRow(form_, tr("&Strength"), strength_, "loadStrength",
-         tr("Positive presses into the body; the peak of a bump"));
-  addRow(form_, tr("&Traction"), traction_, "loadTraction", tr("Force per area"));
-  addRow(form_, tr("&Radius"), radius_, "bumpRadius",
-         tr("Distance from its middle at which the bump ends"));
+  addFormRow(
+      form_, tr("&Kind"), kind_, "loadKind",
+      tr("Pressure acts along the normal, a traction in one direction, a bump around a point"));
+  addFormRow(form_, tr("&Load"), load_, "placedLoad", tr("Which load gets the patches"));
+  addFormRow(form_, tr("&Strength"), strength_, "loadStrength",
+             tr("Positive presses into the body; the peak of a bump"));
+  addFormRow(form_, tr("&Traction"), traction_, "loadTraction", tr("Force per area"));
+  addFormRow(form_, tr("&Radius"), radius_, "bumpRadius",
+             tr("Distance from its middle at which the bump ends"));
   form_->addRow(share_);
   connect(kind_, &QComboBox::activated, this,
           [this](int index) { tool_.setKind(static_cast<LoadKind>(index)); });
@@ -53,16 +50,16 @@ LoadOptions::LoadOptions(LoadTool& tool, Editor& editor, const Settings& setting
 
 void LoadOptions::refresh() {
   const LoadKind kind = tool_.kind();
-  kind_->setCurrentIndex(static_cast<int>(what));
-  load_->refresh(static_cast<std::size_t>(what));
+  kind_->setCurrentIndex(static_cast<int>(kind));
+  load_->refresh(static_cast<std::size_t>(kind));
   strength_->setValue(tool_.strength());
   traction_->setValue(tool_.traction());
   radius_->setValue(tool_.radius());
-  setRowVisible(form_, strength_, what != LoadKind::kTraction);
-  setRowVisible(form_, traction_, what == LoadKind::kTraction);
-  setRowVisible(form_, radius_, what == LoadKind::kBump);
+  setFormRowVisible(form_, strength_, kind != LoadKind::kTraction);
+  setFormRowVisible(form_, traction_, kind == LoadKind::kTraction);
+  setFormRowVisible(form_, radius_, kind == LoadKind::kBump);
   const double modulus = editor_.project().material.youngsModulus;
-  const double most = what == LoadKind::kTraction ? tool_.traction().norm() : tool_.strength();
+  const double most = kind == LoadKind::kTraction ? tool_.traction().norm() : tool_.strength();
   share_->setText(tr("%1 % of Young's modulus (%2)")
                       .arg(100.0 * most / modulus, 0, 'g', 3)
                       .arg(shown(modulus, Quantity::kStress, settings_.units(), 3)));

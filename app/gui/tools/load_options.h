@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QFormLayout>
 #include <QLabel>
 
 #include "app/gui/tools/condition_choice.h"
@@ -10,7 +11,7 @@
 
 namespace palpa::gui {
 
-/// LoadKind can be set for placing loads.
+/// Options of LoadTool.
 class LoadOptions : public QWidget {
   Q_OBJECT
 

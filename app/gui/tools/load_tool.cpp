@@ -13,7 +13,6 @@ using Style = view::ToolDrawing::Style;
 
 constexpr double kStrengthShare = 0.02;  // of Young's modulus: strains of a few per cent
 constexpr double kRadiusShare = 0.1;     // of the body's size
-constexpr double kDragThreshold = 3;     // pixels before a press becomes a drag
 
 modeling::Region* regionOf(modeling::Load& load) {
   if (auto* pressure = std::get_if<modeling::Pressure>(&load.what)) return &pressure->where;
@@ -107,7 +106,7 @@ bool LoadTool::press(const PointerEvent& event) {
     clickPatch(place->patch);
     return true;
   }
-  editor_.select({});  // the numbers in the options are those of the new bump
+  editor_.select({});  // the options then show the numbers of the new bump
   centre_ = place;
   dragged_ = 0;
   pressed_ = event.pixel;
@@ -146,7 +145,7 @@ bool LoadTool::move(const PointerEvent& event) {
     return false;
   }
   if (dragged_ == 0 && (event.pixel - pressed_).norm() < kDragThreshold) return true;
-  // Where the pointer leaves the body the plane of the screen through the centre takes over.
+  // Outside the body use the plane parallel to the screen through the centre.
   const auto place = scene_.placeAt(event.pixel);
   const Eigen::Vector3d to =
       place ? place->position : widget_.viewport().inViewPlane(event.pixel, centre_->position);
@@ -210,7 +209,7 @@ void LoadTool::hover(const Eigen::Vector2d& pixel) {
   } else {
     scene_.setHoveredPatch(place ? std::optional(place->patch) : std::nullopt);
     if (place) {
-      // An arrow along what would press or pull here.
+      // Arrow along the traction at this place.
       const Eigen::Vector3d force =
           kind_ == LoadKind::kPressure ? Eigen::Vector3d(-strength() * place->normal) : traction();
       if (force.norm() > 0) {
@@ -232,14 +231,14 @@ QString LoadTool::hint() const {
   switch (kind_) {
     case LoadKind::kPressure:
       return tr(
-          "Click patches to press on them, a loaded patch to take it away; strength in the "
-          "options");
+          "Click patches to press on them, a loaded patch to remove its load; the options have the "
+          "strength");
     case LoadKind::kTraction:
       return tr(
-          "Click patches to pull at them, a loaded patch to take it away; vector in the "
-          "options");
+          "Click patches to pull at them, a loaded patch to remove its load; the options have the "
+          "vector");
     default:
-      return tr("Press where the bump's middle is and drag its radius; a click takes %1")
+      return tr("Press at the centre of the bump and drag its radius; a click sets %1")
           .arg(shownLength(radius()));
   }
 }

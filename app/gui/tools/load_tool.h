@@ -4,9 +4,8 @@
 
 namespace palpa::gui {
 
-/// Places loads: a pressure or a uniform traction on patches, or a bump, whose centre is pressed
-/// and whose radius is dragged. The selected load of the chosen kind gets the patches; without one,
-/// a new load.
+/// Places loads: a pressure or a uniform traction on clicked patches, or a bump: a press sets its
+/// centre, a drag its radius. Patches go to the selected load of the chosen kind, or to a new load.
 class LoadTool : public SurfaceTool {
   Q_OBJECT
 
@@ -27,12 +26,12 @@ class LoadTool : public SurfaceTool {
   LoadKind kind() const { return kind_; }
   void setKind(LoadKind kind);
 
-  /// Of the selected load of this kind, or of the next one. MPa; the peak of a bump.
+  /// Strength of the selected load of this kind, or of the next one, MPa; for a bump its peak.
   double strength() const;
   void setStrength(double strength);
   Eigen::Vector3d traction() const;
   void setTraction(const Eigen::Vector3d& traction);
-  /// Of the selected bump, or of one placed by a click, mm.
+  /// Radius of the selected bump, or of a bump placed by a click, mm.
   double radius() const;
   void setRadius(double radius);
 
@@ -46,11 +45,11 @@ class LoadTool : public SurfaceTool {
   void drawBump();
 
   LoadKind kind_ = LoadKind::kPressure;
-  std::optional<double> strength_;           // MPa; a share of Young's modulus until it is set
-  std::optional<Eigen::Vector3d> traction_;  // MPa, likewise
-  std::optional<double> radius_;             // mm; a share of the body's size until it is set
-  std::optional<SurfacePlace> centre_;       // of the bump being dragged
-  double dragged_ = 0;                       // its radius; 0 before the drag
+  std::optional<double> strength_;           // MPa; default: a share of Young's modulus
+  std::optional<Eigen::Vector3d> traction_;  // MPa; default as for strength_
+  std::optional<double> radius_;             // mm; default: a share of the body's size
+  std::optional<SurfacePlace> centre_;       // centre of the dragged bump
+  double dragged_ = 0;                       // radius of the dragged bump, mm; 0 before the drag
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();
 };
 

@@ -10,7 +10,7 @@ double degreesAround(const Eigen::Vector2d& centre, const Eigen::Vector2d& from,
                      const Eigen::Vector2d& to) {
   const Eigen::Vector2d a = from - centre;
   const Eigen::Vector2d b = to - centre;
-  // Pixels grow downwards: the sign of the cross product is turned over.
+  // y grows downwards: the cross product has the opposite sign.
   return -std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) * 180.0 / std::numbers::pi;
 }
 

@@ -60,6 +60,15 @@ modeling::Reach PointOptions::reach(const modeling::Solid& solid) const {
   return reach;
 }
 
+std::array<PointOptions::PickInfo, 3> PointOptions::pickInfos() {
+  return {{{Pick::kPoints, "point", tr("Points"), tr("Pick &points"), Qt::ALT | Qt::Key_1,
+            tr("Clicks and boxes select control points")},
+           {Pick::kPatches, "patch", tr("Patches"), tr("Pick pa&tches"), Qt::ALT | Qt::Key_2,
+            tr("Clicks and boxes select patches")},
+           {Pick::kEdges, "edge", tr("Edges"), tr("Pick &edges"), Qt::ALT | Qt::Key_3,
+            tr("Clicks and boxes select edges")}}};
+}
+
 QWidget* PointOptions::makeWidget(const Settings& settings, QWidget* parent) {
   auto* widget = new QWidget(parent);
   auto* form = new QFormLayout(widget);
@@ -68,20 +77,17 @@ QWidget* PointOptions::makeWidget(const Settings& settings, QWidget* parent) {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(2);
   auto* group = new QButtonGroup(widget);
-  const auto addButton = [&](Pick pick, const char* name, const QString& text, const QString& tip) {
+  for (const PickInfo& info : pickInfos()) {
     auto* button = new QToolButton(widget);
-    button->setObjectName(name);
-    button->setIcon(icon(name));
-    button->setText(text);
-    button->setToolTip(tip);
+    button->setObjectName(info.icon);
+    button->setIcon(icon(info.icon));
+    button->setText(info.name);
+    button->setToolTip(info.tip + " (" + info.key.toString(QKeySequence::NativeText) + ")");
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
-    group->addButton(button, static_cast<int>(pick));
+    group->addButton(button, static_cast<int>(info.pick));
     buttons->addWidget(button);
-  };
-  addButton(Pick::kPoints, "point", tr("Points"), tr("Clicks select control points (Alt+1)"));
-  addButton(Pick::kPatches, "patch", tr("Patches"), tr("Clicks select patches (Alt+2)"));
-  addButton(Pick::kEdges, "edge", tr("Edges"), tr("Clicks select edges (Alt+3)"));
+  }
   buttons->addStretch(1);
   auto* pickLabel = new QLabel(tr("Select"), widget);
   form->addRow(pickLabel, buttons);
@@ -91,8 +97,8 @@ QWidget* PointOptions::makeWidget(const Settings& settings, QWidget* parent) {
   auto* has = new QCheckBox(tr("&Falloff"), widget);
   has->setObjectName("falloff");
   has->setToolTip(
-      tr("Points within this distance follow, the less the farther they are; the wheel "
-         "changes it while points move"));
+      tr("Points within this distance follow, less with distance; the wheel changes the radius "
+         "while points move"));
   auto* radius = new QuantityEdit(Quantity::kLength, settings, widget);
   radius->setObjectName("falloffRadius");
   radius->setAccessibleName(tr("Falloff radius"));

@@ -1,19 +1,32 @@
 #pragma once
 
+#include <QKeySequence>
 #include <QObject>
 #include <QWidget>
+#include <array>
 
 #include "app/gui/document/editor.h"
 
 namespace palpa::gui {
 
-/// What the tools for control points share: what a click selects, and which points follow a motion.
+/// Options shared by the tools for control points: kind of selection and points that follow a
+/// motion.
 class PointOptions : public QObject {
   Q_OBJECT
 
  public:
   enum class Pick { kPoints, kPatches, kEdges };
-  /// A plane across x, y or z: through the origin, or through the middle of the body's box.
+  struct PickInfo {
+    Pick pick;
+    const char* icon;
+    QString name, menuText;
+    QKeySequence key;
+    QString tip;
+  };
+  /// All kinds of picking.
+  static std::array<PickInfo, 3> pickInfos();
+
+  /// Plane normal to x, y or z, through the origin or through the centre of the body's box.
   enum class Mirror { kOff, kX, kY, kZ, kMiddleX, kMiddleY, kMiddleZ };
 
   explicit PointOptions(QObject* parent) : QObject(parent) {}
@@ -31,7 +44,7 @@ class PointOptions : public QObject {
 
   modeling::Reach reach(const modeling::Solid& solid) const;
 
-  /// Fields for all of this, kept in step with it; owned by `parent`.
+  /// Fields for all options, owned by `parent`; they follow changes.
   QWidget* makeWidget(const Settings& settings, QWidget* parent);
 
  Q_SIGNALS:

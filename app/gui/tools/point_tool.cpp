@@ -27,7 +27,7 @@ std::optional<GizmoAxis> axisOfKey(int key) {
   }
 }
 
-/// Shift or the key pad do not make it another key; Ctrl and Alt do.
+/// True without Ctrl, Alt and Meta; Shift and the key pad do not matter.
 bool isPlain(const QKeyEvent& event) {
   return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
 }
@@ -42,7 +42,7 @@ PointTool::PointTool(const Workspace& workspace, PointOptions& options)
     : workspace_(workspace),
       options_(options),
       picker_(workspace.editor, workspace.scene, workspace.view, options) {
-  // What others do to the project or the selection ends a motion as it is.
+  // A change of project or selection by others ends the motion.
   const auto outside = [this] {
     if (!isActive_ || isApplying_) return;
     abandon();
@@ -93,9 +93,9 @@ bool PointTool::press(const PointerEvent& event) {
     return true;
   }
   pressed_.reset();
-  held_.reset();
+  pressedPoint_.reset();
   pressedAxis_ = workspace_.view.viewport().gizmoAt(event.pixel);
-  // A control point under the middle of the gizmo moves as freely, and can be taken out with Shift.
+  // A control point under the centre of the gizmo also moves freely, and Shift can deselect it.
   if (pressedAxis_ == GizmoAxis::kAll && picker_.pointPlaceAt(event.pixel))
     pressedAxis_ = GizmoAxis::kNone;
   if (pressedAxis_ != GizmoAxis::kNone) {
@@ -103,10 +103,10 @@ bool PointTool::press(const PointerEvent& event) {
     return true;
   }
   const bool toggle = (event.modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) != 0;
-  held_ = picker_.pointPlaceAt(event.pixel);
+  pressedPoint_ = picker_.pointPlaceAt(event.pixel);
   if (!toggle && picker_.isSelectedAt(event.pixel)) {
     pressed_ = event.pixel;
-  } else if (held_) {
+  } else if (pressedPoint_) {
     workspace_.editor.select(*picker_.clicked(event.pixel, toggle));
     if (picker_.isSelectedAt(event.pixel) && !toggle) pressed_ = event.pixel;
   } else {
@@ -151,7 +151,7 @@ bool PointTool::release(const PointerEvent& event) {
   } else if (picker_.isInBox()) {
     picker_.endBox(event);
   } else if (pressed_ && pressedAxis_ == GizmoAxis::kNone) {
-    // One of several that were selected was clicked, not dragged: it alone stays.
+    // A click without a drag on one of several selected items selects only this item.
     if (const auto selection = picker_.clicked(*pressed_, false))
       workspace_.editor.select(*selection);
   }
@@ -185,7 +185,8 @@ void PointTool::begin(GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKey
   const modeling::Solid& solid = *workspace_.editor.solid();
   Motion motion;
   motion.centre = meanOf(points, solid);
-  motion.place = held_ && axis == GizmoAxis::kAll && !isByKeys ? *held_ : motion.centre;
+  motion.place =
+      pressedPoint_ && axis == GizmoAxis::kAll && !isByKeys ? *pressedPoint_ : motion.centre;
   motion.normal = meanNormal(points, solid);
   motion.from = motion.pixel = pixel;
   motion.points = modeling::PointSelection::of({points.begin(), points.end()});
@@ -195,7 +196,7 @@ void PointTool::begin(GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKey
   motion.isByKeys = isByKeys;
   motion_ = std::move(motion);
   picker_.unhover();
-  // Its arrows would lie over the number that is typed; a line shows the axis.
+  // The arrows would cover the typed number; a line shows the axis instead.
   workspace_.scene.setGizmoKind(std::nullopt);
   if (axis != GizmoAxis::kAll) constrain(axis);
   draw();
@@ -233,13 +234,13 @@ void PointTool::type(const QString& text) {
     draw();
 }
 
-void PointTool::apply(const Amount& amount, bool anew) {
+void PointTool::apply(const Amount& amount, bool fromStart) {
   Editor& editor = workspace_.editor;
   isApplying_ = true;
-  // A motion back to its start leaves no step; what moved tells whether there is one.
+  // A motion back to its start has no undo step; compare the points to find out.
   const bool isStep = editor.solid()->controlPoints() != motion_->before;
   const auto step = between(motion_->amount, amount);
-  if (isStep && !anew && step) {
+  if (isStep && !fromStart && step) {
     if (editor.perform(command(*motion_, *step), modeling::Merge::kWithLast))
       motion_->amount = amount;
   } else {
@@ -290,7 +291,7 @@ bool PointTool::cancel() {
 }
 
 bool PointTool::wantsKey(const QKeyEvent& event) const {
-  if (motion_) return true;  // no shortcut may change the project meanwhile
+  if (motion_) return true;  // shortcuts must not change the project during a motion
   if (!isPlain(event) || workspace_.editor.selection().named) return false;
   const int key = event.key();
   const bool begins = key == Qt::Key_G || key == Qt::Key_X || key == Qt::Key_Y || key == Qt::Key_Z;
@@ -337,7 +338,7 @@ bool PointTool::nudge(const QKeyEvent& event) {
   if (event.key() == Qt::Key_Left || event.key() == Qt::Key_Down) by = -by;
   by *= lengthStep() * ((event.modifiers() & Qt::ShiftModifier) != 0 ? 10 : 1);
   const std::set<int> points = movedPoints();
-  // A key held down is one step.
+  // Repeats of a pressed key are one undo step.
   workspace_.editor.perform(
       modeling::MovePoints{modeling::PointSelection::of({points.begin(), points.end()}),
                            modeling::MoveBy{by}, options_.reach(*workspace_.editor.solid())},
@@ -347,6 +348,17 @@ bool PointTool::nudge(const QKeyEvent& event) {
 
 QCursor PointTool::cursor() const {
   return motion_ ? Qt::ClosedHandCursor : Qt::ArrowCursor;
+}
+
+KeyHelp PointTool::keyHelp() const {
+  return {tr("Moving, rotating and scaling points"),
+          {{tr("Begin without a drag"), tr("G, or X, Y, Z")},
+           {tr("Restrict to an axis or the normal; again: free"), tr("X, Y, Z, N")},
+           {tr("Exact length, angle or factor"), tr("Digits, Backspace")},
+           {tr("Round"), tr("Ctrl")},
+           {tr("Radius of the falloff"), tr("Wheel")},
+           {tr("Nudge; ten times as far"), tr("Arrow keys; with Shift")},
+           {tr("Confirm; undo"), tr("Enter or click; Escape or right button")}}};
 }
 
 QWidget* PointTool::makeOptions(QWidget* parent) {

@@ -10,11 +10,11 @@
 
 namespace palpa::gui {
 
-/// What the tools that change control points have in common: selecting; and one motion at a time,
-/// begun by a drag of what is selected or of a handle, or by the keys G, X, Y, Z. While it lasts
-/// X, Y, Z and N hold it to an axis or the normal (the same key again frees it), digits give its
-/// size, the wheel changes the falloff; Enter, a click or letting go ends it, Escape or the right
-/// button takes it back. It is one step of undo.
+/// Base of the tools that change control points: selection, and one motion at a time. A drag of the
+/// selection or of a handle begins a motion, or a key G, X, Y, Z. During a motion X, Y, Z and N
+/// restrict it to an axis or the normal (the same key again removes the restriction), digits set
+/// its size, and the wheel changes the falloff. Enter, a click or a release confirms, Escape or the
+/// right button cancels. A motion is one undo step.
 class PointTool : public Tool {
  public:
   PointTool(const Workspace& workspace, PointOptions& options);
@@ -31,41 +31,42 @@ class PointTool : public Tool {
   bool wantsKey(const QKeyEvent& event) const override;
   bool cancel() override;
   QCursor cursor() const override;
+  KeyHelp keyHelp() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
  protected:
-  /// How much was done, as the tool reads it: a displacement (mm), degrees in x, or factors.
+  /// Size of a motion, depending on the tool: a displacement (mm), degrees in x, or factors.
   using Amount = Eigen::Vector3d;
 
   struct Motion {
     view::GizmoAxis axis = view::GizmoAxis::kAll;
-    Eigen::Vector3d centre;  ///< middle of the points at the start
-    Eigen::Vector3d place;   ///< what the pointer holds: a point or the centre
-    Eigen::Vector3d normal;  ///< mean outward one of the points at the start; zero: none
-    Eigen::Vector2d from;    ///< the pointer at the start and now
+    Eigen::Vector3d centre;  ///< mean of the points at the start
+    Eigen::Vector3d place;   ///< dragged place: a point or the centre
+    Eigen::Vector3d normal;  ///< mean outward normal at the start; zero: none
+    Eigen::Vector2d from;    ///< pointer at the start; now: pixel
     Eigen::Vector2d pixel;
-    double turned = 0;  ///< degrees that the pointer went around the centre
+    double turned = 0;  ///< angle of the pointer's path around the centre, degrees
     modeling::PointSelection points;
     modeling::Reach reach;
-    std::vector<Eigen::Vector3d> before;  ///< all control points
-    Amount amount = Amount::Zero();       ///< in force
-    bool isByKeys = false;                ///< without a button held
+    std::vector<Eigen::Vector3d> before;  ///< all control points at the start
+    Amount amount = Amount::Zero();       ///< applied
+    bool isByKeys = false;                ///< begun by a key, without a pressed button
     QString typed;
   };
 
   virtual view::GizmoKind kind() const = 0;
   virtual bool allows(view::GizmoAxis axis) const = 0;
   virtual Amount neutral() const = 0;
-  /// From the pointer; nothing where it says nothing. `snap`: to round steps.
+  /// Amount from the pointer; nothing if undefined. `snap`: rounds to steps.
   virtual std::optional<Amount> pointed(const Motion& motion, bool snap) const = 0;
   virtual std::optional<Amount> entered(const Motion& motion, const QString& text) const = 0;
-  /// What leads from one amount to another; nothing when that cannot be said.
+  /// Amount that leads from one amount to another; nothing if undefined.
   virtual std::optional<Amount> between(const Amount& from, const Amount& to) const = 0;
   virtual modeling::Command command(const Motion& motion, const Amount& amount) const = 0;
-  /// "x 5 mm", beside the points.
+  /// Label beside the points: "x 5 mm".
   virtual QString describe(const Motion& motion) const = 0;
 
-  /// Of an axis, or towards the eye for kAll; the normal for kNormal.
+  /// Direction of the axis; towards the eye for kAll, the normal for kNormal.
   Eigen::Vector3d directionOf(const Motion& motion) const;
   /// Unit vectors to the right and up on the screen.
   std::array<Eigen::Vector3d, 2> screenAxes() const;
@@ -84,7 +85,8 @@ class PointTool : public Tool {
   void follow(bool snap);
   void constrain(view::GizmoAxis axis);
   void type(const QString& text);
-  void apply(const Amount& amount, bool anew);
+  /// Performs the command for the amount: as a step added to the previous ones, or `fromStart`.
+  void apply(const Amount& amount, bool fromStart);
   void finish();
   void abandon();
   bool motionKey(const QKeyEvent& event);
@@ -95,8 +97,8 @@ class PointTool : public Tool {
 
   PointPicker picker_;
   std::optional<Motion> motion_;
-  std::optional<Eigen::Vector2d> pressed_;  // on what can be dragged, until it is
-  std::optional<Eigen::Vector3d> held_;     // the point pressed
+  std::optional<Eigen::Vector2d> pressed_;       // press on a draggable item, until the drag begins
+  std::optional<Eigen::Vector3d> pressedPoint_;  // mm
   view::GizmoAxis pressedAxis_ = view::GizmoAxis::kNone;
   Eigen::Vector2d pointer_ = Eigen::Vector2d::Zero();
   bool isActive_ = false;

@@ -7,7 +7,7 @@
 #include "app/gui/tools/point_tool.h"
 #include "modeling/solid/surface_properties.h"
 
-// What a PointTool shows in the view, and the measures of the view that it uses.
+// Drawing of PointTool, and its measures of the view.
 namespace palpa::gui {
 namespace {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/gui/tools/point_options.h"
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
-/// Adds the tools that select and change control points, with the menu entries that do the same
-/// with exact numbers.
-void addPointTools(const Workspace& workspace);
+/// Adds the tools that select and change control points.
+void addPointTools(const Workspace& workspace, PointOptions& options);
 
 }  // namespace palpa::gui

@@ -1,6 +1,6 @@
 #include "app/gui/tools/remove_knot_tool.h"
 
-#include "app/gui/tools/condition_choice.h"
+#include "app/gui/widgets/form_row.h"
 #include "app/gui/widgets/quantity_edit.h"
 #include "modeling/error.h"
 #include "modeling/solid/isoparametric_line.h"
@@ -17,7 +17,7 @@ constexpr double kAnyDeviation = 1e30;     // mm
 RemoveKnotTool::RemoveKnotTool(Settings& settings, Editor& editor, SceneController& scene,
                                ViewportWidget& widget)
     : SurfaceTool(settings, editor, scene, widget) {
-  const auto forget = [this] { hovered_.reset(); };  // the deviation belongs to the shape before
+  const auto forget = [this] { hovered_.reset(); };  // its deviation belongs to the previous shape
   connect(&editor, &Editor::projectChanged, this, forget);
   connect(&editor, &Editor::projectReplaced, this, forget);
 }
@@ -108,7 +108,7 @@ bool RemoveKnotTool::press(const PointerEvent& event) {
     Q_EMIT editor_.said(tr("A mesh body has no knots. Only solids made of patches have."));
     return true;
   }
-  hovered_.reset();  // the tolerance may have changed since
+  hovered_.reset();  // the tolerance may have changed
   hover(event.pixel);
   if (!hovered_) {
     Q_EMIT editor_.said(tr("There is no knot line here; patches of a single span have none."));
@@ -136,8 +136,8 @@ QWidget* RemoveKnotTool::makeOptions(QWidget* parent) {
   auto* tolerance = new QuantityEdit(Quantity::kLength, settings_, options);
   tolerance->setRange(0, 1e9);
   tolerance->setValue(this->tolerance());
-  addRow(form, tr("Surface may &move by"), tolerance, "knotTolerance",
-         tr("A knot whose removal moves the surface farther stays"));
+  addFormRow(form, tr("Surface may &move by"), tolerance, "knotTolerance",
+             tr("A knot whose removal moves the surface farther stays"));
   connect(tolerance, &QuantityEdit::edited, this, &RemoveKnotTool::setTolerance);
   connect(&editor_, &Editor::projectReplaced, tolerance,
           [this, tolerance] { tolerance->setValue(this->tolerance()); });

@@ -5,8 +5,8 @@
 
 namespace palpa::gui {
 
-/// Removes knots: highlights the knot line nearest to the pointer, says how far the surface would
-/// move without it, and removes it on a click when that is within the tolerance.
+/// Removes knots: highlights the knot line nearest to the pointer, shows how far the surface would
+/// move without it, and removes it on a click if this is within the tolerance.
 class RemoveKnotTool : public SurfaceTool {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class RemoveKnotTool : public SurfaceTool {
   QString hint() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
-  /// How far the surface may move, mm.
+  /// Largest allowed motion of the surface, mm.
   double tolerance() const;
   void setTolerance(double tolerance);
 
@@ -38,10 +38,10 @@ class RemoveKnotTool : public SurfaceTool {
   void hover(const Eigen::Vector2d& pixel);
   void findConsequence();
 
-  std::optional<double> tolerance_;  // mm; a share of the body's size until it is set
+  std::optional<double> tolerance_;  // mm; default: a share of the body's size
   std::optional<Knot> hovered_;
-  std::optional<double> deviation_;  // mm, of removing it; nothing when it cannot be removed
-  QString refusal_;                  // then this says why
+  std::optional<double> deviation_;  // of its removal, mm; nothing if impossible
+  QString refusal_;                  // reason if it cannot be removed
 };
 
 }  // namespace palpa::gui

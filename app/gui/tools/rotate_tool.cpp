@@ -10,7 +10,7 @@ constexpr double kStep = 15;  // degrees, with Ctrl
 }  // namespace
 
 std::optional<RotateTool::Amount> RotateTool::pointed(const Motion& motion, bool snap) const {
-  // The pointer turns what it sees: about an axis that points away it is the other way round.
+  // The pointer rotates the visible side: about an axis that points away the sign is opposite.
   const auto [right, up] = screenAxes();
   const double degrees =
       directionOf(motion).dot(right.cross(up)) < 0 ? -motion.turned : motion.turned;
@@ -39,9 +39,9 @@ QString RotateTool::describe(const Motion& motion) const {
 QString RotateTool::hint() const {
   if (isMoving())
     return tr(
-        "Turning: X, Y, Z or N chooses the axis; digits give degrees; Ctrl turns by 15°; "
-        "Enter confirms, Escape takes it back");
-  return tr("Drag the selection or a ring to turn it; or press G, X, Y or Z, then type degrees");
+        "Rotating: X, Y, Z or N chooses the axis; digits set degrees; Ctrl rounds to 15°; "
+        "Enter confirms, Escape cancels");
+  return tr("Drag the selection or a ring to rotate it; or press G, X, Y or Z, then type degrees");
 }
 
 }  // namespace palpa::gui

@@ -4,7 +4,7 @@
 
 namespace palpa::gui {
 
-/// Turns points about an axis through their middle, their mean normal or the direction of view.
+/// Rotates points about an axis through their mean: x, y, z, the mean normal or the view direction.
 class RotateTool : public PointTool {
   Q_OBJECT
 

@@ -36,7 +36,7 @@ std::optional<ScaleTool::Amount> ScaleTool::entered(const Motion& motion,
 }
 
 std::optional<ScaleTool::Amount> ScaleTool::between(const Amount& from, const Amount& to) const {
-  if ((from.array() == 0.0).any()) return std::nullopt;  // flat: nothing leads back
+  if ((from.array() == 0.0).any()) return std::nullopt;  // flat: cannot be reversed
   return Amount(to.cwiseQuotient(from));
 }
 
@@ -55,8 +55,8 @@ QString ScaleTool::describe(const Motion& motion) const {
 QString ScaleTool::hint() const {
   if (isMoving())
     return tr(
-        "Scaling: X, Y or Z holds it to an axis; digits give the factor; Ctrl rounds it to "
-        "0.1; Enter confirms, Escape takes it back");
+        "Scaling: X, Y or Z restricts it to an axis; digits set the factor; Ctrl rounds to 0.1; "
+        "Enter confirms, Escape cancels");
   return tr(
       "Drag the selection or a handle to scale it; or press G, X, Y or Z, then type a "
       "factor");

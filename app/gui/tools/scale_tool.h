@@ -4,7 +4,7 @@
 
 namespace palpa::gui {
 
-/// Scales points about their middle, alike in all directions or along one axis.
+/// Scales points about their mean, equally in all directions or along one axis.
 class ScaleTool : public PointTool {
   Q_OBJECT
 

@@ -6,7 +6,7 @@ namespace palpa::gui {
 
 using view::GizmoAxis;
 
-// Along the normal an amount is the distance alone, in x: each point has a direction of its own.
+// Along normals the amount is the distance, in x: each point has another direction.
 SelectTool::Amount SelectTool::along(const Motion& motion, const Eigen::Vector3d& direction,
                                      double distance) {
   return motion.axis == GizmoAxis::kNormal ? Amount(distance, 0, 0) : Amount(distance * direction);
@@ -35,9 +35,9 @@ std::optional<SelectTool::Amount> SelectTool::entered(const Motion& motion,
   const auto distance = parsed(text, Quantity::kLength, units());
   if (!distance) return std::nullopt;
   if (motion.axis != GizmoAxis::kAll) return along(motion, directionOf(motion), *distance);
-  // Free: the way the pointer went, and x before it went anywhere.
-  const Amount way = pointed(motion, false).value_or(Amount(Amount::Zero()));
-  return Amount(*distance * (way.isZero() ? Amount(Amount::UnitX()) : Amount(way.normalized())));
+  // Without an axis: the direction of the pointer's path, or x without a path.
+  const Amount path = pointed(motion, false).value_or(Amount(Amount::Zero()));
+  return Amount(*distance * (path.isZero() ? Amount(Amount::UnitX()) : Amount(path.normalized())));
 }
 
 modeling::Command SelectTool::command(const Motion& motion, const Amount& amount) const {
@@ -58,8 +58,8 @@ QString SelectTool::describe(const Motion& motion) const {
 QString SelectTool::hint() const {
   if (isMoving())
     return tr(
-        "Moving: X, Y, Z or N holds it to an axis or the normal; digits give the distance; "
-        "Ctrl rounds; Enter confirms, Escape takes it back");
+        "Moving: X, Y, Z or N restricts it to an axis or the normal; digits set the distance; "
+        "Ctrl rounds; Enter confirms, Escape cancels");
   return tr(
       "Click or box to select, Shift adds, Ctrl removes; drag or press G to move; arrow keys "
       "nudge");

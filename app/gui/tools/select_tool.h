@@ -4,7 +4,7 @@
 
 namespace palpa::gui {
 
-/// Selects, and moves: freely parallel to the screen, along an axis, or each point along its own
+/// Selects points and moves them: parallel to the screen, along an axis, or each point along its
 /// outward normal.
 class SelectTool : public PointTool {
   Q_OBJECT

@@ -1,5 +1,7 @@
 #include "app/gui/tools/support_options.h"
 
+#include "app/gui/widgets/form_row.h"
+
 namespace palpa::gui {
 
 SupportOptions::SupportOptions(SupportTool& tool, Editor& editor, const Settings& settings,
@@ -14,13 +16,13 @@ SupportOptions::SupportOptions(SupportTool& tool, Editor& editor, const Settings
   form->setContentsMargins(0, 0, 0, 0);
   brush_->addItems({tr("Patches"), tr("Brush")});
   kind_->addItems({tr("Fixed"), tr("Roller")});
-  addRow(form, tr("Paint &with"), brush_, "paintWay",
-         tr("Whole patches, or a round brush that paints anywhere"));
-  addRow(form, tr("&Support"), support_, "paintedSupport", tr("Which support is painted"));
-  addRow(form, tr("&Kind"), kind_, "supportKind",
-         tr("Fixed holds the surface in all directions; a roller lets it slide along itself"));
-  addRow(form, tr("Brush &radius"), radius_, "brushRadius",
-         tr("Distance from the pointer up to which the surface is painted ([ and ])"));
+  addFormRow(form, tr("Paint &with"), brush_, "paintWay",
+             tr("Whole patches, or a round brush for any part of the surface"));
+  addFormRow(form, tr("&Support"), support_, "paintedSupport", tr("Which support is painted"));
+  addFormRow(form, tr("&Kind"), kind_, "supportKind",
+             tr("Fixed: no displacement; roller: the surface slides along itself"));
+  addFormRow(form, tr("Brush &radius"), radius_, "brushRadius",
+             tr("Distance from the pointer up to which the surface is painted ([ and ])"));
   connect(brush_, &QComboBox::activated, this,
           [this](int index) { tool_.setBrush(static_cast<SupportTool::Brush>(index)); });
   connect(kind_, &QComboBox::activated, this,

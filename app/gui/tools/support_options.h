@@ -8,7 +8,7 @@
 
 namespace palpa::gui {
 
-/// What can be set for painting supports.
+/// Options of SupportTool.
 class SupportOptions : public QWidget {
   Q_OBJECT
 

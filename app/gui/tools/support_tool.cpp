@@ -12,9 +12,9 @@ namespace {
 
 using Kind = Selection::Kind;
 
-constexpr double kRadiusShare = 0.06;   // of the body's size: the first brush
-constexpr double kRadiusStep = 1.15;    // by [ and ]
-constexpr double kPixelStep = 6.0;      // between two looks at the surface while painting
+constexpr double kRadiusShare = 0.06;   // of the body's size: initial radius
+constexpr double kRadiusStep = 1.15;    // factor of [ and ]
+constexpr double kPixelStep = 6.0;      // between two samples of the surface while painting
 constexpr double kPointSpacing = 0.25;  // of the radius, between two points of a stroke
 
 }  // namespace
@@ -82,7 +82,7 @@ bool SupportTool::press(const PointerEvent& event) {
   hasBegunStroke_ = false;
   last_ = event.pixel;
   erases_ = brush_ == Brush::kPatch ? namesPatch(painted().where, patchName(place->patch))
-                                  : (event.modifiers & Qt::ControlModifier) != 0;
+                                    : (event.modifiers & Qt::ControlModifier) != 0;
   paintAlong(event.pixel);
   return true;
 }
@@ -112,13 +112,13 @@ bool SupportTool::cancel() {
 }
 
 void SupportTool::paintAlong(const Eigen::Vector2d& pixel) {
-  // A quick motion leaves out pixels: the surface between them is painted, too.
+  // Fast motion skips pixels: paint the surface between them, too.
   const int steps =
       std::clamp(static_cast<int>(std::ceil((pixel - last_).norm() / kPixelStep)), 1, 40);
   for (int i = 1; i <= steps; ++i) {
     const auto place = scene_.placeAt(last_ + (pixel - last_) * i / steps);
     if (!place) {
-      hasBegunStroke_ = false;  // past the edge of the body: what follows is another stroke
+      hasBegunStroke_ = false;  // outside the body: begin another stroke
       continue;
     }
     if (brush_ == Brush::kPatch)
@@ -143,7 +143,7 @@ void SupportTool::paintAt(const Eigen::Vector3d& position) {
   auto& parts = support.where.parts;
   auto* stroke =
       hasBegunStroke_ && !parts.empty() ? std::get_if<modeling::Stroke>(&parts.back()) : nullptr;
-  // A jump from one side of a silhouette to the other is no way along the surface.
+  // A jump across a silhouette does not follow the surface: begin another stroke.
   if (stroke && (stroke->points.back() - position).norm() > 4.0 * radius()) stroke = nullptr;
   if (stroke && stroke->points.size() >= modeling::Stroke::kMaxPoints) stroke = nullptr;
   if (stroke) {
@@ -203,10 +203,16 @@ bool SupportTool::key(QKeyEvent* event) {
   return true;
 }
 
+std::vector<KeyHelp::Row> SupportTool::keyRows() const {
+  return {{tr("Brush: smaller, larger; erase"), tr("[ and ]; Ctrl")}};
+}
+
 QString SupportTool::hint() const {
   if (brush_ == Brush::kPatch)
-    return tr("Click a patch or drag over patches to hold them; click a held patch to let it go");
-  return tr("Drag over the surface to hold it, Ctrl erases strokes; [ and ] change the radius (%1)")
+    return tr(
+        "Click a patch or drag over patches to support them; click a supported patch to remove it");
+  return tr("Drag over the surface to support it, Ctrl erases strokes; [ and ] change the radius "
+            "(%1)")
       .arg(shownLength(radius()));
 }
 

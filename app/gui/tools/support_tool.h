@@ -4,8 +4,8 @@
 
 namespace palpa::gui {
 
-/// Paints where the body is held: patch by patch, or with a round brush. The selected support is
-/// painted; with none, a new one. One stroke of the mouse is one step of undo.
+/// Paints the region of a support: patch by patch, or with a round brush. Paints the selected
+/// support or a new one. A drag is one undo step.
 class SupportTool : public SurfaceTool {
   Q_OBJECT
 
@@ -26,15 +26,16 @@ class SupportTool : public SurfaceTool {
 
   Brush brush() const { return brush_; }
   void setBrush(Brush brush);
-  /// Of the brush, mm.
+  /// Radius of the brush, mm.
   double radius() const;
   void setRadius(double radius);
-  /// Of the support that is painted, or of new ones.
+  /// Kind of the painted support, or of new ones.
   modeling::Support::Kind kind() const;
   void setKind(modeling::Support::Kind kind);
 
  private:
-  /// The support being painted, as it is now; without parts when it is yet to be made.
+  std::vector<KeyHelp::Row> keyRows() const override;
+  /// The painted support; without parts if it does not exist yet.
   modeling::Support painted() const;
   bool put(modeling::Support support);
   void paintPatch(int patch);
@@ -45,10 +46,10 @@ class SupportTool : public SurfaceTool {
 
   Brush brush_ = Brush::kPatch;
   modeling::Support::Kind newKind_ = modeling::Support::Kind::kFixed;
-  std::optional<double> radius_;  // mm; a share of the body's size until it is set
+  std::optional<double> radius_;  // mm; default: a share of the body's size
   bool isPainting_ = false;
   bool erases_ = false;
-  bool hasBegunStroke_ = false;  // the last part of the support is the stroke being painted
+  bool hasBegunStroke_ = false;  // the last part of the support is the present stroke
   Eigen::Vector2d last_ = Eigen::Vector2d::Zero();  // pixel
 };
 

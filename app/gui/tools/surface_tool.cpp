@@ -9,6 +9,10 @@ void SurfaceTool::deactivate() {
   hideHover();
 }
 
+KeyHelp SurfaceTool::keyHelp() const {
+  return {tr("Tools on the surface"), keyRows()};
+}
+
 void SurfaceTool::draw(const view::ToolDrawing& drawing) {
   widget_.viewport().setToolDrawing(drawing);
   widget_.updateQuickly();

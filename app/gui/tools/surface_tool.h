@@ -4,15 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "app/gui/document/editor.h"
-#include "app/gui/view/scene_controller.h"
 #include "app/gui/base/settings.h"
+#include "app/gui/document/editor.h"
+#include "app/gui/document/named_items.h"
+#include "app/gui/view/scene_controller.h"
 #include "app/gui/view/tool.h"
 #include "app/gui/view/viewport_widget.h"
 
 namespace palpa::gui {
 
-/// What the tools that put things onto the surface share.
+/// Base of the tools that place items on the surface.
 class SurfaceTool : public Tool {
  public:
   SurfaceTool(Settings& settings, Editor& editor, SceneController& scene, ViewportWidget& widget)
@@ -20,14 +21,17 @@ class SurfaceTool : public Tool {
 
   void deactivate() override;
   void leave() override { hideHover(); }
+  /// A group for all of these tools; each adds its rows.
+  KeyHelp keyHelp() const override;
 
  protected:
-  /// Draws what the pointer would do; an empty drawing removes it.
+  virtual std::vector<KeyHelp::Row> keyRows() const { return {}; }
+  /// Draws a preview of a click; an empty drawing removes it.
   void draw(const view::ToolDrawing& drawing);
   /// Removes the drawing and the highlight of a patch.
   void hideHover();
 
-  /// The name of a selected thing of this kind.
+  /// Name of the selected item if it is of this kind.
   std::optional<std::string> selected(Selection::Kind kind) const;
   std::string patchName(int patch) const;
   QString shownLength(double length) const;
@@ -41,7 +45,7 @@ class SurfaceTool : public Tool {
   ViewportWidget& widget_;
 };
 
-/// "support 3": the first with a number that none of the things in the list has.
+/// "support 3": the stem with the first number that is free in the list.
 template <class List>
 std::string freeName(const std::string& stem, const List& list) {
   for (int i = 1;; ++i) {
@@ -52,15 +56,7 @@ std::string freeName(const std::string& stem, const List& list) {
   }
 }
 
-/// The thing with a name; null when there is none.
-template <class List>
-auto findNamed(const List& list, const std::string& name) -> decltype(list.data()) {
-  for (const auto& each : list)
-    if (each.name == name) return &each;
-  return nullptr;
-}
-
-/// Adds a patch to a region, or takes it away; a region may be left without parts.
+/// Adds a patch to a region or removes it; the region may become empty.
 void setPatch(modeling::Region& region, const std::string& patch, bool isInside);
 bool namesPatch(const modeling::Region& region, const std::string& patch);
 

@@ -1,12 +1,12 @@
 #include "app/gui/tools/surface_tools.h"
 
-#include "app/gui/workspace/menus.h"
 #include "app/gui/tools/knot_tool.h"
 #include "app/gui/tools/load_tool.h"
 #include "app/gui/tools/remove_knot_tool.h"
 #include "app/gui/tools/support_tool.h"
-#include "app/gui/workspace/tool_box.h"
 #include "app/gui/tools/touch_tool.h"
+#include "app/gui/workspace/menus.h"
+#include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 namespace {
@@ -25,7 +25,7 @@ void addSurfaceTools(const Workspace& workspace) {
   Menus& menus = workspace.menus;
   add<SupportTool>(workspace, menus.conditions,
                    {"paint-support", tr("&Paint support"), QKeySequence(Qt::Key_P),
-                    tr("Choose where the body is held: patch by patch, or with a brush")});
+                    tr("Choose where the body is supported: patch by patch, or with a brush")});
   add<LoadTool>(workspace, menus.conditions,
                 {"place-load", tr("Place &load"), QKeySequence(Qt::Key_L),
                  tr("Press or pull at patches, or around a point")});

@@ -4,7 +4,7 @@
 
 namespace palpa::gui {
 
-/// Adds the tools that put things onto the surface: supports, loads, touches and knots.
+/// Adds the tools that place supports, loads, touches and knots.
 void addSurfaceTools(const Workspace& workspace);
 
 }  // namespace palpa::gui

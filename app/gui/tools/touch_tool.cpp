@@ -1,8 +1,9 @@
 #include "app/gui/tools/touch_tool.h"
 
 #include <Eigen/Geometry>
+#include <QComboBox>
 
-#include "app/gui/tools/condition_choice.h"
+#include "app/gui/widgets/form_row.h"
 #include "app/gui/widgets/quantity_edit.h"
 
 namespace palpa::gui {
@@ -11,7 +12,6 @@ namespace {
 using Style = view::ToolDrawing::Style;
 
 constexpr double kDepthShare = 0.05;  // of the body's size
-constexpr double kDragThreshold = 3;  // pixels before a press becomes a drag
 
 }  // namespace
 
@@ -24,23 +24,9 @@ void TouchTool::setDepth(double depth) {
   Q_EMIT changed();
 }
 
-void TouchTool::setKind(Kind kind) {
+void TouchTool::setKind(modeling::TouchKind kind) {
   kind_ = kind;
   Q_EMIT changed();
-}
-
-decltype(modeling::Touch::action) TouchTool::action() const {
-  switch (kind_) {
-    case Kind::kPush:
-      return modeling::TouchPush{vector_, friction_};
-    case Kind::kProbe:
-      return modeling::TouchProbe{vector_, friction_};
-    case Kind::kPin:
-      return modeling::TouchPin{vector_};
-    case Kind::kGrab:
-      break;
-  }
-  return modeling::TouchDisplacement{vector_};
 }
 
 bool TouchTool::press(const PointerEvent& event) {
@@ -49,8 +35,8 @@ bool TouchTool::press(const PointerEvent& event) {
   isDragged_ = false;
   pressed_ = last_ = event.pixel;
   if (place_) {
-    vector_ =
-        kind_ == Kind::kPin ? Eigen::Vector3d::Zero() : Eigen::Vector3d(-depth() * place_->normal);
+    vector_ = modeling::infoOf(kind_).needsVector ? Eigen::Vector3d(-depth() * place_->normal)
+                                                  : Eigen::Vector3d::Zero();
     drawTouch(*place_, vector_);
   }
   return true;
@@ -98,8 +84,10 @@ bool TouchTool::release(const PointerEvent& event) {
   if (event.button != Qt::LeftButton || !place_) return false;
   const modeling::Touch touch{freeName(tr("touch").toStdString(), editor_.project().touches),
                               place_->position,
-                              action(),
-                              {}};
+                              kind_,
+                              vector_,
+                              {},
+                              modeling::infoOf(kind_).presses ? friction_ : 0.0};
   place_.reset();
   draw({});
   if (editor_.perform(modeling::AddTouch{touch}))
@@ -129,12 +117,17 @@ bool TouchTool::cancel() {
   return true;
 }
 
+std::vector<KeyHelp::Row> TouchTool::keyRows() const {
+  return {{tr("Touch along the normal"), tr("Ctrl, or N while dragging")}};
+}
+
 QString TouchTool::hint() const {
-  return (alongNormal_ ? tr("Pulls along the normal (N while dragging: parallel to the screen). ")
-                       : tr("Pulls parallel to the screen (Ctrl, or N while dragging: along the "
+  return (alongNormal_ ? tr("Drag along the normal (N while dragging: parallel to the screen). ")
+                       : tr("Drag parallel to the screen (Ctrl, or N while dragging: along the "
                             "normal). ")) +
-         (kind_ == Kind::kPin ? tr("A click holds the place")
-                              : tr("A click presses %1 inwards").arg(shownLength(depth())));
+         (kind_ == modeling::TouchKind::kPin
+              ? tr("A click fixes the place")
+              : tr("A click presses %1 inwards").arg(shownLength(depth())));
 }
 
 QWidget* TouchTool::makeOptions(QWidget* parent) {
@@ -142,30 +135,30 @@ QWidget* TouchTool::makeOptions(QWidget* parent) {
   auto* form = new QFormLayout(options);
   form->setContentsMargins(0, 0, 0, 0);
   auto* kind = new QComboBox(options);
-  kind->addItems({tr("Grab"), tr("Push"), tr("Ball"), tr("Pin")});
-  kind->setCurrentIndex(static_cast<int>(kind_));
-  addRow(form, tr("&Kind"), kind, "touchKind",
-         tr("A grab moves the place; a fingertip and a ball press, but do not pull, and slide;"
-            " a pin holds the place"));
+  // The drag draws a displacement.
+  for (const modeling::TouchKindInfo& info : modeling::kTouchKinds)
+    if (!info.isForce) kind->addItem(tr(info.label), static_cast<int>(info.kind));
+  kind->setCurrentIndex(kind->findData(static_cast<int>(kind_)));
+  addFormRow(form, tr("&Kind"), kind, "touchKind",
+             tr("A grab moves the place; a fingertip and a ball press, but do not pull, and slide;"
+                " a pin holds the place"));
   auto* friction = new QuantityEdit(Quantity::kNumber, settings_, options);
   friction->setRange(0, modeling::kMaxFriction);
   friction->setValue(friction_);
-  addRow(form, tr("&Friction"), friction, "touchFriction",
-         tr("Coulomb's coefficient of the fingertip or ball"));
-  const auto enable = [this, friction] {
-    friction->setEnabled(kind_ == Kind::kPush || kind_ == Kind::kProbe);
-  };
+  addFormRow(form, tr("&Friction"), friction, "touchFriction",
+             tr("Coulomb's coefficient of the fingertip or ball"));
+  const auto enable = [this, friction] { friction->setEnabled(modeling::infoOf(kind_).presses); };
   enable();
-  connect(kind, &QComboBox::activated, this, [this, enable](int chosen) {
-    setKind(static_cast<Kind>(chosen));
+  connect(kind, &QComboBox::activated, this, [this, kind, enable] {
+    setKind(static_cast<modeling::TouchKind>(kind->currentData().toInt()));
     enable();
   });
   connect(friction, &QuantityEdit::edited, this, &TouchTool::setFriction);
   auto* depth = new QuantityEdit(Quantity::kLength, settings_, options);
   depth->setRange(1e-9, 1e9);
   depth->setValue(this->depth());
-  addRow(form, tr("&Depth of a click"), depth, "touchDepth",
-         tr("How far a click without a drag presses into the body"));
+  addFormRow(form, tr("&Depth of a click"), depth, "touchDepth",
+             tr("How far a click without a drag presses into the body"));
   connect(depth, &QuantityEdit::edited, this, &TouchTool::setDepth);
   connect(&editor_, &Editor::projectReplaced, depth,
           [this, depth] { depth->setValue(this->depth()); });

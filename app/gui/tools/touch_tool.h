@@ -4,9 +4,9 @@
 
 namespace palpa::gui {
 
-/// Places recorded touches: press on the surface and pull the displacement out, parallel to the
-/// screen or along the normal (Ctrl, or N to keep it). A click presses a little into the body; that
-/// of a pin holds the place.
+/// Places stored touches: a press on the surface sets the place, a drag the displacement, parallel
+/// to the screen or along the normal (Ctrl, or N permanently). A click sets a small displacement
+/// inwards; for a pin it sets none.
 class TouchTool : public SurfaceTool {
   Q_OBJECT
 
@@ -23,25 +23,24 @@ class TouchTool : public SurfaceTool {
   QString hint() const override;
   QWidget* makeOptions(QWidget* parent) override;
 
-  enum class Kind { kGrab, kPush, kProbe, kPin };
-  Kind kind() const { return kind_; }
-  void setKind(Kind kind);
-  /// Coulomb's coefficient of new pushes and probes.
+  modeling::TouchKind kind() const { return kind_; }
+  void setKind(modeling::TouchKind kind);
+  /// Coulomb's coefficient of new touches that press.
   double friction() const { return friction_; }
   void setFriction(double friction) { friction_ = friction; }
 
-  /// How far a click presses inwards, mm.
+  /// Displacement inwards of a click, mm.
   double depth() const;
   void setDepth(double depth);
 
  private:
-  decltype(modeling::Touch::action) action() const;
+  std::vector<KeyHelp::Row> keyRows() const override;
   void pull(const Eigen::Vector2d& pixel, bool alongNormal);
   void drawTouch(const SurfacePlace& place, const Eigen::Vector3d& vector);
 
-  Kind kind_ = Kind::kGrab;
+  modeling::TouchKind kind_ = modeling::TouchKind::kGrab;
   double friction_ = 0;
-  std::optional<double> depth_;  // mm; a share of the body's size until it is set
+  std::optional<double> depth_;  // mm; default: a share of the body's size
   std::optional<SurfacePlace> place_;
   Eigen::Vector3d vector_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();

@@ -7,7 +7,7 @@
 namespace palpa::gui {
 namespace {
 
-/// The patches a region names, looked up once.
+/// True for each patch that the region names.
 std::vector<bool> namedPatches(const modeling::Region& region, const modeling::Body& body) {
   std::vector<bool> result(modeling::patchNames(body).size(), false);
   for (const modeling::RegionPart& part : region.parts)
@@ -17,7 +17,7 @@ std::vector<bool> namedPatches(const modeling::Region& region, const modeling::B
   return result;
 }
 
-/// Is the point in one of the region's parts that are not patches?
+/// True if one of the region's half-spaces or strokes contains the point.
 bool reaches(const modeling::Region& region, const Eigen::Vector3d& point) {
   for (const modeling::RegionPart& part : region.parts) {
     const auto* half = std::get_if<modeling::HalfSpace>(&part);
@@ -43,7 +43,7 @@ view::ForceArrow arrow(const std::string& label, const Eigen::Vector3d& at,
   return result;
 }
 
-/// MPa, as the arrow points; a pressure has its sign, by which suction is known.
+/// Strength along the arrow, MPa. A pressure keeps its sign: suction is negative.
 double strengthOf(const modeling::Load& load) {
   if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) return pressure->pressure;
   if (const auto* bump = std::get_if<modeling::Bump>(&load.what))
@@ -120,7 +120,7 @@ std::vector<view::TouchMarker> touchMarkers(const modeling::Project& project,
   std::vector<view::TouchMarker> markers;
   for (const modeling::Touch& touch : project.touches) {
     const Selection::Named named{Selection::Kind::kTouch, touch.name};
-    markers.push_back({touch.at, modeling::vectorOf(touch), touch.name, selection.named == named});
+    markers.push_back({touch.at, touch.vector, touch.name, selection.named == named});
   }
   return markers;
 }

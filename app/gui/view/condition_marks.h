@@ -2,21 +2,21 @@
 
 #include <optional>
 
+#include "app/gui/base/units.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/view/surface_place.h"
-#include "app/gui/base/units.h"
-#include "app/view/viewport_scene.h"
+#include "app/view/scene/scene.h"
 
-// What the view shows of loads and recorded touches.
+// Marks of loads and stored touches in the view.
 namespace palpa::gui {
 
-/// A place well inside a region: the middle of the triangle of the region nearest to the region's
-/// centre of area, with the normal there. Nothing when the region has no triangle.
+/// Place inside a region: the centre of the triangle nearest to the region's centre of area, with
+/// its normal. Nothing if the region has no triangle.
 std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
                                          const ShownSurface& surface);
 
-/// One arrow for each load, with its name and strength: pressures and bumps press on the surface,
-/// tractions pull at it. Directions are meaningful, lengths are not: all have the same.
+/// One arrow for each load, with name and strength. Arrows of pressures and bumps end on the
+/// surface, arrows of tractions may begin there. All arrows have the same length.
 std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
                                          const ShownSurface& surface, const ShownUnits& units);
 

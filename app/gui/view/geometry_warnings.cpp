@@ -5,7 +5,7 @@ namespace {
 
 using modeling::GeometryFault;
 
-/// A few words beside the sign; the dock has the sentence.
+/// Text beside the sign; the Rebuild panel has the whole sentence.
 QString shortText(GeometryFault fault) {
   switch (fault) {
     case GeometryFault::kSelfIntersection:

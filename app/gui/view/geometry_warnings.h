@@ -7,7 +7,7 @@
 
 namespace palpa::gui {
 
-/// Shows what the last geometry check found as signs at the places; they go when it is mended.
+/// Shows the findings of the last geometry check as signs in the view.
 class GeometryWarnings : public QObject {
   Q_OBJECT
 

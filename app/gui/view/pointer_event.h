@@ -5,6 +5,9 @@
 
 namespace palpa::gui {
 
+/// A press becomes a drag after a path of this many pixels.
+inline constexpr double kDragThreshold = 3;
+
 /// A mouse event in the view, in device pixels from its top left corner.
 struct PointerEvent {
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();

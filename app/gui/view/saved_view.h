@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "app/view/viewport.h"
+#include "app/view/viewport/viewport.h"
 
 namespace palpa::gui {
 
-/// How the window shows a project: what is kept in Project::view.
+/// Camera and visible items, stored in Project::view.
 struct SavedView {
   view::CameraView camera;
   view::Shading shading = view::Shading::kShadedWithEdges;
@@ -15,11 +15,11 @@ struct SavedView {
   bool showsConditions = true, showsTouches = true, showsWarnings = true;
 };
 
-/// As a JSON object.
+/// The view as a JSON object.
 std::string viewText(const SavedView& view);
 
-/// Nothing for text that is empty, damaged or out of range, so that a strange file opens with the
-/// usual view. Entries that are missing take their defaults; unknown ones are passed over.
+/// Nothing for text that is empty, damaged or out of range, so that such a file opens with the
+/// default view. Missing entries take their defaults; unknown ones are ignored.
 std::optional<SavedView> viewFromText(const std::string& text);
 
 }  // namespace palpa::gui

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "app/gui/view/condition_marks.h"
 #include "app/gui/document/point_groups.h"
+#include "app/gui/view/condition_marks.h"
 
 namespace palpa::gui {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 using view::HandleState;
 using view::Mark;
 
-/// The least of two fields, either of which may be empty: their union.
+/// Union of two fields, as their minimum; either may be empty.
 void unite(std::vector<double>& field, const std::vector<double>& other) {
   if (field.empty()) {
     field = other;
@@ -33,7 +33,7 @@ SceneController::SceneController(Editor& editor, const Settings& settings, Viewp
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showTouches);
   connect(&settings, &Settings::changed, this, [this] {
-    if (isShown_) showLoads();  // with their strengths
+    if (isShown_) showLoads();  // labels contain units
   });
   showProject();
   widget_.viewport().fit();
@@ -56,7 +56,7 @@ void SceneController::setShown(bool shown) {
 }
 
 void SceneController::showProject() {
-  // Also while nothing of it is shown: surface() is that of the present body.
+  // Also while hidden: surface() belongs to the present body.
   const modeling::Solid* solid = editor_.solid();
   tessellation_ = solid ? std::make_unique<modeling::Tessellation>(*solid) : nullptr;
   if (solid) shape_ = tessellation_->evaluate(solid->controlPoints());
@@ -176,7 +176,7 @@ void SceneController::showTouches() {
 
 void SceneController::showSelection() {
   const modeling::Solid* solid = editor_.solid();
-  // An edit may announce the selection while the view still has the net before it.
+  // selectionChanged may arrive while the view still has the previous net.
   if (!isShown_ || !solid || solid->controlPoints().size() != netSize_) return;
   const std::set<int> moved = pointsOf(editor_.selection(), *solid);
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);

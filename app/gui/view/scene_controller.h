@@ -5,50 +5,49 @@
 #include <optional>
 #include <set>
 
-#include "app/gui/document/editor.h"
 #include "app/gui/base/settings.h"
+#include "app/gui/document/editor.h"
 #include "app/gui/view/surface_place.h"
 #include "app/gui/view/viewport_widget.h"
 #include "modeling/solid/tessellation.h"
 
 namespace palpa::gui {
 
-/// Keeps the view in step with the editor: the surface and the control net follow every edit at
-/// once, marks and arrows show supports and loads, handles show the selection.
+/// Shows the project of the editor in the view: surface and control net follow every edit, marks
+/// and arrows show supports and loads, handles show the selection.
 class SceneController : public QObject {
   Q_OBJECT
 
  public:
   SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget);
 
-  /// While it is not shown the view belongs to others: what changes then is drawn when it is shown
-  /// again.
+  /// While hidden, it draws nothing and leaves the view to others; later it draws all changes.
   void setShown(bool shown);
 
-  /// The control point under the pointer, highlighted.
+  /// Highlights the control point under the pointer.
   void setHovered(std::optional<int> point);
   void setGizmoAxis(view::GizmoAxis axis);
-  /// Which handles stand in the middle of what is selected; none: no handles.
+  /// Kind of the handles at the centre of the selection; nothing: no handles.
   void setGizmoKind(std::optional<view::GizmoKind> kind);
-  /// Points drawn as going along with the selection.
+  /// Points drawn as moving with the selection.
   void setFollowing(std::set<int> points);
-  /// The patch under the pointer, highlighted.
+  /// Highlights the patch under the pointer.
   void setHoveredPatch(std::optional<int> patch);
 
-  /// Points that show all that is selected in the view.
+  /// Points that enclose the selection in the view.
   std::vector<Eigen::Vector3d> selectedPlaces() const;
-  /// Middle of the points that a motion of the selection moves; nothing when there is none.
+  /// Mean of the points that a motion of the selection moves; nothing without such points.
   std::optional<Eigen::Vector3d> selectionCentre() const;
 
-  /// What lies under a device pixel of the view.
+  /// Surface place under a device pixel of the view.
   std::optional<SurfacePlace> placeAt(const Eigen::Vector2d& pixel) const;
-  /// The triangles the view shows.
+  /// The drawn triangles.
   ShownSurface surface() const;
-  /// The patch (or the face of a mesh body) under a pixel.
+  /// Patch (or face of a mesh body) under a pixel.
   std::optional<int> patchAt(const Eigen::Vector2d& pixel) const;
-  /// The edge of the solid near a pixel: an index of Solid::edges().
+  /// Edge of the solid near a pixel, as an index into Solid::edges().
   std::optional<int> edgeAt(const Eigen::Vector2d& pixel) const;
-  /// Points along an edge as it is drawn.
+  /// Points along a drawn edge.
   std::vector<Eigen::Vector3d> edgeLine(int edge) const;
 
  private:

@@ -4,7 +4,7 @@
 #include "app/gui/view/scene_controller.h"
 #include "modeling/solid/isoparametric_line.h"
 
-// What lies where in the view: the const half of SceneController.
+// Picking: the const functions of SceneController.
 namespace palpa::gui {
 
 ShownSurface SceneController::surface() const {
@@ -35,7 +35,7 @@ std::optional<SurfacePlace> SceneController::placeAt(const Eigen::Vector2d& pixe
       (1.0 - s - t) * shape_.normals[a] + s * shape_.normals[b] + t * shape_.normals[c];
   if (normal.norm() > 0.0) place.normal = normal.normalized();
   place.parameters = uv;
-  // On the exact surface, which the triangles only come near to.
+  // On the exact surface; the triangles are an approximation.
   place.position = modeling::surfacePoint(*editor_.solid(), place.patch, uv.x(), uv.y());
   return place;
 }
@@ -49,7 +49,7 @@ std::optional<int> SceneController::patchAt(const Eigen::Vector2d& pixel) const 
 std::optional<int> SceneController::edgeAt(const Eigen::Vector2d& pixel) const {
   const auto border = widget_.viewport().borderAt(pixel);
   if (!border || !editor_.solid()) return std::nullopt;
-  // Tessellation::borders() has the four sides of each patch, in the order of kSides.
+  // Tessellation::borders() lists the four sides of each patch in the order of kSides.
   return editor_.solid()->edgeOf(*border / 4, modeling::kSides[*border % 4]);
 }
 

@@ -7,15 +7,15 @@
 
 namespace palpa::gui {
 
-/// A place on the surface of the body.
+/// Place on the surface of the body.
 struct SurfacePlace {
   int patch = -1;                                      ///< index of patchNames(body)
-  std::optional<Eigen::Vector2d> parameters;           ///< u, v; only on solids
+  std::optional<Eigen::Vector2d> parameters;           ///< u, v; for solids only
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< mm
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, outwards
 };
 
-/// The triangles that are drawn; valid until the next edit.
+/// The drawn triangles; valid until the next edit.
 struct ShownSurface {
   std::span<const Eigen::Vector3d> positions;  ///< mm
   std::span<const std::array<int, 3>> triangles;

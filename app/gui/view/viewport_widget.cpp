@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRestAfterComputing = 500;  // ms
 constexpr int kRest = 150;                // ms without movement until a fine picture is drawn
-constexpr double kLongFrame = 20;         // ms that a fine picture takes where OpenGL is software
+constexpr double kLongFrame = 20;         // ms; fine pictures take longer with software OpenGL
 
 }  // namespace
 
@@ -33,6 +33,13 @@ ViewportWidget::~ViewportWidget() {
   viewport_.reset();
 }
 
+KeyHelp ViewportWidget::navigationHelp() {
+  return {tr("Navigation"),
+          {{tr("Orbit"), tr("Middle button, or Alt + left button")},
+           {tr("Pan"), tr("Right button, Shift + middle button")},
+           {tr("Zoom at the pointer"), tr("Wheel")}}};
+}
+
 void ViewportWidget::setTool(Tool* tool) {
   tool_ = tool;
   setCursor(tool ? tool->cursor() : QCursor(Qt::ArrowCursor));
@@ -48,7 +55,7 @@ void ViewportWidget::setComputing(bool computing) {
   if (computing == isComputing_) return;
   isComputing_ = computing;
   if (computing || lastFineFrame_ <= kLongFrame) return;
-  // Panels tell of the result first, and the worker still estimates the condition number.
+  // Panels show the result first, and the worker still estimates the condition number.
   isMoving_ = true;
   restTimer_.start(kRestAfterComputing);
 }
@@ -78,7 +85,7 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   }
   QElapsedTimer timer;
   timer.start();
-  fitCanvas();  // another screen may have other pixels
+  fitCanvas();  // another screen may have another pixel ratio
   canvas_.makeCurrent();
   if (!std::exchange(isWarm_, true)) viewport_->warmUp();
   const bool isQuick = isMoving_ || (isComputing_ && lastFineFrame_ > kLongFrame);
@@ -93,7 +100,7 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
 
 void ViewportWidget::writePicture(const std::filesystem::path& file, const QSize& size) {
   canvas_.makeCurrent();
-  // Lines, handles and letters grow with the picture.
+  // Lines, handles and text grow with the picture.
   viewport_->setPixelRatio(static_cast<double>(size.height()) / std::max(1, height()));
   canvas_.resize(size);
   const auto restore = [this] {
@@ -140,13 +147,13 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 void ViewportWidget::noticeReleases(const QMouseEvent& event) {
-  Qt::MouseButtons held = event.buttons();
-  if (event.type() == QEvent::MouseButtonPress) held.setFlag(event.button(), false);
-  if ((held & navigating_) == 0) {
+  Qt::MouseButtons stillPressed = event.buttons();
+  if (event.type() == QEvent::MouseButtonPress) stillPressed.setFlag(event.button(), false);
+  if ((stillPressed & navigating_) == 0) {
     navigation_ = Navigation::kNone;
     navigating_ = Qt::NoButton;
   }
-  if (pressed_ == Qt::NoButton || (held & pressed_) != 0) return;
+  if (pressed_ == Qt::NoButton || (stillPressed & pressed_) != 0) return;
   const Qt::MouseButton released = std::exchange(pressed_, Qt::NoButton);
   if (tool_) tool_->release({last_, released, event.buttons(), event.modifiers()});
 }
@@ -192,7 +199,7 @@ void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ViewportWidget::wheelEvent(QWheelEvent* event) {
-  // Touchpads send parts of a notch.
+  // Touchpads send fractions of a notch.
   const double notches = event->angleDelta().y() / 120.0;
   if (notches == 0.0) return;
   const PointerEvent at{toDevice(event->position()), Qt::NoButton, event->buttons(),
@@ -217,8 +224,7 @@ void ViewportWidget::keyPressEvent(QKeyEvent* event) {
 }
 
 bool ViewportWidget::event(QEvent* event) {
-  // Keys that a tool takes must not reach the shortcuts of the menus first (x, y, z, digits while
-  // a selection is dragged).
+  // Keys of the tool must not trigger shortcuts of the menus (x, y, z, digits during a motion).
   if (event->type() == QEvent::ShortcutOverride && tool_) {
     auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Escape || tool_->wantsKey(*key)) {
@@ -226,7 +232,7 @@ bool ViewportWidget::event(QEvent* event) {
       return true;
     }
   }
-  // Tab would otherwise move the focus before the tool sees it.
+  // Otherwise Tab would move the focus before the tool receives it.
   if (event->type() == QEvent::KeyPress && tool_) {
     auto* key = static_cast<QKeyEvent*>(event);
     if (key->key() == Qt::Key_Tab && tool_->wantsKey(*key)) {

@@ -8,13 +8,12 @@
 #include "app/gui/base/canvas.h"
 #include "app/gui/view/pointer_event.h"
 #include "app/gui/view/tool.h"
-#include "app/view/viewport.h"
+#include "app/view/viewport/viewport.h"
 
 namespace palpa::gui {
 
-/// The view in the window: a Viewport on a Qt widget. Navigation as in common CAD programs: middle
-/// button or Alt + left orbits, Shift with it pans, the wheel zooms at the pointer; everything else
-/// goes to the tool.
+/// Qt widget with a Viewport. Navigation as in common CAD programs (navigationHelp()); all other
+/// events go to the tool.
 class ViewportWidget : public QWidget {
   Q_OBJECT
 
@@ -24,24 +23,27 @@ class ViewportWidget : public QWidget {
 
   view::Viewport& viewport() { return *viewport_; }
 
-  /// The tool that gets the events; not owned, null for none.
+  /// Mouse buttons that navigate, whatever tool is active.
+  static KeyHelp navigationHelp();
+
+  /// Tool that receives the events; not owned, null for none.
   void setTool(Tool* tool);
 
-  /// Milliseconds the last frame took to draw.
+  /// Drawing time of the last frame, ms.
   double lastFrameMilliseconds() const { return lastFrame_; }
 
-  /// Writes what is shown as PNG, drawn anew with this size in pixels. Throws ViewError.
+  /// Draws the view with this size in pixels and writes it as PNG. Throws ViewError.
   void writePicture(const std::filesystem::path& file, const QSize& size);
 
-  /// Draws soon and quickly: something moves. A fine picture follows when nothing moves any more.
+  /// Draws soon, in quick quality, during motion. A fine picture follows after the motion.
   void updateQuickly();
 
-  /// While something else needs the processor, pictures stay quick where fine ones take long.
+  /// While the rebuild needs the processor, pictures stay quick if fine ones take long.
   void setComputing(bool computing);
 
  Q_SIGNALS:
   void framePainted();
-  /// Escape was pressed and the tool had nothing to cancel.
+  /// The user pressed Escape and the tool had nothing to cancel.
   void escaped();
 
  protected:
@@ -61,11 +63,11 @@ class ViewportWidget : public QWidget {
   PointerEvent pointerEvent(const QMouseEvent& event) const;
   Eigen::Vector2d toDevice(const QPointF& point) const;
   void navigate(const Eigen::Vector2d& pixel);
-  /// Ends what a button began that is not held any more: a dialog that opened meanwhile has got its
-  /// release.
+  /// Ends the navigation or operation of a button that is no longer pressed: a dialog that opened
+  /// meanwhile received its release.
   void noticeReleases(const QMouseEvent& event);
 
-  /// Makes the canvas as large as the widget.
+  /// Resizes the canvas to the widget.
   void fitCanvas();
 
   Canvas canvas_;

@@ -12,12 +12,12 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kNoteTime = 12000;      // ms a note stays
-constexpr int kMaxShownLength = 240;  // characters of a message shown without asking for details
+constexpr int kNoteTime = 12000;      // ms until a note disappears
+constexpr int kMaxShownLength = 240;  // characters shown without "Details"
 constexpr int kMargin = 10;           // px to the widget below
 constexpr int kMaxWidth = 720;        // px
 
-/// The first line, shortened at a word: what is shown of a long message.
+/// The first line of a message, shortened after a word.
 QString beginning(const QString& text) {
   QString first = text.section('\n', 0, 0);
   if (first.size() > kMaxShownLength)
@@ -92,7 +92,7 @@ void MessageBar::showNext() {
 void MessageBar::leaveLater(QWidget* row) {
   auto* timer = new QTimer(row);
   connect(timer, &QTimer::timeout, this, [this, row] {
-    if (!row->underMouse()) remove(row);  // it is being read
+    if (!row->underMouse()) remove(row);  // under the pointer, it is probably being read
   });
   timer->start(kNoteTime);
 }
@@ -155,8 +155,8 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool MessageBar::event(QEvent* event) {
-  // The layout is as it should be by now. Invalidating it here would ask for the next event of this
-  // kind, and so on without end.
+  // The layout is up to date. Invalidating it here would send the next LayoutRequest: an endless
+  // loop.
   if (event->type() == QEvent::LayoutRequest) place();
   return QWidget::event(event);
 }

@@ -7,23 +7,23 @@
 
 namespace palpa::gui {
 
-/// Messages over the top of another widget, at most three at a time; more wait until one goes.
-/// Errors stay until they are closed, notes go after a while.
+/// Messages over the top of another widget, at most kMaxMessages; further ones wait until one is
+/// removed. Errors stay until the user closes them, notes disappear after some seconds.
 class MessageBar : public QWidget {
   Q_OBJECT
 
  public:
   static constexpr int kMaxMessages = 3;
 
-  /// Lies over `under` and follows its size.
+  /// Covers the top of `under` and follows its size.
   explicit MessageBar(QWidget* under);
 
   void showError(const QString& text) { add({text, true}); }
   void showNote(const QString& text) { add({text, false}); }
 
-  /// What is shown and what waits, oldest first.
+  /// Shown and waiting messages, oldest first.
   QStringList messages() const;
-  /// Takes one away; nothing when it is not there (any more).
+  /// Removes a message; does nothing if it is absent.
   void withdraw(const QString& text);
   void clear();
 

@@ -40,7 +40,7 @@ void NumberRow::setValue(double value) {
 
 std::optional<double> NumberRow::value() const {
   if (!ownProblem().isEmpty()) return std::nullopt;
-  // Untouched fields keep all digits of their value.
+  // A field that was not edited keeps all digits of its value.
   if (!field_->isModified()) return field_->value();
   return parsed(field_->text(), quantity_, settings_.units());
 }

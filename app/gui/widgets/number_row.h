@@ -7,8 +7,8 @@
 
 namespace palpa::gui {
 
-/// A number field of a dialog with its problem beneath it: judged while it is typed, so that a
-/// dialog can follow every keystroke and keep OK disabled meanwhile.
+/// Number field of a dialog with an error text below. The text is checked at every keystroke, so
+/// that the dialog can disable OK.
 class NumberRow : public QWidget {
   Q_OBJECT
 
@@ -19,13 +19,13 @@ class NumberRow : public QWidget {
   /// Both ends included.
   void setRange(double least, double most);
   void setValue(double value);
-  /// What stands in the field now, in the program's own unit; nothing while it is wrong.
+  /// Present content in the program's unit; nothing while it is invalid.
   std::optional<double> value() const;
-  /// A problem that only the owner knows; empty for none.
+  /// Error found by the owner; empty for none.
   void setProblem(const QString& problem);
 
  Q_SIGNALS:
-  /// The text changed, by typing, keys, the wheel or setValue().
+  /// The text changed, by the user or by setValue().
   void changed();
 
  private:

@@ -9,7 +9,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kSpare = 16;  // pixels around words
+constexpr int kSpare = 16;  // pixels around the text
 
 }  // namespace
 

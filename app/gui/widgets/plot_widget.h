@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "app/gui/base/canvas.h"
-#include "app/view/force_plot.h"
+#include "app/view/charts/force_plot.h"
 
 namespace palpa::gui {
 
-/// A ForcePlot as a widget, in the colours of the theme.
+/// Widget with a ForcePlot in the colours of the theme.
 class PlotWidget : public QWidget {
   Q_OBJECT
 
@@ -16,9 +16,9 @@ class PlotWidget : public QWidget {
   explicit PlotWidget(QWidget* parent = nullptr);
   ~PlotWidget() override;
 
-  /// Words that stand there as long as there are no curves.
+  /// Text shown while there are no curves.
   void setPlaceholder(const QString& words);
-  /// ForcePlot::setCurves(). Curves of fewer than two points are none.
+  /// As ForcePlot::setCurves(). Curves with fewer than two points are not drawn.
   void setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin, double end,
                  const std::string& unit);
 

@@ -8,7 +8,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kDigits = 10;    // shown: enough not to lose what was typed
+constexpr int kDigits = 10;    // shown; enough for any typed number
 constexpr int kFewDigits = 5;  // where three fields share a line
 
 }  // namespace
@@ -24,7 +24,7 @@ QuantityEdit::QuantityEdit(Quantity quantity, const Settings& settings, QWidget*
 
 void QuantityEdit::setValue(double value) {
   value_ = value;
-  // What a person is typing is not overwritten by a refresh.
+  // A refresh must not overwrite unfinished input.
   if (!hasFocus() || !isModified()) showValue();
 }
 
@@ -74,7 +74,7 @@ void QuantityEdit::refuse(const QString& why) {
 void QuantityEdit::setRefused(bool isRefused) {
   if (property("refused").toBool() == isRefused) return;
   setProperty("refused", isRefused);
-  style()->polish(this);  // takes a good part of a millisecond, in every frame of a drag
+  style()->polish(this);  // costs almost a millisecond, so only on a change
 }
 
 void QuantityEdit::stepBy(double steps) {
@@ -84,7 +84,7 @@ void QuantityEdit::stepBy(double steps) {
       step_ > 0
           ? step_ / factor
           : std::pow(10.0, number == 0.0 ? -1.0 : std::floor(std::log10(std::abs(number))) - 1);
-  // Onto multiples of the step, so that the digits stay few.
+  // Round to multiples of the step to keep the number of digits small.
   const double next = std::round((number + steps * step) / step) * step * factor;
   accept(std::clamp(next, least_, most_));
 }
@@ -103,7 +103,7 @@ void QuantityEdit::keyPressEvent(QKeyEvent* event) {
 }
 
 void QuantityEdit::wheelEvent(QWheelEvent* event) {
-  // Without focus the wheel scrolls the panel; it must not change numbers in passing.
+  // Without focus the wheel scrolls the panel and must not change numbers.
   if (!hasFocus()) {
     event->ignore();
     return;

@@ -7,29 +7,29 @@
 
 namespace palpa::gui {
 
-/// A field for one number with its unit. What is typed counts when Enter is pressed or the field is
-/// left; text that is no number, or out of range, is marked and says why in the tool tip, and the
-/// last good value stays. Arrow keys and the wheel (while focused) change it by a step.
+/// Field for one number with its unit. Text is applied when the user presses Enter or leaves the
+/// field. Invalid text is marked, the tool tip states the reason, and the value does not change.
+/// Arrow keys and the wheel (while focused) change the value by a step.
 class QuantityEdit : public QLineEdit {
   Q_OBJECT
 
  public:
   QuantityEdit(Quantity quantity, const Settings& settings, QWidget* parent = nullptr);
 
-  /// In the program's own unit; rad for angles.
+  /// In the program's unit; rad for angles.
   double value() const { return value_; }
   /// Shows a value; does not emit `edited`.
   void setValue(double value);
   /// Smallest and largest value accepted, both included.
   void setRange(double least, double most);
-  /// Shows few digits while the field has not the focus; the value keeps all of them.
+  /// Shows fewer digits while the field has no focus; the value keeps all digits.
   void setNarrow();
-  /// By which arrow keys and the wheel change the value; 0 (the default): a tenth of its leading
-  /// power of ten.
+  /// Step of arrow keys and wheel; 0 (the default): a tenth of the leading power of ten of the
+  /// value.
   void setStep(double step) { step_ = step; }
 
  Q_SIGNALS:
-  /// A person has entered another value.
+  /// The user entered another value.
   void edited(double value);
 
  protected:

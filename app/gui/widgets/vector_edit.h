@@ -8,7 +8,7 @@
 
 namespace palpa::gui {
 
-/// Three numbers x, y, z in a row.
+/// Fields for x, y and z in one row.
 class VectorEdit : public QWidget {
   Q_OBJECT
 

@@ -13,6 +13,8 @@
 #include "app/gui/actions/delete_action.h"
 #include "app/gui/actions/edit_actions.h"
 #include "app/gui/actions/help_actions.h"
+#include "app/gui/actions/point_actions.h"
+#include "app/gui/actions/select_actions.h"
 #include "app/gui/actions/solid_actions.h"
 #include "app/gui/actions/view_actions.h"
 #include "app/gui/base/appearance.h"
@@ -20,7 +22,6 @@
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/dialogs/preferences_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
-#include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/docks/forces_dock.h"
 #include "app/gui/docks/history_dock.h"
 #include "app/gui/docks/model_dock.h"
@@ -33,15 +34,14 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 800;  // of the first window, where the screen has room
-constexpr int kTitleBar = 36;                // about what frames of windows take
-constexpr int kUntilCloseAgain = 50;         // ms until a window that was busy tries again to close
-constexpr int kDockWidth = 340;  // leaves the view nearly three quarters of a window of 1280
-constexpr int kUntilFailureIsSaid = 1000;  // ms: passing through a bad shape is no event
-constexpr int kSavedTime = 5000;           // ms
-constexpr int kRoom = 8;                   // px beside words of the status bar
-constexpr int kRateInterval = 250;         // ms between two looks at the rate of touching
-constexpr int kLayoutVersion = 3;  // of what saveState() writes; another one is not restored
+constexpr int kWidth = 1280, kHeight = 800;  // of the first window, if the screen is large enough
+constexpr int kTitleBar = 36;                // height of the window's frame, approximately
+constexpr int kCloseRetryDelay = 50;         // ms until a busy window tries to close again
+constexpr int kFailureDelay = 1000;          // ms: ignores short failures during a drag
+constexpr int kSavedTime = 5000;             // ms
+constexpr int kRoom = 8;                     // px beside texts of the status bar
+constexpr int kRateInterval = 250;           // ms between two updates of the rate
+constexpr int kLayoutVersion = 3;            // of saveState(); other versions are not restored
 
 }  // namespace
 
@@ -54,12 +54,13 @@ MainWindow::MainWindow()
       warnings_(editor_, *viewport_),
       menus_(*this),
       tools_(menus_, *viewport_),
-      workspace_{*this, settings_, editor_, *viewport_, scene_, menus_, tools_},
+      workspace_{*this, *statusBar(), settings_, editor_, *viewport_, scene_, menus_, tools_},
       messages_(new MessageBar(viewport_)),
       hint_(new QLabel(this)),
       rebuild_(new QPushButton(this)),
       rate_(new QLabel(this)),
-      frame_(new QLabel(this)) {
+      frame_(new QLabel(this)),
+      docks_(*this, *menus_.view) {
   setCentralWidget(viewport_);
   setAcceptDrops(true);
   editor_.setRunner([this](const QString& title, const BackgroundWork& work) {
@@ -74,13 +75,13 @@ MainWindow::MainWindow()
   new SimulateActions(workspace_, simulation_, *pictures_);
   addDocks();
   addDialogs();
-  addHelpActions(workspace_);
+  addHelpActions(workspace_, *files_);
   addStatusBar();
   connect(&editor_, &Editor::aboutToReplace, &tools_, &ToolBox::restart);
   connect(&editor_, &Editor::fileChanged, this, &MainWindow::updateTitle);
   connect(&settings_, &Settings::changed, this, &MainWindow::applySettings);
   resize(QSize(kWidth, kHeight).boundedTo(screen()->availableSize() - QSize(0, kTitleBar)));
-  layOutDocks();
+  resetLayout();
   restoreGeometry(settings_.windowGeometry());
   restoreState(settings_.windowState(), kLayoutVersion);
   applySettings();
@@ -89,61 +90,49 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
-  // A replay has a thread that talks to the touch loop, which goes before what started it.
+  // Ends the thread of a replay, which uses the touch loop.
   simulation_.setActive(false);
-  // Qt would delete the panels last of all, after the editor that their fields write to.
-  for (QDockWidget* dock : docks_) delete dock;
 }
 
 void MainWindow::addTools() {
-  addPointTools(workspace_);
+  auto* options = new PointOptions(this);
+  addPointTools(workspace_, *options);
+  new SelectActions(workspace_, *options);
+  new PointActions(workspace_, *options);
   addSurfaceTools(workspace_);
 }
 
 void MainWindow::addDocks() {
-  docks_ = {new ModelDock(workspace_), new HistoryDock(editor_, this),
-            new PropertiesDock(workspace_), new RebuildDock(editor_, this),
-            new ForcesDock(simulation_, editor_, settings_, this)};
-  connect(&simulation_, &Simulation::activeChanged, this, [this](bool active) {
-    if (active) docks_[4]->show();
-    docks_[active ? 4 : 0]->raise();
+  using enum DockList::Stack;
+  auto* model = docks_.add(new ModelDock(workspace_), kUpper);
+  docks_.add(new HistoryDock(editor_, this), kUpper);
+  docks_.add(new PropertiesDock(workspace_), kLower);
+  auto* rebuild = docks_.add(new RebuildDock(editor_, this), kLower);
+  auto* forces = docks_.add(new ForcesDock(simulation_, editor_, settings_, this), kUpper);
+  connect(&simulation_, &Simulation::activeChanged, this, [model, forces](bool active) {
+    if (active)
+      bringToFront(*forces);
+    else
+      model->raise();
   });
-  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-  for (QDockWidget* dock : docks_) menus_.view->addAction(dock->toggleViewAction());
+  connect(rebuild_, &QPushButton::clicked, this, [rebuild] { bringToFront(*rebuild); });
   menus_.add(menus_.view,
              {nullptr, tr("Reset &layout"), {}, tr("Put all panels and tool bars back in place")},
-             this, &MainWindow::layOutDocks);
+             this, &MainWindow::resetLayout);
 }
 
-void MainWindow::layOutDocks() {
-  const auto [model, history, properties, rebuild, forces] = docks_;
-  for (QDockWidget* dock : docks_) {
-    removeDockWidget(dock);
-    dock->setFloating(false);
-  }
+void MainWindow::resetLayout() {
   addToolBar(Qt::TopToolBarArea, menus_.bar);
   addToolBar(Qt::LeftToolBarArea, menus_.tools);
   menus_.bar->show();
   menus_.tools->show();
-  for (QDockWidget* dock : {model, properties}) addDockWidget(Qt::RightDockWidgetArea, dock);
-  tabifyDockWidget(model, history);
-  tabifyDockWidget(history, forces);
-  tabifyDockWidget(properties, rebuild);
-  for (QDockWidget* dock : docks_) dock->show();
-  model->raise();
-  properties->raise();
-  // Supports, loads and touches show without scrolling in a window of 1280 x 800.
-  resizeDocks({model, properties}, {height() * 44 / 100, height() * 56 / 100}, Qt::Vertical);
-  resizeDocks({model}, {kDockWidth}, Qt::Horizontal);
+  docks_.layOut();
 }
 
 void MainWindow::addDialogs() {
   menus_.add(menus_.conditions,
-             {"material", tr("&Material …"), {}, tr("What the solid is made of")}, this, [this] {
-               MaterialDialog dialog(settings_, editor_.project().material, this);
-               if (dialog.exec() == QDialog::Accepted)
-                 editor_.perform(modeling::SetMaterial{dialog.material()});
-             });
+             {"material", tr("&Material …"), {}, tr("Choose the material of the solid")}, this,
+             [this] { editMaterial(workspace_); });
   menus_.edit->addSeparator();
   menus_.add(menus_.edit,
              {"preferences", tr("Pre&ferences …"), QKeySequence(Qt::CTRL | Qt::Key_Comma),
@@ -156,16 +145,11 @@ void MainWindow::addStatusBar() {
   rebuild_->setObjectName("rebuildStatus");
   rebuild_->setFlat(true);
   rebuild_->setToolTip(tr("Show the stages of the rebuild and the facts of the model"));
-  connect(rebuild_, &QPushButton::clicked, this, [this] {
-    QDockWidget* dock = docks_[3];
-    dock->show();
-    dock->raise();
-  });
   statusBar()->addPermanentWidget(rebuild_);
   statusBar()->addPermanentWidget(rate_);
   statusBar()->addPermanentWidget(frame_);
   rate_->setObjectName("touchRate");
-  rate_->setToolTip(tr("How often a second forces are found"));
+  rate_->setToolTip(tr("Computed forces per second"));
   auto* rateTimer = new QTimer(this);
   connect(rateTimer, &QTimer::timeout, this, &MainWindow::updateRate);
   rateTimer->start(kRateInterval);
@@ -180,16 +164,15 @@ void MainWindow::addStatusBar() {
   connect(&editor_, &Editor::refused, messages_, &MessageBar::showError);
   connect(&editor_, &Editor::said, messages_, &MessageBar::showNote);
   failureTimer_.setSingleShot(true);
-  failureTimer_.setInterval(kUntilFailureIsSaid);
-  connect(&failureTimer_, &QTimer::timeout, this, &MainWindow::sayFailure);
+  failureTimer_.setInterval(kFailureDelay);
+  connect(&failureTimer_, &QTimer::timeout, this, &MainWindow::showFailure);
   connect(viewport_, &ViewportWidget::escaped, messages_, &MessageBar::clear);
-  frame_->setToolTip(
-      tr("Pictures a second that the view could draw, from the time of the last one"));
+  frame_->setToolTip(tr("Frames per second, from the drawing time of the last one"));
   connect(viewport_, &ViewportWidget::framePainted, this, [this] {
     const double rate = 1000 / std::max(1.0, viewport_->lastFrameMilliseconds());
     frame_->setText(tr("%1 frames/s").arg(rate, 0, 'f', rate < 10 ? 1 : 0));
   });
-  // Wide enough for usual numbers, so that nothing jumps as digits come and go.
+  // Constant width for usual numbers, so that the layout does not jump.
   for (const auto& [label, widest] :
        {std::pair{rate_, tr("%L1 Hz").arg(2000)}, std::pair{frame_, tr("%1 frames/s").arg(1000)}}) {
     label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + kRoom);
@@ -224,7 +207,7 @@ void MainWindow::updateStatus() {
   viewport_->setComputing(status.state == app::RebuildStatus::State::kBuilding);
 }
 
-void MainWindow::sayFailure() {
+void MainWindow::showFailure() {
   const app::RebuildStatus status = editor_.rebuildStatus();
   if (status.state != app::RebuildStatus::State::kFailed) return;
   const QString text = tr("The model cannot be built. %1").arg(failureText(status));
@@ -249,13 +232,13 @@ void MainWindow::updateRate() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (isBackgroundJobRunning()) {
-    // It stops soon; until then its thread uses what closing would take away.
+    // Wait for its thread, which uses the parts of the window.
     cancelBackgroundJob();
     event->ignore();
-    QTimer::singleShot(kUntilCloseAgain, this, &QWidget::close);
+    QTimer::singleShot(kCloseRetryDelay, this, &QWidget::close);
     return;
   }
-  // What is being typed counts, and belongs to the question whether to save.
+  // Apply unfinished input before the question whether to save.
   if (QWidget* field = focusWidget()) field->clearFocus();
   event->setAccepted(files_->mayDiscard());
   if (event->isAccepted()) settings_.setWindow(saveGeometry(), saveState(kLayoutVersion));
@@ -273,7 +256,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   QStringList files;
   for (const QUrl& url : event->mimeData()->urls())
     if (url.isLocalFile()) files << url.toLocalFile();
-  // Later, so that the other program need not wait for questions and reading.
+  // Later, so that the other program does not wait for questions and reading.
   QTimer::singleShot(0, this, [this, files] { files_->openDropped(files); });
 }
 
@@ -284,18 +267,8 @@ void MainWindow::begin(const QStringList& files) {
   const bool isWelcome = files.isEmpty() && settings_.isFirstRun();
   const auto mayReplace = [this] { return files_->mayDiscard(); };
   offerRecovery(editor_, *this, mayReplace, [this, isWelcome](bool any) {
-    if (isWelcome && !any) showWelcome();
+    if (isWelcome && !any) files_->showWelcome();
   });
-}
-
-void MainWindow::showWelcome() {
-  WelcomeDialog dialog(this);
-  dialog.exec();
-  using Choice = WelcomeDialog::Choice;
-  if (dialog.choice() == Choice::kNewSolid) files_->newSolid();
-  if (dialog.choice() == Choice::kOpen) files_->open();
-  if (dialog.choice() == Choice::kExample && files_->mayDiscard())
-    files_->openExample(dialog.example());
 }
 
 }  // namespace palpa::gui

@@ -1,27 +1,26 @@
 #pragma once
 
-#include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
 #include <QTimer>
-#include <array>
 
 #include "app/gui/actions/file_actions.h"
-#include "app/gui/document/editor.h"
-#include "app/gui/view/geometry_warnings.h"
-#include "app/gui/workspace/menus.h"
-#include "app/gui/view/scene_controller.h"
 #include "app/gui/base/settings.h"
+#include "app/gui/document/editor.h"
 #include "app/gui/simulate/simulation_view.h"
-#include "app/gui/workspace/tool_box.h"
+#include "app/gui/view/geometry_warnings.h"
+#include "app/gui/view/scene_controller.h"
 #include "app/gui/view/viewport_widget.h"
 #include "app/gui/widgets/message_bar.h"
+#include "app/gui/window/dock_list.h"
+#include "app/gui/workspace/menus.h"
+#include "app/gui/workspace/tool_box.h"
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
-/// The window: menus, tools, the view, docks and the status bar around one editor.
+/// The window: menus, tools, view, panels and status bar for one editor.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -36,13 +35,12 @@ class MainWindow : public QMainWindow {
   Simulation& simulation() { return simulation_; }
   FileActions& files() { return *files_; }
 
-  /// Opens a project or imports a body, by the ending of the file's name.
+  /// Opens a project or imports a body, by the ending of the name.
   bool openFile(const QString& file) { return files_->openFile(file); }
 
-  /// After the first picture: opens the files of the command line, offers what a crash left, and
-  /// welcomes a person who is here for the first time.
+  /// Call after the first picture: opens the file of the command line, offers snapshots of a
+  /// crashed session, and shows the welcome dialog at the first start.
   void begin(const QStringList& files);
-  void showWelcome();
   MessageBar& messages() { return *messages_; }
 
  protected:
@@ -54,13 +52,13 @@ class MainWindow : public QMainWindow {
   void addTools();
   void addDocks();
   void addDialogs();
-  /// The panels and tool bars at their usual places.
-  void layOutDocks();
+  /// Puts panels and tool bars at their usual places.
+  void resetLayout();
   void addStatusBar();
   void updateTitle();
   void updateStatus();
-  /// Says over the view why there is no model, unless that is over in a moment.
-  void sayFailure();
+  /// Shows over the view why there is no model.
+  void showFailure();
   void updateRate();
   void applySettings();
 
@@ -76,13 +74,13 @@ class MainWindow : public QMainWindow {
   Workspace workspace_;
   FileActions* files_ = nullptr;
   MessageBar* messages_;
-  std::array<QDockWidget*, 5> docks_{};  // model, history, properties, rebuild, forces
   QLabel* hint_;
   QPushButton* rebuild_;
   QLabel* rate_;
   QLabel* frame_;
   QTimer failureTimer_;
-  QString failure_;  // that is said over the view
+  QString failure_;  // shown over the view
+  DockList docks_;   // the last member: panels write to the others until they are deleted
 };
 
 }  // namespace palpa::gui

@@ -14,14 +14,14 @@ QString tr(const char* text) {
 }  // namespace
 
 Menus::Menus(QMainWindow& window)
-    : file(window.menuBar()->addMenu(tr("&File"))),
-      edit(window.menuBar()->addMenu(tr("&Edit"))),
-      select(window.menuBar()->addMenu(tr("Sele&ct"))),
-      solid(window.menuBar()->addMenu(tr("&Solid"))),
-      conditions(window.menuBar()->addMenu(tr("Su&pports && Loads"))),
-      simulate(window.menuBar()->addMenu(tr("Si&mulate"))),
-      view(window.menuBar()->addMenu(tr("&View"))),
-      help(window.menuBar()->addMenu(tr("&Help"))),
+    : file(addMenu(window, tr("&File"))),
+      edit(addMenu(window, tr("&Edit"))),
+      select(addMenu(window, tr("Sele&ct"))),
+      solid(addMenu(window, tr("&Solid"))),
+      conditions(addMenu(window, tr("Su&pports && Loads"))),
+      simulate(addMenu(window, tr("Si&mulate"))),
+      view(addMenu(window, tr("&View"))),
+      help(addMenu(window, tr("&Help"))),
       bar(new QToolBar(tr("Main"), &window)),
       tools(new QToolBar(tr("Tools"), &window)) {
   bar->setObjectName("main");
@@ -32,8 +32,13 @@ Menus::Menus(QMainWindow& window)
   }
   window.addToolBar(Qt::TopToolBarArea, bar);
   window.addToolBar(Qt::LeftToolBarArea, tools);
-  for (QMenu* menu : {file, edit, select, solid, conditions, simulate, view, help})
-    menu->setToolTipsVisible(true);
+}
+
+QMenu* Menus::addMenu(QMainWindow& window, const QString& title) {
+  QMenu* menu = window.menuBar()->addMenu(title);
+  menu->setToolTipsVisible(true);
+  all.push_back(menu);
+  return menu;
 }
 
 QAction* Menus::make(QMenu* menu, const Item& item) {

@@ -5,38 +5,40 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QToolBar>
+#include <vector>
 
 namespace palpa::gui {
 
-/// The window's menus and tool bars, for the parts of the window to fill. Menus appear in the order
-/// of the members.
+/// Menus and tool bars, filled by the parts of the window. Menus appear in the order of the
+/// members.
 class Menus {
  public:
   explicit Menus(QMainWindow& window);
 
+  std::vector<QMenu*> all;  ///< all menus, in their order
   QMenu* file;
   QMenu* edit;
   QMenu* select;
   QMenu* solid;
   QMenu* conditions;  ///< supports, loads, touches, material, mesh
-  QMenu* simulate;    ///< touching
+  QMenu* simulate;
   QMenu* view;
   QMenu* help;
   QToolBar* bar;    ///< top: files, history, modes, views
-  QToolBar* tools;  ///< left: one button for each tool
+  QToolBar* tools;  ///< left: a button for each tool
 
-  /// In the bar, where views begin: modes are inserted before it.
+  /// Separator in the bar before the views; modes are inserted before it.
   QAction* views = nullptr;
 
   struct Item {
     const char* icon;  ///< of resources/icons; null for none
     QString text;      ///< with & before the letter of the menu
     QKeySequence keys{};
-    QString tip{};  ///< a sentence on what it does, for tool tip and status bar
+    QString tip{};  ///< sentence for tool tip and status bar
   };
 
-  /// An action at the end of a menu that calls `work` in the context of `owner`. Its tool tip shows
-  /// the tip, or the text, and the shortcut. The action's objectName is the text without "&", "…".
+  /// Adds an action to a menu that calls `work` in the context of `owner`. Its tool tip shows the
+  /// tip (or the text) and the shortcut. Its objectName is the text without "&" and "…".
   template <class Owner, class Work>
   QAction* add(QMenu* menu, const Item& item, Owner* owner, Work work) {
     QAction* action = make(menu, item);
@@ -44,7 +46,7 @@ class Menus {
     return action;
   }
 
-  /// A checkable one; `work` gets whether it is on. Does not call it for `isOn`.
+  /// Adds a checkable action; `work` receives its state. Does not call `work` for `isOn`.
   template <class Owner, class Work>
   QAction* addToggle(QMenu* menu, const Item& item, bool isOn, Owner* owner, Work work) {
     QAction* action = make(menu, item);
@@ -55,6 +57,7 @@ class Menus {
   }
 
  private:
+  QMenu* addMenu(QMainWindow& window, const QString& title);
   QAction* make(QMenu* menu, const Item& item);
 };
 

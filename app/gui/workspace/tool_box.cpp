@@ -1,5 +1,7 @@
 #include "app/gui/workspace/tool_box.h"
 
+#include <algorithm>
+
 namespace palpa::gui {
 
 ToolBox::ToolBox(Menus& menus, ViewportWidget& widget)
@@ -46,6 +48,20 @@ QString ToolBox::activeTitle() const {
   for (const Entry& entry : entries_)
     if (entry.tool.get() == active_) return entry.action->objectName();
   return {};
+}
+
+std::vector<KeyHelp> ToolBox::keyHelp() const {
+  std::vector<KeyHelp> groups;
+  for (const Entry& entry : entries_) {
+    const KeyHelp help = entry.tool->keyHelp();
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const KeyHelp& each) { return each.title == help.title; });
+    if (group == groups.end()) group = groups.insert(group, {help.title, {}});
+    for (const KeyHelp::Row& row : help.rows)
+      if (std::find(group->rows.begin(), group->rows.end(), row) == group->rows.end())
+        group->rows.push_back(row);
+  }
+  return groups;
 }
 
 void ToolBox::restart() {

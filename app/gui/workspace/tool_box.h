@@ -6,17 +6,17 @@
 #include <memory>
 #include <vector>
 
-#include "app/gui/workspace/menus.h"
 #include "app/gui/view/tool.h"
 #include "app/gui/view/viewport_widget.h"
+#include "app/gui/workspace/menus.h"
 
 namespace palpa::gui {
 
-/// What the window is used for; each mode has tools of its own.
+/// Mode of the window; each mode has its own tools.
 enum class Mode { kModel, kSimulate };
 
-/// All tools; one of them is active and gets the events of the view. Escape with nothing to cancel
-/// goes back to the first of the mode.
+/// All tools. The active one receives the events of the view. Escape without an operation to cancel
+/// activates the first tool of the mode.
 class ToolBox : public QObject {
   Q_OBJECT
 
@@ -24,23 +24,26 @@ class ToolBox : public QObject {
   ToolBox(Menus& menus, ViewportWidget& widget);
   ~ToolBox() override;
 
-  /// Adds a tool with its button and its place in a menu. The first one is active from the start.
+  /// Adds a tool with its button and menu entry. `item` needs an icon, a key and a tip. The first
+  /// tool is active.
   Tool* add(std::unique_ptr<Tool> tool, QMenu* menu, const Menus::Item& item,
             Mode mode = Mode::kModel);
 
   Mode mode() const { return mode_; }
-  /// Shows the mode's tools and activates the one of them that was active last.
+  /// Shows the tools of the mode and activates the last active one.
   void setMode(Mode mode);
 
   Tool& active() { return *active_; }
   void activate(Tool* tool);
-  /// Ends what the active tool has begun.
+  /// Groups of all tools, in the order of add().
+  std::vector<KeyHelp> keyHelp() const;
+  /// Aborts the operation of the active tool.
   void restart();
-  /// The name of the active tool, as in its menu without "&".
+  /// Name of the active tool: its menu text without "&".
   QString activeTitle() const;
 
  Q_SIGNALS:
-  /// Another tool is active now, or its hint() or options() changed.
+  /// Another tool became active, or its hint() changed.
   void changed();
 
  private:
@@ -55,7 +58,7 @@ class ToolBox : public QObject {
   std::vector<Entry> entries_;
   Tool* active_ = nullptr;
   Mode mode_ = Mode::kModel;
-  std::array<Tool*, 2> last_{};  // active in each mode
+  std::array<Tool*, 2> last_{};  // last active tool of each mode
 };
 
 }  // namespace palpa::gui

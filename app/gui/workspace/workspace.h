@@ -1,18 +1,21 @@
 #pragma once
 
+class QStatusBar;
+class QWidget;
+
 namespace palpa::gui {
 
 class Editor;
-class MainWindow;
 class Menus;
 class SceneController;
 class Settings;
 class ToolBox;
 class ViewportWidget;
 
-/// What the parts of the window share. All outlive the parts.
+/// References that the parts of the window share. All outlive the parts.
 struct Workspace {
-  MainWindow& window;
+  QWidget& window;  ///< owner of the parts, parent of their dialogs
+  QStatusBar& statusBar;
   Settings& settings;
   Editor& editor;
   ViewportWidget& view;

@@ -1,0 +1,78 @@
+#include <QDockWidget>
+#include <QFile>
+#include <QMenu>
+#include <QToolBar>
+#include <set>
+
+#include "tests/gui/window_fixture.h"
+
+namespace palpa::gui {
+namespace {
+
+using WindowParts = WindowTest;
+
+QString guidePage(const char* name) {
+  QFile file(QStringLiteral(PALPA_PROJECTS "/../docs/guide/") + name);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name;
+  return QString::fromUtf8(file.readAll());
+}
+
+// Fails for a panel that is not added by DockList::add() or not described in the guide.
+TEST_F(WindowParts, EveryPanelIsInMenuLayoutAndGuide) {
+  const QString guide = guidePage("window.md");
+  const QList<QDockWidget*> panels = window_->findChildren<QDockWidget*>();
+  ASSERT_GE(panels.size(), 5);
+  std::set<QString> names;
+  for (QDockWidget* panel : panels) panel->close();
+  action("Reset layout")->trigger();
+  for (QDockWidget* panel : panels) {
+    const std::string title = panel->windowTitle().toStdString();
+    QAction* toggle = panel->toggleViewAction();
+    EXPECT_FALSE(title.empty()) << panel->objectName().toStdString();
+    EXPECT_FALSE(panel->objectName().isEmpty()) << title;
+    EXPECT_TRUE(names.insert(panel->objectName()).second) << title;
+    EXPECT_EQ(toggle->associatedObjects().size(), 1) << title;
+    EXPECT_TRUE(toggle->isChecked()) << title;
+    EXPECT_EQ(window_->dockWidgetArea(panel), Qt::RightDockWidgetArea) << title;
+    EXPECT_TRUE(guide.contains("*" + panel->windowTitle() + "*")) << title;
+  }
+}
+
+// Fails for a tool without icon, key, tip or hint, or without "*name* (key)" in the guide.
+TEST_F(WindowParts, EveryToolIsCompleteAndInTheGuide) {
+  const QString guide =
+      guidePage("modelling.md") + guidePage("supports-and-loads.md") + guidePage("simulate.md");
+  for (const char* mode : {"Model", "Simulate"}) {
+    action(mode)->trigger();
+    std::set<QString> keys;
+    int count = 0;
+    for (QAction* tool : find<QToolBar>("tools")->actions()) {
+      if (!tool->isVisible()) continue;
+      ++count;
+      const std::string name = tool->objectName().toStdString();
+      const QString key = tool->shortcut().toString();
+      EXPECT_FALSE(tool->icon().isNull()) << name;
+      EXPECT_FALSE(key.isEmpty()) << name;
+      EXPECT_TRUE(keys.insert(key).second) << name;
+      EXPECT_NE(tool->statusTip(), tool->objectName());
+      tool->trigger();
+      EXPECT_EQ(window_->tools().activeTitle(), tool->objectName());
+      EXPECT_FALSE(window_->tools().active().hint().isEmpty()) << name;
+      EXPECT_TRUE(guide.contains(tool->objectName() + "* (" + key + ")") ||
+                  guide.contains(tool->objectName() + "** (" + key + ")"))
+          << name;
+    }
+    EXPECT_GE(count, 4) << mode;
+  }
+}
+
+TEST_F(WindowParts, EveryQuantityHasUnits) {
+  for (const QuantityInfo& quantity : quantities()) {
+    ASSERT_NE(quantity.key, nullptr);
+    ASSERT_FALSE(quantity.units.empty()) << quantity.key;
+    EXPECT_EQ(quantity.label.isEmpty(), quantity.units.size() == 1) << quantity.key;
+  }
+}
+
+}  // namespace
+}  // namespace palpa::gui
