@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # Sourced by ./run, ./check and scripts: finds the project, installs what is missing, builds. bash 5.
-# Every function may be called from any directory; nothing is done twice.
+# Every function may be called from any directory.
 
 palpa_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -22,12 +22,12 @@ as_root() {
   fi
 }
 
-# find_missing_packages LIST…: fills the array missing_packages with those of the files LIST in the
-# project's folder that are not installed.
+# find_missing_packages LIST…: fills the array missing_packages with the names in the files LIST (in
+# the project's folder) that are not installed.
 find_missing_packages() {
   local -a wanted
   mapfile -t wanted < <(cd "$palpa_root" && cat "$@" | sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' | sort -u)
-  # dpkg-query fails when it does not know one of the names: that is an answer, not an error.
+  # dpkg-query fails if it does not know one of the names; its output is still complete.
   mapfile -t missing_packages < <(comm -23 <(printf '%s\n' "${wanted[@]}") \
     <(dpkg-query -W -f='${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
       sed -n 's/^installed //p' | sort -u))
@@ -82,7 +82,7 @@ replace_between() {
   mv "$page.new" "$page"
 }
 
-# machine_lines: when and where something is measured, as lines "what;value".
+# machine_lines: date, machine, system and commit of a measurement, as lines "what;value".
 machine_lines() {
   date -u '+date;%Y-%m-%d %H:%M UTC'
   echo "machine;$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1), $(nproc) cores, $(awk '/MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo)"

@@ -1,6 +1,6 @@
-# Precompiled headers: most of what the compiler reads are headers of other projects. The build is correct without
-# them (-DPALPA_PRECOMPILE=OFF): every file includes what it uses. docs/decisions/025-precompiled-headers.md has figures.
-option(PALPA_PRECOMPILE "Precompile headers of the standard library, Eigen, Qt, VTK and others" ON)
+# Short builds: most of what the compiler reads are headers of other projects. The build is correct without
+# them (-DPALPA_FAST_BUILD=OFF): every file includes what it uses. docs/decisions/025-short-builds.md has figures.
+option(PALPA_FAST_BUILD "Precompile headers of other projects, compile the command line in few large files" ON)
 
 set(palpa_standard_headers <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <filesystem> <fstream>
   <functional> <limits> <map> <memory> <mutex> <numbers> <numeric> <optional> <set> <span> <sstream> <stdexcept> <string>
@@ -8,7 +8,7 @@ set(palpa_standard_headers <algorithm> <array> <atomic> <chrono> <cmath> <condit
 
 # palpa_precompile(TARGET HEADER…): precompiles the standard library and these headers for the target.
 function(palpa_precompile target)
-  if(PALPA_PRECOMPILE)
+  if(PALPA_FAST_BUILD)
     target_precompile_headers(${target} PRIVATE ${palpa_standard_headers} ${ARGN})
   endif()
 endfunction()
@@ -16,7 +16,7 @@ endfunction()
 # palpa_precompiled_set(NAME HEADER…): headers that several targets share. LIBRARIES of the set give their folders.
 function(palpa_precompiled_set name)
   cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
-  if(PALPA_PRECOMPILE)
+  if(PALPA_FAST_BUILD)
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp CONTENT "")
     add_library(palpa_precompiled_${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
     target_link_libraries(palpa_precompiled_${name} PRIVATE palpa_options ${ARG_LIBRARIES})
@@ -26,10 +26,18 @@ endfunction()
 
 # palpa_use_precompiled(NAME TARGET…)
 function(palpa_use_precompiled name)
-  if(PALPA_PRECOMPILE)
+  if(PALPA_FAST_BUILD)
     foreach(target IN LISTS ARGN)
       target_precompile_headers(${target} REUSE_FROM palpa_precompiled_${name})
     endforeach()
+  endif()
+endfunction()
+
+# palpa_compile_together(TARGET COUNT): compiles COUNT files of the target as one. Worth it where each file instantiates
+# the same code of a header-only library.
+function(palpa_compile_together target count)
+  if(PALPA_FAST_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${count})
   endif()
 endfunction()
 
