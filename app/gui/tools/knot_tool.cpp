@@ -1,5 +1,6 @@
 #include "app/gui/tools/knot_tool.h"
 
+#include <QComboBox>
 #include <algorithm>
 #include <cmath>
 
