@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/unexpected.h"
+
 namespace palpa {
 
 WorkerThread::~WorkerThread() {
@@ -56,7 +58,11 @@ void WorkerThread::work(const std::stop_token& stop) {
     const std::stop_token token = running_.get_token();
     isBusy_ = true;
     lock.unlock();
-    task(token);
+    try {
+      task(token);
+    } catch (...) {
+      reportUnexpected();
+    }
     task = nullptr;  // destroyed without the lock
     lock.lock();
     isBusy_ = false;

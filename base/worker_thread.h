@@ -12,8 +12,8 @@
 namespace palpa {
 
 /// Thread that runs tasks one after the other, started by the first task. All functions may be
-/// called from any thread, waitUntilIdle() and the destructor not from a task. Tasks must not
-/// throw.
+/// called from any thread, waitUntilIdle() and the destructor not from a task. An exception of a
+/// task goes to reportUnexpected().
 class WorkerThread {
  public:
   /// The token is triggered by cancel(), replace() and the destructor.

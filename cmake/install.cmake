@@ -67,7 +67,7 @@ set(CPACK_COMPONENT_PALPA_DESCRIPTION "model elastic solids with spline patches 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libpalpa-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-  "libeigen3-dev, nlohmann-json3-dev, liblapacke-dev, libopenblas-pthread-dev, libgmp-dev, libmpfr-dev, libocct-data-exchange-dev, libocct-modeling-algorithms-dev")
+  "libeigen3-dev, libexpat1-dev, nlohmann-json3-dev, liblapacke-dev, libopenblas-pthread-dev, libgmp-dev, libmpfr-dev, libocct-data-exchange-dev, libocct-modeling-algorithms-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "boundary elements and NUBS solids of Palpa
  Static libraries, headers and a CMake package for programs that use the boundary element core or the modeller of Palpa.")
 include(CPack)

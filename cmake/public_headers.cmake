@@ -12,14 +12,17 @@ set(palpa_public_headers
   bem/contact/contact_surface.h
   bem/dense/make_reference_problem.h
   bem/linalg/capacitance_matrix.h
+  bem/model/body_force.h
   bem/model/boundary_conditions.h
   bem/model/boundary_mesh.h
+  bem/model/bulk.h
   bem/model/derived_quantities.h
   bem/model/material.h
   bem/model/surface_point.h
   bem/model/traction_projection.h
   bem/model/triangle_tree.h
   bem/problem/discretisation.h
+  bem/problem/interior_evaluator.h
   bem/problem/problem_inputs.h
   bem/problem/reference_problem.h
   bem/triangle/triangle_discretisation.h
