@@ -26,6 +26,12 @@ constexpr void orbit6(TrianglePoint* out, double a, double b, double weight) {
 
 constexpr double kThird = 1.0 / 3.0;
 
+constexpr std::array<TrianglePoint, 3> kRule3 = [] {
+  std::array<TrianglePoint, 3> rule{};
+  orbit3(&rule[0], 1.0 / 6, kThird);
+  return rule;
+}();
+
 constexpr std::array<TrianglePoint, 7> kRule7 = [] {
   std::array<TrianglePoint, 7> rule{};
   rule[0] = {{kThird, kThird, kThird}, 0.225};
@@ -46,6 +52,9 @@ constexpr std::array<TrianglePoint, 16> kRule16 = [] {
 
 }  // namespace
 
+std::span<const TrianglePoint> triangleRule3() {
+  return kRule3;
+}
 std::span<const TrianglePoint> triangleRule7() {
   return kRule7;
 }

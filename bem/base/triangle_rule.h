@@ -13,6 +13,7 @@ struct TrianglePoint {
 /// Gauss-type rules on the triangle after D. A. Dunavant, High degree efficient symmetrical
 /// Gaussian quadrature rules for the triangle, IJNME 21 (1985) 1129-1148. All points inside, all
 /// weights positive.
+std::span<const TrianglePoint> triangleRule3();   ///< exact for polynomials of degree 2
 std::span<const TrianglePoint> triangleRule7();   ///< exact for polynomials of degree 5
 std::span<const TrianglePoint> triangleRule16();  ///< exact for polynomials of degree 8
 

@@ -141,11 +141,11 @@ std::vector<BilateralContactSolver::Contact> BilateralContactSolver::contacts(
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const auto row = 3 * static_cast<Eigen::Index>(k);
     const Vector3d force = forces.segment<3>(row);
-    const Vector3d caused = compliance_.block<3, 3>(row, row) * force;
-    const double squared = caused.squaredNorm();
+    const Vector3d deflection = compliance_.block<3, 3>(row, row) * force;
+    const double size = deflection.norm();
     result.push_back({entries_[k].id, entries_[k].mask.point, entries_[k].mask.radius, force,
-                      displacements.segment<3>(row),
-                      squared > 0 ? force.dot(caused) / squared : 0.0});
+                      displacements.segment<3>(row), deflection,
+                      size > 0 ? force.norm() / size : 0.0});
   }
   return result;
 }

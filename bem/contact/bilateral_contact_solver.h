@@ -47,8 +47,9 @@ class BilateralContactSolver {
     double radius;                 ///< mm, of the mask
     Eigen::Vector3d force;         ///< N, exerted by the contact on the body
     Eigen::Vector3d displacement;  ///< mm, mean over the mask
-    /// Secant stiffness along the displacement caused by this contact, N/mm; 0 if there is none.
-    double stiffness;
+    /// Part of `displacement` that the force of this contact causes, mm.
+    Eigen::Vector3d deflection;
+    double stiffness;  ///< |force| / |deflection|, N/mm; 0 if there is no force
   };
   /// Contacts for the given forces, in the order they were added.
   std::vector<Contact> contacts(const Eigen::VectorXd& forces) const;

@@ -216,9 +216,11 @@ void ContactSimulation::read(Contact& contact) {
     isSlipping = isSlipping || forces_.statuses[mask] == ContactStatus::kSlipping;
   }
   contact.displacement = displacementOf(middle);
-  const Vector3d caused = contact.displacement - set_.freeDisplacements().segment<3>(3 * middle);
-  const double squared = caused.squaredNorm();
-  contact.stiffness = squared > 0 ? contact.force.dot(caused) / squared : 0.0;
+  const Index first = 3 * middle, count = 3 * contact.maskCount;
+  contact.deflection.noalias() =
+      set_.compliance().block(first, first, 3, count) * forces_.forces.segment(first, count);
+  const double deflection = contact.deflection.norm();
+  contact.stiffness = deflection > 0 ? contact.force.norm() / deflection : 0.0;
   contact.status = !set_.isPlaced(middle)    ? Status::kFixed
                    : !set_.isReady(middle)   ? Status::kWaiting
                    : !contact.tool.presses() ? Status::kGrabbed

@@ -119,9 +119,11 @@ class ContactSimulation {
     Status status = Status::kWaiting;
     SurfacePoint point{};  ///< middle of the contact on the unloaded shape
     Eigen::Vector3d force = Eigen::Vector3d::Zero();         ///< N, on the body
-    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, at the middle
-    /// Secant stiffness along the displacement that all contacts cause there, N/mm; 0 if none.
-    double stiffness = 0;
+    Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, at the middle, of all causes
+    /// Part of `displacement` that the force of this contact causes, mm: without loads and the
+    /// forces of other contacts.
+    Eigen::Vector3d deflection = Eigen::Vector3d::Zero();
+    double stiffness = 0;           ///< |force| / |deflection|, N/mm; 0 if there is no force
     std::vector<PatchForce> patch;  ///< of the masks that carry force
 
     // Internal to the simulation.

@@ -22,8 +22,9 @@ enum class SlotCondition {
 /// ignored.
 struct BoundaryConditions {
   std::vector<SlotCondition> ofSlot;
-  Eigen::VectorXd displacement;  ///< 3 per node, mm
-  Eigen::VectorXd traction;      ///< 3 per slot, MPa
+  Eigen::VectorXd displacement;                         ///< 3 per node, mm
+  Eigen::VectorXd traction;                             ///< 3 per slot, MPa
+  Eigen::Vector3d bodyForce = Eigen::Vector3d::Zero();  ///< N/mm^3
 
   /// A body without supports or loads.
   BoundaryConditions(const BoundaryMesh& mesh, const TractionSlots& slots)

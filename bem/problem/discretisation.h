@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "bem/model/body_force.h"
 #include "bem/model/derived_quantities.h"
 #include "bem/model/surface_point.h"
+#include "bem/problem/interior_evaluator.h"
 #include "bem/problem/reference_problem.h"
 
 namespace palpa::bem {
@@ -22,6 +24,9 @@ class ContactSurface;
 ///
 /// Both have a triangle mesh, which names surface points and shows results. For splines the mesh
 /// represents the surface only; its edge length does not change the results.
+///
+/// Functions that take the bulk evaluate fields that its body force and the boundary data cause
+/// together. Differences of such fields have no body force: pass the material alone.
 ///
 /// Immutable; const use from several threads is safe.
 class Discretisation {
@@ -63,8 +68,8 @@ class Discretisation {
   virtual double area(int coefficient) const = 0;
   /// Force and moment of the traction coefficients `p` of some elements on the body.
   virtual Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const = 0;
-  /// Strain energy 1/2 ∫ p.u dΓ, mJ. For triangles ContactSurface::strainEnergy() is twenty times
-  /// as fast.
+  /// 1/2 ∫ p.u dΓ, mJ: the strain energy without a body force; half of bodyForceWork() must be
+  /// added with one. For triangles ContactSurface::strainEnergy() is twenty times as fast.
   virtual double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const = 0;
   /// Cauchy stress at the slots of the mesh, MPa.
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
@@ -75,27 +80,37 @@ class Discretisation {
                                       const Eigen::VectorXd& u) const = 0;
   /// Most accurate displacement at a place, mm: one more iterate.
   virtual Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                         const Eigen::VectorXd& p,
-                                         const Material& material) const = 0;
+                                         const Eigen::VectorXd& p, const Bulk& bulk) const = 0;
   virtual Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const = 0;
   /// Defect of the displacement in the boundary integral equation at a place, mm: the change by one
   /// more iterate. Zero at collocation points by construction; between them an estimate of the
   /// error of u.
   virtual Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                             const Eigen::VectorXd& p,
-                                             const Material& material) const = 0;
+                                             const Eigen::VectorXd& p, const Bulk& bulk) const = 0;
   /// Estimated error (exact minus computed) of a field that solves a problem of this
   /// discretisation: the part that the functions can represent, computed from the residual between
   /// the collocation points. displacementDefect() adds the part that varies within elements.
   /// Includes the soft modes of slender bodies (bending), which have almost no residual. One column
   /// per state. Zero for triangles. Throws Cancelled.
   virtual BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
-                                       const Material& material, const Job& job) const = 0;
+                                       const Bulk& bulk, const Job& job) const = 0;
   /// Empty for a point outside of the body.
   virtual std::optional<InteriorState> interiorState(const Eigen::VectorXd& u,
-                                                     const Eigen::VectorXd& p,
-                                                     const Material& material,
+                                                     const Eigen::VectorXd& p, const Bulk& bulk,
                                                      const Eigen::Vector3d& point) const = 0;
+
+  /// Evaluator of interior states at points inside the body, mm: many points, field after field.
+  /// This object must outlive it. Throws Cancelled.
+  virtual std::unique_ptr<InteriorEvaluator> makeInteriorEvaluator(
+      std::vector<Eigen::Vector3d> points, const Bulk& bulk, const Job& job) const = 0;
+  /// Volume and centroid of the body that the discretisation describes: of the polyhedron for
+  /// triangles.
+  virtual VolumeMoments volumeMoments() const = 0;
+  /// Term of the body force in the equations of a problem, G p - H u + term = 0: one row per row of
+  /// the operators (dofs.count()), mm. Costs a small part of an assembly. Throws Cancelled.
+  virtual Eigen::VectorXd bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
+                                        const Job& job) const = 0;
+  virtual BodyForceWork bodyForceWork(const Bulk& bulk) const = 0;
 
   /// The surface for contacts; this object and `dofs` must outlive it.
   virtual std::unique_ptr<ContactSurface> makeContactSurface(

@@ -1,9 +1,13 @@
 #include "bem/problem/greens_columns.h"
 
 #include <algorithm>
+#include <chrono>
+#include <limits>
 #include <new>
 
 namespace palpa::bem {
+
+using Eigen::Vector3d;
 
 GreensColumns::GreensColumns(std::shared_ptr<const ReferenceProblem> problem)
     : problem_(std::move(problem)),
@@ -29,6 +33,14 @@ bool GreensColumns::hasAll(std::span<const int> nodes) const {
   return std::all_of(nodes.begin(), nodes.end(), [this](int node) { return has(node); });
 }
 
+std::unique_lock<std::timed_mutex> GreensColumns::waitForTurn(const Job& job) {
+  constexpr std::chrono::milliseconds kCheckInterval{5};
+  std::unique_lock lock(computing_, std::defer_lock);
+  do job.throwIfCancelled();
+  while (!lock.try_lock_for(kCheckInterval));
+  return lock;
+}
+
 void GreensColumns::compute(std::span<const int> nodes, const Job& job,
                             ReferenceProblem::Effort effort) {
   std::vector<int> missing;
@@ -40,28 +52,75 @@ void GreensColumns::compute(std::span<const int> nodes, const Job& job,
   }
   std::vector<int> dofs;
   for (std::size_t first = 0; first < missing.size(); first += kBlock) {
-    job.throwIfCancelled();
+    const auto turn = waitForTurn(job);
     const std::size_t last = std::min(missing.size(), first + kBlock);
+    const std::span<const int> block(missing.data() + first, last - first);
+    if (hasAll(block)) continue;  // another thread has computed them
     dofs.clear();
     // BLAS treats the last columns of a block differently if their number is odd.
-    for (std::size_t k = first; k < first + kBlock; ++k)
+    for (std::size_t k = 0; k < kBlock; ++k)
       for (int axis = 0; axis < 3; ++axis)
-        dofs.push_back(3 * missing[std::min(k, last - 1)] + axis);
-    const Eigen::MatrixXd block = problem_->greensColumns(dofs, effort, job);
-    for (std::size_t k = first; k < last; ++k) {
-      const int index = indexOfNode_[missing[k]];
+        dofs.push_back(3 * block[std::min(k, block.size() - 1)] + axis);
+    const Eigen::MatrixXd columns = problem_->greensColumns(dofs, effort, job);
+    for (std::size_t k = 0; k < block.size(); ++k) {
+      if (has(block[k])) continue;  // in use; the same numbers
+      const int index = indexOfNode_[block[k]];
       columns_.view().middleCols<3>(3 * static_cast<Eigen::Index>(index)) =
-          block.middleCols<3>(3 * static_cast<Eigen::Index>(k - first)).cast<float>();
-      if (isReady_[index].exchange(1, std::memory_order_release) == 0)
-        readyCount_.fetch_add(1, std::memory_order_release);
+          columns.middleCols<3>(3 * static_cast<Eigen::Index>(k)).cast<float>();
+      isReady_[index].store(1, std::memory_order_release);
+      readyCount_.fetch_add(1, std::memory_order_release);
     }
     job.report(Phase::kGreensFunction,
                static_cast<double>(last) / static_cast<double>(missing.size()));
   }
 }
 
-std::vector<int> GreensColumns::nodesNear(const std::vector<Eigen::Vector3d>& places,
-                                          const Eigen::Vector3d& point) const {
+void GreensColumns::computeAround(std::span<const int> nodes, const std::vector<Vector3d>& places,
+                                  const Job& job) {
+  std::vector<int> block;
+  std::vector<Vector3d> points;
+  for (const int node : nodes) {
+    if (indexOfNode_[node] < 0 || has(node) ||
+        std::find(block.begin(), block.end(), node) != block.end())
+      continue;
+    block.push_back(node);
+    points.push_back(places[node]);
+  }
+  if (block.empty()) return;
+  fillBlock(block, places, points);
+  compute(block, job);
+}
+
+void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3d>& places,
+                              const std::vector<Vector3d>& points) const {
+  struct Candidate {
+    double distance;
+    int node;
+  };
+  std::vector<Candidate> others;
+  for (const int node : nodes_) {
+    if (has(node) || std::find(nodes.begin(), nodes.end(), node) != nodes.end()) continue;
+    double distance = points.empty() ? 0 : std::numeric_limits<double>::infinity();
+    for (const Vector3d& point : points)
+      distance = std::min(distance, (places[node] - point).squaredNorm());
+    others.push_back({distance, node});
+  }
+  const std::size_t blocks = std::max<std::size_t>((nodes.size() + kBlock - 1) / kBlock, 1);
+  const std::size_t room = std::min(kBlock * blocks - nodes.size(), others.size());
+  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(room),
+                    others.end(), [](const Candidate& a, const Candidate& b) {
+                      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
+                    });
+  for (std::size_t k = 0; k < room; ++k) nodes.push_back(others[k].node);
+}
+
+void GreensColumns::continueWith(std::shared_ptr<const ReferenceProblem> same) {
+  const std::lock_guard lock(computing_);
+  problem_ = std::move(same);
+}
+
+std::vector<int> GreensColumns::nodesNear(const std::vector<Vector3d>& places,
+                                          const Vector3d& point) const {
   std::vector<int> order = nodes_;
   std::sort(order.begin(), order.end(), [&](int a, int b) {
     return (places[a] - point).squaredNorm() < (places[b] - point).squaredNorm();

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -10,8 +11,9 @@
 
 namespace palpa::bem {
 
-/// Columns of Xi of free nodes (displacement coefficients), computed while others are in use: one
-/// writer at a time computes blocks of columns, any number of readers use the available ones.
+/// Columns of Xi of free nodes (displacement coefficients), computed while others are in use: any
+/// number of readers use the available columns; threads that compute columns take turns, block by
+/// block.
 /// Single precision (unrefined: about 1e-5 relative). Memory: 12 n rows() bytes for n free nodes,
 /// reserved at once but taken from the system only when columns are computed.
 class GreensColumns {
@@ -40,11 +42,21 @@ class GreensColumns {
   Eigen::Index rows() const { return rows_; }
 
   /// Computes the missing columns of these nodes in blocks; skips nodes that are not free. Other
-  /// threads may read meanwhile; only one may compute. Throws Cancelled and keeps the finished
-  /// blocks. All blocks have the same size (the last node is repeated), so that a column does not
-  /// depend on the other columns of its block.
+  /// threads may read and compute meanwhile. Throws Cancelled and keeps the finished blocks. All
+  /// blocks have the same size (the last node is repeated), so that a column does not depend on the
+  /// other columns of its block.
   void compute(std::span<const int> nodes, const Job& job,
                ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFast);
+
+  /// compute() of these nodes and of their nearest neighbours that fill the last block at no
+  /// additional cost: a tool that moves on needs them next. `places`: of all nodes
+  /// (ContactSurface::places()).
+  void computeAround(std::span<const int> nodes, const std::vector<Eigen::Vector3d>& places,
+                     const Job& job);
+  /// Adds free nodes without columns to a list of distinct nodes, nearest to some points first,
+  /// until it fills its last block. Without points: by their number.
+  void fillBlock(std::vector<int>& nodes, const std::vector<Eigen::Vector3d>& places,
+                 const std::vector<Eigen::Vector3d>& points) const;
 
   /// The free nodes ordered by their distance from a point, nearest first: the order of computation
   /// for a touch there. `places`: of all nodes (ContactSurface::places()).
@@ -56,13 +68,16 @@ class GreensColumns {
   double blockBytes() const { return 3.0 * kBlock * static_cast<double>(rows_) * sizeof(float); }
 
   /// Computes further columns with another problem that has the same operators and degrees of
-  /// freedom: a full rebuild from the same mesh. Not while another thread computes.
-  void continueWith(std::shared_ptr<const ReferenceProblem> same) { problem_ = std::move(same); }
+  /// freedom: a full rebuild from the same mesh. Waits for a block that is being computed.
+  void continueWith(std::shared_ptr<const ReferenceProblem> same);
 
   /// Nodes per block of compute(): enough for the solver to be efficient, few enough to stop soon.
   static constexpr int kBlock = 32;
 
  private:
+  std::unique_lock<std::timed_mutex> waitForTurn(const Job& job);
+
+  std::timed_mutex computing_;  // held by the thread that computes a block
   std::shared_ptr<const ReferenceProblem> problem_;
   Eigen::Index rows_;
   std::vector<int> nodes_;        // the free ones

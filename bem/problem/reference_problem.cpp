@@ -7,13 +7,24 @@ namespace palpa::bem {
 
 using Eigen::MatrixXd;
 
-MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, const Job& job) const {
+namespace {
+
+/// The residual of fields with a body force; an empty term is zero.
+MatrixXd withTerm(MatrixXd residual, const MatrixXd& bodyForceTerm) {
+  if (bodyForceTerm.size() > 0) residual += bodyForceTerm;
+  return residual;
+}
+
+}  // namespace
+
+MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, const Job& job,
+                                 const MatrixXd& bodyForceTerm) const {
   const int rounds = effort == Effort::kFast ? 1 : refinement_.rounds;
   MatrixXd v = MatrixXd::Zero(dofs().count(), known.u.cols());
   BoundaryField field = known;
   double previous = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
-    const MatrixXd step = correction(residual(field, job), job);
+    const MatrixXd step = correction(withTerm(residual(field, job), bodyForceTerm), job);
     const double change = step.norm();
     if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
     v += step;
@@ -26,18 +37,20 @@ MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, cons
   return v;
 }
 
-double ReferenceProblem::relativeResidual(const BoundaryField& field, const Job& job) const {
+double ReferenceProblem::relativeResidual(const BoundaryField& field, const Job& job,
+                                          const MatrixXd& bodyForceTerm) const {
   const auto largest = [](const MatrixXd& x) -> Eigen::RowVectorXd {
     return x.colwise().lpNorm<Eigen::Infinity>();
   };
   const MatrixXd rest = MatrixXd::Zero(field.u.rows(), field.u.cols());
-  const Eigen::RowVectorXd sizes = largest(residual({rest, field.p}, job)).cwiseMax(1e-300);
-  return largest(residual(field, job)).cwiseQuotient(sizes).maxCoeff();
+  const Eigen::RowVectorXd sizes =
+      largest(withTerm(residual({rest, field.p}, job), bodyForceTerm)).cwiseMax(1e-300);
+  return largest(withTerm(residual(field, job), bodyForceTerm)).cwiseQuotient(sizes).maxCoeff();
 }
 
 BoundaryField ReferenceProblem::solveField(const BoundaryField& known, Effort effort,
-                                           const Job& job) const {
-  BoundaryField field = dofs().expand(solve(known, effort, job), MatrixXd());
+                                           const Job& job, const MatrixXd& bodyForceTerm) const {
+  BoundaryField field = dofs().expand(solve(known, effort, job, bodyForceTerm), MatrixXd());
   field.u += known.u;
   field.p += known.p;
   return field;

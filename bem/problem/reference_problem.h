@@ -21,11 +21,12 @@ class ReferenceProblem {
   const DegreesOfFreedom& dofs() const { return dofs_; }
 
   enum class Effort { kRefined, kFast };
-  /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u. kRefined
-  /// iterates on the residual in double precision until it stops falling; kFast takes the
-  /// result of the factorisation. Throws Cancelled.
+  /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u + term.
+  /// kRefined iterates on the residual in double precision until it stops falling; kFast takes the
+  /// result of the factorisation. `bodyForceTerm`: Discretisation::bodyForceTerm() of each column;
+  /// empty if there is no body force. Throws Cancelled.
   Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
-                        const Job& job = {}) const;
+                        const Job& job = {}, const Eigen::MatrixXd& bodyForceTerm = {}) const;
 
   /// G p - H u of a field, in double precision. Throws Cancelled.
   virtual Eigen::MatrixXd residual(const BoundaryField& field, const Job& job = {}) const = 0;
@@ -37,15 +38,17 @@ class ReferenceProblem {
 
   /// The whole field: known plus unknown part.
   BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,
-                           const Job& job = {}) const;
+                           const Job& job = {}, const Eigen::MatrixXd& bodyForceTerm = {}) const;
 
   /// Columns of Xi = -A0^-1 Ā0 for the given nodal degrees of freedom: the unknowns for a unit
   /// known value. Throws Cancelled.
   Eigen::MatrixXd greensColumns(std::span<const int> columns, Effort effort = Effort::kRefined,
                                 const Job& job = {}) const;
 
-  /// max |G p - H u| / max |G p|, the largest of all columns: how well fields fulfil the equations.
-  double relativeResidual(const BoundaryField& field, const Job& job = {}) const;
+  /// max |G p - H u + term| / max |G p + term|, the largest of all columns: how well fields fulfil
+  /// the equations.
+  double relativeResidual(const BoundaryField& field, const Job& job = {},
+                          const Eigen::MatrixXd& bodyForceTerm = {}) const;
   /// Condition number of A0 in the 1-norm; costs about as much as five columns. Throws Cancelled.
   virtual double conditionEstimate(const Job& job = {}) const = 0;
   virtual std::size_t bytes() const = 0;

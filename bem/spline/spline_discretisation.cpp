@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "bem/spline/spline_body_force.h"
 #include "bem/spline/spline_contact_surface.h"
+#include "bem/spline/spline_interior.h"
 #include "bem/spline/spline_state.h"
 
 namespace palpa::bem {
@@ -86,9 +88,8 @@ Vector3d SplineDiscretisation::interpolate(const SurfacePoint& place,
 }
 
 Vector3d SplineDiscretisation::displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                              const Eigen::VectorXd& p,
-                                              const Material& material) const {
-  return interpolate(place, u) + displacementDefect(place, u, p, material);
+                                              const Eigen::VectorXd& p, const Bulk& bulk) const {
+  return interpolate(place, u) + displacementDefect(place, u, p, bulk);
 }
 
 Vector3d SplineDiscretisation::tractionAt(const SurfacePoint& place,
@@ -100,21 +101,43 @@ Vector3d SplineDiscretisation::tractionAt(const SurfacePoint& place,
 Vector3d SplineDiscretisation::displacementDefect(const SurfacePoint& place,
                                                   const Eigen::VectorXd& u,
                                                   const Eigen::VectorXd& p,
-                                                  const Material& material) const {
-  return results().displacementDefect(splineMesh_.at(place), u, p, material);
+                                                  const Bulk& bulk) const {
+  return results().displacementDefect(splineMesh_.at(place), u, p, bulk);
 }
 
 BoundaryField SplineDiscretisation::estimatedError(const ReferenceProblem& problem,
-                                                   const BoundaryField& field,
-                                                   const Material& material, const Job& job) const {
-  return bem::estimatedError(results(), problem, field, material, job);
+                                                   const BoundaryField& field, const Bulk& bulk,
+                                                   const Job& job) const {
+  return bem::estimatedError(results(), problem, field, bulk, job);
 }
 
 std::optional<InteriorState> SplineDiscretisation::interiorState(const Eigen::VectorXd& u,
                                                                  const Eigen::VectorXd& p,
-                                                                 const Material& material,
+                                                                 const Bulk& bulk,
                                                                  const Vector3d& point) const {
-  return results().interiorState(u, p, material, point);
+  return results().interiorState(u, p, bulk, point);
+}
+
+VolumeMoments SplineDiscretisation::volumeMoments() const {
+  return bem::volumeMoments(surface_);
+}
+
+Eigen::VectorXd SplineDiscretisation::bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
+                                                    const Job& job) const {
+  return results().bodyForceTerm(splineEquations(surface_, tractions_, dofs.extraSlots()), bulk,
+                                 job);
+}
+
+BodyForceWork SplineDiscretisation::bodyForceWork(const Bulk& bulk) const {
+  return bem::bodyForceWork(surface_, tractions_, bulk);
+}
+
+std::unique_ptr<InteriorEvaluator> SplineDiscretisation::makeInteriorEvaluator(
+    std::vector<Vector3d> points, const Bulk& bulk, const Job& job) const {
+  const SplineQuadrature& quadrature =
+      interiorQuadrature_.get(surface_, SplineInterior::kTolerance, job);
+  return std::make_unique<SplineInterior>(surface_, tractions_, quadrature, bulk, std::move(points),
+                                          job);
 }
 
 std::unique_ptr<ContactSurface> SplineDiscretisation::makeContactSurface(

@@ -22,7 +22,7 @@ class SplineIntegrals {
   /// Force (N) and moment (N mm) about the origin exerted on the body by the traction coefficients
   /// `p` (3 per slot, MPa) over the given elements.
   Resultant resultant(const Eigen::VectorXd& p, std::span<const int> elements) const;
-  /// Strain energy 1/2 ∫ p.u dΓ, mJ, of a field without body forces.
+  /// 1/2 ∫ p.u dΓ, mJ: the strain energy of a field without body force.
   double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const;
   /// Integral of the function of a displacement coefficient, mm^2: the force of a unit of its
   /// traction.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace palpa::bem {
 namespace {
@@ -78,6 +79,25 @@ SplineFoot nearestOnElement(const SplineSurface& surface, int index, const Vecto
     if (move.cwiseQuotient(upper - lower).lpNorm<Eigen::Infinity>() < 1e-12) break;
   }
   return {{index, at[0], at[1]}, distance};
+}
+
+SplineFoot nearestOnSurface(const SplineSurface& surface, const SplineQuadrature& quadrature,
+                            const Vector3d& x) {
+  constexpr std::size_t kMaxTrials = 16;
+  std::vector<double> bound(surface.elements().size());
+  for (int e = 0; e < surface.elementCount(); ++e) bound[e] = quadrature.distance(e, x);
+  std::vector<int> order(bound.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto tried =
+      order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kMaxTrials));
+  std::partial_sort(order.begin(), tried, order.end(),
+                    [&](int a, int b) { return bound[a] < bound[b]; });
+  SplineFoot best{{-1, 0, 0}, std::numeric_limits<double>::infinity()};
+  for (auto e = order.begin(); e != tried && bound[*e] < best.distance; ++e) {
+    const SplineFoot foot = nearestOnElement(surface, *e, x);
+    if (foot.distance < best.distance) best = foot;
+  }
+  return best;
 }
 
 SplineCollocationPoint surfacePlaces(const SplineSurface& surface, const SplineMesh::Point& at) {

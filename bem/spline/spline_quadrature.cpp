@@ -257,21 +257,7 @@ void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace
          placement_.stride(index),
          work.sums.data()});
   };
-  const Element& element = elements_[index];
-  const int count = inside ? 0 : pointsFor(element, ratio(index, x));
-  if (count > 0 && count <= kMaxKept) {
-    sum(element.rules[count - kMinPoints]);
-    return;
-  }
-  collect(index, x, inside, work);
-  if (!work.rule.u.empty()) {
-    placement_.place(index, work.rule, work.points);
-    sum(work.points);
-  }
-  for (const auto& [cell, points] : work.cells) {
-    placement_.placeTensor(index, cell, points, work.rule, work.points);
-    sum(work.points);
-  }
+  visitRules(index, x, inside, work, sum);
 }
 
 void SplineQuadrature::addTo(const std::vector<int>& coefficients, const std::vector<int>& slots,

@@ -52,10 +52,46 @@ class SplineQuadrature {
     return (x - elements_[element].whole.center).norm() - elements_[element].whole.radius;
   }
   int stride(int element) const { return placement_.stride(element); }
+  int functionsAlong(int element, int direction) const {
+    return placement_.functionsAlong(element, direction);
+  }
+
+  /// Rules whose points are kept for every element.
+  static constexpr int kKeptRules = 4;
+  /// The kept rule that suffices for a point outside of an element; -1: none does.
+  int keptRule(int element, const Eigen::Vector3d& x) const {
+    const int count = pointsFor(elements_[element], ratio(element, x));
+    return count > 0 && count <= kMaxKept ? count - kMinPoints : -1;
+  }
+  const SplinePoints& keptPoints(int element, int rule) const {
+    return elements_[element].rules[rule];
+  }
 
   /// Points at which integrate() sums; valid until the workspace is used again.
   const SplinePoints& points(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
                              Workspace& work) const;
+
+  /// Calls visit(points) for each rule that integrate() uses; they are valid during the call.
+  /// `inside` as for integrate().
+  template <class Visit>
+  void visitRules(int element, const Eigen::Vector3d& x, const SplinePlace* inside, Workspace& work,
+                  const Visit& visit) const {
+    const Element& shape = elements_[element];
+    const int count = inside ? 0 : pointsFor(shape, ratio(element, x));
+    if (count > 0 && count <= kMaxKept) {
+      visit(shape.rules[count - kMinPoints]);
+      return;
+    }
+    collect(element, x, inside, work);
+    if (!work.rule.u.empty()) {
+      placement_.place(element, work.rule, work.points);
+      visit(work.points);
+    }
+    for (const auto& [cell, points] : work.cells) {
+      placement_.placeTensor(element, cell, points, work.rule, work.points);
+      visit(work.points);
+    }
+  }
 
   /// Computes the sums of one element for x (mm) in work.sums. `inside`: the place of x in the
   /// element; null if the element does not contain x.
@@ -67,7 +103,8 @@ class SplineQuadrature {
              const Workspace& work, double* T, double* U) const;
 
  private:
-  static constexpr int kMaxKept = 6;  ///< larger rules are needed only near elements
+  /// Larger rules are needed only near elements.
+  static constexpr int kMaxKept = kMinPoints + kKeptRules - 1;
 
   struct Cell {
     SplineCell cell;
@@ -84,7 +121,7 @@ class SplineQuadrature {
     std::vector<Cell> parts;  ///< after the first subdivision
     /// Smallest distance over radius at which each number of points per direction suffices.
     std::array<double, kMaxPoints + 1> ratio;
-    std::array<SplinePoints, kMaxKept - kMinPoints + 1> rules;
+    std::array<SplinePoints, kKeptRules> rules;
   };
   /// Cells with a larger aspect ratio are subdivided before the polar rule, because radii would
   /// vary too much over the angles.

@@ -1,6 +1,5 @@
 #include "bem/spline/spline_results.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/spline/spline_body_force.h"
 #include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_projection.h"
 #include "bem/spline/spline_rows.h"
@@ -24,26 +24,6 @@ using Eigen::Vector3d;
 
 constexpr double kTolerance = 1e-6;
 
-/// Nearest surface point; for points far from the surface, one of the nearest.
-SplineFoot nearestOnSurface(const SplineSurface& surface, const SplineQuadrature& quadrature,
-                            const Vector3d& x) {
-  constexpr std::size_t kMaxTrials = 16;
-  std::vector<double> bound(surface.elements().size());
-  for (int e = 0; e < surface.elementCount(); ++e) bound[e] = quadrature.distance(e, x);
-  std::vector<int> order(bound.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto tried =
-      order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kMaxTrials));
-  std::partial_sort(order.begin(), tried, order.end(),
-                    [&](int a, int b) { return bound[a] < bound[b]; });
-  SplineFoot best{{-1, 0, 0}, std::numeric_limits<double>::infinity()};
-  for (auto e = order.begin(); e != tried && bound[*e] < best.distance; ++e) {
-    const SplineFoot foot = nearestOnElement(surface, *e, x);
-    if (foot.distance < best.distance) best = foot;
-  }
-  return best;
-}
-
 /// Coefficients of an element's functions as columns.
 Matrix3Xd gather(const Eigen::VectorXd& coefficients, const std::vector<int>& list) {
   Matrix3Xd columns(3, static_cast<Index>(list.size()));
@@ -59,15 +39,17 @@ SplineResults::SplineResults(const SplineSurface& surface, const SplineTractions
     : surface_(surface), tractions_(tractions), quadrature_(surface, kTolerance, job) {}
 
 Vector3d SplineResults::displacementDefect(const SplineMesh::Point& at, const Eigen::VectorXd& u,
-                                           const Eigen::VectorXd& p,
-                                           const Material& material) const {
-  const SplineRows rows(surface_, tractions_, material, quadrature_);
+                                           const Eigen::VectorXd& p, const Bulk& bulk) const {
+  const SplineRows rows(surface_, tractions_, bulk.material, quadrature_);
   SplineRows::Sums sums;
-  rows.integrate(surfacePlaces(surface_, at), sums, Job{});
-  return rows.freeTerm(sums).partialPivLu().solve(rows.residual(sums, u, p));
+  const SplineCollocationPoint point = surfacePlaces(surface_, at);
+  rows.integrate(point, sums, Job{});
+  Vector3d residual = rows.residual(sums, u, p);
+  residual += SplineBodyForce(surface_, quadrature_, bulk).at(point, sums.quadrature);
+  return rows.freeTerm(sums).partialPivLu().solve(residual);
 }
 
-Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const Material& material,
+Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const Bulk& bulk,
                                                const Job& job) const {
   // With two points per direction, no point coincides with a collocation point of any degree.
   constexpr int kPoints = 2;
@@ -84,7 +66,8 @@ Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const
                     [&](const SplinePlace& place, const SplineJet&, double weight) {
                       samples.push_back({place, weight, {}});
                     });
-  const SplineRows rows(surface_, tractions_, material, quadrature_);
+  const SplineRows rows(surface_, tractions_, bulk.material, quadrature_);
+  const SplineBodyForce bodyForce(surface_, quadrature_, bulk);
   ScratchPool<SplineRows::Sums> pool([] { return SplineRows::Sums{}; });
   const auto count = static_cast<std::ptrdiff_t>(samples.size());
   constexpr std::ptrdiff_t kPerTask = kElementsPerTask * kPoints * kPoints;
@@ -93,8 +76,12 @@ Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const
         SplineRows::Sums sums = pool.take();
         for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
           Sample& sample = samples[k];
-          rows.integrate({surface_.evaluate(sample.place).position, {sample.place}}, sums, job);
+          const SplineCollocationPoint point{surface_.evaluate(sample.place).position,
+                                             {sample.place}};
+          rows.integrate(point, sums, job);
           sample.residual = rows.residual(sums, field.u, field.p);
+          if (bulk.hasBodyForce())
+            sample.residual.colwise() += bodyForce.at(point, sums.quadrature);
         }
         pool.giveBack(std::move(sums));
       });
@@ -118,8 +105,9 @@ Eigen::MatrixXd SplineResults::averageResidual(const BoundaryField& field, const
 
 std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd& u,
                                                           const Eigen::VectorXd& p,
-                                                          const Material& material,
+                                                          const Bulk& bulk,
                                                           const Vector3d& x) const {
+  const Material& material = bulk.material;
   const SplineFoot foot = nearestOnSurface(surface_, quadrature_, x);
   const SplineSurfaceState near = splineSurfaceState(
       surface_, tractions_, {foot.place.element, surface_.parameters(foot.place).parameters}, u, p,
@@ -151,6 +139,10 @@ std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd&
                                     kelvinTraction(x, y, normal, material) * displacement);
       state.stress += size * (kelvinStressFromTraction(x, y, traction, material) +
                               kelvinStressFromDisplacement(x, y, normal, displacement, material));
+      if (bulk.hasBodyForce()) {
+        state.displacement += bodyForceDisplacement(y - x, area, bulk);
+        state.stress += bodyForceStress(y - x, area, bulk);
+      }
       solidAngle += (y - x).dot(area) / std::pow((y - x).norm(), 3);
     }
   }
@@ -158,9 +150,14 @@ std::optional<InteriorState> SplineResults::interiorState(const Eigen::VectorXd&
   return state;
 }
 
+Eigen::VectorXd SplineResults::bodyForceTerm(const SplineEquations& equations, const Bulk& bulk,
+                                             const Job& job) const {
+  return SplineBodyForce(surface_, quadrature_, bulk).term(equations, job);
+}
+
 BoundaryField estimatedError(const SplineResults& results, const ReferenceProblem& problem,
-                             const BoundaryField& field, const Material& material, const Job& job) {
-  const Eigen::MatrixXd average = results.averageResidual(field, material, job);
+                             const BoundaryField& field, const Bulk& bulk, const Job& job) {
+  const Eigen::MatrixXd average = results.averageResidual(field, bulk, job);
   const DegreesOfFreedom& dofs = problem.dofs();
   const Index points = dofs.count() / 3;
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(dofs.count(), average.cols());

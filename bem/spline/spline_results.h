@@ -2,7 +2,9 @@
 
 #include <optional>
 
+#include "bem/model/bulk.h"
 #include "bem/problem/reference_problem.h"
+#include "bem/spline/spline_equations.h"
 #include "bem/spline/spline_mesh.h"
 #include "bem/spline/spline_quadrature.h"
 #include "bem/triangle/results.h"
@@ -19,16 +21,17 @@ class SplineResults {
 
   /// C^-1 r, mm: the change of u at a surface point x by one more iteration C u'(x) = ∫ U p - ⨍ T
   /// u, with the residual of the regularised identity
-  ///   r(x) = ∫ U p dΓ - ∫ T [u(y) - u(x)] dΓ
-  /// and the free term C (1/2 at smooth points). r is zero at collocation points. Takes about 1 µs
+  ///   r(x) = ∫ U p dΓ - ∫ T [u(y) - u(x)] dΓ + B(x)
+  /// with the body force's term B (bem/model/body_force.h) and the free term C (1/2 at smooth
+  /// points). r is zero at collocation points. Takes about 1 µs
   /// per element.
   Eigen::Vector3d displacementDefect(const SplineMesh::Point& at, const Eigen::VectorXd& u,
-                                     const Eigen::VectorXd& p, const Material& material) const;
+                                     const Eigen::VectorXd& p, const Bulk& bulk) const;
 
   /// Residuals r of fields, averaged over the surface with each function N_j: component c of
   /// function j in row 3 j + c, one column per field. Takes about 4 µs per pair of elements and
   /// core. Throws Cancelled if the job was stopped.
-  Eigen::MatrixXd averageResidual(const BoundaryField& field, const Material& material,
+  Eigen::MatrixXd averageResidual(const BoundaryField& field, const Bulk& bulk,
                                   const Job& job) const;
 
   /// Displacement and stress at a point x (mm) inside the body, by Somigliana's identities u = ∫ U
@@ -37,8 +40,11 @@ class SplineResults {
   /// approaches the surface, and the state converges to the surface state. Empty for a point
   /// outside the body. Takes about 5 µs per element.
   std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                             const Material& material,
-                                             const Eigen::Vector3d& x) const;
+                                             const Bulk& bulk, const Eigen::Vector3d& x) const;
+
+  /// Term of the body force in the rows of equations, see SplineBodyForce.
+  Eigen::VectorXd bodyForceTerm(const SplineEquations& equations, const Bulk& bulk,
+                                const Job& job) const;
 
  private:
   const SplineSurface& surface_;
@@ -49,6 +55,6 @@ class SplineResults {
 /// Error estimate, see Discretisation::estimatedError(): solves A0 v = r̄ with the averaged
 /// residuals in the rows of the functions' collocation points.
 BoundaryField estimatedError(const SplineResults& results, const ReferenceProblem& problem,
-                             const BoundaryField& field, const Material& material, const Job& job);
+                             const BoundaryField& field, const Bulk& bulk, const Job& job);
 
 }  // namespace palpa::bem

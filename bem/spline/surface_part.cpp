@@ -202,8 +202,9 @@ Areas areasOf(const SplineSurface& surface, const std::vector<bool>& isInside) {
 /// whether the whole element is inside.
 std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
                                     const SurfacePart& part, bool& isInside) {
-  isInside = part.hasPatch(surface.elements()[element].patch);
-  if (isInside || !part.level) return {};
+  const SurfacePart::OnPatch here = part.on(surface.elements()[element].patch);
+  isInside = here.isWhole;
+  if (!here.level) return {};
   const SplineElement& e = surface.elements()[element];
   const Eigen::Vector3d middle =
       surface.evaluate({element, (e.lower[0] + e.upper[0]) / 2, (e.lower[1] + e.upper[1]) / 2})
@@ -212,10 +213,10 @@ std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
   double radius = 0;
   for (const int point : surface.functions(element))
     radius = std::max(radius, (surface.controlPoints()[point] - middle).norm());
-  const double level = part.level(middle);
+  const double level = here.level(middle);
   isInside = level < 0;
   if (std::abs(level) > radius) return {};
-  std::vector<Cutter::Piece> pieces = Cutter(surface, element, part.level).cut();
+  std::vector<Cutter::Piece> pieces = Cutter(surface, element, here.level).cut();
   if (pieces.size() > 1) return pieces;
   isInside = pieces.front().isInside;
   return {};
@@ -258,6 +259,16 @@ void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isInside) {
 
 }  // namespace
 
+SurfacePart::OnPatch SurfacePart::on(int patch) const {
+  if (lacksPatch(patch)) return {};
+  if (hasPatch(patch)) {
+    if (!exceptLevel) return {true, {}};
+    return {false, [this](const Eigen::Vector3d& x) { return -exceptLevel(x); }};
+  }
+  if (!level || !exceptLevel) return {false, level};
+  return {false, [this](const Eigen::Vector3d& x) { return std::max(level(x), -exceptLevel(x)); }};
+}
+
 SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
                        const std::function<int(int)>& tagInside, Tearing tearing) {
   SplineSurface result = surface;
@@ -283,6 +294,7 @@ SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
   for (int e = 0; e < result.elementCount(); ++e) {
     if (!isInside[e]) continue;
     const int before = result.elements()[e].tag, after = tagInside(before);
+    if (after == before) isInside[e] = false;  // belongs to another part: no border of this one
     result.setTag(e, after);
     const int group = result.smoothingGroup(e);
     for (const int function : result.functions(e))

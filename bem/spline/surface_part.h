@@ -12,12 +12,24 @@ namespace palpa::bem {
 using LevelFunction = std::function<double(const Eigen::Vector3d&)>;
 
 /// Part of a surface: some whole patches, and the region of the other patches where a level
-/// function is negative.
+/// function is negative; both without the exceptions.
 struct SurfacePart {
-  std::vector<bool> patches;  ///< per patch; empty: no whole patches
-  LevelFunction level;        ///< null: no other patches
+  std::vector<bool> patches;          ///< per patch; empty: no whole patches
+  LevelFunction level;                ///< null: no other patches
+  std::vector<bool> exceptPatches{};  ///< per patch; empty: none
+  LevelFunction exceptLevel{};        ///< null: nothing else is excepted
 
   bool hasPatch(int patch) const { return !patches.empty() && patches[patch]; }
+  bool lacksPatch(int patch) const { return !exceptPatches.empty() && exceptPatches[patch]; }
+
+  /// The part within one patch: the whole patch, nothing of it, or where `level` is negative.
+  /// Refers to the SurfacePart.
+  struct OnPatch {
+    bool isWhole = false;
+    LevelFunction level;  ///< null: whole or nothing
+    bool contains(const Eigen::Vector3d& x) const { return level ? level(x) < 0 : isWhole; }
+  };
+  OnPatch on(int patch) const;
 };
 
 /// Treatment of functions that the border of a part cuts.
@@ -27,7 +39,8 @@ enum class Tearing {
 };
 
 /// Surface in which the elements inside a part have the tag `tagInside` returns for their present
-/// tag. Knot rectangles crossed by the border of the part are cut along it into separate elements.
+/// tag; elements that keep their tag count as outside. Knot rectangles crossed by the border of the
+/// part are cut along it into separate elements.
 ///
 /// The displacement is prescribed inside a support, and this must not affect the surface beyond the
 /// border within the width of a function. Functions cut by the border are therefore torn: each side

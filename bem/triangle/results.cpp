@@ -6,6 +6,7 @@
 #include "bem/model/displacement_recovery.h"
 #include "bem/triangle/flat_triangle_integrals.h"
 #include "bem/triangle/kelvin.h"
+#include "bem/triangle/triangle_body_force.h"
 #include "bem/triangle/triangle_contact_surface.h"
 
 namespace palpa::bem {
@@ -74,8 +75,8 @@ using Cell = Matrix3d;
 class StressIntegral {
  public:
   StressIntegral(const BoundaryMesh& mesh, int t, const Matrix3d& u, const Matrix3d& p,
-                 const Material& material, const Vector3d& x)
-      : u_(u), p_(p), material_(material), x_(x), normal_(mesh.normal(t)), area_(mesh.area(t)) {
+                 const Bulk& bulk, const Vector3d& x)
+      : u_(u), p_(p), bulk_(bulk), x_(x), normal_(mesh.normal(t)), area_(mesh.area(t)) {
     for (int a = 0; a < 3; ++a) corners_.col(a) = mesh.nodes[mesh.triangles[t][a]];
   }
 
@@ -108,14 +109,16 @@ class StressIntegral {
           cell * Vector3d(q.barycentric[0], q.barycentric[1], q.barycentric[2]);
       const Vector3d y = corners_ * weights;
       sum += q.weight * part * area_ *
-             (kelvinStressFromTraction(x_, y, p_ * weights, material_) +
-              kelvinStressFromDisplacement(x_, y, normal_, u_ * weights, material_));
+             (kelvinStressFromTraction(x_, y, p_ * weights, bulk_.material) +
+              kelvinStressFromDisplacement(x_, y, normal_, u_ * weights, bulk_.material));
+      if (bulk_.hasBodyForce())
+        sum += bodyForceStress(y - x_, q.weight * part * area_ * normal_, bulk_);
     }
     return sum;
   }
 
   Matrix3d corners_, u_, p_;
-  Material material_;
+  Bulk bulk_;
   Vector3d x_, normal_;
   double area_;
 };
@@ -225,9 +228,9 @@ double vonMises(const Matrix3d& stress) {
 }
 
 Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
-                             const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                             const Material& material, const SurfacePoint& place) {
-  // With ũ the interpolated value at x: C (u(x) - ũ) = ∫ U p - ∫ T (u - ũ), and C = -∫ T by
+                             const Eigen::VectorXd& u, const Eigen::VectorXd& p, const Bulk& bulk,
+                             const SurfacePoint& place) {
+  // With ũ the interpolated value at x: C (u(x) - ũ) = ∫ U p - ∫ T (u - ũ) + B, and C = -∫ T by
   // rigid-body translation. Subtracting ũ keeps every integral convergent, also where x lies on an
   // edge.
   const Vector3d interpolated = cornerDisplacements(mesh, u, place.triangle) * place.weights;
@@ -236,28 +239,30 @@ Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slot
   for (int t = 0; t < mesh.triangleCount(); ++t) {
     const Matrix3d displacements = cornerDisplacements(mesh, u, t);
     const Matrix3d tractions = cornerTractions(slots, p, t);
-    const TriangleBlocks blocks(mesh, t, material, place.position);
+    const TriangleBlocks blocks(mesh, t, bulk.material, place.position);
     for (int a = 0; a < 3; ++a) {
       right += blocks.U[a] * tractions.col(a) - blocks.T[a] * (displacements.col(a) - interpolated);
       freeTerm -= blocks.T[a];
     }
   }
+  if (bulk.hasBodyForce()) right += TriangleBodyForce(mesh, bulk).at(place.position);
   return interpolated + freeTerm.partialPivLu().solve(right);
 }
 
 std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                           const Material& material, const Vector3d& point) {
+                                           const Bulk& bulk, const Vector3d& point) {
   InteriorState state{Vector3d::Zero(), Matrix3d::Zero()};
+  if (bulk.hasBodyForce()) state.displacement = TriangleBodyForce(mesh, bulk).at(point);
   double solidAngle = 0;
   for (int t = 0; t < mesh.triangleCount(); ++t) {
     const Matrix3d displacements = cornerDisplacements(mesh, u, t);
     const Matrix3d tractions = cornerTractions(slots, p, t);
-    const TriangleBlocks blocks(mesh, t, material, point);
+    const TriangleBlocks blocks(mesh, t, bulk.material, point);
     for (int a = 0; a < 3; ++a)
       state.displacement += blocks.U[a] * tractions.col(a) - blocks.T[a] * displacements.col(a);
     solidAngle += blocks.solidAngle;
-    state.stress += StressIntegral(mesh, t, displacements, tractions, material, point).value();
+    state.stress += StressIntegral(mesh, t, displacements, tractions, bulk, point).value();
   }
   if (solidAngle < 2 * std::numbers::pi) return std::nullopt;
   return state;

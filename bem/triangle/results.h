@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bem/model/boundary_conditions.h"
+#include "bem/model/bulk.h"
 #include "bem/model/derived_quantities.h"
 #include "bem/model/surface_point.h"
 
@@ -16,7 +17,7 @@ namespace palpa::bem {
 Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots,
                             const Eigen::VectorXd& p, std::span<const int> triangles);
 
-/// Strain energy 1/2 ∫ p.u dΓ in N mm = mJ, of a field without body forces, with u between the
+/// 1/2 ∫ p.u dΓ in N mm = mJ, the strain energy of a field without body force, with u between the
 /// nodes from `DisplacementRecovery`. TriangleContactSurface is twenty times as fast.
 double strainEnergy(const BoundaryMesh& mesh, const TractionSlots& slots, const Eigen::VectorXd& u,
                     const Eigen::VectorXd& p);
@@ -44,14 +45,15 @@ double vonMises(const Eigen::Matrix3d& stress);
 /// lacks a second-order term of several per cent under a load a few elements wide.
 Eigen::Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
                                     const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                    const Material& material, const SurfacePoint& place);
+                                    const Bulk& bulk, const SurfacePoint& place);
 
-/// Somigliana's identity: u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u. The displacement integrals are
-/// exact; the stress integrals use subdivision, to about 1e-6. Empty for a point outside the body.
-/// Very close to the surface, compared with an element, the stress has the kinks of the linear
-/// field: use `surfaceStress` there.
+/// Somigliana's identity: u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u, plus the terms of the body
+/// force (bem/model/body_force.h). The displacement integrals are exact; the stress integrals use
+/// subdivision, to about 1e-6. Empty for a point outside the body. Very close to the surface,
+/// compared with an element, the stress has the kinks of the linear field: use `surfaceStress`
+/// there.
 std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                           const Material& material, const Eigen::Vector3d& point);
+                                           const Bulk& bulk, const Eigen::Vector3d& point);
 
 }  // namespace palpa::bem

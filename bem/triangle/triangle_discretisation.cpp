@@ -1,7 +1,9 @@
 #include "bem/triangle/triangle_discretisation.h"
 
 #include "bem/triangle/results.h"
+#include "bem/triangle/triangle_body_force.h"
 #include "bem/triangle/triangle_contact_surface.h"
+#include "bem/triangle/triangle_interior.h"
 
 namespace palpa::bem {
 
@@ -66,8 +68,8 @@ Vector3d TriangleDiscretisation::interpolate(const SurfacePoint& place, const Ve
 }
 
 Vector3d TriangleDiscretisation::displacementAt(const SurfacePoint& place, const VectorXd& u,
-                                                const VectorXd& p, const Material& material) const {
-  return surfaceDisplacement(mesh(), slots(), u, p, material, place);
+                                                const VectorXd& p, const Bulk& bulk) const {
+  return surfaceDisplacement(mesh(), slots(), u, p, bulk, place);
 }
 
 Vector3d TriangleDiscretisation::tractionAt(const SurfacePoint& place, const VectorXd& p) const {
@@ -78,13 +80,12 @@ Vector3d TriangleDiscretisation::tractionAt(const SurfacePoint& place, const Vec
 }
 
 Vector3d TriangleDiscretisation::displacementDefect(const SurfacePoint& place, const VectorXd& u,
-                                                    const VectorXd& p,
-                                                    const Material& material) const {
-  return surfaceDisplacement(mesh(), slots(), u, p, material, place) - interpolate(place, u);
+                                                    const VectorXd& p, const Bulk& bulk) const {
+  return surfaceDisplacement(mesh(), slots(), u, p, bulk, place) - interpolate(place, u);
 }
 
 BoundaryField TriangleDiscretisation::estimatedError(const ReferenceProblem&,
-                                                     const BoundaryField& field, const Material&,
+                                                     const BoundaryField& field, const Bulk&,
                                                      const Job&) const {
   return {Eigen::MatrixXd::Zero(field.u.rows(), field.u.cols()),
           Eigen::MatrixXd::Zero(field.p.rows(), field.p.cols())};
@@ -92,9 +93,27 @@ BoundaryField TriangleDiscretisation::estimatedError(const ReferenceProblem&,
 
 std::optional<InteriorState> TriangleDiscretisation::interiorState(const VectorXd& u,
                                                                    const VectorXd& p,
-                                                                   const Material& material,
+                                                                   const Bulk& bulk,
                                                                    const Vector3d& point) const {
-  return bem::interiorState(mesh(), slots(), u, p, material, point);
+  return bem::interiorState(mesh(), slots(), u, p, bulk, point);
+}
+
+VolumeMoments TriangleDiscretisation::volumeMoments() const {
+  return bem::volumeMoments(mesh());
+}
+
+VectorXd TriangleDiscretisation::bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
+                                               const Job& job) const {
+  return TriangleBodyForce(mesh(), bulk).term(dofs.collocationPoints(mesh(), slots()), job);
+}
+
+BodyForceWork TriangleDiscretisation::bodyForceWork(const Bulk& bulk) const {
+  return bem::bodyForceWork(mesh(), slots(), bulk);
+}
+
+std::unique_ptr<InteriorEvaluator> TriangleDiscretisation::makeInteriorEvaluator(
+    std::vector<Vector3d> points, const Bulk& bulk, const Job& job) const {
+  return std::make_unique<TriangleInterior>(mesh(), slots(), bulk, std::move(points), job);
 }
 
 std::unique_ptr<ContactSurface> TriangleDiscretisation::makeContactSurface(

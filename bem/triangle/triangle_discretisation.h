@@ -31,16 +31,22 @@ class TriangleDiscretisation final : public Discretisation {
                                              const Material& material) const override;
   Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;
   Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                 const Eigen::VectorXd& p, const Material& material) const override;
+                                 const Eigen::VectorXd& p, const Bulk& bulk) const override;
   Eigen::Vector3d tractionAt(const SurfacePoint& place, const Eigen::VectorXd& p) const override;
   Eigen::Vector3d displacementDefect(const SurfacePoint& place, const Eigen::VectorXd& u,
-                                     const Eigen::VectorXd& p,
-                                     const Material& material) const override;
+                                     const Eigen::VectorXd& p, const Bulk& bulk) const override;
   BoundaryField estimatedError(const ReferenceProblem& problem, const BoundaryField& field,
-                               const Material& material, const Job& job) const override;
+                               const Bulk& bulk, const Job& job) const override;
   std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                             const Material& material,
+                                             const Bulk& bulk,
                                              const Eigen::Vector3d& point) const override;
+  std::unique_ptr<InteriorEvaluator> makeInteriorEvaluator(std::vector<Eigen::Vector3d> points,
+                                                           const Bulk& bulk,
+                                                           const Job& job) const override;
+  VolumeMoments volumeMoments() const override;
+  Eigen::VectorXd bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
+                                const Job& job) const override;
+  BodyForceWork bodyForceWork(const Bulk& bulk) const override;
 
   std::unique_ptr<ContactSurface> makeContactSurface(const DegreesOfFreedom& dofs) const override;
 };
