@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 
@@ -25,6 +26,18 @@ class ModelingError : public Error {
 
  private:
   Kind kind_;
+};
+
+/// Thrown if a region contains no part of the surface that a mesh can resolve.
+class EmptyRegionError : public ModelingError {
+ public:
+  /// `region`: as MeshRegion::name.
+  EmptyRegionError(std::string region, const std::string& message)
+      : ModelingError(message), region_(std::move(region)) {}
+  const std::string& region() const { return region_; }
+
+ private:
+  std::string region_;
 };
 
 }  // namespace palpa::modeling

@@ -1,5 +1,6 @@
 #include "modeling/body/body.h"
 
+#include "base/count_text.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::modeling {
@@ -17,9 +18,14 @@ std::vector<std::string> patchNames(const Body& body) {
 }
 
 std::string quotedPatchNames(const Body& body) {
+  constexpr std::size_t kMaxShown = 40;  // CAD bodies may have thousands of faces
+  const std::vector<std::string> names = patchNames(body);
+  const std::size_t shown = names.size() > kMaxShown ? kMaxShown / 2 : names.size();
   std::string text;
-  for (const std::string& name : patchNames(body))
-    text += (text.empty() ? "\"" : ", \"") + name + "\"";
+  for (std::size_t k = 0; k < shown; ++k) text += (text.empty() ? "\"" : ", \"") + names[k] + "\"";
+  if (shown < names.size())
+    text += ", …, \"" + names.back() + "\" (" + countText(static_cast<double>(names.size())) +
+            " in all)";
   return text;
 }
 

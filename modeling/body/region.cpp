@@ -75,11 +75,36 @@ void checkRegion(const Region& region, const Body& body, const std::string& path
 void checkRegion(const Region& region, const Body& body, const std::set<std::string>& names,
                  const std::string& path) {
   if (region.parts.empty()) throw ModelingError(path + ": is empty");
+  // Exceptions follow the parts in the list of the file.
+  const bool isList = region.parts.size() > 1 || !region.except.empty();
   for (std::size_t i = 0; i < region.parts.size(); ++i) {
-    const std::string partPath =
-        region.parts.size() == 1 ? path : path + "[" + std::to_string(i) + "]";
+    const std::string partPath = isList ? path + "[" + std::to_string(i) + "]" : path;
     std::visit([&](const auto& part) { checkPart(part, body, names, partPath); }, region.parts[i]);
   }
+  const std::string exceptPath = path + "[" + std::to_string(region.parts.size()) + "].except";
+  for (std::size_t i = 0; i < region.except.size(); ++i)
+    std::visit(
+        [&](const auto& part) {
+          checkPart(part, body, names, exceptPath + "[" + std::to_string(i) + "]");
+        },
+        region.except[i]);
+}
+
+std::vector<bool> namedPatches(const std::vector<RegionPart>& parts, const Body& body) {
+  std::vector<bool> isNamed(patchNames(body).size(), false);
+  for (const RegionPart& part : parts)
+    if (const auto* set = std::get_if<PatchSet>(&part))
+      for (const std::string& name : set->patches)
+        if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
+  return isNamed;
+}
+
+bool isInSpace(const std::vector<RegionPart>& parts, const Eigen::Vector3d& x) {
+  return std::any_of(parts.begin(), parts.end(), [&](const RegionPart& part) {
+    const auto* half = std::get_if<HalfSpace>(&part);
+    const auto* stroke = std::get_if<Stroke>(&part);
+    return (half && half->value(x) < 0.0) || (stroke && stroke->value(x) < 0.0);
+  });
 }
 
 std::vector<double> regionField(const Region& region, const Body& body,
@@ -89,23 +114,26 @@ std::vector<double> regionField(const Region& region, const Body& body,
     throw std::invalid_argument("regionField: positions and patches differ in number");
   const auto [low, high] = boundingBox(body);
   const double cap = kRegionFieldCap * (high - low).norm();
-  std::vector<double> field(positions.size(), cap);
-  const auto add = [&](const auto& value) {
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      field[i] = std::max(-cap, std::min(field[i], value(i)));
-  };
-  for (const RegionPart& part : region.parts) {
-    if (const auto* half = std::get_if<HalfSpace>(&part))
-      add([&](std::size_t i) { return half->value(positions[i]) / half->normal.norm(); });
-    if (const auto* stroke = std::get_if<Stroke>(&part))
-      add([&](std::size_t i) { return stroke->value(positions[i]); });
-    if (const auto* set = std::get_if<PatchSet>(&part)) {
-      std::vector<bool> isNamed(patchNames(body).size(), false);
-      for (const std::string& name : set->patches)
-        if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
-      add([&](std::size_t i) { return isNamed[patchOfPosition[i]] ? -cap : cap; });
+  const auto distances = [&](const std::vector<RegionPart>& parts) {
+    std::vector<double> field(positions.size(), cap);
+    const std::vector<bool> isNamed = namedPatches(parts, body);
+    const auto add = [&](const auto& value) {
+      for (std::size_t i = 0; i < positions.size(); ++i)
+        field[i] = std::max(-cap, std::min(field[i], value(i)));
+    };
+    add([&](std::size_t i) { return isNamed[patchOfPosition[i]] ? -cap : cap; });
+    for (const RegionPart& part : parts) {
+      if (const auto* half = std::get_if<HalfSpace>(&part))
+        add([&](std::size_t i) { return half->value(positions[i]) / half->normal.norm(); });
+      if (const auto* stroke = std::get_if<Stroke>(&part))
+        add([&](std::size_t i) { return stroke->value(positions[i]); });
     }
-  }
+    return field;
+  };
+  std::vector<double> field = distances(region.parts);
+  if (region.except.empty()) return field;
+  const std::vector<double> removed = distances(region.except);
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] = std::max(field[i], -removed[i]);
   return field;
 }
 

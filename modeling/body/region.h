@@ -51,9 +51,10 @@ struct Stroke {
 
 using RegionPart = std::variant<PatchSet, HalfSpace, Stroke>;
 
-/// Region of a body's surface: the union of its parts.
+/// Region of a body's surface: the union of its parts, without the exceptions.
 struct Region {
   std::vector<RegionPart> parts;
+  std::vector<RegionPart> except{};
 
   static Region ofPatches(std::vector<std::string> names) { return {{PatchSet{std::move(names)}}}; }
   static Region below(const Eigen::Vector3d& normal, double distance) {
@@ -63,10 +64,17 @@ struct Region {
   bool operator==(const Region&) const = default;
 };
 
+/// True for each patch that one of the parts names, by index into patchNames(body). Unknown names
+/// are ignored.
+std::vector<bool> namedPatches(const std::vector<RegionPart>& parts, const Body& body);
+
+/// True if the point (mm) lies in one of the half spaces or strokes.
+bool isInSpace(const std::vector<RegionPart>& parts, const Eigen::Vector3d& x);
+
 /// Checks a region against a body. Throws ModelingError if the region has no part, if a patch name
 /// does not exist (the message lists the existing names), if a normal is not finite or zero, or if
-/// a stroke does not have 1 … kMaxPoints finite points and a positive radius. `path` is the
-/// beginning of the message ("supports[0].where").
+/// a stroke does not have 1 … kMaxPoints finite points and a positive radius; the same for its
+/// exceptions. `path` is the beginning of the message ("supports[0].where").
 void checkRegion(const Region& region, const Body& body, const std::string& path);
 
 /// Checks a region with precomputed names, for many regions of one body; `names` contains
@@ -78,7 +86,8 @@ void checkRegion(const Region& region, const Body& body, const std::set<std::str
 /// the zero line of linear interpolation. They are the minimum over the parts of the distances from
 /// half spaces and strokes, limited to ±kRegionFieldCap times the diagonal of the body's box. Named
 /// patches have no distance: their points get the lower limit, so the zero line follows the patch
-/// edge if every patch has separate vertices. `patchOfPosition` is an index into patchNames(body)
+/// edge if every patch has separate vertices. The maximum with the negative distances from the
+/// exceptions removes these. `patchOfPosition` is an index into patchNames(body)
 /// for each position. Unknown names are ignored. Throws std::invalid_argument if the numbers of
 /// positions and patches differ.
 std::vector<double> regionField(const Region& region, const Body& body,

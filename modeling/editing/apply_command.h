@@ -39,6 +39,9 @@ Edited applyTo(const SetMesh& command, const Project& project);
 Edited applyTo(const RenameProject& command, const Project& project);
 Edited applyTo(const RenamePatch& command, const Project& project);
 
+// take_overlap.cpp
+Edited applyTo(const TakeOverlap& command, const Project& project);
+
 /// The project with another body and without a primitive. `deviation` in mm, see Edited.
 Edited withBody(const Project& project, Body body, double deviation = 0.0);
 

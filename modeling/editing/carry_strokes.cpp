@@ -12,14 +12,13 @@ using Eigen::Vector3d;
 template <class What>
 void forStrokes(Project& project, What what) {
   const auto visit = [&](Region& region) {
-    for (RegionPart& part : region.parts)
-      if (auto* stroke = std::get_if<Stroke>(&part)) what(*stroke);
+    for (auto* parts : {&region.parts, &region.except})
+      for (RegionPart& part : *parts)
+        if (auto* stroke = std::get_if<Stroke>(&part)) what(*stroke);
   };
   for (Support& support : project.supports) visit(support.where);
-  for (Load& load : project.loads) {
-    if (auto* pressure = std::get_if<Pressure>(&load.what)) visit(pressure->where);
-    if (auto* traction = std::get_if<UniformTraction>(&load.what)) visit(traction->where);
-  }
+  for (Load& load : project.loads)
+    if (Region* where = regionOf(load)) visit(*where);
 }
 
 /// Cache of the last nearest points, because all commands of a drag need the same ones.

@@ -147,6 +147,14 @@ struct SetSupport {
 struct RemoveSupport {
   std::string name;
 };
+/// Gives the surface that two supports share to one of them: the region of the other gets the
+/// regions of the taker as exceptions. A support of which nothing is left is removed.
+struct TakeOverlap {
+  std::string name;  ///< the support that keeps the overlap
+  std::string from;  ///< the support that loses it
+  double gap = 0.0;  ///< mm of free surface between both, >= 0; supports that prescribe different
+                     ///< displacements must not meet
+};
 
 struct AddLoad {
   Load load;
@@ -189,8 +197,8 @@ struct RenamePatch {
 using Command =
     std::variant<MovePoints, ScalePoints, RotatePoints, AlignPoints, InsertKnot, RemoveKnot,
                  ElevateDegree, TransformSolid, MakePrimitive, SetEdge, AddSupport, SetSupport,
-                 RemoveSupport, AddLoad, SetLoad, RemoveLoad, AddTouch, SetTouch, RemoveTouch,
-                 SetMaterial, SetMesh, RenameProject, RenamePatch>;
+                 RemoveSupport, TakeOverlap, AddLoad, SetLoad, RemoveLoad, AddTouch, SetTouch,
+                 RemoveTouch, SetMaterial, SetMesh, RenameProject, RenamePatch>;
 
 /// Result of a command.
 struct Edited {

@@ -48,6 +48,9 @@ struct Label {
   std::string operator()(const RemoveSupport& c) const {
     return "Remove support " + quoted(c.name);
   }
+  std::string operator()(const TakeOverlap& c) const {
+    return "Take overlap from support " + quoted(c.from);
+  }
   std::string operator()(const AddLoad& c) const { return "Add load " + quoted(c.load.name); }
   std::string operator()(const SetLoad& c) const { return "Change load " + quoted(c.name); }
   std::string operator()(const RemoveLoad& c) const { return "Remove load " + quoted(c.name); }

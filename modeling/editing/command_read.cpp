@@ -158,6 +158,9 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
       return SetSupport{v["name"], supportFrom(v["support"])};
     },
     [](const json& v) -> Command { return RemoveSupport{v["name"]}; },
+    [](const json& v) -> Command {
+      return TakeOverlap{v["name"], v["from"], v.value("gap_mm", 0.0)};
+    },
     [](const json& v) -> Command { return AddLoad{loadFrom(v["load"])}; },
     [](const json& v) -> Command {
       return SetLoad{v["name"], loadFrom(v["load"])};

@@ -165,6 +165,11 @@ void add(Json& object, const SetSupport& c) {
   object["name"] = c.name;
   object["support"] = jsonOf(c.support);
 }
+void add(Json& object, const TakeOverlap& c) {
+  object["name"] = c.name;
+  object["from"] = c.from;
+  if (c.gap > 0.0) object["gap_mm"] = c.gap;
+}
 void add(Json& object, const AddLoad& c) {
   object["load"] = jsonOf(c.load);
 }

@@ -113,13 +113,14 @@ HalfSpace transformed(const HalfSpace& half, const AffineMap& map, const Matrix3
 }
 
 void transform(Region& region, const AffineMap& map, const Matrix3d& inverse) {
-  for (RegionPart& part : region.parts) {
-    if (auto* half = std::get_if<HalfSpace>(&part)) *half = transformed(*half, map, inverse);
-    if (auto* stroke = std::get_if<Stroke>(&part)) {
-      for (Vector3d& point : stroke->points) point = map(point);
-      stroke->radius *= map.scale;
+  for (auto* parts : {&region.parts, &region.except})
+    for (RegionPart& part : *parts) {
+      if (auto* half = std::get_if<HalfSpace>(&part)) *half = transformed(*half, map, inverse);
+      if (auto* stroke = std::get_if<Stroke>(&part)) {
+        for (Vector3d& point : stroke->points) point = map(point);
+        stroke->radius *= map.scale;
+      }
     }
-  }
 }
 
 void transformConditions(Project& project, const AffineMap& map) {
@@ -129,16 +130,17 @@ void transformConditions(Project& project, const AffineMap& map) {
     support.displacement = map.turn * support.displacement;
   }
   for (Load& load : project.loads) {
-    if (auto* pressure = std::get_if<Pressure>(&load.what)) {
-      transform(pressure->where, map, inverse);
-    } else if (auto* traction = std::get_if<UniformTraction>(&load.what)) {
-      transform(traction->where, map, inverse);
+    if (Region* where = regionOf(load)) transform(*where, map, inverse);
+    if (auto* traction = std::get_if<UniformTraction>(&load.what))
       traction->traction = map.turn * traction->traction;
-    } else {
-      auto& bump = std::get<Bump>(load.what);
-      bump.center = map(bump.center);
-      bump.direction = map.turn * bump.direction;
+    if (auto* total = std::get_if<TotalForce>(&load.what)) total->force = map.turn * total->force;
+    if (auto* moment = std::get_if<Moment>(&load.what))
+      moment->moment = map.turn.determinant() * (map.turn * moment->moment);
+    if (auto* bump = std::get_if<Bump>(&load.what)) {
+      bump->center = map(bump->center);
+      bump->direction = map.turn * bump->direction;
     }
+    // Gravity keeps its direction in space.
   }
   for (Touch& touch : project.touches) {
     touch.at = map(touch.at);

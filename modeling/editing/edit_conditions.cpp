@@ -44,9 +44,10 @@ Edited removed(const Project& project, std::vector<One> Project::*list, const st
 }
 
 void rename(Region& region, const std::string& from, const std::string& to) {
-  for (RegionPart& part : region.parts)
-    if (auto* set = std::get_if<PatchSet>(&part))
-      std::replace(set->patches.begin(), set->patches.end(), from, to);
+  for (auto* parts : {&region.parts, &region.except})
+    for (RegionPart& part : *parts)
+      if (auto* set = std::get_if<PatchSet>(&part))
+        std::replace(set->patches.begin(), set->patches.end(), from, to);
 }
 
 Body renamed(const Solid& solid, const std::string& from, const std::string& to) {
@@ -131,11 +132,8 @@ Edited applyTo(const RenamePatch& command, const Project& project) {
       std::visit([&](const auto& body) { return renamed(body, from, to); }, project.body);
   if (from == to) return {project, 0.0};
   for (Support& support : result.project.supports) rename(support.where, from, to);
-  for (Load& load : result.project.loads) {
-    if (auto* pressure = std::get_if<Pressure>(&load.what)) rename(pressure->where, from, to);
-    if (auto* traction = std::get_if<UniformTraction>(&load.what))
-      rename(traction->where, from, to);
-  }
+  for (Load& load : result.project.loads)
+    if (Region* where = regionOf(load)) rename(*where, from, to);
   auto factor = result.project.mesh.patchFactors.extract(from);
   if (!factor.empty()) {
     factor.key() = to;

@@ -1,8 +1,5 @@
 #include "modeling/exchange/cad_export.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepTools.hxx>
 #include <IGESBasic_Name.hxx>
@@ -22,6 +19,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "base/atomic_file.h"
 #include "modeling/error.h"
 #include "modeling/exchange/brep_names.h"
 #include "modeling/exchange/file_format.h"
@@ -124,15 +122,6 @@ bool write(FileFormat format, const ShapeOfSolid& made, const Solid& solid, cons
                       ModelingError::Kind::kIo);
 }
 
-/// Flushes the file to the disk.
-bool flush(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool done = ::fsync(file) == 0;
-  ::close(file);
-  return done;
-}
-
 }  // namespace
 
 void exportCad(const Body& body, const std::filesystem::path& path, const std::string& name,
@@ -147,29 +136,21 @@ void exportCad(const Body& body, const std::filesystem::path& path, const std::s
   job.throwIfCancelled();
   job.report(Phase::kExport, 0.0);
 
-  std::filesystem::path fresh = path;
-  fresh += ".new";
-  std::error_code code;
-  const auto discard = [&] { std::filesystem::remove(fresh, code); };
   try {
+    AtomicFile file(path);
+    const std::filesystem::path& fresh = file.freshPath();
     // OpenCASCADE gives no reason for a failure, so unwritable files are detected in advance.
     if (!std::ofstream(fresh, std::ios::binary).is_open()) failWriting(path);
     const OpenCascadeSession session;
     const bool isWritten =
         write(format, makeShape(*solid), *solid, name.empty() ? "palpa" : name, fresh, job);
     job.throwIfCancelled();
-    if (!isWritten || !flush(fresh)) failWriting(path);
-  } catch (const Cancelled&) {
-    discard();
-    throw;
+    if (!isWritten) failWriting(path);
+    file.commit();
+  } catch (const FileError& error) {
+    throw ModelingError(error.what(), ModelingError::Kind::kIo);
   } catch (...) {
-    discard();
     rethrowAsModelingError(path.string());
-  }
-  std::filesystem::rename(fresh, path, code);
-  if (code) {
-    discard();
-    failWriting(path);
   }
   job.report(Phase::kExport, 1.0);
 }

@@ -37,11 +37,14 @@ class GeometryCheck {
   std::vector<GeometryFinding> run() {
     checkEdges();
     checkAreas();
+    job_.report(Phase::kCheck, 0.1);
     if (const auto* solid = std::get_if<Solid>(&body_); solid && !mesh_.parameters.empty()) {
       const SurfaceEvaluator surface(*solid);
       checkFolds(surface);
+      job_.report(Phase::kCheck, 0.3);
       checkNormals(*solid, surface);
     }
+    job_.report(Phase::kCheck, 0.6);
     checkCrossings();
     if (!isOpen_) checkVolume();
     std::stable_partition(findings_.begin(), findings_.end(),
@@ -115,7 +118,7 @@ class GeometryCheck {
       finding.message = "the patch \"" + names_[fold.at.patch] +
                         (fold.isFlat ? "\" shrinks to a line or a point near "
                                      : "\" is folded over itself near ") +
-                        placeText(finding.at) + "; spread its control points there";
+                        placeText(finding.at);
       findings_.push_back(std::move(finding));
     }
   }
@@ -215,9 +218,15 @@ class GeometryCheck {
     const std::size_t count = finding.triangles.size();
     const bool one = count == 1;
     const std::string number = one ? "a triangle" : std::to_string(count) + " triangles";
+    constexpr std::size_t kMaxNames = 6;
     std::string names;
-    for (const std::string& name : finding.patches)
+    for (const std::string& name : finding.patches) {
+      if (&name - finding.patches.data() == kMaxNames) {
+        names += " and " + std::to_string(finding.patches.size() - kMaxNames) + " more";
+        break;
+      }
       names += (names.empty() ? "\"" : ", \"") + name + "\"";
+    }
     const std::string where = " near " + placeText(finding.at) +
                               (finding.patches.size() == 1 ? ", patch " : ", patches ") + names;
     switch (finding.fault) {

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/count_text.h"
 #include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/mesh/border_fit.h"
@@ -160,8 +161,8 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   const double expected = estimateNodeCount(solid, settings, regions);
   if (expected > kMaxNodes)
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
-                            " mm would need about " + numberText(std::round(expected)) +
-                            " nodes; at most " + numberText(kMaxNodes) + " are possible",
+                            " mm would need about " + estimateText(expected) + " nodes; at most " +
+                            countText(kMaxNodes) + " are possible; choose a longer edge",
                         ModelingError::Kind::kTooLarge);
   const SurfaceEvaluator surface(solid);
   const std::vector<double> lengths = patchEdgeLengths(solid, settings);

@@ -6,6 +6,7 @@
 #include <set>
 #include <variant>
 
+#include "base/count_text.h"
 #include "base/text.h"
 #include "modeling/body/smooth_regions.h"
 #include "modeling/error.h"
@@ -235,18 +236,23 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
 
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions, const Job& job) {
+  job.report(Phase::kMesh, 0.0);
   const double expected = estimateNodeCount(body, settings, regions);
   if (!(expected <= kMaxNodes))
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
-                            " mm would need about " + numberText(std::round(expected)) +
-                            " nodes; at most " + numberText(kMaxNodes) + " are possible",
+                            " mm would need about " + estimateText(expected) + " nodes; at most " +
+                            countText(kMaxNodes) + " are possible; choose a longer edge",
                         ModelingError::Kind::kTooLarge);
   const std::vector<RegionBorder> borders = distinctBorders(regions);
   const MeshSettings used = bounded(settings, body);
   const TaggedSurface original = cutSurface(body, used, borders);
   job.throwIfCancelled();
+  job.report(Phase::kMesh, 0.1);
   const RefinedFeatures refined(body, used, regions, borders);
-  TaggedSurface surface = remesh(original, sizeField(original, used, refined, borders), job);
+  const Job remeshing{job.stop,
+                      [&job](Phase phase, double done) { job.report(phase, 0.1 + 0.85 * done); },
+                      job.threads};
+  TaggedSurface surface = remesh(original, sizeField(original, used, refined, borders), remeshing);
   checkVolume(surface, body, settings.edgeLength);
   renumber(surface);
   SurfaceMesh mesh;
@@ -261,6 +267,7 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
   for (const MeshRegion& region : regions)
     mesh.trianglesOfRegion.push_back(
         trianglesOf(region, body, mesh.patchOfTriangle, mesh.bordersOfTriangle, borders));
+  job.report(Phase::kMesh, 1.0);
   return mesh;
 }
 

@@ -7,11 +7,11 @@
 namespace palpa::modeling {
 namespace {
 
-/// Borders of a region: one per half space, and one for all strokes together.
-std::vector<RegionBorder> bordersOf(const Region& region) {
+/// Borders of parts: one per half space, and one for all strokes together.
+std::vector<RegionBorder> bordersOf(const std::vector<RegionPart>& parts) {
   std::vector<RegionBorder> result;
   std::vector<Stroke> strokes;
-  for (const RegionPart& part : region.parts) {
+  for (const RegionPart& part : parts) {
     if (const auto* half = std::get_if<HalfSpace>(&part)) result.emplace_back(*half);
     if (const auto* stroke = std::get_if<Stroke>(&part)) strokes.push_back(*stroke);
   }
@@ -19,10 +19,11 @@ std::vector<RegionBorder> bordersOf(const Region& region) {
   return result;
 }
 
-/// The bits of a region's borders.
-std::uint64_t bitsOf(const Region& region, const std::vector<RegionBorder>& borders) {
+/// The bits of the borders of parts.
+std::uint64_t bitsOf(const std::vector<RegionPart>& parts,
+                     const std::vector<RegionBorder>& borders) {
   std::uint64_t bits = 0;
-  for (const RegionBorder& border : bordersOf(region))
+  for (const RegionBorder& border : bordersOf(parts))
     bits |=
         std::uint64_t{1} << (std::find(borders.begin(), borders.end(), border) - borders.begin());
   return bits;
@@ -34,9 +35,10 @@ std::vector<RegionBorder> distinctBorders(std::span<const MeshRegion> regions) {
   constexpr std::size_t kMaxBorders = 64;
   std::vector<RegionBorder> result;
   for (const MeshRegion& region : regions)
-    for (RegionBorder& border : bordersOf(region.where))
-      if (std::find(result.begin(), result.end(), border) == result.end())
-        result.push_back(std::move(border));
+    for (const auto* parts : {&region.where.parts, &region.where.except})
+      for (RegionBorder& border : bordersOf(*parts))
+        if (std::find(result.begin(), result.end(), border) == result.end())
+          result.push_back(std::move(border));
   if (result.size() > kMaxBorders)
     throw ModelingError("the regions have " + std::to_string(result.size()) +
                             " different half spaces and paintings; at most 64 are possible",
@@ -48,21 +50,21 @@ std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
                              const std::vector<int>& patchOfTriangle,
                              const std::vector<std::uint64_t>& insideOfTriangle,
                              const std::vector<RegionBorder>& borders) {
-  const std::uint64_t chosen = bitsOf(region.where, borders);
-  std::vector<bool> isNamed(patchNames(body).size(), false);
-  for (const RegionPart& part : region.where.parts)
-    if (const auto* set = std::get_if<PatchSet>(&part))
-      for (const std::string& name : set->patches)
-        if (const auto patch = findPatch(body, name)) isNamed[*patch] = true;
+  const auto isIn = [&](const std::vector<RegionPart>& parts) {
+    return [&, bits = bitsOf(parts, borders), isNamed = namedPatches(parts, body)](std::size_t t) {
+      return isNamed[patchOfTriangle[t]] || (insideOfTriangle[t] & bits) != 0;
+    };
+  };
+  const auto isInside = isIn(region.where.parts), isExcepted = isIn(region.where.except);
   std::vector<int> triangles;
   for (std::size_t t = 0; t < patchOfTriangle.size(); ++t)
-    if (isNamed[patchOfTriangle[t]] || (insideOfTriangle[t] & chosen) != 0)
-      triangles.push_back(static_cast<int>(t));
+    if (isInside(t) && !isExcepted(t)) triangles.push_back(static_cast<int>(t));
   if (triangles.empty())
-    throw ModelingError(region.name +
-                        ": the region contains no part of the surface, or only a part too narrow "
-                        "for the edge length; compare the half space (normal · x < below_mm) or "
-                        "the stroke (points_mm, radius_mm) with the size and place of the solid");
+    throw EmptyRegionError(
+        region.name, region.name +
+                         ": the region contains no part of the surface, or only a part too narrow "
+                         "for the edge length; compare the half space (normal · x < below_mm) or "
+                         "the stroke (points_mm, radius_mm) with the size and place of the solid");
   return triangles;
 }
 
@@ -70,7 +72,8 @@ std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
                              const std::vector<RegionBorder>& borders) {
   std::uint64_t bits = 0;
   for (const MeshRegion& region : regions)
-    if (region.refineBorder) bits |= bitsOf(region.where, borders);
+    if (region.refineBorder)
+      bits |= bitsOf(region.where.parts, borders) | bitsOf(region.where.except, borders);
   return bits;
 }
 

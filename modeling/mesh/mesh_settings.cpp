@@ -23,6 +23,9 @@ void MeshSettings::validate(const std::string& path) const {
   if (!(accuracy >= kMinAccuracy && accuracy <= kMaxAccuracy))
     throw ModelingError(path + ".accuracy: " + numberText(accuracy) + " is outside " +
                         numberText(kMinAccuracy) + " … " + numberText(kMaxAccuracy));
+  if (!(splineDensity >= 1 && splineDensity <= kMaxSplineDensity))
+    throw ModelingError(path + ".spline_density: " + numberText(splineDensity) +
+                        " is outside 1 … " + numberText(kMaxSplineDensity));
   if (elementLength && !(std::isfinite(*elementLength) && *elementLength > 0.0))
     throw ModelingError(path + ".element_length_mm: " + numberText(*elementLength) +
                         " must be finite and greater than 0");

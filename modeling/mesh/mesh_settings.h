@@ -21,9 +21,13 @@ struct MeshSettings {
   /// surrounding patches get as many pieces as needed to fit.
   std::map<std::string, double> patchFactors{};
   Engine engine = Engine::kAutomatic;
-  /// Target relative error of displacements and reactions with splines, 1e-4 … 0.1; sets the size
-  /// of the spline elements unless elementLength does.
+  /// Requested relative error of displacements and forces, 1e-4 … 0.1; sets the size of the spline
+  /// elements unless elementLength does.
   double accuracy = 0.01;
+  /// Number of spline elements per length over the number that `accuracy` leads to, 1 … 16; raised
+  /// where that number is not enough. Ignored with elementLength.
+  double splineDensity = 1;
+  static constexpr double kMaxSplineDensity = 16;
   /// Size of the spline elements away from borders in mm, > 0; multiplied by patchFactors.
   std::optional<double> elementLength{};
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/text.h"
+#include "base/count_text.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/surface_editor.h"
@@ -48,6 +48,7 @@ class Remesher {
     for (int i = 0; i < kPasses; ++i) pass();
     for (int round = 0; round < kReliefRounds && relieve(); ++round)
       for (int i = 0; i < kReliefPasses; ++i) pass();
+    job_.report(Phase::kMesh, 0.95);
     for (int i = 0; i < 2; ++i) {
       flipAll();
       relaxAll();
@@ -56,6 +57,15 @@ class Remesher {
   }
 
  private:
+  /// Reports the end of one of the four steps of a pass. The first pass, which makes the nodes,
+  /// takes about as long as all later ones.
+  void advance() {
+    constexpr int kFirst = 4, kLater = 4 * (kPasses - 1 + kReliefRounds * kReliefPasses);
+    ++steps_;
+    job_.report(Phase::kMesh,
+                steps_ <= kFirst ? 0.5 * steps_ / kFirst : 0.5 + 0.45 * (steps_ - kFirst) / kLater);
+  }
+
   /// Checks for cancellation every few thousand elements.
   void checkpoint(std::size_t i) const {
     constexpr std::size_t kOften = 2048;
@@ -90,7 +100,7 @@ class Remesher {
         checkpoint(count++);
         editor_.split(e.a, e.b);
         if (editor_.nodeCount() > 2.0 * kMaxNodes)
-          throw ModelingError("mesh.edge_length_mm: more than " + numberText(kMaxNodes) +
+          throw ModelingError("mesh.edge_length_mm: more than " + countText(kMaxNodes) +
                                   " nodes would be needed; choose a longer edge or less refinement",
                               ModelingError::Kind::kTooLarge);
       }
@@ -140,10 +150,13 @@ class Remesher {
   /// would twist curved surfaces.
   void pass() {
     splitLong();
+    advance();
     collapseShort();
+    advance();
     for (int i = 0; i < 2; ++i) {
       flipAll();
       relaxAll();
+      advance();
     }
   }
 
@@ -235,6 +248,7 @@ class Remesher {
   SizeField sizes_;
   SurfaceEditor editor_;
   const Job& job_;
+  int steps_ = 0;
 };
 
 }  // namespace

@@ -26,17 +26,25 @@ RegionPart partFrom(const json& value) {
 
 Material materialFrom(const json& value) {
   Material material;
-  auto& [name, youngsModulus, poissonRatio] = material;  // all fields: the compiler counts them
+  auto& [name, youngsModulus, poissonRatio, density] = material;  // the compiler counts the fields
   name = value.value("name", "");
   youngsModulus = value["youngs_modulus_MPa"];
   poissonRatio = value["poisson_ratio"];
+  if (value.contains("density_kg_per_m3")) density = value["density_kg_per_m3"].get<double>();
   return material;
 }
 
 Region regionFrom(const json& value) {
   Region region;
   if (!value.is_array()) return {{partFrom(value)}};
-  for (const json& part : value) region.parts.push_back(partFrom(part));
+  for (const json& part : value) {
+    if (!part.contains("except")) {
+      region.parts.push_back(partFrom(part));
+      continue;
+    }
+    const std::vector<RegionPart> except = regionFrom(part["except"]).parts;
+    region.except.insert(region.except.end(), except.begin(), except.end());
+  }
   return region;
 }
 
@@ -56,6 +64,16 @@ Load loadFrom(const json& value) {
     return {name, Pressure{regionFrom(value["where"]), value["MPa"].get<double>()}};
   if (value["kind"] == "traction")
     return {name, UniformTraction{regionFrom(value["where"]), vectorFrom(value["MPa"])}};
+  if (value["kind"] == "force")
+    return {name, TotalForce{regionFrom(value["where"]), vectorFrom(value["force_N"])}};
+  if (value["kind"] == "moment")
+    return {name, Moment{regionFrom(value["where"]), vectorFrom(value["moment_N_mm"])}};
+  if (value["kind"] == "gravity") {
+    Gravity gravity;
+    if (value.contains("acceleration_m_per_s2"))
+      gravity.accelerationMPerS2 = vectorFrom(value["acceleration_m_per_s2"]);
+    return {name, gravity};
+  }
   return {name, Bump{vectorFrom(value["center_mm"]), value["radius_mm"].get<double>(),
                      value["peak_MPa"].get<double>(), vectorFrom(value["direction"])}};
 }
@@ -83,6 +101,7 @@ MeshSettings meshFrom(const json& value) {
   if (engine != "automatic")
     settings.engine = engine == "splines" ? Engine::kSplines : Engine::kTriangles;
   settings.accuracy = value.value("accuracy", settings.accuracy);
+  settings.splineDensity = value.value("spline_density", settings.splineDensity);
   if (value.contains("element_length_mm"))
     settings.elementLength = value["element_length_mm"].get<double>();
   if (!value.contains("refinement")) return settings;

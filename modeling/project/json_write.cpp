@@ -19,9 +19,11 @@ Json partOf(const RegionPart& part) {
 }  // namespace
 
 Json jsonOf(const Region& region) {
-  if (region.parts.size() == 1) return partOf(region.parts.front());
-  Json parts = Json::array();
+  if (region.parts.size() == 1 && region.except.empty()) return partOf(region.parts.front());
+  Json parts = Json::array(), except = Json::array();
   for (const RegionPart& part : region.parts) parts.push_back(partOf(part));
+  for (const RegionPart& part : region.except) except.push_back(partOf(part));
+  if (!except.empty()) parts.push_back({{"except", std::move(except)}});
   return parts;
 }
 
@@ -46,6 +48,23 @@ void add(Json& object, const UniformTraction& load) {
   object["kind"] = "traction";
   object["where"] = jsonOf(load.where);
   object["MPa"] = jsonOf(load.traction);
+}
+
+void add(Json& object, const TotalForce& load) {
+  object["kind"] = "force";
+  object["where"] = jsonOf(load.where);
+  object["force_N"] = jsonOf(load.force);
+}
+
+void add(Json& object, const Moment& load) {
+  object["kind"] = "moment";
+  object["where"] = jsonOf(load.where);
+  object["moment_N_mm"] = jsonOf(load.moment);
+}
+
+void add(Json& object, const Gravity& load) {
+  object["kind"] = "gravity";
+  if (load != Gravity{}) object["acceleration_m_per_s2"] = jsonOf(load.accelerationMPerS2);
 }
 
 void add(Json& object, const Bump& load) {
@@ -80,6 +99,8 @@ Json jsonOf(const MeshSettings& mesh) {
   if (mesh.engine != Engine::kAutomatic)
     object["engine"] = mesh.engine == Engine::kSplines ? "splines" : "triangles";
   if (mesh.accuracy != MeshSettings{}.accuracy) object["accuracy"] = mesh.accuracy;
+  if (mesh.splineDensity != MeshSettings{}.splineDensity)
+    object["spline_density"] = mesh.splineDensity;
   if (mesh.elementLength) object["element_length_mm"] = *mesh.elementLength;
   if (mesh.refinementLevels > 0 || mesh.refineAtSharpEdges || mesh.refineAtBorders) {
     Json at = Json::array();
@@ -91,8 +112,11 @@ Json jsonOf(const MeshSettings& mesh) {
 }
 
 Json jsonOf(const Material& material) {
-  const auto& [name, youngsModulus, poissonRatio] = material;
-  return {{"name", name}, {"youngs_modulus_MPa", youngsModulus}, {"poisson_ratio", poissonRatio}};
+  const auto& [name, youngsModulus, poissonRatio, density] = material;
+  Json object{
+      {"name", name}, {"youngs_modulus_MPa", youngsModulus}, {"poisson_ratio", poissonRatio}};
+  if (density) object["density_kg_per_m3"] = *density;
+  return object;
 }
 
 }  // namespace palpa::modeling

@@ -40,8 +40,9 @@ void checkName(const std::string& name, const std::string& path, std::set<std::s
 }
 
 void checkMaterial(const Material& material) {
-  const auto& [name, youngsModulus, nu] = material;
+  const auto& [name, youngsModulus, nu, density] = material;
   requirePositive(youngsModulus, "material.youngs_modulus_MPa");
+  if (density) requirePositive(*density, "material.density_kg_per_m3");
   if (!(nu > -1.0 && nu <= 0.5))
     throw ModelingError("material.poisson_ratio: " + numberText(nu) +
                         " is outside the possible range -1 < nu <= 0.5");
@@ -65,6 +66,20 @@ void checkLoad(const Pressure& load, const Surface& surface, const std::string& 
 void checkLoad(const UniformTraction& load, const Surface& surface, const std::string& path) {
   surface.check(load.where, path + ".where");
   requireFinite(load.traction, path + ".MPa");
+}
+
+void checkLoad(const TotalForce& load, const Surface& surface, const std::string& path) {
+  surface.check(load.where, path + ".where");
+  requireFinite(load.force, path + ".force_N");
+}
+
+void checkLoad(const Moment& load, const Surface& surface, const std::string& path) {
+  surface.check(load.where, path + ".where");
+  requireFinite(load.moment, path + ".moment_N_mm");
+}
+
+void checkLoad(const Gravity& load, const Surface&, const std::string& path) {
+  requireFinite(load.accelerationMPerS2, path + ".acceleration_m_per_s2");
 }
 
 void checkLoad(const Bump& load, const Surface&, const std::string& path) {
@@ -123,10 +138,39 @@ void checkProject(const Project& project) {
     throw ModelingError("primitive: a mesh body is not made from a primitive");
 }
 
+namespace {
+
+/// `Result`: Region* or const Region*.
+template <class Result, class AnyLoad>
+Result regionIn(AnyLoad& load) {
+  return std::visit(
+      [](auto& what) -> Result {
+        if constexpr (requires { what.where; })
+          return &what.where;
+        else
+          return nullptr;
+      },
+      load.what);
+}
+
+}  // namespace
+
+Region* regionOf(Load& load) {
+  return regionIn<Region*>(load);
+}
+
 const Region* regionOf(const Load& load) {
-  if (const auto* pressure = std::get_if<Pressure>(&load.what)) return &pressure->where;
-  if (const auto* traction = std::get_if<UniformTraction>(&load.what)) return &traction->where;
-  return nullptr;
+  return regionIn<const Region*>(load);
+}
+
+Eigen::Vector3d weightPerVolume(const Project& project, std::size_t load) {
+  constexpr double kCubicMmPerM3 = 1e9;
+  if (!project.material.densityKgPerM3)
+    throw ModelingError(indexed("loads", load) + " \"" + project.loads[load].name +
+                        "\": gravity needs the density of the material; set "
+                        "material.density_kg_per_m3");
+  return *project.material.densityKgPerM3 / kCubicMmPerM3 *
+         std::get<Gravity>(project.loads[load].what).accelerationMPerS2;
 }
 
 std::vector<MeshRegion> meshRegions(const Project& project) {

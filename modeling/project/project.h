@@ -19,6 +19,8 @@ struct Material {
   std::string name;
   double youngsModulus = 1.0;  ///< MPa, > 0
   double poissonRatio = 0.45;  ///< -1 < nu <= 0.5
+  /// kg/m^3, > 0; needed for gravity alone.
+  std::optional<double> densityKgPerM3{};
 
   bool operator==(const Material&) const = default;
 };
@@ -50,6 +52,31 @@ struct UniformTraction {
   bool operator==(const UniformTraction&) const = default;
 };
 
+/// Total force (N) on a region, spread as a uniform traction.
+struct TotalForce {
+  Region where;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+
+  bool operator==(const TotalForce&) const = default;
+};
+
+/// Moment (N mm) on a region without a net force: the traction w × (x − c) with the region's
+/// centroid c.
+struct Moment {
+  Region where;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+
+  bool operator==(const Moment&) const = default;
+};
+
+/// Weight of the whole body: density times acceleration per volume.
+struct Gravity {
+  static constexpr double kStandard = 9.80665;  ///< m/s^2, on the earth
+  Eigen::Vector3d accelerationMPerS2{0, 0, -kStandard};
+
+  bool operator==(const Gravity&) const = default;
+};
+
 /// The traction direction · peak · (1 − (ρ/radius)²)² for ρ = |x − center| < radius.
 struct Bump {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();       ///< mm
@@ -60,10 +87,10 @@ struct Bump {
   bool operator==(const Bump&) const = default;
 };
 
-/// A named load: a traction on part of the surface.
+/// A named load: a traction on part of the surface, or a force on the whole volume.
 struct Load {
   std::string name;
-  std::variant<Pressure, UniformTraction, Bump> what;
+  std::variant<Pressure, UniformTraction, Bump, TotalForce, Moment, Gravity> what;
 
   bool operator==(const Load&) const = default;
 };
@@ -107,11 +134,16 @@ struct Project {
 void checkProject(const Project& project);
 
 /// The regions for fitting a mesh: the regions of all supports in order, then the regions of the
-/// loads in order (bumps have none). Borders of supports are refined on request, borders of loads
-/// are not. Names begin with the path: `supports[0] "base"`.
+/// loads in order (bumps and gravity have none). Borders of supports are refined on request,
+/// borders of loads are not. Names begin with the path: `supports[0] "base"`.
 std::vector<MeshRegion> meshRegions(const Project& project);
 
-/// The region of a load; null for a bump, which has a radius instead.
+/// The region of a load; null for a bump, which has a radius instead, and for gravity.
 const Region* regionOf(const Load& load);
+Region* regionOf(Load& load);
+
+/// Weight per volume, N/mm^3, by the load with this index, which is gravity. Throws ModelingError
+/// if the material has no density.
+Eigen::Vector3d weightPerVolume(const Project& project, std::size_t load);
 
 }  // namespace palpa::modeling

@@ -50,7 +50,7 @@ Vector2d FlatCap::point(int i, int j, double s, double t) const {
          a * b * corners_[2] - (1.0 - a) * b * corners_[3];
 }
 
-double FlatCap::quality(int cells) const {
+double FlatCap::quality(int cells, double floor) const {
   double worst = 1.0;
   for (int i = 0; i < pieces(0); ++i)
     for (int j = 0; j < pieces(1); ++j) {
@@ -68,6 +68,7 @@ double FlatCap::quality(int cells) const {
           const double scale = along.norm() * across.norm();
           worst = std::min(worst, scale > 0.0 ? area / scale : 0.0);
         }
+      if (worst <= floor) return worst;
     }
   return worst;
 }

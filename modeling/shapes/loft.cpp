@@ -6,7 +6,9 @@
 #include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/describe_shape.h"
+#include "modeling/shapes/profile_check.h"
 #include "modeling/shapes/profile_cuts.h"
+#include "modeling/shapes/profile_error.h"
 
 namespace palpa::modeling {
 namespace {
@@ -33,9 +35,10 @@ double signedArea(const Profile& profile) {
 Level levelFrom(double z, const ProfileCurve& curve, const std::string& path) {
   Profile profile(curve, path);
   if (!profile.isClosed())
-    throw ModelingError(path + ": the curve is open, from " + placeText(profile.point(0.0)) +
-                        " to " + placeText(profile.point(1.0)) +
-                        "; its last point must equal its first");
+    throw ProfileError(path + ": the curve is open, from " + placeText(profile.point(0.0)) +
+                           " to " + placeText(profile.point(1.0)) +
+                           "; its last point must equal its first",
+                       profile.point(1.0));
   return {z, signedArea(profile) < 0.0 ? profile.reversed() : profile};
 }
 
@@ -216,6 +219,10 @@ ExactShape describeLevels(const std::string& name, std::vector<Level> levels, co
 }
 
 }  // namespace
+
+void checkClosedProfile(const ProfileCurve& curve, const std::string& path) {
+  levelFrom(0.0, curve, path);
+}
 
 ExactShape describe(const ExtrudeShape& extrude, const NetSize& net) {
   checkLengths("extrude", {{"the height", extrude.height}});

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/shapes/profile_check.h"
+#include "modeling/shapes/profile_error.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::modeling {
@@ -43,6 +44,16 @@ std::vector<double> sampleParametersOf(const SplineBasis& basis) {
   }
   parameters.push_back(1.0);
   return parameters;
+}
+
+/// Where two segments of a polyline meet; the first point of the first one if they are parallel.
+Vector2d meetingPoint(const std::vector<Vector2d>& line, const std::array<int, 2>& segments) {
+  const auto [i, j] = segments;
+  const Vector2d a = line[i + 1] - line[i], b = line[j + 1] - line[j], between = line[j] - line[i];
+  const double turn = a.x() * b.y() - a.y() * b.x();
+  if (std::abs(turn) <= 1e-9 * a.norm() * b.norm()) return line[i];
+  const double share = (between.x() * b.y() - between.y() * b.x()) / turn;
+  return line[i] + std::clamp(share, 0.0, 1.0) * a;
 }
 
 }  // namespace
@@ -94,14 +105,17 @@ Profile::Profile(const ProfileCurve& curve, const std::string& path) {
   const auto& samples = data_->samples;
   for (std::size_t i = 1; i < samples.size(); ++i)
     if ((samples[i] - samples[i - 1]).norm() <= 1e-9 * size())
-      throw ModelingError(path + ": points of the curve coincide at " + placeText(samples[i]) +
-                          "; remove all but one");
+      throw ProfileError(path + ": points of the curve coincide at " + placeText(samples[i]) +
+                             "; remove all but one",
+                         samples[i]);
   for (double knot : data_->basis.knots)
     if (turn(knot) > 0.99 * std::numbers::pi)
-      throw ModelingError(path + ": the curve turns back on itself at " + placeText(point(knot)));
-  if (const auto crossing = selfCrossing(samples, isClosed()))
-    throw ModelingError(path + ": the curve crosses or touches itself near " +
-                        placeText(samples[(*crossing)[0]]));
+      throw ProfileError(path + ": the curve turns back on itself at " + placeText(point(knot)),
+                         point(knot));
+  if (const auto crossing = selfCrossing(samples, isClosed())) {
+    const Vector2d at = meetingPoint(samples, *crossing);
+    throw ProfileError(path + ": the curve crosses or touches itself near " + placeText(at), at);
+  }
   if (corners().size() > kMaxCorners)
     throw ModelingError(path + ": the curve has " + std::to_string(corners().size()) +
                         " corners; at most " + std::to_string(kMaxCorners) + " are possible");

@@ -236,10 +236,13 @@ std::vector<ProfileCuts> cutProfiles(const std::vector<Profile>& profiles,
       for (double mark : sides[k]) cuts.side[k].push_back(maps[section].parameter(mark));
     return cuts;
   };
-  const auto quality = [&](const std::array<Marks, 4>& sides, int cells) {
+  const auto quality = [&](const std::array<Marks, 4>& sides, int cells, double floor) {
     double worst = 1.0;
-    for (std::size_t section : {std::size_t{0}, profiles.size() - 1})
-      worst = std::min(worst, FlatCap(profiles[section], cutsOf(section, sides)).quality(cells));
+    for (std::size_t section : {std::size_t{0}, profiles.size() - 1}) {
+      if (worst <= floor) break;
+      worst =
+          std::min(worst, FlatCap(profiles[section], cutsOf(section, sides)).quality(cells, floor));
+    }
     return worst;
   };
 
@@ -247,15 +250,16 @@ std::vector<ProfileCuts> cutProfiles(const std::vector<Profile>& profiles,
   double bestQuality = 0.0;
   const auto consider = [&](const Marks& square) {
     const std::array<Marks, 4> sides = sidesBetween(corners, square, reference.length());
-    const double q = quality(sides, kSearchCells);
-    if (q <= kClearlyBetter * bestQuality) return;
+    const double floor = kClearlyBetter * bestQuality;
+    const double q = quality(sides, kSearchCells, floor);
+    if (q <= floor) return;
     best = sides;
     bestQuality = q;
   };
   // A profile without corners is usually round, and then equal sides are as good as any others.
   if (corners.empty()) forEqualSides(reference.length(), consider);
   if (bestQuality <= 0.0) forSquares(corners, reference.length(), consider);
-  if (bestQuality <= 0.0 || quality(best, kFinalCells) <= 0.0)
+  if (bestQuality <= 0.0 || quality(best, kFinalCells, 0.0) <= 0.0)
     throw ModelingError(shape +
                         ": the flat cap over the profile would fold, because the profile is too "
                         "winding for a patch with four sides; simplify it or cut the body in two");

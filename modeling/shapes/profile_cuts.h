@@ -37,8 +37,9 @@ class FlatCap {
   Eigen::Vector2d point(int i, int j, double s, double t) const;
 
   /// Smallest sine between the two families of lines over a grid of cells; zero or negative where
-  /// the cap folds. `cells` per direction.
-  double quality(int cells) const;
+  /// the cap folds. `cells` per direction. Stops at a value of at most `floor`, which is then an
+  /// upper limit: a search need not measure what it will not choose.
+  double quality(int cells, double floor = -1.0) const;
 
  private:
   Eigen::Vector2d onSide(int side, int piece, double x) const;

@@ -3,9 +3,10 @@
 #include <numbers>
 
 #include "base/text.h"
-#include "modeling/error.h"
 #include "modeling/shapes/describe_shape.h"
 #include "modeling/shapes/profile.h"
+#include "modeling/shapes/profile_check.h"
+#include "modeling/shapes/profile_error.h"
 #include "modeling/shapes/round_patches.h"
 #include "modeling/solid/surface_properties.h"
 
@@ -51,15 +52,19 @@ void checkDistanceFromAxis(const Profile& profile) {
   const auto check = [&](const Vector2d& p, bool isEnd) {
     if (p.x() >= kMinLength) return;
     if (p.x() < -1e-9 * profile.size())
-      throw ModelingError("revolve: profile: the curve crosses the axis near " + axisPlace(p.y()) +
-                          "; the radius (x) must not be negative");
+      throw ProfileError("revolve: profile: the curve crosses the axis near " + axisPlace(p.y()) +
+                             "; the radius (x) must not be negative",
+                         p);
     if (!isEnd)
-      throw ModelingError("revolve: profile: the curve touches the axis near " + axisPlace(p.y()) +
-                          " between its ends; only the ends of an open curve may lie on it");
+      throw ProfileError("revolve: profile: the curve touches the axis near " + axisPlace(p.y()) +
+                             " between its ends; only the ends of an open curve may lie on it",
+                         p);
     if (p.x() > 1e-9 * profile.size())
-      throw ModelingError("revolve: profile: the end at " + axisPlace(p.y()) + " is " +
-                          numberText(p.x()) + " mm away from the axis; put it on the axis (0) or " +
-                          "at least " + numberText(kMinLength) + " mm away");
+      throw ProfileError("revolve: profile: the end at " + axisPlace(p.y()) + " is " +
+                             numberText(p.x()) +
+                             " mm away from the axis; put it on the axis (0) or " + "at least " +
+                             numberText(kMinLength) + " mm away",
+                         p);
   };
   for (std::size_t i : {std::size_t{0}, last}) check(samples[i], !profile.isClosed());
   for (std::size_t i = 1; i < last; ++i)
@@ -88,8 +93,9 @@ void checkCaps(const Profile& profile) {
   if (!isOnAxis(profile, 0.0)) line.insert(line.begin(), {0.0, line.front().y()});
   if (!isOnAxis(profile, 1.0)) line.emplace_back(0.0, line.back().y());
   if (const auto crossing = selfCrossing(line, false))
-    throw ModelingError("revolve: profile: the flat cap that closes an end meets the curve near " +
-                        placeText(line[(*crossing)[1]]));
+    throw ProfileError("revolve: profile: the flat cap that closes an end meets the curve near " +
+                           placeText(line[(*crossing)[1]]),
+                       line[(*crossing)[1]]);
 }
 
 /// Largest cap at the profile's start: the radius must grow, and the curve may bend away from the
@@ -106,8 +112,9 @@ AxisCap capAtStart(const Profile& profile) {
   };
   const double start = slope(0.0, 1);
   if (start > kSteepest)
-    throw ModelingError("revolve: profile: at " + axisPlace(profile.point(0.0).y()) +
-                        " the curve runs along the axis; it must leave it at an angle");
+    throw ProfileError("revolve: profile: at " + axisPlace(profile.point(0.0).y()) +
+                           " the curve runs along the axis; it must leave it at an angle",
+                       profile.point(0.0));
   AxisCap cap;
   cap.apex = start > kFlat;
   const double end = profile.corners().empty() ? 1.0 : profile.corners().front();
@@ -119,8 +126,9 @@ AxisCap capAtStart(const Profile& profile) {
   }
   cap.radius = profile.point(cap.parameter).x();
   if (cap.radius < kMinLength || cap.radius < profile.size() / kMaxEdgeRatio)
-    throw ModelingError("revolve: profile: at " + axisPlace(profile.point(0.0).y()) +
-                        " the curve bends away from the axis too sharply");
+    throw ProfileError("revolve: profile: at " + axisPlace(profile.point(0.0).y()) +
+                           " the curve bends away from the axis too sharply",
+                       profile.point(0.0));
   return cap;
 }
 
@@ -210,13 +218,26 @@ void addBands(ExactShape& shape, const RoundNet& round, const NetSize& net, cons
   }
 }
 
-}  // namespace
-
-ExactShape describe(const RevolveShape& revolve, const NetSize& net) {
-  Profile profile(revolve.profile, "revolve: profile");
+/// Checked profile that runs upwards on the outside.
+Profile revolvedProfile(const ProfileCurve& curve) {
+  Profile profile(curve, "revolve: profile");
   checkDistanceFromAxis(profile);
   if (signedVolume(profile) < 0.0) profile = profile.reversed();
   checkCaps(profile);
+  return profile;
+}
+
+}  // namespace
+
+void checkRevolvedProfile(const ProfileCurve& curve) {
+  const Profile profile = revolvedProfile(curve);
+  if (profile.isClosed()) return;
+  if (isOnAxis(profile, 0.0)) capAtStart(profile);
+  if (isOnAxis(profile, 1.0)) capAtStart(profile.reversed());
+}
+
+ExactShape describe(const RevolveShape& revolve, const NetSize& net) {
+  const Profile profile = revolvedProfile(revolve.profile);
 
   ExactShape shape;
   std::optional<AxisCap> start, end;
