@@ -5,6 +5,7 @@
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
 #include "app/core/session/new_project.h"
+#include "base/count_text.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
@@ -71,13 +72,14 @@ std::string toText(const ReadBody& read) {
   const modeling::Body& body = read.project.body;
   std::string text;
   if (const auto* solid = std::get_if<modeling::Solid>(&body)) {
-    text = format("solid      %zu patches over %zu control points\n", solid->patches().size(),
-                  solid->controlPoints().size());
+    text = format("solid      %zu patches over %s control points\n", solid->patches().size(),
+                  countText(solid->controlPoints().size()).c_str());
   } else {
     const auto& mesh = std::get<modeling::MeshBody>(body);
-    text = format("mesh body  %zu %s, %zu vertices, %zu triangles\n", mesh.faceNames().size(),
-                  mesh.faceNames().size() == 1 ? "face" : "faces", mesh.positions().size(),
-                  mesh.triangles().size());
+    text = format("mesh body  %zu %s, %s vertices, %s triangles\n", mesh.faceNames().size(),
+                  mesh.faceNames().size() == 1 ? "face" : "faces",
+                  countText(mesh.positions().size()).c_str(),
+                  countText(mesh.triangles().size()).c_str());
   }
   text += "patches    " + modeling::quotedPatchNames(body) + "\n";
   text += format("volume     %.6g mm³\n", modeling::volume(body));

@@ -12,6 +12,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeMeshCommand());
   commands.push_back(makeSolveCommand());
   commands.push_back(makeTouchCommand());
+  commands.push_back(makeSectionCommand());
   commands.push_back(makeRenderCommand());
   commands.push_back(makeImportCommand());
   commands.push_back(makeExportCommand());

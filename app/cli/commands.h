@@ -14,6 +14,7 @@ std::unique_ptr<Command> makeEditCommand();
 std::unique_ptr<Command> makeMeshCommand();
 std::unique_ptr<Command> makeSolveCommand();
 std::unique_ptr<Command> makeTouchCommand();
+std::unique_ptr<Command> makeSectionCommand();
 std::unique_ptr<Command> makeRenderCommand();
 std::unique_ptr<Command> makeImportCommand();
 std::unique_ptr<Command> makeExportCommand();

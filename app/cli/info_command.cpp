@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
+#include "base/count_text.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/project/json_values.h"
 #include "modeling/solid/surface_properties.h"
@@ -8,9 +9,9 @@
 namespace palpa::cli {
 namespace {
 
-std::string regionText(const modeling::Region& region) {
+std::string partsText(const std::vector<modeling::RegionPart>& parts) {
   std::string text;
-  for (const modeling::RegionPart& part : region.parts) {
+  for (const modeling::RegionPart& part : parts) {
     if (!text.empty()) text += " and ";
     if (const auto* patches = std::get_if<modeling::PatchSet>(&part)) {
       for (std::size_t i = 0; i < patches->patches.size(); ++i) {
@@ -28,12 +29,26 @@ std::string regionText(const modeling::Region& region) {
   return text;
 }
 
+std::string regionText(const modeling::Region& region) {
+  const std::string text = partsText(region.parts);
+  return region.except.empty() ? text : text + ", except " + partsText(region.except);
+}
+
 std::string loadText(const modeling::Load& load) {
   if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) {
     return format("pressure %.6g MPa on ", pressure->pressure) + regionText(pressure->where);
   }
   if (const auto* traction = std::get_if<modeling::UniformTraction>(&load.what)) {
     return "traction " + toText(traction->traction) + " MPa on " + regionText(traction->where);
+  }
+  if (const auto* total = std::get_if<modeling::TotalForce>(&load.what)) {
+    return "total force " + toText(total->force) + " N on " + regionText(total->where);
+  }
+  if (const auto* moment = std::get_if<modeling::Moment>(&load.what)) {
+    return "moment " + toText(moment->moment) + " N mm on " + regionText(moment->where);
+  }
+  if (const auto* gravity = std::get_if<modeling::Gravity>(&load.what)) {
+    return "gravity " + toText(gravity->accelerationMPerS2) + " m/s²";
   }
   const auto& bump = std::get<modeling::Bump>(load.what);
   return format("bump of %.6g MPa along ", bump.peak) + toText(bump.direction) + " within " +
@@ -85,8 +100,9 @@ std::array<Eigen::Vector3d, 2> surfaceBox(const modeling::Body& body) {
 std::string describe(const modeling::Solid& solid, Json& report) {
   report["control_points"] = solid.controlPoints().size();
   report["patches"] = Json::array();
-  std::string text = format("solid      %zu patches over %zu control points\n",
-                            solid.patches().size(), solid.controlPoints().size());
+  std::string text =
+      format("solid      %zu patches over %s control points\n", solid.patches().size(),
+             countText(solid.controlPoints().size()).c_str());
   for (const modeling::Patch& patch : solid.patches()) {
     report["patches"].push_back({{"name", patch.name},
                                  {"degree", {patch.degree[0], patch.degree[1]}},
@@ -104,12 +120,12 @@ std::string describe(const modeling::MeshBody& body, Json& report) {
   report["triangles"] = body.triangles().size();
   report["faces"] = Json::array();
   std::string text =
-      format("mesh body  %zu %s, %zu triangles; it has no control points\n", triangles.size(),
-             triangles.size() == 1 ? "face" : "faces", body.triangles().size());
+      format("mesh body  %zu %s, %s triangles; it has no control points\n", triangles.size(),
+             triangles.size() == 1 ? "face" : "faces", countText(body.triangles().size()).c_str());
   for (std::size_t face = 0; face < triangles.size(); ++face) {
     const std::string& name = body.faceNames()[face];
     report["faces"].push_back({{"name", name}, {"triangles", triangles[face]}});
-    text += format("  %s: %zu triangles\n", name.c_str(), triangles[face]);
+    text += format("  %s: %s triangles\n", name.c_str(), countText(triangles[face]).c_str());
   }
   return text;
 }
@@ -147,8 +163,11 @@ class InfoCommand : public Command {
                   {"estimated_nodes", static_cast<long>(nodes)}}}};
 
     std::string text = "name       " + project.name + "\n";
-    text += format("material   %s, E = %.6g MPa, nu = %.6g\n", project.material.name.c_str(),
+    text += format("material   %s, E = %.6g MPa, nu = %.6g", project.material.name.c_str(),
                    project.material.youngsModulus, project.material.poissonRatio);
+    if (project.material.densityKgPerM3)
+      text += format(", density %.6g kg/m³", *project.material.densityKgPerM3);
+    text += "\n";
     text += describe(project.body, report);
     text += "size       " + toText(box[0]) + " … " + toText(box[1]) + " mm\n";
     text += format("volume     %.6g mm³, surface %.6g mm²\n", volume, area);
@@ -172,8 +191,8 @@ class InfoCommand : public Command {
       report["touches"].push_back({{"name", touch.name}, {"what", touchText(touch)}});
       text += "touch      " + touch.name + ": " + touchText(touch) + "\n";
     }
-    text += format("mesh       edge length %.6g mm, about %.0f nodes\n", project.mesh.edgeLength,
-                   nodes);
+    text += format("mesh       edge length %.6g mm, about %s nodes\n", project.mesh.edgeLength,
+                   estimateText(nodes).c_str());
     context.print(report, text);
   }
 

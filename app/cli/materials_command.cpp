@@ -23,8 +23,10 @@ class MaterialsCommand : public Command {
       Json& entry = report["materials"].emplace_back(modeling::jsonOf(material));
       entry["note"] = note;
       entry["reference"] = reference;
-      text += format("%s: E = %.6g MPa, nu = %.6g\n", material.name.c_str(), material.youngsModulus,
+      text += format("%s: E = %.6g MPa, nu = %.6g", material.name.c_str(), material.youngsModulus,
                      material.poissonRatio);
+      if (material.densityKgPerM3) text += format(", density %.6g kg/m³", *material.densityKgPerM3);
+      text += "\n";
       text += "  " + note + "\n  " + reference + "\n";
     }
     context.print(report, text);

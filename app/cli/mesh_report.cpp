@@ -1,6 +1,7 @@
 #include "app/cli/mesh_report.h"
 
 #include "app/cli/text.h"
+#include "base/count_text.h"
 
 namespace palpa::cli {
 
@@ -16,8 +17,8 @@ Json toJson(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& qual
 }
 
 std::string toText(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& quality) {
-  return format("mesh       %zu nodes, %zu triangles\n", mesh.positions.size(),
-                mesh.triangles.size()) +
+  return "mesh       " + countText(mesh.positions.size()) + " nodes, " +
+         countText(mesh.triangles.size()) + " triangles\n" +
          format("edges      %.3g … %.3g mm, mean %.3g mm\n", quality.shortestEdge,
                 quality.longestEdge, quality.meanEdge) +
          format("quality    smallest angle %.1f°, largest aspect %.2f\n", quality.smallestAngle,

@@ -22,7 +22,8 @@ class NewCommand : public Command {
     return "palpa-cli new sphere --radius 25 -o ball.json\n"
            "  palpa-cli new box --size 40,30,20 -o block.json\n"
            "  palpa-cli new cone --bottom-radius 20 --top-radius 0 --height 30 -o cone.json\n"
-           "  palpa-cli new revolve --profile vase.curve.json -o vase.json";
+           "  palpa-cli new revolve --profile vase.curve.json -o vase.json\n"
+           "  palpa-cli new extrude --profile bracket.dxf --height 8 -o bracket.json";
   }
 
   void declare(CLI::App& options) override {
@@ -42,6 +43,10 @@ class NewCommand : public Command {
         ->type_name("MPA");
     options.add_option("--poisson-ratio", poissonRatio_, "Poisson's ratio (default 0.48)")
         ->type_name("NU");
+    options
+        .add_option("--density", density_,
+                    "Density in kg/m³, for gravity (default 1070 with the default material)")
+        ->type_name("DENSITY");
     options.add_option("--name", projectName_, "Name of the project (default: the shape)")
         ->type_name("TEXT");
     options.add_option("-o,--output", output_, "Project file to write (default: standard output)")
@@ -49,7 +54,8 @@ class NewCommand : public Command {
   }
 
   void run(const Context& context) override {
-    const modeling::Primitive primitive = shapeOptions_.primitive(shape_);
+    const ShapeOptions::Result chosen = shapeOptions_.primitive(shape_);
+    const modeling::Primitive& primitive = chosen.primitive;
     const modeling::MadeSolid made = modeling::makeMeasuredPrimitive(primitive);
     modeling::Project project;
     project.name = projectName_.empty() ? shape_ : projectName_;
@@ -60,6 +66,7 @@ class NewCommand : public Command {
     base.where = baseOf(primitive, made.solid);
     project.supports = {base};
     setMaterial(project.material);
+    if (!density_.empty()) project.material.densityKgPerM3 = parsePositive("--density", density_);
     project.mesh.edgeLength = edgeLength_.empty() ? app::suitableEdgeLength(project.body)
                                                   : parsePositive("--edge-length", edgeLength_);
     modeling::checkProject(project);
@@ -68,7 +75,7 @@ class NewCommand : public Command {
       return;
     }
     modeling::writeProject(project, output_);
-    report(context, project, made.deviation);
+    report(context, project, made.deviation, chosen.drawingDeviation);
   }
 
  private:
@@ -91,28 +98,36 @@ class NewCommand : public Command {
     material = app::defaultMaterial();
     if (youngsModulus_.empty() && poissonRatio_.empty()) return;
     material.name = "custom";
+    material.densityKgPerM3.reset();
     if (!youngsModulus_.empty())
       material.youngsModulus = parsePositive("--youngs-modulus", youngsModulus_);
     if (!poissonRatio_.empty())
       material.poissonRatio = parseNumber("--poisson-ratio", poissonRatio_);
   }
 
-  void report(const Context& context, const modeling::Project& project, double deviation) const {
+  void report(const Context& context, const modeling::Project& project, double deviation,
+              std::optional<double> drawingDeviation) const {
     const auto names = modeling::patchNames(project.body);
-    const Json json{
-        {"file", output_},
-        {"name", project.name},
-        {"primitive", shape_},
-        {"patches", names},
-        {"control_points", std::get<modeling::Solid>(project.body).controlPoints().size()},
-        {"deviation_mm", deviation}};
+    Json json{{"file", output_},
+              {"name", project.name},
+              {"primitive", shape_},
+              {"patches", names},
+              {"control_points", std::get<modeling::Solid>(project.body).controlPoints().size()},
+              {"deviation_mm", deviation}};
+    if (drawingDeviation) json["drawing_deviation_mm"] = *drawingDeviation;
     const auto [low, high] = modeling::boundingBox(project.body);
     const std::string fit = deviation <= 1e-12 * (high - low).norm()
                                 ? "exactly the shape"
                                 : format("within %.2g mm of the exact shape", deviation);
-    context.print(json, format("%s: %s with the patches %s, %s, held at its base\n",
-                               output_.c_str(), shape_.c_str(),
-                               modeling::quotedPatchNames(project.body).c_str(), fit.c_str()));
+    const std::string drawing =
+        !drawingDeviation ? ""
+        : *drawingDeviation < 1e-9
+            ? ", the profile exactly as drawn"
+            : format(", the profile within %.2g mm of the drawing", *drawingDeviation);
+    context.print(
+        json, format("%s: %s with the patches %s, %s%s, held at its base\n", output_.c_str(),
+                     shape_.c_str(), modeling::quotedPatchNames(project.body).c_str(), fit.c_str(),
+                     drawing.c_str()));
   }
 
   std::string shape_;
@@ -121,6 +136,7 @@ class NewCommand : public Command {
   std::string material_;
   std::string youngsModulus_;
   std::string poissonRatio_;
+  std::string density_;
   std::string projectName_;
   std::string output_;
 };

@@ -51,6 +51,7 @@ modeling::Project ProjectInput::read() const {
   if (!engine_.empty()) project.mesh.engine = parseEngine(engine_);
   if (!accuracy_.empty()) {
     project.mesh.accuracy = parsePositive("--accuracy", accuracy_);
+    project.mesh.splineDensity = 1;
     project.mesh.elementLength.reset();
   }
   if (!elementLength_.empty())

@@ -6,6 +6,7 @@
 #include "app/cli/film.h"
 #include "app/cli/project_input.h"
 #include "app/cli/replay_report.h"
+#include "app/cli/section_options.h"
 #include "app/cli/state_picture.h"
 #include "app/cli/state_report.h"
 #include "app/cli/suggestion.h"
@@ -50,6 +51,21 @@ view::PictureSize parseSize(const std::string& text) {
   throw UsageError("--size: expected WIDTHxHEIGHT from 160x120 to 8192x8192, found '" + text + "'");
 }
 
+std::array<double, 2> parseRange(const std::string& text, app::SurfaceQuantity field) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos)
+    throw UsageError("--range: expected LOW,HIGH, found '" + text + "'");
+  const std::array<double, 2> range{parseNumber("--range", text.substr(0, comma)),
+                                    parseNumber("--range", text.substr(comma + 1))};
+  if (!(range[0] < range[1]))
+    throw UsageError("--range: the first number must be less than the second, found '" + text +
+                     "'");
+  if (app::infoOf(field).isLogarithmic && !(range[0] > 0))
+    throw UsageError("--range: the colours of --field stiffness begin above 0, found '" + text +
+                     "'");
+  return range;
+}
+
 class RenderCommand : public Command {
  public:
   std::string name() const override { return "render"; }
@@ -91,6 +107,13 @@ class RenderCommand : public Command {
                     "Direction of view: front, back, left, right, top, bottom, or x,y,z from the "
                     "eye into the scene (default: so that the touches are seen)")
         ->type_name("NAME|X,Y,Z");
+    section_.declare(options);
+    options
+        .add_option("--range", range_,
+                    "Ends of the colours LOW,HIGH in the unit of the field (default: its values)")
+        ->type_name("LOW,HIGH");
+    options.add_flag("--extremes", options_.showExtremes,
+                     "Mark the smallest and the largest value that is drawn");
     options.add_option("--size", size_, "Size of the picture in pixels (default 1200x900)")
         ->type_name("WxH");
     options.add_option("--scale", scale_, "Draw displacements this many times larger (default 1)")
@@ -204,7 +227,9 @@ class RenderCommand : public Command {
         throw UsageError("--fingertip has a meaning with --field stiffness alone");
       parsePositive("--fingertip", fingertip_);
     }
-    options.showUndeformed = !noGhost_;
+    options.section = section_.plane();
+    options.showUndeformed = !noGhost_ && !options.section;
+    if (!range_.empty()) options.range = parseRange(range_, options.field);
     if (!scale_.empty()) options.displacementScale = parseNumber("--scale", scale_);
     if (!zoom_.empty()) options.zoom = parsePositive("--zoom", zoom_);
     if (const auto view = kViews.find(view_); view != kViews.end()) {
@@ -222,6 +247,8 @@ class RenderCommand : public Command {
   ProjectInput input_;
   TouchOptions touch_;
   PictureOptions options_;
+  SectionOptions section_;
+  std::string range_;
   std::string output_;
   std::string recording_;
   std::string atTime_;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/cli/errors.h"
+#include "base/atomic_file.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
 
@@ -12,6 +13,13 @@ namespace {
 
 bool isJson(const std::string& path) {
   return std::filesystem::path(path).extension() == ".json";
+}
+
+/// A pipe or a device, such as /dev/stdout: cannot be replaced by a file.
+bool isStream(const std::filesystem::path& path) {
+  std::error_code none;
+  const auto status = std::filesystem::status(path, none);
+  return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
 }
 
 /// Mean traction of each triangle: the traction jumps across edges, so it has no value at nodes.
@@ -48,10 +56,18 @@ std::string jsonText(const Json& report) {
 }
 
 void writeText(const std::string& text, const std::string& path) {
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw OutputError("cannot write " + path + "; check that its folder exists");
+  if (isStream(path)) {
+    std::ofstream stream(path);
+    stream << text;
+    stream.close();
+    if (!stream) throw OutputError("cannot write " + path + "; check that its folder exists");
+    return;
+  }
+  try {
+    replaceFile(text, path);
+  } catch (const FileError& error) {
+    throw OutputError(error.what());
+  }
 }
 
 void writeResult(const app::TouchModel& model, const app::TouchState& state, const Json& report,

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "app/cli/errors.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
+#include "modeling/exchange/profile_import.h"
 #include "modeling/project/profile_file.h"
 #include "modeling/solid/surface_evaluator.h"
 
@@ -39,6 +41,18 @@ class Values {
     if (!(value.minCoeff() > 0))
       throw UsageError(std::string(option) + ": all lengths must be greater than zero");
     return value;
+  }
+
+  std::string textOr(const char* option, const std::string& otherwise) const {
+    return given(option) ? text(option) : otherwise;
+  }
+
+  double angleOr(const char* option, double otherwise) const {
+    if (!given(option)) return otherwise;
+    const double degrees = parseNumber(option, text(option));
+    if (!(degrees >= 0.0) || degrees > 90.0)
+      throw UsageError(std::string(option) + ": expected an angle from 0 to 90 degrees");
+    return degrees * std::numbers::pi / 180.0;
   }
 
   std::string file(const char* option) const {
@@ -79,7 +93,14 @@ constexpr Option kOptions[] = {
     {"--length", "LENGTH", "Length between the half spheres in mm (capsule 30)"},
     {"--major-radius", "LENGTH", "Radius of the ring's centre line in mm (torus 25)"},
     {"--minor-radius", "LENGTH", "Radius of the ring's section in mm (torus 8)"},
-    {"--profile", "FILE", "Profile curve (revolve, extrude) or list of sections (loft), JSON"},
+    {"--profile", "FILE",
+     "Profile curve (revolve, extrude): JSON, SVG or DXF; list of sections (loft): JSON"},
+    {"--layer", "NAME", "Use only this layer of a drawing (SVG, DXF)"},
+    {"--curve", "N", "Use this curve of a drawing; the error without it lists them"},
+    {"--fit-tolerance", "LENGTH",
+     "Largest distance in mm of the profile from a drawing (default: 1e-4 of its extent)"},
+    {"--smooth-bends", "DEGREES",
+     "Take lines of a drawing that turn by less for one smooth curve (default 0)"},
     {"--degree", "N", "Degree of all patches, 1 … 5 (default 3)"},
     {"--control-points", "N", "Control points per direction and patch (default: the shape's)"},
 };
@@ -87,11 +108,36 @@ constexpr Option kOptions[] = {
 /// Where a body of this kind is fixed.
 enum class Base { kBottomPatches, kLowestTenth };
 
+constexpr const char* kDrawingOptions[] = {"--layer", "--curve", "--fit-tolerance",
+                                           "--smooth-bends"};
+
+/// The profile in the file of --profile. Sets `deviation` if it is a drawing.
+modeling::ProfileCurve profileFrom(const Values& values, bool mustBeClosed,
+                                   std::optional<double>& deviation) {
+  const std::string file = values.file("--profile");
+  if (!modeling::isDrawingFile(file)) {
+    for (const char* option : kDrawingOptions)
+      if (!values.textOr(option, {}).empty())
+        throw UsageError(std::string(option) + " has a meaning only for drawings (.svg, .dxf)");
+    return modeling::readProfileCurve(file);
+  }
+  const modeling::ProfileDrawing drawing = modeling::readProfileDrawing(
+      file, values.textOr("--layer", {}), values.length("--fit-tolerance", 0.0));
+  const int number = values.wholeNumber("--curve", 0);
+  if (number < 0) throw UsageError("--curve: curves are numbered from 1");
+  const std::size_t path =
+      number > 0 ? static_cast<std::size_t>(number) - 1 : modeling::onlyPath(drawing, mustBeClosed);
+  const modeling::FittedProfile fitted =
+      modeling::fitPath(drawing, path, {drawing.tolerance, values.angleOr("--smooth-bends", 0.0)});
+  deviation = fitted.deviation;
+  return fitted.curve;
+}
+
 struct Kind {
   const char* name;
   std::vector<const char*> options;  ///< beside --degree and --control-points
   Base base;
-  std::function<Shape(const Values&)> shape;
+  std::function<Shape(const Values&, std::optional<double>& drawingDeviation)> shape;
 };
 
 const std::vector<Kind>& kinds() {
@@ -100,58 +146,66 @@ const std::vector<Kind>& kinds() {
       {"sphere",
        {"--radius"},
        Base::kLowestTenth,
-       [](const Values& v) { return SphereShape{v.length("--radius", 25)}; }},
+       [](const Values& v, auto&) { return SphereShape{v.length("--radius", 25)}; }},
       {"ellipsoid",
        {"--radii"},
        Base::kLowestTenth,
-       [](const Values& v) {
+       [](const Values& v, auto&) {
          return EllipsoidShape{v.lengths("--radii", {30, 20, 15})};
        }},
       {"box",
        {"--size"},
        Base::kBottomPatches,
-       [](const Values& v) {
+       [](const Values& v, auto&) {
          return BoxShape{v.lengths("--size", {40, 30, 20})};
        }},
       {"cylinder",
        {"--radius", "--height"},
        Base::kBottomPatches,
-       [](const Values& v) {
+       [](const Values& v, auto&) {
          return CylinderShape{v.length("--radius", 20), v.length("--height", 60)};
        }},
       {"cone",
        {"--bottom-radius", "--top-radius", "--height"},
        Base::kBottomPatches,
-       [](const Values& v) {
+       [](const Values& v, auto&) {
          return ConeShape{v.length("--bottom-radius", 20), v.lengthOrZero("--top-radius", 10),
                           v.length("--height", 30)};
        }},
       {"capsule",
        {"--radius", "--length"},
        Base::kLowestTenth,
-       [](const Values& v) {
+       [](const Values& v, auto&) {
          return CapsuleShape{v.length("--radius", 10), v.length("--length", 30)};
        }},
       {"torus",
        {"--major-radius", "--minor-radius"},
        Base::kLowestTenth,
-       [](const Values& v) {
+       [](const Values& v, auto&) {
          return TorusShape{v.length("--major-radius", 25), v.length("--minor-radius", 8)};
        }},
       {"revolve",
-       {"--profile"},
+       {"--profile", "--layer", "--curve", "--fit-tolerance", "--smooth-bends"},
        Base::kLowestTenth,
-       [](const Values& v) { return RevolveShape{readProfileCurve(v.file("--profile"))}; }},
+       [](const Values& v, auto& deviation) {
+         return RevolveShape{profileFrom(v, false, deviation)};
+       }},
       {"extrude",
-       {"--profile", "--height"},
+       {"--profile", "--layer", "--curve", "--fit-tolerance", "--smooth-bends", "--height"},
        Base::kBottomPatches,
-       [](const Values& v) {
-         return ExtrudeShape{readProfileCurve(v.file("--profile")), v.length("--height", 20)};
+       [](const Values& v, auto& deviation) {
+         return ExtrudeShape{profileFrom(v, true, deviation), v.length("--height", 20)};
        }},
       {"loft",
        {"--profile"},
        Base::kBottomPatches,
-       [](const Values& v) { return LoftShape{readSections(v.file("--profile"))}; }},
+       [](const Values& v, auto&) {
+         const std::string file = v.file("--profile");
+         if (isDrawingFile(file))
+           throw UsageError("--profile: a loft needs a list of sections (JSON); " + file +
+                            " is a drawing");
+         return LoftShape{readSections(file)};
+       }},
   };
   return table;
 }
@@ -203,7 +257,7 @@ void ShapeOptions::declare(CLI::App& options) {
     options.add_option(option.name, values_[option.name], option.help)->type_name(option.type);
 }
 
-modeling::Primitive ShapeOptions::primitive(const std::string& shape) const {
+ShapeOptions::Result ShapeOptions::primitive(const std::string& shape) const {
   const Kind& kind = kindNamed(shape);
   for (const auto& [option, value] : values_) {
     const bool known =
@@ -212,8 +266,10 @@ modeling::Primitive ShapeOptions::primitive(const std::string& shape) const {
     if (!known && !value.empty()) throw UsageError(option + " has no meaning for: " + shape);
   }
   const Values values(shape, values_);
-  return {kind.shape(values), values.wholeNumber("--degree", 3),
-          values.wholeNumber("--control-points", 0)};
+  Result result;
+  result.primitive = {kind.shape(values, result.drawingDeviation),
+                      values.wholeNumber("--degree", 3), values.wholeNumber("--control-points", 0)};
+  return result;
 }
 
 modeling::Region baseOf(const modeling::Primitive& primitive, const modeling::Solid& solid) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,15 @@ class ShapeOptions {
  public:
   void declare(CLI::App& options);
 
+  struct Result {
+    modeling::Primitive primitive;
+    /// mm: largest distance of the profile from a drawing (SVG, DXF); none for other profiles.
+    std::optional<double> drawingDeviation;
+  };
+
   /// Throws UsageError for an unknown shape, an option without meaning for it, a missing or
   /// malformed value; ModelingError for a profile file that cannot be read.
-  modeling::Primitive primitive(const std::string& shape) const;
+  Result primitive(const std::string& shape) const;
 
  private:
   std::map<std::string, std::string> values_;

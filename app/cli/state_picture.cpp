@@ -88,6 +88,7 @@ void addContacts(const app::TouchModel& model, const app::TouchState& state, dou
 void addLoads(const app::TouchModel& model, const app::TouchState& state, double scale,
               view::Picture& picture) {
   for (const auto& load : model.setup().loads) {
+    if (load.couple > 0) continue;  // no net force
     const Vector3d force = load.resultant.force;
     const DrawnPoint drawn = drawnPoint(load.place, model, state, scale);
     const bool presses = force.dot(drawn.normal) < 0;
@@ -159,6 +160,13 @@ std::vector<std::string> captions(const modeling::Project& project, const app::T
   return {line};
 }
 
+/// Towards the face of a section, from above and aside.
+Vector3d directionToSection(const Vector3d& normal) {
+  const Vector3d up = std::abs(normal.z()) > 0.9 ? Vector3d(-0.3, 1, 0) : Vector3d::UnitZ();
+  const Vector3d aside = up.cross(normal).normalized();
+  return -(normal + 0.45 * aside + 0.35 * up);
+}
+
 }  // namespace
 
 view::Picture makePicture(const modeling::Project& project,
@@ -183,7 +191,9 @@ view::Picture makePicture(const modeling::Project& project,
 
   picture.caption.title = project.name;
   picture.caption.lines = captions(project, model, options.displacementScale);
-  picture.camera.direction = options.viewDirection.value_or(bestDirection(model, picture));
+  picture.camera.direction =
+      options.viewDirection.value_or(options.section ? directionToSection(options.section->normal)
+                                                     : bestDirection(model, picture));
   if (std::abs(picture.camera.direction.normalized().z()) > 0.999)
     picture.camera.up = Vector3d::UnitY();
   picture.camera.parallel = options.parallel;

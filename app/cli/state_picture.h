@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 
 #include "app/core/results/drawn_body.h"
 #include "app/view/viewport/picture.h"
+#include "modeling/mesh/plane_section.h"
 #include "modeling/project/project.h"
 
 namespace palpa::cli {
@@ -14,6 +16,10 @@ namespace palpa::cli {
 struct PictureOptions {
   app::SurfaceQuantity field = app::SurfaceQuantity::kDisplacement;
   std::vector<double> compliances;  ///< app::stiffnessMap(), for kStiffness
+  /// Ends of the colours, in the unit of the field; none: from the values.
+  std::optional<std::array<double, 2>> range;
+  std::optional<modeling::Plane> section;  ///< cuts the body
+  bool showExtremes = false;               ///< marks the smallest and the largest value
   double displacementScale = 1;
   bool showUndeformed = true;
   bool showMeshEdges = false;

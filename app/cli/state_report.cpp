@@ -3,6 +3,7 @@
 #include "app/cli/text.h"
 #include "app/core/live/touch_table.h"
 #include "app/core/system/memory.h"
+#include "base/count_text.h"
 
 namespace palpa::cli {
 namespace {
@@ -37,6 +38,7 @@ Json toJson(const app::TouchState::Contact& contact) {
   json["normal_force_N"] = contact.normalForce();
   json["tangential_force_N"] = contact.tangentialForce().norm();
   json["displacement_mm"] = cli::toJson(contact.displacement);
+  json["deflection_mm"] = cli::toJson(contact.deflection);
   json["stiffness_N_per_mm"] = contact.stiffness;
   if (!contact.presses()) return json;
   json["friction"] = contact.friction;
@@ -59,9 +61,11 @@ std::string toText(const app::TouchState::Contact& contact) {
   if (contact.presses()) text += format(", friction %.4g", contact.friction);
   text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
   text += "           force " + cli::toText(contact.force, 4) +
-          format(" N, |%.4g| N: %.4g N into the body, %.4g N along it; stiffness %.4g N/mm\n",
-                 contact.force.norm(), contact.normalForce(), contact.tangentialForce().norm(),
-                 contact.stiffness);
+          format(
+              " N, |%.4g| N: %.4g N into the body, %.4g N along it; deflection %.4g mm, "
+              "stiffness %.4g N/mm\n",
+              contact.force.norm(), contact.normalForce(), contact.tangentialForce().norm(),
+              contact.deflection.norm(), contact.stiffness);
   if (contact.isBall() && !contact.patch.empty())
     text += format("           patch radius %.4g mm, %zu masks\n", contact.patchRadius(),
                    contact.patch.size());
@@ -72,10 +76,12 @@ std::string engineText(const app::TouchModel& model) {
   const app::BuildReport& build = model.report();
   const bem::Discretisation& on = *model.setup().discretisation;
   if (!model.setup().splines)
-    return format("mesh       %d nodes, %d triangles, smallest angle %.1f°\n", build.nodes,
-                  build.triangles, build.quality.smallestAngle);
-  return format("splines    %d coefficients on %d elements; shown on %d nodes\n",
-                on.displacementCount(), on.elementCount(), build.nodes);
+    return format("mesh       %s nodes, %s triangles, smallest angle %.1f°\n",
+                  countText(build.nodes).c_str(), countText(build.triangles).c_str(),
+                  build.quality.smallestAngle);
+  return format("splines    %s coefficients on %s elements; shown on %s nodes\n",
+                countText(on.displacementCount()).c_str(), countText(on.elementCount()).c_str(),
+                countText(build.nodes).c_str());
 }
 
 /// Largest displacement of a node, and its position.

@@ -10,7 +10,9 @@
 #include "app/cli/result_file.h"
 #include "app/cli/sample_options.h"
 #include "app/cli/state_report.h"
+#include "app/cli/sweep_report.h"
 #include "app/cli/touch_options.h"
+#include "app/cli/values.h"
 #include "app/core/live/touch_replay.h"
 #include "app/core/live/touch_table.h"
 #include "app/core/model/build_touch_model.h"
@@ -33,6 +35,8 @@ class TouchCommand : public Command {
            "  palpa-cli touch ball.json --at 0,0,25 --displace 0,0,-2 --at 25,0,0 --kind pin\n"
            "    (two at once: the options of each follow its --at)\n"
            "  palpa-cli touch projects/sphere.json   (plays the project's touches)\n"
+           "  palpa-cli touch ball.json --at 0,0,25 --kind ball --displace 0,0,-2 --radius 6 "
+           "--sweep 20 -o curve.csv\n"
            "  palpa-cli touch ball.json --recording hand.json -o forces.csv";
   }
 
@@ -46,9 +50,14 @@ class TouchCommand : public Command {
                     "script, a thousand steps a second")
         ->type_name("FILE");
     options
-        .add_option(
-            "-o,--output", output_,
-            resultFileHelp() + "; with --recording .json or .csv (the forces of every step)")
+        .add_option("--sweep", sweep_,
+                    "Play the touches at N equal parts of their displacements and forces, too: a "
+                    "force-depth curve, 1 to 1000 steps")
+        ->type_name("N");
+    options
+        .add_option("-o,--output", output_,
+                    resultFileHelp() +
+                        "; .csv with --sweep (the curve) or --recording (the forces of every step)")
         ->type_name("FILE");
     deformed_.declare(options);
   }
@@ -60,7 +69,9 @@ class TouchCommand : public Command {
       replay(context);
       return;
     }
-    if (!output_.empty()) requireResultFileName(output_);
+    const int sweepSteps = sweep_.empty() ? 0 : parseSweep();
+    const bool isCurve = sweepSteps > 0 && isTableName();
+    if (!output_.empty() && !isCurve) requireResultFileName(output_);
     deformed_.validate();
     const modeling::Project project = input_.read();
     if (!touch_.isGiven() && project.touches.empty()) {
@@ -73,20 +84,37 @@ class TouchCommand : public Command {
     app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     state.errorEstimate = app::estimateError(*model, state, context.job());
+    std::vector<app::SweepRow> rows;
+    if (sweepSteps > 0) rows = touch_.sweep(*model, project, sweepSteps, context);
     const StateReport report{*model, state, samples_.evaluate(*model, state), seconds.count(),
                              samples_.hasFormerName()};
-    if (!output_.empty()) writeResult(*model, state, report.json(), output_);
+    Json json = report.json();
+    if (sweepSteps > 0) json["sweep"] = sweepJson(rows);
+    if (isCurve) {
+      std::ostringstream table;
+      app::writeSweep(rows, table);
+      writeText(table.str(), output_);
+    } else if (!output_.empty()) {
+      writeResult(*model, state, json, output_);
+    }
     deformed_.write(project, *model, state, context);
-    context.print(report.json(), report.text());
+    context.print(json, report.text() + sweepText(rows));
   }
 
  private:
+  bool isTableName() const { return std::filesystem::path(output_).extension() == ".csv"; }
+
+  int parseSweep() const {
+    if (touch_.isNode()) throw UsageError("--sweep has no meaning for a single node");
+    return parseCount("--sweep", sweep_, app::kMaxSweepSteps);
+  }
+
   void replay(const Context& context) {
-    if (touch_.isGiven() || touch_.hasSteps() || samples_.isGiven())
+    if (touch_.isGiven() || touch_.hasSteps() || samples_.isGiven() || !sweep_.empty())
       throw UsageError(
-          "--recording says itself what is touched; leave out --at, --node, --steps "
+          "--recording says itself what is touched; leave out --at, --node, --steps, --sweep "
           "and --sample");
-    const bool isTable = std::filesystem::path(output_).extension() == ".csv";
+    const bool isTable = isTableName();
     if (!output_.empty() && !isTable && std::filesystem::path(output_).extension() != ".json")
       throw UsageError("-o: with --recording expected a name that ends in .csv or .json, found '" +
                        output_ + "'");
@@ -111,6 +139,7 @@ class TouchCommand : public Command {
   TouchOptions touch_;
   SampleOptions samples_;
   std::string recording_;
+  std::string sweep_;
   std::string output_;
   DeformedFile deformed_;
 };

@@ -206,14 +206,7 @@ modeling::Project TouchOptions::touched(modeling::Project project) const {
 }
 
 int TouchOptions::steps() const {
-  if (steps_.empty()) return 0;
-  int steps = 0;
-  const char* end = steps_.data() + steps_.size();
-  const auto result = std::from_chars(steps_.data(), end, steps);
-  if (result.ec != std::errc() || result.ptr != end || steps < 1 || steps > app::kMaxSteps)
-    throw UsageError("--steps: expected a whole number from 1 to " +
-                     std::to_string(app::kMaxSteps) + ", found '" + steps_ + "'");
-  return steps;
+  return steps_.empty() ? 0 : parseCount("--steps", steps_, app::kMaxSteps);
 }
 
 app::TouchState TouchOptions::play(const app::TouchModel& model, const modeling::Project& project,
@@ -225,6 +218,16 @@ app::TouchState TouchOptions::play(const app::TouchModel& model, const modeling:
   app::TouchState state = app::playTouches(model, touched(project).touches, steps(), context.job());
   context.progress.clear();
   return state;
+}
+
+std::vector<app::SweepRow> TouchOptions::sweep(const app::TouchModel& model,
+                                               const modeling::Project& project, int count,
+                                               const Context& context) const {
+  std::vector<app::SweepRow> rows;
+  app::sweepTouches(model, touched(project).touches, count, steps(), context.job(),
+                    [&rows](app::SweepRow row) { rows.push_back(std::move(row)); });
+  context.progress.clear();
+  return rows;
 }
 
 }  // namespace palpa::cli

@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/core/model/touch_model.h"
+#include "app/core/results/touch_sweep.h"
 
 namespace palpa::cli {
 
@@ -22,6 +23,8 @@ class TouchOptions {
   /// True if the command line describes a touch.
   bool isGiven() const { return option(kAt).isGiven() || !node_.empty(); }
 
+  bool isNode() const { return !node_.empty(); }
+
   bool hasSteps() const { return !steps_.empty(); }
 
   /// The project with the touches of the command line, if there are any, instead of the recorded
@@ -31,6 +34,11 @@ class TouchOptions {
   /// Throws SolverError, Cancelled.
   app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
                        const Context& context) const;
+
+  /// The same touches at 0 to `count` parts of their displacements and forces. Not with isNode().
+  /// Throws SolverError, Cancelled.
+  std::vector<app::SweepRow> sweep(const app::TouchModel& model, const modeling::Project& project,
+                                   int count, const Context& context) const;
 
  private:
   /// Options of one touch; each may occur once per touch.

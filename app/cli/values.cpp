@@ -38,6 +38,16 @@ double parsePositive(const std::string& option, const std::string& text) {
   return *value;
 }
 
+int parseCount(const std::string& option, const std::string& text, int most) {
+  int count = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, count);
+  if (result.ec != std::errc() || result.ptr != end || count < 1 || count > most)
+    throw UsageError(option + ": expected a whole number from 1 to " + std::to_string(most) +
+                     ", found '" + text + "'");
+  return count;
+}
+
 Eigen::Vector3d parseVector(const std::string& option, const std::string& text) {
   Eigen::Vector3d vector;
   std::string_view rest = text;

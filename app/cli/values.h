@@ -13,6 +13,9 @@ double parseNumber(const std::string& option, const std::string& text);
 /// A finite number > 0.
 double parsePositive(const std::string& option, const std::string& text);
 
+/// A whole number from 1 to `most`.
+int parseCount(const std::string& option, const std::string& text, int most);
+
 /// Three finite numbers "x,y,z".
 Eigen::Vector3d parseVector(const std::string& option, const std::string& text);
 

@@ -75,7 +75,8 @@ Vector3d AnalyticCase::value(const json& expressions, const Vector3d& x, const V
 
 ExactField AnalyticCase::exactField() const {
   const auto u = [this](const Vector3d& x) { return value(json_.at("u_expr"), x); };
-  return {u, [this, u](const Vector3d& x) {
+  return {u,
+          [this, u](const Vector3d& x) {
             const Eigen::Matrix3d gradient = differences(u, x, 0.05);
             if (material_.poissonRatio < 0.5) return hooke(gradient, material_);
             auto names = names_;
@@ -83,7 +84,13 @@ ExactField AnalyticCase::exactField() const {
             return Eigen::Matrix3d(material_.shear() * (gradient + gradient.transpose()) -
                                    evaluated(json_.at("pressure_expr"), names) *
                                        Eigen::Matrix3d::Identity());
-          }};
+          },
+          bodyForce()};
+}
+
+Vector3d AnalyticCase::bodyForce() const {
+  if (!json_.contains("body_force_expr")) return Vector3d::Zero();
+  return value(json_.at("body_force_expr"), Vector3d::Zero());
 }
 
 double AnalyticCase::inconsistency() const {

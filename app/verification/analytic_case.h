@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/verification/exact/exact_fields.h"
+#include "bem/model/bulk.h"
 
 namespace palpa::verification {
 
@@ -49,9 +50,12 @@ class AnalyticCase {
   /// A vector from its expressions of the coordinates and of the normal.
   Eigen::Vector3d value(const nlohmann::json& expressions, const Eigen::Vector3d& x,
                         const Eigen::Vector3d& n = Eigen::Vector3d::Zero()) const;
-  /// u from the file; stress from its derivatives and, at nu = 0.5, the file's pressure. Refers to
-  /// this object.
+  /// u and the body force from the file; stress from the derivatives of u and, at nu = 0.5, the
+  /// file's pressure. Refers to this object.
   ExactField exactField() const;
+  /// N/mm^3; zero in files without one.
+  Eigen::Vector3d bodyForce() const;
+  bem::Bulk bulk() const { return {material_, bodyForce()}; }
   /// Largest contradiction within the file: between displacements of points and of expressions, and
   /// between tractions (expressions and points) and the tractions of exactField(); over the largest
   /// stress.

@@ -24,6 +24,8 @@ constexpr AnalyticFamily kFamilies[] = {
     {"cylinder_torsion_traction", {3e-3, 7e-3, 0.15, 0.025}, 3e-5, true},
     {"cylinder_torsion_displacement", {2e-4, 7e-3, 0.15, 0.025}, 3e-5},
     {"cylinder_flexure", {0.025, 0.02, 0.18, 0.03}, 3e-5},
+    {"weight_cylinder", {3e-3, 5e-3, 0.05}, 3e-5},
+    {"weight_box", {0.011, 0.01, 0.16}, 4e-5, true},
     {"patch_linear_sphere", {0.015, 0.04, 0.06}, 2e-4},
     {"patch_linear_cylinder", {0.025, 0.035, 0.05}, 1e-4},
     {"patch_linear_box", {1e-9, 1e-9, 1e-8}, 3e-5, true},

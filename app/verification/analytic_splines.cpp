@@ -47,7 +47,7 @@ double pointError(const AnalyticCase& body, const SplineBody& solved, const Exac
     if (!point.isInside) {
       found = solved.displacement(nearestPlace(solved.surface, point.at));
     } else if (const auto state = results.interiorState(
-                   solved.field.u.col(0), solved.field.p.col(0), solved.material, point.at)) {
+                   solved.field.u.col(0), solved.field.p.col(0), body.bulk(), point.at)) {
       found = state->displacement;
     }
     error = worse(error, (found - point.displacement).norm());

@@ -9,6 +9,7 @@
 #include "bem/dense/make_reference_problem.h"
 #include "bem/model/traction_projection.h"
 #include "bem/triangle/results.h"
+#include "bem/triangle/triangle_body_force.h"
 #include "modeling/error.h"
 
 namespace palpa::verification {
@@ -105,10 +106,10 @@ struct Solution {
     for (const AnalyticCase::Point& point : body.points()) {
       Vector3d found = Vector3d::Constant(kInfinity);
       if (!point.isInside) {
-        found = surfaceDisplacement(mesh, slots, field.u.col(0), field.p.col(0), body.material(),
+        found = surfaceDisplacement(mesh, slots, field.u.col(0), field.p.col(0), body.bulk(),
                                     nearestSurfacePoint(mesh, point.at));
       } else if (const auto state = interiorState(mesh, slots, field.u.col(0), field.p.col(0),
-                                                  body.material(), point.at)) {
+                                                  body.bulk(), point.at)) {
         found = state->displacement;
       }
       error = worse(error, (found - point.displacement).norm());
@@ -163,8 +164,11 @@ TriangleErrors solveWithTriangles(const AnalyticCase& body, BoundaryData data, c
                            kInfinity});
   const auto problem = makeDenseReferenceProblem(
       mesh, slots, {given.ofSlot, body.material(), {}, Precision::kDouble}, job);
+  Eigen::MatrixXd term;
+  if (const Bulk bulk = body.bulk(); bulk.hasBodyForce())
+    term = TriangleBodyForce(mesh, bulk).term(problem->dofs().collocationPoints(mesh, slots), job);
   const BoundaryField field = problem->solveField(problem->dofs().knownField(given),
-                                                  ReferenceProblem::Effort::kRefined, job);
+                                                  ReferenceProblem::Effort::kRefined, job, term);
 
   const ExactField exact = body.exactField();
   double error = 0, scale = 0, tractionError = 0, tractionScale = 0;

@@ -6,6 +6,7 @@
 
 #include "app/core/setup/to_spline_surface.h"
 #include "bem/dense/make_reference_problem.h"
+#include "bem/spline/spline_results.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/solid/knot_operations.h"
 
@@ -72,7 +73,14 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
       surface, tractions, allElements(surface),
       [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
       INFINITY);
-  field = problem->solveField(problem->dofs().knownField(given));
+  const Bulk bulk{material, exact.bodyForce};
+  Eigen::MatrixXd term;
+  if (bulk.hasBodyForce())
+    term = SplineResults(surface, tractions, job)
+               .bodyForceTerm(splineEquations(surface, tractions, problem->dofs().extraSlots()),
+                              bulk, job);
+  field = problem->solveField(problem->dofs().knownField(given), ReferenceProblem::Effort::kRefined,
+                              job, term);
 }
 
 Vector3d SplineBody::displacement(const SplinePlace& place) const {

@@ -25,8 +25,9 @@ const bem::BoundaryField& TouchField::field(const TouchSnapshot& snapshot) {
 TouchState TouchField::describe(const TouchSnapshot& snapshot) {
   std::vector<TouchState::Contact> contacts;
   for (const TouchSnapshot::Contact& from : snapshot.touched()) {
-    TouchState::Contact contact{from.point.position, from.tool.radius, from.force,
-                                from.displacement,   from.stiffness,   touchKindOf(from.tool.kind)};
+    TouchState::Contact contact{from.point.position,        from.tool.radius, from.force,
+                                from.displacement,          from.deflection,  from.stiffness,
+                                touchKindOf(from.tool.kind)};
     contact.status = from.status;
     contact.normal = model_->surface().normal(from.point);
     contact.friction = from.tool.friction;

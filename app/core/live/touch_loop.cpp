@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/system/priority.h"
+#include "base/unexpected.h"
 
 namespace palpa::app {
 namespace {
@@ -46,7 +47,10 @@ TouchLoop::TouchLoop(Options options)
                 const std::lock_guard lock(hoverMutex_);
                 if (hasHover_) points.push_back(hover_);
               }),
-      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+      thread_([this](const std::stop_token& stop) {
+        while (!runGuarded(stop)) {
+        }
+      }) {}
 
 TouchLoop::~TouchLoop() {
   thread_.request_stop();
@@ -92,6 +96,19 @@ TouchRecording TouchLoop::stopRecording() {
   finished_.wait(nullptr);
   const std::unique_ptr<TouchRecording> recording(finished_.exchange(nullptr));
   return std::move(*recording);
+}
+
+/// False after an exception: the contacts end with their model, and the loop can continue with the
+/// next one.
+bool TouchLoop::runGuarded(const std::stop_token& stop) {
+  try {
+    run(stop);
+    return true;
+  } catch (...) {
+    reportUnexpected();
+  }
+  if (touched_) retire(std::exchange(touched_, nullptr));
+  return false;
 }
 
 void TouchLoop::run(const std::stop_token& stop) {

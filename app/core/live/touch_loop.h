@@ -101,6 +101,7 @@ class TouchLoop {
   TouchRecording stopRecording();
 
  private:
+  bool runGuarded(const std::stop_token& stop);
   void run(const std::stop_token& stop);
   void waitUntil(Clock::time_point due, Clock::time_point earliest);
   void receiveModel();

@@ -10,6 +10,7 @@
 
 #include "app/core/live/touch_snapshot.h"
 #include "app/core/model/contact_kind.h"
+#include "base/count_text.h"
 #include "modeling/error.h"
 #include "modeling/project/atomic_write.h"
 #include "modeling/project/json_guard.h"
@@ -167,6 +168,9 @@ RecordedModel recordedModelOf(const TouchModel& model, const std::string& projec
   print.add(std::array{std::log(modulus), setup.material.poissonRatio}, kRounding);
   print.add(setup.conditions.displacement, length);
   print.add(setup.conditions.traction, kRounding * modulus);
+  // Without a body force the print is as before there were any.
+  if (setup.bulk().hasBodyForce())
+    print.add(setup.conditions.bodyForce, kRounding * modulus / setup.mesh().boundingSize());
   return {projectName, print.text(), setup.mesh().nodeCount()};
 }
 
@@ -175,8 +179,7 @@ std::string differenceOf(const RecordedModel& recorded, const RecordedModel& pre
   std::string text = "the recording was made on another model";
   if (recorded.name != present.name) text += " (\"" + recorded.name + "\")";
   if (recorded.nodes != present.nodes)
-    text += " with " + std::to_string(recorded.nodes) + " nodes instead of " +
-            std::to_string(present.nodes);
+    text += " with " + countText(recorded.nodes) + " nodes instead of " + countText(present.nodes);
   return text + "; its forces are others";
 }
 

@@ -1,13 +1,12 @@
 #include "app/core/live/touch_replay.h"
 
-#include <utility>
-
 namespace palpa::app {
 
-void replay(std::shared_ptr<const TouchableModel> model, const TouchRecording& recording,
+void replay(const std::shared_ptr<const TouchableModel>& model, const TouchRecording& recording,
             const Job& job, const std::function<void(const TouchSnapshot&)>& seen) {
   bem::GreensColumns& columns = *model->columns();
-  TouchStepper stepper(std::move(model));
+  const std::vector<Eigen::Vector3d>& places = model->surface().places();
+  TouchStepper stepper(model);
   Job columnsJob = job;
   columnsJob.progress = nullptr;
   TouchSnapshot snapshot;
@@ -16,7 +15,7 @@ void replay(std::shared_ptr<const TouchableModel> model, const TouchRecording& r
     job.throwIfCancelled();
     for (; entry != recording.entries.end() && entry->step <= step; ++entry)
       stepper.apply(entry->command);
-    while (!stepper.missing().empty()) columns.compute(stepper.missing(), columnsJob);
+    while (!stepper.missing().empty()) columns.computeAround(stepper.missing(), places, columnsJob);
     stepper.step();
     stepper.describe(snapshot);
     snapshot.step = step + 1;

@@ -36,11 +36,13 @@ struct TouchSnapshot : TouchSummary {
     TouchId id = 0;
     bem::ContactTool tool{};
     Status status = Status::kWaiting;
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();         ///< as given to begin() or set()
-    bem::SurfacePoint point{};                               ///< on the unloaded shape
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();         ///< N, on the body
+    Eigen::Vector3d value = Eigen::Vector3d::Zero();  ///< as given to begin() or set()
+    bem::SurfacePoint point{};                        ///< on the unloaded shape
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N, on the body
+    // See ContactSimulation::Contact.
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, at the middle
-    double stiffness = 0;                                    ///< N/mm; see ContactSimulation
+    Eigen::Vector3d deflection = Eigen::Vector3d::Zero();    ///< mm, part of the displacement
+    double stiffness = 0;                                    ///< N/mm
     int firstPatch = 0, patchCount = 0;
   };
   std::array<Contact, kMaxContacts> contacts{};

@@ -27,7 +27,7 @@ const char* nameOf(TouchSnapshot::Status status) {
 TouchTable::TouchTable(std::ostream& out) : out_(out) {
   out_ << "time_s,contact,kind,status,at_x_mm,at_y_mm,at_z_mm,force_x_N,force_y_N,force_z_N,"
           "force_N,displacement_x_mm,displacement_y_mm,displacement_z_mm,stiffness_N_per_mm,"
-          "converged\n";
+          "converged,deflection_x_mm,deflection_y_mm,deflection_z_mm\n";
 }
 
 void TouchTable::add(const TouchSnapshot& snapshot, std::uint64_t step) {
@@ -41,8 +41,9 @@ void TouchTable::add(const TouchSnapshot& snapshot, std::uint64_t step) {
     write(contact.force);
     out_ << ',' << numberText(contact.force.norm());
     write(contact.displacement);
-    out_ << ',' << numberText(contact.stiffness) << ',' << (snapshot.isConverged ? "yes" : "no")
-         << '\n';
+    out_ << ',' << numberText(contact.stiffness) << ',' << (snapshot.isConverged ? "yes" : "no");
+    write(contact.deflection);
+    out_ << '\n';
   }
 }
 

@@ -1,7 +1,6 @@
 #include "app/core/live/touch_worker.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "app/core/system/destroy_in_background.h"
@@ -23,32 +22,6 @@ constexpr const char* kNoMemory =
     "programs";
 
 constexpr std::size_t kBlock = bem::GreensColumns::kBlock;
-
-/// Fills a block with the nodes nearest to some points whose columns are missing.
-void addNearest(const TouchableModel& model, const std::vector<Vector3d>& points,
-                std::vector<int>& block) {
-  struct Candidate {
-    double distance;
-    int node;
-  };
-  const std::vector<Vector3d>& places = model.surface().places();
-  std::vector<Candidate> others;
-  for (int node = 0; node < static_cast<int>(places.size()); ++node) {
-    if (!model.surface().dofs().isFree(node) || model.columns()->has(node) ||
-        std::find(block.begin(), block.end(), node) != block.end())
-      continue;
-    double distance = points.empty() ? 0 : std::numeric_limits<double>::infinity();
-    for (const Vector3d& point : points)
-      distance = std::min(distance, (places[node] - point).squaredNorm());
-    others.push_back({distance, node});
-  }
-  const std::size_t room = std::min(kBlock - block.size(), others.size());
-  std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(room),
-                    others.end(), [](const Candidate& a, const Candidate& b) {
-                      return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;
-                    });
-  for (std::size_t k = 0; k < room; ++k) block.push_back(others[k].node);
-}
 
 }  // namespace
 
@@ -178,10 +151,7 @@ bool TouchWorker::prepare() {
   if (pending.model) {
     const ModelCache::Key key = pending.model->key();
     const bool isKnown = columns_ && key == columnsKey_;
-    if (isKnown) {
-      const std::lock_guard lock(computing_);
-      columns_->continueWith(pending.model->problem());
-    }
+    if (isKnown) columns_->continueWith(pending.model->problem());
     auto model =
         std::make_shared<const TouchableModel>(pending.model, isKnown ? columns_ : nullptr);
     columns_ = model->columns();
@@ -220,8 +190,8 @@ bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop
   for (const int node : nodes)
     if (block.size() < kBlock && std::find(block.begin(), block.end(), node) == block.end())
       block.push_back(node);
-  if (block.size() < kBlock)
-    addNearest(*touched, {touched->surface().places()[block.front()]}, block);
+  touched->columns()->fillBlock(block, touched->surface().places(),
+                                {touched->surface().places()[block.front()]});
   isUrgent_.store(true);
   const std::lock_guard lock(computing_);
   compute(*touched, block, stop);
@@ -243,7 +213,7 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
   std::vector<Vector3d> points;
   focus_(points);
   std::vector<int> block;
-  addNearest(*newest, points, block);
+  newest->columns()->fillBlock(block, newest->surface().places(), points);
   const std::lock_guard lock(computing_);
   compute(*newest, block, stop);
   return true;

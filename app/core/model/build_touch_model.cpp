@@ -27,11 +27,13 @@ bool hasMemoryForUpdate(const TouchModel& former) {
 std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,
                                                   const BuildOptions& options, const Job& job,
                                                   const TouchModel* former) {
+  job.report(Phase::kMesh, 0);
   ModelBuilder builder(project, options, job);
   builder.checkExpectedMemory();
   builder.mesh();
   builder.check();
   builder.setUp();
+  builder.checkMemory();
   builder.makeProblem(former);
   builder.solveAtRest();
   return builder.finish();

@@ -51,8 +51,8 @@ double ModelBuilder::lap() {
 }
 
 void ModelBuilder::checkFits(double coefficients, double slots) const {
-  checkMemory(settings_, geometry_.usesSplines(), coefficients, slots, options_.precision,
-              options_.memoryLimit);
+  app::checkMemory(settings_, geometry_.usesSplines(), coefficients, slots, options_.precision,
+                   options_.memoryLimit);
 }
 
 void ModelBuilder::checkExpectedMemory() const {
@@ -91,7 +91,7 @@ void ModelBuilder::check() {
       modeling::checkGeometry(mesh_, geometry_.project().body, job_));
   job_.report(Phase::kCheck, 1);
   if (!report_.warnings->empty() && report_.warnings->front().isError)
-    throw GeometryError(report_.warnings);
+    throw GeometryError(report_.warnings, geometry_.project().body);
   report_.checkSeconds = lap();
 }
 
@@ -112,9 +112,13 @@ bem::ProblemInputs ModelBuilder::problemInputs() const {
           options_.precision};
 }
 
-void ModelBuilder::makeProblem(const TouchModel* former) {
+void ModelBuilder::checkMemory() const {
   const bem::Discretisation& discretisation = *model_->setup().discretisation;
   checkFits(discretisation.displacementCount(), discretisation.slots().count());
+}
+
+void ModelBuilder::makeProblem(const TouchModel* former) {
+  const bem::Discretisation& discretisation = *model_->setup().discretisation;
   const bem::ProblemInputs inputs = problemInputs();
   model_->key_ = ModelCache::keyOf(discretisation, inputs);
   if (former && former->key() == model_->key() && !former->report().residual)
@@ -145,15 +149,25 @@ bool ModelBuilder::updateProblem(const TouchModel& former) {
   return model_->problem_ != nullptr;
 }
 
+void ModelBuilder::addBodyForce() {
+  const BoundarySetup& setup = model_->setup();
+  const bem::Bulk bulk = setup.bulk();
+  if (!bulk.hasBodyForce()) return;
+  model_->bodyForceTerm_ =
+      setup.discretisation->bodyForceTerm(model_->problem()->dofs(), bulk, job_);
+  model_->bodyForceWork_ = setup.discretisation->bodyForceWork(bulk);
+}
+
 void ModelBuilder::solveAtRest() {
   lap();
   job_.throwIfCancelled();
   job_.report(Phase::kSolve, 0);
+  addBodyForce();
   const bem::ReferenceProblem& problem = *model_->problem();
-  model_->rest_ =
-      model_->describe(problem.solveField(problem.dofs().knownField(model_->setup().conditions),
-                                          bem::ReferenceProblem::Effort::kRefined, job_),
-                       {});
+  model_->rest_ = model_->describe(
+      problem.solveField(problem.dofs().knownField(model_->setup().conditions),
+                         bem::ReferenceProblem::Effort::kRefined, job_, model_->bodyForceTerm()),
+      {});
   report_.solveSeconds = lap();
   job_.report(Phase::kSolve, 1);
 }
@@ -169,8 +183,15 @@ bool ModelBuilder::solveUpdateAtRest(const TouchModel& former) {
   bem::BoundaryField known{Eigen::MatrixXd(rest.u.rows(), 2), Eigen::MatrixXd(rest.p.rows(), 2)};
   known.u << rest.u, force.u;
   known.p << rest.p, force.p;
-  bem::BoundaryField field = problem.solveField(known, bem::ReferenceProblem::Effort::kFast, job_);
-  report_.residual = problem.relativeResidual(field, job_);
+  addBodyForce();
+  Eigen::MatrixXd term;
+  if (model_->bodyForceTerm().size() > 0) {
+    term = Eigen::MatrixXd::Zero(problem.dofs().count(), 2);
+    term.col(0) = model_->bodyForceTerm();
+  }
+  bem::BoundaryField field =
+      problem.solveField(known, bem::ReferenceProblem::Effort::kFast, job_, term);
+  report_.residual = problem.relativeResidual(field, job_, term);
   if (!(*report_.residual <= kMaxResidual)) return false;
   model_->rest_ = model_->describe({field.u.leftCols<1>(), field.p.leftCols<1>()}, {});
   report_.solveSeconds = lap();

@@ -16,7 +16,7 @@ class ModelBuilder {
  public:
   ModelBuilder(const modeling::Project& project, const BuildOptions& options, const Job& job);
 
-  /// Throws SolverError (kTooLarge) if the model will probably not fit into memory.
+  /// Throws ModelTooLarge if the model will probably not fit into memory.
   void checkExpectedMemory() const;
   void mesh();
   /// mesh() for an update: with triangles the former mesh, moved with the control points. False if
@@ -24,6 +24,8 @@ class ModelBuilder {
   bool moveMesh(const modeling::Solid& formerSolid, const TouchModel& former);
   void check();
   void setUp();
+  /// checkExpectedMemory() with the numbers of the setup.
+  void checkMemory() const;
   /// Takes the problem of `former` (may be null) or of the cache if it is the same, or solves it.
   void makeProblem(const TouchModel* former);
   /// False if the conditions of `former` differ or if an update does not pay.
@@ -35,6 +37,8 @@ class ModelBuilder {
 
  private:
   void checkFits(double coefficients, double slots) const;
+  /// Computes the parts of the model that the body force determines, once it has its problem.
+  void addBodyForce();
   bem::ProblemInputs problemInputs() const;
   double lap();
 

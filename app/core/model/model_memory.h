@@ -1,11 +1,33 @@
 #pragma once
 
+#include "bem/base/error.h"
 #include "bem/problem/problem_inputs.h"
 #include "modeling/mesh/mesh_settings.h"
 
 namespace palpa::app {
 
-/// Throws SolverError (kTooLarge) if a model does not fit into memory; the message names the sizes
+/// A model does not fit into memory. The message names the sizes and a remedy.
+class ModelTooLarge : public bem::SolverError {
+ public:
+  ModelTooLarge(const std::string& message, double excess)
+      : SolverError(Kind::kTooLarge, message), excess_(excess) {}
+
+  /// Memory of the model over the memory that can be used, > 1.
+  double excess() const { return excess_; }
+
+ private:
+  double excess_;
+};
+
+/// Bytes that a model may take: `limit`, or if that is 0, 85 % of the memory available now; 0 if
+/// unknown.
+double usableMemory(double limit);
+
+/// Bytes of a model with these numbers of displacement coefficients (with triangles: nodes) and
+/// traction slots, any finite or infinite numbers.
+double expectedBytes(double coefficients, double slots, bem::Precision precision);
+
+/// Throws ModelTooLarge if a model does not fit into memory; the message names the sizes
 /// and a remedy. `coefficients`: number of displacement coefficients, with triangles of nodes;
 /// `slots`: number of traction slots; `limit`: bytes, 0 for 85 % of the memory available now.
 void checkMemory(const modeling::MeshSettings& settings, bool hasSplines, double coefficients,

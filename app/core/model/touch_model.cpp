@@ -29,12 +29,17 @@ TouchState TouchModel::describe(bem::BoundaryField field, std::vector<TouchState
         {support.name, setup_.discretisation->resultant(reaction, support.elements)});
     count(state.supports.back().resultant.force);
   }
-  for (const auto& load : setup_.loads) count(load.resultant.force);
+  for (const auto& load : setup_.loads) {
+    count(load.resultant.force);
+    largest = std::max(largest, load.couple);
+  }
   for (const auto& contact : state.contacts) count(contact.force);
   state.balance = sum.norm();
   state.relativeBalance = largest > 0 ? state.balance / largest : 0;
   const auto u = state.field.u.col(0), p = state.field.p.col(0);
-  state.energy = surface ? surface->strainEnergy(u, p) : setup_.discretisation->strainEnergy(u, p);
+  state.energy =
+      (surface ? surface->strainEnergy(u, p) : setup_.discretisation->strainEnergy(u, p)) +
+      bodyForceWork_.value(u, p) / 2;
   return state;
 }
 

@@ -47,10 +47,11 @@ struct TouchState {
     Eigen::Vector3d at;            ///< mm, on the unloaded surface
     double radius;                 ///< mm, of the mask or ball; 0 for a single node
     Eigen::Vector3d force;         ///< N, exerted by the contact on the body
-    Eigen::Vector3d displacement;  ///< mm
-    /// N/mm, along the displacement that the contact causes; for pushes and balls, along the
-    /// displacement that all contacts cause there.
-    double stiffness;
+    Eigen::Vector3d displacement;  ///< mm, of the middle, from all causes
+    /// mm, part of the displacement that the force of this contact causes: without loads and the
+    /// forces of other contacts.
+    Eigen::Vector3d deflection;
+    double stiffness;  ///< |force| / |deflection|, N/mm; 0 if there is no force
     std::optional<modeling::TouchKind> kind = modeling::TouchKind::kGrab;  ///< none: a single node
     std::string name{};                                 ///< of the touch; may be empty
     Status status = Status::kGrabbed;                   ///< of pushes and balls at rest: see Path
@@ -81,7 +82,8 @@ struct TouchState {
   /// Norm of the sum of all forces on the body, N: an error indicator, as it is zero for the exact
   /// solution.
   double balance = 0;
-  /// `balance` over the largest of these forces; 0 if there are none.
+  /// `balance` over the largest of these forces (of a moment: BoundarySetup::LoadPart::couple); 0
+  /// if there are none.
   double relativeBalance = 0;
   /// Estimated relative error of displacements and forces (error_estimate.h); empty if it was not
   /// requested.
@@ -98,6 +100,8 @@ class TouchModel {
   const modeling::SurfaceMesh& surface() const { return surface_; }
   const BoundarySetup& setup() const { return setup_; }
   const std::shared_ptr<const bem::ReferenceProblem>& problem() const { return problem_; }
+  /// Term of the body force in the equations of problem(); empty without a body force.
+  const Eigen::VectorXd& bodyForceTerm() const { return bodyForceTerm_; }
   /// The state without touches.
   const TouchState& rest() const { return rest_; }
   const BuildReport& report() const { return report_; }
@@ -118,6 +122,8 @@ class TouchModel {
   modeling::SurfaceMesh surface_;
   BoundarySetup setup_;
   std::shared_ptr<const bem::ReferenceProblem> problem_;
+  Eigen::VectorXd bodyForceTerm_;
+  bem::BodyForceWork bodyForceWork_;
   TouchState rest_;
   BuildReport report_;
   ModelCache::Key key_;

@@ -6,8 +6,7 @@
 
 namespace palpa::app {
 
-modeling::Solid deformedSolid(const TouchModel& model, const bem::BoundaryField& field,
-                              double scale) {
+modeling::Solid deformedSolid(const TouchModel& model, const bem::BoundaryField& field) {
   const BoundarySetup& setup = model.setup();
   if (!setup.splines)
     throw modeling::ModelingError(
@@ -17,16 +16,16 @@ modeling::Solid deformedSolid(const TouchModel& model, const bem::BoundaryField&
   const Eigen::VectorXd u = bem::gluedCoefficients(setup.splines->surface(), field.u.col(0));
   std::vector<Eigen::Vector3d> points = refined.controlPoints();
   for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] += scale * u.segment<3>(3 * static_cast<Eigen::Index>(k));
+    points[k] += u.segment<3>(3 * static_cast<Eigen::Index>(k));
   return refined.withControlPoints(std::move(points));
 }
 
 modeling::Project deformedProject(const modeling::Project& project, const TouchModel& model,
-                                  const bem::BoundaryField& field, double scale) {
+                                  const bem::BoundaryField& field) {
   modeling::Project deformed;
   deformed.name = project.name + " (deformed)";
   deformed.material = project.material;
-  deformed.body = deformedSolid(model, field, scale);
+  deformed.body = deformedSolid(model, field);
   deformed.mesh = project.mesh;
   return deformed;
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 #include "base/job.h"
@@ -38,6 +39,14 @@ std::vector<bem::SurfacePoint> nodePlaces(const bem::BoundaryMesh& mesh) {
                                                 mesh.nodes[static_cast<std::size_t>(node)], 0.0};
     }
   return places;
+}
+
+template <class Value>
+Value zero() {
+  if constexpr (std::is_arithmetic_v<Value>)
+    return 0;
+  else
+    return Value::Zero();
 }
 
 }  // namespace
@@ -188,14 +197,21 @@ std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
   return fromSlots(ofSlot);
 }
 
+std::vector<Eigen::Matrix3d> DrawnBody::stresses(const bem::BoundaryField& field) const {
+  const BoundarySetup& setup = model_->setup();
+  return fromSlots(
+      setup.discretisation->surfaceStress(field.u.col(0), field.p.col(0), setup.material));
+}
+
 std::vector<double> DrawnBody::stiffnesses(const std::vector<double>& compliances) const {
   std::vector<double> result = fromSlots(compliances);
   for (double& value : result) value = 1 / value;
   return result;
 }
 
-std::vector<double> DrawnBody::fromSlots(const std::vector<double>& ofSlot) const {
-  std::vector<double> means(static_cast<std::size_t>(sideCount_), 0.0);
+template <class Value>
+std::vector<Value> DrawnBody::fromSlots(const std::vector<Value>& ofSlot) const {
+  std::vector<Value> means(static_cast<std::size_t>(sideCount_), zero<Value>());
   std::vector<int> counts(means.size(), 0);
   for (std::size_t slot = 0; slot < ofSlot.size(); ++slot) {
     const auto side = static_cast<std::size_t>(sideOfSlot_[slot]);
@@ -203,9 +219,10 @@ std::vector<double> DrawnBody::fromSlots(const std::vector<double>& ofSlot) cons
     ++counts[side];
   }
   for (std::size_t side = 0; side < means.size(); ++side) means[side] /= std::max(counts[side], 1);
-  std::vector<double> result;
+  std::vector<Value> result;
   result.reserve(mesh_.positions.size());
-  for (std::size_t i = 0; i < mesh_.positions.size(); ++i) result.push_back(atSides(i, means));
+  for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
+    result.push_back(Value(atSides(i, means)));
   return result;
 }
 

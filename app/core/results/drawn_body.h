@@ -46,6 +46,9 @@ class DrawnBody {
   /// Stresses take a few microseconds per node.
   std::vector<double> values(SurfaceQuantity quantity, const bem::BoundaryField& field) const;
 
+  /// Cauchy stress per point, MPa.
+  std::vector<Eigen::Matrix3d> stresses(const bem::BoundaryField& field) const;
+
   /// N/mm per point, from bem::StiffnessMap::compliances(): infinite on supports, NaN where it is
   /// not known yet.
   std::vector<double> stiffnesses(const std::vector<double>& compliances) const;
@@ -79,7 +82,8 @@ class DrawnBody {
   template <class Value>
   Value atSides(std::size_t point, const std::vector<Value>& values) const;
   /// Value at each point from one value per slot: the mean over the slots on its side.
-  std::vector<double> fromSlots(const std::vector<double>& ofSlot) const;
+  template <class Value>
+  std::vector<Value> fromSlots(const std::vector<Value>& ofSlot) const;
   void findBorders();
 
   std::shared_ptr<const TouchModel> model_;

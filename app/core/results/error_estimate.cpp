@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "app/core/results/touch.h"
 #include "bem/base/error.h"
@@ -24,10 +25,13 @@ constexpr double kStill = 1e-9;
 /// soft modes of slender bodies, and the part that varies within elements.
 class EstimatedError {
  public:
-  /// `carried`: bem::Discretisation::estimatedError() of `fields`.
-  EstimatedError(const BoundarySetup& setup, const bem::BoundaryField& fields,
-                 const bem::BoundaryField& carried, Eigen::Index column)
+  /// `bulk`: with the body force that the fields contain; `carried`:
+  /// bem::Discretisation::estimatedError() of `fields`.
+  EstimatedError(const BoundarySetup& setup, const bem::Bulk& bulk,
+                 const bem::BoundaryField& fields, const bem::BoundaryField& carried,
+                 Eigen::Index column)
       : setup_(setup),
+        bulk_(bulk),
         u_(fields.u.col(column)),
         p_(fields.p.col(column)),
         carried_(carried.u.col(column)) {}
@@ -39,21 +43,20 @@ class EstimatedError {
   };
   void add(const bem::SurfacePoint& place, Sum& sum) const {
     const bem::Discretisation& on = *setup_.discretisation;
-    sum.error +=
-        (on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, setup_.material))
-            .squaredNorm();
+    sum.error += (on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, bulk_))
+                     .squaredNorm();
     sum.moved += on.interpolate(place, u_).squaredNorm();
   }
 
  private:
   const BoundarySetup& setup_;
+  const bem::Bulk bulk_;
   const Eigen::VectorXd u_, p_, carried_;
 };
 
-bem::BoundaryField carriedError(const TouchModel& model, const bem::BoundaryField& fields,
-                                const Job& job) {
-  const BoundarySetup& setup = model.setup();
-  return setup.discretisation->estimatedError(*model.problem(), fields, setup.material, job);
+bem::BoundaryField carriedError(const TouchModel& model, const bem::Bulk& bulk,
+                                const bem::BoundaryField& fields, const Job& job) {
+  return model.setup().discretisation->estimatedError(*model.problem(), fields, bulk, job);
 }
 
 /// Relative error at the middle of a contact and four places half-way to its border, over the
@@ -70,42 +73,89 @@ double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error
   return moved > kStill * mesh.boundingSize() ? std::sqrt(sum.error / 5) / moved : 0;
 }
 
-/// Visits evenly spread triangles: triangles with close numbers are close in space.
-template <class Visit>
-void spread(const bem::BoundaryMesh& mesh, int samples, const Visit& visit) {
-  const int step = std::max(1, mesh.triangleCount() / std::max(samples, 1));
+/// Middles of at least `samples` evenly spread triangles of a list, if it has so many: triangles
+/// with close numbers are close in space.
+std::vector<bem::SurfacePoint> spread(const bem::BoundaryMesh& mesh,
+                                      const std::vector<int>& triangles, int samples) {
   const Vector3d middle = Vector3d::Constant(1.0 / 3);
-  for (int triangle = step / 2; triangle < mesh.triangleCount(); triangle += step)
-    visit(bem::SurfacePoint{triangle, middle, mesh.point(triangle, middle), 0.0});
+  const std::size_t step = std::max<std::size_t>(1, triangles.size() / std::max(samples, 1));
+  std::vector<bem::SurfacePoint> places;
+  for (std::size_t k = step / 2; k < triangles.size(); k += step)
+    places.push_back({triangles[k], middle, mesh.point(triangles[k], middle), 0.0});
+  return places;
+}
+
+/// Triangles at a distance of more than `radius` from all supports; without such triangles, those
+/// outside supports.
+std::vector<int> awayFromSupports(const BoundarySetup& setup, double radius) {
+  const bem::BoundaryMesh& mesh = setup.mesh();
+  const auto middleOf = [&mesh](int triangle) {
+    return mesh.point(triangle, Vector3d::Constant(1.0 / 3));
+  };
+  std::vector<bool> isSupported(static_cast<std::size_t>(mesh.triangleCount()), false);
+  std::vector<Vector3d> supported;
+  for (const BoundarySetup::Part& support : setup.supports)
+    for (const int triangle : support.triangles) {
+      isSupported[static_cast<std::size_t>(triangle)] = true;
+      supported.push_back(middleOf(triangle));
+    }
+  std::vector<int> away, outside;
+  for (int t = 0; t < mesh.triangleCount(); ++t) {
+    if (isSupported[static_cast<std::size_t>(t)]) continue;
+    outside.push_back(t);
+    const Vector3d place = middleOf(t);
+    if (std::none_of(supported.begin(), supported.end(), [&](const Vector3d& each) {
+          return (each - place).squaredNorm() < radius * radius;
+        }))
+      away.push_back(t);
+  }
+  return away.empty() ? outside : away;
 }
 
 }  // namespace
+
+bool isNearSupport(const BoundarySetup& setup, const Vector3d& place, double radius) {
+  const bem::BoundaryMesh& mesh = setup.mesh();
+  const auto isNear = [&](int triangle) {
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+    return std::any_of(corners.begin(), corners.end(), [&](int node) {
+      return (mesh.nodes[static_cast<std::size_t>(node)] - place).squaredNorm() < radius * radius;
+    });
+  };
+  return std::any_of(setup.supports.begin(), setup.supports.end(), [&](const auto& support) {
+    return std::any_of(support.triangles.begin(), support.triangles.end(), isNear);
+  });
+}
 
 double estimateError(const TouchModel& model, const TouchState& state, const Job& job,
                      int samples) {
   Job quiet = job;
   quiet.progress = nullptr;
   const bem::BoundaryMesh& mesh = model.setup().mesh();
-  const EstimatedError error(model.setup(), state.field, carriedError(model, state.field, quiet),
-                             0);
+  const bem::Bulk bulk = model.setup().bulk();
+  const EstimatedError error(model.setup(), bulk, state.field,
+                             carriedError(model, bulk, state.field, quiet), 0);
   EstimatedError::Sum sum;
-  spread(mesh, samples, [&](const bem::SurfacePoint& place) {
+  std::vector<int> all(static_cast<std::size_t>(mesh.triangleCount()));
+  std::iota(all.begin(), all.end(), 0);
+  for (const bem::SurfacePoint& place : spread(mesh, all, samples)) {
     job.throwIfCancelled();
     error.add(place, sum);
-  });
+  }
   double estimate = sum.relative();
   for (const TouchState::Contact& contact : state.contacts)
     estimate = std::max(estimate, errorAtContact(mesh, error, contact));
   return std::max(estimate, state.relativeBalance);
 }
 
-double estimateTouchError(const TouchModel& model, const Job& job) {
+TouchError estimateTouchError(const TouchModel& model, const Job& job) {
   const BoundarySetup& setup = model.setup();
   const double radius = defaultTouchRadius(setup.mesh());
   Job quiet = job;
   quiet.progress = nullptr;
   std::vector<TouchState> presses;
-  spread(setup.mesh(), kPresses, [&](const bem::SurfacePoint& place) {
+  for (const bem::SurfacePoint& place :
+       spread(setup.mesh(), awayFromSupports(setup, radius), kPresses)) {
     job.throwIfCancelled();
     modeling::Touch press;
     press.name = "press";
@@ -115,29 +165,32 @@ double estimateTouchError(const TouchModel& model, const Job& job) {
     try {
       presses.push_back(playTouches(model, std::span(&press, 1), 0, quiet));
     } catch (const bem::SolverError&) {
-      // The place lies on a support.
+      // No place is free.
     }
-  });
+  }
   // All at once: the residual of several fields costs little more than the residual of one.
   const auto count = static_cast<Eigen::Index>(presses.size());
   const bem::BoundaryField& rest = model.rest().field;
   bem::BoundaryField fields{Eigen::MatrixXd(rest.u.rows(), count),
                             Eigen::MatrixXd(rest.p.rows(), count)};
   for (Eigen::Index k = 0; k < count; ++k) {
-    // The effect of the press without the loads.
+    // The effect of the press without the loads and the weight.
     fields.u.col(k) = presses[static_cast<std::size_t>(k)].field.u - rest.u;
     fields.p.col(k) = presses[static_cast<std::size_t>(k)].field.p - rest.p;
   }
-  if (count == 0) return 0;
-  const bem::BoundaryField carried = carriedError(model, fields, quiet);
-  double largest = 0;
+  TouchError error;
+  if (count == 0) return error;
+  const bem::Bulk bulk(setup.material);
+  const bem::BoundaryField carried = carriedError(model, bulk, fields, quiet);
   for (Eigen::Index k = 0; k < count; ++k) {
     job.throwIfCancelled();
-    largest =
-        std::max(largest, errorAtContact(setup.mesh(), EstimatedError(setup, fields, carried, k),
-                                         presses[static_cast<std::size_t>(k)].contacts.front()));
+    const TouchState::Contact& press = presses[static_cast<std::size_t>(k)].contacts.front();
+    error.relative = std::max(
+        error.relative,
+        errorAtContact(setup.mesh(), EstimatedError(setup, bulk, fields, carried, k), press));
+    error.widening = std::max(error.widening, press.radius / radius);
   }
-  return largest;
+  return error;
 }
 
 }  // namespace palpa::app

@@ -16,9 +16,22 @@ namespace palpa::app {
 double estimateError(const TouchModel& model, const TouchState& state, const Job& job = {},
                      int samples = 48);
 
-/// Relative error of the force under a fingertip that presses the body anywhere: the maximum over a
-/// few presses spread over the free surface. Does not depend on loads. 0 if supports cover the
-/// whole surface. Costs a few times as much as the assembly. Throws Cancelled.
-double estimateTouchError(const TouchModel& model, const Job& job);
+/// True if a support is nearer to a place than `radius` (mm): forces of contacts there are less
+/// accurate than estimateTouchError().
+bool isNearSupport(const BoundarySetup& setup, const Eigen::Vector3d& place, double radius);
+
+/// Estimated error of touches anywhere on a model.
+struct TouchError {
+  double relative = 0;  ///< of the force under a fingertip; 0 if supports cover the whole surface
+  /// Of the masks under these fingertips, over the radius of a fingertip; above 1 where the mesh
+  /// cannot represent a fingertip.
+  double widening = 1;
+};
+
+/// Error of the force under a fingertip that presses the body: the maximum over a few presses
+/// spread over the free surface, at least the radius of the fingertip away from supports (closer
+/// ones have larger errors, which concern few places). Does not depend on loads. Costs a few times
+/// as much as the assembly. Throws Cancelled.
+TouchError estimateTouchError(const TouchModel& model, const Job& job);
 
 }  // namespace palpa::app

@@ -50,7 +50,7 @@ FieldSample sampleField(const TouchModel& model, const TouchState& state,
   // A prescribed displacement is known exactly.
   const Eigen::Vector3d displacement = isFixed(setup, nearest)
                                            ? on.interpolate(nearest, u)
-                                           : on.displacementAt(nearest, u, p, setup.material);
+                                           : on.displacementAt(nearest, u, p, setup.bulk());
   return {at, nearest.position, displacement, on.tractionAt(nearest, p)};
 }
 

@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "app/core/model/contact_kind.h"
-#include "bem/problem/greens_columns.h"
 
 namespace palpa::app {
 namespace {
@@ -65,10 +64,11 @@ FirstContact firstContact(const bem::ContactSurface& surface, const MovingTool& 
 class ToolTrajectory {
  public:
   ToolTrajectory(const TouchModel& model, const bem::ContactSurface& surface,
-                 std::span<const StaticContact> staticContacts, std::span<const MovingTool> tools,
-                 const bem::BoundaryField& field, const Job& job)
+                 bem::GreensColumns& columns, std::span<const StaticContact> staticContacts,
+                 std::span<const MovingTool> tools, const bem::BoundaryField& field, const Job& job)
       : tools_(tools),
-        columns_(model.problem()),
+        surface_(surface),
+        columns_(columns),
         simulation_(surface, columns_, model.rest().field),
         job_(job) {
     columnsJob_ = job;
@@ -92,7 +92,8 @@ class ToolTrajectory {
   /// One more step without motion.
   bool step() {
     job_.throwIfCancelled();
-    while (!simulation_.missing().empty()) columns_.compute(simulation_.missing(), columnsJob_);
+    while (!simulation_.missing().empty())
+      columns_.computeAround(simulation_.missing(), surface_.places(), columnsJob_);
     simulation_.step();
     return simulation_.converged();
   }
@@ -107,7 +108,8 @@ class ToolTrajectory {
 
  private:
   std::span<const MovingTool> tools_;
-  bem::GreensColumns columns_;
+  const bem::ContactSurface& surface_;
+  bem::GreensColumns& columns_;
   Simulation simulation_;
   const Job& job_;
   Job columnsJob_;
@@ -187,10 +189,10 @@ void settle(ToolTrajectory& trajectory, TouchState::Path& path) {
 }  // namespace
 
 ToolsAtRest moveTools(const TouchModel& model, const bem::ContactSurface& surface,
-                      std::span<const StaticContact> staticContacts,
+                      bem::GreensColumns& columns, std::span<const StaticContact> staticContacts,
                       std::span<const MovingTool> tools, const bem::BoundaryField& field, int steps,
                       const Job& job) {
-  ToolTrajectory trajectory(model, surface, staticContacts, tools, field, job);
+  ToolTrajectory trajectory(model, surface, columns, staticContacts, tools, field, job);
   ToolsAtRest result;
   const auto [before, end] = followTrajectory(trajectory, stepsFor(tools, steps), result.path, job);
   settle(trajectory, result.path);

@@ -5,6 +5,7 @@
 
 #include "app/core/model/touch_model.h"
 #include "bem/contact/contact_simulation.h"
+#include "bem/problem/greens_columns.h"
 
 namespace palpa::app {
 
@@ -31,8 +32,8 @@ struct ToolsAtRest {
 
 /// Moves tools along their trajectories, all at the same time and in steps, because friction
 /// depends on the history, and then repeats steps at the ends until no force changes any more
-/// (Path::change). `field`: the field of loads and static contacts alone; the tools first touch the
-/// surface that it displaces.
+/// (Path::change). `columns`: of the model's problem; missing ones are computed. `field`: the field
+/// of loads and static contacts alone; the tools first touch the surface that it displaces.
 ///
 /// `steps` = 0: as many steps as move no tool by more than a hundredth of its radius, at least
 /// kMinSteps. A step that is too large for the laws of contact is divided. Forces are computed with
@@ -41,7 +42,7 @@ struct ToolsAtRest {
 /// Throws SolverError: kBadCondition for a place on a support, kNotConverged if the tools do not
 /// come to rest or the laws cannot be met; Cancelled.
 ToolsAtRest moveTools(const TouchModel& model, const bem::ContactSurface& surface,
-                      std::span<const StaticContact> staticContacts,
+                      bem::GreensColumns& columns, std::span<const StaticContact> staticContacts,
                       std::span<const MovingTool> tools, const bem::BoundaryField& field, int steps,
                       const Job& job);
 

@@ -87,8 +87,8 @@ class StaticTouchSolution {
 
   TouchState::Contact describe(const modeling::Touch& touch,
                                const bem::BilateralContactSolver::Contact& from) const {
-    TouchState::Contact contact{from.point.position, from.radius, from.force, from.displacement,
-                                from.stiffness};
+    TouchState::Contact contact{from.point.position, from.radius,     from.force,
+                                from.displacement,   from.deflection, from.stiffness};
     contact.kind = touch.kind;
     contact.name = touch.name;
     contact.normal = surface_.normal(from.point);
@@ -98,7 +98,7 @@ class StaticTouchSolution {
   TouchState::Contact describe(const modeling::Touch& touch,
                                const bem::ContactSimulation::Contact& from) const {
     TouchState::Contact contact{from.point.position, from.tool.radius, from.force,
-                                from.displacement, from.stiffness};
+                                from.displacement,   from.deflection,  from.stiffness};
     contact.kind = touch.kind;
     contact.name = touch.name;
     contact.status = from.status;
@@ -147,19 +147,28 @@ double defaultTouchRadius(const bem::BoundaryMesh& mesh) {
   return defaultTouchRadius(mesh.boundingSize());
 }
 
+TouchPlayer::TouchPlayer(const TouchModel& model)
+    : model_(model),
+      surface_(model.setup().discretisation->makeContactSurface(model.problem()->dofs())) {}
+
+TouchPlayer::~TouchPlayer() = default;
+
+TouchState TouchPlayer::play(std::span<const modeling::Touch> touches, int steps, const Job& job) {
+  for (const modeling::Touch& touch : touches)
+    checkNearSurface(model_.setup().mesh(), touch.at, "the touch \"" + touch.name + "\"");
+  const StaticTouchSolution solution(model_, *surface_, touches);
+  if (solution.tools().empty()) return solution.describe(model_.rest().field, {});
+  if (!columns_) columns_ = std::make_unique<bem::GreensColumns>(model_.problem());
+  const ToolsAtRest tools =
+      moveTools(model_, *surface_, *columns_, solution.staticContacts(), solution.tools(),
+                solution.describe(model_.rest().field, {}).field, steps, job);
+  bem::BoundaryField base = pressedBy(model_, *surface_, tools, job);
+  return solution.describe(std::move(base), tools);
+}
+
 TouchState playTouches(const TouchModel& model, std::span<const modeling::Touch> touches, int steps,
                        const Job& job) {
-  const BoundarySetup& setup = model.setup();
-  for (const modeling::Touch& touch : touches)
-    checkNearSurface(setup.mesh(), touch.at, "the touch \"" + touch.name + "\"");
-  const auto shared = setup.discretisation->makeContactSurface(model.problem()->dofs());
-  const bem::ContactSurface& surface = *shared;
-  const StaticTouchSolution solution(model, surface, touches);
-  if (solution.tools().empty()) return solution.describe(model.rest().field, {});
-  const ToolsAtRest tools = moveTools(model, surface, solution.staticContacts(), solution.tools(),
-                                      solution.describe(model.rest().field, {}).field, steps, job);
-  bem::BoundaryField base = pressedBy(model, surface, tools, job);
-  return solution.describe(std::move(base), tools);
+  return TouchPlayer(model).play(touches, steps, job);
 }
 
 TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& displacement) {
@@ -171,7 +180,11 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
   if (!dofs.isFree(node))
     badTouch("node " + std::to_string(node) + " is fixed by a support; touch a free node");
   const bem::Discretisation& on = *setup.discretisation;
-  const Eigen::VectorXd unknown = model.problem()->solve(dofs.knownField(setup.conditions)).col(0);
+  const Eigen::VectorXd unknown =
+      model.problem()
+          ->solve(dofs.knownField(setup.conditions), bem::ReferenceProblem::Effort::kRefined, {},
+                  model.bodyForceTerm())
+          .col(0);
   const bem::Discretisation::Weights weights = on.placeWeights();
   bem::NodalSwitching switching(model.problem(), Eigen::VectorXd::Zero(dofs.nodalCount()), unknown,
                                 model.rest().field, weights);
@@ -182,9 +195,9 @@ TouchState touchNode(const TouchModel& model, int node, const Eigen::Vector3d& d
   Eigen::Vector3d moved = displacement;
   for (bem::Discretisation::Weights::InnerIterator it(weights, node); it; ++it)
     moved -= it.value() * model.rest().field.u.col(0).segment<3>(3 * it.col());
-  const double stiffness = moved.squaredNorm() > 0 ? force.dot(moved) / moved.squaredNorm() : 0.0;
-  return model.describe(std::move(solution.field),
-                        {{on.places()[node], 0.0, force, displacement, stiffness, std::nullopt}});
+  const double stiffness = moved.norm() > 0 ? force.norm() / moved.norm() : 0.0;
+  return model.describe(std::move(solution.field), {{on.places()[node], 0.0, force, displacement,
+                                                     moved, stiffness, std::nullopt}});
 }
 
 }  // namespace palpa::app

@@ -13,7 +13,16 @@ double suitableEdgeLength(const modeling::Body& body) {
 }
 
 modeling::Material defaultMaterial() {
-  return {"silicone", 0.2, 0.48};
+  return {"silicone", 0.2, 0.48, 1070};
+}
+
+modeling::Support baseSupport(const modeling::Body& body) {
+  const auto [low, high] = modeling::boundingBox(body);
+  modeling::Support base;
+  base.name = "base";
+  base.where =
+      modeling::Region::below(Eigen::Vector3d::UnitZ(), low.z() + 0.1 * (high.z() - low.z()));
+  return base;
 }
 
 modeling::Project makeProject(modeling::Body body, const std::string& name) {
@@ -21,12 +30,7 @@ modeling::Project makeProject(modeling::Body body, const std::string& name) {
   project.name = name;
   project.material = defaultMaterial();
   project.body = std::move(body);
-  const auto [low, high] = modeling::boundingBox(project.body);
-  modeling::Support base;
-  base.name = "base";
-  base.where =
-      modeling::Region::below(Eigen::Vector3d::UnitZ(), low.z() + 0.1 * (high.z() - low.z()));
-  project.supports = {base};
+  project.supports = {baseSupport(project.body)};
   project.mesh.edgeLength = suitableEdgeLength(project.body);
   return project;
 }

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/model/build_phase.h"
+#include "app/core/model/suggest_mesh.h"
 #include "app/core/results/error_estimate.h"
 #include "app/core/system/destroy_in_background.h"
 #include "app/core/system/priority.h"
 #include "bem/base/error.h"
+#include "modeling/editing/change.h"
 
 namespace palpa::app {
 namespace {
@@ -46,7 +47,9 @@ std::uint64_t RebuildPipeline::submit(modeling::Project snapshot, std::chrono::m
     status_.fraction = 0;
     status_.progress = 0;
     status_.stages.clear();
+    progress_.restart();
     status_.error.clear();
+    status_.reason = {};
     isKeepDue_ = false;
     notBefore_ = Clock::now() + quiet;
     worker_.replace([this, revision, project = std::move(snapshot)](const std::stop_token& stop) {
@@ -129,7 +132,7 @@ void RebuildPipeline::advance(std::uint64_t revision, Phase phase, double fracti
     }
     status_.fraction = fraction;
     status_.stages.back().fraction = fraction;
-    status_.progress = std::max(status_.progress, buildProgress(phase, fraction));
+    status_.progress = std::max(status_.progress, progress_.at(phase, fraction));
   }
   notify();
 }
@@ -153,6 +156,11 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
   const Job job{stop,
                 [this, revision](Phase phase, double done) { advance(revision, phase, done); },
                 threads_};
+  const auto suggestLater = [&] {
+    worker_.post([this, revision, project](const std::stop_token& later) {
+      suggest(revision, project, later);
+    });
+  };
   try {
     offerUpdate(revision, project, job);
     auto model = withBackgroundDestruction(buildTouchModel(project, options_, job, former_.get()));
@@ -168,6 +176,20 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
            nullptr);
   } catch (const GeometryError& error) {
     finish(revision, State::kFailed, error.what(), nullptr, error.findings());
+    suggestLater();
+  } catch (const SupportConflictError& error) {
+    finish(revision, State::kFailed, error.what(), nullptr, nullptr,
+           {.conflict = error.conflict()});
+  } catch (const modeling::EmptyRegionError& error) {
+    finish(revision, State::kFailed, error.what(), nullptr, nullptr,
+           {.emptyRegion = error.region()});
+  } catch (const bem::SolverError& error) {
+    finish(revision, State::kFailed, error.what(), nullptr, nullptr,
+           {.isFree = error.kind() == bem::SolverError::Kind::kNotFixed});
+    if (error.kind() == bem::SolverError::Kind::kTooLarge) suggestLater();
+  } catch (const modeling::ModelingError& error) {
+    finish(revision, State::kFailed, error.what(), nullptr);
+    if (error.kind() == modeling::ModelingError::Kind::kTooLarge) suggestLater();
   } catch (const std::exception& error) {
     finish(revision, State::kFailed, error.what(), nullptr);
   }
@@ -206,7 +228,7 @@ void RebuildPipeline::keep(const std::stop_token& stop) {
     options_.cache->write(model->key(), *model->problem(), {stop, {}, threads_});
   } catch (const Cancelled&) {
     // A newer revision was submitted.
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception&) {
     // The model is not stored; the program works without.
   }
   {
@@ -216,25 +238,61 @@ void RebuildPipeline::keep(const std::stop_token& stop) {
   settled_.notify_all();
 }
 
+void RebuildPipeline::suggest(std::uint64_t revision, const modeling::Project& project,
+                              const std::stop_token& stop) {
+  std::optional<modeling::MeshSettings> mesh;
+  try {
+    mesh = suggestMesh(project, options_, {stop, {}, threads_});
+  } catch (const Cancelled&) {
+    return;  // a newer revision was submitted
+  } catch (const std::exception&) {
+    // No suggestion.
+  }
+  if (!mesh) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (revision != status_.revision || status_.state != RebuildStatus::State::kFailed) return;
+    status_.reason.mesh = std::move(mesh);
+  }
+  notify();
+}
+
 void RebuildPipeline::estimate(const std::stop_token& stop) {
   const std::shared_ptr<const TouchModel> model = this->model();
   const Job job{stop, {}, 1};  // one thread: the others belong to touches and the window
   try {
     setEstimate(*model, &RebuildStatus::condition, model->problem()->conditionEstimate(job));
-    setEstimate(*model, &RebuildStatus::touchError, estimateTouchError(*model, job));
+    estimateAccuracy(*model, job);
   } catch (const Cancelled&) {
     // A newer revision was submitted.
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception&) {
     // The estimates stay unknown.
   }
 }
 
-void RebuildPipeline::setEstimate(const TouchModel& model, double RebuildStatus::*estimate,
-                                  double value) {
+void RebuildPipeline::estimateAccuracy(const TouchModel& model, const Job& job) {
+  const TouchError error = estimateTouchError(model, job);
+  setEstimate(model, &RebuildStatus::touchError, error.relative);
+  // Another mesh of the same project shows the order of convergence.
+  modeling::Project other = sampledProject_;
+  other.mesh = formerProject_.mesh;
+  const modeling::Change change = modeling::compare(other, formerProject_);
+  if (change.body() || change.supports || change.touches) sample_.reset();
+  auto advice = std::make_shared<const AccuracyAdvice>(
+      adviseAccuracy(formerProject_, model, error, sample_, options_, job));
+  sample_ = AccuracySample{model.setup().discretisation->displacementCount(), error};
+  sampledProject_ = formerProject_;
+  setEstimate<std::shared_ptr<const AccuracyAdvice>>(model, &RebuildStatus::accuracy,
+                                                     std::move(advice));
+}
+
+template <class Value>
+void RebuildPipeline::setEstimate(const TouchModel& model, Value RebuildStatus::*estimate,
+                                  Value value) {
   {
     const std::lock_guard lock(mutex_);
     if (model_.get() != &model) return;
-    status_.*estimate = value;
+    status_.*estimate = std::move(value);
   }
   notify();
 }
@@ -245,11 +303,12 @@ void RebuildPipeline::take(std::uint64_t revision, std::shared_ptr<const TouchMo
   status_.residual = model_->report().residual;
   status_.condition = 0;
   status_.touchError = 0;
+  status_.accuracy.reset();
 }
 
 void RebuildPipeline::finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
                              std::shared_ptr<const TouchModel> model,
-                             GeometryError::Findings findings) {
+                             GeometryError::Findings findings, FailureReason reason) {
   {
     const std::lock_guard lock(mutex_);
     if (!isCurrent(revision)) return;
@@ -257,10 +316,12 @@ void RebuildPipeline::finish(std::uint64_t revision, RebuildStatus::State state,
     closeStage();
     status_.fraction = 0;
     status_.error = std::move(error);
+    status_.reason = std::move(reason);
     if (findings) status_.findings = std::move(findings);
     if (model) {
       take(revision, model);
       status_.stages.back().fraction = 1;
+      for (const BuildStage& stage : status_.stages) progress_.learn(stage.phase, stage.seconds);
       status_.progress = 1;
       if (isKeepDue_) postKeep();
       worker_.post([this](const std::stop_token& stop) { estimate(stop); });

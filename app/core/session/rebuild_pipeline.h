@@ -10,7 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "app/core/model/build_phase.h"
 #include "app/core/model/build_touch_model.h"
+#include "app/core/results/accuracy_advice.h"
+#include "app/core/setup/support_conflict.h"
 #include "base/job.h"
 #include "base/worker_thread.h"
 
@@ -21,6 +24,16 @@ struct BuildStage {
   Phase phase{};
   double seconds = 0;   ///< so far
   double fraction = 0;  ///< 0 … 1
+};
+
+/// Cause of a failed build, if front ends can offer a remedy for it.
+struct FailureReason {
+  std::optional<SupportConflict> conflict{};  ///< two supports contradict each other
+  std::string emptyRegion{};  ///< MeshRegion::name of a region without any surface; empty: none
+  bool isFree = false;        ///< the supports leave the body free to move
+  /// A mesh with which the body can be built (suggestMesh()), if the present one is too large or
+  /// does not bound a body; found some seconds after the failure.
+  std::optional<modeling::MeshSettings> mesh{};
 };
 
 /// State of the rebuild; a consistent copy.
@@ -45,6 +58,7 @@ struct RebuildStatus {
   /// Findings of the last completed geometry check: the reason of the failure, or warnings. Never
   /// null.
   GeometryError::Findings findings = std::make_shared<std::vector<modeling::GeometryFinding>>();
+  FailureReason reason;  ///< empty unless kFailed
   /// BuildReport::residual of model() if it is an incremental update.
   std::optional<double> residual;
   /// Estimated condition number of the equations of model(); 0 until it is known. It is estimated
@@ -53,6 +67,8 @@ struct RebuildStatus {
   /// Estimated relative error of the force under a fingertip on model() (estimateTouchError()); 0
   /// until it is known.
   double touchError = 0;
+  /// Requested and reached accuracy of model(); null until it is known.
+  std::shared_ptr<const AccuracyAdvice> accuracy;
 };
 
 /// Builds models in the background: a snapshot of the project goes in, an immutable TouchModel
@@ -101,19 +117,24 @@ class RebuildPipeline {
   // Tasks of the worker.
   void build(std::uint64_t revision, const modeling::Project& project, const std::stop_token& stop);
   void keep(const std::stop_token& stop);
+  void suggest(std::uint64_t revision, const modeling::Project& project,
+               const std::stop_token& stop);
   void estimate(const std::stop_token& stop);
 
   /// False if `stop` was triggered before the quiet time was over.
   bool waitUntilDue(const std::stop_token& stop);
   void offerUpdate(std::uint64_t revision, const modeling::Project& project, const Job& job);
-  void setEstimate(const TouchModel& model, double RebuildStatus::*estimate, double value);
+  template <class Value>
+  void setEstimate(const TouchModel& model, Value RebuildStatus::*estimate, Value value);
+  void estimateAccuracy(const TouchModel& model, const Job& job);
   void postKeep();
   void advance(std::uint64_t revision, Phase phase, double fraction);
   void closeStage();
   bool isCurrent(std::uint64_t revision) const;
   void take(std::uint64_t revision, std::shared_ptr<const TouchModel>& model);
   void finish(std::uint64_t revision, RebuildStatus::State state, std::string error,
-              std::shared_ptr<const TouchModel> model, GeometryError::Findings findings = nullptr);
+              std::shared_ptr<const TouchModel> model, GeometryError::Findings findings = nullptr,
+              FailureReason reason = {});
   void notify() const;
 
   const BuildOptions options_;
@@ -127,11 +148,15 @@ class RebuildPipeline {
   std::chrono::steady_clock::time_point notBefore_;  // start of the build submitted last
   std::shared_ptr<const TouchModel> model_;
   std::chrono::steady_clock::time_point stageBegan_;
+  BuildProgress progress_;
   bool isKeepDue_ = false, isKeeping_ = false;
 
   // The last complete model and its project; only the worker uses them.
   modeling::Project formerProject_;
   std::shared_ptr<const TouchModel> former_;
+  // The last estimated model and its project; only the worker uses them.
+  modeling::Project sampledProject_;
+  std::optional<AccuracySample> sample_;
 
   WorkerThread worker_;  // last: it uses all of the above
 };

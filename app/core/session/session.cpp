@@ -1,5 +1,6 @@
 #include "app/core/session/session.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -47,7 +48,7 @@ Session::Session(const modeling::Snapshot& snapshot, Options options)
     : Session(modeling::recover(snapshot), std::move(options)) {
   if (!snapshot.original.empty()) file_ = snapshot.original;
   recovered_ = true;
-  ++edits_;
+  countEdit();
 }
 
 modeling::Performed Session::perform(const modeling::Command& command, modeling::Merge merge) {
@@ -81,6 +82,13 @@ modeling::Change Session::cancelGroup() {
   return change;
 }
 
+void Session::editView(std::string view) {
+  if (view == project().view) return;
+  document_.setView(std::move(view));
+  isViewEdited_ = true;
+  countEdit();
+}
+
 void Session::endGroup() {
   document_.endGroup();
   pipeline_->startPending();
@@ -88,8 +96,16 @@ void Session::endGroup() {
 
 void Session::rebuildIfNeeded(const modeling::Change& change, std::chrono::milliseconds quiet) {
   if (!change.any()) return;
-  ++edits_;
+  countEdit();
   if (concernsModel(change, project())) pipeline_->submit(project(), quiet);
+}
+
+void Session::countEdit() {
+  ++edits_;
+  if (autosaveDue_) return;
+  // Twice the time of the last snapshot, as the disk may be slower now.
+  const std::chrono::steady_clock::duration every = options_.autosaveEvery;
+  autosaveDue_ = options_.clock() + every - std::min(options_.autosavePoll + 2 * writing_, every);
 }
 
 void Session::save() {
@@ -106,6 +122,7 @@ void Session::markSavedAs(const std::filesystem::path& file) {
   file_ = file;
   document_.markSaved();
   recovered_ = false;
+  isViewEdited_ = false;
   autosavedEdits_ = edits_;
   pipeline_->keepModel();
   close();
@@ -116,12 +133,14 @@ bool Session::autosaveIfDue(std::chrono::steady_clock::time_point now) {
   if (!isModified()) {  // undone: the file has everything
     autosave_->remove();
     autosavedEdits_ = edits_;
+    autosaveDue_.reset();
     return false;
   }
-  if (!autosaveDue_) autosaveDue_ = now + options_.autosaveEvery;
-  if (now < *autosaveDue_) return false;
+  if (!autosaveDue_ || now < *autosaveDue_) return false;
   autosaveDue_ = now + options_.autosaveEvery;  // should writing fail: not again at once
+  const auto begin = std::chrono::steady_clock::now();
   autosave_->write(project(), file_.value_or(std::filesystem::path()), edits_);
+  writing_ = std::chrono::steady_clock::now() - begin;
   autosavedEdits_ = edits_;
   autosaveDue_.reset();  // the next edit begins a new interval
   return true;

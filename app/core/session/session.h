@@ -21,12 +21,17 @@ class Session {
  public:
   struct Options {
     BuildOptions build;
-    int threads = 0;                         ///< of the rebuild; 0: all cores
-    std::filesystem::path cacheFolder;       ///< empty: solved models are not stored
-    double cacheLimit = 0;                   ///< bytes; 0: solved models are not stored
-    std::filesystem::path autosaveFolder;    ///< empty: no snapshots
-    std::chrono::seconds autosaveEvery{60};  ///< after the first edit that is not saved
-    std::function<void()> rebuildChanged;    ///< RebuildPipeline's `changed`
+    int threads = 0;                       ///< of the rebuild; 0: all cores
+    std::filesystem::path cacheFolder;     ///< empty: solved models are not stored
+    double cacheLimit = 0;                 ///< bytes; 0: solved models are not stored
+    std::filesystem::path autosaveFolder;  ///< empty: no snapshots
+    /// The snapshot is on the disk at most this long after the first edit that is not saved.
+    std::chrono::seconds autosaveEvery{60};
+    /// Largest time between two calls of autosaveIfDue().
+    std::chrono::milliseconds autosavePoll{1000};
+    /// Clock of the edits; replaced in tests.
+    std::function<std::chrono::steady_clock::time_point()> clock = std::chrono::steady_clock::now;
+    std::function<void()> rebuildChanged;  ///< RebuildPipeline's `changed`
   };
 
   /// A project that has no file yet; it counts as clean.
@@ -61,11 +66,14 @@ class Session {
   void endGroup();
   modeling::Change cancelGroup();
   void setView(std::string view) { document_.setView(std::move(view)); }
+  /// The same for a change that the user expects to be saved: the project counts as modified until
+  /// it is saved.
+  void editView(std::string view);
 
   /// The file that save() writes; none for a project that was never saved.
   const std::optional<std::filesystem::path>& file() const { return file_; }
   /// True if there are unsaved edits. A recovered project counts as edited.
-  bool isModified() const { return recovered_ || !document_.isClean(); }
+  bool isModified() const { return recovered_ || isViewEdited_ || !document_.isClean(); }
   /// Throws std::logic_error without a file.
   void save();
   void saveAs(const std::filesystem::path& file);
@@ -73,8 +81,9 @@ class Session {
   /// project to `file`.
   void markSavedAs(const std::filesystem::path& file);
 
-  /// Writes the snapshot if it is due; to be called regularly with the present time. True if a
-  /// snapshot was written. Throws at most once per interval.
+  /// Writes the snapshot if it is due; to be called regularly with the present time. It is due so
+  /// early that one more call and writing, which takes as long as the last time, fit into the
+  /// interval. True if a snapshot was written. Throws at most once per interval.
   bool autosaveIfDue(std::chrono::steady_clock::time_point now);
 
   /// Removes the snapshot, because the user has saved or discarded the edits.
@@ -82,15 +91,18 @@ class Session {
 
  private:
   void rebuildIfNeeded(const modeling::Change& change, std::chrono::milliseconds quiet = {});
+  void countEdit();
 
   modeling::Document document_;
   Options options_;
   std::optional<std::filesystem::path> file_;
   bool recovered_ = false;
+  bool isViewEdited_ = false;
   std::unique_ptr<modeling::Autosave> autosave_;
   std::uint64_t edits_ = 0;           // number of edits so far
   std::uint64_t autosavedEdits_ = 0;  // of these, in the snapshot or in the file
   std::optional<std::chrono::steady_clock::time_point> autosaveDue_;
+  std::chrono::steady_clock::duration writing_{std::chrono::seconds(1)};  // of the last snapshot
   std::unique_ptr<RebuildPipeline> pipeline_;
 };
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/core/setup/load_setup.h"
 #include "app/core/setup/region_conditions.h"
 #include "app/core/setup/spline_setup.h"
 #include "bem/triangle/triangle_discretisation.h"
@@ -14,12 +15,11 @@ namespace {
 using Eigen::Vector3d;
 using modeling::Support;
 
-void applySupports(const modeling::Project& project, const std::vector<int>& owner,
-                   BoundarySetup& setup) {
+void applySupports(const modeling::Project& project, const RegionTags& tags, BoundarySetup& setup) {
   std::map<int, int> supportOfSlot;
-  for (std::size_t t = 0; t < owner.size(); ++t)
-    if (owner[t] >= 0)
-      for (const int slot : setup.meshSlots().ofCorner[t]) supportOfSlot[slot] = owner[t];
+  for (std::size_t t = 0; t < tags.ofTriangle().size(); ++t)
+    if (const auto owner = tags.supportOf(tags.ofTriangle()[t]))
+      for (const int slot : setup.meshSlots().ofCorner[t]) supportOfSlot[slot] = *owner;
   std::map<int, PrescribedDisplacement> ofNode;
   for (const auto& [slot, index] : supportOfSlot) {
     const Support& support = project.supports[index];
@@ -53,16 +53,18 @@ void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& s
   std::vector<int> all(setup.mesh().triangles.size());
   std::iota(all.begin(), all.end(), 0);
   std::size_t region = project.supports.size();
-  for (const modeling::Load& load : project.loads) {
-    const auto& triangles = modeling::regionOf(load) ? surface.trianglesOfRegion[region++] : all;
-    const LoadTraction what = loadTraction(load);
-    setup.addLoad(load.name, bem::projectTraction(setup.mesh(), setup.meshSlots(),
-                                                  {triangles, what.traction, what.featureLength}));
+  for (std::size_t k = 0; k < project.loads.size(); ++k) {
+    const auto& triangles =
+        modeling::regionOf(project.loads[k]) ? surface.trianglesOfRegion[region++] : all;
+    addLoad(project, k, setup, [&](const LoadTraction& what) {
+      return bem::projectTraction(setup.mesh(), setup.meshSlots(),
+                                  {triangles, what.traction, what.featureLength});
+    });
   }
 }
 
 bem::Material solverMaterial(const modeling::Material& material) {
-  const auto& [name, youngsModulus, poissonRatio] = material;  // all fields
+  const auto& [name, youngsModulus, poissonRatio, density] = material;  // all fields
   return {youngsModulus, poissonRatio};
 }
 
@@ -74,26 +76,37 @@ BoundarySetup::BoundarySetup(const modeling::Project& project,
       material(solverMaterial(project.material)),
       conditions(discretisation->displacementCount(), discretisation->slots().count()) {}
 
-void BoundarySetup::addLoad(const std::string& name, Eigen::VectorXd traction) {
+BoundarySetup::LoadPart& BoundarySetup::addLoad(const std::string& name, Eigen::VectorXd traction) {
   std::vector<int> all(discretisation->elementCount());
   std::iota(all.begin(), all.end(), 0);
   conditions.traction += traction;
   const bem::Resultant resultant = discretisation->resultant(traction, all);
   const Vector3d place = meanPlace(*discretisation, traction);
   loads.push_back({name, std::move(traction), resultant, place});
+  return loads.back();
+}
+
+void BoundarySetup::addBodyForce(const std::string& name, const Vector3d& bodyForce) {
+  conditions.bodyForce += bodyForce;
+  const bem::VolumeMoments moments = discretisation->volumeMoments();
+  loads.push_back({name, Eigen::VectorXd::Zero(conditions.traction.size()),
+                   moments.resultant(bodyForce), moments.centroid()});
 }
 
 BoundarySetup makeBoundarySetup(const ProjectGeometry& geometry,
                                 const modeling::SurfaceMesh& surface) {
   if (geometry.usesSplines()) return makeSplineSetup(geometry, surface);
   const modeling::Project& project = geometry.project();
+  const RegionTags tags(project, surface);
+  checkSupports(project, tags, surface);
   BoundarySetup setup(project, std::make_shared<bem::TriangleDiscretisation>(
-                                   boundaryMesh(surface, RegionTags(surface).ofTriangle())));
-  for (std::size_t s = 0; s < project.supports.size(); ++s)
-    setup.supports.push_back({project.supports[s].name, surface.trianglesOfRegion[s],
-                              surface.trianglesOfRegion[s],
+                                   boundaryMesh(surface, tags.ofTriangle())));
+  for (std::size_t s = 0; s < project.supports.size(); ++s) {
+    const std::vector<int> triangles = tags.trianglesIn(static_cast<int>(s));
+    setup.supports.push_back({project.supports[s].name, triangles, triangles,
                               project.supports[s].kind == Support::Kind::kFixed});
-  applySupports(project, supportOfTriangle(project, surface), setup);
+  }
+  applySupports(project, tags, setup);
   applyLoads(project, surface, setup);
   return setup;
 }

@@ -31,10 +31,15 @@ struct BoundarySetup {
   bem::Material material;
   bem::BoundaryConditions conditions;  ///< of the coefficients
 
+  /// Inside of the body in the state of all loads.
+  bem::Bulk bulk() const { return {material, conditions.bodyForce}; }
+
   const bem::BoundaryMesh& mesh() const { return discretisation->mesh(); }
   const bem::TractionSlots& meshSlots() const { return discretisation->meshSlots(); }
 
-  /// A support's name, and the triangles of the mesh and the elements that it acts on.
+  /// A support's name, and the triangles of the mesh and the elements that it acts on. Where
+  /// supports share a place, it belongs to one of them (RegionTags), so that the sum of the
+  /// reactions is complete; a support may have none.
   struct Part {
     std::string name;
     std::vector<int> triangles, elements;  ///< ascending
@@ -43,18 +48,24 @@ struct BoundarySetup {
   std::vector<Part> supports;
   struct LoadPart {
     std::string name;
-    Eigen::VectorXd traction;  ///< its share of conditions.traction, 3 per slot, MPa
+    /// Its share of conditions.traction, 3 per slot, MPa; zero for gravity.
+    Eigen::VectorXd traction;
     bem::Resultant resultant;
-    Eigen::Vector3d place;  ///< mean of the places it acts on, weighted by its traction, mm
+    /// Mean of the places it acts on, weighted by its traction; for gravity the centroid; mm.
+    Eigen::Vector3d place;
+    /// Of a moment without a net force: its norm over the size of the body, N; otherwise 0.
+    double couple = 0;
   };
   std::vector<LoadPart> loads;
   /// `traction`: 3 per slot, MPa.
-  void addLoad(const std::string& name, Eigen::VectorXd traction);
+  LoadPart& addLoad(const std::string& name, Eigen::VectorXd traction);
+  /// `bodyForce`: N/mm^3.
+  void addBodyForce(const std::string& name, const Eigen::Vector3d& bodyForce);
 };
 
 /// Translates a meshed project for its engine; `surface` is fitted to geometry.regions(). The
-/// traction may jump at the borders of supports and loads. Throws SolverError (kBadCondition) if
-/// two supports claim the same place or prescribe different displacements where they meet.
+/// traction may jump at the borders of supports and loads. Throws
+/// SupportConflictError if two supports prescribe different displacements at one place.
 BoundarySetup makeBoundarySetup(const ProjectGeometry& geometry,
                                 const modeling::SurfaceMesh& surface);
 

@@ -30,19 +30,20 @@ constexpr double kOfTouch = 0.95;
 // with it. The budget limits the time to build a model.
 ElementSizes ElementSizes::of(const modeling::MeshSettings& settings, double fingertipRadius) {
   const double wish = settings.accuracy / 1e-2;
+  const double density = settings.elementLength ? 1 : settings.splineDensity;
   ElementSizes sizes;
-  const double finer = std::pow(wish, 1.0 / 6);
+  const double finer = std::pow(wish, 1.0 / 6) / density;
   sizes.touch = kOfTouch * finer;
   sizes.bump = kOfRadius * finer;
   sizes.interior = settings.elementLength.value_or(sizes.touch * fingertipRadius * std::sqrt(3.0) /
                                                    bem::SplineMaskWidths::kMinWidth);
-  sizes.turn =
-      settings.elementLength ? std::numbers::pi / 4 : std::numbers::pi / 6 * std::pow(wish, 0.25);
+  sizes.turn = settings.elementLength ? std::numbers::pi / 4
+                                      : std::numbers::pi / 6 * std::pow(wish, 0.25) / density;
   sizes.rim = std::min(0.5, 0.5 * std::pow(wish, 0.45));
   sizes.isRimOutside = wish >= 1;
   sizes.border = sizes.interior;
   sizes.budget = settings.elementLength ? std::numeric_limits<double>::infinity()
-                                        : 1250 * std::pow(wish, -0.35);
+                                        : 1250 * std::pow(wish, -0.35) * density * density;
   if (settings.elementLength) sizes.touch = std::numeric_limits<double>::infinity();
   return sizes;
 }

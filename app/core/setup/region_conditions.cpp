@@ -1,10 +1,12 @@
 #include "app/core/setup/region_conditions.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <set>
 
-#include "base/text.h"
-#include "bem/base/error.h"
+#include "app/core/setup/support_conflict.h"
 
 namespace palpa::app {
 namespace {
@@ -12,16 +14,46 @@ namespace {
 using Eigen::Vector3d;
 using modeling::Support;
 
-[[noreturn]] void badCondition(const std::string& message) {
-  throw bem::SolverError(bem::SolverError::Kind::kBadCondition, message);
+/// True if two fixed supports prescribe different displacements.
+bool displaceDifferently(const Support& a, const Support& b) {
+  return (a.displacement - b.displacement).norm() > 1e-12 * (1 + b.displacement.norm());
+}
+
+/// True if two supports contradict each other on a surface with this unit normal.
+bool contradict(const Support& a, const Support& b, const Vector3d& normal) {
+  const bool areFixed = a.kind == Support::Kind::kFixed && b.kind == Support::Kind::kFixed;
+  if (areFixed) return displaceDifferently(a, b);
+  return std::abs(normal.dot(a.displacement - b.displacement)) >
+         1e-9 * (1 + a.displacement.norm() + b.displacement.norm());
+}
+
+/// The one of the places that is nearest to their mean.
+Vector3d middleOf(const std::vector<Vector3d>& places) {
+  Vector3d mean = Vector3d::Zero();
+  for (const Vector3d& place : places) mean += place / static_cast<double>(places.size());
+  return *std::min_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+    return (a - mean).squaredNorm() < (b - mean).squaredNorm();
+  });
+}
+
+/// Throws the error for the first pair of supports with places.
+using PlacesOfPair = std::map<std::pair<int, int>, std::vector<Vector3d>>;
+void throwIfAny(const PlacesOfPair& conflicts, const modeling::Project& project, bool overlaps) {
+  if (conflicts.empty()) return;
+  const auto& [pair, places] = *conflicts.begin();
+  throw SupportConflictError({project.supports[pair.first].name, project.supports[pair.second].name,
+                              middleOf(places), overlaps});
 }
 
 }  // namespace
 
-RegionTags::RegionTags(const modeling::SurfaceMesh& mesh) {
+RegionTags::RegionTags(const modeling::Project& project, const modeling::SurfaceMesh& mesh) {
+  for (const Support& support : project.supports)
+    isFixed_.push_back(support.kind == Support::Kind::kFixed);
   std::vector<std::vector<int>> regions(mesh.triangles.size());
   for (std::size_t r = 0; r < mesh.trianglesOfRegion.size(); ++r)
-    for (const int t : mesh.trianglesOfRegion[r]) regions[t].push_back(static_cast<int>(r));
+    for (const int t : mesh.trianglesOfRegion[r])
+      regions[t] = united(std::move(regions[t]), static_cast<int>(r));
   for (const auto& combination : regions) ofTriangle_.push_back(tagOf(combination));
 }
 
@@ -32,15 +64,69 @@ int RegionTags::tagOf(const std::vector<int>& combination) {
   return found->second;
 }
 
+std::vector<int> RegionTags::united(std::vector<int> combination, int region) const {
+  const auto isSupport = [this](int r) { return static_cast<std::size_t>(r) < isFixed_.size(); };
+  if (isSupport(region) && !combination.empty() && isSupport(combination.front())) {
+    int& present = combination.front();
+    const bool isStronger = isFixed_[region] != isFixed_[present]
+                                ? static_cast<bool>(isFixed_[region])
+                                : region < present;
+    if (isStronger) present = region;
+    return combination;
+  }
+  combination.insert(std::upper_bound(combination.begin(), combination.end(), region), region);
+  return combination;
+}
+
 int RegionTags::with(int tag, int region) {
   if (isIn(tag, region)) return tag;
-  std::vector<int> combination = combinations_[tag];
-  combination.insert(std::upper_bound(combination.begin(), combination.end(), region), region);
-  return tagOf(combination);
+  return tagOf(united(combinations_[tag], region));
 }
 
 bool RegionTags::isIn(int tag, int region) const {
   return std::binary_search(combinations_[tag].begin(), combinations_[tag].end(), region);
+}
+
+std::optional<int> RegionTags::supportOf(int tag) const {
+  const std::vector<int>& regions = combinations_[tag];
+  if (regions.empty() || static_cast<std::size_t>(regions.front()) >= isFixed_.size()) return {};
+  return regions.front();
+}
+
+std::vector<int> RegionTags::trianglesIn(int region) const {
+  std::vector<int> triangles;
+  for (std::size_t t = 0; t < ofTriangle_.size(); ++t)
+    if (isIn(ofTriangle_[t], region)) triangles.push_back(static_cast<int>(t));
+  return triangles;
+}
+
+void checkSupports(const modeling::Project& project, const RegionTags& tags,
+                   const modeling::SurfaceMesh& mesh) {
+  std::vector<std::vector<int>> supports(mesh.triangles.size());
+  PlacesOfPair overlaps;
+  for (std::size_t s = 0; s < project.supports.size(); ++s)
+    for (const int t : mesh.trianglesOfRegion[s]) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const auto& p = mesh.positions;
+      const Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]).normalized();
+      for (const int other : supports[t])
+        if (contradict(project.supports[other], project.supports[s], normal))
+          overlaps[{other, static_cast<int>(s)}].emplace_back((p[a] + p[b] + p[c]) / 3);
+      supports[t].push_back(static_cast<int>(s));
+    }
+  throwIfAny(overlaps, project, true);
+  std::map<int, std::set<int>> fixedOfNode;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (const auto s = tags.supportOf(tags.ofTriangle()[t]);
+        s && project.supports[*s].kind == Support::Kind::kFixed)
+      for (const int node : mesh.triangles[t]) fixedOfNode[node].insert(*s);
+  PlacesOfPair meetings;
+  for (const auto& [node, meeting] : fixedOfNode)
+    for (const int a : meeting)
+      for (const int b : meeting)
+        if (a < b && displaceDifferently(project.supports[a], project.supports[b]))
+          meetings[{a, b}].push_back(mesh.positions[node]);
+  throwIfAny(meetings, project, false);
 }
 
 bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector<int> tags) {
@@ -50,29 +136,9 @@ bem::BoundaryMesh boundaryMesh(const modeling::SurfaceMesh& surface, std::vector
   return mesh;
 }
 
-std::vector<int> supportOfTriangle(const modeling::Project& project,
-                                   const modeling::SurfaceMesh& surface) {
-  std::vector<int> owner(surface.triangles.size(), -1);
-  for (std::size_t s = 0; s < project.supports.size(); ++s)
-    for (const int t : surface.trianglesOfRegion[s]) {
-      if (owner[t] >= 0) {
-        const auto& c = surface.triangles[t];
-        badCondition("supports \"" + project.supports[owner[t]].name + "\" and \"" +
-                     project.supports[s].name + "\" both hold the surface near " +
-                     placeText(surface.positions[c[0]]) +
-                     "; change their regions so that they do not overlap");
-      }
-      owner[t] = static_cast<int>(s);
-    }
-  return owner;
-}
-
 void PrescribedDisplacement::addFixed(const Support& support, const Vector3d& position) {
-  if (fixed_ && (fixed_->displacement - support.displacement).norm() >
-                    1e-12 * (1 + support.displacement.norm()))
-    badCondition("supports \"" + fixed_->name + "\" and \"" + support.name + "\" meet at " +
-                 placeText(position) +
-                 " and prescribe different displacements there; separate them or make them agree");
+  if (fixed_ && displaceDifferently(*fixed_, support))
+    throw SupportConflictError({fixed_->name, support.name, position, false});
   fixed_ = &support;
 }
 

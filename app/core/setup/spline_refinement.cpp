@@ -9,6 +9,7 @@
 #include "app/core/setup/span_subdivision.h"
 #include "app/core/setup/support_borders.h"
 #include "app/core/setup/touch_refinement.h"
+#include "base/count_text.h"
 #include "base/text.h"
 #include "modeling/error.h"
 
@@ -71,11 +72,12 @@ class RefinementBuilder {
     for (const auto& [name, factor] : project.mesh.patchFactors)
       if (const auto patch = solid_.findPatch(name)) factors_[*patch] = factor;
     isFixed_.resize(solid_.patches().size(), false);
-    for (const modeling::Support& support : project.supports)
-      for (const auto& part : support.where.parts)
-        if (const auto* whole = std::get_if<modeling::PatchSet>(&part))
-          for (const std::string& name : whole->patches)
-            if (const auto patch = solid_.findPatch(name)) isFixed_[*patch] = true;
+    for (const modeling::Support& support : project.supports) {
+      if (!support.where.except.empty()) continue;  // parts of its patches may be free
+      const std::vector<bool> isNamed = modeling::namedPatches(support.where.parts, solid_);
+      for (std::size_t p = 0; p < isNamed.size(); ++p)
+        if (isNamed[p]) isFixed_[p] = true;
+    }
     for (const modeling::Load& load : project.loads)
       if (const auto* bump = std::get_if<modeling::Bump>(&load.what))
         bumpPlaces_.push_back(placesUnder(surface_, bump->center, bump->radius));
@@ -131,9 +133,9 @@ class RefinementBuilder {
     if (!(total < modeling::kMaxNetRows / 4.0))
       throw modeling::ModelingError(
           "spline elements of " + numberText(sizes_.interior) +
-              " mm are too small for this body: a patch would get about " +
-              numberText(std::round(total)) + " in one direction; at most " +
-              numberText(modeling::kMaxNetRows / 4.0) + " are possible",
+              " mm are too small for this body: a patch would get about " + estimateText(total) +
+              " in one direction; at most " + countText(modeling::kMaxNetRows / 4.0) +
+              " are possible",
           modeling::ModelingError::Kind::kTooLarge);
     return elementCounts(need);
   }

@@ -27,8 +27,8 @@ struct ElementSizes {
   /// Number of displacement coefficients beyond which `interior` grows.
   double budget = 0;
 
-  /// The sizes for a project's settings (MeshSettings::accuracy, elementLength) and for touches
-  /// with a fingertip of the given radius (mm).
+  /// The sizes for a project's settings (MeshSettings::accuracy, splineDensity, elementLength) and
+  /// for touches with a fingertip of the given radius (mm).
   static ElementSizes of(const modeling::MeshSettings& settings, double fingertipRadius);
 };
 

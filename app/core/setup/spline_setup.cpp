@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 
+#include "app/core/setup/load_setup.h"
 #include "app/core/setup/region_conditions.h"
 #include "app/core/setup/support_borders.h"
 #include "app/core/setup/to_spline_surface.h"
@@ -14,17 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 using modeling::Support;
-
-/// Finds supports that overlap, or that meet with different displacements. It looks at the mesh, so
-/// that both engines give the same message.
-void checkSupports(const modeling::Project& project, const modeling::SurfaceMesh& mesh) {
-  const std::vector<int> owner = supportOfTriangle(project, mesh);
-  std::map<int, PrescribedDisplacement> ofNode;
-  for (std::size_t t = 0; t < owner.size(); ++t)
-    if (owner[t] >= 0 && project.supports[owner[t]].kind == Support::Kind::kFixed)
-      for (const int node : mesh.triangles[t])
-        ofNode[node].addFixed(project.supports[owner[t]], mesh.positions[node]);
-}
 
 /// The surface of the refined `solid`, cut into the parts of supports and loads.
 bem::SplineSurface taggedSurface(const ProjectGeometry& geometry, const modeling::Solid& solid,
@@ -53,12 +43,10 @@ void applySupports(const modeling::Project& project, const RegionTags& tags, Bou
   std::map<int, PrescribedDisplacement> ofCoefficient;
   const auto& slots = setup.splines->slots().slots;
   for (std::size_t s = 0; s < slots.size(); ++s) {
-    const auto& regions = tags.regions(slots[s].tag);
-    const auto supportCount = static_cast<int>(project.supports.size());
-    if (regions.empty() || regions.front() >= supportCount ||
-        surface.barelyReaches(slots[s].node, slots[s].tag, slots[s].smoothingGroup))
+    const auto owner = tags.supportOf(slots[s].tag);
+    if (!owner || surface.barelyReaches(slots[s].node, slots[s].tag, slots[s].smoothingGroup))
       continue;
-    const Support& support = project.supports[regions.front()];
+    const Support& support = project.supports[*owner];
     if (support.kind == Support::Kind::kFixed) {
       setup.conditions.ofSlot[s] = bem::SlotCondition::kFixed;
       ofCoefficient[slots[s].node].addFixed(support, surface.controlPoints()[slots[s].node]);
@@ -74,13 +62,14 @@ void applySupports(const modeling::Project& project, const RegionTags& tags, Bou
 void applyLoads(const modeling::Project& project, const RegionTags& tags, BoundarySetup& setup) {
   const bem::SplineSurface& surface = setup.splines->surface();
   auto region = static_cast<int>(project.supports.size());
-  for (const modeling::Load& load : project.loads) {
+  for (std::size_t k = 0; k < project.loads.size(); ++k) {
     std::vector<int> elements(surface.elements().size());
     std::iota(elements.begin(), elements.end(), 0);
-    if (modeling::regionOf(load)) elements = elementsIn(surface, tags, region++);
-    const LoadTraction what = loadTraction(load);
-    setup.addLoad(load.name, bem::projectTraction(surface, setup.splines->tractions(), elements,
-                                                  what.traction, what.featureLength));
+    if (modeling::regionOf(project.loads[k])) elements = elementsIn(surface, tags, region++);
+    addLoad(project, k, setup, [&](const LoadTraction& what) {
+      return bem::projectTraction(surface, setup.splines->tractions(), elements, what.traction,
+                                  what.featureLength);
+    });
   }
 }
 
@@ -88,10 +77,10 @@ void applyLoads(const modeling::Project& project, const RegionTags& tags, Bounda
 
 BoundarySetup makeSplineSetup(const ProjectGeometry& geometry, const modeling::SurfaceMesh& mesh) {
   const modeling::Project& project = geometry.project();
-  checkSupports(project, mesh);
+  RegionTags tags(project, mesh);
+  checkSupports(project, tags, mesh);
   auto solid =
       std::make_shared<const modeling::Solid>(refined(geometry.solid(), geometry.refinement()));
-  RegionTags tags(mesh);
   bem::SplineSurface surface = taggedSurface(geometry, *solid, tags);
   const auto splines = std::make_shared<const bem::SplineDiscretisation>(
       boundaryMesh(mesh, tags.ofTriangle()), std::move(surface),
@@ -100,7 +89,7 @@ BoundarySetup makeSplineSetup(const ProjectGeometry& geometry, const modeling::S
   setup.splines = splines;
   setup.refinedSolid = std::move(solid);
   for (std::size_t s = 0; s < project.supports.size(); ++s)
-    setup.supports.push_back({project.supports[s].name, mesh.trianglesOfRegion[s],
+    setup.supports.push_back({project.supports[s].name, tags.trianglesIn(static_cast<int>(s)),
                               elementsIn(splines->surface(), tags, static_cast<int>(s)),
                               project.supports[s].kind == Support::Kind::kFixed});
   applySupports(project, tags, setup);

@@ -15,10 +15,6 @@ using Eigen::Vector3d;
 constexpr int kMinSamples = 24, kMaxSamples = 96;  ///< pieces of a patch per direction
 constexpr double kInwards = 0.01;  ///< distance of samples from an edge, in the patch's size
 
-bool contains(const bem::SurfacePart& part, int patch, const Vector3d& x) {
-  return part.hasPatch(patch) || (part.level && part.level(x) < 0);
-}
-
 /// True if a part ends along most of an edge.
 bool endsAlong(const modeling::SurfaceEvaluator& surface, const modeling::SolidEdge& edge,
                const bem::SurfacePart& part) {
@@ -40,7 +36,7 @@ bool endsAlong(const modeling::SurfaceEvaluator& surface, const modeling::SolidE
         parameter[d] = low + fractions[d] * (high - low);
       }
       isInside[use] =
-          contains(part, at.patch, surface.position(at.patch, parameter[0], parameter[1]));
+          part.on(at.patch).contains(surface.position(at.patch, parameter[0], parameter[1]));
     }
     differ += isInside[0] != isInside[1] ? 1 : 0;
   }
@@ -100,40 +96,39 @@ class PatchSamples {
 
 double thinnestStroke(const modeling::Region& region) {
   double radius = std::numeric_limits<double>::infinity();
-  for (const modeling::RegionPart& part : region.parts)
-    if (const auto* stroke = std::get_if<modeling::Stroke>(&part))
-      radius = std::min(radius, stroke->radius);
+  for (const auto* parts : {&region.parts, &region.except})
+    for (const modeling::RegionPart& part : *parts)
+      if (const auto* stroke = std::get_if<modeling::Stroke>(&part))
+        radius = std::min(radius, stroke->radius);
   return radius;
 }
 
-}  // namespace
-
-bem::SurfacePart surfacePart(const modeling::Region& region, const modeling::Solid& solid) {
-  bem::SurfacePart part;
-  part.patches.resize(solid.patches().size(), false);
+/// Distance from the half spaces and strokes; null without any.
+bem::LevelFunction levelOf(const std::vector<modeling::RegionPart>& parts) {
   std::vector<modeling::RegionBorder> borders;
   std::vector<modeling::Stroke> strokes;
-  for (const modeling::RegionPart& each : region.parts) {
-    if (const auto* set = std::get_if<modeling::PatchSet>(&each)) {
-      for (const std::string& name : set->patches)
-        if (const auto patch = solid.findPatch(name)) part.patches[*patch] = true;
-    } else if (const auto* half = std::get_if<modeling::HalfSpace>(&each)) {
+  for (const modeling::RegionPart& part : parts) {
+    if (const auto* half = std::get_if<modeling::HalfSpace>(&part))
       borders.emplace_back(*half);
-    } else {
-      strokes.push_back(std::get<modeling::Stroke>(each));
-    }
+    else if (const auto* stroke = std::get_if<modeling::Stroke>(&part))
+      strokes.push_back(*stroke);
   }
   if (!strokes.empty()) borders.emplace_back(std::move(strokes));
-  if (borders.empty()) return part;
-  const auto shared =
-      std::make_shared<const std::vector<modeling::RegionBorder>>(std::move(borders));
-  part.level = [shared](const Vector3d& x) {
+  if (borders.empty()) return {};
+  return [shared = std::make_shared<const std::vector<modeling::RegionBorder>>(std::move(borders))](
+             const Vector3d& x) {
     double least = std::numeric_limits<double>::infinity();
     for (const modeling::RegionBorder& border : *shared)
       least = std::min(least, border.value(x) / border.slope());
     return least;
   };
-  return part;
+}
+
+}  // namespace
+
+bem::SurfacePart surfacePart(const modeling::Region& region, const modeling::Solid& solid) {
+  return {modeling::namedPatches(region.parts, solid), levelOf(region.parts),
+          modeling::namedPatches(region.except, solid), levelOf(region.except)};
 }
 
 SupportBorders supportBorders(const modeling::Solid& solid,
@@ -145,20 +140,20 @@ SupportBorders supportBorders(const modeling::Solid& solid,
     const bem::SurfacePart part = surfacePart(region, solid);
     for (std::size_t e = 0; e < solid.edges().size(); ++e)
       if (endsAlong(surface, solid.edges()[e], part)) borders.edges[e] = true;
-    if (!part.level) continue;
     const double radius = thinnestStroke(region);
     for (int patch = 0; patch < surface.patchCount(); ++patch) {
-      if (part.hasPatch(patch)) continue;
+      const bem::SurfacePart::OnPatch here = part.on(patch);
+      if (!here.level) continue;
       double reach = 0;  // of the patch's control points about one of them
       const auto& net = solid.patches()[patch].net;
       const Vector3d& first = solid.controlPoints()[net[0][0]];
       for (const auto& row : net)
         for (const int point : row)
           reach = std::max(reach, (solid.controlPoints()[point] - first).norm());
-      if (std::abs(part.level(first)) > reach) continue;
+      if (std::abs(here.level(first)) > reach) continue;
       const int pieces =
           std::clamp(static_cast<int>(std::min(3 * reach / radius, 1e6)), kMinSamples, kMaxSamples);
-      PatchSamples(surface, patch, pieces, part.level).addPlaces(radius, borders.places);
+      PatchSamples(surface, patch, pieces, here.level).addPlaces(radius, borders.places);
     }
   }
   return borders;

@@ -3,8 +3,10 @@
 #include <malloc.h>
 #include <sys/resource.h>
 
-#include <cstdio>
 #include <fstream>
+
+#include "base/count_text.h"
+#include "base/text.h"
 
 namespace palpa::app {
 
@@ -34,12 +36,9 @@ void reuseFreedMemory() {
 
 std::string formatBytes(double bytes) {
   constexpr double kMebibyte = 1024.0 * 1024.0, kGibibyte = 1024.0 * kMebibyte;
-  char text[32];
-  if (bytes >= kGibibyte)
-    std::snprintf(text, sizeof text, "%.3g GiB", bytes / kGibibyte);
-  else
-    std::snprintf(text, sizeof text, "%.0f MiB", bytes / kMebibyte);
-  return text;
+  if (bytes >= 1000 * kGibibyte) return estimateText(bytes / kGibibyte) + " GiB";
+  if (bytes >= kGibibyte) return roundedText(bytes / kGibibyte, 3) + " GiB";
+  return countText(bytes / kMebibyte) + " MiB";
 }
 
 }  // namespace palpa::app

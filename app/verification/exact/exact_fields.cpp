@@ -40,6 +40,31 @@ ExactField kelvinField(const Vector3d& source, const Vector3d& force, const Mate
           }};
 }
 
+ExactField hangingBarField(const Vector3d& bodyForce, const Vector3d& end,
+                           const Material& material) {
+  // Timoshenko & Goodier, Theory of Elasticity, "stretching of a prismatical bar by its own
+  // weight".
+  const double load = bodyForce.norm(), modulus = material.youngsModulus,
+               nu = material.poissonRatio;
+  const Vector3d along = bodyForce / load;
+  return {[=](const Vector3d& x) {
+            const double s = along.dot(x - end);
+            const Vector3d across = x - end - s * along;
+            return Vector3d(load / modulus *
+                            (nu * s * across - (s * s + nu * across.squaredNorm()) / 2 * along));
+          },
+          [=](const Vector3d& x) {
+            return Matrix3d(-load * along.dot(x - end) * along * along.transpose());
+          },
+          bodyForce};
+}
+
+ExactField sum(const ExactField& a, const ExactField& b) {
+  return {[=](const Vector3d& x) { return Vector3d(a.displacement(x) + b.displacement(x)); },
+          [=](const Vector3d& x) { return Matrix3d(a.stress(x) + b.stress(x)); },
+          a.bodyForce + b.bodyForce};
+}
+
 Matrix3d generalGradient(bool traceless) {
   Matrix3d gradient;
   gradient << 0.011, -0.004, 0.006, 0.009, -0.007, 0.003, -0.002, 0.008, 0.005;

@@ -5,12 +5,13 @@
 
 #include "bem/model/material.h"
 
-/// Exact solutions of linear elasticity without body forces, to compare with.
+/// Exact solutions of linear elasticity, to compare with.
 namespace palpa::verification {
 
 struct ExactField {
   std::function<Eigen::Vector3d(const Eigen::Vector3d& x)> displacement;  ///< mm
   std::function<Eigen::Matrix3d(const Eigen::Vector3d& x)> stress;        ///< MPa
+  Eigen::Vector3d bodyForce = Eigen::Vector3d::Zero();                    ///< N/mm^3
 };
 
 /// u = gradient x + shift. At nu = 0.5 the gradient must be trace-free, and the stress is its
@@ -21,6 +22,15 @@ ExactField linearField(const Eigen::Matrix3d& gradient, const Eigen::Vector3d& s
 /// Field of a point force (N) at `source`, a place outside the body.
 ExactField kelvinField(const Eigen::Vector3d& source, const Eigen::Vector3d& force,
                        const bem::Material& material);
+
+/// Field of a bar along its body force (N/mm^3) that hangs from a plane: with s the coordinate
+/// along b from `end`, the place of its free lower end, σ = -b s along b and nothing else.
+/// Quadratic, for all materials.
+ExactField hangingBarField(const Eigen::Vector3d& bodyForce, const Eigen::Vector3d& end,
+                           const bem::Material& material);
+
+/// The sum of two fields.
+ExactField sum(const ExactField& a, const ExactField& b);
 
 /// A gradient without symmetry; trace-free if requested.
 Eigen::Matrix3d generalGradient(bool traceless);

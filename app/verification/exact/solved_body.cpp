@@ -6,6 +6,7 @@
 
 #include "bem/dense/make_reference_problem.h"
 #include "bem/model/traction_projection.h"
+#include "bem/triangle/triangle_body_force.h"
 
 namespace palpa::verification {
 using namespace bem;
@@ -48,7 +49,13 @@ SolvedBody::SolvedBody(BoundaryMesh bodyMesh, const Material& bodyMaterial, cons
   problem = makeDenseReferenceProblem(mesh, slots,
                                       {conditions, material, options.assembly, options.precision},
                                       options.job, &times);
-  field = problem->solveField(problem->dofs().knownField(given));
+  const Bulk bulk{material, exact.bodyForce};
+  Eigen::MatrixXd term;
+  if (bulk.hasBodyForce())
+    term = TriangleBodyForce(mesh, bulk)
+               .term(problem->dofs().collocationPoints(mesh, slots), options.job);
+  field = problem->solveField(problem->dofs().knownField(given), ReferenceProblem::Effort::kRefined,
+                              options.job, term);
 }
 
 double SolvedBody::displacementError(const ExactField& exact) const {
