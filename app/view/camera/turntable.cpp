@@ -49,6 +49,16 @@ void Turntable::orbit(double azimuth, double elevation) {
   elevation_ = std::clamp(elevation_ + elevation, -kRightAngle, kRightAngle);
 }
 
+void Turntable::turn(double azimuth, double elevation) {
+  double tilt = elevation_ + elevation;
+  double aside = azimuth;
+  if (std::abs(tilt) > kRightAngle + 1e-9) {
+    tilt = std::copysign(2 * kRightAngle, tilt) - tilt;
+    aside += 2 * kRightAngle;
+  }
+  orbit(aside, tilt - elevation_);
+}
+
 void Turntable::pan(const Eigen::Vector2d& pixels, const Eigen::Vector3d& point) {
   const ViewAxes view = axes();
   const double at = depth(point);

@@ -39,6 +39,8 @@ class Turntable {
 
   /// Turns and tilts by angles in rad.
   void orbit(double azimuth, double elevation);
+  /// The same, but a tilt goes on over the pole; the picture is upright there again.
+  void turn(double azimuth, double elevation);
   /// Moves the picture so that `point` (of the scene) appears `pixels` away from where it did.
   void pan(const Eigen::Vector2d& pixels, const Eigen::Vector3d& point);
   /// Comes nearer by the factor, as far as the limits allow; `point` stays where it appears.

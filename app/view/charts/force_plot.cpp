@@ -82,6 +82,10 @@ void ForcePlot::setLegendShown(bool shown) {
   parts_->hasLegend = shown;
 }
 
+void ForcePlot::setHorizontalTitle(const std::string& title) {
+  parts_->chart->GetAxis(vtkAxis::BOTTOM)->SetTitle(title);
+}
+
 ForcePlot::ForcePlot(vtkRenderWindow* window) : parts_(std::make_unique<Parts>()) {
   parts_->window = window;
   window->SetMultiSamples(0);
@@ -166,7 +170,7 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
     labels->InsertNextValue(ticks.labels[k]);
   }
   left->SetCustomTickPositions(positions, labels);
-  left->SetTitle(ticks.exponent == 0 ? unit : "10^" + std::to_string(ticks.exponent) + " " + unit);
+  left->SetTitle(scaledUnit(unit, ticks.exponent).name);
   chart->RecalculateBounds();
 }
 

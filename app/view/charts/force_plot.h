@@ -12,7 +12,8 @@ class vtkRenderWindow;
 
 namespace palpa::view {
 
-/// Forces over time as curves, drawn into a render window given by the caller. Not thread-safe.
+/// Forces over time, or over another quantity, as curves, drawn into a render window given by the
+/// caller. Not thread-safe.
 class ForcePlot {
  public:
   /// The window's OpenGL context, if it has one, must be current here and in the destructor.
@@ -29,6 +30,8 @@ class ForcePlot {
   static std::array<unsigned char, 3> colour(int number);
   /// Names of the curves, above all of them: for a picture without other explanation.
   void setLegendShown(bool shown);
+  /// Of the horizontal axis; "time, s" at first.
+  void setHorizontalTitle(const std::string& title);
   /// Shows the times from `begin` to `end`. Throws std::invalid_argument for arrays of unequal
   /// lengths.
   void setCurves(const std::vector<Curve>& curves, double begin, double end,

@@ -2,12 +2,12 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 
 #include "app/view/files/errors.h"
+#include "base/atomic_file.h"
 
 namespace palpa::view {
 namespace {
@@ -45,13 +45,15 @@ void writePng(vtkRenderWindow* window, const std::filesystem::path& path, int re
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   reduce(pixels->GetPointer(0), width, reduction, image);
   vtkNew<vtkPNGWriter> writer;
-  writer->SetFileName(path.c_str());
   writer->SetInputData(image);
-  // VTK reports a failed write on its error channel; the exception below has a better message.
-  vtkObject::GlobalWarningDisplayOff();
+  writer->WriteToMemoryOn();
   writer->Write();
-  vtkObject::GlobalWarningDisplayOn();
-  if (writer->GetErrorCode() != 0 || !std::filesystem::exists(path)) {
+  vtkUnsignedCharArray* const bytes = writer->GetResult();
+  try {
+    replaceFile({reinterpret_cast<const char*>(bytes->GetPointer(0)),
+                 static_cast<std::size_t>(bytes->GetNumberOfValues())},
+                path);
+  } catch (const FileError&) {
     throw ViewError("cannot write the picture " + path.string() +
                     "; check that its folder exists and can be written");
   }

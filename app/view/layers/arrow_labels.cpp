@@ -31,6 +31,32 @@ std::optional<SeenArrow> seenPart(const Eigen::Vector2d& held, const Eigen::Vect
   return SeenArrow{held, held + share * (free - held)};
 }
 
+double shareInPicture(const Turntable& camera, const Eigen::Vector3d& held,
+                      const Eigen::Vector3d& free, double margin) {
+  constexpr double kMinShare = 0.1;
+  constexpr double kNearest =
+      0.2;  // of the depth of the held end: no arrow comes nearer to the eye
+  const Eigen::Vector2d picture(camera.width(), camera.height());
+  const Eigen::Vector2d start = camera.toPixel(held);
+  if (!start.allFinite() || !isInside(start, picture)) return 1;
+  const double from = camera.parallel() ? 1 : camera.depth(held);
+  double to = camera.parallel() ? 1 : camera.depth(free);
+  double cut = 1;
+  if (to < kNearest * from) {
+    cut = (1 - kNearest) * from / (from - to);
+    to = kNearest * from;
+  }
+  const Eigen::Vector2d end = camera.toPixel(held + cut * (free - held));
+  double seen = 1;  // in the picture, where it shrinks with the depth
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const double least = std::min(margin, start[k]);
+    const double most = std::max(picture[k] - margin, start[k]);
+    if (end[k] < least) seen = std::min(seen, (start[k] - least) / (start[k] - end[k]));
+    if (end[k] > most) seen = std::min(seen, (most - start[k]) / (end[k] - start[k]));
+  }
+  return std::max(kMinShare, cut * seen * from / (to - seen * (to - from)));
+}
+
 void addArrowCover(const SeenArrow& arrow, double width, std::vector<PixelBox>& taken) {
   constexpr int kMaxSteps = 24;
   const Eigen::Vector2d along = arrow.free - arrow.held;

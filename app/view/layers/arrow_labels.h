@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/view/camera/turntable.h"
+
 /// Room for the labels of arrows. Internal to app/view; pure arithmetic.
 namespace palpa::view {
 
@@ -24,6 +26,11 @@ struct SeenArrow {
 /// None if an end has no place (NaN).
 std::optional<SeenArrow> seenPart(const Eigen::Vector2d& held, const Eigen::Vector2d& free,
                                   const Eigen::Vector2d& picture);
+
+/// Share of an arrow, from its held end on, that ends `margin` pixels inside the picture: 1 if all
+/// of it does, or if the held end is not in the picture; at least a tenth.
+double shareInPicture(const Turntable& camera, const Eigen::Vector3d& held,
+                      const Eigen::Vector3d& free, double margin);
 
 /// Adds the area of the arrow, as small squares along it.
 void addArrowCover(const SeenArrow& arrow, double width, std::vector<PixelBox>& taken);

@@ -23,15 +23,6 @@ constexpr double kWords = 52;  // height of a plate with two lines, about
 constexpr double kShareOfHeight = 0.62;  // of the picture between the captions
 constexpr int kStrips = 128;
 
-/// "Displacement" and below it "mm", or with a factor of ten "10^-6 MPa".
-std::vector<std::string> titlesOf(const ScalarField& field, const Ticks& ticks) {
-  std::string unit = field.unit;
-  if (ticks.exponent != 0) {
-    unit = "×10^" + std::to_string(ticks.exponent) + (unit.empty() ? "" : " " + unit);
-  }
-  return {field.name, unit};
-}
-
 /// Widest and total extent of texts below each other.
 Eigen::Vector2d extentOf(const TextPool& texts, double gap) {
   Eigen::Vector2d extent(0, -gap);
@@ -85,13 +76,16 @@ double ColourBar::barHeight(double pictureHeight, const Reserve& caption) const 
 Ticks ColourBar::setTexts(double height) {
   const double size = kFontSize * pixelRatio_;
   const Ticks ticks = fieldTicks(*field_, std::clamp(static_cast<int>(height / (3 * size)), 2, 8));
-  titles_.set(titlesOf(*field_, ticks), {size, true, theme_.text});
+  const ScaledUnit unit = scaledUnit(field_->unit, ticks.exponent);
+  const double factor = std::pow(10.0, unit.exponent);
+  titles_.set({field_->name, unit.name}, {size, true, theme_.text});
   numbers_.set(ticks.labels, {size, false, theme_.text});
   std::vector<std::string> extremes;
   if (field_->extremes) {
     // Beyond a capped range the largest value is not known.
-    if (!field_->isCapped) extremes.push_back("max  " + threeDigits((*field_->extremes)[1]));
-    extremes.push_back("min  " + threeDigits((*field_->extremes)[0]));
+    if (!field_->isCapped)
+      extremes.push_back("max  " + threeDigits((*field_->extremes)[1] / factor));
+    extremes.push_back("min  " + threeDigits((*field_->extremes)[0] / factor));
   }
   extremes_.set(extremes, {kSmallFontSize * pixelRatio_, false, theme_.text});
   return ticks;

@@ -15,6 +15,9 @@ constexpr double kFaint = 0.22;
 constexpr double kFontSize = 13;  // logical pixels
 constexpr double kGap = 8;
 constexpr double kCover = 7;
+constexpr double kMargin = 0.04;  // of the picture, between an arrow and its edge
+/// An arrow suits a body as large as this many heights of the view, if the body is larger.
+constexpr double kLargest = 2.2;
 
 vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -64,7 +67,7 @@ void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiag
   ends_.clear();
   std::vector<Label> before = std::move(labels_);
   labels_.clear();
-  std::vector<SolidArrow> solids;
+  bodyDiagonal_ = bodyDiagonal;
   std::vector<std::string> words;
   for (const PlacedArrow& placed : placeArrows(arrows, longest)) {
     ends_.push_back(placed.tail);
@@ -73,16 +76,38 @@ void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiag
     const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
                               ? kAppliedForceColour
                               : mixed(theme.text, theme.body, 0.25);
-    solids.push_back(SolidArrow::of(placed.tail, placed.tip, bodyDiagonal, colour));
     labels_.push_back({placed.freeEnd(), placed.heldEnd(), colour});
+    labels_.back().isHeldAtTip = placed.arrow->anchor == ForceArrow::Anchor::kTip;
     words.push_back(placed.arrow->label);
   }
   // An equal number of arrows: probably the same ones, a little later.
   if (before.size() == labels_.size())
     for (std::size_t i = 0; i < labels_.size(); ++i) labels_[i].choice = before[i].choice;
-  mesh_.set(solids);
   texts_.set(words, {kFontSize * pixelRatio, false, theme.text});
   updateVisibility();
+}
+
+void ForceArrows::fitToView(const Turntable& camera) {
+  const double thickness = std::min(bodyDiagonal_, kLargest * camera.visibleHeight());
+  const double margin = kMargin * std::min(camera.width(), camera.height());
+  bool isSame = thickness == thickness_;
+  thickness_ = thickness;
+  for (Label& label : labels_) {
+    const double share =
+        thickness / bodyDiagonal_ *
+        shareInPicture(camera, label.held,
+                       label.held + thickness / bodyDiagonal_ * (label.free - label.held), margin);
+    isSame = isSame && share == label.share;
+    label.share = share;
+  }
+  if (isSame) return;
+  std::vector<SolidArrow> solids;
+  for (const Label& label : labels_) {
+    const Eigen::Vector3d free = label.shownFree();
+    solids.push_back(label.isHeldAtTip ? SolidArrow::of(free, label.held, thickness, label.frame)
+                                       : SolidArrow::of(label.held, free, thickness, label.frame));
+  }
+  mesh_.set(solids);
 }
 
 void ForceArrows::setVisible(bool visible) {
@@ -102,11 +127,13 @@ void ForceArrows::update(const Turntable& camera, std::vector<PixelBox>& taken,
     texts_.hideAll();
     return;
   }
+  fitToView(camera);
   const Eigen::Vector2d pad = kPlatePad * pixelRatio_;
   const Eigen::Vector2d picture(camera.width(), camera.height());
   std::vector<std::optional<SeenArrow>> seen;
   for (const Label& label : labels_) {
-    seen.push_back(seenPart(camera.toPixel(label.held), camera.toPixel(label.free), picture));
+    seen.push_back(
+        seenPart(camera.toPixel(label.held), camera.toPixel(label.shownFree()), picture));
     if (seen.back()) addArrowCover(*seen.back(), kCover * pixelRatio_, taken);
   }
   for (std::size_t i = 0; i < labels_.size(); ++i) {

@@ -19,7 +19,8 @@
 namespace palpa::view {
 
 /// Solid arrows that shine faintly through the body, with labels on plates beside their free ends.
-/// The actors are kept: arrows may change for every picture.
+/// The actors are kept: arrows may change for every picture. Arrows that would leave the picture
+/// are drawn shorter, and all are smaller where the camera is near.
 class ForceArrows {
  public:
   ForceArrows(vtkRenderer* scene, vtkRenderer* shineThrough, vtkRenderer* overlay);
@@ -41,14 +42,20 @@ class ForceArrows {
 
  private:
   struct Label {
-    Eigen::Vector3d free, held;  ///< ends of the arrow
+    Eigen::Vector3d free, held;  ///< ends of the arrow, also where it is drawn shorter
     Colour frame;
     std::optional<int> choice{};  ///< of its place in the picture before
+    bool isHeldAtTip = false;
+    double share = 0;  ///< of the arrow that is drawn; 0: not yet
+
+    Eigen::Vector3d shownFree() const { return held + share * (free - held); }
   };
 
   void show(const LiveArrows& arrows, double longest, double bodyDiagonal,
             const ViewportTheme& theme, double pixelRatio);
   void updateVisibility();
+  /// Makes the arrows again that the view of the camera cuts off or shows too large.
+  void fitToView(const Turntable& camera);
 
   ArrowMesh mesh_;
   vtkSmartPointer<vtkActor> solid_, faint_;
@@ -56,6 +63,8 @@ class ForceArrows {
   std::vector<Label> labels_;
   std::vector<Eigen::Vector3d> ends_;
   ViewportTheme theme_ = ViewportTheme::light();
+  double bodyDiagonal_ = 1;
+  double thickness_ = 1;  ///< diagonal that suits the thickness of the drawn arrows
   bool visible_ = true;
   double pixelRatio_ = 1;
 };

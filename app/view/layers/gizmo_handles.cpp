@@ -22,6 +22,7 @@ double distanceToSegment(const Eigen::Vector2d& point, const Eigen::Vector2d& a,
 // In logical pixels.
 constexpr double kReach = 8;
 constexpr double kMinSeenLength = 26;
+constexpr double kFree = 6;  // between a handle and the edge of the picture
 /// Handles whose distances to the pointer differ by less lie on top of each other.
 constexpr double kSamePlace = 2;
 /// A ring shows its points up to this sine behind the plane of the screen through the gizmo, so
@@ -67,6 +68,21 @@ GizmoRing makeRing(GizmoAxis axis, const Eigen::Vector3d& at, const Eigen::Vecto
 std::optional<double> gizmoScale(const Gizmo& gizmo, const Turntable& camera, double pixelRatio) {
   if (!camera.toPixel(gizmo.at).allFinite()) return std::nullopt;
   return pixelRatio / camera.pixelsPerLength(camera.depth(gizmo.at));
+}
+
+Gizmo gizmoInPicture(const Gizmo& gizmo, const Turntable& camera, double pixelRatio) {
+  const Eigen::Vector2d picture(camera.width(), camera.height());
+  const Eigen::Vector2d pixel = camera.toPixel(gizmo.at);
+  const bool isSeen = (pixel.array() >= 0).all() && (pixel.array() <= picture.array()).all();
+  if (!isSeen) return gizmo;  // also behind the eye: NaN
+  // In a small picture the middle is the best place.
+  const Eigen::Vector2d room =
+      Eigen::Vector2d::Constant((gizmo_size::kEnd + kFree) * pixelRatio).cwiseMin(0.5 * picture);
+  const Eigen::Vector2d place = pixel.cwiseMax(room).cwiseMin(picture - room);
+  if (place == pixel) return gizmo;
+  Gizmo moved = gizmo;
+  moved.at = camera.inViewPlane(place, gizmo.at);
+  return moved;
 }
 
 std::vector<GizmoArrow> gizmoArrows(const Gizmo& gizmo, const Turntable& camera,

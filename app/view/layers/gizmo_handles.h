@@ -39,6 +39,10 @@ struct GizmoRing {
 /// Millimetres per logical pixel at the gizmo; nothing if it lies behind the eye.
 std::optional<double> gizmoScale(const Gizmo& gizmo, const Turntable& camera, double pixelRatio);
 
+/// The gizmo moved parallel to the screen so that its handles lie in the picture; unchanged if its
+/// place is outside of the picture.
+Gizmo gizmoInPicture(const Gizmo& gizmo, const Turntable& camera, double pixelRatio);
+
 /// The visible arrows, or shafts with boxes: without arrows that point at the eye, and none if the
 /// gizmo lies behind it. Their length is constant in pixels. None for a gizmo that turns.
 std::vector<GizmoArrow> gizmoArrows(const Gizmo& gizmo, const Turntable& camera, double pixelRatio);

@@ -29,6 +29,10 @@ double roundSpacing(double smallest) {
   return 10 * power;
 }
 
+double gridSpacing(const Turntable& camera, double pixelRatio) {
+  return roundSpacing(kMinCell * pixelRatio / camera.pixelsPerLength(camera.distance()));
+}
+
 double groundLevel(const Bounds& body) {
   if (body.empty() || body.low.z() >= 0) return 0;
   const double step = roundSpacing(std::max(0.02 * body.size().norm(), 1e-9));
@@ -109,8 +113,7 @@ void GridActor::addLine(const Area& area, int axis, double at, const Colour& col
 void GridActor::update(const Turntable& camera, double level) {
   clear(grid_);
   clear(axes_);
-  const double pixelsPerLength = camera.pixelsPerLength(camera.distance());
-  const double spacing = roundSpacing(kMinCell * pixelRatio_ / pixelsPerLength);
+  const double spacing = gridSpacing(camera, pixelRatio_);
   const Area area{camera.focus().head<2>(), kRadius * camera.visibleHeight(), level};
   for (const int axis : {0, 1}) {
     const double middle = area.center[1 - axis];

@@ -14,6 +14,9 @@ namespace palpa::view {
 /// The smallest of 1, 2, 5 times a power of ten that is at least `smallest` (> 0).
 double roundSpacing(double smallest);
 
+/// Between the lines of the grid, mm.
+double gridSpacing(const Turntable& camera, double pixelRatio);
+
 /// Height of the grid's plane: 0, or below a body that reaches deeper, in steps that suit its size,
 /// so that the grid neither cuts the body nor follows every small move.
 double groundLevel(const Bounds& body);

@@ -65,6 +65,7 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       regions_(vtkSmartPointer<vtkFloatArray>::New()),
       field_(vtkSmartPointer<vtkFloatArray>::New()),
+      cut_(vtkSmartPointer<vtkFloatArray>::New()),
       surface_(vtkSmartPointer<vtkPolyData>::New()),
       body_(vtkSmartPointer<vtkActor>::New()) {
   normals_->SetNumberOfComponents(3);
@@ -73,10 +74,12 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   surface_->GetPointData()->SetNormals(normals_);
   surface_->GetCellData()->SetScalars(colours_);
   regions_->SetName("regions");
-  regions_->SetNumberOfComponents(3);
+  regions_->SetNumberOfComponents(4);
   surface_->GetPointData()->AddArray(regions_);
   field_->SetName("field");
   surface_->GetPointData()->AddArray(field_);
+  cut_->SetName("cut");
+  surface_->GetPointData()->AddArray(cut_);
 
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface_);
@@ -101,7 +104,9 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   borders_ = makeLineActor(points_, none);
   knotLines_ = makeLineActor(points_, none);
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
-    vtkPolyData::SafeDownCast(lines->GetMapper()->GetInput())->GetPointData()->AddArray(field_);
+    vtkPointData* data = vtkPolyData::SafeDownCast(lines->GetMapper()->GetInput())->GetPointData();
+    data->AddArray(field_);
+    data->AddArray(cut_);
   }
   renderer->AddActor(knotLines_);
   renderer->AddActor(borders_);
@@ -120,8 +125,11 @@ void SurfaceActor::setBody(const ViewportBody& body) {
   marks_.assign(body.triangles.size(), Mark::kNone);
   supportField_.clear();
   loadField_.clear();
+  conflictField_.clear();
   fieldColours_.reset();
   field_->SetNumberOfTuples(0);
+  isCut_ = false;
+  cut_->SetNumberOfTuples(0);
   move(body.positions, body.normals);
   colourTriangles();
 }
@@ -130,13 +138,14 @@ void SurfaceActor::move(const std::vector<Eigen::Vector3d>& positions,
                         const std::vector<Eigen::Vector3d>& normals) {
   assign(positions, points_);
   assign(normals, normals_);
-  setRegions(supportField_, loadField_);
+  setRegions(supportField_, loadField_, conflictField_);
 }
 
-void SurfaceActor::setRegions(const std::vector<double>& supports,
-                              const std::vector<double>& loads) {
+void SurfaceActor::setRegions(const std::vector<double>& supports, const std::vector<double>& loads,
+                              const std::vector<double>& conflict) {
   supportField_ = supports;
   loadField_ = loads;
+  conflictField_ = conflict;
   const vtkIdType count = points_->GetNumberOfPoints();
   regions_->SetNumberOfTuples(count);
   // Finite: the differences between neighbouring pixels are taken.
@@ -148,11 +157,12 @@ void SurfaceActor::setRegions(const std::vector<double>& supports,
   };
   const float* place = vtkFloatArray::FastDownCast(points_->GetData())->GetPointer(0);
   float* target = count > 0 ? regions_->GetPointer(0) : nullptr;
-  for (vtkIdType i = 0; i < count; ++i, place += 3, target += 3) {
+  for (vtkIdType i = 0; i < count; ++i, place += 3, target += 4) {
     const Eigen::Vector3d point(place[0], place[1], place[2]);
     target[0] = number(supports, i);
     target[1] = number(loads, i);
     target[2] = static_cast<float>(kAcrossHatching.dot(point));
+    target[3] = number(conflict, i);
   }
   regions_->Modified();
   surface_->Modified();
@@ -184,6 +194,7 @@ void SurfaceActor::updateRegionLooks() {
   uniforms.tintOpacity = kTintOpacity;
   uniforms.support = supportColours(theme_, fieldColours_.has_value()).ground;
   uniforms.load = colourOf(Mark::kLoad, theme_);
+  uniforms.conflict = theme_.warning;
   uniforms.body = theme_.body;
   uniforms.edge = theme_.line;
   setUniforms(uniforms, body_);
@@ -211,16 +222,28 @@ void SurfaceActor::updateShader() {
   look.isWire = shading_ == Shading::kWire;
   look.anySupport = regionsVisible_ && !supportField_.empty();
   look.anyLoad = regionsVisible_ && !loadField_.empty();
+  look.anyConflict = regionsVisible_ && !conflictField_.empty();
   look.anyMark = anyMark_;
+  look.isCut = isCut_;
   look.field = fieldColours_;
   if (look == look_) return;
   look_ = look;
   applyShader(look, body_);
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
-    applyLineShader(look.isWire ? look.field : std::nullopt, lines);
+    applyLineShader(look.isWire ? look.field : std::nullopt, look.isCut, lines);
   }
   // Bodies are closed: the far side is hidden.
   body_->GetProperty()->SetBackfaceCulling(!look.isWire);
+}
+
+void SurfaceActor::setCut(const std::vector<double>& distances) {
+  isCut_ = !distances.empty();
+  cut_->SetNumberOfTuples(static_cast<vtkIdType>(distances.size()));
+  float* target = isCut_ ? cut_->GetPointer(0) : nullptr;
+  for (const double distance : distances) *target++ = static_cast<float>(distance);
+  cut_->Modified();
+  surface_->Modified();
+  updateRegionLooks();
 }
 
 void SurfaceActor::setField(const std::optional<ScalarField>& field) {

@@ -35,7 +35,10 @@ class SurfaceActor {
   /// One per triangle of the body.
   void setMarks(const std::vector<Mark>& marks);
   /// Viewport::setRegions().
-  void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
+  void setRegions(const std::vector<double>& supports, const std::vector<double>& loads,
+                  const std::vector<double>& conflict);
+  /// Leaves out what lies where these numbers, one per point, are above zero. Empty: nothing.
+  void setCut(const std::vector<double>& distances);
   /// Viewport::setField(); the range is required.
   void setField(const std::optional<ScalarField>& field);
   /// `range` not empty. Only where there is a field.
@@ -57,13 +60,15 @@ class SurfaceActor {
   vtkSmartPointer<vtkPoints> points_;
   vtkSmartPointer<vtkFloatArray> normals_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;  ///< RGBA of each triangle
-  vtkSmartPointer<vtkFloatArray> regions_;         ///< support, load, place across the hatching
-  vtkSmartPointer<vtkFloatArray> field_;           ///< places in the colours: placeInColours()
+  vtkSmartPointer<vtkFloatArray> regions_;  ///< support, load, place across the hatching, conflict
+  vtkSmartPointer<vtkFloatArray> field_;    ///< places in the colours: placeInColours()
+  vtkSmartPointer<vtkFloatArray> cut_;      ///< distances in front of the section, or empty
   vtkSmartPointer<vtkPolyData> surface_;
   vtkSmartPointer<vtkActor> body_, borders_, knotLines_;
-  std::vector<double> supportField_, loadField_;
+  std::vector<double> supportField_, loadField_, conflictField_;
   std::vector<Mark> marks_;
   bool anyMark_ = false;
+  bool isCut_ = false;
   bool regionsVisible_ = true;
   double scale_ = 1;
   std::optional<ScalarField::Colours> fieldColours_;

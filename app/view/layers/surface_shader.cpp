@@ -52,6 +52,13 @@ if (ANY_SUPPORT) {
   strongest = max(strongest, inside);
   edge = max(clamp(1.1 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
 }
+if (ANY_CONFLICT) {
+  float outside = regionsVSOutput.w / max(fwidth(regionsVSOutput.w), 1e-20);
+  float inside = clamp(0.5 - outside, 0.0, 1.0);
+  region = mix(region, conflictColour, 0.75 * inside);
+  strongest = max(strongest, inside);
+  edge = max(clamp(1.8 * lineScale + 0.5 - abs(outside), 0.0, 1.0), edge * (1.0 - inside));
+}
 if (ANY_MARK) {
   bool isMarked = WIRE ? opacity > 0.01 : distance(plain, bodyColour) > 0.01;
   if (isMarked) region = mix(region, plain, 0.6);
@@ -74,6 +81,8 @@ opacity = 1.0;
 
 /// Not in the shaded picture: with it pixels are shaded before they are found to be hidden.
 constexpr const char* kDiscardUntinted = "if (opacity < 0.004) discard;\n";
+
+constexpr const char* kDiscardCut = "if (cutVSOutput > 0.0) discard;\n";
 
 /// The tints of the wire picture let all that lies behind them shine through, and be drawn after
 /// them: they count as infinitely far. VTK's own translucent pass divides by the sum of opacities
@@ -153,8 +162,9 @@ float placeInColours(double share) {
 void applyShader(const SurfaceLook& look, vtkActor* surface) {
   // In the wire picture the lines take the colours of the field.
   const bool hasField = look.field && !look.isWire;
-  std::vector<std::pair<std::string, std::string>> arrays{{"vec3", "regions"}};
+  std::vector<std::pair<std::string, std::string>> arrays{{"vec4", "regions"}};
   if (hasField) arrays.emplace_back("float", "field");
+  if (look.isCut) arrays.emplace_back("float", "cut");
   passThrough(arrays, surface);
   std::string colours = kColourRegions;
   replaceAll(colours, "FIELD_COLOUR", hasField ? fieldColour(*look.field) : "");
@@ -162,26 +172,29 @@ void applyShader(const SurfaceLook& look, vtkActor* surface) {
   for (const auto& [word, value] :
        {std::pair("HAS_FIELD", hasField), std::pair("WIRE", look.isWire),
         std::pair("ANY_SUPPORT", look.anySupport), std::pair("ANY_LOAD", look.anyLoad),
-        std::pair("ANY_MARK", look.anyMark)}) {
+        std::pair("ANY_CONFLICT", look.anyConflict), std::pair("ANY_MARK", look.anyMark)}) {
     replaceAll(colours, word, value ? "true" : "false");
   }
   if (look.isWire) colours += kDiscardUntinted;
+  if (look.isCut) colours += kDiscardCut;
   vtkShaderProperty* shader = surface->GetShaderProperty();
-  if (look.isWire || look.anySupport || look.anyLoad || hasField)
+  if (look.isWire || look.anySupport || look.anyLoad || look.anyConflict || look.isCut || hasField)
     shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours, false);
   // Only there: a shader that sets the depth itself is slower.
   if (look.isWire)
     shader->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, kDepthOfTints, false);
 }
 
-void applyLineShader(const std::optional<ScalarField::Colours>& field, vtkActor* lines) {
-  if (!field) {
-    passThrough({}, lines);
-    return;
-  }
-  passThrough({{"float", "field"}}, lines);
-  std::string colours = kColourLines;
-  replaceAll(colours, "FIELD_COLOUR", fieldColour(*field));
+void applyLineShader(const std::optional<ScalarField::Colours>& field, bool isCut,
+                     vtkActor* lines) {
+  std::vector<std::pair<std::string, std::string>> arrays;
+  if (field) arrays.emplace_back("float", "field");
+  if (isCut) arrays.emplace_back("float", "cut");
+  passThrough(arrays, lines);
+  if (arrays.empty()) return;
+  std::string colours = field ? kColourLines : "//VTK::Color::Impl\n";
+  if (field) replaceAll(colours, "FIELD_COLOUR", fieldColour(*field));
+  if (isCut) colours += kDiscardCut;
   lines->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true, colours,
                                                            false);
 }
@@ -198,6 +211,7 @@ void setUniforms(const SurfaceUniforms& numbers, vtkActor* actor) {
   set("wireOpacity", numbers.tintOpacity);
   uniforms->SetUniform3f("supportColour", numbers.support.data());
   uniforms->SetUniform3f("loadColour", numbers.load.data());
+  uniforms->SetUniform3f("conflictColour", numbers.conflict.data());
   uniforms->SetUniform3f("bodyColour", numbers.body.data());
   uniforms->SetUniform3f("edgeColour", numbers.edge.data());
 }

@@ -15,7 +15,9 @@ struct SurfaceLook {
   bool isWire = false;
   bool anySupport = false;
   bool anyLoad = false;
+  bool anyConflict = false;
   bool anyMark = false;
+  bool isCut = false;  ///< what lies in front of a section is left out
   std::optional<ScalarField::Colours> field;
 
   bool operator==(const SurfaceLook&) const = default;
@@ -32,18 +34,19 @@ struct SurfaceUniforms {
   double lineScale = 1;  ///< device pixels per logical pixel
   double ambient = 0, diffuse = 0;
   double tintOpacity = 0;  ///< in the wire picture
-  Colour support{}, load{}, body{}, edge{};
+  Colour support{}, load{}, conflict{}, body{}, edge{};
 };
 
 /// The number in the point array "field" for a share of the way from the lowest value of the
 /// colours to the highest: of any size, or NaN, which has no colour.
 float placeInColours(double share);
 
-/// The actor's mapper has the point arrays "regions" (support, load, place across the hatching) and
-/// "field".
+/// The actor's mapper has the point arrays "regions" (support, load, place across the hatching,
+/// conflict) and
+/// "field", and "cut" for a look that is cut: nothing is drawn where it is above zero.
 void applyShader(const SurfaceLook& look, vtkActor* surface);
 /// Lines on the surface in the colours of the field, or plain.
-void applyLineShader(const std::optional<ScalarField::Colours>& field, vtkActor* lines);
+void applyLineShader(const std::optional<ScalarField::Colours>& field, bool isCut, vtkActor* lines);
 void setUniforms(const SurfaceUniforms& numbers, vtkActor* actor);
 
 }  // namespace palpa::view

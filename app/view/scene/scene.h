@@ -61,6 +61,26 @@ struct ScalarField {
   std::optional<std::array<double, 2>> extremes{};
 };
 
+/// A section of the body by a plane: the part in front of it is left out, the section is filled.
+struct SectionDrawing {
+  std::vector<double> distances;  ///< one per point of the body, above zero in front
+  ViewportBody face;              ///< may be empty
+};
+
+/// Numbers beside a point of the body, on a plate with a line to the point.
+struct SampleLabel {
+  enum class Kind : std::uint8_t {
+    kPointer,  ///< under the pointer
+    kPinned,
+    kSelected,  ///< pinned
+    kMinimum,   ///< of the field
+    kMaximum,
+  };
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  std::string text;  ///< one or more lines
+  Kind kind = Kind::kPinned;
+};
+
 /// How a triangle of the body is marked; the later one wins where several apply.
 enum class Mark : std::uint8_t { kNone, kSupport, kLoad, kHovered, kSelected, kWarning };
 

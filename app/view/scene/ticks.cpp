@@ -36,6 +36,30 @@ int decimalsFor(double step) {
 
 }  // namespace
 
+ScaledUnit scaledUnit(const std::string& unit, int exponent) {
+  struct Named {
+    const char* unit;
+    int exponent;
+    const char* name;
+  };
+  static constexpr std::array kNamed{
+      Named{"MPa", 3, "GPa"},  Named{"MPa", -3, "kPa"},   Named{"MPa", -6, "Pa"},
+      Named{"kPa", 3, "MPa"},  Named{"kPa", 6, "GPa"},    Named{"kPa", -3, "Pa"},
+      Named{"Pa", 3, "kPa"},   Named{"Pa", 6, "MPa"},     Named{"Pa", 9, "GPa"},
+      Named{"GPa", -3, "MPa"}, Named{"GPa", -6, "kPa"},   Named{"GPa", -9, "Pa"},
+      Named{"mm", 3, "m"},     Named{"mm", -3, "µm"},     Named{"mm", -6, "nm"},
+      Named{"m", -3, "mm"},    Named{"m", -6, "µm"},      Named{"m", -9, "nm"},
+      Named{"N", 3, "kN"},     Named{"N", 6, "MN"},       Named{"N", -3, "mN"},
+      Named{"N", -6, "µN"},    Named{"mN", 3, "N"},       Named{"mN", 6, "kN"},
+      Named{"mN", -3, "µN"},   Named{"kN", 3, "MN"},      Named{"kN", -3, "N"},
+      Named{"kN", -6, "mN"},   Named{"N/mm", 3, "kN/mm"}, Named{"N/mm", -3, "N/m"},
+      Named{"N/m", 3, "N/mm"}};
+  if (exponent == 0) return {unit, 0};
+  for (const Named& each : kNamed)
+    if (unit == each.unit && exponent == each.exponent) return {each.name, exponent};
+  return {"×10^" + std::to_string(exponent) + (unit.empty() ? "" : " " + unit), 0};
+}
+
 Ticks niceTicks(double low, double high, int wanted) {
   Ticks ticks;
   const double largest = std::max(std::abs(low), std::abs(high));

@@ -12,6 +12,14 @@ struct Ticks {
   int exponent = 0;                 ///< of the common factor; 0 where plain numbers read well
 };
 
+/// A unit 10^exponent times as large as another one, by name: "kPa" for "MPa" and -3; "×10^-3 in"
+/// where it has no name.
+struct ScaledUnit {
+  std::string name;
+  int exponent = 0;  ///< of ten: numbers in the other unit are divided by it; 0 without a name
+};
+ScaledUnit scaledUnit(const std::string& unit, int exponent);
+
 /// About `wanted` (>= 2) round numbers within [low, high]. An empty or non-finite range gives the
 /// one tick `low`.
 Ticks niceTicks(double low, double high, int wanted);

@@ -2,7 +2,9 @@
 
 #include <vtkLight.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "app/view/layers/text.h"
@@ -12,6 +14,17 @@ namespace palpa::view {
 namespace {
 
 constexpr double kFallbackDiagonal = 100;  // mm, where there is no body
+
+/// Weights of a triangle's corners at a point in its plane.
+Eigen::Vector3d barycentric(const Eigen::Vector3d& x, const Eigen::Vector3d& a,
+                            const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (!(area > 0)) return {1, 0, 0};
+  const double ofA = (c - b).cross(x - b).dot(normal) / area,
+               ofB = (a - c).cross(x - c).dot(normal) / area;
+  return {ofA, ofB, 1 - ofA - ofB};
+}
 
 /// A key light from the upper left of the camera and a soft fill from the right.
 void addLights(vtkRenderer* renderer) {
@@ -37,6 +50,7 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       restDiagonal(kFallbackDiagonal),
       shapes(shineThrough),
       surface(scene),
+      sectionFace(scene),
       ghostSide(scene),
       grid(scene),
       netActor(scene, shineThrough),
@@ -46,8 +60,10 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       liveArrows(scene, shineThrough, overlay),
       tool(scene, overlay),
       touchLayer(overlay),
+      sampleLayer(overlay),
       signs(overlay),
       axes(overlay),
+      viewCube(overlay),
       gizmoActor(overlay),
       colourBar(overlay),
       captionLayer(overlay),
@@ -75,7 +91,8 @@ Viewport::Parts::~Parts() {
 
 void Viewport::Parts::syncSize() {
   const int* size = window->GetSize();
-  camera.setSize(size[0], size[1]);
+  camera.setSize(static_cast<int>(std::lround(size[0] / resolution)),
+                 static_cast<int>(std::lround(size[1] / resolution)));
 }
 
 void Viewport::Parts::syncBounds() {
@@ -119,12 +136,18 @@ void Viewport::Parts::remakeTool() {
   tool.set(toolDrawing, theme, pixelRatio);
 }
 
+void Viewport::Parts::remakeSamples() {
+  sampleLayer.set(samples, theme, pixelRatio);
+}
+
 void Viewport::Parts::applyTheme() {
   scene->SetBackground(theme.backgroundBottom.data());
   scene->SetBackground2(theme.backgroundTop.data());
   grid.setTheme(theme);
   surface.setTheme(theme);
+  sectionFace.setTheme(theme);
   netActor.setTheme(theme);
+  viewCube.setTheme(theme, pixelRatio);
   ghostSide.setTheme(theme);
   remakeArrows();
   remakeLiveArrows();
@@ -132,6 +155,7 @@ void Viewport::Parts::applyTheme() {
   remakeWarnings();
   remakeTouches();
   remakeTool();
+  remakeSamples();
 }
 
 void Viewport::Parts::applyCamera() {
@@ -148,8 +172,8 @@ void Viewport::Parts::applyCamera() {
   middle.z() = groundLevel(bodyBounds);
   all.add(middle - reach);
   all.add(middle + reach);
-  if (gizmo) {
-    for (const GizmoArrow& arrow : gizmoArrows(*gizmo, camera, pixelRatio)) all.add(arrow.end);
+  if (const auto shown = shownGizmo(pixelRatio)) {
+    for (const GizmoArrow& arrow : gizmoArrows(*shown, camera, pixelRatio)) all.add(arrow.end);
   }
 
   const Eigen::Vector3d eye = camera.eye();
@@ -176,22 +200,42 @@ void Viewport::Parts::look(const CameraView& view, const std::vector<Eigen::Vect
 void Viewport::Parts::updateOverlay() {
   shapes.clear(camera.height());
   axes.update(camera, shapes);
+  viewCube.update(camera, shapes);
   std::vector<PixelBox> taken;
-  colourBar.update(camera, captionLayer.reserve(camera.width()), taken, shapes);
+  Reserve reserve = captionLayer.reserve(camera.width());
+  if (viewCube.isVisible()) {
+    const double side = kViewCubeSide * pixelRatio;
+    taken.push_back({{camera.width() - side, 0}, {static_cast<double>(camera.width()), side}});
+    reserve.top = std::max(reserve.top, side);
+  }
+  colourBar.update(camera, reserve, taken, shapes);
   captionLayer.update(camera, taken, shapes);
   arrows.update(camera, taken, shapes);
   liveArrows.update(camera, taken, shapes);
-  gizmoActor.update(gizmo, camera, pixelRatio, shapes);
+  const std::optional<Gizmo> shown = shownGizmo(pixelRatio);
+  // From a gizmo that was moved into the picture to its place.
+  if (shown && shown->at != gizmo->at)
+    shapes.addLine(camera.toPixel(gizmo->at), camera.toPixel(shown->at), 1.2 * pixelRatio,
+                   theme.text, 0.6);
+  gizmoActor.update(shown, camera, pixelRatio, shapes);
   touchLayer.update(
       camera, [this](const Eigen::Vector3d& point) { return hidden(point); }, shapes);
   tool.update(camera, shapes);
   signs.update(camera, shapes);
+  sampleLayer.update(
+      camera, [this](const Eigen::Vector3d& point) { return hidden(point); }, taken, shapes);
   if (rubberBand) {
-    const auto& [a, b] = *rubberBand;
+    const Eigen::Vector2d a = resolution * (*rubberBand)[0];
+    const Eigen::Vector2d b = resolution * (*rubberBand)[1];
     shapes.addRectangle(a, b, theme.selected, 0.12);
     shapes.addFrame(a, b, std::max(1.0, std::round(pixelRatio)), theme.selected, 0.9);
   }
   shapes.finish();
+}
+
+std::optional<Gizmo> Viewport::Parts::shownGizmo(double ratio) const {
+  if (!gizmo) return std::nullopt;
+  return gizmoInPicture(*gizmo, camera, ratio);
 }
 
 std::vector<Eigen::Vector3d> Viewport::Parts::shownPoints() const {
@@ -206,9 +250,9 @@ double Viewport::Parts::fitMargin() const {
 }
 
 Reserve Viewport::Parts::fitReserve(bool withWords) {
-  Reserve reserve = captionLayer.reserve(camera.width());
-  reserve.right = colourBar.reach(camera.height(), reserve, withWords);
-  return reserve;
+  Reserve reserve = captionLayer.reserve(static_cast<int>(camera.width() * resolution));
+  reserve.right = colourBar.reach(camera.height() * resolution, reserve, withWords);
+  return {reserve.right / resolution, reserve.top / resolution, reserve.bottom / resolution};
 }
 
 double Viewport::Parts::bodyDiagonal() const {
@@ -223,7 +267,29 @@ Eigen::Vector3d Viewport::Parts::pointUnder(const Eigen::Vector2d& pixel) const 
 }
 
 std::optional<RayHit> Viewport::Parts::firstHit(const Ray& ray) const {
-  return bodyBoxes.firstHit(ray, body.positions, body.triangles);
+  auto hit = bodyBoxes.firstHit(ray, body.positions, body.triangles);
+  if (!section) return hit;
+  // The part in front of the section is not there. A ray enters and leaves it at most that often.
+  constexpr int kMaxHidden = 16;
+  double passed = 0;
+  const double step = 1e-6 * bodyDiagonal();
+  for (int k = 0; hit && k < kMaxHidden; ++k) {
+    const Triangle& corners = body.triangles[static_cast<std::size_t>(hit->triangle)];
+    const auto at = [&](std::size_t i) { return static_cast<std::size_t>(corners[i]); };
+    const Eigen::Vector3d point = ray.at(passed + hit->distance);
+    const Eigen::Vector3d weights =
+        barycentric(point, body.positions[at(0)], body.positions[at(1)], body.positions[at(2)]);
+    double distance = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      distance += weights[static_cast<Eigen::Index>(i)] * section->distances[at(i)];
+    if (distance <= 0) {
+      hit->distance += passed;
+      return hit;
+    }
+    passed += hit->distance + step;
+    hit = bodyBoxes.firstHit({ray.at(passed), ray.direction}, body.positions, body.triangles);
+  }
+  return std::nullopt;
 }
 
 bool Viewport::Parts::hidden(const Eigen::Vector3d& point) const {

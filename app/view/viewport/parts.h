@@ -18,8 +18,10 @@
 #include "app/view/layers/gizmo_actor.h"
 #include "app/view/layers/grid_actor.h"
 #include "app/view/layers/orientation_axes.h"
+#include "app/view/layers/sample_layer.h"
 #include "app/view/layers/surface_actor.h"
 #include "app/view/layers/tool_layer.h"
+#include "app/view/layers/view_cube_actor.h"
 #include "app/view/layers/warning_signs.h"
 #include "app/view/viewport/viewport.h"
 
@@ -31,8 +33,10 @@ struct Viewport::Parts {
   Parts(vtkRenderWindow* renderWindow, double ratio);
   ~Parts();
 
-  /// Takes over the size of the window.
+  /// Takes over the size of the window, in device pixels at full resolution.
   void syncSize();
+  /// Device pixels per logical pixel of what the caller passes; `pixelRatio` is for drawing.
+  double inputRatio() const { return pixelRatio / resolution; }
   /// After lengths in the scene have changed.
   void syncBounds();
   void remakeArrows();
@@ -43,12 +47,15 @@ struct Viewport::Parts {
   void remakeWarnings();
   void remakeTouches();
   void remakeTool();
+  void remakeSamples();
   void applyTheme();
   void applyCamera();
   /// Viewport::setCamera(), showing the points beside the reserve.
   void look(const CameraView& view, const std::vector<Eigen::Vector3d>& points,
             const Reserve& reserve);
   void updateOverlay();
+  /// The gizmo where it is drawn: its handles in the picture.
+  std::optional<Gizmo> shownGizmo(double ratio) const;
 
   /// Everything that fit() shows.
   std::vector<Eigen::Vector3d> shownPoints() const;
@@ -71,12 +78,16 @@ struct Viewport::Parts {
 
   Turntable camera;
   ViewportTheme theme = ViewportTheme::light();
-  double pixelRatio;
+  double pixelRatio;      ///< pixels of the window per logical pixel
+  double resolution = 1;  ///< pixels of the window per device pixel
 
   ViewportBody body;
   TriangleBoxes bodyBoxes;
   ControlNet net;
   bool netVisible = true;
+  std::optional<SectionDrawing> section;  ///< with the moved face
+  TriangleBoxes faceBoxes;
+  std::vector<SampleLabel> samples;
   std::vector<ForceArrow> forces;
   LiveArrows liveForces;
   double restDiagonal;               ///< of the body before it moved: sizes do not follow its shape
@@ -93,6 +104,7 @@ struct Viewport::Parts {
   FlatShapes shapes;
   // Within a renderer, later actors are blended over earlier ones.
   SurfaceActor surface;
+  SurfaceActor sectionFace;
   GhostSide ghostSide;
   GridActor grid;
   ControlNetActor netActor;
@@ -102,8 +114,10 @@ struct Viewport::Parts {
   ForceArrows liveArrows;
   ToolLayer tool;
   TouchLayer touchLayer;
+  SampleLayer sampleLayer;
   WarningSigns signs;
   OrientationAxes axes;
+  ViewCubeActor viewCube;
   GizmoActor gizmoActor;
   ColourBar colourBar;
   CaptionLayer captionLayer;

@@ -23,6 +23,18 @@ std::optional<SurfaceHit> Viewport::surfaceAt(const Eigen::Vector2d& pixel) cons
   return SurfaceHit{hit->triangle, ray.at(hit->distance)};
 }
 
+std::optional<SurfaceHit> Viewport::sectionAt(const Eigen::Vector2d& pixel) const {
+  parts_->syncSize();
+  if (!parts_->section) return std::nullopt;
+  const Ray ray = parts_->camera.ray(pixel);
+  const ViewportBody& face = parts_->section->face;
+  const auto hit = parts_->faceBoxes.firstHit(ray, face.positions, face.triangles);
+  if (!hit) return std::nullopt;
+  const auto body = parts_->firstHit(ray);
+  if (body && body->distance < hit->distance) return std::nullopt;
+  return SurfaceHit{hit->triangle, ray.at(hit->distance)};
+}
+
 std::optional<int> Viewport::controlPointAt(const Eigen::Vector2d& pixel, double reach) const {
   parts_->syncSize();
   if (!parts_->netVisible) return std::nullopt;
@@ -32,7 +44,7 @@ std::optional<int> Viewport::controlPointAt(const Eigen::Vector2d& pixel, double
     double depth;
   };
   const Turntable& camera = parts_->camera;
-  const double limit = reach * parts_->pixelRatio;
+  const double limit = reach * parts_->inputRatio();
   std::vector<Candidate> candidates;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < parts_->net.points.size(); ++i) {
@@ -44,7 +56,7 @@ std::optional<int> Viewport::controlPointAt(const Eigen::Vector2d& pixel, double
     smallest = std::min(smallest, distance);
   }
   std::erase_if(candidates, [&](const Candidate& candidate) {
-    return candidate.distance > smallest + kSamePlace * parts_->pixelRatio;
+    return candidate.distance > smallest + kSamePlace * parts_->inputRatio();
   });
   const auto front =
       std::min_element(candidates.begin(), candidates.end(),
@@ -70,7 +82,7 @@ std::vector<int> Viewport::controlPointsIn(const Eigen::Vector2d& a,
 std::optional<int> Viewport::borderAt(const Eigen::Vector2d& pixel, double reach) const {
   parts_->syncSize();
   const ViewportBody& body = parts_->body;
-  double best = reach * parts_->pixelRatio;
+  double best = reach * parts_->inputRatio();
   std::optional<int> nearest;
   for (std::size_t line = 0; line < body.borders.size(); ++line) {
     for (std::size_t k = 1; k < body.borders[line].size(); ++k) {
@@ -91,8 +103,20 @@ std::optional<int> Viewport::borderAt(const Eigen::Vector2d& pixel, double reach
 
 GizmoAxis Viewport::gizmoAt(const Eigen::Vector2d& pixel) const {
   parts_->syncSize();
-  if (!parts_->gizmo) return GizmoAxis::kNone;
-  return gizmoAxisAt(pixel, *parts_->gizmo, parts_->camera, parts_->pixelRatio);
+  const std::optional<Gizmo> shown = parts_->shownGizmo(parts_->inputRatio());
+  if (!shown) return GizmoAxis::kNone;
+  return gizmoAxisAt(pixel, *shown, parts_->camera, parts_->inputRatio());
+}
+
+std::optional<ViewCubePart> Viewport::cubePartAt(const Eigen::Vector2d& pixel) const {
+  parts_->syncSize();
+  if (!parts_->viewCube.isVisible()) return std::nullopt;
+  return viewCubePartAt(pixel, parts_->camera, parts_->inputRatio());
+}
+
+double Viewport::gridSpacing() const {
+  parts_->syncSize();
+  return view::gridSpacing(parts_->camera, parts_->inputRatio());
 }
 
 Eigen::Vector2d Viewport::toPixel(const Eigen::Vector3d& point) const {

@@ -32,10 +32,10 @@ void requireSize(const PictureSize& size) {
   if (!isValid) throw std::invalid_argument("a picture is 160x120 to 8192x8192 pixels large");
 }
 
-/// With its range and extremes.
+/// With its range, and extremes unless they are given.
 ScalarField completed(ScalarField field) {
   field.range = colourRange(field);
-  if (!field.values.empty()) {
+  if (!field.values.empty() && !field.extremes) {
     const auto [low, high] = std::minmax_element(field.values.begin(), field.values.end());
     // Rounding noise reads as 0.
     const double negligible = 1e-6 * std::max(std::abs(*low), std::abs(*high));
@@ -53,7 +53,10 @@ void show(const Picture& picture, Viewport& viewport) {
   viewport.setBody(picture.body);
   if (!picture.positions.empty()) viewport.moveBody(picture.positions, picture.normals);
   viewport.setRegions(picture.supports, {});
+  viewport.setSection(picture.section);
   if (picture.field) viewport.setField(completed(*picture.field));
+  if (!picture.sectionValues.empty()) viewport.setSectionValues(picture.sectionValues);
+  viewport.setSampleLabels(picture.samples);
   std::vector<Eigen::Vector3d> room = picture.room;
   if (picture.hasGhost) {
     ViewportBody ghost = picture.body;

@@ -17,6 +17,10 @@ struct Picture {
   std::vector<double> supports;  ///< as Viewport::setRegions() takes them
   /// Without a range the colours reach from the smallest to the largest value.
   std::optional<ScalarField> field;
+  /// Cut at rest, with the face where it is drawn.
+  std::optional<SectionDrawing> section;
+  std::vector<double> sectionValues;  ///< of the field, one per point of the face; may be empty
+  std::vector<SampleLabel> samples;
   bool hasGhost = false;  ///< the body at rest is shown as a ghost
   LiveArrows arrows;
   std::vector<ContactRing> rings;

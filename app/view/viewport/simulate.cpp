@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/view/scene/colour_map.h"
 #include "app/view/viewport/checks.h"
@@ -26,6 +27,14 @@ void Viewport::setField(const std::optional<ScalarField>& field) {
             "the range of a logarithmic field is above zero");
   }
   parts_->surface.setField(field);
+  if (field) {
+    ScalarField ofFace = *field;
+    ofFace.values.assign(parts_->section ? parts_->section->face.positions.size() : 0,
+                         std::numeric_limits<double>::quiet_NaN());
+    parts_->sectionFace.setField(ofFace);
+  } else {
+    parts_->sectionFace.setField(std::nullopt);
+  }
   parts_->field = field;
   if (field) parts_->field->values.clear();
   parts_->applyField();
@@ -42,6 +51,47 @@ void Viewport::setFieldValues(const std::vector<double>& values,
   parts_->field->range = range;
   parts_->surface.setFieldValues(values, colourRange(*parts_->field));
   if (!sameRange) parts_->applyField();
+}
+
+void Viewport::setSection(const std::optional<SectionDrawing>& section) {
+  if (section) {
+    requireValidBody(section->face);
+    require(section->distances.size() == parts_->body.positions.size(),
+            "a section needs one distance per point");
+  }
+  parts_->section = section;
+  parts_->surface.setCut(section ? section->distances : std::vector<double>{});
+  const ViewportBody none;
+  const ViewportBody& face = section ? section->face : none;
+  parts_->faceBoxes.set(face.positions, face.triangles);
+  parts_->sectionFace.setBody(face);
+  if (!parts_->field) return;
+  ScalarField field = *parts_->field;
+  field.values.assign(face.positions.size(), std::numeric_limits<double>::quiet_NaN());
+  parts_->sectionFace.setField(field);
+}
+
+void Viewport::moveSection(const std::vector<Eigen::Vector3d>& positions,
+                           const std::vector<Eigen::Vector3d>& normals) {
+  require(parts_->section && positions.size() == parts_->section->face.positions.size() &&
+              normals.size() == positions.size(),
+          "a moved section has as many points and normals as before");
+  parts_->section->face.positions = positions;
+  parts_->section->face.normals = normals;
+  parts_->faceBoxes.move();
+  parts_->sectionFace.move(positions, normals);
+}
+
+void Viewport::setSectionValues(const std::vector<double>& values) {
+  require(parts_->section && values.size() == parts_->section->face.positions.size(),
+          "a section needs one number per point");
+  require(parts_->field.has_value(), "there is no field whose values could change");
+  parts_->sectionFace.setFieldValues(values, colourRange(*parts_->field));
+}
+
+void Viewport::setSampleLabels(const std::vector<SampleLabel>& labels) {
+  parts_->samples = labels;
+  parts_->remakeSamples();
 }
 
 void Viewport::setGhost(const std::optional<ViewportBody>& body) {

@@ -58,27 +58,45 @@ void Viewport::setTheme(const ViewportTheme& theme) {
 
 void Viewport::setPixelRatio(double ratio) {
   require(ratio > 0 && ratio <= 16, "the pixel ratio is between 0 and 16");
+  ratio *= parts_->resolution;
   parts_->pixelRatio = ratio;
   parts_->grid.setPixelRatio(ratio);
   parts_->surface.setPixelRatio(ratio);
+  parts_->sectionFace.setPixelRatio(ratio);
   parts_->netActor.setPixelRatio(ratio);
   parts_->axes.setPixelRatio(ratio);
   parts_->ghostLines.setPixelRatio(ratio);
   parts_->rings.setPixelRatio(ratio);
+  parts_->viewCube.setTheme(parts_->theme, ratio);
   parts_->remakeArrows();
   parts_->remakeLiveArrows();
   parts_->applyField();
   parts_->remakeWarnings();
   parts_->remakeTouches();
   parts_->remakeTool();
+  parts_->remakeSamples();
 }
 
 double Viewport::pixelRatio() const {
-  return parts_->pixelRatio;
+  return parts_->inputRatio();
+}
+
+void Viewport::setResolution(double share) {
+  require(share >= 0.1 && share <= 1, "the resolution is between 0.1 and 1");
+  if (share == parts_->resolution) return;
+  const double ratio = parts_->inputRatio();
+  parts_->resolution = share;
+  setPixelRatio(ratio);
+}
+
+double Viewport::resolution() const {
+  return parts_->resolution;
 }
 
 void Viewport::setShading(Shading shading) {
   parts_->surface.setShading(shading);
+  // A section without its fill would show nothing.
+  parts_->sectionFace.setShading(shading == Shading::kWire ? Shading::kShadedWithEdges : shading);
 }
 
 void Viewport::setGridVisible(bool visible) {
@@ -102,6 +120,18 @@ void Viewport::setAxesVisible(bool visible) {
   parts_->axes.setVisible(visible);
 }
 
+void Viewport::setViewCubeVisible(bool visible) {
+  parts_->viewCube.setVisible(visible);
+}
+
+bool Viewport::isViewCubeVisible() const {
+  return parts_->viewCube.isVisible();
+}
+
+void Viewport::setHoveredCubePart(const std::optional<ViewCubePart>& part) {
+  parts_->viewCube.setHovered(part);
+}
+
 void Viewport::setControlNetVisible(bool visible) {
   parts_->netVisible = visible;
   parts_->netActor.setVisible(visible);
@@ -112,6 +142,7 @@ void Viewport::setBody(const ViewportBody& body) {
   parts_->body = body;
   parts_->bodyBoxes.set(body.positions, body.triangles);
   parts_->surface.setBody(body);
+  setSection(std::nullopt);
   parts_->field.reset();
   parts_->syncBounds();
   parts_->restDiagonal = parts_->bodyDiagonal();
@@ -185,12 +216,13 @@ void Viewport::setToolDrawing(const ToolDrawing& drawing) {
   parts_->remakeTool();
 }
 
-void Viewport::setRegions(const std::vector<double>& supports, const std::vector<double>& loads) {
+void Viewport::setRegions(const std::vector<double>& supports, const std::vector<double>& loads,
+                          const std::vector<double>& conflict) {
   const auto fits = [&](const std::vector<double>& field) {
     return field.empty() || field.size() == parts_->body.positions.size();
   };
-  require(fits(supports) && fits(loads), "regions need one number per point");
-  parts_->surface.setRegions(supports, loads);
+  require(fits(supports) && fits(loads) && fits(conflict), "regions need one number per point");
+  parts_->surface.setRegions(supports, loads, conflict);
 }
 
 void Viewport::setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>& corners) {
@@ -198,7 +230,7 @@ void Viewport::setRubberBand(const std::optional<std::array<Eigen::Vector2d, 2>>
 }
 
 void Viewport::orbit(const Eigen::Vector2d& pixels) {
-  const Eigen::Vector2d angles = -kRadiansPerPixel / parts_->pixelRatio * pixels;
+  const Eigen::Vector2d angles = -kRadiansPerPixel / parts_->inputRatio() * pixels;
   parts_->camera.orbit(angles.x(), angles.y());
 }
 
@@ -225,6 +257,10 @@ void Viewport::fitTo(const std::vector<Eigen::Vector3d>& points) {
 void Viewport::lookFrom(StandardView view) {
   const CameraView camera = directions(view);
   parts_->camera.setDirection(camera.direction, camera.up);
+}
+
+void Viewport::lookAtCubePart(const ViewCubePart& part) {
+  turnTo(part, parts_->camera);
 }
 
 void Viewport::setParallelProjection(bool parallel) {
@@ -276,7 +312,7 @@ void Viewport::render(Quality quality) {
   Parts& parts = *parts_;
   const int* size = parts.window->GetSize();
   if (size[0] < 1 || size[1] < 1) return;
-  parts.syncSize();
+  parts.camera.setSize(size[0], size[1]);
   parts.applyCamera();
   parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
   parts.surface.setScale(parts.pixelRatio * parts.camera.visibleHeight() / parts.camera.height());
@@ -284,6 +320,7 @@ void Viewport::render(Quality quality) {
   parts.updateOverlay();
   parts.overlay->SetUseFXAA(quality == Quality::kFine);
   parts.window->Render();
+  parts.syncSize();
 }
 
 void Viewport::writePng(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/view/camera/view_cube.h"
 #include "app/view/scene/scene.h"
 #include "app/view/scene/theme.h"
 
@@ -44,9 +45,18 @@ class Viewport {
   void setTheme(const ViewportTheme& theme);
   void setPixelRatio(double ratio);
   double pixelRatio() const;
+  /// Pixels of the window per device pixel in each direction, 0.1 … 1: for quick pictures the
+  /// caller may make the window smaller by this share and enlarge its picture. All pixel
+  /// coordinates stay device pixels.
+  void setResolution(double share);
+  double resolution() const;
   void setShading(Shading shading);
   void setGridVisible(bool visible);
   void setAxesVisible(bool visible);
+  /// A cube with named faces in the upper right corner; hidden at first.
+  void setViewCubeVisible(bool visible);
+  bool isViewCubeVisible() const;
+  void setHoveredCubePart(const std::optional<ViewCubePart>& part);
   void setControlNetVisible(bool visible);
   /// Supports and loads: their regions and the arrows.
   void setRegionsVisible(bool visible);
@@ -74,7 +84,9 @@ class Viewport {
   /// Where supports and loads act: a number per position of the body, below zero inside, so that
   /// their borders are drawn where it is zero, through the triangles. Empty: nowhere. Supports win.
   /// Cheap enough to be set with every moveBody().
-  void setRegions(const std::vector<double>& supports, const std::vector<double>& loads);
+  /// `conflict`: the same for a place where two supports contradict each other; it wins.
+  void setRegions(const std::vector<double>& supports, const std::vector<double>& loads,
+                  const std::vector<double>& conflict = {});
 
   // Simulation. All of it may be set again for every picture.
   /// Colours the surface by one number per position, beside a colour bar; none: plain. The field
@@ -86,6 +98,16 @@ class Viewport {
   /// The same field with other numbers and another range: the quick path. Throws
   /// std::invalid_argument if there is no field.
   void setFieldValues(const std::vector<double>& values, const std::array<double, 2>& range);
+  /// Cuts the body by a plane and fills the section; none: the whole body. setBody() removes it.
+  void setSection(const std::optional<SectionDrawing>& section);
+  /// The same section of the moved body.
+  void moveSection(const std::vector<Eigen::Vector3d>& positions,
+                   const std::vector<Eigen::Vector3d>& normals);
+  /// Numbers of the field at the points of the section's face, NaN for no colour; the range is the
+  /// field's. Call it after setField() and setFieldValues().
+  void setSectionValues(const std::vector<double>& values);
+  /// Plates are placed so that they do not cover each other. fit() ignores them.
+  void setSampleLabels(const std::vector<SampleLabel>& labels);
   /// The undeformed shape: thin lines along its borders and knot lines, faint where the body hides
   /// them, and its translucent near side if it has triangles. None to remove it. fit() ignores it.
   /// Its triangles may be coarser than the triangles of the body: drawing them takes time.
@@ -116,6 +138,8 @@ class Viewport {
   void fitTo(const std::vector<Eigen::Vector3d>& points);
   /// Turns only: focus and distance stay.
   void lookFrom(StandardView view);
+  /// The same for a part of the view cube.
+  void lookAtCubePart(const ViewCubePart& part);
   /// Things in the depth of the focus keep their size.
   void setParallelProjection(bool parallel);
   bool parallelProjection() const;
@@ -130,6 +154,9 @@ class Viewport {
 
   // Picking.
   std::optional<SurfaceHit> surfaceAt(const Eigen::Vector2d& pixel) const;
+  /// The first point of the section's face on a ray through a pixel, if no part of the body lies
+  /// before it; the triangle is the face's.
+  std::optional<SurfaceHit> sectionAt(const Eigen::Vector2d& pixel) const;
   /// The control point whose handle is nearest to the pixel, the one in front if several are;
   /// within `reach` logical pixels. A point behind the body counts as half a reach farther away.
   std::optional<int> controlPointAt(const Eigen::Vector2d& pixel, double reach = 9) const;
@@ -140,8 +167,12 @@ class Viewport {
   std::optional<int> borderAt(const Eigen::Vector2d& pixel, double reach = 6) const;
   /// The handle of the gizmo within 8 logical pixels of the pixel.
   GizmoAxis gizmoAt(const Eigen::Vector2d& pixel) const;
+  /// The part of the view cube under the pixel, if the cube is visible.
+  std::optional<ViewCubePart> cubePartAt(const Eigen::Vector2d& pixel) const;
 
   // From pixels to lengths.
+  /// Between the lines of the grid at the present zoom, mm.
+  double gridSpacing() const;
   /// NaN for a point that does not lie in front of the eye.
   Eigen::Vector2d toPixel(const Eigen::Vector3d& point) const;
   /// The point under `pixel` in the plane through `through` parallel to the screen.
