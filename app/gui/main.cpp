@@ -1,14 +1,18 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QLocale>
 #include <QTimer>
 
 #include "app/core/system/priority.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/application.h"
 #include "app/gui/window/main_window.h"
 
 int main(int argc, char** argv) {
   palpa::app::lowerPriorityOfLoadedThreads();
-  QApplication application(argc, argv);
+  palpa::gui::Application application(argc, argv);
+  // The C locale has no separators of thousands.
+  if (QLocale().language() == QLocale::C) QLocale::setDefault(QLocale(QLocale::English));
   QApplication::setApplicationName("Palpa");
   QApplication::setApplicationVersion(PALPA_VERSION);
   QApplication::setWindowIcon(QIcon(":/icons/palpa.svg"));

@@ -9,13 +9,18 @@
 #include "app/gui/dialogs/file_dialogs.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
+#include "app/gui/dialogs/profile_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/examples.h"
+#include "app/gui/document/thumbnails.h"
+#include "app/gui/view/viewport_widget.h"
+#include "app/gui/widgets/field_input.h"
 #include "app/gui/workspace/menus.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/shapes/make_primitive.h"
+#include "modeling/shapes/shape_sketch.h"
 
 namespace palpa::gui {
 namespace {
@@ -70,6 +75,14 @@ FileActions::FileActions(const Workspace& workspace)
   menus.add(menu, {nullptr, tr("&Quit"), QKeySequence::Quit}, &workspace_.window, &QWidget::close);
   menus.bar->addSeparator();
   addPrimitiveEditing();
+  Editor& editor = workspace_.editor;
+  connect(&editor, &Editor::aboutToReplace, this, &FileActions::storeThumbnail);
+  connect(&editor, &Editor::projectReplaced, this, [this, &editor] { file_ = editor.fileName(); });
+  connect(&editor, &Editor::saved, this, [this](const QString& file) {
+    file_ = QFileInfo(file).absoluteFilePath();
+    workspace_.settings.addRecentFile(file);
+    storeThumbnail();
+  });
 }
 
 void FileActions::addImportAndExport() {
@@ -95,8 +108,17 @@ void FileActions::addPrimitiveEditing() {
                              tr("Change the sizes of the shape of the solid; possible until "
                                 "control points are edited")},
                             this, [this] { editPrimitive(); });
-  const auto update = [this, edit] {
-    edit->setEnabled(workspace_.editor.project().primitive.has_value());
+  QAction* profile = menus.add(menus.solid,
+                               {nullptr,
+                                tr("Edit pro&file …"),
+                                {},
+                                tr("Draw and edit the curves of a revolved, extruded or lofted "
+                                   "solid; possible until control points are edited")},
+                               this, [this] { editProfileOfProject(workspace_); });
+  const auto update = [this, edit, profile] {
+    const auto& primitive = workspace_.editor.project().primitive;
+    edit->setEnabled(primitive.has_value());
+    profile->setEnabled(primitive && modeling::hasProfile(*primitive));
   };
   connect(&workspace_.editor, &Editor::projectReplaced, this, update);
   connect(&workspace_.editor, &Editor::projectChanged, this, update);
@@ -121,8 +143,10 @@ void FileActions::fillRecentFiles(QMenu* menu) {
   }
   if (files.isEmpty()) menu->addAction(tr("No files yet"))->setEnabled(false);
   menu->addSeparator();
-  QAction* clear =
-      menu->addAction(tr("&Clear list"), &workspace_.settings, &Settings::clearRecentFiles);
+  QAction* clear = menu->addAction(tr("&Clear list"), this, [this] {
+    workspace_.settings.clearRecentFiles();
+    keepThumbnails({});
+  });
   clear->setObjectName("Clear list");
   clear->setEnabled(!files.isEmpty());
   menu->setToolTipsVisible(true);
@@ -151,8 +175,10 @@ bool FileActions::openFile(const QString& file) {
     return false;
   }
   const bool isOpen = isProject(infoOf(*format)) ? editor.open(file) : editor.importFile(file);
-  if (isOpen) workspace_.settings.addRecentFile(file);
-  return isOpen;
+  if (!isOpen) return false;
+  file_ = QFileInfo(file).absoluteFilePath();
+  workspace_.settings.addRecentFile(file);
+  return true;
 }
 
 void FileActions::openDropped(const QStringList& files) {
@@ -196,25 +222,43 @@ void FileActions::importBody() {
 }
 
 void FileActions::showWelcome() {
-  WelcomeDialog dialog(&workspace_.window);
+  WelcomeDialog dialog(workspace_.settings, &workspace_.window);
   dialog.exec();
   using Choice = WelcomeDialog::Choice;
   if (dialog.choice() == Choice::kNewSolid) newSolid();
   if (dialog.choice() == Choice::kOpen) open();
-  if (dialog.choice() == Choice::kExample && mayDiscard()) openExample(dialog.example());
+  if (dialog.choice() == Choice::kExample && mayDiscard()) openExample(dialog.chosen());
+  if (dialog.choice() == Choice::kRecent && mayDiscard()) openFile(dialog.chosen());
+}
+
+void FileActions::storeThumbnail() {
+  const app::Session& session = workspace_.editor.session();
+  // The picture must show what the file contains; an imported file is never written.
+  const bool isAsInFile =
+      !session.isModified() && (session.file() || !session.document().canUndo());
+  const bool isDrawn = workspace_.view.lastFrameMilliseconds() > 0;
+  if (file_.isEmpty() || !isAsInFile || !isDrawn) return;
+  const QString picture = thumbnailPath(file_);
+  if (picture.isEmpty()) return;
+  try {
+    workspace_.view.writePicture(picture.toStdString(), kThumbnailSize);
+    keepThumbnails(workspace_.settings.recentFiles());
+  } catch (const std::exception&) {
+    // The welcome dialog shows a sign instead.
+  }
 }
 
 bool FileActions::save() {
+  finishInput(workspace_.window);
   return workspace_.editor.fileName().isEmpty() ? saveAs() : workspace_.editor.save();
 }
 
 bool FileActions::saveAs() {
+  finishInput(workspace_.window);
   const QString ending = infoOf(modeling::FileFormat::kProject).endings.front();
   const QString file =
       askFileToWrite(workspace_, tr("Save as"), tr("Projects (*%1)").arg(ending), ending);
-  if (file.isEmpty() || !workspace_.editor.saveAs(file)) return false;
-  workspace_.settings.addRecentFile(file);
-  return true;
+  return !file.isEmpty() && workspace_.editor.saveAs(file);
 }
 
 void FileActions::recover() {
@@ -227,6 +271,7 @@ void FileActions::recover() {
 }
 
 void FileActions::exportBody() {
+  finishInput(workspace_.window);
   ExportDialog dialog(workspace_.editor.project(), &workspace_.window);
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = askFileToWrite(workspace_, tr("Export"), dialog.filter(), dialog.ending());
@@ -271,6 +316,7 @@ void FileActions::editPrimitive() {
 }
 
 bool FileActions::mayDiscard() {
+  finishInput(workspace_.window);
   if (!workspace_.editor.session().isModified()) return true;
   const QString file = workspace_.editor.fileName();
   QMessageBox question(

@@ -22,7 +22,7 @@ class FileActions : public QObject {
   void openDropped(const QStringList& files);
   /// Opens an example as a new project, by its name in examples().
   bool openExample(const QString& name);
-  /// Asks what to do with unsaved edits; false if the user cancels.
+  /// Applies unfinished input and asks what to do with unsaved edits; false if the user cancels.
   bool mayDiscard();
   bool save();
   bool saveAs();
@@ -31,6 +31,8 @@ class FileActions : public QObject {
   void open();
   /// Shows the welcome dialog and does what the user chose there.
   void showWelcome();
+  /// Stores a picture of the view for the welcome dialog, if the project is as in its file.
+  void storeThumbnail();
 
  private:
   void addImportAndExport();
@@ -44,6 +46,7 @@ class FileActions : public QObject {
   void editPrimitive();
 
   Workspace workspace_;
+  QString file_;  // the file that was opened, imported or saved last; empty for another project
 };
 
 }  // namespace palpa::gui

@@ -11,6 +11,7 @@
 #include "app/gui/dialogs/keys_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/workspace/menus.h"
+#include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
 namespace {
@@ -26,20 +27,22 @@ QString findGuide() {
   return {};
 }
 
+/// Shows the guide where it describes the active tool.
 void showGuide(const Workspace& workspace) {
-  if (auto* open = workspace.window.findChild<GuideWindow*>()) {
-    open->show();
-    open->raise();
-    open->activateWindow();
-    return;
+  auto* guide = workspace.window.findChild<GuideWindow*>();
+  if (!guide) {
+    const QString folder = findGuide();
+    if (folder.isEmpty()) {
+      Q_EMIT workspace.editor.refused(
+          QObject::tr("The user guide is not beside the program; install Palpa again"));
+      return;
+    }
+    guide = new GuideWindow(folder, workspace.settings, &workspace.window);
   }
-  const QString folder = findGuide();
-  if (folder.isEmpty()) {
-    Q_EMIT workspace.editor.refused(
-        QObject::tr("The user guide is not beside the program; install Palpa again"));
-    return;
-  }
-  (new GuideWindow(folder, &workspace.window))->show();
+  guide->show();
+  guide->raise();
+  guide->activateWindow();
+  guide->showTopic(workspace.tools.activeTopic());
 }
 
 QString aboutText() {

@@ -39,6 +39,13 @@ PointActions::PointActions(const Workspace& workspace, PointOptions& options)
   addAlign(tr("Across &x"), tip.arg("x"), Eigen::Vector3d::UnitX());
   addAlign(tr("Across &y"), tip.arg("y"), Eigen::Vector3d::UnitY());
   addAlign(tr("Across &z"), tip.arg("z"), Eigen::Vector3d::UnitZ());
+  QAction* snap = menus.addToggle(
+      menus.edit,
+      {nullptr, tr("Snap &while moving"), QKeySequence(Qt::Key_F9),
+       tr("Dragged points go to control points, edges and the grid; Ctrl reverses it")},
+      options.snaps(), this, [this](bool on) { options_.setSnaps(on); });
+  connect(&options_, &PointOptions::changed, snap,
+          [this, snap] { snap->setChecked(options_.snaps()); });
   connect(&workspace_.editor, &Editor::selectionChanged, this, &PointActions::update);
   connect(&workspace_.editor, &Editor::projectReplaced, this, &PointActions::update);
   update();

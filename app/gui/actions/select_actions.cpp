@@ -1,7 +1,9 @@
 #include "app/gui/actions/select_actions.h"
 
 #include <QActionGroup>
+#include <QInputDialog>
 
+#include "app/gui/dialogs/selection_sets_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/point_groups.h"
 #include "app/gui/workspace/menus.h"
@@ -25,11 +27,16 @@ std::set<int> without(std::set<int> all, const std::set<int>& some) {
 }  // namespace
 
 SelectActions::SelectActions(const Workspace& workspace, PointOptions& options)
-    : QObject(&workspace.window), workspace_(workspace), options_(options) {
+    : QObject(&workspace.window),
+      workspace_(workspace),
+      options_(options),
+      sets_(new SelectionSets(workspace.editor, this)) {
   workspace_.menus.select->addSeparator();
   addPicks();
   workspace_.menus.select->addSeparator();
   addSelections();
+  workspace_.menus.select->addSeparator();
+  addSets();
   connect(&workspace_.editor, &Editor::selectionChanged, this, &SelectActions::update);
   connect(&workspace_.editor, &Editor::projectReplaced, this, &SelectActions::update);
   connect(&workspace_.editor, &Editor::projectChanged, this, &SelectActions::update);
@@ -94,6 +101,48 @@ void SelectActions::addSelections() {
       selectPoints([](const std::set<int>& points, const modeling::Solid&) { return points; })));
 }
 
+void SelectActions::addSets() {
+  Menus& menus = workspace_.menus;
+  name_ =
+      menus.add(menus.select,
+                {nullptr, tr("Na&me selection …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+                 tr("Name the selected points, patches or edges, to select them again later")},
+                this, [this] { nameSelection(); });
+  chooseSet_ = menus.select->addMenu(tr("Named &selections"));
+  chooseSet_->setObjectName("namedSelections");
+  connect(chooseSet_, &QMenu::aboutToShow, this, &SelectActions::fillSets);
+  manageSets_ = menus.add(menus.select,
+                          {nullptr,
+                           tr("Mana&ge named selections …"),
+                           {},
+                           tr("Select, rename and delete named selections")},
+                          this, [this] { SelectionSetsDialog(*sets_, &workspace_.window).exec(); });
+  connect(sets_, &SelectionSets::changed, this, &SelectActions::update);
+}
+
+void SelectActions::fillSets() {
+  chooseSet_->clear();
+  for (const QString& name : sets_->names()) {
+    QAction* action =
+        chooseSet_->addAction(QString(name).replace("&", "&&") + "\t" + sets_->contentOf(name),
+                              this, [this, name] { sets_->choose(name); });
+    action->setObjectName(name);
+  }
+}
+
+void SelectActions::nameSelection() {
+  QStringList names = sets_->names();
+  names.prepend(sets_->freeName());
+  bool isNamed = false;
+  const QString name = QInputDialog::getItem(&workspace_.window, tr("Name selection"),
+                                             tr("Name (a name in use gets the new selection):"),
+                                             names, 0, true, &isNamed);
+  if (!isNamed || name.trimmed().isEmpty()) return;
+  sets_->put(name);
+  Q_EMIT workspace_.editor.said(
+      tr("The selection is named \"%1\" (Select > Named selections)").arg(name.trimmed()));
+}
+
 void SelectActions::selectAll() {
   const modeling::Solid* solid = workspace_.editor.solid();
   if (!solid) return;
@@ -125,6 +174,9 @@ void SelectActions::update() {
       editor.solid() && (!now.points.empty() || !now.patches.empty() || !now.edges.empty());
   for (QAction* action : needSolid_) action->setEnabled(editor.solid() != nullptr);
   for (QAction* action : needPoints_) action->setEnabled(hasPoints);
+  name_->setEnabled(sets_->canName());
+  chooseSet_->menuAction()->setEnabled(!sets_->names().isEmpty());
+  manageSets_->setEnabled(!sets_->names().isEmpty());
 }
 
 }  // namespace palpa::gui

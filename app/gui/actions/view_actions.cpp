@@ -150,6 +150,9 @@ void ViewActions::addToggles() {
   menus.bar->addAction(add({"grid", tr("Gri&d"), QKeySequence(Qt::Key_G)}, &SavedView::showsGrid,
                            &Viewport::setGridVisible));
   add({"axes", tr("&Axes")}, &SavedView::showsAxes, &Viewport::setAxesVisible);
+  workspace_.view.viewport().setViewCubeVisible(true);
+  add({"view-isometric", tr("View c&ube"), {}, tr("Cube whose sides turn the view to them")},
+      &SavedView::showsCube, &Viewport::setViewCubeVisible);
   add({"paint-support", tr("Supports a&nd loads")}, &SavedView::showsConditions,
       &Viewport::setRegionsVisible);
   add({"place-touch", tr("Touch mar&ks")}, &SavedView::showsTouches, &Viewport::setTouchesVisible);
@@ -200,7 +203,7 @@ void ViewActions::save() {
   for (std::size_t k = 0; k < shadings_.size(); ++k)
     if (shadings_[k]->isChecked()) saved.shading = static_cast<Shading>(k);
   for (const Part& part : parts_) saved.*part.shown = part.action->isChecked();
-  workspace_.editor.setView(viewText(saved));
+  workspace_.editor.setView(viewText(saved, workspace_.editor.project().view));
 }
 
 void ViewActions::restore() {

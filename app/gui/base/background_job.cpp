@@ -106,4 +106,24 @@ bool runWorkInBackground(QWidget& window, const QString& title, const Background
   return !stop.stop_requested();
 }
 
+bool runInSteps(QWidget& window, const QString& title, std::size_t count,
+                const std::function<void(std::size_t)>& step) {
+  if (running_) throw std::logic_error("runInSteps: another job is running");
+  std::stop_source stop;
+  const Registration registration(stop);
+  ProgressDialog dialog(title, &window);
+  QObject::connect(&dialog, &QDialog::rejected, &dialog, [&stop] { stop.request_stop(); });
+  dialog.open();
+  for (std::size_t k = 0; k < count; ++k) {
+    const double done = static_cast<double>(k) / static_cast<double>(count);
+    dialog.showProgress(
+        QCoreApplication::translate("BackgroundJob", "%1 of %2").arg(k + 1).arg(count), done,
+        stop.stop_requested());
+    QCoreApplication::processEvents();
+    if (stop.stop_requested()) return false;
+    step(k);
+  }
+  return true;
+}
+
 }  // namespace palpa::gui

@@ -17,8 +17,14 @@ using BackgroundWork = std::function<void(const Job&)>;
 /// fraction and a Cancel button. Rethrows exceptions of `work`.
 ///
 /// False if the user cancelled: `work` was asked to stop, and the caller must discard its result.
-/// Runs one job at a time; throws std::logic_error for a second one.
+/// There is one job at a time; throws std::logic_error for a second one.
 bool runWorkInBackground(QWidget& window, const QString& title, const BackgroundWork& work);
+
+/// Runs work that needs the window's thread in `count` steps, with the same dialog and the same
+/// rules; returns false if the user cancelled. Events are processed between the steps; exceptions
+/// of `step` pass through.
+bool runInSteps(QWidget& window, const QString& title, std::size_t count,
+                const std::function<void(std::size_t)>& step);
 
 /// True while a job is running.
 bool isBackgroundJobRunning();

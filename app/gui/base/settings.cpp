@@ -114,6 +114,14 @@ void Settings::clearRecentFiles() {
   set("recentFiles", QStringList());
 }
 
+bool Settings::welcomesAtStart() const {
+  return file_.value("welcomeAtStart", true).toBool();
+}
+
+void Settings::setWelcomesAtStart(bool welcomes) {
+  set("welcomeAtStart", welcomes);
+}
+
 QString Settings::lastFolder() const {
   const QString folder = file_.value("lastFolder").toString();
   return QDir(folder).exists() ? folder : QDir::homePath();
@@ -136,8 +144,56 @@ void Settings::setWindow(const QByteArray& geometry, const QByteArray& state) {
   file_.setValue("window/state", state);
 }
 
+QByteArray Settings::forcesSplitter() const {
+  return file_.value("forces/splitter").toByteArray();
+}
+
+void Settings::setForcesSplitter(const QByteArray& state) {
+  file_.setValue("forces/splitter", state);
+}
+
+QByteArray Settings::guideGeometry() const {
+  return file_.value("guide/geometry").toByteArray();
+}
+
+void Settings::setGuideGeometry(const QByteArray& geometry) {
+  file_.setValue("guide/geometry", geometry);
+}
+
 bool Settings::isFirstRun() const {
   return !file_.contains("window/state");
+}
+
+int Settings::colourRangeMode() const {
+  return between(file_.value("colourRange/mode"), 0, 3, 0);
+}
+
+void Settings::setColourRangeMode(int mode) {
+  set("colourRange/mode", mode);
+}
+
+std::optional<std::array<double, 2>> Settings::colourRange(app::SurfaceQuantity quantity) const {
+  const QStringList parts =
+      file_.value(QStringLiteral("colourRange/") + app::infoOf(quantity).name).toStringList();
+  if (parts.size() != 2) return std::nullopt;
+  bool isLow = false, isHigh = false;
+  const std::array<double, 2> range{parts[0].toDouble(&isLow), parts[1].toDouble(&isHigh)};
+  const bool isValid =
+      isLow && isHigh && std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1];
+  return isValid ? std::optional(range) : std::nullopt;
+}
+
+void Settings::setColourRange(app::SurfaceQuantity quantity, const std::array<double, 2>& range) {
+  set(QStringLiteral("colourRange/") + app::infoOf(quantity).name,
+      QStringList{QString::number(range[0], 'g', 17), QString::number(range[1], 'g', 17)});
+}
+
+bool Settings::areExtremesShown() const {
+  return file_.value("extremesShown", false).toBool();
+}
+
+void Settings::setExtremesShown(bool shown) {
+  set("extremesShown", shown);
 }
 
 }  // namespace palpa::gui

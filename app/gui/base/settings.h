@@ -4,7 +4,10 @@
 #include <QObject>
 #include <QSettings>
 #include <QStringList>
+#include <array>
+#include <optional>
 
+#include "app/core/results/surface_quantity.h"
 #include "app/gui/base/appearance.h"
 #include "app/gui/base/units.h"
 
@@ -48,6 +51,10 @@ class Settings : public QObject {
   void removeRecentFile(const QString& file);
   void clearRecentFiles();
 
+  /// True if the welcome dialog appears at a start without a file.
+  bool welcomesAtStart() const;
+  void setWelcomesAtStart(bool welcomes);
+
   /// Initial folder of file dialogs.
   QString lastFolder() const;
   void setLastFolder(const QString& folder);
@@ -56,6 +63,23 @@ class Settings : public QObject {
   QByteArray windowGeometry() const;
   QByteArray windowState() const;
   void setWindow(const QByteArray& geometry, const QByteArray& state);
+
+  /// QSplitter::saveState() of the Forces panel; empty before it was moved.
+  QByteArray forcesSplitter() const;
+  void setForcesSplitter(const QByteArray& state);
+
+  /// Simulation::RangeMode as a number.
+  int colourRangeMode() const;
+  void setColourRangeMode(int mode);
+  /// Fixed range of the colours of a quantity, in the program's unit; none before it was set.
+  std::optional<std::array<double, 2>> colourRange(app::SurfaceQuantity quantity) const;
+  void setColourRange(app::SurfaceQuantity quantity, const std::array<double, 2>& range);
+  bool areExtremesShown() const;
+  void setExtremesShown(bool shown);
+
+  /// QWidget::saveGeometry() of the guide; empty before it was shown.
+  QByteArray guideGeometry() const;
+  void setGuideGeometry(const QByteArray& geometry);
 
   /// True until the window is closed for the first time.
   bool isFirstRun() const;

@@ -6,6 +6,12 @@
 #include <numbers>
 
 namespace palpa::gui {
+namespace {
+
+/// Numbers smaller than this, in the program's unit, are rounding errors: in the order of Quantity.
+constexpr std::array<double, kQuantityCount> kNoise{1e-9, 1e-9, 1e-12, 1e-12, 1e-12};
+
+}  // namespace
 
 const std::array<QuantityInfo, kQuantityCount>& quantities() {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Units", text); };
@@ -36,7 +42,8 @@ Unit shownUnit(const QString& programUnit, const ShownUnits& units) {
 QString shown(double value, Quantity quantity, const ShownUnits& units, int digits) {
   const Unit& unit = units.of(quantity);
   double number = value / unit.factor;
-  if (number == 0.0) number = 0.0;   // turns -0 into 0
+  // Rounding errors, and -0, are shown as 0.
+  if (std::abs(value) < kNoise[static_cast<std::size_t>(quantity)]) number = 0.0;
   constexpr double kMaxPlain = 1e7;  // larger numbers are shown with a power of ten
   const double size = std::abs(number);
   const int before = size >= 1.0 && size < kMaxPlain ? static_cast<int>(std::log10(size)) + 1 : 0;

@@ -9,7 +9,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kInterval = 100;  // ms between two checks for the answer
+constexpr int kMeasureInterval = 100;  // ms between two checks for the answer
 
 }  // namespace
 
@@ -19,7 +19,7 @@ struct FitMeasurement::Answer {
 };
 
 FitMeasurement::FitMeasurement(QObject* parent) : QObject(parent) {
-  timer_.setInterval(kInterval);
+  timer_.setInterval(kMeasureInterval);
   connect(&timer_, &QTimer::timeout, this, &FitMeasurement::look);
 }
 

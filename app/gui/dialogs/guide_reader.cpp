@@ -10,15 +10,16 @@
 #include <QTextDocument>
 #include <QTextFrame>
 #include <QTextTable>
+#include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kMargin = 24;          // beside the text
-constexpr int kMaxImageWidth = 900;  // logical pixels
-constexpr int kLineHeight = 125;     // per cent
+constexpr int kPageMargin = 24;            // beside the text
+constexpr int kMaxImageWidth = 900;        // logical pixels
+constexpr int kLineHeight = 125;           // per cent
+constexpr int kFaint = 60, kStrong = 150;  // opacity of marks, of 255
 
 /// Anchor of a heading, as on the web: lower case, words joined by "-".
 QString anchorOf(QString heading) {
@@ -53,7 +54,7 @@ void layOutText(QTextDocument& document, const QBrush& behindCode) {
     } else if (!hasPicture) {
       format.setLineHeight(kLineHeight, QTextBlockFormat::ProportionalHeight);
     }
-    if (format.headingLevel() > 1) format.setTopMargin(kMargin);
+    if (format.headingLevel() > 1) format.setTopMargin(kPageMargin);
     cursor.setBlockFormat(format);
     if (format.headingLevel() == 0) continue;
     QTextCharFormat place;
@@ -85,8 +86,42 @@ void colourLinks(QTextDocument& document, const QBrush& colour) {
 
 GuideReader::GuideReader(QWidget* parent) : QTextBrowser(parent) {
   setObjectName("guideReader");
-  document()->setDocumentMargin(kMargin);
+  document()->setDocumentMargin(kPageMargin);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // keeps the width of pictures constant
+}
+
+void GuideReader::goTo(int position, int length) {
+  QTextCursor cursor(document());
+  cursor.setPosition(std::min(position, document()->characterCount() - 1));
+  line_ = length == 0 ? cursor.position() : -1;
+  setTextCursor(cursor);
+  // Below the top, so that the text before it gives the context.
+  const int above = cursorRect(cursor).top() - viewport()->height() / 5;
+  verticalScrollBar()->setValue(verticalScrollBar()->value() + above);
+  cursor.setPosition(std::min(position + length, document()->characterCount() - 1),
+                     QTextCursor::KeepAnchor);
+  setTextCursor(cursor);
+}
+
+void GuideReader::setMarks(const std::vector<Mark>& marks) {
+  QList<QTextEdit::ExtraSelection> selections;
+  const auto add = [&](int position, int length, int alpha) -> QTextEdit::ExtraSelection& {
+    QTextEdit::ExtraSelection& selection = selections.emplace_back();
+    selection.cursor = QTextCursor(document());
+    selection.cursor.setPosition(position);
+    selection.cursor.setPosition(position + length, QTextCursor::KeepAnchor);
+    QColor colour = palette().color(QPalette::Highlight);
+    colour.setAlpha(alpha);
+    selection.format.setBackground(colour);
+    return selection;
+  };
+  const int end = document()->characterCount() - 1;
+  if (line_ >= 0 && line_ <= end)
+    add(line_, 0, kFaint).format.setProperty(QTextFormat::FullWidthSelection, true);
+  for (const Mark& mark : marks)
+    if (mark.position + mark.length <= end)
+      add(mark.position, mark.length, mark.isPresent ? kStrong : kFaint);
+  setExtraSelections(selections);
 }
 
 QVariant GuideReader::loadResource(int type, const QUrl& name) {
@@ -94,7 +129,7 @@ QVariant GuideReader::loadResource(int type, const QUrl& name) {
   if (type != QTextDocument::ImageResource) return found;
   QImage picture = found.value<QImage>();
   if (picture.isNull()) picture = QImage::fromData(found.toByteArray());
-  const int most = std::min(kMaxImageWidth, viewport()->width() - 2 * kMargin - 4);
+  const int most = std::min(kMaxImageWidth, viewport()->width() - 2 * kPageMargin - 4);
   if (picture.isNull() || picture.width() <= most) return found;
   const double ratio = devicePixelRatioF();
   picture = picture.scaledToWidth(static_cast<int>(most * ratio), Qt::SmoothTransformation);
@@ -110,13 +145,14 @@ void GuideReader::doSetSource(const QUrl& name, QTextDocument::ResourceType type
     return;
   }
   if (target.adjusted(QUrl::RemoveFragment) != source().adjusted(QUrl::RemoveFragment)) {
+    line_ = -1;
     QTextBrowser::doSetSource(target, type);
     layOut();
   }
   verticalScrollBar()->setValue(0);
   if (!target.hasFragment()) return;
   scrollToAnchor(target.fragment());
-  verticalScrollBar()->setValue(verticalScrollBar()->value() - kMargin / 2);
+  verticalScrollBar()->setValue(verticalScrollBar()->value() - kPageMargin / 2);
 }
 
 // The background of code has the colour of the theme at reading: read the page again.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QTextBrowser>
+#include <vector>
 
 namespace palpa::gui {
 
@@ -10,7 +11,17 @@ class GuideReader : public QTextBrowser {
   Q_OBJECT
 
  public:
+  struct Mark {
+    int position = 0, length = 0;
+    bool isPresent = false;
+  };
+
   explicit GuideReader(QWidget* parent = nullptr);
+
+  /// Selects a part of the page and scrolls to it. With length 0: marks its line instead.
+  void goTo(int position, int length = 0);
+  /// Highlights parts of the page, the present one stronger.
+  void setMarks(const std::vector<Mark>& marks);
 
   /// Scales pictures down to the width of the page.
   QVariant loadResource(int type, const QUrl& name) override;
@@ -21,6 +32,8 @@ class GuideReader : public QTextBrowser {
 
  private:
   void layOut();
+
+  int line_ = -1;  // position of the marked line
 };
 
 }  // namespace palpa::gui

@@ -66,10 +66,11 @@ MaterialDialog::MaterialDialog(const Settings& settings, const modeling::Materia
   resize(620, 620);
 
   fillList();
-  const auto& [name, youngsModulus, poissonRatio] = present;  // all fields have an input
+  const auto& [name, youngsModulus, poissonRatio, density] = present;
   name_->setText(QString::fromStdString(name));
   modulus_->setValue(youngsModulus);
   ratio_->setValue(poissonRatio);
+  density_ = density;
   const auto& library = modeling::materialLibrary();
   for (std::size_t i = 0; i < library.size(); ++i)
     if (library[i].material == present) {
@@ -130,6 +131,7 @@ void MaterialDialog::take(int entry) {
   name_->setText(QString::fromStdString(material.name));
   modulus_->setValue(material.youngsModulus);
   ratio_->setValue(material.poissonRatio);
+  density_ = material.densityKgPerM3;
   isTaking_ = false;
   update();
 }
@@ -163,7 +165,7 @@ void MaterialDialog::showSource() {
 }
 
 modeling::Material MaterialDialog::material() const {
-  return {name_->text().trimmed().toStdString(), *modulus_->value(), *ratio_->value()};
+  return {name_->text().trimmed().toStdString(), *modulus_->value(), *ratio_->value(), density_};
 }
 
 void editMaterial(const Workspace& workspace) {

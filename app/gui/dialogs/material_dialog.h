@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTreeWidget>
+#include <optional>
 
 #include "app/gui/widgets/number_row.h"
 #include "app/gui/workspace/workspace.h"
@@ -37,8 +38,9 @@ class MaterialDialog : public QDialog {
   NumberRow* modulus_;
   NumberRow* ratio_;
   QPushButton* ok_;
-  int taken_ = -1;         // library entry in the fields
-  bool isTaking_ = false;  // take() is changing the fields
+  int taken_ = -1;                 // library entry in the fields
+  bool isTaking_ = false;          // take() is changing the fields
+  std::optional<double> density_;  // kg/m^3, of the present or taken material
 };
 
 /// Asks for the material of the project and sets it.

@@ -1,7 +1,6 @@
 #include "app/gui/dialogs/new_solid_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -9,12 +8,15 @@
 
 #include "app/core/session/new_project.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/dialogs/import_profile_dialog.h"
 #include "app/gui/dialogs/primitive_kinds.h"
+#include "app/gui/dialogs/profile_dialog.h"
 #include "modeling/body/body.h"
 #include "modeling/error.h"
 #include "modeling/shapes/make_primitive.h"
+#include "modeling/shapes/outer_size.h"
 #include "modeling/shapes/shape_parameters.h"
-#include "modeling/solid/tessellation.h"
+#include "modeling/shapes/shape_sketch.h"
 
 namespace palpa::gui {
 namespace {
@@ -39,8 +41,8 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
       kinds_(new QListWidget(this)),
       degree_(new QSpinBox(this)),
       controlPoints_(new QSpinBox(this)),
-      preview_(new ViewportWidget(this)),
-      stale_(new QLabel(preview_)),
+      preview_(new ShapePreview(
+          tr("These sizes give no solid.\nThe picture shows the last that did."), this)),
       facts_(new QLabel(this)),
       problem_(new QLabel(this)),
       fit_(this) {
@@ -70,7 +72,7 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
   connect(kinds_, &QListWidget::currentRowChanged, this, [this](int row) {
     primitive_ = kindOf(row).primitive;
     primitive_.degree = degree_->value();
-    isFresh_ = true;
+    preview_->lookAgain();
     showKind(row);
   });
   if (!present) {
@@ -94,20 +96,7 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   controlPoints_->setRange(0, modeling::kMaxControlPoints);
   controlPoints_->setSpecialValueText(tr("automatic"));
   controlPoints_->setToolTip(tr("Per direction and patch; more can be added later with knots"));
-  preview_->setObjectName("preview");
-  preview_->viewport().setTheme(viewportTheme(currentTheme()));
-  preview_->setMinimumSize(380, 320);
-  stale_->setObjectName("stale");
-  stale_->setAlignment(Qt::AlignCenter);
-  stale_->setWordWrap(true);
-  stale_->setText(tr("These sizes give no solid.\nThe picture shows the last that did."));
-  QColor veil = palette().color(QPalette::Window);
-  veil.setAlphaF(0.75F);
-  stale_->setStyleSheet(QString("background: %1;").arg(veil.name(QColor::HexArgb)));
-  stale_->hide();
-  auto* cover = new QVBoxLayout(preview_);
-  cover->setContentsMargins(0, 0, 0, 0);
-  cover->addWidget(stale_);
+  preview_->setMinimumSize(260, 240);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
   facts_->setObjectName("facts");
@@ -149,6 +138,8 @@ void NewSolidDialog::showKind(int kind) {
   while (form_->rowCount() > kRowsOfAllShapes) form_->removeRow(0);
   lengths_.clear();
   profile_ = nullptr;
+  outerSize_ = nullptr;
+  ownShape_.reset();
   if (!kindOf(kind).profiles.empty()) addProfileRow();
   for (const PrimitiveLength& length : kindOf(kind).lengths) {
     auto* row = new NumberRow(Quantity::kLength, settings_, this);
@@ -159,9 +150,16 @@ void NewSolidDialog::showKind(int kind) {
     form_->insertRow(form_->rowCount() - kRowsOfAllShapes, length.label, row);
     lengths_.push_back(row);
   }
+  // The lengths of a box are its outer size.
+  if (!std::holds_alternative<modeling::BoxShape>(primitive_.shape)) addOuterSizeRow();
   QWidget* before = kinds_;
-  if (profile_) setTabOrder(std::exchange(before, profile_), profile_);
+  if (profile_) {
+    setTabOrder(std::exchange(before, profile_), profile_);
+    setTabOrder(std::exchange(before, editProfile_), editProfile_);
+  }
   for (NumberRow* row : lengths_) setTabOrder(std::exchange(before, &row->field()), &row->field());
+  for (int axis = 0; outerSize_ && axis < 3; ++axis)
+    setTabOrder(std::exchange(before, &outerSize_->component(axis)), &outerSize_->component(axis));
   setTabOrder(before, degree_);
   setTabOrder(degree_, controlPoints_);
   const QSignalBlocker blockDegree(degree_), blockCount(controlPoints_);
@@ -179,28 +177,105 @@ void NewSolidDialog::addProfileRow() {
   if (!kinds_->isVisibleTo(this)) {
     profile_->insertItem(0, tr("As it is"));
     profile_->setCurrentIndex(0);
+    ownShape_ = primitive_.shape;
   }
-  form_->insertRow(0, tr("&Profile:"), profile_);
+  editProfile_ = new QPushButton(tr("&Edit …"), this);
+  editProfile_->setObjectName("editProfile");
+  editProfile_->setToolTip(tr("Draw and edit the curve, or import it from an SVG or DXF file"));
+  editProfile_->setAutoDefault(false);
+  connect(editProfile_, &QPushButton::clicked, this, &NewSolidDialog::editProfile);
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(profile_, 1);
+  layout->addWidget(editProfile_);
+  form_->insertRow(0, tr("&Profile:"), row);
+  qobject_cast<QLabel*>(form_->labelForField(row))->setBuddy(profile_);
   connect(profile_, &QComboBox::activated, this, &NewSolidDialog::chooseProfile);
+}
+
+void NewSolidDialog::editProfile() {
+  readFields();
+  ProfileDialog dialog(settings_, primitive_, this);
+  if (dialog.exec() == QDialog::Accepted) setProfile(dialog.primitive());
+}
+
+void NewSolidDialog::setProfile(const modeling::Primitive& primitive) {
+  primitive_ = primitive;
+  // The list names it, so that its examples can be chosen again.
+  if (ownShape_)
+    profile_->setItemText(0, tr("Own profile"));
+  else
+    profile_->insertItem(0, tr("Own profile"));
+  profile_->setCurrentIndex(0);
+  ownShape_ = primitive_.shape;
+  preview_->lookAgain();
+  update();
+}
+
+void NewSolidDialog::addOuterSizeRow() {
+  outerSize_ = new VectorEdit(Quantity::kLength, settings_, this);
+  outerSize_->setObjectName("outerSize");
+  outerSize_->setToolTip(
+      tr("Width (x), depth (y) and height (z) of the box around the solid; "
+         "another one changes the lengths or stretches the profile"));
+  const std::array<QString, 3> names{tr("Outer width"), tr("Outer depth"), tr("Outer height")};
+  for (int axis = 0; axis < 3; ++axis) {
+    outerSize_->component(axis).setAccessibleName(names[static_cast<std::size_t>(axis)]);
+    outerSize_->component(axis).setRange(modeling::kMinLength, modeling::kMaxLength);
+  }
+  connect(outerSize_, &VectorEdit::edited, this, &NewSolidDialog::setOuterSize);
+  form_->insertRow(form_->rowCount() - kRowsOfAllShapes, tr("&Outer size:"), outerSize_);
+}
+
+void NewSolidDialog::showOuterSize() {
+  shownOuterSize_ = modeling::outerSize(primitive_);
+  if (outerSize_) outerSize_->setValue(shownOuterSize_);
+}
+
+void NewSolidDialog::setOuterSize(const Eigen::Vector3d& size) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (size[axis] == shownOuterSize_[axis]) continue;
+    const auto changed = modeling::withOuterSize(primitive_, axis, size[axis]);
+    if (!changed) {
+      showOuterSize();
+      problem_->setText(tr("No such shape has this outer size."));
+      return;
+    }
+    primitive_ = *changed;
+    showLengths();
+    update();
+    return;
+  }
+}
+
+void NewSolidDialog::showLengths() {
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    const QSignalBlocker block(lengths_[i]);
+    lengths_[i]->setValue(kindOf(shownKind_).lengths[i].in(primitive_));
+  }
 }
 
 void NewSolidDialog::chooseProfile(int index) {
   const auto& profiles = kindOf(shownKind_).profiles;
   const int first = profile_->count() - 1 - static_cast<int>(profiles.size());
-  isFresh_ = true;
   if (index == profile_->count() - 1) {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Profile"), settings_.lastFolder(),
-                                                      tr("Profiles (*.json)"));
-    if (file.isEmpty()) return;
     try {
-      readProfileInto(primitive_, file);
+      const auto sections = importSections(settings_, modeling::sketchUseOf(primitive_), *this);
+      if (!sections) return;
+      readFields();
+      setProfile(modeling::withSections(primitive_, *sections));
     } catch (const std::exception& error) {
       showProblem(QString::fromStdString(error.what()));
-      return;
     }
-  } else if (index >= first) {
-    primitive_.shape = profiles[static_cast<std::size_t>(index - first)].shape;
+    return;
   }
+  if (index >= first)
+    primitive_.shape = profiles[static_cast<std::size_t>(index - first)].shape;
+  else if (ownShape_)
+    primitive_.shape = *ownShape_;
+  preview_->lookAgain();
+  showLengths();
   update();
 }
 
@@ -224,8 +299,13 @@ void NewSolidDialog::update() {
   try {
     const modeling::Solid solid = modeling::makePrimitive(primitive_);
     showProblem({});
-    showSolid(solid);
-    expected_ = tr("%1 patches, %2 control points. About %3 nodes with edges of %4.\n")
+    preview_->showSolid(solid);
+    showOuterSize();
+    const auto size = [this](int axis) {
+      return unbroken(shown(shownOuterSize_[axis], Quantity::kLength, settings_.units(), 5));
+    };
+    expected_ = tr("Outer size %1 × %2 × %3. ").arg(size(0), size(1), size(2)) +
+                tr("%1 patches, %2 control points. About %3 nodes with edges of %4.\n")
                     .arg(solid.patches().size())
                     .arg(solid.controlPoints().size())
                     .arg(600)
@@ -258,22 +338,8 @@ void NewSolidDialog::showProblem(const QString& problem) {
 
 void NewSolidDialog::setMakable(bool isMakable) {
   ok_->setEnabled(isMakable);
-  stale_->setVisible(!isMakable);
+  preview_->setStale(!isMakable);
   facts_->setVisible(isMakable);
-}
-
-void NewSolidDialog::showSolid(const modeling::Solid& solid) {
-  const modeling::Tessellation tessellation(solid);
-  const auto shape = tessellation.evaluate(solid.controlPoints());
-  view::Viewport& viewport = preview_->viewport();
-  viewport.setBody({shape.positions, shape.normals, tessellation.triangles(),
-                    tessellation.patchOfTriangle(), tessellation.borders(),
-                    tessellation.knotLines()});
-  viewport.setControlNet({solid.controlPoints(), modeling::controlNetLines(solid)});
-  if (isFresh_) viewport.lookFrom(view::StandardView::kIsometric);
-  isFresh_ = false;
-  viewport.fit();
-  preview_->update();
 }
 
 }  // namespace palpa::gui

@@ -11,8 +11,9 @@
 
 #include "app/gui/base/settings.h"
 #include "app/gui/dialogs/fit_measurement.h"
-#include "app/gui/view/viewport_widget.h"
+#include "app/gui/dialogs/shape_preview.h"
 #include "app/gui/widgets/number_row.h"
+#include "app/gui/widgets/vector_edit.h"
 #include "modeling/shapes/primitive.h"
 
 namespace palpa::gui {
@@ -35,30 +36,38 @@ class NewSolidDialog : public QDialog {
   void showKind(int kind);
   void addProfileRow();
   void chooseProfile(int index);
+  void editProfile();
+  /// Takes a primitive with a profile that is not in the list.
+  void setProfile(const modeling::Primitive& primitive);
+  void addOuterSizeRow();
+  void showOuterSize();
+  void setOuterSize(const Eigen::Vector3d& size);
+  void showLengths();
   void readFields();
   void update();
-  void showSolid(const modeling::Solid& solid);
   void setMakable(bool isMakable);
   void showProblem(const QString& problem);
 
   Settings& settings_;
   modeling::Primitive primitive_;
   QListWidget* kinds_;
-  QWidget* sizes_ = nullptr;
   QFormLayout* form_ = nullptr;
   std::vector<NumberRow*> lengths_;
   QComboBox* profile_ = nullptr;
+  QPushButton* editProfile_ = nullptr;
+  /// Shape with the profile that is not in the list: drawn, imported, or as it was.
+  std::optional<decltype(modeling::Primitive::shape)> ownShape_;
+  VectorEdit* outerSize_ = nullptr;
+  Eigen::Vector3d shownOuterSize_ = Eigen::Vector3d::Zero();  // mm
   QSpinBox* degree_;
   QSpinBox* controlPoints_;
-  ViewportWidget* preview_;
-  QLabel* stale_;  // covers the preview while the sizes give no solid
+  ShapePreview* preview_;
   QLabel* facts_;
   QLabel* problem_;
   QPushButton* ok_;
   FitMeasurement fit_;
   QString expected_;
   int shownKind_ = -1;
-  bool isFresh_ = true;  // reset the camera for the next solid
 };
 
 }  // namespace palpa::gui

@@ -2,16 +2,12 @@
 
 #include <QObject>
 
-#include "modeling/project/profile_file.h"
+#include "app/gui/base/translate.h"
 
 namespace palpa::gui {
 namespace {
 
 using namespace modeling;
-
-QString tr(const char* text) {
-  return QObject::tr(text);
-}
 
 template <class Shape>
 PrimitiveLength length(const QString& label, const std::string& inWords, double Shape::*member,
@@ -138,16 +134,6 @@ std::vector<PrimitiveKind> makeKinds() {
 const std::vector<PrimitiveKind>& primitiveKinds() {
   static const std::vector<PrimitiveKind> kinds = makeKinds();
   return kinds;
-}
-
-void readProfileInto(Primitive& primitive, const QString& file) {
-  const std::filesystem::path path = file.toStdString();
-  if (auto* loft = std::get_if<LoftShape>(&primitive.shape))
-    loft->sections = readSections(path);
-  else if (auto* revolve = std::get_if<RevolveShape>(&primitive.shape))
-    revolve->profile = readProfileCurve(path);
-  else if (auto* extrude = std::get_if<ExtrudeShape>(&primitive.shape))
-    extrude->profile = readProfileCurve(path);
 }
 
 }  // namespace palpa::gui

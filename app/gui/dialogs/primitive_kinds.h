@@ -32,8 +32,4 @@ struct PrimitiveKind {
 
 const std::vector<PrimitiveKind>& primitiveKinds();
 
-/// Replaces the profile of a revolve, extrude or loft shape by the profile in a file. Throws
-/// ModelingError.
-void readProfileInto(modeling::Primitive& primitive, const QString& file);
-
 }  // namespace palpa::gui

@@ -2,26 +2,30 @@
 
 #include <QDialog>
 
+#include "app/gui/base/settings.h"
+
 namespace palpa::gui {
 
-/// Choice of an example, a new solid or a file to begin with, and a short introduction.
+/// Choice of a recent file, an example, a new solid or a file to begin with, and a short
+/// introduction.
 class WelcomeDialog : public QDialog {
   Q_OBJECT
 
  public:
-  enum class Choice { kNothing, kExample, kNewSolid, kOpen };
+  enum class Choice { kNothing, kExample, kNewSolid, kOpen, kRecent };
 
-  explicit WelcomeDialog(QWidget* parent);
+  WelcomeDialog(Settings& settings, QWidget* parent);
 
   Choice choice() const { return choice_; }
-  /// Name of the chosen example.
-  QString example() const { return example_; }
+  /// Name of the chosen example, or the chosen recent file.
+  QString chosen() const { return chosen_; }
 
  private:
-  void choose(Choice choice, const QString& example = {});
+  QLayout* makeGrid();
+  void choose(Choice choice, const QString& chosen = {});
 
   Choice choice_ = Choice::kNothing;
-  QString example_;
+  QString chosen_;
 };
 
 }  // namespace palpa::gui

@@ -4,20 +4,30 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <map>
 
-#include "app/gui/docks/force_words.h"
+#include "app/core/results/error_estimate.h"
+#include "app/gui/docks/accuracy_panel.h"
+#include "app/gui/document/accuracy_words.h"
+#include "app/gui/document/force_words.h"
+#include "app/gui/document/rebuild_words.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kInterval = 80;  // ms between two updates: faster changes cannot be read
-constexpr int kFewDigits = 3;  // in narrow columns
+constexpr int kTableInterval = 80;  // ms between two updates: faster changes cannot be read
+constexpr int kFewDigits = 3;       // in narrow columns
 constexpr int kColumns = 4;
 constexpr int kContactRole = Qt::UserRole, kCurveRole = Qt::UserRole + 1;
-constexpr int kSwatch = 10;           // px, colour sample of a curve
+constexpr int kSwatch = 10;  // px, colour sample of a curve
+constexpr int kMinRows = 3;  // of contacts, with two lines each
+/// Motion by loads and other contacts, over the whole motion, that the panel mentions.
+constexpr double kOtherMotion = 0.02;
+constexpr double kNoEnergy = 1e-12;   // mJ: less is a rounding error
 constexpr double kLargeMotion = 0.1;  // of the body's size: limit of the linear model
 
 using Status = app::TouchSnapshot::Status;
@@ -39,15 +49,15 @@ QIcon swatch(int curve) {
 
 }  // namespace
 
-ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Settings& settings,
-                       QWidget* parent)
+ForcesDock::ForcesDock(Simulation& simulation, Editor& editor, Settings& settings, QWidget* parent)
     : QDockWidget(tr("Forces"), parent),
       simulation_(simulation),
       editor_(editor),
       settings_(settings),
       list_(new QTreeWidget(this)),
       summary_(new QLabel(this)),
-      plot_(new PlotWidget(this)) {
+      plot_(new PlotWidget(this)),
+      accuracy_(new AccuracyPanel(editor, "forcesAccuracy", true, this)) {
   setObjectName("forces");
   list_->setObjectName("contacts");
   list_->setAccessibleName(tr("Forces of contacts and supports"));
@@ -56,7 +66,15 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   list_->setItemsExpandable(false);
   list_->setIndentation(12);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  list_->setHeaderLabels({tr("Contact"), tr("Force"), tr("Moved"), tr("Stiffness")});
+  list_->setHeaderLabels({tr("Contact"), tr("Force"), tr("Deflection"), tr("Stiffness")});
+  QTreeWidgetItem* header = list_->headerItem();
+  const std::array<QString, kColumns> tips{
+      tr("Contacts, loads and supports; Delete ends the selected contact"),
+      tr("Force on the body: its magnitude; the line below has its components"),
+      tr("How far the force of this contact alone moves its place: without loads and the forces "
+         "of other contacts, which can move it farther"),
+      tr("Force divided by deflection")};
+  for (int column = 0; column < kColumns; ++column) header->setToolTip(column, tips[column]);
   // Columns fit the panel; components have a separate line.
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setStretchLastSection(false);
@@ -66,7 +84,7 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
     list_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   list_->setIconSize({kSwatch, kSwatch});
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setMinimumHeight(104);
+  list_->setMinimumHeight(kMinRows * 2 * list_->fontMetrics().lineSpacing());
   list_->installEventFilter(this);
   list_->setContextMenuPolicy(Qt::CustomContextMenu);
   list_->setToolTip(tr("Delete ends the selected contact"));
@@ -83,13 +101,24 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   auto* content = new QWidget(this);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(0, 0, 0, 6);
-  column->addWidget(list_, 3);
-  column->addWidget(plot_, 4);
+  auto* splitter = new QSplitter(Qt::Vertical, content);
+  splitter->setObjectName("forcesSplitter");
+  splitter->addWidget(list_);
+  splitter->addWidget(plot_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 1);
+  splitter->setCollapsible(0, false);
+  splitter->restoreState(settings.forcesSplitter());
+  connect(splitter, &QSplitter::splitterMoved, this,
+          [this, splitter, &settings] { settings.setForcesSplitter(splitter->saveState()); });
+  column->addWidget(splitter, 1);
   column->addWidget(summary_);
+  column->addWidget(accuracy_);
   summary_->setContentsMargins(10, 0, 10, 0);
+  accuracy_->setContentsMargins(10, 0, 10, 0);
   setWidget(content);
   soon_.setSingleShot(true);
-  soon_.setInterval(kInterval);
+  soon_.setInterval(kTableInterval);
   connect(&soon_, &QTimer::timeout, this, &ForcesDock::showForces);
   const auto showSoon = [this] {
     if (!soon_.isActive()) soon_.start();
@@ -105,6 +134,7 @@ ForcesDock::ForcesDock(Simulation& simulation, const Editor& editor, const Setti
   });
   connect(&simulation, &Simulation::bodyChanged, this,
           [this] { bodySize_ = simulation_.drawn() ? sizeOf(*simulation_.drawn()) : 0; });
+  connect(&simulation, &Simulation::waitingChanged, this, showSoon);
   connect(&settings, &Settings::changed, this, showSoon);
   showForces();
 }
@@ -222,11 +252,12 @@ void ForcesDock::showForces() {
   }
   if (!simulation_.drawn()) {
     rows(0);
-    summary_->setText(tr("Touching is possible as soon as the model is built."));
+    summary_->setText(waitingText(editor_.rebuildStatus()));
     return;
   }
   const app::TouchSnapshot& snapshot = simulation_.snapshot();
   int row = 0;
+  QStringList nearSupport;
   const Unit& length = settings_.units().of(Quantity::kLength);
   const Unit& force = settings_.units().of(Quantity::kForce);
   const auto forceText = [this](const Eigen::Vector3d& vector) {
@@ -242,15 +273,28 @@ void ForcesDock::showForces() {
         tr("%1 %2").arg(kindText(contact.tool.kind)).arg(numberOf(contact.id)),
         hasForce ? forceText(contact.force) : tr("–"),
         hasForce
-            ? shown(contact.displacement.norm(), Quantity::kLength, settings_.units(), kFewDigits)
+            ? shown(contact.deflection.norm(), Quantity::kLength, settings_.units(), kFewDigits)
             : QString(),
         hasForce && stiffness > 0
             ? tr("%L1 %2/%3").arg(stiffness, 0, 'g', kFewDigits).arg(force.symbol, length.symbol)
             : QString()};
     filled.details = statusText(contact.status);
     if (hasForce) filled.details += ": " + vectorText(contact.force, force);
+    // Loads and other contacts also move the place.
+    if ((contact.displacement - contact.deflection).norm() >
+        kOtherMotion * contact.displacement.norm())
+      filled.details += " · " + tr("moved %1")
+                                    .arg(shown(contact.displacement.norm(), Quantity::kLength,
+                                               settings_.units(), kFewDigits));
+    if (hasForce && app::isNearSupport(simulation_.drawn()->model().setup(), contact.point.position,
+                                       contact.tool.radius))
+      nearSupport << QString::number(numberOf(contact.id));
     fillRow(row++, filled);
   }
+  accuracy_->setNote(nearSupport.isEmpty()
+                         ? QString()
+                         : tr("Contact %1 reaches a support, where forces are less accurate.")
+                               .arg(nearSupport.join(", ")));
   QString words;
   if (const auto state = simulation_.describe()) {
     for (const auto& load : simulation_.drawn()->model().setup().loads)
@@ -263,12 +307,9 @@ void ForcesDock::showForces() {
                        forceText(support.resultant.force), QString(), QString()},
                       tr("holds with") + ": " + vectorText(support.resultant.force, force),
                       0});
-    words = tr("Energy %L1 mJ · balance %L2 %")
-                .arg(state->energy, 0, 'g', kForceDigits)
-                .arg(100 * state->relativeBalance, 0, 'g', 2);
-    const double error = simulation_.isBehind() ? 0 : editor_.rebuildStatus().touchError;
-    if (error > 0)
-      words += "\n" + tr("Forces are good to about %L1 % (estimated)").arg(100 * error, 0, 'g', 2);
+    words = tr("Energy %L1 mJ · balance %2")
+                .arg(state->energy < kNoEnergy ? 0.0 : state->energy, 0, 'g', kForceDigits)
+                .arg(percentText(state->relativeBalance));
   }
   rows(row);
   if (!snapshot.isConverged)
@@ -279,13 +320,18 @@ void ForcesDock::showForces() {
   if (!status.error.empty())
     words += "\n" + QString::fromStdString(status.error);
   else if (snapshot.columnsReady < 1)
-    words +=
-        "\n" + tr("%L1 % of the surface solved ahead").arg(100 * snapshot.columnsReady, 0, 'f', 0);
+    words += "\n" + tr("%L1 % of the surface responds without delay")
+                        .arg(100 * snapshot.columnsReady, 0, 'f', 0);
   double moved = 0;
   for (const auto& contact : snapshot.touched())
     moved = std::max(moved, contact.displacement.norm());
   if (moved > kLargeMotion * bodySize_)
     words += "\n" + tr("Large deformation: the linear model only hints at these forces.");
+  const std::vector<bool>& supported = simulation_.drawn()->isSupported();
+  if (std::find(supported.begin(), supported.end(), false) == supported.end())
+    words +=
+        "\n" + tr("The supports fix the whole surface, so touches have no force. Erase a part of a "
+                  "support, or remove one.");
   if (snapshot.contactCount == 0)
     words += "\n" + (editor_.project().touches.empty()
                          ? tr("Nothing is touched.")

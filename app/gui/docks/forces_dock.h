@@ -13,14 +13,15 @@
 
 namespace palpa::gui {
 
-/// Panel with force, displacement and stiffness of every contact, the supports' reactions, energy
+class AccuracyPanel;
+
+/// Panel with force, deflection and stiffness of every contact, the supports' reactions, energy
 /// and balance, updated several times a second.
 class ForcesDock : public QDockWidget {
   Q_OBJECT
 
  public:
-  ForcesDock(Simulation& simulation, const Editor& editor, const Settings& settings,
-             QWidget* parent);
+  ForcesDock(Simulation& simulation, Editor& editor, Settings& settings, QWidget* parent);
 
   /// Text of a cell; empty if absent.
   QString text(int row, int column) const;
@@ -53,6 +54,7 @@ class ForcesDock : public QDockWidget {
   QTreeWidget* list_;
   QLabel* summary_;
   PlotWidget* plot_;
+  AccuracyPanel* accuracy_;
   ForceHistory history_;
   std::map<app::TouchId, int> numbers_;
   double bodySize_ = 0;  // mm, the diagonal of the drawn body's box

@@ -5,7 +5,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr int kInterval = 30;  // ms between two updates during a drag
+constexpr int kDragInterval = 30;  // ms between two updates during a drag
 
 }  // namespace
 
@@ -18,7 +18,7 @@ HistoryDock::HistoryDock(Editor& editor, QWidget* parent)
   list_->setMinimumHeight(80);
   setWidget(list_);
   soon_.setSingleShot(true);
-  soon_.setInterval(kInterval);
+  soon_.setInterval(kDragInterval);
   connect(&soon_, &QTimer::timeout, this, &HistoryDock::showHistory);
   const auto showSoon = [this] {
     if (!soon_.isActive()) soon_.start();

@@ -50,6 +50,7 @@ ModelDock::ModelDock(const Workspace& workspace)
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ModelDock::chooseRows);
   connect(view_, &QWidget::customContextMenuRequested, this, &ModelDock::showMenu);
+  connect(view_, &QAbstractItemView::clicked, this, &ModelDock::announceRow);
   // Highlight the patch of the row under the pointer.
   view_->setMouseTracking(true);
   view_->viewport()->installEventFilter(this);
@@ -112,8 +113,26 @@ void ModelDock::chooseRows() {
   const QItemSelectionModel* chosen = view_->selectionModel();
   Selection selection = tree_->selectionOf(chosen->selectedIndexes(), chosen->currentIndex());
   workspace_.editor.select(std::move(selection));
+  announceRow(chosen->currentIndex());
   // Deselect rows of other kinds after the view has handled the click.
   QMetaObject::invokeMethod(this, &ModelDock::showSelection, Qt::QueuedConnection);
+}
+
+void ModelDock::announceRow(const QModelIndex& row) {
+  if (!row.isValid()) return;
+  switch (ModelTree::kindOfRow(row)) {
+    case RowKind::kMaterial:
+      Q_EMIT rowChosen("material");
+      return;
+    case RowKind::kMesh:
+      Q_EMIT rowChosen("mesh");
+      return;
+    case RowKind::kBody:
+      Q_EMIT rowChosen("body");
+      return;
+    default:
+      Q_EMIT rowChosen({});
+  }
 }
 
 void ModelDock::showMenu(const QPoint& at) {

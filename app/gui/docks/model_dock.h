@@ -16,6 +16,11 @@ class ModelDock : public QDockWidget {
   explicit ModelDock(const Workspace& workspace);
   ~ModelDock() override;
 
+ Q_SIGNALS:
+  /// The user chose a row; its settings are in this section of the Properties panel, or in its
+  /// whole page if the name is empty.
+  void rowChosen(const QString& section);
+
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -23,6 +28,7 @@ class ModelDock : public QDockWidget {
   void expandGroups();
   void showSelection();
   void chooseRows();
+  void announceRow(const QModelIndex& row);
   void showMenu(const QPoint& at);
 
   Workspace workspace_;

@@ -272,7 +272,10 @@ ModelTree::Lines ModelTree::loadLines() const {
     const QString what =
         std::visit(Overloaded{[](const modeling::Pressure&) { return tr("pressure"); },
                               [](const modeling::UniformTraction&) { return tr("traction"); },
-                              [](const modeling::Bump&) { return tr("bump"); }},
+                              [](const modeling::Bump&) { return tr("bump"); },
+                              [](const modeling::TotalForce&) { return tr("total force"); },
+                              [](const modeling::Moment&) { return tr("moment"); },
+                              [](const modeling::Gravity&) { return tr("gravity"); }},
                    each.what);
     lines.push_back({QString::fromStdString(each.name), what, "place-load", {}});
   }

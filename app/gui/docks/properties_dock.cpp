@@ -4,9 +4,11 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QFrame>
+#include <QScrollBar>
 
 #include "app/gui/document/editor.h"
 #include "app/gui/properties/pages.h"
+#include "app/gui/view/viewport_widget.h"
 #include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
@@ -80,11 +82,25 @@ PropertiesDock::~PropertiesDock() {
   page_->retire();
 }
 
+void PropertiesDock::showSection(const QString& name) {
+  // Later: rows of a new page have no places yet.
+  QTimer::singleShot(0, page_, [this, page = page_, name] {
+    int top = 0;
+    for (const QLabel* heading : page->findChildren<QLabel*>("heading")) {
+      if (name.isEmpty() || heading->property("section") != name) continue;
+      top = heading->mapTo(scroll_->widget(), QPoint(0, 0)).y();
+      break;
+    }
+    scroll_->verticalScrollBar()->setValue(top);
+  });
+}
+
 void PropertiesDock::showTool() {
   Tool* active = &workspace_.tools.active();
   if (active == tool_) return;  // only its hint changed
   tool_ = active;
   if (options_) {
+    returnKeysFrom(*options_);
     column_->removeWidget(options_);
     options_->hide();
     options_->deleteLater();
@@ -130,8 +146,15 @@ void PropertiesDock::showPage() {
   later_.start();
 }
 
+void PropertiesDock::returnKeysFrom(const QWidget& part) {
+  // Otherwise Qt would pass the focus to the next field.
+  const QWidget* focus = QApplication::focusWidget();
+  if (focus && part.isAncestorOf(focus)) workspace_.view.setFocus();
+}
+
 void PropertiesDock::removePage() {
   page_->retire();
+  returnKeysFrom(*page_);
   column_->removeWidget(page_);
   page_->setObjectName({});
   page_->hide();

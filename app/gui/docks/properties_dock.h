@@ -20,11 +20,17 @@ class PropertiesDock : public QDockWidget {
   explicit PropertiesDock(const Workspace& workspace);
   ~PropertiesDock() override;
 
+  /// Scrolls to a section of the page by its name in PropertyPage::addSection(), or to the top if
+  /// there is none.
+  void showSection(const QString& name);
+
  private:
   void showTool();
   void showPage();
   void showChange(const modeling::Change& change);
   void removePage();
+  /// Gives the focus to the view if it is inside `part`.
+  void returnKeysFrom(const QWidget& part);
   /// Replaces the page if other rows are needed. True if replaced.
   bool updatePage();
 

@@ -8,15 +8,15 @@
 #include "app/core/model/build_phase.h"
 #include "app/core/system/memory.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/docks/accuracy_panel.h"
+#include "app/gui/document/accuracy_words.h"
+#include "app/gui/document/rebuild_words.h"
+#include "app/gui/document/remedies.h"
 
 namespace palpa::gui {
 namespace {
 
 using State = app::RebuildStatus::State;
-
-int percent(double fraction) {
-  return static_cast<int>(std::floor(100 * fraction));
-}
 
 QString seconds(double value) {
   return RebuildDock::tr("%L1 s").arg(value, 0, 'f', value < 0.1 ? 3 : 2);
@@ -36,11 +36,6 @@ QString warningText(const app::BuildReport& report) {
   return lines.join(". ") + (lines.isEmpty() ? "" : ".");
 }
 
-/// True if an incremental update of an earlier model makes the present shape touchable.
-bool isUpdate(const app::RebuildStatus& status) {
-  return status.residual && status.modelRevision == status.revision;
-}
-
 /// Note about a model that is an incremental update.
 QString updateText(const app::RebuildStatus& status) {
   return RebuildDock::tr(
@@ -50,38 +45,6 @@ QString updateText(const app::RebuildStatus& status) {
 }
 
 }  // namespace
-
-QString failureText(const app::RebuildStatus& status) {
-  QString text = QString::fromStdString(status.error);
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  if (!text.endsWith('.')) text += '.';
-  const auto errors = std::count_if(status.findings->begin(), status.findings->end(),
-                                    [](const auto& finding) { return finding.isError; });
-  if (status.stages.empty() || status.stages.back().phase != Phase::kCheck || errors == 0)
-    return text;
-  text += ' ' + (errors > 1 ? RebuildDock::tr("%Ln places are marked in the view.", nullptr,
-                                              static_cast<int>(errors))
-                            : RebuildDock::tr("The place is marked in the view."));
-  return text + ' ' + RebuildDock::tr("Move the control points there, or undo the last step.");
-}
-
-QString rebuildText(const app::RebuildStatus& status) {
-  switch (status.state) {
-    case State::kEmpty:
-      return RebuildDock::tr("No model");
-    case State::kBuilding:
-      return (isUpdate(status) ? RebuildDock::tr("Touchable, completing the model %1 %")
-                               : RebuildDock::tr("Building the model %1 %"))
-          .arg(percent(status.progress));
-    case State::kUpToDate:
-      return RebuildDock::tr("Up to date");
-    case State::kFailed:
-      return RebuildDock::tr("Cannot be built");
-    case State::kCancelled:
-      return RebuildDock::tr("Stopped");
-  }
-  return {};
-}
 
 RebuildDock::RebuildDock(Editor& editor, QWidget* parent)
     : QDockWidget(tr("Rebuild"), parent), editor_(editor) {
@@ -111,16 +74,25 @@ RebuildDock::RebuildDock(Editor& editor, QWidget* parent)
   auto* stages = new QGridLayout;
   auto* facts = new QGridLayout;
   makeStages(*stages);
+  auto* accuracy = new QGridLayout;
+  makeAccuracy(*accuracy);
   modelTitle_ = new QLabel(content);
   modelTitle_->setObjectName("modelTitle");
   modelTitle_->setFont(bold);
   makeFacts(*facts);
   layout->addWidget(state_);
+  remedies_ = new QWidget(content);
+  new QVBoxLayout(remedies_);
+  remedies_->layout()->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(details_);
+  layout->addWidget(remedies_);
   layout->addWidget(progress_);
   layout->addWidget(stop_, 0, Qt::AlignLeft);
   layout->addWidget(again_, 0, Qt::AlignLeft);
   layout->addLayout(stages);
+  layout->addSpacing(8);
+  layout->addLayout(accuracy);
+  layout->addWidget(new AccuracyPanel(editor, "rebuildAccuracy", false, content));
   layout->addSpacing(8);
   layout->addWidget(modelTitle_);
   layout->addLayout(facts);
@@ -159,6 +131,19 @@ void RebuildDock::makeStages(QGridLayout& grid) {
   total_ = addRow(grid, tr("Total"), "stage-total");
 }
 
+void RebuildDock::makeAccuracy(QGridLayout& grid) {
+  requested_ = addRow(grid, tr("Requested accuracy"), "modelRequested");
+  error_ = addRow(grid, tr("Estimated accuracy"), "modelError");
+  const QString error = tr(
+      "Relative error of the force under a fingertip away from supports, estimated from how well "
+      "the equations hold between the points where they are demanded");
+  const QString requested =
+      tr("Relative error of displacements and forces that the mesh should have; set in Properties "
+         "of Mesh");
+  for (QLabel* label : {requested_.name, requested_.value}) label->setToolTip(requested);
+  for (QLabel* label : {error_.name, error_.value}) label->setToolTip(error);
+}
+
 void RebuildDock::makeFacts(QGridLayout& grid) {
   coefficients_ = addRow(grid, tr("Spline coefficients"), "modelCoefficients");
   elements_ = addRow(grid, tr("Spline elements"), "modelElements");
@@ -168,17 +153,12 @@ void RebuildDock::makeFacts(QGridLayout& grid) {
   memory_ = addRow(grid, tr("Memory"), "modelMemory");
   condition_ = addRow(grid, tr("Condition number"), "modelCondition");
   balance_ = addRow(grid, tr("Balance of forces"), "modelBalance");
-  error_ = addRow(grid, tr("Error of touches"), "modelError");
   const QString condition =
       tr("How much rounding errors can grow in the solution, at most; estimated");
   const QString balance =
       tr("Sum of all forces at rest, over the largest of them: an indicator of the error");
   for (QLabel* label : {condition_.name, condition_.value}) label->setToolTip(condition);
   for (QLabel* label : {balance_.name, balance_.value}) label->setToolTip(balance);
-  const QString error = tr(
-      "Relative error of the force under a fingertip, estimated from how well the equations hold "
-      "between the points where they are demanded");
-  for (QLabel* label : {error_.name, error_.value}) label->setToolTip(error);
 }
 
 void RebuildDock::showStatus() {
@@ -201,6 +181,7 @@ void RebuildDock::showState(const app::RebuildStatus& status) {
   if (status.state == State::kUpToDate) details = warningText(editor_.model()->report());
   details_->setText(details);
   details_->setVisible(!details.isEmpty());
+  showRemedies();
   progress_->setVisible(isBuilding);
   progress_->setValue(percent(status.progress));
   // A hidden button passes its focus to the button that replaces it.
@@ -210,6 +191,24 @@ void RebuildDock::showState(const app::RebuildStatus& status) {
   again_->setVisible(canRepeat);
   if (hadFocus && isBuilding) stop_->setFocus();
   if (hadFocus && canRepeat) again_->setFocus();
+}
+
+void RebuildDock::showRemedies() {
+  const std::vector<Remedy> remedies = remediesOf(editor_);
+  QStringList texts;
+  for (const Remedy& remedy : remedies) texts << remedy.text + remedy.tip;
+  remedies_->setVisible(!remedies.empty());
+  if (remedies_->property("texts").toStringList() == texts) return;  // keeps the focus
+  remedies_->setProperty("texts", texts);
+  for (QPushButton* button : remedies_->findChildren<QPushButton*>()) delete button;
+  for (const Remedy& remedy : remedies) {
+    auto* button = new QPushButton(remedy.text, remedies_);
+    button->setToolTip(remedy.tip);
+    // Later: the edit replaces the buttons.
+    connect(button, &QPushButton::clicked, this, remedy.apply, Qt::QueuedConnection);
+    remedies_->layout()->addWidget(button);
+    remedies_->layout()->setAlignment(button, Qt::AlignLeft);
+  }
 }
 
 void RebuildDock::showStages(const app::RebuildStatus& status) {
@@ -249,7 +248,8 @@ void RebuildDock::showFacts(const app::RebuildStatus& status) {
   modelTitle_->setText(!model                                    ? tr("No model yet")
                        : status.modelRevision != status.revision ? tr("Model of the previous shape")
                                                                  : tr("Model"));
-  for (const Row& row : {nodes_, triangles_, angle_, memory_, condition_, balance_, error_}) {
+  for (const Row& row :
+       {nodes_, triangles_, angle_, memory_, condition_, balance_, requested_, error_}) {
     row.name->setVisible(model != nullptr);
     row.value->setVisible(model != nullptr);
   }
@@ -267,13 +267,12 @@ void RebuildDock::showFacts(const app::RebuildStatus& status) {
                                                  : QString("…"));
   coefficients_.value->setText(tr("%L1").arg(model->setup().discretisation->displacementCount()));
   elements_.value->setText(tr("%L1").arg(model->setup().discretisation->elementCount()));
-  error_.value->setText(status.touchError > 0
-                            ? tr("about %L1 %").arg(100 * status.touchError, 0, 'g', 2)
-                            : QString("…"));
+  requested_.value->setText(percentText(editor_.project().mesh.accuracy));
+  error_.value->setText(status.touchError > 0 ? tr("about %1").arg(percentText(status.touchError))
+                                              : QString("…"));
   const app::TouchState& rest = model->rest();
-  balance_.value->setText(rest.relativeBalance > 0
-                              ? tr("%L1 %").arg(100 * rest.relativeBalance, 0, 'g', 2)
-                              : tr("no forces"));
+  balance_.value->setText(rest.relativeBalance > 0 ? percentText(rest.relativeBalance)
+                                                   : tr("no forces"));
 }
 
 }  // namespace palpa::gui

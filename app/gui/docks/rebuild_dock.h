@@ -27,9 +27,11 @@ class RebuildDock : public QDockWidget {
   };
   Row addRow(QGridLayout& grid, const QString& name, const QString& objectName);
   void makeStages(QGridLayout& grid);
+  void makeAccuracy(QGridLayout& grid);
   void makeFacts(QGridLayout& grid);
   void showStatus();
   void showState(const app::RebuildStatus& status);
+  void showRemedies();
   void showStages(const app::RebuildStatus& status);
   void showFacts(const app::RebuildStatus& status);
 
@@ -39,16 +41,12 @@ class RebuildDock : public QDockWidget {
   QProgressBar* progress_;
   QPushButton* stop_;
   QPushButton* again_;
+  QWidget* remedies_;
   std::vector<Row> stages_;
   Row total_{};
   QLabel* modelTitle_;
-  Row nodes_{}, triangles_{}, angle_{}, memory_{}, condition_{}, balance_{}, error_{};
+  Row nodes_{}, triangles_{}, angle_{}, memory_{}, condition_{}, balance_{}, requested_{}, error_{};
   Row coefficients_{}, elements_{};
 };
-
-/// "Up to date", "Building the model 40 %", …: for the dock and the status bar.
-QString rebuildText(const app::RebuildStatus& status);
-/// Reason of a failed build, and its remedy; for a status kFailed.
-QString failureText(const app::RebuildStatus& status);
 
 }  // namespace palpa::gui

@@ -7,6 +7,7 @@
 #include "app/core/system/destroy_in_background.h"
 #include "app/gui/document/named_items.h"
 #include "modeling/error.h"
+#include "modeling/exchange/file_format.h"
 #include "modeling/exchange/import.h"
 #include "modeling/project/project_file.h"
 #include "modeling/shapes/make_primitive.h"
@@ -15,8 +16,8 @@ namespace palpa::gui {
 namespace {
 
 constexpr double kGiB = 1024.0 * 1024.0 * 1024.0;
-constexpr int kRebuildInterval = 33;      // ms between two reports of the rebuild's progress
-constexpr int kAutosaveInterval = 10000;  // ms between two checks whether a snapshot is due
+constexpr int kRebuildInterval = 33;     // ms between two reports of the rebuild's progress
+constexpr int kAutosaveInterval = 1000;  // ms between two checks whether a snapshot is due
 
 /// The initial project: a sphere on a fixed base.
 modeling::Project firstProject() {
@@ -60,6 +61,7 @@ app::Session::Options Editor::sessionOptions() {
   options.cacheFolder = app::defaultCacheFolder();
   options.cacheLimit = settings_.cacheLimitGiB() * kGiB;
   options.autosaveEvery = std::chrono::seconds(settings_.autosaveSeconds());
+  options.autosavePoll = std::chrono::milliseconds(kAutosaveInterval);
   // Called in the worker's thread: only starts the timer, in this object's thread.
   options.rebuildChanged = [this] {
     QMetaObject::invokeMethod(
@@ -146,12 +148,15 @@ bool Editor::importFile(const QString& file) {
             options);
       });
   if (!isOpen) return false;
-  for (const std::string& note : notes) Q_EMIT said(QString::fromStdString(note));
-  if (!solid())
-    Q_EMIT said(
-        tr("%1 became a mesh body: it accepts supports, loads and touches, but it has no control "
-           "points to move, and it cannot be exported as CAD.")
-            .arg(info.fileName()));
+  QStringList told;
+  for (const std::string& note : notes) told << QString::fromStdString(note);
+  // For a CAD file the notes contain the same with the reason.
+  const auto format = modeling::fileFormatOf(file.toStdString());
+  if (!solid() && format && infoOf(*format).kind == modeling::FileKind::kMesh)
+    told << tr(
+        "The mesh became a mesh body, which can be supported and touched but has no control "
+        "points and cannot be exported as CAD.");
+  if (!told.isEmpty()) Q_EMIT said(tr("%1 was imported. %2").arg(info.fileName(), told.join(' ')));
   return true;
 }
 
@@ -211,6 +216,11 @@ QString Editor::fileName() const {
 
 bool Editor::perform(const modeling::Command& command, modeling::Merge merge) {
   return attempt([&] { changed(session_->perform(command, merge).change); });
+}
+
+void Editor::editView(const std::string& view) {
+  session_->editView(view);
+  Q_EMIT fileChanged();
 }
 
 void Editor::undo() {

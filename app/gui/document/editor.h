@@ -53,6 +53,8 @@ class Editor : public QObject {
   QString fileName() const;
   /// Camera and visible items as text, saved with the project; not an edit.
   void setView(const std::string& view) { session_->setView(view); }
+  /// The same for a change that must be saved: Session::editView().
+  void editView(const std::string& view);
 
   // Edits.
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::kNo);

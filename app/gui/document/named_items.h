@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
 #include "app/gui/document/selection.h"
 #include "modeling/project/project.h"
@@ -28,6 +29,17 @@ auto findNamed(const List& list, const std::string& name) -> decltype(list.data(
   const auto found =
       std::find_if(list.begin(), list.end(), [&](const auto& each) { return each.name == name; });
   return found == list.end() ? nullptr : &*found;
+}
+
+/// "support 3": the stem with the first number that is free in the list.
+template <class List>
+std::string freeName(const std::string& stem, const List& list) {
+  for (int i = 1;; ++i) {
+    const std::string name = stem + " " + std::to_string(i);
+    bool isFree = true;
+    for (const auto& each : list) isFree = isFree && each.name != name;
+    if (isFree) return name;
+  }
 }
 
 inline bool hasNamed(const modeling::Project& project, const Selection::Named& item) {

@@ -1,8 +1,7 @@
 #include "app/gui/document/naming.h"
 
-#include <QCoreApplication>
-
 #include "app/gui/base/overloaded.h"
+#include "app/gui/base/translate.h"
 #include "app/gui/document/named_items.h"
 
 namespace palpa::gui {
@@ -10,10 +9,6 @@ namespace {
 
 using modeling::Project;
 using Kind = Selection::Kind;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Naming", text);
-}
 
 QString takenText(Kind kind, const QString& name) {
   const QString text = kind == Kind::kSupport ? tr("There is already a support named “%1”")

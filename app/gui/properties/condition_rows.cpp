@@ -1,5 +1,6 @@
-#include <QCoreApplication>
 
+#include "app/gui/base/overloaded.h"
+#include "app/gui/base/translate.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/properties/pages.h"
@@ -12,10 +13,6 @@ using modeling::Load;
 using modeling::Support;
 using modeling::Touch;
 using modeling::TouchKind;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
 
 /// The selected item; a default one while it is being removed.
 template <class One>
@@ -179,9 +176,13 @@ void addLoadRows(PropertyPage& page) {
   using namespace modeling;
   Editor& editor = page.editor();
   const Load load = loadOf(editor);
-  page.addSection(std::holds_alternative<Pressure>(load.what)          ? tr("Load: pressure")
-                  : std::holds_alternative<UniformTraction>(load.what) ? tr("Load: traction")
-                                                                       : tr("Load: bump"));
+  page.addSection(std::visit(Overloaded{[](const Pressure&) { return tr("Load: pressure"); },
+                                        [](const UniformTraction&) { return tr("Load: traction"); },
+                                        [](const Bump&) { return tr("Load: bump"); },
+                                        [](const TotalForce&) { return tr("Load: total force"); },
+                                        [](const Moment&) { return tr("Load: moment"); },
+                                        [](const Gravity&) { return tr("Load: gravity"); }},
+                             load.what));
   addName(page);
   if (std::holds_alternative<Pressure>(load.what)) {
     page.addQuantity(tr("&Pressure"), "pressure", Quantity::kStress,
@@ -194,6 +195,18 @@ void addLoadRows(PropertyPage& page) {
                    writer(editor, &UniformTraction::traction));
     addRegionRows(page, reader(editor, &UniformTraction::where),
                   writer(editor, &UniformTraction::where));
+  } else if (std::holds_alternative<TotalForce>(load.what)) {
+    page.addVector(tr("&Force x, y, z"), "force", Quantity::kForce,
+                   reader(editor, &TotalForce::force), writer(editor, &TotalForce::force));
+    addRegionRows(page, reader(editor, &TotalForce::where), writer(editor, &TotalForce::where));
+  } else if (std::holds_alternative<Moment>(load.what)) {
+    page.addVector(tr("&Moment x, y, z (N mm)"), "moment", Quantity::kNumber,
+                   reader(editor, &Moment::moment), writer(editor, &Moment::moment));
+    addRegionRows(page, reader(editor, &Moment::where), writer(editor, &Moment::where));
+  } else if (std::holds_alternative<Gravity>(load.what)) {
+    page.addVector(tr("&Acceleration x, y, z (m/s²)"), "acceleration", Quantity::kNumber,
+                   reader(editor, &Gravity::accelerationMPerS2),
+                   writer(editor, &Gravity::accelerationMPerS2));
   } else {
     page.addVector(tr("&Centre x, y, z"), "centre", Quantity::kLength,
                    reader(editor, &Bump::center), writer(editor, &Bump::center));

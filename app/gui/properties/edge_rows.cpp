@@ -1,15 +1,11 @@
-#include <QCoreApplication>
 
+#include "app/gui/base/translate.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/properties/pages.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::gui {
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
 
 QString sideText(const modeling::Solid& solid, const modeling::PatchEdge& use) {
   const std::string_view side = modeling::sideName(use.side);

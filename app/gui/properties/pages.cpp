@@ -44,6 +44,7 @@ QString pageKey(const Editor& editor) {
   if (selection.named) return namedKey(project, *selection.named);
   QString key = QString("project %1").arg(project.body.index());
   if (project.primitive) key += QString(" %1").arg(project.primitive->shape.index());
+  if (project.mesh.splineDensity != 1) key += " denser";
   for (const auto& [patch, factor] : project.mesh.patchFactors)
     key += "|" + QString::fromStdString(patch);
   return key;

@@ -1,6 +1,6 @@
-#include <QCoreApplication>
 
 #include "app/gui/base/measures.h"
+#include "app/gui/base/translate.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/document/point_groups.h"
@@ -10,24 +10,20 @@
 namespace palpa::gui {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
-
-const std::set<int>& chosen(const Editor& editor) {
+const std::set<int>& chosenPatches(const Editor& editor) {
   return editor.selection().patches;
 }
 
 /// The selected patch; null for faces of a mesh body.
 const modeling::Patch* patchOf(const Editor& editor) {
-  if (!editor.solid() || chosen(editor).empty()) return nullptr;
-  return &editor.solid()->patches()[*chosen(editor).begin()];
+  if (!editor.solid() || chosenPatches(editor).empty()) return nullptr;
+  return &editor.solid()->patches()[*chosenPatches(editor).begin()];
 }
 
 std::vector<std::string> namesOf(const Editor& editor) {
   const std::vector<std::string> all = modeling::patchNames(editor.project().body);
   std::vector<std::string> names;
-  for (int patch : chosen(editor)) names.push_back(all[patch]);
+  for (int patch : chosenPatches(editor)) names.push_back(all[patch]);
   return names;
 }
 
@@ -67,7 +63,7 @@ QString areaText(const PropertyPage& page) {
   const Editor& editor = page.editor();
   if (!editor.solid()) return {};
   std::vector<modeling::Patch> patches;
-  for (int patch : chosen(editor)) patches.push_back(editor.solid()->patches()[patch]);
+  for (int patch : chosenPatches(editor)) patches.push_back(editor.solid()->patches()[patch]);
   if (patches.empty()) return {};
   const double area =
       modeling::area(modeling::SurfaceEvaluator(editor.solid()->controlPoints(), patches));
@@ -98,7 +94,7 @@ void addPatchFacts(PropertyPage& page) {
 
 void addPatchRows(PropertyPage& page) {
   Editor& editor = page.editor();
-  const bool isOne = chosen(editor).size() == 1;
+  const bool isOne = chosenPatches(editor).size() == 1;
   if (isOne) {
     page.addSection(editor.solid() ? tr("Patch") : tr("Face"));
     page.addText(
@@ -108,13 +104,14 @@ void addPatchRows(PropertyPage& page) {
           return names.empty() ? QString() : QString::fromStdString(names.front());
         },
         [&editor](const QString& name) {
-          return chosen(editor).empty() || renamePatch(editor, *chosen(editor).begin(), name);
+          return chosenPatches(editor).empty() ||
+                 renamePatch(editor, *chosenPatches(editor).begin(), name);
         });
     if (editor.solid()) addPatchFacts(page);
   } else {
     page.addSection(editor.solid() ? tr("Patches") : tr("Faces"));
     page.addFact(tr("Selected"), "count",
-                 [&editor] { return QString::number(chosen(editor).size()); });
+                 [&editor] { return QString::number(chosenPatches(editor).size()); });
   }
   if (editor.solid()) page.addSlowFact(tr("Area"), "area", [&page] { return areaText(page); });
   page.addSection(tr("Mesh"));

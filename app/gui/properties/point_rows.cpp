@@ -1,22 +1,18 @@
-#include <QCoreApplication>
 
+#include "app/gui/base/translate.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/properties/pages.h"
 
 namespace palpa::gui {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
-
-std::vector<int> chosen(const Editor& editor) {
+std::vector<int> chosenPoints(const Editor& editor) {
   const std::set<int>& points = editor.selection().points;
   return {points.begin(), points.end()};
 }
 
 Eigen::Vector3d placeOf(const Editor& editor) {
-  const std::vector<int> points = chosen(editor);
+  const std::vector<int> points = chosenPoints(editor);
   if (points.empty() || !editor.solid()) return Eigen::Vector3d::Zero();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int point : points) sum += editor.solid()->controlPoints()[point];
@@ -25,7 +21,7 @@ Eigen::Vector3d placeOf(const Editor& editor) {
 
 /// "right: row 2, column 0", one line for each patch that uses the point.
 QString netsOf(const Editor& editor) {
-  const std::vector<int> points = chosen(editor);
+  const std::vector<int> points = chosenPoints(editor);
   QStringList places;
   if (points.size() != 1 || !editor.solid()) return {};
   for (const modeling::Patch& patch : editor.solid()->patches())
@@ -61,7 +57,7 @@ void addPointRows(PropertyPage& page) {
   page.addSection(isOne ? tr("Control point") : tr("Control points"));
   if (isOne) {
     page.addFact(tr("Number"), "number", [&editor] {
-      const std::vector<int> points = chosen(editor);
+      const std::vector<int> points = chosenPoints(editor);
       return points.empty() ? QString() : QString::number(points.front());
     });
     page.addVector(
@@ -69,7 +65,7 @@ void addPointRows(PropertyPage& page) {
         [&editor] { return placeOf(editor); },
         [&editor](const Eigen::Vector3d& to) {
           return editor.perform(modeling::MovePoints{
-              modeling::PointSelection::of(chosen(editor)), modeling::MoveTo{{to}}, {}});
+              modeling::PointSelection::of(chosenPoints(editor)), modeling::MoveTo{{to}}, {}});
         });
     page.addFact(tr("In the nets of"), "nets", [&editor] { return netsOf(editor); });
     return;
@@ -79,9 +75,10 @@ void addPointRows(PropertyPage& page) {
   page.addVector(
       tr("&Centre x, y, z"), "centre", Quantity::kLength, [&editor] { return placeOf(editor); },
       [&editor](const Eigen::Vector3d& to) {
-        return editor.perform(modeling::MovePoints{modeling::PointSelection::of(chosen(editor)),
-                                                   modeling::MoveBy{to - placeOf(editor)},
-                                                   {}});
+        return editor.perform(
+            modeling::MovePoints{modeling::PointSelection::of(chosenPoints(editor)),
+                                 modeling::MoveBy{to - placeOf(editor)},
+                                 {}});
       });
   page.addFact(tr("Extent"), "extent", [&page] { return extentOf(page); });
   page.addNote(tr("Another centre moves all selected points."));

@@ -1,20 +1,19 @@
-#include <QCoreApplication>
 #include <array>
 
 #include "app/gui/base/overloaded.h"
+#include "app/gui/base/translate.h"
+#include "app/gui/dialogs/profile_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/properties/pages.h"
+#include "modeling/shapes/outer_size.h"
 #include "modeling/shapes/shape_parameters.h"
+#include "modeling/shapes/shape_sketch.h"
 
 namespace palpa::gui {
 namespace {
 
 using modeling::Primitive;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
 
 /// A length of a shape.
 struct Length {
@@ -79,7 +78,7 @@ void addPrimitiveRows(PropertyPage& page) {
   Editor& editor = page.editor();
   if (!editor.project().primitive) return;
   Primitive shape = *editor.project().primitive;
-  page.addSection(bodyTitle(editor.project()));
+  page.addSection(bodyTitle(editor.project()), "body");
   const std::vector<Length> lengths = lengthsOf(shape);
   for (std::size_t i = 0; i < lengths.size(); ++i)
     page.addQuantity(
@@ -93,6 +92,15 @@ void addPrimitiveRows(PropertyPage& page) {
         [&editor, i](double value) {
           return remake(editor, [&](Primitive& to) { *lengthsOf(to)[i].value = value; });
         });
+  if (modeling::hasProfile(shape))
+    page.addButton(tr("Edit profile …"), "editProfile", {},
+                   [workspace = page.workspace()] { editProfileOfProject(workspace); });
+  page.addSlowFact(tr("Outer size"), "outerSize", [&page, &editor]() -> QString {
+    if (!editor.project().primitive) return {};
+    const Eigen::Vector3d size = modeling::outerSize(*editor.project().primitive);
+    return tr("%1 × %2 × %3")
+        .arg(page.shownLength(size.x()), page.shownLength(size.y()), page.shownLength(size.z()));
+  });
   page.addCount(
       tr("Degree"), "degree", 1, 5,
       [&editor] { return editor.project().primitive ? editor.project().primitive->degree : 3; },

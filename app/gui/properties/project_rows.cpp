@@ -1,9 +1,9 @@
 #include <Eigen/Geometry>
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "app/gui/base/measures.h"
+#include "app/gui/base/translate.h"
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
@@ -16,10 +16,6 @@
 namespace palpa::gui {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
-
 /// Renames a library material with changed constants.
 void renameWhenChanged(modeling::Material& material) {
   const auto& library = modeling::materialLibrary();
@@ -31,9 +27,9 @@ void renameWhenChanged(modeling::Material& material) {
 
 void addMaterial(PropertyPage& page) {
   // A new field needs a row: it does not compile here.
-  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio] = modeling::Material{};
+  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio, density] = modeling::Material{};
   Editor& editor = page.editor();
-  page.addSection(tr("Material"));
+  page.addSection(tr("Material"), "material");
   page.addFact(tr("Name"), "materialName",
                [&editor] { return QString::fromStdString(editor.project().material.name); });
   page.addQuantity(
@@ -83,15 +79,24 @@ void addEngine(PropertyPage& page, const ChangeMesh& change) {
         return change([&](auto& mesh) { mesh.engine = static_cast<modeling::Engine>(engine); });
       });
   page.addQuantity(
-          tr("Target &accuracy, %"), "accuracy", Quantity::kNumber,
+          tr("Requested &accuracy, %"), "accuracy", Quantity::kNumber,
           [&editor] { return 100 * editor.project().mesh.accuracy; },
           [change](double percent) {
             return change([&](auto& mesh) {
               mesh.accuracy = percent / 100;
+              mesh.splineDensity = 1;
               mesh.elementLength.reset();
             });
           })
       ->setRange(0.01, 10);
+  if (editor.project().mesh.splineDensity != 1)
+    page.addQuantity(
+            tr("Spline &density, ×"), "splineDensity", Quantity::kNumber,
+            [&editor] { return editor.project().mesh.splineDensity; },
+            [change](double density) {
+              return change([&](auto& mesh) { mesh.splineDensity = density; });
+            })
+        ->setRange(1, modeling::MeshSettings::kMaxSplineDensity);
   page.addSlowFact(tr("Spline elements"), "splineElements", [&editor] {
     const auto model = editor.model();
     if (!model) return QString("…");
@@ -105,7 +110,7 @@ void addEngine(PropertyPage& page, const ChangeMesh& change) {
 
 void addMesh(PropertyPage& page) {
   Editor& editor = page.editor();
-  page.addSection(tr("Mesh"));
+  page.addSection(tr("Mesh"), "mesh");
   // Changes one setting and keeps the others.
   const ChangeMesh change = [&editor](const std::function<void(modeling::MeshSettings&)>& edit) {
     modeling::MeshSettings mesh = editor.project().mesh;
@@ -155,7 +160,7 @@ void addMesh(PropertyPage& page) {
 
 void addBody(PropertyPage& page) {
   Editor& editor = page.editor();
-  page.addSection(tr("Body"));
+  page.addSection(tr("Body"), "body");
   page.addFact(tr("Size"), "size", [&page] {
     // Extent of the drawn surface; control points extend farther.
     Eigen::AlignedBox3d box;

@@ -8,7 +8,6 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include "app/gui/base/appearance.h"
 #include "app/gui/document/editor.h"
@@ -24,21 +23,6 @@ QString withoutPlace(QString message) {
   if (!message.isEmpty()) message[0] = message[0].toUpper();
   return message;
 }
-
-/// Box that ignores the wheel without focus, so that scrolling the page changes no values.
-template <class Box>
-class CalmBox : public Box {
- public:
-  using Box::Box;
-
- protected:
-  void wheelEvent(QWheelEvent* event) override {
-    if (this->hasFocus())
-      Box::wheelEvent(event);
-    else
-      event->ignore();
-  }
-};
 
 }  // namespace
 
@@ -118,9 +102,10 @@ void PropertyPage::set(QWidget* field, const Set<Value>& set, const Value& value
   attempt(field, [&] { return set(value); });
 }
 
-void PropertyPage::addSection(const QString& title) {
+void PropertyPage::addSection(const QString& title, const QString& name) {
   auto* heading = new QLabel(title, this);
   heading->setObjectName("heading");
+  heading->setProperty("section", name);
   heading->setContentsMargins(0, form_->rowCount() > 0 ? 12 : 4, 0, 2);
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
@@ -191,9 +176,8 @@ void PropertyPage::addText(const QString& label, const QString& name, Get<QStrin
 
 QSpinBox* PropertyPage::addCount(const QString& label, const QString& name, int least, int most,
                                  Get<int> get, Set<int> put) {
-  auto* box = new CalmBox<QSpinBox>(this);
+  auto* box = new QSpinBox(this);
   box->setRange(least, most);
-  box->setFocusPolicy(Qt::StrongFocus);
   box->setKeyboardTracking(false);
   addField(label, name, box);
   shows_.push_back([box, get] {
@@ -207,10 +191,9 @@ QSpinBox* PropertyPage::addCount(const QString& label, const QString& name, int 
 
 void PropertyPage::addChoice(const QString& label, const QString& name, const QStringList& choices,
                              Get<int> get, Set<int> put) {
-  auto* box = new CalmBox<QComboBox>(this);
+  auto* box = new QComboBox(this);
   box->addItems(choices);
   shrinkable(*box);
-  box->setFocusPolicy(Qt::StrongFocus);
   addField(label, name, box);
   shows_.push_back([box, get] { box->setCurrentIndex(get()); });
   connect(box, &QComboBox::activated, this, [this, box, put](int value) { set(box, put, value); });

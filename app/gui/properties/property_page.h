@@ -48,7 +48,8 @@ class PropertyPage : public QWidget {
   /// Disconnects the fields before the page is removed.
   void retire();
 
-  void addSection(const QString& title);
+  /// `name` identifies the section for PropertiesDock::showSection().
+  void addSection(const QString& title, const QString& name = {});
   QuantityEdit* addQuantity(const QString& label, const QString& name, Quantity quantity,
                             Get<double> get, Set<double> set);
   void addVector(const QString& label, const QString& name, Quantity quantity,

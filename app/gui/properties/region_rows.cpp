@@ -1,10 +1,11 @@
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/gui/base/appearance.h"
 #include "app/gui/base/overloaded.h"
+#include "app/gui/base/translate.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/properties/pages.h"
 
@@ -14,10 +15,6 @@ namespace {
 using modeling::HalfSpace;
 using modeling::PatchSet;
 using modeling::Region;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("Properties", text);
-}
 
 class RegionRows {
  public:
@@ -37,6 +34,7 @@ class RegionRows {
                                            QString("part%1").arg(i), withoutPart(i));
                             }},
                  region.parts[i]);
+    addExceptions(region);
     addButtons(region);
   }
 
@@ -119,6 +117,24 @@ class RegionRows {
           half.below = below;
           return write(half);
         });
+  }
+
+  /// All exceptions in one line: the exceptions of one overlap belong together.
+  void addExceptions(const Region& region) const {
+    if (region.except.empty()) return;
+    QStringList names;
+    for (const modeling::RegionPart& part : region.except)
+      if (const auto* set = std::get_if<PatchSet>(&part))
+        for (const std::string& name : set->patches)
+          names << tr("patch %1").arg(QString::fromStdString(name));
+      else if (std::holds_alternative<HalfSpace>(part))
+        names << tr("one side of a plane");
+    const auto strokes = std::count_if(
+        region.except.begin(), region.except.end(),
+        [](const auto& part) { return std::holds_alternative<modeling::Stroke>(part); });
+    if (strokes > 0) names << (strokes == 1 ? tr("a stroke") : tr("%1 strokes").arg(strokes));
+    addRemovable(tr("Except %1").arg(names.join(", ")), "except",
+                 [](Region& edited) { edited.except.clear(); });
   }
 
   void addButtons(const Region& region) const {
@@ -217,7 +233,7 @@ QString regionKey(const Region& region) {
                           [&](const HalfSpace&) { key += "half;"; },
                           [&](const auto&) { key += QString("other%1;").arg(part.index()); }},
                part);
-  return key;
+  return key + QString("except%1").arg(region.except.size());
 }
 
 }  // namespace palpa::gui

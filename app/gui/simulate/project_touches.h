@@ -1,11 +1,9 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QTimer>
-#include <optional>
-#include <vector>
 
 #include "app/gui/simulate/simulation.h"
+#include "app/gui/simulate/touch_motion.h"
 
 namespace palpa::gui {
 
@@ -22,23 +20,13 @@ class ProjectTouches : public QObject {
   void play();
 
  private:
-  struct Motion {
-    app::TouchId id;
-    Eigen::Vector3d from, by;  // of the value, see bem::ContactSimulation::begin()
-  };
   /// Begins the touches that press, or the others.
   void begin(bool pressing);
-  std::optional<Motion> begin(const modeling::Touch& touch);
-  /// True if all begun contacts have reached their values, also in the drawn snapshot.
-  bool isSettled() const;
-  void advance();
 
   const Editor& editor_;
   Simulation& simulation_;
-  std::vector<Motion> motions_;
-  bool isPressing_ = false;  // the second part has begun
-  QElapsedTimer since_;
-  QTimer timer_;
+  TouchMotion motion_;
+  QTimer timer_;  // until the first part has settled
 };
 
 }  // namespace palpa::gui

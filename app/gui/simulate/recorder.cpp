@@ -1,13 +1,14 @@
 #include "app/gui/simulate/recorder.h"
 
 #include <QMetaObject>
-#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "app/core/live/touch_replay.h"
 #include "app/core/live/touch_table.h"
+#include "base/atomic_file.h"
+#include "base/unexpected.h"
 #include "base/worker_thread.h"
-#include "bem/base/error.h"
 
 namespace palpa::gui {
 
@@ -75,6 +76,9 @@ void Recorder::replay() {
           loop.end(ids[command.id]);
       } catch (const app::TouchRefused&) {
         // Skip a contact that the loop refuses beside the present ones.
+      } catch (...) {
+        reportUnexpected();
+        break;
       }
     }
     if (!stop.stop_requested()) sleepUntil(at(recording.steps), stop);
@@ -93,26 +97,17 @@ void Recorder::stopReplay() {
   player_ = {};
 }
 
-void Recorder::play(const std::shared_ptr<const app::TouchModel>& model,
-                    const app::TouchRecording& recording, const Job& job,
-                    const std::function<void(const app::TouchSnapshot&)>& seen) {
-  app::replay(std::make_shared<const app::TouchableModel>(model), recording, job, seen);
-}
-
-void Recorder::writeTable(const std::shared_ptr<const app::TouchModel>& model,
+void Recorder::writeTable(const std::shared_ptr<const app::TouchableModel>& body,
                           const app::TouchRecording& recording, const std::filesystem::path& file,
                           const Job& job) {
-  std::ofstream out(file);
-  app::TouchTable table(out);
+  AtomicFile target(file);  // fails before the replay if it cannot be written
+  std::ostringstream text;
+  app::TouchTable table(text);
   std::uint64_t step = 0;
-  play(model, recording, job,
-       [&](const app::TouchSnapshot& snapshot) { table.add(snapshot, step++); });
-  out.close();
-  if (!out)
-    throw std::runtime_error(
-        tr("%1 cannot be written; choose another folder, or make room on the disk")
-            .arg(QString::fromStdString(file.string()))
-            .toStdString());
+  app::replay(body, recording, job,
+              [&](const app::TouchSnapshot& snapshot) { table.add(snapshot, step++); });
+  target.write(text.view());
+  target.commit();
 }
 
 }  // namespace palpa::gui

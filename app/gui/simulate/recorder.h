@@ -10,7 +10,7 @@
 
 namespace palpa::gui {
 
-/// Records and replays the contacts of Simulate mode and computes the forces of every millisecond.
+/// Records and replays the contacts of Simulate mode and writes the forces of every millisecond.
 /// Holds one recording, which belongs to the window, not to the project.
 class Recorder : public QObject {
   Q_OBJECT
@@ -34,13 +34,9 @@ class Recorder : public QObject {
   void replay();
   void stopReplay();
 
-  /// Computes a replay on the model. Calls `seen` for each snapshot, on the caller's thread. Throws
-  /// SolverError, Cancelled.
-  static void play(const std::shared_ptr<const app::TouchModel>& model,
-                   const app::TouchRecording& recording, const Job& job,
-                   const std::function<void(const app::TouchSnapshot&)>& seen);
-  /// Writes the forces as app::TouchTable. Throws std::runtime_error with the file name.
-  static void writeTable(const std::shared_ptr<const app::TouchModel>& model,
+  /// Writes the forces of a replay as app::TouchTable. Throws Error if the file cannot be written;
+  /// then, and if it is cancelled, an existing file is unchanged.
+  static void writeTable(const std::shared_ptr<const app::TouchableModel>& body,
                          const app::TouchRecording& recording, const std::filesystem::path& file,
                          const Job& job);
 

@@ -1,16 +1,19 @@
 #include "app/gui/simulate/recording_actions.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QStatusBar>
 #include <QTemporaryDir>
 
+#include "app/core/live/touch_replay.h"
 #include "app/gui/base/background_job.h"
-#include "app/gui/base/progress_dialog.h"
 #include "app/gui/dialogs/file_dialogs.h"
 #include "app/gui/dialogs/picture_dialog.h"
 #include "app/gui/simulate/animation.h"
+#include "app/gui/view/viewport_widget.h"
 #include "app/gui/workspace/menus.h"
+#include "base/atomic_file.h"
 #include "modeling/error.h"
 
 namespace palpa::gui {
@@ -143,51 +146,41 @@ void RecordingActions::exportTable() {
   const QString file =
       askFileToWrite(workspace_, tr("Export forces"), tr("Tables (*.csv)"), ".csv");
   if (file.isEmpty()) return;
-  const auto model = simulation_.body()->sharedModel();
+  const auto body = simulation_.body();
   const app::TouchRecording recording = *recorder_.recording();
   try {
     const bool isDone = runWorkInBackground(
-        workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()), [&](const Job& job) {
-          Job inner;
-          inner.stop = job.stop;
-          inner.progress = job.progress;
-          Recorder::writeTable(model, recording, file.toStdString(), inner);
-        });
+        workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
+        [&](const Job& job) { Recorder::writeTable(body, recording, file.toStdString(), job); });
     if (isDone) Q_EMIT workspace_.editor.said(tr("Forces exported to %1").arg(file));
   } catch (const std::exception& error) {
     Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
   }
 }
 
-bool RecordingActions::drawInto(const std::filesystem::path& folder, const QSize& size) {
+std::size_t RecordingActions::drawInto(const std::filesystem::path& folder, const QSize& size) {
   simulation_.freeze();
   struct Live {
     Simulation& simulation;
     ~Live() { simulation.showLive(); }
   } const live{simulation_};
-  const auto model = simulation_.body()->sharedModel();
+  const auto body = simulation_.body();
   const app::TouchRecording recording = *recorder_.recording();
   std::vector<app::TouchSnapshot> snapshots;
   std::uint64_t step = 0;
   const bool isPlayed =
       runWorkInBackground(workspace_.window, tr("Replaying"), [&](const Job& job) {
-        Job inner;
-        inner.stop = job.stop;
-        inner.progress = job.progress;
-        Recorder::play(model, recording, inner, [&](const app::TouchSnapshot& snapshot) {
+        app::replay(body, recording, job, [&](const app::TouchSnapshot& snapshot) {
           if (step++ % kStepsPerPicture == 0) snapshots.push_back(snapshot);
         });
       });
-  if (!isPlayed) return false;
-  ProgressDialog progress(tr("Drawing the pictures"), &workspace_.window);
-  bool isStopped = false;
-  connect(&progress, &QDialog::rejected, &progress, [&] { isStopped = true; });
-  progress.open();
-  return writeAnimation(simulation_, workspace_.view, snapshots, folder, size,
-                        [&](double fraction) {
-                          progress.showProgress("draw", fraction, isStopped);
-                          return isStopped;
-                        });
+  if (!isPlayed) return 0;
+  const bool isDrawn = runInSteps(workspace_.window, tr("Drawing the pictures"), snapshots.size(),
+                                  [&](std::size_t k) {
+                                    simulation_.show(snapshots[k]);
+                                    workspace_.view.writePicture(folder / pictureName(k), size);
+                                  });
+  return isDrawn ? snapshots.size() : 0;
 }
 
 void RecordingActions::exportAnimation() {
@@ -201,14 +194,21 @@ void RecordingActions::exportAnimation() {
                                                   workspace_.settings.lastFolder());
   if (target.isEmpty()) return;
   try {
-    QTemporaryDir pictures;
-    const std::filesystem::path folder =
-        isVideo ? pictures.path().toStdString() : target.toStdString();
-    if (!drawInto(folder, dialog.pictureSize())) return;
-    if (isVideo &&
-        !runWorkInBackground(workspace_.window, tr("Making the video"), [&](const Job& job) {
-          makeVideo(folder, target.toStdString(), [&] { return job.stop.stop_requested(); });
-        }))
+    // Removed with what is in it, also after an error or a cancellation. Pictures are moved from
+    // there when all are drawn.
+    const QTemporaryDir pictures(isVideo ? QDir::tempPath() + "/palpa-XXXXXX"
+                                         : target + "/.palpa-XXXXXX");
+    if (!pictures.isValid())
+      throw FileError(target.toStdString() + ": cannot be written (" +
+                      pictures.errorString().toStdString() + ")");
+    const std::filesystem::path folder = pictures.path().toStdString();
+    const std::size_t count = drawInto(folder, dialog.pictureSize());
+    if (count == 0) return;
+    if (!isVideo)
+      movePictures(folder, target.toStdString(), count);
+    else if (!runWorkInBackground(workspace_.window, tr("Making the video"), [&](const Job& job) {
+               makeVideo(folder, target.toStdString(), job);
+             }))
       return;
     Q_EMIT workspace_.editor.said(
         isVideo

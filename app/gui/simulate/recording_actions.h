@@ -24,8 +24,8 @@ class RecordingActions : public QObject {
   void openRecording();
   void exportTable();
   void exportAnimation();
-  /// Draws the pictures of a replay; false if the user cancelled.
-  bool drawInto(const std::filesystem::path& folder, const QSize& size);
+  /// Draws the pictures of a replay; returns their number, 0 if the user cancelled.
+  std::size_t drawInto(const std::filesystem::path& folder, const QSize& size);
 
   Workspace workspace_;
   Simulation& simulation_;

@@ -2,9 +2,14 @@
 
 #include <QActionGroup>
 #include <QToolButton>
+#include <algorithm>
 #include <array>
 
+#include "app/gui/dialogs/colour_range_dialog.h"
 #include "app/gui/simulate/deformed_export.h"
+#include "app/gui/simulate/exact_touch_tool.h"
+#include "app/gui/simulate/sample_tool.h"
+#include "app/gui/simulate/section_tool.h"
 #include "app/gui/workspace/menus.h"
 #include "app/gui/workspace/tool_box.h"
 
@@ -36,15 +41,19 @@ Menus::Item itemOf(Kind kind) {
 }  // namespace
 
 SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulation,
-                                 SimulationView& pictures)
+                                 SimulationView& pictures, SectionView& section, Samples& samples)
     : QObject(&workspace.window),
       workspace_(workspace),
       simulation_(simulation),
       pictures_(pictures),
+      section_(section),
+      samples_(samples),
       touches_(workspace.editor, simulation, this) {
   addModes();
   addTools();
   addPictures();
+  addColourRange();
+  addSection();
   recording_ = new RecordingActions(workspace, simulation);
   onlySimulating_.push_back(
       workspace.menus.add(workspace.menus.simulate,
@@ -99,6 +108,24 @@ void SimulateActions::addTools() {
     workspace_.tools.add(std::make_unique<SimulateTool>(kind, workspace_.settings, simulation_,
                                                         options_, workspace_.view),
                          workspace_.menus.simulate, itemOf(kind), Mode::kSimulate);
+  workspace_.tools.add(
+      std::make_unique<ExactTouchTool>(workspace_, simulation_, options_),
+      workspace_.menus.simulate,
+      {"simulate-exact", tr("E&xact touch"), QKeySequence(Qt::Key_X),
+       tr("Touch by numbers: kind, place, direction, depth or force; force–depth curve")},
+      Mode::kSimulate);
+  workspace_.tools.add(
+      std::make_unique<SectionTool>(workspace_.settings, simulation_, section_, workspace_.view),
+      workspace_.menus.simulate,
+      {"section-plane", tr("Se&ction plane"), QKeySequence(Qt::Key_K),
+       tr("Cut the body by a plane and show the field inside")},
+      Mode::kSimulate);
+  workspace_.tools.add(
+      std::make_unique<SampleTool>(simulation_, samples_, workspace_.view),
+      workspace_.menus.simulate,
+      {"sample", tr("Sa&mple"), QKeySequence(Qt::Key_I),
+       tr("Read displacement, stress and strain under the pointer; a click pins them")},
+      Mode::kSimulate);
   workspace_.menus.simulate->addSeparator();
   play_ = workspace_.menus.add(
       workspace_.menus.simulate,
@@ -138,6 +165,90 @@ void SimulateActions::addPictures() {
                         });
     factors->addAction(action);
   }
+}
+
+void SimulateActions::addSection() {
+  Menus& menus = workspace_.menus;
+  QAction* cut = menus.addToggle(
+      menus.view, {nullptr, tr("Section"), {}, tr("Show the section plane of Simulate mode")},
+      section_.isShown(), this, [this](bool on) { section_.setShown(on); });
+  onlySimulating_.push_back(cut);
+  connect(&section_, &SectionView::changed, cut, [this, cut] {
+    const QSignalBlocker quiet(cut);
+    cut->setChecked(section_.isShown());
+  });
+  menus
+      .addToggle(menus.simulate,
+                 {nullptr,
+                  tr("&Minimum and maximum"),
+                  {},
+                  tr("Mark the smallest and the largest value of the surface")},
+                 samples_.areExtremesShown(), this,
+                 [this](bool on) {
+                   samples_.setExtremesShown(on);
+                   workspace_.settings.setExtremesShown(on);
+                 })
+      ->setChecked(workspace_.settings.areExtremesShown());
+}
+
+void SimulateActions::addColourRange() {
+  using RangeMode = Simulation::RangeMode;
+  Menus& menus = workspace_.menus;
+  QMenu* ranges = menus.simulate->addMenu(tr("Colour ra&nge"));
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const QString& text, const QString& tip, RangeMode mode) {
+    QAction* action =
+        menus.addToggle(ranges, {nullptr, text, {}, tip}, mode == RangeMode::kAutomatic, this,
+                        [this, mode](bool on) {
+                          if (on && mode != RangeMode::kManual) simulation_.setRangeMode(mode);
+                          if (on) workspace_.settings.setColourRangeMode(static_cast<int>(mode));
+                        });
+    group->addAction(action);
+    rangeModes_.push_back(action);
+  };
+  add(tr("&Automatic"), tr("Round numbers that enclose the values"), RangeMode::kAutomatic);
+  add(tr("&Hold"), tr("Keep the present range while the values change"), RangeMode::kHold);
+  add(tr("&Symmetric"), tr("The same distance to both sides of zero"), RangeMode::kSymmetric);
+  add(tr("&Fixed …"), tr("Type the ends of the colours"), RangeMode::kManual);
+  connect(rangeModes_.back(), &QAction::triggered, this, &SimulateActions::chooseRange);
+  const auto restore = [this] {
+    const int known = static_cast<int>(rangeModes_.size());
+    const int mode = std::clamp(workspace_.settings.colourRangeMode(), 0, known - 1);
+    const auto range = workspace_.settings.colourRange(simulation_.quantity());
+    const bool isManual = mode == static_cast<int>(RangeMode::kManual) && range;
+    const int chosen = mode == static_cast<int>(RangeMode::kManual) && !range ? 0 : mode;
+    for (QAction* action : rangeModes_) action->blockSignals(true);
+    rangeModes_[static_cast<std::size_t>(chosen)]->setChecked(true);
+    for (QAction* action : rangeModes_) action->blockSignals(false);
+    if (isManual)
+      simulation_.setRangeMode(RangeMode::kManual, *range);
+    else
+      simulation_.setRangeMode(static_cast<RangeMode>(chosen));
+  };
+  restore();
+  connect(&simulation_, &Simulation::quantityChanged, this, restore);
+}
+
+void SimulateActions::chooseRange() {
+  const app::SurfaceQuantityInfo& info = app::infoOf(simulation_.quantity());
+  const QString unit = info.unit;
+  const Quantity quantity = unit == "mm"    ? Quantity::kLength
+                            : unit == "MPa" ? Quantity::kStress
+                                            : Quantity::kNumber;
+  ColourRangeDialog dialog(
+      quantity, workspace_.settings.colourRange(info.quantity).value_or(simulation_.range()),
+      workspace_.settings, &workspace_.window);
+  if (dialog.exec() == QDialog::Accepted) {
+    // Fields show their values again when a setting changes.
+    const std::array<double, 2> range = dialog.range();
+    workspace_.settings.setColourRange(info.quantity, range);
+    simulation_.setRangeMode(Simulation::RangeMode::kManual, range);
+    return;
+  }
+  // As before.
+  const int mode = static_cast<int>(simulation_.rangeMode());
+  rangeModes_[static_cast<std::size_t>(mode)]->setChecked(true);
+  workspace_.settings.setColourRangeMode(mode);
 }
 
 void SimulateActions::show(bool isActive) {

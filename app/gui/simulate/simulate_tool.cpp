@@ -39,28 +39,15 @@ SimulateTool::SimulateTool(Kind kind, Settings& settings, Simulation& simulation
     Q_EMIT changed();
   });
   connect(&simulation, &Simulation::bodyChanged, this, &Tool::changed);
+  connect(&simulation, &Simulation::waitingChanged, this, &Tool::changed);
   connect(&simulation, &Simulation::framed, this, [this] {
     const int pins = simulation_.snapshot().contactCount;
     if (std::exchange(pins_, pins) != pins) Q_EMIT changed();
   });
 }
 
-std::optional<SimulateTool::Place> SimulateTool::placeAt(const Eigen::Vector2d& pixel) const {
-  const app::DrawnBody* body = simulation_.drawn();
-  if (!body) return std::nullopt;
-  const auto hit = widget_.viewport().surfaceAt(pixel);
-  if (!hit) return std::nullopt;
-  const auto& [a, b, c] = body->mesh().triangles[static_cast<std::size_t>(hit->triangle)];
-  const auto& drawn = simulation_.shape().positions;
-  const Eigen::Vector3d p = drawn[b] - drawn[a], q = drawn[c] - drawn[a],
-                        r = hit->position - drawn[a];
-  const Eigen::Vector3d area = p.cross(q);
-  const double s = r.cross(q).dot(area) / area.squaredNorm();
-  const double t = p.cross(r).dot(area) / area.squaredNorm();
-  const auto& unloaded = body->mesh().positions;
-  const auto& normals = simulation_.shape().normals;
-  return Place{(1 - s - t) * unloaded[a] + s * unloaded[b] + t * unloaded[c], hit->position,
-               ((1 - s - t) * normals[a] + s * normals[b] + t * normals[c]).normalized()};
+std::optional<SurfacePick> SimulateTool::placeAt(const Eigen::Vector2d& pixel) const {
+  return pickSurface(simulation_, widget_, pixel);
 }
 
 std::optional<app::TouchId> SimulateTool::pinAt(const Eigen::Vector2d& pixel) const {
@@ -262,7 +249,7 @@ QCursor SimulateTool::cursor() const {
 QString SimulateTool::hint() const {
   if (drag_)
     return tr("Ctrl or the wheel: along the normal. Shift while releasing: stays as a pin");
-  if (!simulation_.drawn()) return tr("Touching is possible as soon as the first model is built");
+  if (!simulation_.drawn()) return simulation_.waitingHint();
   if (pins_ > 0)
     return tr("Drag a pin to move it; double-click or Delete removes it; Escape removes all pins");
   switch (kind_) {
@@ -273,7 +260,7 @@ QString SimulateTool::hint() const {
     case Kind::kBall:
       return tr("Press on the surface to set a ball on it, push in with the wheel or Ctrl");
     case Kind::kForce:
-      return tr("Press on the surface and drag out a force");
+      return tr("Press on the surface and drag: the longer the drag, the larger the force");
   }
   return {};
 }

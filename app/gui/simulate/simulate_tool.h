@@ -6,6 +6,7 @@
 #include "app/gui/base/settings.h"
 #include "app/gui/simulate/simulate_options.h"
 #include "app/gui/simulate/simulation.h"
+#include "app/gui/simulate/surface_pick.h"
 #include "app/gui/view/tool.h"
 #include "app/gui/view/viewport_widget.h"
 
@@ -41,11 +42,7 @@ class SimulateTool : public Tool {
   QWidget* makeOptions(QWidget* parent) override;
 
  private:
-  /// Place under a pixel, on the unloaded and on the drawn shape, and its normal.
-  struct Place {
-    Eigen::Vector3d at, drawn, normal;
-  };
-  std::optional<Place> placeAt(const Eigen::Vector2d& pixel) const;
+  std::optional<SurfacePick> placeAt(const Eigen::Vector2d& pixel) const;
   std::optional<app::TouchId> pinAt(const Eigen::Vector2d& pixel) const;
   void pull(const Eigen::Vector2d& pixel, bool alongNormal);
   /// Sets the value of the contact from the present motion.

@@ -52,9 +52,14 @@ Simulation::Simulation(Editor& editor, QObject* parent)
   timer_.setInterval(kFrame);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Simulation::frame);
-  connect(&editor, &Editor::rebuildChanged, this, &Simulation::followModel);
-  connect(&editor, &Editor::projectReplaced, this, [this] {
-    if (isActive()) endAll();
+  connect(&editor, &Editor::rebuildChanged, this, [this] {
+    followModel();
+    if (isActive() && !drawn_) Q_EMIT waitingChanged();
+  });
+  // Another project opens in Model mode: body, curves and contacts of this one end at once.
+  connect(&editor, &Editor::aboutToReplace, this, [this] {
+    setActive(false);
+    Q_EMIT projectLeft();
   });
 }
 
@@ -115,9 +120,24 @@ void Simulation::setQuantity(app::SurfaceQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
   range_ = {0, 0};
+  largestInside_ = 0;
+  if (rangeMode_ == RangeMode::kHold) rangeMode_ = RangeMode::kAutomatic;
   isDirty_ = true;
   computeStiffness();
+  Q_EMIT quantityChanged();
   Q_EMIT picturesChanged();
+}
+
+void Simulation::setRangeMode(RangeMode mode, const std::array<double, 2>& manual) {
+  rangeMode_ = mode;
+  manualRange_ = manual;
+  if (mode != RangeMode::kHold) range_ = {0, 0};
+  isDirty_ = true;
+  Q_EMIT picturesChanged();
+}
+
+const bem::BoundaryField* Simulation::field() {
+  return field_ && snapshot_.model == drawnNumber_ ? &field_->field(snapshot_) : nullptr;
 }
 
 void Simulation::setFingertip(double radius) {
@@ -291,12 +311,20 @@ void Simulation::updateRange() {
     // Without contacts and loads show no colours, instead of one colour for zero.
     std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
   }
+  if (rangeMode_ == RangeMode::kManual) {
+    range_ = manualRange_;
+    return;
+  }
+  largest = std::max(largest, largestInside_);
   // Change the range rarely, so that colours can be compared over time.
   const double present = range_[1];
   const double least = leastRange();
-  if (present == 0 || largest > present || (largest > 0 && largest < kHeadroom * present))
+  const bool mayChange = rangeMode_ != RangeMode::kHold || present == 0;
+  if (mayChange &&
+      (present == 0 || largest > present || (largest > 0 && largest < kHeadroom * present)))
     range_[1] = roundUp(std::max(largest, least));
-  range_[0] = app::infoOf(quantity_).isSigned ? -range_[1] : 0;
+  const bool isSymmetric = app::infoOf(quantity_).isSigned || rangeMode_ == RangeMode::kSymmetric;
+  if (mayChange) range_[0] = isSymmetric ? -range_[1] : 0;
 }
 
 }  // namespace palpa::gui

@@ -14,6 +14,7 @@
 #include "app/core/results/stiffness_colours.h"
 #include "app/core/system/priority.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/document/rebuild_words.h"
 #include "base/worker_thread.h"
 
 namespace palpa::gui {
@@ -64,8 +65,25 @@ class Simulation : public QObject {
   /// One number per point of drawn(); the range of the colours has round ends and changes rarely.
   const std::vector<double>& values() const { return values_; }
   const std::array<double, 2>& range() const { return range_; }
+  /// How the ends of the colours follow the values. Stiffness has its own.
+  enum class RangeMode {
+    kAutomatic,  ///< round numbers that enclose the values and change rarely
+    kHold,       ///< as they are
+    kSymmetric,  ///< as kAutomatic, about zero
+    kManual,
+  };
+  /// `manual` in the program's unit, first < second; only for kManual.
+  void setRangeMode(RangeMode mode, const std::array<double, 2>& manual = {0, 1});
+  RangeMode rangeMode() const { return rangeMode_; }
+  /// Largest absolute value on a section: the range encloses it, too.
+  void setLargestInside(double largest) { largestInside_ = largest; }
+  /// The whole field of the last frame; null before the first body. Costs some milliseconds.
+  const bem::BoundaryField* field();
+  const std::shared_ptr<const app::DrawnBody>& sharedDrawn() const { return drawn_; }
   /// Reactions, energy and balance of the last frame; costs some milliseconds.
   std::optional<app::TouchState> describe();
+  /// Why there is no drawn() yet, in a few words.
+  QString waitingHint() const { return gui::waitingHint(editor_.rebuildStatus()); }
   /// True if touches act on an older model than the project's.
   bool isBehind() const;
   app::TouchWorker::Status columns() const { return loop_->status(); }
@@ -86,6 +104,11 @@ class Simulation : public QObject {
   void activeChanged(bool active);
   /// Emitted before the mode is left, while the contacts still exist.
   void leaving();
+  void quantityChanged();
+  /// Another project replaces this one.
+  void projectLeft();
+  /// The state of the rebuild changed while there is no drawn() yet.
+  void waitingChanged();
   /// drawn() was replaced; framed() follows.
   void bodyChanged();
   /// shape(), values() and snapshot() are new.
@@ -121,6 +144,9 @@ class Simulation : public QObject {
   app::DrawnBody::Shape shape_;
   std::vector<double> values_;
   std::array<double, 2> range_{0, 1};
+  RangeMode rangeMode_ = RangeMode::kAutomatic;
+  std::array<double, 2> manualRange_{0, 1};
+  double largestInside_ = 0;
   app::SurfaceQuantity quantity_ = app::SurfaceQuantity::kDisplacement;
   double scale_ = 1;
   std::optional<double> fingertip_;

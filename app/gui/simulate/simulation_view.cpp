@@ -15,7 +15,8 @@ using Status = app::TouchSnapshot::Status;
 using app::SurfaceQuantity;
 
 constexpr int kRingPieces = 40;
-constexpr int kDigits = 3;
+constexpr int kLabelDigits = 3;
+constexpr double kUnseen = 1e-5;   // of the body's size, the range of colours or the force
 constexpr double kMinSine = 0.15;  // of the angle between force and surface that decides its side
 
 view::ContactRing::State stateOf(Status status, bool isConverged) {
@@ -45,6 +46,7 @@ SimulationView::SimulationView(Simulation& simulation, const Settings& settings,
   connect(&simulation, &Simulation::activeChanged, this, &SimulationView::enterOrLeave);
   connect(&simulation, &Simulation::bodyChanged, this, &SimulationView::showBody);
   connect(&simulation, &Simulation::framed, this, &SimulationView::showFrame);
+  connect(&settings, &Settings::changed, this, [this] { isStale_ = true; });  // units
   connect(&simulation, &Simulation::picturesChanged, this, [this] {
     if (hasBody_) showField();
   });
@@ -53,7 +55,7 @@ SimulationView::SimulationView(Simulation& simulation, const Settings& settings,
 void SimulationView::enterOrLeave(bool active) {
   if (active) {
     // The undeformed body stays visible until the first model is ready.
-    scene_.setShown(false);
+    scene_.show(SceneController::Extent::kBody);
     return;
   }
   view::Viewport& viewport = widget_.viewport();
@@ -64,7 +66,7 @@ void SimulationView::enterOrLeave(bool active) {
   viewport.setBalls({});
   hasBody_ = false;
   fullForce_ = 0;
-  scene_.setShown(true);
+  scene_.show(SceneController::Extent::kAll);
   widget_.update();
 }
 
@@ -89,6 +91,7 @@ Unit SimulationView::fieldUnit() const {
 }
 
 void SimulationView::showBody() {
+  scene_.show(SceneController::Extent::kNothing);
   const app::DrawnBody& body = *simulation_.drawn();
   const modeling::DisplayMesh& mesh = body.mesh();
   view::Viewport& viewport = widget_.viewport();
@@ -98,12 +101,16 @@ void SimulationView::showBody() {
   viewport.setRegions(
       view::regionOfTriangles(mesh.triangles, body.isSupported(), mesh.positions.size()), {});
   hasBody_ = true;
+  size_ = 0;
+  for (const Eigen::Vector3d& position : mesh.positions)
+    size_ = std::max(size_, (position - mesh.positions.front()).norm());
   showField();
   showGhost();
   showFrame();
 }
 
 void SimulationView::showField() {
+  isStale_ = true;
   view::Viewport& viewport = widget_.viewport();
   if (simulation_.quantity() == SurfaceQuantity::kNone) {
     viewport.setField(std::nullopt);
@@ -134,8 +141,39 @@ void SimulationView::showGhost() {
       body.mesh().positions, body.mesh().normals, {}, {}, view::linesBetween(body.borders()), {}});
 }
 
+bool SimulationView::hasChanged() {
+  Drawn now{simulation_.shape().positions,
+            simulation_.values(),
+            simulation_.range(),
+            {},
+            simulation_.snapshot().isConverged};
+  const auto contacts = simulation_.snapshot().touched();
+  now.contacts.assign(contacts.begin(), contacts.end());
+  const auto isSame = [](double a, double b, double size) {
+    return std::abs(a - b) <= kUnseen * size || (std::isnan(a) && std::isnan(b));
+  };
+  const auto isSamePlace = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return isSame((a - b).norm(), 0, size_);
+  };
+  const auto isSameContact = [&](const auto& a, const auto& b) {
+    return a.id == b.id && a.status == b.status &&
+           isSame((a.force - b.force).norm(), 0, b.force.norm()) && isSamePlace(a.value, b.value);
+  };
+  const double span = now.range[1] - now.range[0];
+  const bool isEqual = !isStale_ && now.range == drawn_.range &&
+                       now.isConverged == drawn_.isConverged &&
+                       std::ranges::equal(now.positions, drawn_.positions, isSamePlace) &&
+                       std::ranges::equal(now.values, drawn_.values,
+                                          [&](double a, double b) { return isSame(a, b, span); }) &&
+                       std::ranges::equal(now.contacts, drawn_.contacts, isSameContact);
+  isStale_ = false;
+  if (!isEqual) drawn_ = std::move(now);
+  return !isEqual;
+}
+
 void SimulationView::showFrame() {
-  if (!hasBody_) return;
+  // A held touch is computed without end, but what stands still needs no new picture.
+  if (!hasBody_ || !hasChanged()) return;
   view::Viewport& viewport = widget_.viewport();
   viewport.moveBody(simulation_.shape().positions, simulation_.shape().normals);
   if (simulation_.quantity() != SurfaceQuantity::kNone) {
@@ -187,7 +225,7 @@ void SimulationView::showContacts() {
           {drawn, contact.force,
            isPressing ? view::ForceArrow::Anchor::kTip : view::ForceArrow::Anchor::kTail,
            view::ForceArrow::Role::kApplied,
-           shown(force, Quantity::kForce, settings_.units(), kDigits).toStdString()});
+           shown(force, Quantity::kForce, settings_.units(), kLabelDigits).toStdString()});
     }
     double radius = contact.tool.radius;
     if (app::infoOf(contact.tool.kind).isBall) {

@@ -24,12 +24,23 @@ class SimulationView : public QObject {
   bool isGhostShown() const { return isGhostShown_; }
 
  private:
+  /// What a frame shows.
+  struct Drawn {
+    std::vector<Eigen::Vector3d> positions;
+    std::vector<double> values;
+    std::array<double, 2> range{};
+    std::vector<app::TouchSnapshot::Contact> contacts;
+    bool isConverged = true;
+  };
+
   void enterOrLeave(bool active);
   void showBody();
   void showField();
   void showGhost();
   void showFrame();
   void showContacts();
+  /// True if the last frame differs visibly from what was drawn; takes it as drawn.
+  bool hasChanged();
   /// Name, unit and colours of the shown quantity.
   view::ScalarField fieldLooks() const;
   Unit fieldUnit() const;
@@ -42,6 +53,9 @@ class SimulationView : public QObject {
   ViewportWidget& widget_;
   bool isGhostShown_ = true;
   bool hasBody_ = false;
+  bool isStale_ = true;  // must be drawn even without a change
+  double size_ = 0;      // mm, of the body
+  Drawn drawn_;
   double fullForce_ = 0;                     // force of the longest arrow, N
   std::map<app::TouchId, bool> isPressing_;  // the tip of the arrow is on the surface
 };

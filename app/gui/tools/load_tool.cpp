@@ -12,13 +12,7 @@ using Kind = Selection::Kind;
 using Style = view::ToolDrawing::Style;
 
 constexpr double kStrengthShare = 0.02;  // of Young's modulus: strains of a few per cent
-constexpr double kRadiusShare = 0.1;     // of the body's size
-
-modeling::Region* regionOf(modeling::Load& load) {
-  if (auto* pressure = std::get_if<modeling::Pressure>(&load.what)) return &pressure->where;
-  if (auto* traction = std::get_if<modeling::UniformTraction>(&load.what)) return &traction->where;
-  return nullptr;
-}
+constexpr double kBumpShare = 0.1;       // of the body's size
 
 }  // namespace
 
@@ -59,7 +53,7 @@ Eigen::Vector3d LoadTool::traction() const {
 double LoadTool::radius() const {
   if (const modeling::Load* load = target())
     if (const auto* bump = std::get_if<modeling::Bump>(&load->what)) return bump->radius;
-  return radius_.value_or(kRadiusShare * bodySize());
+  return radius_.value_or(kBumpShare * bodySize());
 }
 
 void LoadTool::change(const modeling::Load& load) {

@@ -44,6 +44,10 @@ void PointOptions::setMirror(Mirror mirror) {
   set(mirror_, mirror);
 }
 
+void PointOptions::setSnaps(bool snaps) {
+  set(snaps_, snaps);
+}
+
 modeling::Reach PointOptions::reach(const modeling::Solid& solid) const {
   modeling::Reach reach;
   if (hasFalloff_) reach.falloff = falloff_;
@@ -116,7 +120,16 @@ QWidget* PointOptions::makeWidget(const Settings& settings, QWidget* parent) {
   form->addRow(tr("&Mirror"), plane);
   connect(plane, &QComboBox::activated, this, [this](int item) { setMirror(Mirror(item)); });
 
+  auto* snap = new QCheckBox(tr("Snap"), widget);
+  snap->setObjectName("snap");
+  snap->setToolTip(
+      tr("The dragged point goes to the control point or edge under the pointer, or to the grid; "
+         "angles and factors are rounded. Ctrl reverses it (F9)"));
+  form->addRow(QString(), snap);
+  connect(snap, &QCheckBox::toggled, this, &PointOptions::setSnaps);
+
   const auto show = [=, this] {
+    snap->setChecked(snaps_);
     group->button(static_cast<int>(pick_))->setChecked(true);
     has->setChecked(hasFalloff_);
     radius->setEnabled(hasFalloff_);

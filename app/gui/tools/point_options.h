@@ -42,6 +42,10 @@ class PointOptions : public QObject {
   Mirror mirror() const { return mirror_; }
   void setMirror(Mirror mirror);
 
+  /// True if dragged places snap to points, edges and the grid; Ctrl reverses it during a motion.
+  bool snaps() const { return snaps_; }
+  void setSnaps(bool snaps);
+
   modeling::Reach reach(const modeling::Solid& solid) const;
 
   /// Fields for all options, owned by `parent`; they follow changes.
@@ -58,6 +62,7 @@ class PointOptions : public QObject {
   bool hasFalloff_ = false;
   double falloff_ = 20;
   Mirror mirror_ = Mirror::kOff;
+  bool snaps_ = false;
 };
 
 }  // namespace palpa::gui

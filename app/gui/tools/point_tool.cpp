@@ -124,7 +124,8 @@ bool PointTool::move(const PointerEvent& event) {
     begin(axis, from, false);
   }
   if (motion_) {
-    follow((event.modifiers & Qt::ControlModifier) != 0);
+    setSnapping((event.modifiers & Qt::ControlModifier) != 0);
+    follow();
     return true;
   }
   if (picker_.isInBox()) {
@@ -194,6 +195,10 @@ void PointTool::begin(GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKey
   motion.before = solid.controlPoints();
   motion.amount = neutral();
   motion.isByKeys = isByKeys;
+  motion.snaps = options_.snaps();
+  std::set<int> following = followersOf(points, motion.reach, solid);
+  following.insert(points.begin(), points.end());
+  motion.snapPlaces = SnapPlaces(solid, following, workspace_.scene);
   motion_ = std::move(motion);
   picker_.unhover();
   // The arrows would cover the typed number; a line shows the axis instead.
@@ -211,23 +216,29 @@ void PointTool::constrain(GizmoAxis axis) {
   }
   motion_->axis = motion_->axis == axis ? GizmoAxis::kAll : axis;
   workspace_.scene.setGizmoAxis(motion_->axis);
-  const auto amount =
-      motion_->typed.isEmpty() ? pointed(*motion_, false) : entered(*motion_, motion_->typed);
+  const auto amount = motion_->typed.isEmpty() ? pointed(*motion_, motion_->snaps)
+                                               : entered(*motion_, motion_->typed);
   apply(amount.value_or(neutral()), true);
 }
 
-void PointTool::follow(bool snap) {
+void PointTool::setSnapping(bool isReversed) {
+  motion_->snaps = options_.snaps() != isReversed;
+}
+
+void PointTool::follow() {
   const Eigen::Vector2d centre = workspace_.view.viewport().toPixel(motion_->centre);
   if (centre.allFinite()) motion_->turned += degreesAround(centre, motion_->pixel, pointer_);
   motion_->pixel = pointer_;
   if (!motion_->typed.isEmpty()) return;
-  const auto amount = pointed(*motion_, snap);
+  motion_->target =
+      motion_->snaps ? motion_->snapPlaces.near(motion_->pixel, workspace_.view) : std::nullopt;
+  const auto amount = pointed(*motion_, motion_->snaps);
   if (amount && amount->allFinite()) apply(*amount, false);
 }
 
 void PointTool::type(const QString& text) {
   motion_->typed = text;
-  const auto amount = text.isEmpty() ? pointed(*motion_, false) : entered(*motion_, text);
+  const auto amount = text.isEmpty() ? pointed(*motion_, motion_->snaps) : entered(*motion_, text);
   if (amount)
     apply(*amount, true);
   else
@@ -285,9 +296,7 @@ bool PointTool::cancel() {
     picker_.cancelBox();
     return true;
   }
-  if (workspace_.editor.selection().empty()) return false;
-  workspace_.editor.select({});
-  return true;
+  return false;
 }
 
 bool PointTool::wantsKey(const QKeyEvent& event) const {
@@ -355,7 +364,7 @@ KeyHelp PointTool::keyHelp() const {
           {{tr("Begin without a drag"), tr("G, or X, Y, Z")},
            {tr("Restrict to an axis or the normal; again: free"), tr("X, Y, Z, N")},
            {tr("Exact length, angle or factor"), tr("Digits, Backspace")},
-           {tr("Round"), tr("Ctrl")},
+           {tr("Snap to points, edges and the grid; round angles and factors"), tr("Ctrl")},
            {tr("Radius of the falloff"), tr("Wheel")},
            {tr("Nudge; ten times as far"), tr("Arrow keys; with Shift")},
            {tr("Confirm; undo"), tr("Enter or click; Escape or right button")}}};

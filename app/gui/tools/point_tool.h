@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/gui/tools/point_picker.h"
+#include "app/gui/tools/snap_places.h"
 #include "app/gui/view/tool.h"
 #include "app/gui/workspace/workspace.h"
 
@@ -51,6 +52,9 @@ class PointTool : public Tool {
     std::vector<Eigen::Vector3d> before;  ///< all control points at the start
     Amount amount = Amount::Zero();       ///< applied
     bool isByKeys = false;                ///< begun by a key, without a pressed button
+    bool snaps = false;                   ///< at the last motion of the pointer
+    SnapPlaces snapPlaces;
+    std::optional<SnapTarget> target;  ///< under the pointer, while it snaps
     QString typed;
   };
 
@@ -82,7 +86,8 @@ class PointTool : public Tool {
  private:
   std::set<int> movedPoints() const;
   void begin(view::GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKeys);
-  void follow(bool snap);
+  void follow();
+  void setSnapping(bool isReversed);
   void constrain(view::GizmoAxis axis);
   void type(const QString& text);
   /// Performs the command for the amount: as a step added to the previous ones, or `fromStart`.

@@ -119,6 +119,8 @@ void PointTool::drawMotion(ToolDrawing& drawing) const {
     }
     drawing.lines.push_back(std::move(ring));
   }
+  if (motion_->target && motion_->typed.isEmpty() && kind() == view::GizmoKind::kMove)
+    drawing.dots.push_back({motion_->target->at, ToolDrawing::Style::kHovered});
   QString text = describe(*motion_);
   if (!motion_->typed.isEmpty())
     text = (axisName(*motion_) + " " + motion_->typed + "_  =  " + text).trimmed();

@@ -5,7 +5,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr double kStep = 15;  // degrees, with Ctrl
+constexpr double kAngleStep = 15;  // degrees, with Ctrl
 
 }  // namespace
 
@@ -14,7 +14,7 @@ std::optional<RotateTool::Amount> RotateTool::pointed(const Motion& motion, bool
   const auto [right, up] = screenAxes();
   const double degrees =
       directionOf(motion).dot(right.cross(up)) < 0 ? -motion.turned : motion.turned;
-  return Amount(snap ? snapped(degrees, kStep) : degrees, 0, 0);
+  return Amount(snap ? snapped(degrees, kAngleStep) : degrees, 0, 0);
 }
 
 std::optional<RotateTool::Amount> RotateTool::entered(const Motion&, const QString& text) const {

@@ -5,7 +5,7 @@
 namespace palpa::gui {
 namespace {
 
-constexpr double kStep = 0.1;  // with Ctrl
+constexpr double kFactorStep = 0.1;  // with Ctrl
 
 }  // namespace
 
@@ -25,7 +25,7 @@ std::optional<ScaleTool::Amount> ScaleTool::pointed(const Motion& motion, bool s
   const Eigen::Vector2d centre = workspace_.view.viewport().toPixel(motion.centre);
   if (!centre.allFinite()) return std::nullopt;
   const double factor = factorFrom(centre, motion.from, motion.pixel);
-  return along(motion, snap ? snapped(factor, kStep) : factor);
+  return along(motion, snap ? snapped(factor, kFactorStep) : factor);
 }
 
 std::optional<ScaleTool::Amount> ScaleTool::entered(const Motion& motion,

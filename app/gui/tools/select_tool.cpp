@@ -1,5 +1,7 @@
 #include "app/gui/tools/select_tool.h"
 
+#include <cmath>
+
 #include "app/gui/tools/motion_geometry.h"
 
 namespace palpa::gui {
@@ -14,12 +16,17 @@ SelectTool::Amount SelectTool::along(const Motion& motion, const Eigen::Vector3d
 
 std::optional<SelectTool::Amount> SelectTool::pointed(const Motion& motion, bool snap) const {
   const view::Viewport& viewport = workspace_.view.viewport();
-  const double step = lengthStep();
+  const double step = viewport.gridSpacing();
   if (motion.axis == GizmoAxis::kAll) {
+    if (snap && motion.target) return Amount(motion.target->at - motion.place);
     Amount by = viewport.inViewPlane(motion.pixel, motion.place) -
                 viewport.inViewPlane(motion.from, motion.place);
+    // A coordinate that the drag leaves alone, as depth in a standard view, stays off the grid.
+    const double still = 1e-9 * step;
     if (snap)
-      for (double& component : by) component = snapped(component, step);
+      for (Eigen::Index k = 0; k < 3; ++k)
+        if (std::abs(by[k]) > still)
+          by[k] = snapped(motion.place[k] + by[k], step) - motion.place[k];
     return by;
   }
   const Eigen::Vector3d direction = directionOf(motion);
@@ -27,7 +34,12 @@ std::optional<SelectTool::Amount> SelectTool::pointed(const Motion& motion, bool
   const auto to = viewport.onLine(motion.pixel, motion.place, direction);
   if (!from || !to) return std::nullopt;
   const double distance = direction.dot(*to - *from);
-  return along(motion, direction, snap ? snapped(distance, step) : distance);
+  if (!snap) return along(motion, direction, distance);
+  if (motion.target)
+    return along(motion, direction, direction.dot(motion.target->at - motion.place));
+  // Along normals there is no grid: the distance is rounded.
+  const double start = motion.axis == GizmoAxis::kNormal ? 0 : direction.dot(motion.place);
+  return along(motion, direction, snapped(start + distance, step) - start);
 }
 
 std::optional<SelectTool::Amount> SelectTool::entered(const Motion& motion,
@@ -48,18 +60,36 @@ modeling::Command SelectTool::command(const Motion& motion, const Amount& amount
 
 QString SelectTool::describe(const Motion& motion) const {
   const auto length = [&](double value) { return shown(value, Quantity::kLength, units(), 4); };
-  if (motion.axis == GizmoAxis::kAll) return length(motion.amount.norm());
+  QString target;
+  if (motion.snaps && motion.typed.isEmpty()) {
+    target = tr("grid %1").arg(length(workspace_.view.viewport().gridSpacing()));
+    if (motion.target)
+      target =
+          motion.target->kind == SnapTarget::Kind::kPoint ? tr("on a point") : tr("on an edge");
+    target.prepend("   ");
+  }
+  if (motion.axis == GizmoAxis::kAll) {
+    // The unit once, behind the last number.
+    const double noise = 1e-6 * motion.amount.norm();
+    const auto number = [&](double value) {
+      return length(std::abs(value) < noise ? 0 : value).section(' ', 0, 0);
+    };
+    return QString("dx %1   dy %2   dz %3   d %4")
+               .arg(number(motion.amount.x()), number(motion.amount.y()), number(motion.amount.z()),
+                    length(motion.amount.norm())) +
+           target;
+  }
   const double distance = motion.axis == GizmoAxis::kNormal
                               ? motion.amount.x()
                               : motion.amount.dot(directionOf(motion));
-  return axisName(motion) + " " + length(distance);
+  return axisName(motion) + " " + length(distance) + target;
 }
 
 QString SelectTool::hint() const {
   if (isMoving())
     return tr(
         "Moving: X, Y, Z or N restricts it to an axis or the normal; digits set the distance; "
-        "Ctrl rounds; Enter confirms, Escape cancels");
+        "Ctrl snaps; Enter confirms, Escape cancels");
   return tr(
       "Click or box to select, Shift adds, Ctrl removes; drag or press G to move; arrow keys "
       "nudge");

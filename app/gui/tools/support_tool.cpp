@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Selection::Kind;
 
-constexpr double kRadiusShare = 0.06;   // of the body's size: initial radius
+constexpr double kBrushShare = 0.06;    // of the body's size: initial radius
 constexpr double kRadiusStep = 1.15;    // factor of [ and ]
 constexpr double kPixelStep = 6.0;      // between two samples of the surface while painting
 constexpr double kPointSpacing = 0.25;  // of the radius, between two points of a stroke
@@ -20,7 +20,7 @@ constexpr double kPointSpacing = 0.25;  // of the radius, between two points of 
 }  // namespace
 
 double SupportTool::radius() const {
-  return radius_ ? *radius_ : roundLengthBelow(kRadiusShare * bodySize());
+  return radius_ ? *radius_ : roundLengthBelow(kBrushShare * bodySize());
 }
 
 void SupportTool::setRadius(double radius) {
@@ -124,7 +124,7 @@ void SupportTool::paintAlong(const Eigen::Vector2d& pixel) {
     if (brush_ == Brush::kPatch)
       paintPatch(place->patch);
     else if (erases_)
-      eraseAt(place->position);
+      eraseAt(*place);
     else
       paintAt(place->position);
   }
@@ -138,40 +138,56 @@ void SupportTool::paintPatch(int patch) {
   put(std::move(support));
 }
 
-void SupportTool::paintAt(const Eigen::Vector3d& position) {
-  modeling::Support support = painted();
-  auto& parts = support.where.parts;
+void SupportTool::extend(std::vector<modeling::RegionPart>& parts,
+                         const Eigen::Vector3d& position) const {
   auto* stroke =
       hasBegunStroke_ && !parts.empty() ? std::get_if<modeling::Stroke>(&parts.back()) : nullptr;
   // A jump across a silhouette does not follow the surface: begin another stroke.
   if (stroke && (stroke->points.back() - position).norm() > 4.0 * radius()) stroke = nullptr;
   if (stroke && stroke->points.size() >= modeling::Stroke::kMaxPoints) stroke = nullptr;
-  if (stroke) {
-    if ((stroke->points.back() - position).norm() < kPointSpacing * radius()) return;
-    stroke->points.push_back(position);
-  } else {
+  if (!stroke)
     parts.emplace_back(modeling::Stroke{{position}, radius()});
-  }
+  else if ((stroke->points.back() - position).norm() >= kPointSpacing * radius())
+    stroke->points.push_back(position);
+}
+
+void SupportTool::paintAt(const Eigen::Vector3d& position) {
+  modeling::Support support = painted();
+  const modeling::Region before = support.where;
+  eraseStrokes(support.where.except, position);
+  extend(support.where.parts, position);
+  if (support.where == before) return;
   hasBegunStroke_ = put(std::move(support));
 }
 
-void SupportTool::eraseAt(const Eigen::Vector3d& position) {
-  modeling::Support support = painted();
+void SupportTool::eraseStrokes(std::vector<modeling::RegionPart>& parts,
+                               const Eigen::Vector3d& position) const {
   std::vector<modeling::RegionPart> left;
-  bool differs = false;
-  for (const modeling::RegionPart& part : support.where.parts) {
+  for (const modeling::RegionPart& part : parts) {
     const auto* stroke = std::get_if<modeling::Stroke>(&part);
     if (!stroke || stroke->value(position) > radius()) {
       left.push_back(part);
       continue;
     }
     const auto pieces = withoutNear(*stroke, position, radius());
-    differs = differs || pieces.size() != 1 || !(pieces.front() == *stroke);
     left.insert(left.end(), pieces.begin(), pieces.end());
   }
-  if (!differs) return;
-  support.where.parts = std::move(left);
-  put(std::move(support));
+  parts = std::move(left);
+}
+
+void SupportTool::eraseAt(const SurfacePlace& place) {
+  modeling::Support support = painted();
+  const modeling::Region before = support.where;
+  eraseStrokes(support.where.parts, place.position);
+  // Patches and half spaces cannot be cut: the stroke becomes an exception.
+  std::vector<modeling::RegionPart> others = support.where.parts;
+  std::erase_if(others,
+                [](const auto& part) { return std::holds_alternative<modeling::Stroke>(part); });
+  const bool isInside = modeling::namedPatches(others, editor_.project().body)[place.patch] ||
+                        modeling::isInSpace(others, place.position);
+  if (isInside) extend(support.where.except, place.position);
+  if (support.where == before) return;
+  hasBegunStroke_ = put(std::move(support)) && isInside;
 }
 
 void SupportTool::hover(const Eigen::Vector2d& pixel) {
@@ -211,7 +227,7 @@ QString SupportTool::hint() const {
   if (brush_ == Brush::kPatch)
     return tr(
         "Click a patch or drag over patches to support them; click a supported patch to remove it");
-  return tr("Drag over the surface to support it, Ctrl erases strokes; [ and ] change the radius "
+  return tr("Drag over the surface to support it, Ctrl erases; [ and ] change the radius "
             "(%1)")
       .arg(shownLength(radius()));
 }

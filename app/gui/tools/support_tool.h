@@ -40,7 +40,12 @@ class SupportTool : public SurfaceTool {
   bool put(modeling::Support support);
   void paintPatch(int patch);
   void paintAt(const Eigen::Vector3d& position);
-  void eraseAt(const Eigen::Vector3d& position);
+  void eraseAt(const SurfacePlace& place);
+  /// Removes what is nearer than the radius from the strokes among the parts.
+  void eraseStrokes(std::vector<modeling::RegionPart>& parts,
+                    const Eigen::Vector3d& position) const;
+  /// Continues the present stroke, the last of the parts, or begins another one.
+  void extend(std::vector<modeling::RegionPart>& parts, const Eigen::Vector3d& position) const;
   void paintAlong(const Eigen::Vector2d& pixel);
   void hover(const Eigen::Vector2d& pixel);
 
@@ -49,7 +54,7 @@ class SupportTool : public SurfaceTool {
   std::optional<double> radius_;  // mm; default: a share of the body's size
   bool isPainting_ = false;
   bool erases_ = false;
-  bool hasBegunStroke_ = false;  // the last part of the support is the present stroke
+  bool hasBegunStroke_ = false;  // the last part (or exception) is the present stroke
   Eigen::Vector2d last_ = Eigen::Vector2d::Zero();  // pixel
 };
 

@@ -45,17 +45,6 @@ class SurfaceTool : public Tool {
   ViewportWidget& widget_;
 };
 
-/// "support 3": the stem with the first number that is free in the list.
-template <class List>
-std::string freeName(const std::string& stem, const List& list) {
-  for (int i = 1;; ++i) {
-    const std::string name = stem + " " + std::to_string(i);
-    bool isFree = true;
-    for (const auto& each : list) isFree = isFree && each.name != name;
-    if (isFree) return name;
-  }
-}
-
 /// Adds a patch to a region or removes it; the region may become empty.
 void setPatch(modeling::Region& region, const std::string& patch, bool isInside);
 bool namesPatch(const modeling::Region& region, const std::string& patch);

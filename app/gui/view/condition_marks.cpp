@@ -4,28 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "app/gui/base/overloaded.h"
+
 namespace palpa::gui {
 namespace {
-
-/// True for each patch that the region names.
-std::vector<bool> namedPatches(const modeling::Region& region, const modeling::Body& body) {
-  std::vector<bool> result(modeling::patchNames(body).size(), false);
-  for (const modeling::RegionPart& part : region.parts)
-    if (const auto* set = std::get_if<modeling::PatchSet>(&part))
-      for (const std::string& name : set->patches)
-        if (const auto patch = modeling::findPatch(body, name)) result[*patch] = true;
-  return result;
-}
-
-/// True if one of the region's half-spaces or strokes contains the point.
-bool reaches(const modeling::Region& region, const Eigen::Vector3d& point) {
-  for (const modeling::RegionPart& part : region.parts) {
-    const auto* half = std::get_if<modeling::HalfSpace>(&part);
-    const auto* stroke = std::get_if<modeling::Stroke>(&part);
-    if ((half && half->value(point) < 0.0) || (stroke && stroke->value(point) < 0.0)) return true;
-  }
-  return false;
-}
 
 Eigen::Vector3d areaVector(const ShownSurface& surface, std::size_t triangle) {
   const auto& [a, b, c] = surface.triangles[triangle];
@@ -43,32 +25,61 @@ view::ForceArrow arrow(const std::string& label, const Eigen::Vector3d& at,
   return result;
 }
 
-/// Strength along the arrow, MPa. A pressure keeps its sign: suction is negative.
-double strengthOf(const modeling::Load& load) {
-  if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) return pressure->pressure;
-  if (const auto* bump = std::get_if<modeling::Bump>(&load.what))
-    return std::abs(bump->peak) * bump->direction.norm();
-  return std::get<modeling::UniformTraction>(load.what).traction.norm();
+/// Strength along the arrow. A pressure keeps its sign: suction is negative.
+QString strengthOf(const modeling::Load& load, const ShownUnits& units) {
+  constexpr int kDigits = 3;
+  const auto stress = [&](double value) { return shown(value, Quantity::kStress, units, kDigits); };
+  const auto number = [&](double value, const char* unit) {
+    return shown(value, Quantity::kNumber, units, kDigits) + unit;
+  };
+  return std::visit(
+      Overloaded{
+          [&](const modeling::Pressure& of) { return stress(of.pressure); },
+          [&](const modeling::UniformTraction& of) { return stress(of.traction.norm()); },
+          [&](const modeling::Bump& of) { return stress(std::abs(of.peak) * of.direction.norm()); },
+          [&](const modeling::TotalForce& of) {
+            return shown(of.force.norm(), Quantity::kForce, units, kDigits);
+          },
+          [&](const modeling::Moment& of) { return number(of.moment.norm(), " N mm"); },
+          [&](const modeling::Gravity& of) {
+            return number(of.accelerationMPerS2.norm(), " m/s²");
+          }},
+      load.what);
 }
 
 /// "Weight: 2.5 kPa".
 std::string labelOf(const modeling::Load& load, const ShownUnits& units) {
-  constexpr int kDigits = 3;
-  return load.name + ": " +
-         shown(strengthOf(load), Quantity::kStress, units, kDigits).toStdString();
+  return load.name + ": " + strengthOf(load, units).toStdString();
+}
+
+/// Direction of the arrow at a place of the load's region; zero without one.
+Eigen::Vector3d directionOf(const modeling::Load& load) {
+  return std::visit(
+      Overloaded{[](const modeling::UniformTraction& of) { return of.traction; },
+                 [](const modeling::TotalForce& of) { return of.force; },
+                 [](const modeling::Moment& of) { return of.moment; },
+                 [](const auto&) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }},
+      load.what);
 }
 
 }  // namespace
 
 std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
                                          const ShownSurface& surface) {
-  const std::vector<bool> isNamed = namedPatches(region, body);
+  const auto isIn = [&](const std::vector<modeling::RegionPart>& parts) {
+    return [&parts, isNamed = modeling::namedPatches(parts, body)](int patch,
+                                                                   const Eigen::Vector3d& point) {
+      return isNamed[patch] || modeling::isInSpace(parts, point);
+    };
+  };
+  const auto isInside = isIn(region.parts), isExcepted = isIn(region.except);
   std::vector<std::size_t> inside;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double area = 0.0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Eigen::Vector3d middle = surface.middle(t);
-    if (!isNamed[surface.patchOfTriangle[t]] && !reaches(region, middle)) continue;
+    const int patch = surface.patchOfTriangle[t];
+    if (!isInside(patch, middle) || isExcepted(patch, middle)) continue;
     const double size = areaVector(surface, t).norm();
     inside.push_back(t);
     centre += size * middle;
@@ -100,6 +111,12 @@ std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
           arrow(labelOf(load, units), bump->center, sign * bump->direction, Anchor::kTip));
       continue;
     }
+    if (const auto* gravity = std::get_if<modeling::Gravity>(&load.what)) {
+      const auto corners = modeling::boundingBox(project.body);
+      arrows.push_back(arrow(labelOf(load, units), (corners[0] + corners[1]) / 2,
+                             gravity->accelerationMPerS2, Anchor::kTail));
+      continue;
+    }
     const auto place = regionMiddle(*modeling::regionOf(load), project.body, surface);
     if (!place) continue;
     if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) {
@@ -107,9 +124,9 @@ std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
       arrows.push_back(arrow(labelOf(load, units), place->position, -sign * place->normal,
                              sign < 0.0 ? Anchor::kTail : Anchor::kTip));
     } else {
-      const auto& traction = std::get<modeling::UniformTraction>(load.what).traction;
-      arrows.push_back(arrow(labelOf(load, units), place->position, traction,
-                             traction.dot(place->normal) < 0.0 ? Anchor::kTip : Anchor::kTail));
+      const Eigen::Vector3d direction = directionOf(load);
+      arrows.push_back(arrow(labelOf(load, units), place->position, direction,
+                             direction.dot(place->normal) < 0.0 ? Anchor::kTip : Anchor::kTail));
     }
   }
   return arrows;

@@ -36,12 +36,19 @@ GeometryWarnings::GeometryWarnings(Editor& editor, ViewportWidget& widget)
 }
 
 void GeometryWarnings::show() {
-  app::GeometryError::Findings findings = editor_.rebuildStatus().findings;
-  if (findings == shown_) return;
-  shown_ = std::move(findings);
+  const app::RebuildStatus status = editor_.rebuildStatus();
+  if (status.findings == shown_ && status.reason.conflict == conflict_) return;
+  shown_ = status.findings;
+  conflict_ = status.reason.conflict;
   std::vector<view::WarningMarker> markers;
   for (const modeling::GeometryFinding& finding : *shown_)
     markers.push_back({finding.at, shortText(finding.fault).toStdString()});
+  if (conflict_)
+    markers.push_back({conflict_->at, (conflict_->overlaps ? tr("“%1” and “%2” overlap")
+                                                           : tr("“%1” and “%2” meet"))
+                                          .arg(QString::fromStdString(conflict_->first),
+                                               QString::fromStdString(conflict_->second))
+                                          .toStdString()});
   widget_.viewport().setWarnings(markers);
   widget_.update();
 }

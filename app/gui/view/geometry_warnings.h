@@ -7,7 +7,8 @@
 
 namespace palpa::gui {
 
-/// Shows the findings of the last geometry check as signs in the view.
+/// Shows the findings of the last geometry check, and the place where supports contradict each
+/// other, as signs in the view.
 class GeometryWarnings : public QObject {
   Q_OBJECT
 
@@ -20,6 +21,7 @@ class GeometryWarnings : public QObject {
   Editor& editor_;
   ViewportWidget& widget_;
   app::GeometryError::Findings shown_;
+  std::optional<app::SupportConflict> conflict_;
 };
 
 }  // namespace palpa::gui

@@ -14,9 +14,10 @@ struct Toggle {
   bool SavedView::*on;
 };
 
-const std::array<Toggle, 6> kToggles{{{"net", &SavedView::showsNet},
+const std::array<Toggle, 7> kToggles{{{"net", &SavedView::showsNet},
                                       {"grid", &SavedView::showsGrid},
                                       {"axes", &SavedView::showsAxes},
+                                      {"cube", &SavedView::showsCube},
                                       {"conditions", &SavedView::showsConditions},
                                       {"touches", &SavedView::showsTouches},
                                       {"warnings", &SavedView::showsWarnings}}};
@@ -38,12 +39,13 @@ bool readUnit(const QJsonValue& value, Eigen::Vector3d& vector) {
 
 }  // namespace
 
-std::string viewText(const SavedView& view) {
-  QJsonObject object{{"direction", toJson(view.camera.direction)},
-                     {"up", toJson(view.camera.up)},
-                     {"parallel", view.camera.parallel},
-                     {"zoom", view.camera.zoom},
-                     {"shading", kShadings[static_cast<std::size_t>(view.shading)]}};
+std::string viewText(const SavedView& view, const std::string& present) {
+  QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(present)).object();
+  object["direction"] = toJson(view.camera.direction);
+  object["up"] = toJson(view.camera.up);
+  object["parallel"] = view.camera.parallel;
+  object["zoom"] = view.camera.zoom;
+  object["shading"] = kShadings[static_cast<std::size_t>(view.shading)];
   for (const Toggle& toggle : kToggles) object[toggle.key] = view.*toggle.on;
   return QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString();
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "app/gui/document/named_items.h"
 #include "app/gui/document/point_groups.h"
 #include "app/gui/view/condition_marks.h"
 
@@ -27,40 +28,44 @@ SceneController::SceneController(Editor& editor, const Settings& settings, Viewp
     : QObject(&widget), editor_(editor), settings_(settings), widget_(widget) {
   connect(&editor, &Editor::projectReplaced, this, [this] {
     showProject();
-    if (isShown_) widget_.viewport().fit();
+    if (extent_ != Extent::kNothing) widget_.viewport().fit();
   });
   connect(&editor, &Editor::projectChanged, this, &SceneController::showChange);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showSelection);
   connect(&editor, &Editor::selectionChanged, this, &SceneController::showTouches);
   connect(&settings, &Settings::changed, this, [this] {
-    if (isShown_) showLoads();  // labels contain units
+    if (extent_ != Extent::kNothing) showLoads();  // labels contain units
   });
+  connect(&editor, &Editor::rebuildChanged, this, &SceneController::showConflict);
   showProject();
   widget_.viewport().fit();
 }
 
-void SceneController::setShown(bool shown) {
-  if (shown == isShown_) return;
-  isShown_ = shown;
-  if (shown) {
+void SceneController::show(Extent extent) {
+  if (extent == extent_) return;
+  extent_ = extent;
+  view::Viewport& viewport = widget_.viewport();
+  if (extent != Extent::kAll) {
+    viewport.setControlNet({});
+    netSize_ = 0;
+    viewport.setGizmo(std::nullopt);
+    viewport.setTouchMarkers({});
+    viewport.setToolDrawing({});
+  }
+  if (extent != Extent::kNothing) {
     showProject();
     return;
   }
-  view::Viewport& viewport = widget_.viewport();
-  viewport.setControlNet({});
-  viewport.setGizmo(std::nullopt);
   viewport.setLoadArrows({});
-  viewport.setTouchMarkers({});
-  viewport.setToolDrawing({});
   viewport.setRegions({}, {});
 }
 
 void SceneController::showProject() {
-  // Also while hidden: surface() belongs to the present body.
+  // Also if nothing is drawn: surface() belongs to the present body.
   const modeling::Solid* solid = editor_.solid();
   tessellation_ = solid ? std::make_unique<modeling::Tessellation>(*solid) : nullptr;
   if (solid) shape_ = tessellation_->evaluate(solid->controlPoints());
-  if (!isShown_) return;
+  if (extent_ == Extent::kNothing) return;
   hovered_.reset();
   hoveredPatch_.reset();
   following_.clear();
@@ -72,8 +77,10 @@ void SceneController::showProject() {
                               tessellation_->patchOfTriangle(), tessellation_->borders(),
                               tessellation_->knotLines()});
   setPatches(tessellation_->triangles(), tessellation_->patchOfTriangle());
-  widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
-  netSize_ = solid->controlPoints().size();
+  if (extent_ == Extent::kAll) {
+    widget_.viewport().setControlNet({solid->controlPoints(), modeling::controlNetLines(*solid)});
+    netSize_ = solid->controlPoints().size();
+  }
   showRegions();
   showMarks();
   showSelection();
@@ -126,11 +133,11 @@ void SceneController::showChange(const modeling::Change& change) {
   }
   if (!change.movedPoints.empty() && tessellation_)
     shape_ = tessellation_->evaluate(editor_.solid()->controlPoints());
-  if (!isShown_) return;
+  if (extent_ == Extent::kNothing) return;
   if (!change.movedPoints.empty() && tessellation_) {
     const auto& points = editor_.solid()->controlPoints();
     widget_.viewport().moveBody(shape_.positions, shape_.normals);
-    widget_.viewport().moveControlPoints(points);
+    if (extent_ == Extent::kAll) widget_.viewport().moveControlPoints(points);
     showSelection();
     widget_.updateQuickly();
   }
@@ -149,11 +156,30 @@ void SceneController::showRegions() {
   for (const modeling::Support& support : project.supports) unite(supports, fieldOf(support.where));
   for (const modeling::Load& load : project.loads)
     if (const modeling::Region* region = modeling::regionOf(load)) unite(loads, fieldOf(*region));
-  widget_.viewport().setRegions(supports, loads);
+  std::vector<double> overlap;
+  if (conflict_ && conflict_->overlaps) {
+    const auto* first = findNamed(project.supports, conflict_->first);
+    const auto* second = findNamed(project.supports, conflict_->second);
+    if (first && second) {
+      overlap = fieldOf(first->where);
+      const std::vector<double> other = fieldOf(second->where);
+      for (std::size_t i = 0; i < overlap.size(); ++i) overlap[i] = std::max(overlap[i], other[i]);
+    }
+  }
+  widget_.viewport().setRegions(supports, loads, overlap);
+}
+
+void SceneController::showConflict() {
+  const auto conflict = editor_.rebuildStatus().reason.conflict;
+  if (conflict == conflict_) return;
+  conflict_ = conflict;
+  if (extent_ == Extent::kNothing) return;
+  showRegions();
+  widget_.update();
 }
 
 void SceneController::showMarks() {
-  if (!isShown_) return;
+  if (extent_ == Extent::kNothing) return;
   const std::set<int>& selected = editor_.selection().patches;
   std::vector<Mark> marks(patchOfTriangle_.size(), Mark::kNone);
   for (std::size_t t = 0; t < marks.size(); ++t) {
@@ -169,7 +195,7 @@ void SceneController::showLoads() {
 }
 
 void SceneController::showTouches() {
-  if (!isShown_) return;
+  if (extent_ != Extent::kAll) return;
   widget_.viewport().setTouchMarkers(touchMarkers(editor_.project(), editor_.selection()));
   widget_.update();
 }
@@ -177,7 +203,7 @@ void SceneController::showTouches() {
 void SceneController::showSelection() {
   const modeling::Solid* solid = editor_.solid();
   // selectionChanged may arrive while the view still has the previous net.
-  if (!isShown_ || !solid || solid->controlPoints().size() != netSize_) return;
+  if (extent_ != Extent::kAll || !solid || solid->controlPoints().size() != netSize_) return;
   const std::set<int> moved = pointsOf(editor_.selection(), *solid);
   std::vector<HandleState> states(solid->controlPoints().size(), HandleState::kPlain);
   for (int point : moved) states[point] = HandleState::kFollowing;

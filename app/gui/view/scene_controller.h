@@ -21,8 +21,14 @@ class SceneController : public QObject {
  public:
   SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget);
 
-  /// While hidden, it draws nothing and leaves the view to others; later it draws all changes.
-  void setShown(bool shown);
+  /// What is drawn of the project. With kNothing the view belongs to others; all changes are drawn
+  /// later.
+  enum class Extent {
+    kAll,
+    kBody,  ///< the body with its supports and loads, without points, selection and touches
+    kNothing
+  };
+  void show(Extent extent);
 
   /// Highlights the control point under the pointer.
   void setHovered(std::optional<int> point);
@@ -59,6 +65,7 @@ class SceneController : public QObject {
   void showMarks();
   void showLoads();
   void showTouches();
+  void showConflict();
   void setPatches(const std::vector<view::Triangle>& triangles,
                   const std::vector<int>& patchOfTriangle);
 
@@ -68,7 +75,8 @@ class SceneController : public QObject {
   std::unique_ptr<modeling::Tessellation> tessellation_;
   modeling::Tessellation::Shape shape_;  // as shown
   std::vector<int> patchOfTriangle_, patchOfPosition_;
-  bool isShown_ = true;
+  Extent extent_ = Extent::kAll;
+  std::optional<app::SupportConflict> conflict_;  // as shown
   std::optional<int> hovered_;
   std::optional<int> hoveredPatch_;
   std::set<int> following_;

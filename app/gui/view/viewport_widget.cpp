@@ -23,7 +23,7 @@ ViewportWidget::ViewportWidget(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   restTimer_.setSingleShot(true);
   connect(&restTimer_, &QTimer::timeout, this, [this] {
-    isMoving_ = false;
+    isMoving_ = isReduced_ = false;
     update();
   });
 }
@@ -37,7 +37,10 @@ KeyHelp ViewportWidget::navigationHelp() {
   return {tr("Navigation"),
           {{tr("Orbit"), tr("Middle button, or Alt + left button")},
            {tr("Pan"), tr("Right button, Shift + middle button")},
-           {tr("Zoom at the pointer"), tr("Wheel")}}};
+           {tr("Zoom at the pointer"), tr("Wheel")},
+           {tr("Look at a side, an edge or a corner; a quarter turn"),
+            tr("Click on the view cube; its arrows")},
+           {tr("Cancel the operation, or clear the selection"), tr("Escape")}}};
 }
 
 void ViewportWidget::setTool(Tool* tool) {
@@ -46,7 +49,7 @@ void ViewportWidget::setTool(Tool* tool) {
 }
 
 void ViewportWidget::updateQuickly() {
-  isMoving_ = true;
+  isMoving_ = isReduced_ = true;
   restTimer_.start(kRest);
   update();
 }
@@ -60,12 +63,15 @@ void ViewportWidget::setComputing(bool computing) {
   restTimer_.start(kRestAfterComputing);
 }
 
-void ViewportWidget::fitCanvas() {
+void ViewportWidget::fitCanvas(double resolution) {
   const double ratio = devicePixelRatioF();
-  const QSize size(static_cast<int>(std::lround(width() * ratio)),
-                   static_cast<int>(std::lround(height() * ratio)));
-  if (canvas_.size() == size && viewport_->pixelRatio() == ratio) return;
+  const QSize size(static_cast<int>(std::lround(width() * ratio * resolution)),
+                   static_cast<int>(std::lround(height() * ratio * resolution)));
+  if (canvas_.size() == size && viewport_->pixelRatio() == ratio &&
+      viewport_->resolution() == resolution)
+    return;
   canvas_.resize(size);
+  viewport_->setResolution(resolution);
   viewport_->setPixelRatio(ratio);
 }
 
@@ -85,25 +91,36 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   }
   QElapsedTimer timer;
   timer.start();
-  fitCanvas();  // another screen may have another pixel ratio
+  const double resolution = isReduced_ ? resolution_.share() : 1;
+  fitCanvas(resolution);  // another screen may have another pixel ratio
   canvas_.makeCurrent();
   if (!std::exchange(isWarm_, true)) viewport_->warmUp();
   const bool isQuick = isMoving_ || (isComputing_ && lastFineFrame_ > kLongFrame);
   viewport_->render(isQuick ? view::Quality::kQuick : view::Quality::kFine);
   QImage image = canvas_.image();
-  image.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(0, 0, image);
+  if (resolution == 1) {
+    image.setDevicePixelRatio(devicePixelRatioF());
+    painter.drawImage(0, 0, image);
+  } else {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.drawImage(rect(), image);
+  }
   lastFrame_ = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   if (!isQuick) lastFineFrame_ = lastFrame_;
+  if (isReduced_) resolution_.drawn(lastFrame_);
   Q_EMIT framePainted();
 }
 
 void ViewportWidget::writePicture(const std::filesystem::path& file, const QSize& size) {
   canvas_.makeCurrent();
   // Lines, handles and text grow with the picture.
+  viewport_->setResolution(1);
   viewport_->setPixelRatio(static_cast<double>(size.height()) / std::max(1, height()));
   canvas_.resize(size);
-  const auto restore = [this] {
+  const bool hasCube = viewport_->isViewCubeVisible();
+  viewport_->setViewCubeVisible(false);
+  const auto restore = [this, hasCube] {
+    viewport_->setViewCubeVisible(hasCube);
     fitCanvas();
     update();
   };
@@ -142,8 +159,57 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
     navigating_ = event->button();
     return;
   }
+  if (pressCube(*event)) return;
   pressed_ = event->button();
   if (tool_) tool_->press(pointerEvent(*event));
+}
+
+std::optional<view::ViewCubePart> ViewportWidget::cubePartAt(const QMouseEvent& event) const {
+  // A tool that follows the pointer without a pressed button wants Enter, which confirms.
+  const QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+  if (tool_ && tool_->wantsKey(enter)) return std::nullopt;
+  return viewport_->cubePartAt(toDevice(event.position()));
+}
+
+bool ViewportWidget::pressCube(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return false;
+  pressedCube_ = cubePartAt(event);
+  return pressedCube_.has_value();
+}
+
+bool ViewportWidget::moveOverCube(const QMouseEvent& event) {
+  if ((event.buttons() & Qt::LeftButton) == 0) pressedCube_.reset();
+  if (pressedCube_) {
+    // A drag of the cube orbits.
+    if ((toDevice(event.position()) - last_).norm() < kDragThreshold * devicePixelRatioF())
+      return true;
+    pressedCube_.reset();
+    hoverCube(std::nullopt);
+    navigation_ = Navigation::kOrbit;
+    navigating_ = Qt::LeftButton;
+    navigate(toDevice(event.position()));
+    return true;
+  }
+  hoverCube(event.buttons() == Qt::NoButton ? cubePartAt(event) : std::nullopt);
+  return hoveredCube_.has_value();
+}
+
+void ViewportWidget::hoverCube(const std::optional<view::ViewCubePart>& part) {
+  if (part == hoveredCube_) return;
+  if (part && !hoveredCube_ && tool_) tool_->leave();
+  hoveredCube_ = part;
+  viewport_->setHoveredCubePart(part);
+  if (part) setCursor(Qt::PointingHandCursor);
+  update();
+}
+
+void ViewportWidget::releaseCube(const QMouseEvent& event) {
+  const auto part = std::exchange(pressedCube_, std::nullopt);
+  if (!part || cubePartAt(event) != part) return;
+  viewport_->lookAtCubePart(*part);
+  // Another part may lie under the pointer now.
+  hoverCube(cubePartAt(event));
+  update();
 }
 
 void ViewportWidget::noticeReleases(const QMouseEvent& event) {
@@ -164,6 +230,7 @@ void ViewportWidget::mouseMoveEvent(QMouseEvent* event) {
     navigate(toDevice(event->position()));
     return;
   }
+  if (moveOverCube(*event)) return;
   last_ = toDevice(event->position());
   if (tool_) {
     tool_->move(pointerEvent(*event));
@@ -187,6 +254,10 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
     navigating_ = Qt::NoButton;
     return;
   }
+  if (event->button() == Qt::LeftButton && pressedCube_) {
+    releaseCube(*event);
+    return;
+  }
   if (event->button() == pressed_) pressed_ = Qt::NoButton;
   if (tool_) tool_->release(pointerEvent(*event));
 }
@@ -194,6 +265,7 @@ void ViewportWidget::mouseReleaseEvent(QMouseEvent* event) {
 void ViewportWidget::mouseDoubleClickEvent(QMouseEvent* event) {
   noticeReleases(*event);
   last_ = toDevice(event->position());
+  if (pressCube(*event)) return;
   pressed_ = event->button();
   if (tool_) tool_->doubleClick(pointerEvent(*event));
 }
@@ -211,6 +283,7 @@ void ViewportWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void ViewportWidget::leaveEvent(QEvent*) {
+  hoverCube(std::nullopt);
   if (tool_) tool_->leave();
 }
 

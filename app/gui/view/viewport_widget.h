@@ -4,9 +4,11 @@
 #include <QWidget>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/gui/base/canvas.h"
 #include "app/gui/view/pointer_event.h"
+#include "app/gui/view/quick_resolution.h"
 #include "app/gui/view/tool.h"
 #include "app/view/viewport/viewport.h"
 
@@ -22,6 +24,7 @@ class ViewportWidget : public QWidget {
   ~ViewportWidget() override;
 
   view::Viewport& viewport() { return *viewport_; }
+  const view::Viewport& viewport() const { return *viewport_; }
 
   /// Mouse buttons that navigate, whatever tool is active.
   static KeyHelp navigationHelp();
@@ -67,8 +70,15 @@ class ViewportWidget : public QWidget {
   /// meanwhile received its release.
   void noticeReleases(const QMouseEvent& event);
 
-  /// Resizes the canvas to the widget.
-  void fitCanvas();
+  // The view cube. All return true if the event belongs to it.
+  std::optional<view::ViewCubePart> cubePartAt(const QMouseEvent& event) const;
+  bool pressCube(const QMouseEvent& event);
+  bool moveOverCube(const QMouseEvent& event);
+  void releaseCube(const QMouseEvent& event);
+  void hoverCube(const std::optional<view::ViewCubePart>& part);
+
+  /// Resizes the canvas to the widget, with this share of its pixels in each direction.
+  void fitCanvas(double resolution = 1);
 
   Canvas canvas_;
   std::unique_ptr<view::Viewport> viewport_;
@@ -77,7 +87,10 @@ class ViewportWidget : public QWidget {
   Qt::MouseButton navigating_ = Qt::NoButton, pressed_ = Qt::NoButton;  // the latter by the tool
   Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
   double lastFrame_ = 0, lastFineFrame_ = 0;  // ms
-  bool isMoving_ = false;
+  bool isMoving_ = false;                     // pictures are quick
+  bool isReduced_ = false;                    // and may have fewer pixels: something moves
+  QuickResolution resolution_;
+  std::optional<view::ViewCubePart> hoveredCube_, pressedCube_;
   bool isComputing_ = false;
   bool isWarm_ = false;
   QTimer restTimer_;

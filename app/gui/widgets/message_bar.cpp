@@ -4,8 +4,10 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/gui/base/appearance.h"
 
@@ -55,6 +57,13 @@ QStringList MessageBar::messages() const {
     texts << rows_->itemAt(i)->widget()->property("text").toString();
   for (const Message& message : waiting_) texts << message.text;
   return texts;
+}
+
+bool MessageBar::hasErrors() const {
+  for (int i = 0; i < rows_->count(); ++i)
+    if (rows_->itemAt(i)->widget()->property("error").toBool()) return true;
+  return std::any_of(waiting_.begin(), waiting_.end(),
+                     [](const Message& message) { return message.isError; });
 }
 
 void MessageBar::clear() {
@@ -114,7 +123,10 @@ QWidget* MessageBar::makeRow(const Message& message) {
   auto* line = new QHBoxLayout(row);
   line->setContentsMargins(8, 6, 6, 6);
   line->addWidget(picture, 0, Qt::AlignTop);
-  line->addWidget(text, 1);
+  auto* column = new QVBoxLayout;
+  column->addWidget(text);
+  if (!message.actions.empty()) addActions(message.actions, row, *column);
+  line->addLayout(column, 1);
   if (shortText != message.text) {
     QToolButton* details = makeButton(row, "details", tr("Details"));
     details->setCheckable(true);
@@ -131,6 +143,22 @@ QWidget* MessageBar::makeRow(const Message& message) {
   line->addWidget(close, 0, Qt::AlignTop);
   connect(close, &QToolButton::clicked, this, [this, row] { remove(row); });
   return row;
+}
+
+void MessageBar::addActions(const std::vector<Action>& actions, QWidget* row, QVBoxLayout& under) {
+  auto* line = new QHBoxLayout;
+  for (const Action& action : actions) {
+    auto* button = new QPushButton(action.text, row);
+    button->setObjectName("remedy");
+    button->setToolTip(action.tip);
+    line->addWidget(button);
+    connect(button, &QPushButton::clicked, this, [this, row, perform = action.perform] {
+      remove(row);
+      perform();
+    });
+  }
+  line->addStretch();
+  under.addLayout(line);
 }
 
 void MessageBar::remove(QWidget* row) {

@@ -4,6 +4,8 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <deque>
+#include <functional>
+#include <vector>
 
 namespace palpa::gui {
 
@@ -18,11 +20,19 @@ class MessageBar : public QWidget {
   /// Covers the top of `under` and follows its size.
   explicit MessageBar(QWidget* under);
 
-  void showError(const QString& text) { add({text, true}); }
+  /// A button below a message. It removes the message.
+  struct Action {
+    QString text, tip;
+    std::function<void()> perform;
+  };
+  void showError(const QString& text, std::vector<Action> actions = {}) {
+    add({text, true, std::move(actions)});
+  }
   void showNote(const QString& text) { add({text, false}); }
 
   /// Shown and waiting messages, oldest first.
   QStringList messages() const;
+  bool hasErrors() const;
   /// Removes a message; does nothing if it is absent.
   void withdraw(const QString& text);
   void clear();
@@ -35,10 +45,12 @@ class MessageBar : public QWidget {
   struct Message {
     QString text;
     bool isError = false;
+    std::vector<Action> actions{};
   };
   void add(Message message);
   void showNext();
   QWidget* makeRow(const Message& message);
+  void addActions(const std::vector<Action>& actions, QWidget* row, QVBoxLayout& under);
   void leaveLater(QWidget* row);
   void remove(QWidget* row);
   void place();

@@ -15,7 +15,7 @@ constexpr int kSpare = 16;  // pixels around the text
 
 PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
-  setMinimumHeight(120);
+  setMinimumHeight(96);
   if (canvas_.isValid()) plot_ = std::make_unique<view::ForcePlot>(canvas_.window());
 }
 
@@ -28,6 +28,14 @@ void PlotWidget::setPlaceholder(const QString& words) {
   placeholder_ = words;
   setAccessibleDescription(words);
   update();
+}
+
+void PlotWidget::setHorizontalTitle(const QString& title) {
+  if (plot_) plot_->setHorizontalTitle(title.toStdString());
+}
+
+void PlotWidget::setLegendShown(bool shown) {
+  if (plot_) plot_->setLegendShown(shown);
 }
 
 void PlotWidget::setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin,

@@ -18,6 +18,9 @@ class PlotWidget : public QWidget {
 
   /// Text shown while there are no curves.
   void setPlaceholder(const QString& words);
+  /// As ForcePlot::setHorizontalTitle() and setLegendShown().
+  void setHorizontalTitle(const QString& title);
+  void setLegendShown(bool shown);
   /// As ForcePlot::setCurves(). Curves with fewer than two points are not drawn.
   void setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin, double end,
                  const std::string& unit);

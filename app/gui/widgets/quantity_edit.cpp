@@ -94,9 +94,6 @@ void QuantityEdit::keyPressEvent(QKeyEvent* event) {
     commit();
     const double steps = event->key() == Qt::Key_Up ? 1 : -1;
     stepBy((event->modifiers() & Qt::ShiftModifier) != 0 ? 10 * steps : steps);
-  } else if (event->key() == Qt::Key_Escape && isModified()) {
-    showValue();
-    selectAll();
   } else {
     QLineEdit::keyPressEvent(event);
   }

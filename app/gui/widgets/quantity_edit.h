@@ -20,6 +20,8 @@ class QuantityEdit : public QLineEdit {
   double value() const { return value_; }
   /// Shows a value; does not emit `edited`.
   void setValue(double value);
+  /// Shows the value again and drops input that was not applied.
+  void showValue();
   /// Smallest and largest value accepted, both included.
   void setRange(double least, double most);
   /// Shows fewer digits while the field has no focus; the value keeps all digits.
@@ -41,7 +43,6 @@ class QuantityEdit : public QLineEdit {
  private:
   void commit();
   void stepBy(double steps);
-  void showValue();
   void refuse(const QString& why);
   void setRefused(bool isRefused);
   void accept(double value);

@@ -1,11 +1,29 @@
 #include "app/gui/window/dock_list.h"
 
+#include <QScrollArea>
+#include <algorithm>
+
 namespace palpa::gui {
 namespace {
 
-constexpr int kWidth = 340;        // px: leaves the view almost three quarters of 1280
-constexpr int kUpperPercent = 44;  // of the window's height; with this share, supports, loads and
-constexpr int kLowerPercent = 56;  // touches show without scrolling in a window of 1280 x 800
+constexpr int kPanelWidth = 340;  // px: leaves the view almost three quarters of 1280
+constexpr int kMinWidth = 300, kMinHeight = 80;  // px of a panel's content
+constexpr int kUpperPercent = 44;   // of the window's height; with this share, supports, loads and
+constexpr int kForcesPercent = 60;  // the same in Simulate mode, where the forces are above
+constexpr int kLowerPercent = 56;   // touches show without scrolling in a window of 1280 x 800
+
+/// Lets a panel that does not scroll by itself scroll in a low window, which otherwise would be
+/// higher than the screen.
+void scrollWhereLow(QDockWidget& dock) {
+  QWidget* content = dock.widget();
+  if (qobject_cast<QAbstractScrollArea*>(content)) return;
+  auto* scroll = new QScrollArea(&dock);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setMinimumSize(std::min(content->minimumSizeHint().width(), kMinWidth), kMinHeight);
+  dock.setWidget(scroll);
+  scroll->setWidget(content);
+}
 
 }  // namespace
 
@@ -18,6 +36,7 @@ DockList::~DockList() {
 }
 
 void DockList::append(QDockWidget* dock, Stack stack) {
+  scrollWhereLow(*dock);
   panels_.push_back({dock, stack});
   viewMenu_.addAction(dock->toggleViewAction());
 }
@@ -46,7 +65,26 @@ void DockList::layOut() {
   window_.resizeDocks(
       fronts, {window_.height() * kUpperPercent / 100, window_.height() * kLowerPercent / 100},
       Qt::Vertical);
-  window_.resizeDocks({fronts.front()}, {kWidth}, Qt::Horizontal);
+  window_.resizeDocks({fronts.front()}, {kPanelWidth}, Qt::Horizontal);
+}
+
+void DockList::exchangeHeights(bool simulates) {
+  const auto frontOf = [this](Stack stack) -> QDockWidget* {
+    for (const Panel& panel : panels_)
+      if (panel.stack == stack && !panel.dock->isFloating() &&
+          !panel.dock->visibleRegion().isEmpty())
+        return panel.dock;
+    return nullptr;
+  };
+  QDockWidget *upper = frontOf(Stack::kUpper), *lower = frontOf(Stack::kLower);
+  if (!upper || !lower) return;
+  heights_[simulates ? 0 : 1] = {upper->height(), lower->height()};
+  QList<int>& wanted = heights_[simulates ? 1 : 0];
+  if (wanted.isEmpty()) {
+    const int both = upper->height() + lower->height();
+    wanted = {both * kForcesPercent / 100, both * (100 - kForcesPercent) / 100};
+  }
+  window_.resizeDocks({upper, lower}, wanted, Qt::Vertical);
 }
 
 void bringToFront(QDockWidget& dock) {

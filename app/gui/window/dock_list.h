@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <array>
 #include <vector>
 
 namespace palpa::gui {
@@ -29,6 +30,9 @@ class DockList {
 
   /// Shows all panels at their usual places.
   void layOut();
+  /// On entering (`simulates`) or leaving Simulate mode: remembers the heights of the stacks in the
+  /// former mode and restores the last ones of the new mode.
+  void exchangeHeights(bool simulates);
 
  private:
   void append(QDockWidget* dock, Stack stack);
@@ -40,6 +44,7 @@ class DockList {
   QMainWindow& window_;
   QMenu& viewMenu_;
   std::vector<Panel> panels_;
+  std::array<QList<int>, 2> heights_;  // of the stacks in Model and Simulate mode; empty: usual
 };
 
 /// Shows the panel in front of the other tabs of its stack.

@@ -18,6 +18,7 @@
 #include "app/gui/actions/solid_actions.h"
 #include "app/gui/actions/view_actions.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/application.h"
 #include "app/gui/base/background_job.h"
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/dialogs/preferences_dialog.h"
@@ -27,21 +28,30 @@
 #include "app/gui/docks/model_dock.h"
 #include "app/gui/docks/properties_dock.h"
 #include "app/gui/docks/rebuild_dock.h"
+#include "app/gui/docks/samples_dock.h"
+#include "app/gui/document/accuracy_words.h"
+#include "app/gui/document/rebuild_words.h"
 #include "app/gui/simulate/simulate_actions.h"
 #include "app/gui/tools/point_tools.h"
+#include "app/gui/tools/support_tool.h"
 #include "app/gui/tools/surface_tools.h"
+#include "app/gui/widgets/elided_label.h"
+#include "app/gui/widgets/screen_fit.h"
+#include "app/gui/widgets/wheel_guard.h"
+#include "app/gui/window/failure_notice.h"
+#include "app/gui/window/keyboard_focus.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kWidth = 1280, kHeight = 800;  // of the first window, if the screen is large enough
-constexpr int kTitleBar = 36;                // height of the window's frame, approximately
-constexpr int kCloseRetryDelay = 50;         // ms until a busy window tries to close again
-constexpr int kFailureDelay = 1000;          // ms: ignores short failures during a drag
-constexpr int kSavedTime = 5000;             // ms
-constexpr int kRoom = 8;                     // px beside texts of the status bar
-constexpr int kRateInterval = 250;           // ms between two updates of the rate
-constexpr int kLayoutVersion = 3;            // of saveState(); other versions are not restored
+constexpr int kFirstWidth = 1280,
+              kFirstHeight = 800;     // of the first window, if the screen is large enough
+constexpr int kTitleBar = 36;         // height of the window's frame, approximately
+constexpr int kCloseRetryDelay = 50;  // ms until a busy window tries to close again
+constexpr int kSavedTime = 5000;      // ms
+constexpr int kRoom = 8;              // px beside texts of the status bar
+constexpr int kRateInterval = 250;    // ms between two updates of the rate
+constexpr int kLayoutVersion = 3;     // of saveState(); other versions are not restored
 
 }  // namespace
 
@@ -51,16 +61,20 @@ MainWindow::MainWindow()
       viewport_(new ViewportWidget(this)),
       scene_(editor_, settings_, *viewport_),
       pictures_(new SimulationView(simulation_, settings_, scene_, *viewport_)),
+      section_(new SectionView(simulation_, settings_, *viewport_)),
+      samples_(new Samples(simulation_, *section_, settings_, *viewport_)),
       warnings_(editor_, *viewport_),
       menus_(*this),
       tools_(menus_, *viewport_),
       workspace_{*this, *statusBar(), settings_, editor_, *viewport_, scene_, menus_, tools_},
       messages_(new MessageBar(viewport_)),
-      hint_(new QLabel(this)),
+      hint_(new ElidedLabel(this)),
       rebuild_(new QPushButton(this)),
       rate_(new QLabel(this)),
       frame_(new QLabel(this)),
       docks_(*this, *menus_.view) {
+  qApp->installEventFilter(new WheelGuard(this));
+  qApp->installEventFilter(new ScreenFit(this));
   setCentralWidget(viewport_);
   setAcceptDrops(true);
   editor_.setRunner([this](const QString& title, const BackgroundWork& work) {
@@ -72,15 +86,18 @@ MainWindow::MainWindow()
   new ViewActions(workspace_);
   addTools();
   new SolidActions(workspace_);
-  new SimulateActions(workspace_, simulation_, *pictures_);
+  new SimulateActions(workspace_, simulation_, *pictures_, *section_, *samples_);
   addDocks();
   addDialogs();
   addHelpActions(workspace_, *files_);
   addStatusBar();
+  keyboard_ = std::make_unique<KeyboardFocus>(*this, *viewport_);
   connect(&editor_, &Editor::aboutToReplace, &tools_, &ToolBox::restart);
+  connect(&editor_, &Editor::projectReplaced, viewport_, qOverload<>(&QWidget::setFocus));
   connect(&editor_, &Editor::fileChanged, this, &MainWindow::updateTitle);
   connect(&settings_, &Settings::changed, this, &MainWindow::applySettings);
-  resize(QSize(kWidth, kHeight).boundedTo(screen()->availableSize() - QSize(0, kTitleBar)));
+  resize(
+      QSize(kFirstWidth, kFirstHeight).boundedTo(screen()->availableSize() - QSize(0, kTitleBar)));
   resetLayout();
   restoreGeometry(settings_.windowGeometry());
   restoreState(settings_.windowState(), kLayoutVersion);
@@ -106,14 +123,21 @@ void MainWindow::addDocks() {
   using enum DockList::Stack;
   auto* model = docks_.add(new ModelDock(workspace_), kUpper);
   docks_.add(new HistoryDock(editor_, this), kUpper);
-  docks_.add(new PropertiesDock(workspace_), kLower);
+  auto* properties = docks_.add(new PropertiesDock(workspace_), kLower);
   auto* rebuild = docks_.add(new RebuildDock(editor_, this), kLower);
   auto* forces = docks_.add(new ForcesDock(simulation_, editor_, settings_, this), kUpper);
-  connect(&simulation_, &Simulation::activeChanged, this, [model, forces](bool active) {
+  docks_.add(new SamplesDock(*samples_, *section_, settings_, this), kLower);
+  connect(&simulation_, &Simulation::activeChanged, this, [this, model, forces](bool active) {
+    docks_.exchangeHeights(active);
     if (active)
       bringToFront(*forces);
     else
       model->raise();
+  });
+  connect(model, &ModelDock::rowChosen, this, [properties](const QString& section) {
+    if (!properties->toggleViewAction()->isChecked()) return;  // closed by the user
+    bringToFront(*properties);
+    properties->showSection(section);
   });
   connect(rebuild_, &QPushButton::clicked, this, [rebuild] { bringToFront(*rebuild); });
   menus_.add(menus_.view,
@@ -144,7 +168,6 @@ void MainWindow::addStatusBar() {
   statusBar()->addWidget(hint_, 1);
   rebuild_->setObjectName("rebuildStatus");
   rebuild_->setFlat(true);
-  rebuild_->setToolTip(tr("Show the stages of the rebuild and the facts of the model"));
   statusBar()->addPermanentWidget(rebuild_);
   statusBar()->addPermanentWidget(rate_);
   statusBar()->addPermanentWidget(frame_);
@@ -161,12 +184,23 @@ void MainWindow::addStatusBar() {
   connect(&editor_, &Editor::saved, this, [this](const QString& file) {
     statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()), kSavedTime);
   });
-  connect(&editor_, &Editor::refused, messages_, &MessageBar::showError);
+  connect(&editor_, &Editor::refused, messages_,
+          [this](const QString& message) { messages_->showError(message); });
   connect(&editor_, &Editor::said, messages_, &MessageBar::showNote);
-  failureTimer_.setSingleShot(true);
-  failureTimer_.setInterval(kFailureDelay);
-  connect(&failureTimer_, &QTimer::timeout, this, &MainWindow::showFailure);
-  connect(viewport_, &ViewportWidget::escaped, messages_, &MessageBar::clear);
+  if (auto* application = qobject_cast<Application*>(qApp))
+    connect(application, &Application::failed, messages_,
+            [this](const QString& message) { messages_->showError(message); });
+  const auto paintSupport = [this] {
+    simulation_.setActive(false);
+    const QString name = SupportTool::tr("&Paint support").remove('&');
+    if (auto* tool = menus_.conditions->findChild<QAction*>(name)) tool->trigger();
+  };
+  new FailureNotice(editor_, simulation_, *messages_, paintSupport, this);
+  connect(viewport_, &ViewportWidget::escaped, this, [this] {
+    const bool wasError = messages_->hasErrors();
+    messages_->clear();
+    if (!wasError) editor_.select({});
+  });
   frame_->setToolTip(tr("Frames per second, from the drawing time of the last one"));
   connect(viewport_, &ViewportWidget::framePainted, this, [this] {
     const double rate = 1000 / std::max(1.0, viewport_->lastFrameMilliseconds());
@@ -196,25 +230,18 @@ void MainWindow::updateTitle() {
 
 void MainWindow::updateStatus() {
   const app::RebuildStatus status = editor_.rebuildStatus();
-  rebuild_->setText(rebuildText(status));
+  // The accuracy appears here only where it is not the requested one.
+  const QString reason = accuracyReason(status);
+  rebuild_->setText(
+      reason.isEmpty() || status.state != app::RebuildStatus::State::kUpToDate
+          ? rebuildText(status)
+          : tr("%1 · accuracy %2").arg(rebuildText(status), percentText(status.touchError)));
+  QStringList tip{tr("Show the stages of the rebuild and the facts of the model")};
+  if (status.modelRevision > 0) tip << accuracyText(status, editor_.project().mesh.accuracy);
+  if (!reason.isEmpty()) tip << reason;
+  rebuild_->setToolTip(tip.join('\n'));
   rebuild_->setIcon(status.state == app::RebuildStatus::State::kFailed ? icon("warning") : QIcon());
-  if (status.state == app::RebuildStatus::State::kFailed) {
-    if (!failureTimer_.isActive()) failureTimer_.start();
-  } else {
-    failureTimer_.stop();
-    if (status.state == app::RebuildStatus::State::kUpToDate) messages_->withdraw(failure_);
-  }
   viewport_->setComputing(status.state == app::RebuildStatus::State::kBuilding);
-}
-
-void MainWindow::showFailure() {
-  const app::RebuildStatus status = editor_.rebuildStatus();
-  if (status.state != app::RebuildStatus::State::kFailed) return;
-  const QString text = tr("The model cannot be built. %1").arg(failureText(status));
-  if (text == failure_ && messages_->messages().contains(text)) return;
-  messages_->withdraw(failure_);
-  failure_ = text;
-  messages_->showError(text);
 }
 
 void MainWindow::updateRate() {
@@ -238,10 +265,12 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QTimer::singleShot(kCloseRetryDelay, this, &QWidget::close);
     return;
   }
-  // Apply unfinished input before the question whether to save.
-  if (QWidget* field = focusWidget()) field->clearFocus();
   event->setAccepted(files_->mayDiscard());
-  if (event->isAccepted()) settings_.setWindow(saveGeometry(), saveState(kLayoutVersion));
+  if (!event->isAccepted()) return;
+  files_->storeThumbnail();
+  // The stored layout is the one of Model mode, in which the window opens.
+  if (simulation_.isActive()) docks_.exchangeHeights(false);
+  settings_.setWindow(saveGeometry(), saveState(kLayoutVersion));
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -264,7 +293,8 @@ void MainWindow::begin(const QStringList& files) {
   if (!files.isEmpty()) openFile(files.front());
   if (files.size() > 1)
     messages_->showNote(tr("Of the %1 files given, the first was opened").arg(files.size()));
-  const bool isWelcome = files.isEmpty() && settings_.isFirstRun();
+  const bool hasChoice = settings_.isFirstRun() || !settings_.recentFiles().isEmpty();
+  const bool isWelcome = files.isEmpty() && hasChoice && settings_.welcomesAtStart();
   const auto mayReplace = [this] { return files_->mayDiscard(); };
   offerRecovery(editor_, *this, mayReplace, [this, isWelcome](bool any) {
     if (isWelcome && !any) files_->showWelcome();

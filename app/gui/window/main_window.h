@@ -4,10 +4,13 @@
 #include <QMainWindow>
 #include <QPushButton>
 #include <QTimer>
+#include <memory>
 
 #include "app/gui/actions/file_actions.h"
 #include "app/gui/base/settings.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/simulate/samples.h"
+#include "app/gui/simulate/section_view.h"
 #include "app/gui/simulate/simulation_view.h"
 #include "app/gui/view/geometry_warnings.h"
 #include "app/gui/view/scene_controller.h"
@@ -19,6 +22,8 @@
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
+
+class KeyboardFocus;
 
 /// The window: menus, tools, view, panels and status bar for one editor.
 class MainWindow : public QMainWindow {
@@ -33,13 +38,15 @@ class MainWindow : public QMainWindow {
   ViewportWidget& viewport() { return *viewport_; }
   ToolBox& tools() { return tools_; }
   Simulation& simulation() { return simulation_; }
+  SectionView& section() { return *section_; }
+  Samples& samples() { return *samples_; }
   FileActions& files() { return *files_; }
 
   /// Opens a project or imports a body, by the ending of the name.
   bool openFile(const QString& file) { return files_->openFile(file); }
 
   /// Call after the first picture: opens the file of the command line, offers snapshots of a
-  /// crashed session, and shows the welcome dialog at the first start.
+  /// crashed session, and shows the welcome dialog at the first start or if there are recent files.
   void begin(const QStringList& files);
   MessageBar& messages() { return *messages_; }
 
@@ -57,8 +64,6 @@ class MainWindow : public QMainWindow {
   void addStatusBar();
   void updateTitle();
   void updateStatus();
-  /// Shows over the view why there is no model.
-  void showFailure();
   void updateRate();
   void applySettings();
 
@@ -68,6 +73,8 @@ class MainWindow : public QMainWindow {
   ViewportWidget* viewport_;
   SceneController scene_;
   SimulationView* pictures_;
+  SectionView* section_;
+  Samples* samples_;
   GeometryWarnings warnings_;
   Menus menus_;
   ToolBox tools_;
@@ -78,9 +85,8 @@ class MainWindow : public QMainWindow {
   QPushButton* rebuild_;
   QLabel* rate_;
   QLabel* frame_;
-  QTimer failureTimer_;
-  QString failure_;  // shown over the view
-  DockList docks_;   // the last member: panels write to the others until they are deleted
+  DockList docks_;  // panels write to the members above until they are deleted
+  std::unique_ptr<KeyboardFocus> keyboard_;  // the last member: must not outlive panels and view
 };
 
 }  // namespace palpa::gui

@@ -3,16 +3,9 @@
 #include <QMenuBar>
 
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/translate.h"
 
 namespace palpa::gui {
-namespace {
-
-QString tr(const char* text) {
-  return QObject::tr(text);
-}
-
-}  // namespace
-
 Menus::Menus(QMainWindow& window)
     : file(addMenu(window, tr("&File"))),
       edit(addMenu(window, tr("&Edit"))),

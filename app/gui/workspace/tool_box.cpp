@@ -5,15 +5,7 @@
 namespace palpa::gui {
 
 ToolBox::ToolBox(Menus& menus, ViewportWidget& widget)
-    : menus_(menus), widget_(widget), group_(this) {
-  connect(&widget, &ViewportWidget::escaped, this, [this] {
-    for (const Entry& entry : entries_) {
-      if (entry.mode != mode_) continue;
-      activate(entry.tool.get());
-      break;
-    }
-  });
-}
+    : menus_(menus), widget_(widget), group_(this) {}
 
 ToolBox::~ToolBox() {
   widget_.setTool(nullptr);
@@ -47,6 +39,13 @@ void ToolBox::setMode(Mode mode) {
 QString ToolBox::activeTitle() const {
   for (const Entry& entry : entries_)
     if (entry.tool.get() == active_) return entry.action->objectName();
+  return {};
+}
+
+QString ToolBox::activeTopic() const {
+  for (const Entry& entry : entries_)
+    if (entry.tool.get() == active_)
+      return QStringLiteral("%1 (%2)").arg(activeTitle(), entry.action->shortcut().toString());
   return {};
 }
 

@@ -15,8 +15,8 @@ namespace palpa::gui {
 /// Mode of the window; each mode has its own tools.
 enum class Mode { kModel, kSimulate };
 
-/// All tools. The active one receives the events of the view. Escape without an operation to cancel
-/// activates the first tool of the mode.
+/// All tools. The active one receives the events of the view. It stays active until the user
+/// chooses another tool or the mode changes.
 class ToolBox : public QObject {
   Q_OBJECT
 
@@ -41,6 +41,8 @@ class ToolBox : public QObject {
   void restart();
   /// Name of the active tool: its menu text without "&".
   QString activeTitle() const;
+  /// Text by which the guide introduces the active tool: "Name (key)".
+  QString activeTopic() const;
 
  Q_SIGNALS:
   /// Another tool became active, or its hint() changed.

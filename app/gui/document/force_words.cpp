@@ -1,41 +1,37 @@
-#include "app/gui/docks/force_words.h"
+#include "app/gui/document/force_words.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
 
 #include "app/core/model/contact_kind.h"
+#include "app/gui/base/translate.h"
 
 namespace palpa::gui {
 namespace {
 
 using Status = app::TouchSnapshot::Status;
 
-QString words(const char* text) {
-  return QCoreApplication::translate("ForcesDock", text);
-}
-
 }  // namespace
 
 QString kindText(bem::ContactTool::Kind kind) {
-  return words(app::infoOf(kind).label);
+  return tr(app::infoOf(kind).label);
 }
 
 QString statusText(Status status) {
   switch (status) {
     case Status::kWaiting:
-      return words("waits for its place to be solved");
+      return tr("waits for its place to be solved");
     case Status::kFixed:
-      return words("on a support: no force");
+      return tr("on a support: no force");
     case Status::kOpen:
-      return words("does not touch");
+      return tr("does not touch");
     case Status::kGrabbed:
-      return words("holds");
+      return tr("holds");
     case Status::kSticking:
-      return words("sticks");
+      return tr("sticks");
     case Status::kSlipping:
-      return words("slips");
+      return tr("slips");
   }
   return {};
 }

@@ -1,0 +1,32 @@
+#include "app/gui/base/application.h"
+
+#include "base/unexpected.h"
+
+namespace palpa::gui {
+
+Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
+  setUnexpectedHandler([this](const std::string& what) {
+    const QString message =
+        tr("Unexpected error: %1. The last action may not be complete; save the project under a "
+           "new name and start Palpa again.")
+            .arg(QString::fromStdString(what));
+    // Later: the thread may be another one, and the slot that failed is still being left.
+    QMetaObject::invokeMethod(
+        this, [this, message] { Q_EMIT failed(message); }, Qt::QueuedConnection);
+  });
+}
+
+Application::~Application() {
+  setUnexpectedHandler({});
+}
+
+bool Application::notify(QObject* receiver, QEvent* event) {
+  try {
+    return QApplication::notify(receiver, event);
+  } catch (...) {
+    reportUnexpected();
+    return false;
+  }
+}
+
+}  // namespace palpa::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "app/gui/simulate/samples.h"
+
+namespace palpa::gui {
+
+/// Panel with all fields of the pinned samples: one column per sample.
+class SamplesDock : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  SamplesDock(Samples& samples, SectionView& section, Settings& settings, QWidget* parent);
+
+ protected:
+  /// Delete removes the selected sample, Ctrl+C copies.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void showSamples();
+  void copy() const;
+  void save();
+  void saveSection();
+
+  Samples& samples_;
+  SectionView& section_;
+  Settings& settings_;
+  QTableWidget* table_;
+  QPushButton *copy_, *save_, *remove_, *saveSection_;
+  bool isFilling_ = false;
+};
+
+}  // namespace palpa::gui
