@@ -26,9 +26,11 @@
 #include "app/core/session/new_project.h"
 #include "app/core/system/priority.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/application.h"
 #include "bench/heartbeat.h"
 #include "bench/latency_table.h"
 #include "bench/window_driver.h"
+#include "bench/window_frames.h"
 #include "modeling/shapes/primitives.h"
 
 namespace {
@@ -256,6 +258,23 @@ int main(int argc, char** argv) {
   options.add_option("--touch", touchSeconds,
                      "only a touch of the sphere with the view drawn, for so many seconds with a "
                      "histogram of the time from input to force");
+  bool frames = false;
+  int rounds = 3;
+  std::string against, framesOf, only;
+  std::vector<int> windowSize;
+  options.add_flag(
+      "--frames", frames,
+      "only frames per second of each project while the view orbits, a control point "
+      "is dragged and the surface is touched, in windows of 1280 x 800 and 1600 x 1000");
+  options.add_option("--against", against,
+                     "with --frames: another build of this program, measured in alternation");
+  options.add_option("--rounds", rounds, "with --frames: how often each is measured");
+  options.add_option("--only", only, "with --frames: projects whose names contain this");
+  options.add_option("--frames-of", framesOf, "for the measurement in a separate process")
+      ->group("");
+  options.add_option("--window", windowSize, "with --frames-of: width and height")
+      ->expected(2)
+      ->group("");
   options.add_option("--json", json, "file for the numbers");
   options.add_option("--start-up", started, "for the measurement in a separate process")
       ->expected(0, 1)
@@ -265,16 +284,30 @@ int main(int argc, char** argv) {
   // As the window's own program does.
   app::lowerPriorityOfLoadedThreads();
   QTemporaryDir own;  // settings, snapshots and cache
-  if (!started) {
+  if (!started && framesOf.empty()) {
     qputenv("XDG_STATE_HOME", own.path().toUtf8());
     qputenv("XDG_CACHE_HOME", own.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", own.path().toUtf8());
   }
-  QApplication application(argc, argv);
+  palpa::gui::Application application(argc, argv);
   gui::applyTheme(application, gui::Settings().theme());
   try {
     if (started) return startUp(*started);
-    const auto files = projectsIn(folder);
+    if (!framesOf.empty()) {
+      std::vector<QSize> sizes{{1280, 800}, {1600, 1000}};
+      if (!windowSize.empty()) sizes = {{windowSize[0], windowSize[1]}};
+      WindowDriver driver;
+      bench::printFrames(bench::measureFrames(driver, framesOf, seconds, sizes));
+      return 0;
+    }
+    auto files = projectsIn(folder);
+    if (frames) {
+      std::erase_if(files, [&](const auto& file) {
+        return file.stem().string().find(only) == std::string::npos;
+      });
+      bench::compareFrames(files, seconds, rounds, against);
+      return 0;
+    }
     Bench bench(seconds);
     if (touchSeconds > 0) {
       WindowDriver driver;

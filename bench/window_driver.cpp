@@ -5,6 +5,7 @@
 #include <QEventLoop>
 #include <QMouseEvent>
 #include <cmath>
+#include <ctime>
 #include <stdexcept>
 
 namespace palpa::bench {
@@ -13,6 +14,13 @@ namespace {
 constexpr int kMotionInterval = 16;    // ms, as most mice and screens
 constexpr double kRadius = 30;         // pixels around the place where a point was
 constexpr double kTurnsPerSecond = 1;  // a hand that hurries
+
+/// Of all threads of the process since its start.
+double processorMilliseconds() {
+  timespec used{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return 1e3 * static_cast<double>(used.tv_sec) + 1e-6 * static_cast<double>(used.tv_nsec);
+}
 
 }  // namespace
 
@@ -93,9 +101,29 @@ WindowDriver::Drag WindowDriver::touch(double seconds) {
   throw std::runtime_error("no surface can be seen");
 }
 
-WindowDriver::Drag WindowDriver::moveAround(QPoint start, double seconds) {
+WindowDriver::Drag WindowDriver::orbit(double seconds) {
+  return moveAround(window_->viewport().rect().center(), seconds, Qt::MiddleButton);
+}
+
+void WindowDriver::resize(const QSize& size) {
+  bool isPainted = false;
+  QObject context;
+  window_->resize(size);
+  runFor(0.3);
+  QObject::connect(&window_->viewport(), &gui::ViewportWidget::framePainted, &context,
+                   [&] { isPainted = true; });
+  window_->viewport().update();
+  if (!runUntil([&] { return isPainted; }, 60)) throw std::runtime_error("nothing was painted");
+}
+
+void WindowDriver::rest() {
+  runFor(0.5);
+}
+
+WindowDriver::Drag WindowDriver::moveAround(QPoint start, double seconds, Qt::MouseButton button) {
   Drag result;
   int frames = 0;
+  double processor = 0;                  // ms
   double paintTime = 0, motionTime = 0;  // ms
   QElapsedTimer clock;
   double first = 0, last = 0;  // s, of the motions
@@ -112,16 +140,17 @@ WindowDriver::Drag WindowDriver::moveAround(QPoint start, double seconds) {
       first = last;
       frames = 0;
       paintTime = motionTime = 0;
+      processor = processorMilliseconds();
     }
     const double angle = 2 * M_PI * kTurnsPerSecond * last;
     const QPoint offset(static_cast<int>(std::lround(kRadius * std::sin(angle))),
                         static_cast<int>(std::lround(kRadius * (std::cos(angle) - 1))));
     QElapsedTimer handling;
     handling.start();
-    send(QEvent::MouseMove, start + offset, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseMove, start + offset, Qt::NoButton, button);
     motionTime += static_cast<double>(handling.nsecsElapsed()) * 1e-6;
   });
-  send(QEvent::MouseButtonPress, start, Qt::LeftButton, Qt::LeftButton);
+  send(QEvent::MouseButtonPress, start, button, button);
   clock.start();
   mouse.start(kMotionInterval);
   runFor(seconds);
@@ -129,8 +158,9 @@ WindowDriver::Drag WindowDriver::moveAround(QPoint start, double seconds) {
   result.framesPerSecond = frames / std::max(last - first, 1e-3);
   result.motionMilliseconds = motionTime / std::max(result.motions, 1);
   result.paintMilliseconds = paintTime / std::max(frames, 1);
-  send(QEvent::MouseMove, start + QPoint(7, 4), Qt::NoButton, Qt::LeftButton);
-  send(QEvent::MouseButtonRelease, start + QPoint(7, 4), Qt::LeftButton, Qt::NoButton);
+  result.processorMilliseconds = (processorMilliseconds() - processor) / std::max(frames, 1);
+  send(QEvent::MouseMove, start + QPoint(7, 4), Qt::NoButton, button);
+  send(QEvent::MouseButtonRelease, start + QPoint(7, 4), button, Qt::NoButton);
   return result;
 }
 

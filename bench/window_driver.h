@@ -31,6 +31,7 @@ class WindowDriver {
     double motionMilliseconds = 0;  ///< to handle one motion, on average
     double paintMilliseconds =
         0;  ///< to draw a frame, on average, without the window's other parts
+    double processorMilliseconds = 0;  ///< of all threads of the process, per frame
   };
   /// Drags a visible control point around for `seconds`, with 60 motions a second, and releases it
   /// near its start. Throws std::runtime_error if no control point is visible.
@@ -38,9 +39,15 @@ class WindowDriver {
   /// The same in Simulate mode: grabs the surface in the middle of the view and pulls it around.
   /// Throws std::runtime_error if there is no surface.
   Drag touch(double seconds);
+  /// Orbits the view with the middle button, in the present mode.
+  Drag orbit(double seconds);
+  /// Gives the window that size and waits for a picture of it.
+  void resize(const QSize& size);
+  /// The fine picture after a motion.
+  void rest();
 
  private:
-  Drag moveAround(QPoint start, double seconds);
+  Drag moveAround(QPoint start, double seconds, Qt::MouseButton button = Qt::LeftButton);
   QPoint visiblePoint();
   void send(QEvent::Type type, QPoint at, Qt::MouseButton button, Qt::MouseButtons buttons);
 

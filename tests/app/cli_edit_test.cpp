@@ -44,6 +44,25 @@ TEST_F(CliEdit, WritesOnlyWhereAsked) {
   EXPECT_EQ(cli_.readJson("block.json").at("name"), "renamed");
 }
 
+TEST_F(CliEdit, ContradictingSupportsAreEndedByACommand) {
+  cli_.write("add.json", R"([{"command": "set_mesh",
+      "mesh": {"edge_length_mm": 5, "engine": "triangles"}},
+      {"command": "add_support", "support": {"name": "hand", "kind": "fixed", "where":
+      {"stroke": {"points_mm": [[0, 13, 0]], "radius_mm": 6}},
+      "displacement_mm": [0, 1, 0]}}])");
+  cli_.run("edit block.json --commands add.json --in-place");
+  const Outcome refused = cli_.run("solve block.json");
+  EXPECT_EQ(refused.exitCode, 3) << refused.err;
+  EXPECT_NE(refused.err.find("supports \"base\" and \"hand\" overlap near"), std::string::npos)
+      << refused.err;
+  cli_.write("take.json",
+             R"([{"command": "take_overlap", "name": "hand", "from": "base", "gap_mm": 2}])");
+  EXPECT_EQ(cli_.run("edit block.json --commands take.json --in-place").exitCode, 0);
+  EXPECT_EQ(cli_.run("solve block.json").exitCode, 0);
+  const Outcome info = cli_.run("info block.json");
+  EXPECT_NE(info.out.find(", except within 8 mm of (0, 13, 0)"), std::string::npos) << info.out;
+}
+
 TEST_F(CliEdit, NamesTheCommandThatIsRefused) {
   const auto errorOf = [&](const std::string& commands) {
     cli_.write("c.json", commands);

@@ -99,6 +99,29 @@ TEST_P(CliEngine, TouchGivesForceAndStiffness) {
   EXPECT_LE(report.at("balance_N").get<double>(), 0.01 * force);
 }
 
+TEST_F(CliSimulation, ASweepListsTheStatesOfSingleTouches) {
+  cli_.run("new sphere --radius 25 --edge-length 8 -o p.json");
+  const std::string touch =
+      "touch p.json --engine triangles --at 0,0,25 --kind ball --radius 10 --friction 0.3 ";
+  const Json report = cli_.runJson(touch + "--displace 0,0,-2 --sweep 4");
+  const Json& sweep = report.at("sweep");
+  ASSERT_EQ(sweep.size(), 5u);
+  EXPECT_EQ(norm(sweep[0].at("contacts")[0].at("force_N")), 0);
+  EXPECT_EQ(sweep[4].at("contacts")[0].at("force_N"), report.at("contacts")[0].at("force_N"));
+  const Json half = cli_.runJson(touch + "--displace 0,0,-1");
+  EXPECT_EQ(sweep[2].at("contacts")[0].at("force_N"), half.at("contacts")[0].at("force_N"));
+  EXPECT_EQ(sweep[2].at("share"), 0.5);
+  // Force, deflection and stiffness fit together.
+  const Json& contact = report.at("contacts")[0];
+  EXPECT_NEAR(norm(contact.at("force_N")),
+              norm(contact.at("deflection_mm")) * contact.at("stiffness_N_per_mm").get<double>(),
+              1e-9);
+  const cli_tests::Outcome table = cli_.run(touch + "--displace 0,0,-2 --sweep 4 -o curve.csv");
+  EXPECT_EQ(table.exitCode, 0);
+  EXPECT_NE(table.out.find("sweep      4 steps"), std::string::npos);
+  EXPECT_NE(cli_.read("curve.csv").find("\n1,touch,ball,"), std::string::npos);
+}
+
 TEST_P(CliEngine, TouchIsLinear) {
   cli_.run("new cylinder --edge-length 6 -o p.json");
   const Json once = cli_.runJson("touch p.json --at 0,-20,40 --displace 0,-1,0.5 " + engine());
@@ -267,6 +290,8 @@ TEST_F(CliSimulation, TouchesWithoutMeaningAreRefusedWithAReason) {
       {at + "--displace 0,0,-1 --displace 0,0,-2", "--displace is given twice"},
       {"--kind pin " + at + "--at 5,0,20 --displace 0,0,-1", "stands before the first --at"},
       {at + "--displace 0,0,-1 --steps 0", "--steps: expected a whole number"},
+      {at + "--displace 0,0,-1 --sweep 0", "--sweep: expected a whole number from 1 to 1000"},
+      {"--node 5 --displace 0,0,-1 --sweep 3", "--sweep has no meaning for a single node"},
       {"--friction 0.2", "--friction needs --at"},
       {"--node 3 --displace 0,0,-1 --friction 0.2", "no meaning for a single node"}};
   for (const auto& [options, expected] : cases)

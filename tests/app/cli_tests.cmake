@@ -5,6 +5,7 @@ target_link_libraries(palpa_cli_runner PUBLIC palpa_options nlohmann_json::nlohm
 target_compile_definitions(palpa_cli_runner PUBLIC
   PALPA_CLI="$<TARGET_FILE:palpa-cli>"
   PALPA_PROJECTS="${PROJECT_SOURCE_DIR}/projects"
+  PALPA_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
   PALPA_REFERENCE="${PROJECT_SOURCE_DIR}/resources/reference"
   PALPA_WITH_DISPLAY="${PROJECT_SOURCE_DIR}/scripts/with-display")
 palpa_use_precompiled(tests palpa_cli_runner)
@@ -14,6 +15,7 @@ palpa_add_test(palpa_cli_tests
   SOURCES
     cli_bad_input_test.cpp
     cli_cancel_test.cpp
+    cli_drawing_test.cpp
     cli_edit_test.cpp
     cli_examples_test.cpp
     cli_exchange_test.cpp

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <map>
+#include <mutex>
+#include <set>
+
 #include "app/core/model/build_phase.h"
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/field_sample.h"
@@ -7,6 +11,7 @@
 #include "bem/base/error.h"
 #include "core_projects.h"
 #include "modeling/error.h"
+#include "modeling/mesh/mesh.h"
 
 namespace palpa::app {
 namespace {
@@ -183,7 +188,7 @@ TEST(Refused, IncompressibleAndHeldEverywhere) {
 TEST(Refused, SupportsThatOverlapOrDisagree) {
   modeling::Project project = test::clampedCylinder(8);
   project.supports.push_back({"low", Support::Kind::kFixed,
-                              Region::below(Eigen::Vector3d::UnitZ(), 10), Vector3d::Zero()});
+                              Region::below(Eigen::Vector3d::UnitZ(), 10), Vector3d(0, 0, 1)});
   expectRefused(SolverError::Kind::kBadCondition, {"\"base\"", "\"low\"", "overlap"},
                 [&] { build(project); });
   project = test::clampedCylinder(8);
@@ -196,7 +201,8 @@ TEST(Refused, SupportsThatOverlapOrDisagree) {
 TEST(Refused, AMeshThatDoesNotFitIntoMemoryWithTheNumbers) {
   BuildOptions options;
   options.edgeLength = 0.05;
-  expectRefused(SolverError::Kind::kTooLarge, {"0.05 mm", "GiB", "nodes", "or more"},
+  expectRefused(SolverError::Kind::kTooLarge,
+                {"0.05 mm", " GiB of memory for ", ",", " nodes", "longer"},
                 [&] { build(test::clampedSphere(5), options); });
   options.edgeLength = 3;
   options.memoryLimit = 1e6;
@@ -238,16 +244,52 @@ TEST(BuildPhases, CoverEveryPhaseThatABuildReports) {
                          [&](const BuildPhase& each) { return each.phase == phase; }) == 1;
   };
   double progress = 0;
+  BuildProgress shares;
   Job job;
   job.progress = [&](Phase phase, double fraction) {
     ASSERT_TRUE(isListed(phase)) << nameOf(phase);
-    EXPECT_GE(buildProgress(phase, fraction), progress) << nameOf(phase);
-    progress = buildProgress(phase, fraction);
+    EXPECT_GE(shares.at(phase, fraction), progress) << nameOf(phase);
+    progress = shares.at(phase, fraction);
   };
   buildTouchModel(test::clampedSphere(6), BuildOptions{}, job);
   EXPECT_EQ(progress, 1);
   EXPECT_TRUE(isListed(Phase::kRead));    // core_cache_test
   EXPECT_TRUE(isListed(Phase::kUpdate));  // core_update_test
+}
+
+TEST(BuildPhases, SharesAreTheTimesOfTheLastBuild) {
+  BuildProgress progress;
+  for (const auto& [phase, seconds] :
+       {std::pair(Phase::kMesh, 8.0), std::pair(Phase::kCheck, 1.0), std::pair(Phase::kSetup, 0.5),
+        std::pair(Phase::kAssemble, 4.0), std::pair(Phase::kFactorise, 6.0),
+        std::pair(Phase::kSolve, 0.5)})
+    progress.learn(phase, seconds);
+  EXPECT_DOUBLE_EQ(progress.at(Phase::kMesh, 0.5), 4.0 / 20);
+  EXPECT_DOUBLE_EQ(progress.at(Phase::kAssemble, 0.25), 10.5 / 20);
+  EXPECT_DOUBLE_EQ(progress.at(Phase::kSolve, 1), 1);
+  // A stored model replaces assembly and factorisation.
+  progress.restart();
+  progress.learn(Phase::kRead, 2);
+  EXPECT_DOUBLE_EQ(progress.at(Phase::kRead, 0.5), 10.5 / 12);
+}
+
+TEST(BuildPhases, EveryStageOfAMeshBodyAdvances) {
+  modeling::Project project = test::clampedSphere(3);
+  const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh);
+  project.body = modeling::MeshBody(
+      {mesh.positions, mesh.triangles, std::vector<int>(mesh.triangles.size(), 0), {"face"}});
+  std::map<Phase, std::set<double>> seen;
+  std::mutex mutex;
+  Job job;
+  job.progress = [&](Phase phase, double fraction) {
+    const std::lock_guard lock(mutex);
+    seen[phase].insert(fraction);
+  };
+  buildTouchModel(project, BuildOptions{}, job);
+  EXPECT_GE(seen[Phase::kMesh].size(), 20U);
+  EXPECT_GE(seen[Phase::kCheck].size(), 3U);
+  EXPECT_GE(seen[Phase::kAssemble].size(), 5U);
+  EXPECT_GE(seen[Phase::kFactorise].size(), 5U);
 }
 
 TEST(TouchModel, WorksForIncompressibleBodies) {

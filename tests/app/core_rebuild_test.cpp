@@ -241,7 +241,8 @@ TEST(RebuildPipeline, ASurfaceThatCutsItselfIsNotBuiltAndTheFindingsSayWhere) {
   EXPECT_EQ(status.state, State::kFailed);
   ASSERT_FALSE(status.findings->empty());
   EXPECT_TRUE(status.findings->front().isError);
-  EXPECT_EQ(status.error, status.findings->front().message);
+  EXPECT_EQ(status.error,
+            status.findings->front().message + "; move its control points apart there");
   EXPECT_EQ(status.stages.back().phase, Phase::kCheck);
   EXPECT_EQ(pipeline.model(), good);
   pipeline.submit(scaledSphere(1.1));

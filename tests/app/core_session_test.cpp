@@ -8,6 +8,7 @@
 #include "core_projects.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
+#include "tests/modeling/child_process.h"
 
 namespace palpa::app {
 namespace {
@@ -117,26 +118,95 @@ TEST_F(SessionTest, SavesReopensAndKnowsWhetherItIsModified) {
   EXPECT_EQ(session.file(), file);
 }
 
+/// Clock that tests set.
+struct FakeClock {
+  std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+  Session::Options with(Session::Options options) {
+    options.clock = [this] { return now; };
+    return options;
+  }
+};
+
 TEST_F(SessionTest, SnapshotsAreWrittenWhenDueAndForgottenWhenSaved) {
-  const auto start = std::chrono::steady_clock::now();
-  Session session(test::clampedSphere(12), options());
+  FakeClock clock;
+  const auto start = clock.now;
+  Session session(test::clampedSphere(12), clock.with(options()));
   EXPECT_FALSE(session.autosaveIfDue(start + 1h));  // nothing to keep
   session.perform(move(1.0));
   EXPECT_FALSE(session.autosaveIfDue(start));
-  EXPECT_FALSE(session.autosaveIfDue(start + 59s));
-  EXPECT_TRUE(session.autosaveIfDue(start + 61s));
+  EXPECT_FALSE(session.autosaveIfDue(start + 50s));
+  EXPECT_TRUE(session.autosaveIfDue(start + 59s));
   EXPECT_EQ(snapshots(), 1u);
   EXPECT_FALSE(session.autosaveIfDue(start + 2h));  // nothing new
   session.saveAs(folder_ / "ball.json");
   EXPECT_EQ(snapshots(), 0u);
 }
 
+TEST_F(SessionTest, ASnapshotIsWrittenWithinTheIntervalWheneverItIsAskedFor) {
+  FakeClock clock;
+  const auto start = clock.now;
+  Session session(test::clampedSphere(12), clock.with(options()));
+  // Edits at any time between two calls, and further edits, do not delay it.
+  for (int edit = 0; edit < 3; ++edit) {
+    const auto edited = start + edit * 1000s + edit * 333ms;
+    clock.now = edited;
+    session.perform(move(1.0));
+    clock.now = edited + 30s;
+    session.perform(move(1.0));
+    std::optional<std::chrono::steady_clock::time_point> written;
+    for (auto call = start + edit * 1000s; !written && call < edited + 2min; call += 1s)
+      if (session.autosaveIfDue(call)) written = call;
+    ASSERT_TRUE(written);
+    EXPECT_LT(*written, edited + 60s);
+    EXPECT_GT(*written, edited + 45s);
+  }
+}
+
+TEST_F(SessionTest, AnEditOfTheViewIsSavedAndKeptInSnapshots) {
+  FakeClock clock;
+  const auto start = clock.now;
+  Session session(test::clampedSphere(12), clock.with(options()));
+  session.setView(R"({"zoom":2})");
+  EXPECT_FALSE(session.isModified());
+  session.editView(R"({"zoom":2,"selections":[]})");
+  EXPECT_TRUE(session.isModified());
+  EXPECT_FALSE(session.document().canUndo());
+  EXPECT_TRUE(session.autosaveIfDue(start + 60s));
+  EXPECT_EQ(snapshots(), 1u);
+  session.saveAs(folder_ / "ball.json");
+  EXPECT_FALSE(session.isModified());
+  EXPECT_EQ(Session(folder_ / "ball.json", options()).project().view,
+            R"({"zoom":2,"selections":[]})");
+}
+
+TEST_F(SessionTest, AKilledProcessLeavesTheEditsOfTheLastInterval) {
+  using namespace testing_support;
+  Reports reports;
+  Session::Options often = options();
+  often.autosaveEvery = 1s;
+  const pid_t child = startChild([&] {
+    Session session(test::clampedSphere(12), often);
+    session.perform(move(3.0));
+    while (!session.autosaveIfDue(std::chrono::steady_clock::now())) ::usleep(1000);
+    reports.report(1);
+    ::pause();
+  });
+  reports.stopWriting();
+  ASSERT_TRUE(reports.next()) << "no snapshot was written";
+  killChild(child);
+  const auto left = modeling::findRecoverable(folder_ / "autosave");
+  ASSERT_EQ(left.snapshots.size(), 1u);
+  const modeling::Project edited = modeling::apply(move(3.0), test::clampedSphere(12)).project;
+  EXPECT_EQ(std::get<modeling::Solid>(modeling::recover(left.snapshots[0]).body).controlPoints(),
+            std::get<modeling::Solid>(edited.body).controlPoints());
+}
+
 TEST_F(SessionTest, AnEditThatWasUndoneNeedsNoSnapshot) {
-  const auto start = std::chrono::steady_clock::now();
-  Session session(test::clampedSphere(12), options());
+  FakeClock clock;
+  const auto start = clock.now;
+  Session session(test::clampedSphere(12), clock.with(options()));
   session.perform(move(1.0));
-  session.autosaveIfDue(start);
-  ASSERT_TRUE(session.autosaveIfDue(start + 61s));
+  ASSERT_TRUE(session.autosaveIfDue(start + 60s));
   session.undo();
   EXPECT_FALSE(session.autosaveIfDue(start + 2h));
   EXPECT_EQ(snapshots(), 0u);

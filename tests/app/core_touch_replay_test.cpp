@@ -74,6 +74,33 @@ TEST(TouchReplay, DoesNotDependOnTheOrderOfTheColumns) {
             forcesOf(std::make_shared<TouchableModel>(model), touches(), 2));
 }
 
+TEST(TouchReplay, ComputesNearlyWholeBlocksOfColumns) {
+  // A slide needs new columns at many places; one at a time, each of them would cost a block.
+  const auto model = build(4.5);
+  const auto body = std::make_shared<TouchableModel>(model);
+  int blocks = 0, ready = 0;
+  replay(body, touches(), {}, [&](const TouchSnapshot&) {
+    const int now = body->columns()->readyCount();
+    blocks += (now - ready + bem::GreensColumns::kBlock - 1) / bem::GreensColumns::kBlock;
+    EXPECT_TRUE((now - ready) % bem::GreensColumns::kBlock == 0 || body->columns()->isComplete());
+    ready = now;
+  });
+  EXPECT_GT(blocks, 3);
+}
+
+TEST(TouchReplay, MayUseTheModelOfARunningLoop) {
+  const auto model = build(6);
+  const auto alone = forcesOf(std::make_shared<TouchableModel>(model), touches(), 2);
+  TouchLoop loop;
+  const auto number = loop.setModel(model);
+  std::shared_ptr<const TouchableModel> body;
+  const auto end = std::chrono::steady_clock::now() + 60s;
+  while (!body && std::chrono::steady_clock::now() < end) body = loop.model(number);
+  ASSERT_TRUE(body);
+  // The loop computes all columns meanwhile.
+  EXPECT_EQ(forcesOf(body, touches(), 2), alone);
+}
+
 TEST(TouchReplay, GivesTheForcesOfTheLiveLoopThroughASwapToo) {
   const auto model = build(6);
   TouchLoop loop;

@@ -149,6 +149,29 @@ TEST(BilateralContactSolver, DisplacementAndForceAreInverse) {
   EXPECT_GT(contact.stiffness, 0);
 }
 
+/// Force, deflection and stiffness of a contact fit together, and deflections are what the forces
+/// do one at a time: the displacements of two contacts through the compliance matrix.
+TEST(BilateralContactSolver, DeflectionsAreTheShareOfTheContactsOwnForce) {
+  BilateralContactSolver solver = sphere().solver();
+  const ContactMask top = sphere().mask(kTop, 8), side = sphere().mask({18, 0, 17}, 8);
+  solver.addGrab(top, Vector3d(0.2, 0, -2));
+  solver.addGrab(side, Vector3d(-1, 0, -0.5));
+  const VectorXd forces = solver.forces();
+  const auto contacts = solver.contacts(forces);
+  for (int k = 0; k < 2; ++k) {
+    BilateralContactSolver alone = sphere().solver();
+    alone.addForce(k == 0 ? top : side, forces.segment<3>(3 * k));
+    const Vector3d expected = alone.contacts(alone.forces()).front().displacement;
+    EXPECT_LE((contacts[k].deflection - expected).norm(), 1e-12);
+    EXPECT_NEAR(contacts[k].stiffness * contacts[k].deflection.norm(), contacts[k].force.norm(),
+                1e-12);
+    const Vector3d fromOther =
+        solver.compliance().block<3, 3>(3 * k, 3 * (1 - k)) * forces.segment<3>(3 * (1 - k));
+    EXPECT_GT(fromOther.norm(), 0.1);
+    EXPECT_LE((contacts[k].displacement - contacts[k].deflection - fromOther).norm(), 1e-12);
+  }
+}
+
 TEST(BilateralContactSolver, AddingAndRemovingInAnyOrderGivesTheSameForces) {
   const Vector3d places[] = {kTop, kSide, {-25, 0, 0}, {0, 25, 0}, {0, -20, 15}};
   BilateralContactSolver straight = sphere().solver();

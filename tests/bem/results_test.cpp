@@ -99,9 +99,9 @@ TEST(InteriorState, IsEmptyOutsideTheBodyAndInItsCavity) {
   const TractionSlots slots(mesh);
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * mesh.nodeCount());
   const Eigen::VectorXd p = Eigen::VectorXd::Zero(3 * slots.count());
-  EXPECT_FALSE(interiorState(mesh, slots, u, p, {0.1, 0.3}, {0, 0, 40}));
-  EXPECT_FALSE(interiorState(mesh, slots, u, p, {0.1, 0.3}, {1, 2, 3}));
-  EXPECT_TRUE(interiorState(mesh, slots, u, p, {0.1, 0.3}, {0, 17, 0}));
+  EXPECT_FALSE(interiorState(mesh, slots, u, p, Material{0.1, 0.3}, {0, 0, 40}));
+  EXPECT_FALSE(interiorState(mesh, slots, u, p, Material{0.1, 0.3}, {1, 2, 3}));
+  EXPECT_TRUE(interiorState(mesh, slots, u, p, Material{0.1, 0.3}, {0, 17, 0}));
 }
 
 TEST(SurfaceDisplacement, IsAsAccurateBetweenTheNodesAsAtThem) {

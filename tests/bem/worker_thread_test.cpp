@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <stdexcept>
+#include <string>
 #include <vector>
+
+#include "base/unexpected.h"
 
 namespace palpa {
 namespace {
@@ -33,6 +37,21 @@ TEST(WorkerThread, RunsTasksInTheirOrderOnOnePreparedThread) {
   worker.waitUntilIdle();
   EXPECT_EQ(order, (std::vector{0, 1, 2, 3, 4}));
   EXPECT_EQ(prepared, 1);
+}
+
+TEST(WorkerThread, AnExceptionOfATaskIsReportedAndTheNextTaskRuns) {
+  std::vector<std::string> reported;
+  setUnexpectedHandler([&](const std::string& what) { reported.push_back(what); });
+  bool isNext = false;
+  WorkerThread worker;
+  worker.post([](const std::stop_token&) { throw std::runtime_error("a defect"); });
+  worker.post([](const std::stop_token&) { throw Cancelled{}; });
+  worker.post([](const std::stop_token&) { throw 3; });
+  worker.post([&](const std::stop_token&) { isNext = true; });
+  worker.waitUntilIdle();
+  setUnexpectedHandler({});
+  EXPECT_TRUE(isNext);
+  EXPECT_EQ(reported, (std::vector<std::string>{"a defect", "an exception of unknown type"}));
 }
 
 TEST(WorkerThread, ReplaceStopsTheRunningTaskAndDropsTheWaitingOnes) {

@@ -8,14 +8,10 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSpinBox>
-#include <QTextBlock>
 #include <QTreeWidget>
 
 #include "app/gui/dialogs/export_dialog.h"
-#include "app/gui/dialogs/guide_reader.h"
-#include "app/gui/dialogs/guide_window.h"
 #include "app/gui/dialogs/keys_dialog.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
@@ -135,54 +131,6 @@ TEST_F(FileDialogs, HelpSaysWhatThereIs) {
                             keepPicture("about", &about);
                             QTest::keyClick(&about, Qt::Key_Escape);
                           });
-}
-
-TEST_F(FileDialogs, TheGuideShowsItsPages) {
-  QTest::keyClick(window_.get(), Qt::Key_F1);
-  auto* guide = window_->findChild<GuideWindow*>();
-  ASSERT_NE(guide, nullptr);
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(guide));
-  auto* reader = guide->findChild<GuideReader*>();
-  auto* contents = guide->findChild<QTreeWidget*>("contents");
-  EXPECT_TRUE(reader->toPlainText().contains("First touch in five minutes"));
-  // Every page of the list opens with its pictures, which fit the page.
-  ASSERT_GE(contents->topLevelItemCount(), 7);
-  for (int i = 0; i < contents->topLevelItemCount(); ++i) {
-    contents->setCurrentItem(contents->topLevelItem(i));
-    EXPECT_EQ(reader->source(), contents->topLevelItem(i)->data(0, Qt::UserRole).toUrl());
-    EXPECT_GT(reader->toPlainText().size(), 1000) << reader->source().path().toStdString();
-    EXPECT_FALSE(reader->horizontalScrollBar()->isVisible());
-    keepPicture(QString("guide-%1").arg(i), guide);
-  }
-  // A link to a heading of another page scrolls it to the top; Back returns.
-  contents->setCurrentItem(contents->topLevelItem(0));
-  reader->setSource(QUrl("window.md#nothing-is-lost"));
-  EXPECT_TRUE(reader->source().path().endsWith("/window.md"));
-  EXPECT_EQ(contents->currentItem()->text(0), "The window");
-  EXPECT_EQ(reader->cursorForPosition({40, 20}).block().text().toStdString(), "Nothing is lost");
-  keepPicture("guide-heading", guide);
-  reader->backward();
-  EXPECT_TRUE(reader->source().path().endsWith("/README.md"));
-  // The search continues at the top after the last match.
-  QTest::keyClicks(guide->findChild<QLineEdit*>("find"), "five minutes");
-  QTest::keyClick(guide->findChild<QLineEdit*>("find"), Qt::Key_Return);
-  EXPECT_EQ(reader->textCursor().selectedText(), "five minutes");
-  const int first = reader->textCursor().position();
-  for (int i = 0; i < 10 && reader->textCursor().position() >= first; ++i) {
-    QTest::keyClick(guide->findChild<QLineEdit*>("find"), Qt::Key_Return);
-    if (reader->textCursor().position() == first) break;
-  }
-  EXPECT_EQ(reader->textCursor().position(), first);
-  // The page follows the theme.
-  reader->setSource(QUrl("command-line.md"));
-  window_->settings().setTheme(Theme::kDark);
-  keepPicture("guide-dark", guide);
-  const QImage dark = guide->grab().toImage();
-  EXPECT_LT(dark.pixelColor(dark.width() / 2, dark.height() - 30).lightness(), 128);
-  guide->close();
-  action("User guide")->trigger();
-  EXPECT_EQ(window_->findChild<GuideWindow*>(), guide);
-  EXPECT_TRUE(guide->isVisible());
 }
 
 TEST_F(FileDialogs, AllOfThemSuitTheDarkTheme) {

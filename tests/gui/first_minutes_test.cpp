@@ -150,9 +150,10 @@ TEST_F(FirstMinutes, MeasuresFollowTheUnits) {
 TEST_F(FirstMinutes, AModelThatCannotBeBuiltSaysWhyOverTheView) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
-  // Two supports on the same patch, as made by a first click.
+  // Two supports on the same patch that contradict each other.
   modeling::Support second = editor().project().supports.front();
   second.name = "second";
+  second.displacement.z() += 1;
   ASSERT_TRUE(editor().perform(modeling::AddSupport{second}));
   const auto isSaid = [&] {
     const QStringList messages = window_->messages().messages();

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QWidget>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <thread>
 
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/application.h"
 
 namespace {
 
@@ -66,7 +68,7 @@ int main(int argc, char** argv) {
   qputenv("MESA_SHADER_CACHE_DISABLE", "true");
   // Tests cannot find native dialogs of the desktop.
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  QApplication application(argc, argv);
+  palpa::gui::Application application(argc, argv);
   palpa::gui::applyTheme(application, palpa::gui::Theme::kLight);
   testing::UnitTest::GetInstance()->listeners().Append(new Watchdog);
   return RUN_ALL_TESTS();

@@ -120,7 +120,7 @@ TEST_F(RebuildDock, ASurfaceThatCutsItselfIsSaidAndTheLastModelStays) {
   EXPECT_EQ(find<QLabel>("rebuildState")->text(), "Cannot be built");
   const QString words = find<QLabel>("rebuildDetails")->text();
   EXPECT_TRUE(words.contains("mm")) << words.toStdString();  // the place
-  EXPECT_TRUE(words.contains("Move the control points")) << words.toStdString();
+  EXPECT_TRUE(words.contains("move its control points")) << words.toStdString();
   EXPECT_TRUE(find<QLabel>("stage-check")->text().endsWith("✗"));
   EXPECT_EQ(find<QLabel>("modelTitle")->text(), "Model of the previous shape");
   EXPECT_EQ(editor().model(), good);

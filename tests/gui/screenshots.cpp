@@ -7,7 +7,11 @@
 #include <cstdio>
 #include <string>
 
+#include "app/core/session/new_project.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/application.h"
+#include "app/gui/dialogs/primitive_kinds.h"
+#include "modeling/shapes/make_primitive.h"
 #include "tests/gui/films.h"
 #include "tests/gui/photographer.h"
 
@@ -18,6 +22,18 @@
 //   palpa_screenshots --plot CSV PNG     forces that palpa-touch-bench --csv wrote, as curves
 namespace palpa::gui {
 namespace {
+
+/// A new project with the second extruded example, a bean.
+void startWithProfile(Photographer& p) {
+  for (const PrimitiveKind& kind : primitiveKinds()) {
+    modeling::Primitive primitive = kind.primitive;
+    if (!std::holds_alternative<modeling::ExtrudeShape>(primitive.shape)) continue;
+    primitive.shape = kind.profiles.at(1).shape;
+    modeling::Project project = app::makeProject(modeling::makePrimitive(primitive), "bean");
+    project.primitive = primitive;
+    p.editor().start(std::move(project));
+  }
+}
 
 void photograph(const QString& folder) {
   Photographer photographer(folder);
@@ -80,6 +96,8 @@ void photograph(const QString& folder) {
 
   p.shootDialog("welcome", "Welcome");
   p.shootDialog("new-solid", "New");
+  startWithProfile(p);
+  p.shootDialog("edit-profile", "Edit profile");
   p.shootDialog("material", "Material");
   p.shootDialog("preferences", "Preferences");
   p.action("User guide")->trigger();
@@ -90,7 +108,7 @@ void photograph(const QString& folder) {
 }  // namespace palpa::gui
 
 int main(int argc, char** argv) {
-  QApplication application(argc, argv);
+  palpa::gui::Application application(argc, argv);
   const bool films = argc == 3 && std::string(argv[1]) == "--films";
   const bool plot = argc == 4 && std::string(argv[1]) == "--plot";
   if (!(films || plot || argc == 2) || (!plot && !QDir().mkpath(argv[argc - 1]))) {

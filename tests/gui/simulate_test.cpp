@@ -2,6 +2,7 @@
 #include <QFontMetrics>
 #include <QHeaderView>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTreeWidget>
 
 #include "app/core/live/touch_recording_file.h"
@@ -65,6 +66,26 @@ TEST_F(Simulate, AGrabPullsAndTheDockSaysWithHowManyNewtons) {
   QTest::qWait(200);
   EXPECT_TRUE(forces().text(0, 0).contains("base"));
   EXPECT_EQ(simulation().displacementAt(held.point).norm(), 0.0);
+}
+
+TEST_F(Simulate, AHeldTouchIsNotDrawnAgain) {
+  enter();
+  const QPoint at = onBody();
+  QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+  slowly(at, at + QPoint(40, -20));
+  ASSERT_TRUE(waitForForce());
+  int painted = 0;
+  QObject::connect(&view(), &ViewportWidget::framePainted, &view(), [&] { ++painted; });
+  const auto isStill = [&] {
+    painted = 0;
+    QTest::qWait(400);
+    return painted == 0;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(isStill, 20000));
+  // It is drawn again as soon as it moves.
+  moveTo(at + QPoint(60, -30), Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return painted > 0; }, 5000));
+  QTest::mouseRelease(&view(), Qt::LeftButton, {}, at + QPoint(60, -30));
 }
 
 TEST_F(Simulate, EnlargedDisplacementsFollowThePointer) {

@@ -24,6 +24,10 @@ TEST(Units, ShowValuesInTheChosenUnit) {
   EXPECT_EQ(shown(210000, Quantity::kStress, {}, 4), "210000 MPa");
   EXPECT_EQ(shown(123456.78, Quantity::kNumber, {}), "123457");
   EXPECT_EQ(shown(-0.0, Quantity::kNumber, {}), "0");
+  // Rounding errors.
+  EXPECT_EQ(shown(2.2204e-16, Quantity::kLength, {}, 10), "0 mm");
+  EXPECT_EQ(shown(-1e-14, Quantity::kForce, {}), "0 N");
+  EXPECT_EQ(shown(1e-9, Quantity::kLength, {}), "1e-09 mm");
 }
 
 TEST(Units, ReadNumbersWithAndWithoutUnit) {

@@ -13,15 +13,19 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
+#include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Wire.hxx>
+#include <cmath>
 #include <gp_Ax1.hxx>
 #include <numbers>
 
@@ -98,6 +102,32 @@ TopoDS_Shape splitBox() {
   }
   sewing.Perform();
   return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape())).Solid();
+}
+
+TopoDS_Shape perforatedPlate(int rows, int columns) {
+  constexpr double kDistance = 12, kThickness = 10, kHole = 3, kRounding = 4;
+  const TopoDS_Shape plate =
+      BRepPrimAPI_MakeBox(kDistance * rows, kDistance * columns, kThickness).Shape();
+  BRepFilletAPI_MakeFillet fillet(plate);
+  for (TopExp_Explorer e(plate, TopAbs_EDGE); e.More(); e.Next()) {
+    const TopoDS_Edge edge = TopoDS::Edge(e.Current());
+    const gp_Pnt first = BRep_Tool::Pnt(TopExp::FirstVertex(edge));
+    const gp_Pnt last = BRep_Tool::Pnt(TopExp::LastVertex(edge));
+    if (std::abs(first.Z() - last.Z()) > 1) fillet.Add(kRounding, edge);
+  }
+  TopTools_ListOfShape bodies, holes;
+  bodies.Append(fillet.Shape());
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const gp_Pnt at(kDistance * (row + 0.5), kDistance * (column + 0.5), 0);
+      holes.Append(
+          BRepPrimAPI_MakeCylinder(gp_Ax2(at, gp_Dir(0, 0, 1)), kHole, kThickness).Shape());
+    }
+  BRepAlgoAPI_Cut cut;
+  cut.SetArguments(bodies);
+  cut.SetTools(holes);
+  cut.Build();
+  return cut.Shape();
 }
 
 }  // namespace palpa::modeling::tests

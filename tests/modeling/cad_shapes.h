@@ -13,5 +13,7 @@ TopoDS_Shape sweptRectangle();  ///< 10 × 8 along a plane spline
 TopoDS_Shape loft();            ///< through three rectangles
 TopoDS_Shape quarterPipe();     ///< radii 10 and 16, height 25, 90 degrees
 TopoDS_Shape splitBox();        ///< 20 × 20 × 20, front divided into two faces of 10 × 20
+/// Plate 10 thick with rows × columns holes of radius 3, 12 apart; the vertical edges are rounded.
+TopoDS_Shape perforatedPlate(int rows, int columns);
 
 }  // namespace palpa::modeling::tests

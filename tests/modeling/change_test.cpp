@@ -85,9 +85,10 @@ TEST(Change, EveryFieldOfATouchCounts) {
 }
 
 TEST(Change, EveryFieldOfTheMaterialCounts) {
-  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio] = Material{};  // all are below
+  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio, density] = Material{};  // below
   expectEach(&Change::material, {[](Project& p) { p.material.name = "x"; },
                                  [](Project& p) { p.material.youngsModulus = 2; },
+                                 [](Project& p) { p.material.densityKgPerM3 = 1100; },
                                  [](Project& p) { p.material.poissonRatio = 0.4; }});
 }
 
@@ -99,7 +100,8 @@ TEST(Change, EveryFieldOfTheMeshSettingsCounts) {
        [](Project& p) { p.mesh.refineAtBorders = true; },
        [](Project& p) { p.mesh.patchFactors["top"] = 2; },
        [](Project& p) { p.mesh.engine = Engine::kTriangles; },
-       [](Project& p) { p.mesh.accuracy = 0.02; }, [](Project& p) { p.mesh.elementLength = 1; }});
+       [](Project& p) { p.mesh.accuracy = 0.02; }, [](Project& p) { p.mesh.splineDensity = 2; },
+       [](Project& p) { p.mesh.elementLength = 1; }});
 }
 
 TEST(Change, EverythingElseCounts) {

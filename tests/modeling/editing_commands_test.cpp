@@ -206,6 +206,20 @@ TEST(EditBody, TransformsKeepVolumeAndAttachments) {
   EXPECT_LT((push.vector - Vector3d(0, 1, 0)).norm(), 1e-12);
   EXPECT_EQ(push.friction, 0.3);
 
+  // Forces turn with the solid, gravity stays; a moment is an axial vector.
+  Project heavy = project;
+  heavy.loads = {{"rope", TotalForce{Region::ofPatches({"top"}), {0, 0, 2}}},
+                 {"key", Moment{Region::ofPatches({"top"}), {3, 0, 2}}},
+                 {"weight", Gravity{}}};
+  const Project leaning =
+      apply(TransformSolid{Rotation{{1, 0, 0}, 90.0, {0, 0, 0}}}, heavy).project;
+  EXPECT_LT((std::get<TotalForce>(leaning.loads[0].what).force - Vector3d(0, -2, 0)).norm(), 1e-12);
+  EXPECT_LT((std::get<Moment>(leaning.loads[1].what).moment - Vector3d(3, -2, 0)).norm(), 1e-12);
+  EXPECT_EQ(leaning.loads[2], heavy.loads[2]);
+  const Project reflected =
+      apply(TransformSolid{MirrorPlane{Vector3d::Zero(), Vector3d::UnitX()}}, heavy).project;
+  EXPECT_LT((std::get<Moment>(reflected.loads[1].what).moment - Vector3d(3, 0, -2)).norm(), 1e-12);
+
   const Project scaled = apply(TransformSolid{Scaling{{1, 2, 3}, {0, 0, 20}}}, project).project;
   EXPECT_NEAR(volume(scaled.body), 6 * before, 1e-6);
   EXPECT_NEAR(std::get<HalfSpace>(scaled.supports[0].where.parts[0]).below, 20 - 3 * 25, 1e-12);

@@ -24,6 +24,7 @@ std::vector<Command> oneOfEach() {
   mesh.patchFactors = {{"top", 0.5}};
   mesh.engine = Engine::kTriangles;
   mesh.accuracy = 0.003;
+  mesh.splineDensity = 1.25;
   mesh.elementLength = 1.5;
   return {MovePoints{some, MoveBy{{1, 2, 3}}, reach},
           MovePoints{PointSelection::of({1}), MoveTo{{{1, 2, 0.1}}}, {}},
@@ -44,6 +45,7 @@ std::vector<Command> oneOfEach() {
           AddSupport{support},
           SetSupport{"base", support},
           RemoveSupport{"base"},
+          TakeOverlap{"hand", "base", 1.5},
           AddLoad{load},
           SetLoad{"press", load},
           RemoveLoad{"press"},
@@ -55,6 +57,11 @@ std::vector<Command> oneOfEach() {
           AddTouch{{"pull", {0, 0, 20}, TouchKind::kForce, {0, 0, 1}, {}}},
           RemoveTouch{"poke"},
           SetMaterial{{"rubber", 1.5, 0.49}},
+          SetMaterial{{"rubber", 1.5, 0.49, 1150}},
+          AddLoad{{"rope", TotalForce{Region::ofPatches({"top"}), {0, 0.5, 1.0 / 3.0}}}},
+          AddLoad{{"key", Moment{Region::ofPatches({"top"}), {0, 0.5, 1.0 / 3.0}}}},
+          AddLoad{{"weight", Gravity{}}},
+          SetLoad{"weight", {"moon", Gravity{{0, 0, -1.625}}}},
           SetMesh{mesh},
           RenameProject{"a \"new\" name"},
           RenamePatch{"top", "lid"}};

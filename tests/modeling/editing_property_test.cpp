@@ -68,7 +68,8 @@ class RandomCommands {
       case 18:
         return oneIn(2)
                    ? Command(SetSupport{name(), {name(), Support::Kind::kRoller, region(), {}}})
-                   : Command(RemoveSupport{name()});
+               : oneIn(2) ? Command(TakeOverlap{name(), name(), std::abs(number(2.0))})
+                          : Command(RemoveSupport{name()});
       case 19:
         return AddLoad{{name(), Pressure{region(), number(0.1)}}};
       case 20:

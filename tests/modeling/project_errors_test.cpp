@@ -45,7 +45,7 @@ TEST(ProjectErrors, NamePathFoundAndExpected) {
             "box.json: supports[0].kind: found \"glued\", expected one of \"fixed\", \"roller\"");
   EXPECT_EQ(errorWith("\"kind\": \"pressure\"", "\"kind\": \"push\""),
             "box.json: loads[0].kind: found \"push\", expected one of \"pressure\", \"traction\", "
-            "\"bump\"");
+            "\"bump\", \"force\", \"moment\", \"gravity\"");
   EXPECT_EQ(errorWith("\"MPa\": 0.25", "\"MPa\": [1, 2, 3]"),
             "box.json: loads[0].MPa: found a list of 3, expected a number");
   EXPECT_EQ(errorWith("\"edge_length_mm\": 4", "\"edge_length_mm\": 0"),
@@ -84,6 +84,38 @@ TEST(ProjectErrors, TheSchemaHasTheKeysOfEveryKindOfTouch) {
     EXPECT_EQ(errorOfTouch(head + vector + R"(, "friction": 0.5})") == "no error", info.presses)
         << info.name;
   }
+}
+
+/// Error of the valid text with its load replaced by this object.
+std::string errorOfLoad(const std::string& load) {
+  std::string text = goodText();
+  const std::string key = "\"loads\": [\n    ";
+  const std::size_t begin = text.find(key) + key.size();
+  return errorOf(text.replace(begin, text.find('\n', begin) - begin, load));
+}
+
+TEST(ProjectErrors, LoadsByTheirSumHaveTheirKeys) {
+  const std::string top = R"("name": "l", "where": {"patches": ["top"]}, )";
+  EXPECT_EQ(errorOfLoad("{" + top + R"("kind": "force", "force_N": [1, 2, 3]})"), "no error");
+  EXPECT_EQ(errorOfLoad("{" + top + R"("kind": "moment", "moment_N_mm": [1, 2, 3]})"), "no error");
+  EXPECT_EQ(errorOfLoad(R"({"name": "l", "kind": "gravity"})"), "no error");
+  EXPECT_EQ(errorOfLoad(R"({"name": "l", "kind": "gravity", "acceleration_m_per_s2": [0, 0, 1]})"),
+            "no error");
+  EXPECT_EQ(errorOfLoad("{" + top + R"("kind": "moment"})"),
+            "box.json: loads[0].moment_N_mm: is missing");
+  EXPECT_EQ(errorOfLoad(R"({"name": "l", "kind": "force", "force_N": [1, 2, 3]})"),
+            "box.json: loads[0].where: is missing");
+  EXPECT_EQ(errorOfLoad("{" + top + R"("kind": "gravity"})"),
+            "box.json: loads[0].where: unknown key, expected one of \"acceleration_m_per_s2\", "
+            "\"kind\", \"name\"");
+  EXPECT_EQ(
+      errorOfLoad(R"({"name": "l", "kind": "weight"})"),
+      "box.json: loads[0].kind: found \"weight\", expected one of \"pressure\", \"traction\", "
+      "\"bump\", \"force\", \"moment\", \"gravity\"");
+  EXPECT_EQ(errorOfLoad("{" + top.substr(0, 13) + R"("where": {"patches": ["lid"]}, )" +
+                        R"("kind": "force", "force_N": [1, 2, 3]})")
+                .substr(0, 56),
+            "box.json: loads[0].where.patches[0]: no patch is named \"");
 }
 
 TEST(ProjectErrors, EveryKindOfTouchHasItsKeys) {
@@ -138,7 +170,8 @@ TEST(ProjectErrors, NumbersOfTouchesAreCheckedBeforeTheyAreSaved) {
 
 TEST(ProjectErrors, RefuseUnknownMissingAndRepeatedKeys) {
   EXPECT_EQ(errorWith("\"poisson_ratio\"", "\"poisons_ratio\""),
-            "box.json: material.poisons_ratio: unknown key, expected one of \"name\", "
+            "box.json: material.poisons_ratio: unknown key, expected one of \"density_kg_per_m3\", "
+            "\"name\", "
             "\"poisson_ratio\", \"youngs_modulus_MPa\"");
   EXPECT_EQ(errorWith(", \"poisson_ratio\": 0.45", ""),
             "box.json: material.poisson_ratio: is missing");
@@ -199,11 +232,16 @@ TEST(ProjectErrors, CheckHowSplineElementsAreChosen) {
             "\"triangles\"");
   EXPECT_EQ(error(R"("accuracy": 0.2)"),
             "box.json: mesh.accuracy: found 0.2, expected at most 0.1");
+  EXPECT_EQ(error(R"("spline_density": 0.5)"),
+            "box.json: mesh.spline_density: found 0.5, expected at least 1");
   EXPECT_EQ(error(R"("element_length_mm": 0)"),
             "box.json: mesh.element_length_mm: found 0, expected more than 0");
   // Conditions of the schema, for settings from other sources.
   MeshSettings settings;
   settings.accuracy = 0.2;
+  EXPECT_THROW(settings.validate(), ModelingError);
+  settings = {};
+  settings.splineDensity = 17;
   EXPECT_THROW(settings.validate(), ModelingError);
   settings = {};
   settings.elementLength = -1.0;

@@ -19,20 +19,26 @@ namespace fs = std::filesystem;
 Project example() {
   Project project;
   project.name = "Ball \"soft\" ü";
-  auto& [material, youngsModulus, poissonRatio] = project.material;  // none with its default
+  auto& [material, youngsModulus, poissonRatio, density] = project.material;  // none its default
   material = "silicone";
   youngsModulus = 0.1;
   poissonRatio = 0.49;
+  density = 1070;
   const Solid ball = makeSphere(25.0);
   project.body = ball.withSmoothEdges({1, 4, static_cast<int>(ball.edges().size()) - 1}, true);
   project.primitive = Primitive{SphereShape{25.0}, 3, 7};
   const Region base{{HalfSpace{{0, 0, 1}, -20.0}, PatchSet{{"bottom"}},
-                     Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5}}};
+                     Stroke{{{0, 0, -25}, {1.0 / 3.0, 2, -24}}, 2.5}},
+                    {Stroke{{{5, 0, -24}}, 1.5}, PatchSet{{"top"}}}};
   project.supports = {{"base", Support::Kind::kFixed, base, Eigen::Vector3d::Zero()},
                       {"guide", Support::Kind::kRoller, Region::ofPatches({"top"}), {0, 0, -1e-3}}};
   project.loads = {{"press", Pressure{Region::ofPatches({"side_xmax"}), 0.01}},
                    {"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, -0.0, 1.0 / 3.0}}},
-                   {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}}};
+                   {"finger", Bump{{0, 0, 25}, 4.0, 0.02, {0, 0, -1}}},
+                   {"rope", TotalForce{Region::ofPatches({"top"}), {0.5, 0, -1.0 / 3.0}}},
+                   {"key", Moment{Region::ofPatches({"top"}), {0, -2.5, 10}}},
+                   {"weight", Gravity{}},
+                   {"moon", Gravity{{0.1, 0, -1.625}}}};
   project.touches = {{"poke", {0, 0, 25}, TouchKind::kGrab, {0, 0, -2}, 3.0},
                      {"pull", {25, 0, 0}, TouchKind::kForce, {0.5, 0, 0}, std::nullopt},
                      {"slide", {0, 25, 0}, TouchKind::kPush, {1, -2, 0.1}, 5.0, 0.3},
@@ -45,6 +51,7 @@ Project example() {
   project.mesh.patchFactors = {{"bottom", 1.0 / 3.0}, {"top", 0.5}};
   project.mesh.engine = Engine::kSplines;
   project.mesh.accuracy = 1.0 / 300;
+  project.mesh.splineDensity = 4.0 / 3;
   project.mesh.elementLength = 2.5;
   project.view = R"({"zoom":1.5,"camera":[1,2,3],"about":{"b":1,"a":null}})";
   return project;
@@ -97,6 +104,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
 TEST_F(ProjectFile, AGrabWithAForceIsTheForceItWasCalledAtFirst) {
   Project project = example();
   project.touches = {{"pull", {25, 0, 0}, TouchKind::kForce, {0.5, 0, 0}, 4.0}};
+  project.loads.clear();  // one of them is of the kind "force", too
   const std::string text = toJson(project);
   std::string old = text;
   const std::string kind = "\"kind\": \"force\"";
@@ -189,10 +197,11 @@ TEST_F(ProjectFile, NamesAMissingFile) {
 
 TEST_F(ProjectFile, NamesTheRegionsOfAMesh) {
   const std::vector<MeshRegion> regions = meshRegions(example());
-  ASSERT_EQ(regions.size(), 4U);
+  ASSERT_EQ(regions.size(), 6U);
   EXPECT_EQ(regions[0].name, "supports[0] \"base\"");
   EXPECT_EQ(regions[3].name, "loads[1] \"drag\"");
   EXPECT_FALSE(regions[3].refineBorder);
+  EXPECT_EQ(regions[5].name, "loads[4] \"key\"");
 }
 
 }  // namespace

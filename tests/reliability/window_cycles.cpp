@@ -13,6 +13,7 @@
 
 #include "app/core/system/destroy_in_background.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/application.h"
 #include "app/gui/window/main_window.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/shapes/primitives.h"
@@ -102,7 +103,7 @@ int main(int argc, char** argv) {
   qputenv("MESA_SHADER_CACHE_DISABLE", "true");
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, scratch.path());
   int one = 1;  // the campaign's options are none of Qt's
-  QApplication application(one, argv);
+  palpa::gui::Application application(one, argv);
   QApplication::setQuitOnLastWindowClosed(false);
   // Threads of Qt's own pool, of which one or two are there as it happens, end before any are
   // counted.

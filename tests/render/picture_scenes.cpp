@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "modeling/mesh/plane_section.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/render/pressed_body.h"
 #include "tests/render/viewport_scenes.h"
@@ -126,6 +127,44 @@ PictureCase film() {
   return result;
 }
 
+/// A pressed sphere, cut in the middle: the face has the colours of the field inside and moves with
+/// it. Marks of the extremes, two samples.
+PictureCase section() {
+  const Vector3d at = kRadius * Vector3d(0, -0.35, 0.94).normalized();
+  const Pressed sphere(modeling::makeSphere(kRadius), {{at, -6.0 / kRadius * at, 12}});
+  Picture picture = pictureOf(sphere);
+  picture.field = sphere.displacement(6);
+  const modeling::Plane plane{Vector3d::UnitX(), 1.5};
+  const modeling::PlaneSection cut =
+      modeling::planeSection(sphere.rest.positions, sphere.rest.triangles, plane, 1.5);
+  view::SectionDrawing drawing;
+  for (const Vector3d& x : sphere.rest.positions) drawing.distances.push_back(plane.distance(x));
+  for (const Vector3d& x : cut.positions) {
+    drawing.face.positions.push_back(sphere.at(x));
+    picture.sectionValues.push_back((sphere.at(x) - x).norm());
+  }
+  drawing.face.normals.assign(cut.positions.size(), plane.normal);
+  drawing.face.triangles = cut.triangles;
+  drawing.face.patchOfTriangle.assign(cut.triangles.size(), 0);
+  drawing.face.borders = view::linesBetween(cut.edges);
+  picture.section = drawing;
+  using Kind = view::SampleLabel::Kind;
+  picture.samples = {
+      {sphere.at(at), "max 6.00 mm", Kind::kMaximum},
+      {{1.5, 10, -18}, "min 0 mm", Kind::kMinimum},
+      {sphere.at({1.5, -4, 12}), "1:  |u| 2.31 mm,  von Mises 0.0123 MPa", Kind::kPinned},
+      {sphere.at({1.5, -2, 12}), "|u|  2.27 mm\nvon Mises stress  0.0119 MPa", Kind::kPointer}};
+  picture.camera.direction = {-1, 0.45, -0.35};
+  picture.caption = {"Sphere, pressed and cut", "fixed: base", {}};
+  return {picture};
+}
+
+PictureCase darkSection() {
+  PictureCase result = section();
+  result.picture.theme = view::ViewportTheme::dark();
+  return result;
+}
+
 }  // namespace
 
 std::map<std::string, PictureCase> pictureCases() {
@@ -136,7 +175,9 @@ std::map<std::string, PictureCase> pictureCases() {
           {"picture_ball", ball()},
           {"picture_front", front()},
           {"picture_many_arrows", manyArrows()},
-          {"picture_film", film()}};
+          {"picture_film", film()},
+          {"picture_section", section()},
+          {"picture_dark_section", darkSection()}};
 }
 
 }  // namespace palpa::render_tests

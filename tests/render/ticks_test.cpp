@@ -24,6 +24,18 @@ TEST(Ticks, SmallAndLargeNumbersShareAFactor) {
   EXPECT_EQ(niceTicks(0, 3e7, 3).exponent, 6);
 }
 
+TEST(Ticks, FactorsOfTenAreUnitsOfTheirOwn) {
+  EXPECT_EQ(scaledUnit("MPa", 0).name, "MPa");
+  EXPECT_EQ(scaledUnit("MPa", -3).name, "kPa");
+  EXPECT_EQ(scaledUnit("MPa", -3).exponent, -3);
+  EXPECT_EQ(scaledUnit("mm", -3).name, "µm");
+  EXPECT_EQ(scaledUnit("N/mm", 3).name, "kN/mm");
+  // Without a name the factor stays, and extremes are in the plain unit.
+  EXPECT_EQ(scaledUnit("in", -3).name, "×10^-3 in");
+  EXPECT_EQ(scaledUnit("in", -3).exponent, 0);
+  EXPECT_EQ(scaledUnit("", 6).name, "×10^6");
+}
+
 TEST(Ticks, AnEmptyOrBrokenRangeGivesOneTick) {
   EXPECT_EQ(niceTicks(2, 2, 5).labels, (Labels{"2.00"}));
   EXPECT_EQ(niceTicks(0, 0, 5).labels, (Labels{"0"}));

@@ -284,6 +284,32 @@ void nothingShown(Viewport& viewport) {
   viewport.setWarningsVisible(false);
 }
 
+/// Beside a colour bar; the pointer is on an edge of the cube.
+void viewCube(Viewport& viewport) {
+  const Solid sphere = modeling::makeSphere(25);
+  show(sphere, viewport);
+  viewport.setControlNetVisible(false);
+  viewport.setViewCubeVisible(true);
+  viewport.setHoveredCubePart(view::ViewCubePart{{1, -1, 0}});
+  view::ScalarField height{"Height", "mm"};
+  for (const Vector3d& position : viewportBody(sphere).positions)
+    height.values.push_back(position.z());
+  height.range = {-25, 25};
+  viewport.setField(height);
+  viewport.lookFrom(view::StandardView::kIsometric);
+  viewport.fit();
+}
+
+void viewCubeFromAbove(Viewport& viewport) {
+  show(modeling::makeBox({40, 30, 20}), viewport);
+  viewport.setControlNetVisible(false);
+  viewport.setViewCubeVisible(true);
+  viewport.setHoveredCubePart(
+      view::ViewCubePart{Eigen::Vector3i::Zero(), view::ViewCubePart::Arrow::kLeft});
+  viewport.orbit({40, 120});
+  viewport.fit();
+}
+
 std::function<void(Viewport&)> dark(std::function<void(Viewport&)> light) {
   return [light = std::move(light)](Viewport& viewport) {
     light(viewport);
@@ -324,6 +350,8 @@ std::map<std::string, ViewportCase> viewportCases() {
       {"viewport_selection_gizmo", {selection}},
       {"viewport_rubber_band", {rubberBand}},
       {"viewport_dark_boundary_conditions", {dark(boundaryConditions)}},
+      {"viewport_view_cube", {viewCube}},
+      {"viewport_dark_view_cube", {dark(viewCubeFromAbove)}},
       {"viewport_warnings", {warnings}},
       {"viewport_parallel_top", {parallelTop}},
       {"viewport_grid_from_afar", {gridFromAfar}},

@@ -139,10 +139,12 @@ TEST(SplineSetup, SupportsThatDisagreeAreNamed) {
   Project project = test::boxOfSplines();
   project.supports = {{"base", Support::Kind::kFixed, Region::ofPatches({"bottom"}), {0, 0, 0}},
                       {"foot", Support::Kind::kFixed, Region::below({0, 0, 1}, 5), {0, 0, 0}}};
-  EXPECT_EQ(faultOf(project).find("supports \"base\" and \"foot\" both hold the surface near"), 0U);
+  EXPECT_EQ(faultOf(project), "");  // they agree
+  project.supports[1].displacement = {0, 0, 1};
+  EXPECT_EQ(faultOf(project).find("supports \"base\" and \"foot\" overlap near"), 0U);
   project.supports[1] = {
       "side", Support::Kind::kFixed, Region::ofPatches({"side_xmin"}), {1, 0, 0}};
-  EXPECT_EQ(faultOf(project).find("supports \"side\" and \"base\" meet at"), 0U);
+  EXPECT_EQ(faultOf(project).find("supports \"base\" and \"side\" meet at"), 0U);
   project.supports[1].displacement.setZero();
   EXPECT_EQ(faultOf(project), "");
 }

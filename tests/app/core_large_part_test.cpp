@@ -1,0 +1,123 @@
+// A part with many holes from another program: too large for memory, or too coarse for its details.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "app/core/model/geometry_error.h"
+#include "app/core/model/model_memory.h"
+#include "app/core/model/suggest_mesh.h"
+#include "app/core/session/new_project.h"
+#include "app/core/session/rebuild_pipeline.h"
+#include "base/count_text.h"
+#include "modeling/exchange/import.h"
+#include "modeling/mesh/mesh.h"
+#include "tests/modeling/cad_files.h"
+#include "tests/modeling/cad_shapes.h"
+
+namespace palpa::app {
+namespace {
+
+/// A plate with 6 holes, imported as a STEP file; it becomes a mesh body.
+const modeling::Project& plate() {
+  static const modeling::Project project = [] {
+    const modeling::tests::Folder folder;
+    modeling::tests::writeForeign(modeling::tests::perforatedPlate(2, 3),
+                                  folder.file("plate.step"));
+    return makeProject(modeling::importBody(folder.file("plate.step")).body, "plate");
+  }();
+  return project;
+}
+
+std::string errorOf(const modeling::Project& project, const BuildOptions& options) {
+  try {
+    buildTouchModel(project, options, {});
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// Memory for about 400 nodes.
+BuildOptions smallMemory() {
+  BuildOptions options;
+  options.memoryLimit = expectedBytes(400, 1000, bem::Precision::kAutomatic);
+  return options;
+}
+
+TEST(LargePart, TheMessageHasReadableNumbersAndNoControlPoints) {
+  modeling::Project project = plate();
+  ASSERT_TRUE(std::holds_alternative<modeling::MeshBody>(project.body));
+  project.mesh.edgeLength = 0.2;
+  const std::string error = errorOf(project, smallMemory());
+  EXPECT_NE(error.find(" of memory for "), std::string::npos) << error;
+  EXPECT_NE(error.find("00 nodes, and "), std::string::npos) << error;
+  EXPECT_EQ(error.find("e+"), std::string::npos) << error;
+  EXPECT_EQ(error.find("control point"), std::string::npos) << error;
+}
+
+TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
+  modeling::Project project = plate();
+  project.mesh.edgeLength = 1.5;
+  BuildOptions options;
+  options.memoryLimit =
+      0.5 * expectedBytes(modeling::estimateNodeCount(project.body, project.mesh, {}), 0,
+                          bem::Precision::kAutomatic);
+  EXPECT_NE(errorOf(project, options).find("of memory for"), std::string::npos);
+  const auto mesh = suggestMesh(project, options, {});
+  ASSERT_TRUE(mesh);
+  EXPECT_GT(mesh->edgeLength, project.mesh.edgeLength);
+  const modeling::SurfaceMesh surface =
+      modeling::mesh(project.body, *mesh, modeling::meshRegions(project));
+  const auto nodes = static_cast<double>(surface.positions.size());
+  EXPECT_LE(expectedBytes(nodes, nodes, bem::Precision::kAutomatic), options.memoryLimit);
+  for (const auto& finding : modeling::checkGeometry(surface, project.body))
+    EXPECT_FALSE(finding.isError) << finding.message;
+}
+
+TEST(LargePart, TheSuggestionIsNothingIfNoMeshFits) {
+  BuildOptions options;
+  options.memoryLimit = 1000;  // bytes
+  EXPECT_FALSE(suggestMesh(plate(), options, {}));
+}
+
+TEST(LargePart, ThePipelineAddsTheSuggestionToTheFailure) {
+  modeling::Project project = plate();
+  project.mesh.edgeLength = 1.5;
+  BuildOptions options;
+  options.memoryLimit =
+      0.5 * expectedBytes(modeling::estimateNodeCount(project.body, project.mesh, {}), 0,
+                          bem::Precision::kAutomatic);
+  RebuildPipeline pipeline(options);
+  pipeline.submit(project);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!pipeline.status().reason.mesh && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  const RebuildStatus status = pipeline.status();
+  EXPECT_EQ(status.state, RebuildStatus::State::kFailed);
+  ASSERT_TRUE(status.reason.mesh);
+  EXPECT_GT(status.reason.mesh->edgeLength, project.mesh.edgeLength);
+}
+
+TEST(LargePart, AMeshThatCutsThroughItselfAsksForAnotherEdgeLength) {
+  modeling::GeometryFinding finding;
+  finding.message = "the surface intersects itself";
+  const auto findings = std::make_shared<std::vector<modeling::GeometryFinding>>(1, finding);
+  const std::string mesh = GeometryError(findings, plate().body).what();
+  EXPECT_NE(mesh.find("edge length"), std::string::npos);
+  EXPECT_EQ(mesh.find("control point"), std::string::npos);
+}
+
+TEST(CountText, SeparatesThousandsAndRoundsEstimates) {
+  EXPECT_EQ(countText(0), "0");
+  EXPECT_EQ(countText(999), "999");
+  EXPECT_EQ(countText(1000), "1,000");
+  EXPECT_EQ(countText(24512), "24,512");
+  EXPECT_EQ(countText(-1234567.4), "-1,234,567");
+  EXPECT_EQ(estimateText(24512), "24,500");
+  EXPECT_EQ(estimateText(1234567), "1,230,000");
+  EXPECT_EQ(estimateText(87.6), "88");
+  EXPECT_EQ(countText(1e300), "more than a million billion");
+}
+
+}  // namespace
+}  // namespace palpa::app
