@@ -130,7 +130,8 @@ bool isForPeople(const std::string& folder, const std::string& statement, const 
       std::regex::icase);
   if (std::regex_search(statement, kDefect)) return false;
   if (std::regex_search(text, kJson) || text.find("//VTK::") != std::string::npos) return false;
-  if (folder == "bem" || folder == "modeling" || folder == "app/core") return true;
+  if (folder == "base" || folder == "bem" || folder == "modeling" || folder == "app/core")
+    return true;
   if (std::regex_search(statement, kSaying)) return true;
   return (folder == "app/cli" || folder == "app/gui") && std::regex_search(text, kRefusing);
 }
@@ -182,7 +183,7 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
 }
 
 std::vector<MessageTemplate> findMessages(const fs::path& root) {
-  std::vector<std::string> folders{"bem", "modeling"};
+  std::vector<std::string> folders{"base", "bem", "modeling"};
   for (const auto& entry : fs::directory_iterator(root / "app"))
     if (entry.is_directory()) folders.push_back("app/" + entry.path().filename().string());
   std::sort(folders.begin() + 2, folders.end());

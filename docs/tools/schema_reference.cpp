@@ -140,8 +140,11 @@ class Page {
     if (part.contains("properties"))
       text += table(part);
     else if (part.contains("then"))
-      text += "Either " + linkTo(definitionOf(part["else"])) + " or a list of " +
-              linkTo(definitionOf(part["then"].at("items"))) + ".\n\n";
+      text += "Either " + linkTo(definitionOf(part["else"])) + " or " +
+              (part["then"].contains("items")
+                   ? "a list of " + linkTo(definitionOf(part["then"]["items"]))
+                   : linkTo(definitionOf(part["then"]))) +
+              ".\n\n";
     else
       text += "A value of this kind: " + typeText(part) +
               (rangeText(part).empty() ? "" : ", " + rangeText(part)) + ".\n\n";
