@@ -93,6 +93,9 @@ void GreensColumns::computeAround(std::span<const int> nodes, const std::vector<
 
 void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3d>& places,
                               const std::vector<Vector3d>& points) const {
+  const std::size_t blocks = std::max<std::size_t>((nodes.size() + kBlock - 1) / kBlock, 1);
+  const std::size_t wanted = kBlock * blocks - nodes.size();
+  if (wanted == 0) return;
   struct Candidate {
     double distance;
     int node;
@@ -105,8 +108,7 @@ void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3
       distance = std::min(distance, (places[node] - point).squaredNorm());
     others.push_back({distance, node});
   }
-  const std::size_t blocks = std::max<std::size_t>((nodes.size() + kBlock - 1) / kBlock, 1);
-  const std::size_t room = std::min(kBlock * blocks - nodes.size(), others.size());
+  const std::size_t room = std::min(wanted, others.size());
   std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(room),
                     others.end(), [](const Candidate& a, const Candidate& b) {
                       return a.distance != b.distance ? a.distance < b.distance : a.node < b.node;

@@ -23,8 +23,9 @@ constexpr int kTableInterval = 80;  // ms between two updates: faster changes ca
 constexpr int kFewDigits = 3;       // in narrow columns
 constexpr int kColumns = 4;
 constexpr int kContactRole = Qt::UserRole, kCurveRole = Qt::UserRole + 1;
-constexpr int kSwatch = 10;  // px, colour sample of a curve
-constexpr int kMinRows = 3;  // of contacts, with two lines each
+constexpr int kSwatch = 10;          // px, colour sample of a curve
+constexpr int kMinRows = 3;          // of contacts, with two lines each
+constexpr int kMinPlotHeight = 120;  // px: fewer leave no room for the curves between the axes
 /// Motion by loads and other contacts, over the whole motion, that the panel mentions.
 constexpr double kOtherMotion = 0.02;
 constexpr double kNoEnergy = 1e-12;   // mJ: less is a rounding error
@@ -108,6 +109,7 @@ ForcesDock::ForcesDock(Simulation& simulation, Editor& editor, Settings& setting
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 1);
   splitter->setCollapsible(0, false);
+  plot_->setMinimumHeight(kMinPlotHeight);
   splitter->restoreState(settings.forcesSplitter());
   connect(splitter, &QSplitter::splitterMoved, this,
           [this, splitter, &settings] { settings.setForcesSplitter(splitter->saveState()); });

@@ -142,13 +142,10 @@ void SimulationView::showGhost() {
 }
 
 bool SimulationView::hasChanged() {
-  Drawn now{simulation_.shape().positions,
-            simulation_.values(),
-            simulation_.range(),
-            {},
-            simulation_.snapshot().isConverged};
-  const auto contacts = simulation_.snapshot().touched();
-  now.contacts.assign(contacts.begin(), contacts.end());
+  const app::TouchSnapshot& snapshot = simulation_.snapshot();
+  const auto contacts = snapshot.touched();
+  const auto& positions = simulation_.shape().positions;
+  const std::array<double, 2> range = simulation_.range();
   const auto isSame = [](double a, double b, double size) {
     return std::abs(a - b) <= kUnseen * size || (std::isnan(a) && std::isnan(b));
   };
@@ -159,16 +156,21 @@ bool SimulationView::hasChanged() {
     return a.id == b.id && a.status == b.status &&
            isSame((a.force - b.force).norm(), 0, b.force.norm()) && isSamePlace(a.value, b.value);
   };
-  const double span = now.range[1] - now.range[0];
-  const bool isEqual = !isStale_ && now.range == drawn_.range &&
-                       now.isConverged == drawn_.isConverged &&
-                       std::ranges::equal(now.positions, drawn_.positions, isSamePlace) &&
-                       std::ranges::equal(now.values, drawn_.values,
+  const double span = range[1] - range[0];
+  const bool isEqual = !isStale_ && range == drawn_.range &&
+                       snapshot.isConverged == drawn_.isConverged &&
+                       std::ranges::equal(positions, drawn_.positions, isSamePlace) &&
+                       std::ranges::equal(simulation_.values(), drawn_.values,
                                           [&](double a, double b) { return isSame(a, b, span); }) &&
-                       std::ranges::equal(now.contacts, drawn_.contacts, isSameContact);
+                       std::ranges::equal(contacts, drawn_.contacts, isSameContact);
   isStale_ = false;
-  if (!isEqual) drawn_ = std::move(now);
-  return !isEqual;
+  if (isEqual) return false;
+  drawn_.positions = positions;
+  drawn_.values = simulation_.values();
+  drawn_.range = range;
+  drawn_.contacts.assign(contacts.begin(), contacts.end());
+  drawn_.isConverged = snapshot.isConverged;
+  return true;
 }
 
 void SimulationView::showFrame() {
