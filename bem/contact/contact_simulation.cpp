@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace palpa::bem {
 namespace {
@@ -26,7 +27,7 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   contact.id = next_++;
   contact.tool = tool;
   contact.value = value;
-  contact.point = surface_.nearest(at);
+  contact.point = contact.nextPoint = surface_.nearest(at);
   contact.reference = tool.presses() ? value : at;
   contact.firstMask = set_.size();
   contact.maskCount = tool.maskCount();
@@ -36,6 +37,7 @@ ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Ve
   anchors_.resize(set_.size());
   forces_.forces.conservativeResizeLike(Eigen::VectorXd::Zero(3 * set_.size()));
   contacts_.push_back(std::move(contact));
+  isPlaced_ = false;
   return contacts_.back().id;
 }
 
@@ -44,6 +46,7 @@ void ContactSimulation::set(Id id, const Vector3d& value) {
                                   [id](const Contact& contact) { return contact.id == id; });
   assert(place != contacts_.end());
   place->value = value;
+  isPlaced_ = false;
 }
 
 const ContactSimulation::Contact* ContactSimulation::find(Id id) const {
@@ -68,6 +71,7 @@ void ContactSimulation::end(Id id) {
   contacts_.erase(contacts_.begin() + (ended - contacts_.data()));
   conditions_.resize(set_.size());
   attempt_.resize(0);
+  isPlaced_ = false;
 }
 
 void ContactSimulation::clear() {
@@ -91,6 +95,7 @@ void ContactSimulation::takeOver(const ContactSimulation& other) {
   forces_ = other.forces_;
   attempt_ = other.attempt_;
   next_ = other.next_;
+  isPlaced_ = false;
 }
 
 const std::vector<int>& ContactSimulation::missing() {
@@ -101,13 +106,21 @@ const std::vector<int>& ContactSimulation::missing() {
     const SurfacePoint point = contact.point;
     const Vector3d across = contact.across;
     placeMasks(contact);
-    contact.point = point;
-    contact.across = across;
+    contact.nextPoint = std::exchange(contact.point, point);
+    contact.nextAcross = std::exchange(contact.across, across);
   }
+  isPlaced_ = set_.missing().empty();
   return set_.missing();
 }
 
 void ContactSimulation::placeAll() {
+  if (std::exchange(isPlaced_, false)) {
+    for (Contact& contact : contacts_) {
+      contact.point = contact.nextPoint;
+      contact.across = contact.nextAcross;
+    }
+    return;
+  }
   set_.forgetMissing();
   for (Contact& contact : contacts_) placeMasks(contact);
 }

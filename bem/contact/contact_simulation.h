@@ -90,7 +90,8 @@ class ContactSimulation {
   void takeOver(const ContactSimulation& other);
 
   /// Places the masks as step() will, and returns the displacement coefficients whose columns are
-  /// not available; some appear twice. Valid until the next call of another function.
+  /// not available; some appear twice. Valid until the next call of another function. If none is
+  /// missing, a step() that follows directly uses these places.
   const std::vector<int>& missing();
   /// Coefficients without columns at the last step().
   const std::vector<int>& missed() const { return set_.missing(); }
@@ -129,6 +130,9 @@ class ContactSimulation {
     // Internal to the simulation.
     Eigen::Vector3d reference = Eigen::Vector3d::Zero();  ///< mm, see the class comment
     Eigen::Vector3d across = Eigen::Vector3d::UnitX();    ///< direction of the lattice
+    /// `point` and `across` of the places found by missing().
+    SurfacePoint nextPoint{};
+    Eigen::Vector3d nextAcross = Eigen::Vector3d::UnitX();
     /// Displacement of the middle caused by everything except this contact's force, mm.
     Eigen::Vector3d lifted = Eigen::Vector3d::Zero();
     int firstMask = 0, maskCount = 0;
@@ -186,6 +190,7 @@ class ContactSimulation {
   ContactForces forces_, before_;
   Eigen::VectorXd attempt_;  // last iterate of the solver if it failed; otherwise empty
   Eigen::VectorXd displacements_;
+  bool isPlaced_ = false;  // missing() has placed all masks, and nothing has changed since
   Id next_ = 0;
 };
 

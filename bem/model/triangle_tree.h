@@ -13,9 +13,13 @@ class TriangleTree {
 
   /// As nearestSurfacePoint(), in microseconds instead of milliseconds. Does not allocate.
   SurfacePoint nearest(const Eigen::Vector3d& point) const;
+  /// The same point, sooner, for a surface that is known to be nearer than `reach` (mm). If it is
+  /// not, the triangle is -1.
+  SurfacePoint nearest(const Eigen::Vector3d& point, double reach) const;
 
  private:
   const BoundaryMesh& mesh_;
+  std::vector<BoxTree::Box> boxes_;
   BoxTree tree_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/spline/gather.h"
 #include "bem/spline/spline_points.h"
 
 namespace palpa::bem {
@@ -17,13 +18,6 @@ struct Workspace {
   SplineRule rule;
   SplinePoints points;
 };
-
-/// Copies the coefficients of an element's functions into columns.
-void gather(const Eigen::VectorXd& from, const std::vector<int>& list, Matrix3Xd& to) {
-  to.resize(3, static_cast<Index>(list.size()));
-  for (std::size_t f = 0; f < list.size(); ++f)
-    to.col(static_cast<Index>(f)) = from.segment<3>(3 * static_cast<Index>(list[f]));
-}
 
 }  // namespace
 

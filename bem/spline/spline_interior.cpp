@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
 #include "bem/model/body_force.h"
+#include "bem/spline/gather.h"
 #include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_state.h"
 
@@ -18,14 +19,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr std::ptrdiff_t kPointsPerTask = 8;
-
-/// Coefficients of an element's functions as columns.
-Matrix3Xd gather(const VectorXd& coefficients, const std::vector<int>& list) {
-  Matrix3Xd columns(3, static_cast<Index>(list.size()));
-  for (std::size_t f = 0; f < list.size(); ++f)
-    columns.col(static_cast<Index>(f)) = coefficients.segment<3>(3 * static_cast<Index>(list[f]));
-  return columns;
-}
 
 void forRanges(std::ptrdiff_t count, std::ptrdiff_t perTask, const Job& job,
                const std::function<void(std::ptrdiff_t, std::ptrdiff_t)>& work) {

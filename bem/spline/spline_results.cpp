@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/spline/gather.h"
 #include "bem/spline/spline_body_force.h"
 #include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_projection.h"
@@ -23,14 +24,6 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 constexpr double kTolerance = 1e-6;
-
-/// Coefficients of an element's functions as columns.
-Matrix3Xd gather(const Eigen::VectorXd& coefficients, const std::vector<int>& list) {
-  Matrix3Xd columns(3, static_cast<Index>(list.size()));
-  for (std::size_t f = 0; f < list.size(); ++f)
-    columns.col(static_cast<Index>(f)) = coefficients.segment<3>(3 * static_cast<Index>(list[f]));
-  return columns;
-}
 
 }  // namespace
 

@@ -12,7 +12,7 @@ template <class StepFrom>
 SurfacePoint walkToFoot(const BoundaryMesh& mesh, const TriangleTree& tree,
                         const SurfacePoint& start, double scale, const StepFrom& stepFrom) {
   constexpr int kMaxSteps = 16;
-  constexpr double kEnough = 1e-12;
+  constexpr double kEnough = 1e-12, kMargin = 1e-6;
   SurfacePoint at = start;
   for (int step = 0; step < kMaxSteps; ++step) {
     const auto& c = mesh.triangles[at.triangle];
@@ -28,7 +28,10 @@ SurfacePoint walkToFoot(const BoundaryMesh& mesh, const TriangleTree& tree,
       at.weights = weights;
       at.position = mesh.point(at.triangle, weights);
     } else {
-      at = tree.nearest(before + by[0] * ab + by[1] * ac);
+      // The mesh is no farther than `before`; the margin covers rounding errors.
+      const Eigen::Vector3d target = before + by[0] * ab + by[1] * ac;
+      at = tree.nearest(target, (target - before).norm() + kMargin * scale);
+      if (at.triangle < 0) at = tree.nearest(target);  // `start` was not on the mesh
     }
     if ((at.position - before).norm() <= kEnough * scale) break;
   }

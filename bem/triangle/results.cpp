@@ -35,6 +35,12 @@ FlatTriangle flatTriangle(const BoundaryMesh& mesh, int t) {
   return makeFlatTriangle(corners);
 }
 
+/// The displacement of a body force; `kept` may be null.
+Vector3d bodyForceDisplacement(const BoundaryMesh& mesh, const Bulk& bulk,
+                               const TriangleBodyForce* kept, const Vector3d& x) {
+  return kept ? kept->at(x, bulk) : TriangleBodyForce(mesh).at(x, bulk);
+}
+
 Matrix3d unpack(const double (&packed)[6]) {
   Matrix3d full;
   full << packed[0], packed[1], packed[3], packed[1], packed[2], packed[4], packed[3], packed[4],
@@ -229,7 +235,7 @@ double vonMises(const Matrix3d& stress) {
 
 Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
                              const Eigen::VectorXd& u, const Eigen::VectorXd& p, const Bulk& bulk,
-                             const SurfacePoint& place) {
+                             const SurfacePoint& place, const TriangleBodyForce* bodyForce) {
   // With ũ the interpolated value at x: C (u(x) - ũ) = ∫ U p - ∫ T (u - ũ) + B, and C = -∫ T by
   // rigid-body translation. Subtracting ũ keeps every integral convergent, also where x lies on an
   // edge.
@@ -245,15 +251,16 @@ Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slot
       freeTerm -= blocks.T[a];
     }
   }
-  if (bulk.hasBodyForce()) right += TriangleBodyForce(mesh, bulk).at(place.position);
+  if (bulk.hasBodyForce()) right += bodyForceDisplacement(mesh, bulk, bodyForce, place.position);
   return interpolated + freeTerm.partialPivLu().solve(right);
 }
 
 std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                           const Bulk& bulk, const Vector3d& point) {
+                                           const Bulk& bulk, const Vector3d& point,
+                                           const TriangleBodyForce* bodyForce) {
   InteriorState state{Vector3d::Zero(), Matrix3d::Zero()};
-  if (bulk.hasBodyForce()) state.displacement = TriangleBodyForce(mesh, bulk).at(point);
+  if (bulk.hasBodyForce()) state.displacement = bodyForceDisplacement(mesh, bulk, bodyForce, point);
   double solidAngle = 0;
   for (int t = 0; t < mesh.triangleCount(); ++t) {
     const Matrix3d displacements = cornerDisplacements(mesh, u, t);

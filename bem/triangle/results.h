@@ -12,6 +12,8 @@
 
 namespace palpa::bem {
 
+class TriangleBodyForce;
+
 /// Force and moment about the origin that the tractions `p` (3 per slot, MPa) exert on the body
 /// over the given triangles; exact for the linear tractions.
 Resultant tractionResultant(const BoundaryMesh& mesh, const TractionSlots& slots,
@@ -42,18 +44,21 @@ double vonMises(const Eigen::Matrix3d& stress);
 
 /// Displacement at any surface point from the boundary integral equation there (Sloan's iterate of
 /// the collocation solution), mm. As accurate as the nodal values; interpolation between nodes
-/// lacks a second-order term of several per cent under a load a few elements wide.
+/// lacks a second-order term of several per cent under a load a few elements wide. `bodyForce`: the
+/// mesh's tables, for callers with many points; null: made here if the bulk has a body force.
 Eigen::Vector3d surfaceDisplacement(const BoundaryMesh& mesh, const TractionSlots& slots,
                                     const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                    const Bulk& bulk, const SurfacePoint& place);
+                                    const Bulk& bulk, const SurfacePoint& place,
+                                    const TriangleBodyForce* bodyForce = nullptr);
 
 /// Somigliana's identity: u = ∫ U p - ∫ T u, sigma = ∫ D p - ∫ S u, plus the terms of the body
 /// force (bem/model/body_force.h). The displacement integrals are exact; the stress integrals use
-/// subdivision, to about 1e-6. Empty for a point outside the body. Very close to the surface,
-/// compared with an element, the stress has the kinks of the linear field: use `surfaceStress`
-/// there.
+/// subdivision, to about 1e-6. `bodyForce` as above. Empty for a point outside the body. Very close
+/// to the surface, compared with an element, the stress has the kinks of the linear field: use
+/// `surfaceStress` there.
 std::optional<InteriorState> interiorState(const BoundaryMesh& mesh, const TractionSlots& slots,
                                            const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                           const Bulk& bulk, const Eigen::Vector3d& point);
+                                           const Bulk& bulk, const Eigen::Vector3d& point,
+                                           const TriangleBodyForce* bodyForce = nullptr);
 
 }  // namespace palpa::bem

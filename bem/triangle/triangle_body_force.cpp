@@ -81,7 +81,7 @@ Vector3d directionIntegral(const FlatTriangle& t, const Vector3d& x) {
          z * inverse * Vector3d(t.normal);
 }
 
-TriangleBodyForce::TriangleBodyForce(const BoundaryMesh& mesh, const Bulk& bulk) : bulk_(bulk) {
+TriangleBodyForce::TriangleBodyForce(const BoundaryMesh& mesh) {
   for (int t = 0; t < mesh.triangleCount(); ++t) {
     double corners[3][3];
     for (int k = 0; k < 3; ++k)
@@ -89,17 +89,17 @@ TriangleBodyForce::TriangleBodyForce(const BoundaryMesh& mesh, const Bulk& bulk)
         corners[k][i] = mesh.nodes[mesh.triangles[t][k]][i];
         corners_.push_back(corners[k][i]);
       }
-    const FlatTriangle shape = makeFlatTriangle(corners);
-    elements_.push_back({shape, bulk.bodyForce.dot(Vector3d(shape.normal)) /
-                                    (2 * (1 - bulk.material.poissonRatio))});
+    shapes_.push_back(makeFlatTriangle(corners));
   }
 }
 
-Vector3d TriangleBodyForce::at(const Vector3d& x) const {
+Vector3d TriangleBodyForce::at(const Vector3d& x, const Bulk& bulk) const {
   double flux = 0;                       // Σ I.n
   Vector3d weighted = Vector3d::Zero();  // Σ I b.n / (2 (1 - nu))
-  for (std::size_t k = 0; k < elements_.size(); ++k) {
-    const auto& [shape, ofNormal] = elements_[k];
+  for (std::size_t k = 0; k < shapes_.size(); ++k) {
+    const FlatTriangle& shape = shapes_[k];
+    const double ofNormal =
+        bulk.bodyForce.dot(Vector3d(shape.normal)) / (2 * (1 - bulk.material.poissonRatio));
     const double ratio = (x - Vector3d(shape.centroid)).norm() / shape.radius;
     const double* corners = corners_.data() + 9 * k;
     const Vector3d integral = ratio >= kFar7    ? byRule(triangleRule7(), corners, shape.area, x)
@@ -108,17 +108,17 @@ Vector3d TriangleBodyForce::at(const Vector3d& x) const {
     flux += integral.dot(Vector3d(shape.normal));
     weighted += ofNormal * integral;
   }
-  return (flux * bulk_.bodyForce - weighted) / (8 * std::numbers::pi * bulk_.material.shear());
+  return (flux * bulk.bodyForce - weighted) / (8 * std::numbers::pi * bulk.material.shear());
 }
 
 Eigen::VectorXd TriangleBodyForce::term(const std::vector<CollocationPoint>& points,
-                                        const Job& job) const {
+                                        const Bulk& bulk, const Job& job) const {
   constexpr std::ptrdiff_t kPerTask = 8;
   const auto count = static_cast<std::ptrdiff_t>(points.size());
   Eigen::VectorXd rows(3 * count);
   parallelFor((count + kPerTask - 1) / kPerTask, job, [&](std::ptrdiff_t task) {
     for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
-      const Vector3d value = at(points[static_cast<std::size_t>(k)].position);
+      const Vector3d value = at(points[static_cast<std::size_t>(k)].position, bulk);
       for (int c = 0; c < 3; ++c) rows[c * count + k] = value[c];
     }
   });

@@ -13,24 +13,21 @@ namespace palpa::bem {
 ///   I = ∫ r / R dΓ
 /// of each triangle: in closed form from the edges near the point (the integrals of 1/R and ρ/R in
 /// Wilton et al. 1984), by rules of degree 8 and 5 farther away, to 1e-8 of the triangle's area.
-/// Const use from several threads is safe.
+/// Holds tables of the mesh, about 250 bytes per triangle; keep it for many points. Const use from
+/// several threads is safe.
 class TriangleBodyForce {
  public:
-  TriangleBodyForce(const BoundaryMesh& mesh, const Bulk& bulk);
+  explicit TriangleBodyForce(const BoundaryMesh& mesh);
 
   /// B(x), mm, at a point inside or on the surface. About 30 ns per triangle.
-  Eigen::Vector3d at(const Eigen::Vector3d& x) const;
+  Eigen::Vector3d at(const Eigen::Vector3d& x, const Bulk& bulk) const;
   /// B at collocation points: component c of point i in row c m + i. Throws Cancelled.
-  Eigen::VectorXd term(const std::vector<CollocationPoint>& points, const Job& job) const;
+  Eigen::VectorXd term(const std::vector<CollocationPoint>& points, const Bulk& bulk,
+                       const Job& job) const;
 
  private:
-  struct Element {
-    FlatTriangle shape;
-    double ofNormal;  ///< b.n / (2 (1 - nu)), N/mm^3
-  };
-  std::vector<Element> elements_;
+  std::vector<FlatTriangle> shapes_;
   std::vector<double> corners_;  ///< 9 per triangle
-  Bulk bulk_;
 };
 
 /// I of one triangle in closed form.

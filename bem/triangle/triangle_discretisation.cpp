@@ -1,7 +1,6 @@
 #include "bem/triangle/triangle_discretisation.h"
 
 #include "bem/triangle/results.h"
-#include "bem/triangle/triangle_body_force.h"
 #include "bem/triangle/triangle_contact_surface.h"
 #include "bem/triangle/triangle_interior.h"
 
@@ -69,7 +68,7 @@ Vector3d TriangleDiscretisation::interpolate(const SurfacePoint& place, const Ve
 
 Vector3d TriangleDiscretisation::displacementAt(const SurfacePoint& place, const VectorXd& u,
                                                 const VectorXd& p, const Bulk& bulk) const {
-  return surfaceDisplacement(mesh(), slots(), u, p, bulk, place);
+  return surfaceDisplacement(mesh(), slots(), u, p, bulk, place, bodyForce(bulk));
 }
 
 Vector3d TriangleDiscretisation::tractionAt(const SurfacePoint& place, const VectorXd& p) const {
@@ -81,7 +80,7 @@ Vector3d TriangleDiscretisation::tractionAt(const SurfacePoint& place, const Vec
 
 Vector3d TriangleDiscretisation::displacementDefect(const SurfacePoint& place, const VectorXd& u,
                                                     const VectorXd& p, const Bulk& bulk) const {
-  return surfaceDisplacement(mesh(), slots(), u, p, bulk, place) - interpolate(place, u);
+  return displacementAt(place, u, p, bulk) - interpolate(place, u);
 }
 
 BoundaryField TriangleDiscretisation::estimatedError(const ReferenceProblem&,
@@ -95,7 +94,11 @@ std::optional<InteriorState> TriangleDiscretisation::interiorState(const VectorX
                                                                    const VectorXd& p,
                                                                    const Bulk& bulk,
                                                                    const Vector3d& point) const {
-  return bem::interiorState(mesh(), slots(), u, p, bulk, point);
+  return bem::interiorState(mesh(), slots(), u, p, bulk, point, bodyForce(bulk));
+}
+
+const TriangleBodyForce* TriangleDiscretisation::bodyForce(const Bulk& bulk) const {
+  return bulk.hasBodyForce() ? &bodyForce_.get(mesh()) : nullptr;
 }
 
 VolumeMoments TriangleDiscretisation::volumeMoments() const {
@@ -104,7 +107,7 @@ VolumeMoments TriangleDiscretisation::volumeMoments() const {
 
 VectorXd TriangleDiscretisation::bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
                                                const Job& job) const {
-  return TriangleBodyForce(mesh(), bulk).term(dofs.collocationPoints(mesh(), slots()), job);
+  return bodyForce_.get(mesh()).term(dofs.collocationPoints(mesh(), slots()), bulk, job);
 }
 
 BodyForceWork TriangleDiscretisation::bodyForceWork(const Bulk& bulk) const {

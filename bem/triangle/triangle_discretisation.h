@@ -1,6 +1,8 @@
 #pragma once
 
+#include "base/lazy.h"
 #include "bem/problem/discretisation.h"
+#include "bem/triangle/triangle_body_force.h"
 
 namespace palpa::bem {
 
@@ -49,6 +51,12 @@ class TriangleDiscretisation final : public Discretisation {
   BodyForceWork bodyForceWork(const Bulk& bulk) const override;
 
   std::unique_ptr<ContactSurface> makeContactSurface(const DegreesOfFreedom& dofs) const override;
+
+ private:
+  /// Null without a body force.
+  const TriangleBodyForce* bodyForce(const Bulk& bulk) const;
+
+  Lazy<TriangleBodyForce> bodyForce_;
 };
 
 }  // namespace palpa::bem
