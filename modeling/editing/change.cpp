@@ -64,6 +64,7 @@ Change compare(const Project& before, const Project& after) {
   change.supports = before.supports != after.supports;
   change.loads = before.loads != after.loads;
   change.touches = before.touches != after.touches;
+  change.measurements = before.measurements != after.measurements;
   change.mesh = before.mesh != after.mesh;
   change.view = before.view != after.view;
   return change;

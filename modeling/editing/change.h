@@ -21,12 +21,14 @@ struct Change {
   bool supports = false;
   bool loads = false;
   bool touches = false;
+  bool measurements = false;
   bool mesh = false;
   bool view = false;
 
   bool body() const { return topology || edges || patchNames || !movedPoints.empty(); }
   bool any() const {
-    return body() || primitive || name || material || supports || loads || touches || mesh || view;
+    return body() || primitive || name || material || supports || loads || touches ||
+           measurements || mesh || view;
   }
 };
 

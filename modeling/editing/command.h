@@ -139,7 +139,7 @@ struct SetEdge {
 struct AddSupport {
   Support support;
 };
-/// Replaces a support, load or touch at its position in the list.
+/// Replaces a support, load, touch or measurement at its position in the list.
 struct SetSupport {
   std::string name;  ///< of the replaced support
   Support support;
@@ -178,6 +178,17 @@ struct RemoveTouch {
   std::string name;
 };
 
+struct AddMeasurement {
+  Measurement measurement;
+};
+struct SetMeasurement {
+  std::string name;
+  Measurement measurement;
+};
+struct RemoveMeasurement {
+  std::string name;
+};
+
 struct SetMaterial {
   Material material;
 };
@@ -198,7 +209,8 @@ using Command =
     std::variant<MovePoints, ScalePoints, RotatePoints, AlignPoints, InsertKnot, RemoveKnot,
                  ElevateDegree, TransformSolid, MakePrimitive, SetEdge, AddSupport, SetSupport,
                  RemoveSupport, TakeOverlap, AddLoad, SetLoad, RemoveLoad, AddTouch, SetTouch,
-                 RemoveTouch, SetMaterial, SetMesh, RenameProject, RenamePatch>;
+                 RemoveTouch, AddMeasurement, SetMeasurement, RemoveMeasurement, SetMaterial,
+                 SetMesh, RenameProject, RenamePatch>;
 
 /// Result of a command.
 struct Edited {

@@ -57,6 +57,15 @@ struct Label {
   std::string operator()(const AddTouch& c) const { return "Add touch " + quoted(c.touch.name); }
   std::string operator()(const SetTouch& c) const { return "Change touch " + quoted(c.name); }
   std::string operator()(const RemoveTouch& c) const { return "Remove touch " + quoted(c.name); }
+  std::string operator()(const AddMeasurement& c) const {
+    return "Add measurement " + quoted(c.measurement.name);
+  }
+  std::string operator()(const SetMeasurement& c) const {
+    return "Change measurement " + quoted(c.name);
+  }
+  std::string operator()(const RemoveMeasurement& c) const {
+    return "Remove measurement " + quoted(c.name);
+  }
   std::string operator()(const SetMaterial&) const { return "Change material"; }
   std::string operator()(const SetMesh&) const { return "Change mesh settings"; }
   std::string operator()(const RenameProject&) const { return "Rename project"; }

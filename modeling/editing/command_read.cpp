@@ -171,6 +171,11 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
       return SetTouch{v["name"], touchFrom(v["touch"])};
     },
     [](const json& v) -> Command { return RemoveTouch{v["name"]}; },
+    [](const json& v) -> Command { return AddMeasurement{measurementFrom(v["measurement"])}; },
+    [](const json& v) -> Command {
+      return SetMeasurement{v["name"], measurementFrom(v["measurement"])};
+    },
+    [](const json& v) -> Command { return RemoveMeasurement{v["name"]}; },
     [](const json& v) -> Command { return SetMaterial{materialFrom(v["material"])}; },
     [](const json& v) -> Command { return SetMesh{meshFrom(v["mesh"])}; },
     [](const json& v) -> Command { return RenameProject{v["name"]}; },

@@ -184,6 +184,13 @@ void add(Json& object, const SetTouch& c) {
   object["name"] = c.name;
   object["touch"] = jsonOf(c.touch);
 }
+void add(Json& object, const AddMeasurement& c) {
+  object["measurement"] = jsonOf(c.measurement);
+}
+void add(Json& object, const SetMeasurement& c) {
+  object["name"] = c.name;
+  object["measurement"] = jsonOf(c.measurement);
+}
 void add(Json& object, const SetMaterial& c) {
   object["material"] = jsonOf(c.material);
 }
@@ -194,7 +201,7 @@ void add(Json& object, const RenamePatch& c) {
   object["patch"] = c.patch;
   object["name"] = c.name;
 }
-/// Commands with a name only: RemoveSupport, RemoveLoad, RemoveTouch, RenameProject.
+/// Commands with a name only: RenameProject and those that remove.
 template <class Named>
 void add(Json& object, const Named& c) {
   object["name"] = c.name;

@@ -136,6 +136,11 @@ Document::History Document::history() const {
   return history;
 }
 
+std::shared_ptr<const Project> Document::state(std::size_t position) const {
+  if (position >= states_.size()) throw std::logic_error("Document::state: there is no such state");
+  return states_[position].project;
+}
+
 Change Document::goToState(std::size_t position) {
   if (isInGroup() || position >= states_.size())
     throw std::logic_error("Document::goToState: there is no such state to go to");

@@ -69,6 +69,8 @@ class Document {
     std::optional<std::size_t> saved;  ///< the state last saved or loaded, if it is in the list
   };
   History history() const;
+  /// A state of history(). Throws std::logic_error if there is no such state.
+  std::shared_ptr<const Project> state(std::size_t position) const;
   /// Undoes or redoes to a state of history(). Throws std::logic_error in a group, or if there is
   /// no such state.
   Change goToState(std::size_t position);

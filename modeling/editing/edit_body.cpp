@@ -123,6 +123,14 @@ void transform(Region& region, const AffineMap& map, const Matrix3d& inverse) {
     }
 }
 
+/// Follows transformed(): mirrored patches exchange u and v.
+void transform(MeasuredPlace& place, const AffineMap& map) {
+  if (auto* position = std::get_if<Vector3d>(&place.at)) *position = map(*position);
+  if (map.linear.determinant() > 0.0) return;
+  if (auto* uv = std::get_if<Eigen::Vector2d>(&place.at)) std::swap(uv->x(), uv->y());
+  if (place.side) place.side = exchanged(*place.side);
+}
+
 void transformConditions(Project& project, const AffineMap& map) {
   const Matrix3d inverse = map.linear.inverse();
   for (Support& support : project.supports) {
@@ -146,6 +154,8 @@ void transformConditions(Project& project, const AffineMap& map) {
     touch.at = map(touch.at);
     touch.vector = map.turn * touch.vector;
   }
+  for (Measurement& measurement : project.measurements)
+    for (MeasuredPlace& place : measurement.places) transform(place, map);
 }
 
 }  // namespace

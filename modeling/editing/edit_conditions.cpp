@@ -7,7 +7,7 @@
 namespace palpa::modeling {
 namespace {
 
-/// Iterator to the element with this name in a list of supports, loads or touches.
+/// Iterator to the element with this name in a list of named parts of a project.
 template <class List>
 auto find(List& list, const std::string& name, const std::string& what) {
   const auto found =
@@ -102,6 +102,17 @@ Edited applyTo(const RemoveTouch& command, const Project& project) {
   return removed(project, &Project::touches, command.name, "touch");
 }
 
+Edited applyTo(const AddMeasurement& command, const Project& project) {
+  return added(project, &Project::measurements, command.measurement);
+}
+Edited applyTo(const SetMeasurement& command, const Project& project) {
+  return replaced(project, &Project::measurements, command.name, command.measurement,
+                  "measurement");
+}
+Edited applyTo(const RemoveMeasurement& command, const Project& project) {
+  return removed(project, &Project::measurements, command.name, "measurement");
+}
+
 Edited applyTo(const SetMaterial& command, const Project& project) {
   Edited result{project, 0.0};
   result.project.material = command.material;
@@ -134,6 +145,10 @@ Edited applyTo(const RenamePatch& command, const Project& project) {
   for (Support& support : result.project.supports) rename(support.where, from, to);
   for (Load& load : result.project.loads)
     if (Region* where = regionOf(load)) rename(*where, from, to);
+  for (Measurement& measurement : result.project.measurements)
+    for (MeasuredPlace& place : measurement.places)
+      for (std::string* name : {&place.patch, &place.other})
+        if (*name == from) *name = to;
   auto factor = result.project.mesh.patchFactors.extract(from);
   if (!factor.empty()) {
     factor.key() = to;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "modeling/project/json_values.h"
 
 namespace palpa::modeling {
@@ -90,6 +92,24 @@ Touch touchFrom(const json& value) {
   if (value.contains("radius_mm")) touch.radius = value["radius_mm"].get<double>();
   touch.friction = value.value("friction", 0.0);
   return touch;
+}
+
+Measurement measurementFrom(const json& value) {
+  Measurement measurement{
+      value["name"], *measurementKindNamed(value["kind"].get<std::string>()), {}};
+  for (const json& one : value["places"]) {
+    MeasuredPlace& place = measurement.places.emplace_back();
+    const auto what = std::find(kMeasuredWhatNames.begin(), kMeasuredWhatNames.end(), one["what"]);
+    place.what = static_cast<MeasuredPlace::What>(what - kMeasuredWhatNames.begin());
+    place.patch = one["patch"];
+    if (one.contains("uv"))
+      place.at = Eigen::Vector2d(one["uv"][0].get<double>(), one["uv"][1].get<double>());
+    else
+      place.at = vectorFrom(one["at_mm"]);
+    if (one.contains("side")) place.side = sideFrom(one["side"]);
+    place.other = one.value("other", "");
+  }
+  return measurement;
 }
 
 MeshSettings meshFrom(const json& value) {

@@ -20,6 +20,7 @@ MeshBody meshBodyFrom(const nlohmann::json& value);
 Support supportFrom(const nlohmann::json& value);
 Load loadFrom(const nlohmann::json& value);
 Touch touchFrom(const nlohmann::json& value);
+Measurement measurementFrom(const nlohmann::json& value);
 MeshSettings meshFrom(const nlohmann::json& value);
 
 /// degree and control_points may be absent: 3 and the shape's default.
@@ -39,6 +40,7 @@ Json jsonOf(const MeshBody& body);
 Json jsonOf(const Support& support);
 Json jsonOf(const Load& load);
 Json jsonOf(const Touch& touch);
+Json jsonOf(const Measurement& measurement);
 Json jsonOf(const MeshSettings& mesh);
 Json jsonOf(const Primitive& primitive);
 

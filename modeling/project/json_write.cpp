@@ -93,6 +93,24 @@ Json jsonOf(const Touch& touch) {
   return object;
 }
 
+Json jsonOf(const Measurement& measurement) {
+  Json places = Json::array();
+  for (const MeasuredPlace& place : measurement.places) {
+    Json& one =
+        places.emplace_back(Json{{"what", kMeasuredWhatNames[static_cast<std::size_t>(place.what)]},
+                                 {"patch", place.patch}});
+    if (place.side) one["side"] = sideKey(*place.side);
+    if (!place.other.empty()) one["other"] = place.other;
+    if (const auto* uv = std::get_if<Eigen::Vector2d>(&place.at))
+      one["uv"] = {uv->x(), uv->y()};
+    else
+      one["at_mm"] = jsonOf(std::get<Eigen::Vector3d>(place.at));
+  }
+  return {{"name", measurement.name},
+          {"kind", infoOf(measurement.kind).name},
+          {"places", std::move(places)}};
+}
+
 Json jsonOf(const MeshSettings& mesh) {
   Json object{{"edge_length_mm", mesh.edgeLength}};
   if (!mesh.patchFactors.empty()) object["patch_factors"] = mesh.patchFactors;

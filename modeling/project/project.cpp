@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/project/missing_density.h"
 
 namespace palpa::modeling {
 namespace {
@@ -125,6 +126,12 @@ void checkProject(const Project& project) {
     checkName(project.touches[i].name, path, names);
     checkTouch(project.touches[i], path);
   }
+  names.clear();
+  for (std::size_t i = 0; i < project.measurements.size(); ++i) {
+    const std::string path = indexed("measurements", i);
+    checkName(project.measurements[i].name, path, names);
+    checkMeasurement(project.measurements[i], path);
+  }
   project.mesh.validate("mesh");
   for (const auto& [patch, factor] : project.mesh.patchFactors)
     if (!surface.names.contains(patch))
@@ -166,9 +173,9 @@ const Region* regionOf(const Load& load) {
 Eigen::Vector3d weightPerVolume(const Project& project, std::size_t load) {
   constexpr double kCubicMmPerM3 = 1e9;
   if (!project.material.densityKgPerM3)
-    throw ModelingError(indexed("loads", load) + " \"" + project.loads[load].name +
-                        "\": gravity needs the density of the material; set "
-                        "material.density_kg_per_m3");
+    throw MissingDensityError(indexed("loads", load) + " \"" + project.loads[load].name +
+                              "\": gravity needs the density of the material; set "
+                              "material.density_kg_per_m3");
   return *project.material.densityKgPerM3 / kCubicMmPerM3 *
          std::get<Gravity>(project.loads[load].what).accelerationMPerS2;
 }

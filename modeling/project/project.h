@@ -9,6 +9,7 @@
 #include "modeling/body/body.h"
 #include "modeling/body/region.h"
 #include "modeling/mesh/mesh_settings.h"
+#include "modeling/project/measurement.h"
 #include "modeling/project/touch_kind.h"
 #include "modeling/shapes/primitive.h"
 
@@ -121,6 +122,7 @@ struct Project {
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::vector<Touch> touches;
+  std::vector<Measurement> measurements{};
   MeshSettings mesh;
   /// View of the project in the window: a JSON object as text that only the window interprets,
   /// empty for none. Loading and saving preserve it, including the order of its keys.
@@ -128,7 +130,7 @@ struct Project {
 };
 
 /// Checks a project except for its body (which checks itself): ranges, finite numbers, regions that
-/// fit the body, names that are not empty and unique among supports, loads and touches. Throws
+/// fit the body, names that are not empty and unique in each list. Throws
 /// ModelingError that begins with the path in the file:
 /// `supports[0].where.patches[1]: no patch is named …`.
 void checkProject(const Project& project);

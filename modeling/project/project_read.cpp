@@ -69,6 +69,8 @@ Project projectFrom(const json& document) {
     project.loads.push_back(loadFrom(one));
   for (const json& one : document.value("touches", json::array()))
     project.touches.push_back(touchFrom(one));
+  for (const json& one : document.value("measurements", json::array()))
+    project.measurements.push_back(measurementFrom(one));
   project.mesh = meshFrom(document["mesh"]);
   return project;
 }

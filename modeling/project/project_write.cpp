@@ -20,7 +20,8 @@ const std::set<std::string> kOpen{"",
                                   "mesh_body.faces",
                                   "supports",
                                   "loads",
-                                  "touches"};
+                                  "touches",
+                                  "measurements"};
 
 }  // namespace
 
@@ -37,6 +38,7 @@ std::string toJson(const Project& project) {
   object["supports"] = jsonOfEach(project.supports);
   object["loads"] = jsonOfEach(project.loads);
   object["touches"] = jsonOfEach(project.touches);
+  if (!project.measurements.empty()) object["measurements"] = jsonOfEach(project.measurements);
   object["mesh"] = jsonOf(project.mesh);
   std::string text = jsonText(object, kOpen);
   // The view is kept byte by byte, as the last value.
