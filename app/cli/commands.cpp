@@ -8,10 +8,12 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeMaterialsCommand());
   commands.push_back(makeInfoCommand());
   commands.push_back(makeCheckCommand());
+  commands.push_back(makeMeasureCommand());
   commands.push_back(makeEditCommand());
   commands.push_back(makeMeshCommand());
   commands.push_back(makeSolveCommand());
   commands.push_back(makeTouchCommand());
+  commands.push_back(makeCompareCommand());
   commands.push_back(makeSectionCommand());
   commands.push_back(makeRenderCommand());
   commands.push_back(makeImportCommand());

@@ -28,6 +28,7 @@ std::vector<std::string> changedParts(const modeling::Change& change) {
   add(change.supports, "supports");
   add(change.loads, "loads");
   add(change.touches, "touches");
+  add(change.measurements, "measurements");
   add(change.mesh, "mesh");
   return parts;
 }

@@ -33,7 +33,8 @@ class CommonView {
     double force = 0;
     for (const view::ForceArrow& arrow : picture.arrows.arrows) {
       arrows_.arrows.push_back(arrow);
-      force = std::max(force, arrow.force.norm());
+      if (arrow.kind != view::ForceArrow::Kind::kMoment)
+        force = std::max(force, arrow.force.norm());
     }
     if (force >= fullForce_) {
       fullForce_ = force;

@@ -158,6 +158,7 @@ class InfoCommand : public Command {
                 {"supports", Json::array()},
                 {"loads", Json::array()},
                 {"touches", Json::array()},
+                {"measurements", Json::array()},
                 {"mesh",
                  {{"edge_length_mm", project.mesh.edgeLength},
                   {"estimated_nodes", static_cast<long>(nodes)}}}};
@@ -190,6 +191,11 @@ class InfoCommand : public Command {
     for (const modeling::Touch& touch : project.touches) {
       report["touches"].push_back({{"name", touch.name}, {"what", touchText(touch)}});
       text += "touch      " + touch.name + ": " + touchText(touch) + "\n";
+    }
+    for (const modeling::Measurement& measurement : project.measurements) {
+      const char* kind = modeling::infoOf(measurement.kind).name;
+      report["measurements"].push_back({{"name", measurement.name}, {"kind", kind}});
+      text += "measured   " + measurement.name + ": " + kind + "\n";
     }
     text += format("mesh       edge length %.6g mm, about %s nodes\n", project.mesh.edgeLength,
                    estimateText(nodes).c_str());

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/cli/dimensions.h"
 #include "app/cli/drawn_surface.h"
 #include "app/cli/text.h"
+#include "app/view/scene/arrows.h"
 #include "app/view/scene/ticks.h"
 #include "bem/model/surface_point.h"
 
@@ -85,16 +87,28 @@ void addContacts(const app::TouchModel& model, const app::TouchState& state, dou
   }
 }
 
-void addLoads(const app::TouchModel& model, const app::TouchState& state, double scale,
-              view::Picture& picture) {
-  for (const auto& load : model.setup().loads) {
-    if (load.couple > 0) continue;  // no net force
+/// `project` has the loads of the setup, in the same order.
+void addLoads(const modeling::Project& project, const app::TouchModel& model,
+              const app::TouchState& state, double scale, view::Picture& picture) {
+  for (std::size_t i = 0; i < project.loads.size(); ++i) {
+    const app::BoundarySetup::LoadPart& load = model.setup().loads[i];
     const Vector3d force = load.resultant.force;
+    if (std::holds_alternative<modeling::Gravity>(project.loads[i].what)) {
+      const Vector3d centre = view::volumeCentre(picture.positions, picture.body.triangles);
+      picture.arrows.arrows.push_back({centre, force, ForceArrow::Anchor::kTail,
+                                       ForceArrow::Role::kApplied, forceLabel(force),
+                                       ForceArrow::Kind::kWeight});
+      continue;
+    }
+    const auto* moment = std::get_if<modeling::Moment>(&project.loads[i].what);
+    const Vector3d& vector = moment ? moment->moment : force;
     const DrawnPoint drawn = drawnPoint(load.place, model, state, scale);
-    const bool presses = force.dot(drawn.normal) < 0;
-    picture.arrows.arrows.push_back({drawn.position, force,
-                                     presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
-                                     ForceArrow::Role::kApplied, forceLabel(force)});
+    const bool presses = vector.dot(drawn.normal) < 0;
+    picture.arrows.arrows.push_back(
+        {drawn.position, vector, presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
+         ForceArrow::Role::kApplied,
+         moment ? view::threeDigits(vector.norm()) + " N mm" : forceLabel(force),
+         moment ? ForceArrow::Kind::kMoment : ForceArrow::Kind::kForce});
   }
 }
 
@@ -119,7 +133,9 @@ void addReactions(const app::TouchModel& model, const app::TouchState& state,
 /// Resultants that vanish but for the discretisation (pressure all around) would be drawn as arrows
 /// of the smallest length.
 void dropNegligible(std::vector<ForceArrow>& arrows, double absolute) {
-  std::erase_if(arrows, [&](const ForceArrow& arrow) { return arrow.force.norm() < absolute; });
+  std::erase_if(arrows, [&](const ForceArrow& arrow) {
+    return arrow.kind != ForceArrow::Kind::kMoment && arrow.force.norm() < absolute;
+  });
 }
 
 /// The best of four directions around the body, from slightly above or below: the places of the
@@ -180,14 +196,14 @@ view::Picture makePicture(const modeling::Project& project,
     picture.caption.supports +=
         (picture.caption.supports.empty() ? "fixed: " : ", ") + support.name;
   addContacts(model, state, options.displacementScale, picture);
-  addLoads(model, state, options.displacementScale, picture);
+  addLoads(project, model, state, options.displacementScale, picture);
   if (options.showReactions) addReactions(model, state, picture);
-  double largest = 0;
-  for (const ForceArrow& arrow : picture.arrows.arrows)
-    largest = std::max(largest, arrow.force.norm());
+  const double largest = view::largestForce(picture.arrows.arrows);
   dropNegligible(picture.arrows.arrows, std::max(0.01 * largest, 2 * state.balance));
-  if (largest > 0) picture.arrows.fullForce = largest;
+  picture.arrows.fullForce = largest;
   picture.arrows.minShare = kMinShare;
+
+  picture.dimensions = dimensionsOf(project, model, state, options.displacementScale);
 
   picture.caption.title = project.name;
   picture.caption.lines = captions(project, model, options.displacementScale);

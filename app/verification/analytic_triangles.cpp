@@ -166,7 +166,7 @@ TriangleErrors solveWithTriangles(const AnalyticCase& body, BoundaryData data, c
       mesh, slots, {given.ofSlot, body.material(), {}, Precision::kDouble}, job);
   Eigen::MatrixXd term;
   if (const Bulk bulk = body.bulk(); bulk.hasBodyForce())
-    term = TriangleBodyForce(mesh, bulk).term(problem->dofs().collocationPoints(mesh, slots), job);
+    term = TriangleBodyForce(mesh).term(problem->dofs().collocationPoints(mesh, slots), bulk, job);
   const BoundaryField field = problem->solveField(problem->dofs().knownField(given),
                                                   ReferenceProblem::Effort::kRefined, job, term);
 

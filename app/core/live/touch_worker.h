@@ -84,7 +84,11 @@ class TouchWorker {
   ModelCache::Key columnsKey_;
   std::shared_ptr<bem::GreensColumns> columns_;  // of the newest model, for the next one
 
-  std::mutex computing_;               // locked by the thread that computes columns
+  /// Locked by the thread that computes a block. Not redundant beside the lock of GreensColumns,
+  /// which is one per model: requests may belong to the touched model while the filler works for
+  /// the next one, and two blocks at once would share the cores and need twice the memory of
+  /// hasMemoryFor().
+  std::mutex computing_;
   std::atomic<bool> isUrgent_{false};  // contacts wait for columns: the filler pauses
   std::atomic<std::uint32_t> fillSignal_{0};
 

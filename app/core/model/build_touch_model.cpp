@@ -29,11 +29,7 @@ std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& proje
                                                   const TouchModel* former) {
   job.report(Phase::kMesh, 0);
   ModelBuilder builder(project, options, job);
-  builder.checkExpectedMemory();
-  builder.mesh();
-  builder.check();
-  builder.setUp();
-  builder.checkMemory();
+  builder.prepare();
   builder.makeProblem(former);
   builder.solveAtRest();
   return builder.finish();

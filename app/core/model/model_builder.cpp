@@ -55,6 +55,14 @@ void ModelBuilder::checkFits(double coefficients, double slots) const {
                    options_.memoryLimit);
 }
 
+void ModelBuilder::prepare() {
+  checkExpectedMemory();
+  mesh();
+  check();
+  setUp();
+  checkMemory();
+}
+
 void ModelBuilder::checkExpectedMemory() const {
   if (geometry_.usesSplines()) {
     const double coefficients = geometry_.refinement().coefficients;

@@ -16,16 +16,14 @@ class ModelBuilder {
  public:
   ModelBuilder(const modeling::Project& project, const BuildOptions& options, const Job& job);
 
-  /// Throws ModelTooLarge if the model will probably not fit into memory.
-  void checkExpectedMemory() const;
-  void mesh();
-  /// mesh() for an update: with triangles the former mesh, moved with the control points. False if
+  /// All steps of a full rebuild before the problem: expected memory, mesh(), check(), setUp(),
+  /// memory. Throws ModelTooLarge if the model will not fit into memory, as early as it is known.
+  void prepare();
+  /// The mesh of an update: with triangles the former mesh, moved with the control points. False if
   /// the body must be remeshed. Splines do not depend on the mesh.
   bool moveMesh(const modeling::Solid& formerSolid, const TouchModel& former);
   void check();
   void setUp();
-  /// checkExpectedMemory() with the numbers of the setup.
-  void checkMemory() const;
   /// Takes the problem of `former` (may be null) or of the cache if it is the same, or solves it.
   void makeProblem(const TouchModel* former);
   /// False if the conditions of `former` differ or if an update does not pay.
@@ -36,6 +34,10 @@ class ModelBuilder {
   std::shared_ptr<const TouchModel> finish();
 
  private:
+  void checkExpectedMemory() const;
+  void mesh();
+  /// checkExpectedMemory() with the numbers of the setup.
+  void checkMemory() const;
   void checkFits(double coefficients, double slots) const;
   /// Computes the parts of the model that the body force determines, once it has its problem.
   void addBodyForce();

@@ -30,11 +30,7 @@ struct Attempt {
 Attempt attempt(const modeling::Project& project, const BuildOptions& options, const Job& job) {
   try {
     ModelBuilder builder(project, options, job);
-    builder.checkExpectedMemory();
-    builder.mesh();
-    builder.check();
-    builder.setUp();
-    builder.checkMemory();
+    builder.prepare();
     return {Outcome::kFits};
   } catch (const ModelTooLarge& error) {
     return {Outcome::kTooLarge, error.excess()};

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/core/results/touch.h"
+#include "base/box_tree.h"
 #include "bem/base/error.h"
 #include "bem/model/surface_point.h"
 
@@ -94,20 +95,28 @@ std::vector<int> awayFromSupports(const BoundarySetup& setup, double radius) {
   };
   std::vector<bool> isSupported(static_cast<std::size_t>(mesh.triangleCount()), false);
   std::vector<Vector3d> supported;
+  std::vector<BoxTree::Box> boxes;
   for (const BoundarySetup::Part& support : setup.supports)
     for (const int triangle : support.triangles) {
       isSupported[static_cast<std::size_t>(triangle)] = true;
       supported.push_back(middleOf(triangle));
+      boxes.emplace_back(supported.back());
     }
+  const BoxTree tree(boxes, supported);
+  const auto isNear = [&](const Vector3d& place) {
+    bool found = false;
+    tree.visitNear(place, radius, [&](int each, double reach) {
+      found = found ||
+              (supported[static_cast<std::size_t>(each)] - place).squaredNorm() < radius * radius;
+      return found ? 0.0 : reach;
+    });
+    return found;
+  };
   std::vector<int> away, outside;
   for (int t = 0; t < mesh.triangleCount(); ++t) {
     if (isSupported[static_cast<std::size_t>(t)]) continue;
     outside.push_back(t);
-    const Vector3d place = middleOf(t);
-    if (std::none_of(supported.begin(), supported.end(), [&](const Vector3d& each) {
-          return (each - place).squaredNorm() < radius * radius;
-        }))
-      away.push_back(t);
+    if (!isNear(middleOf(t))) away.push_back(t);
   }
   return away.empty() ? outside : away;
 }

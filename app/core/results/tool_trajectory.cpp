@@ -188,6 +188,11 @@ void settle(ToolTrajectory& trajectory, TouchState::Path& path) {
 
 }  // namespace
 
+Vector3d toolAtFirstContact(const bem::ContactSurface& surface, const bem::ContactTool& tool,
+                            const Vector3d& at, const bem::BoundaryField& field) {
+  return firstContact(surface, {tool, at, Vector3d::Zero()}, field).start;
+}
+
 ToolsAtRest moveTools(const TouchModel& model, const bem::ContactSurface& surface,
                       bem::GreensColumns& columns, std::span<const StaticContact> staticContacts,
                       std::span<const MovingTool> tools, const bem::BoundaryField& field, int steps,

@@ -46,6 +46,11 @@ ToolsAtRest moveTools(const TouchModel& model, const bem::ContactSurface& surfac
                       std::span<const MovingTool> tools, const bem::BoundaryField& field, int steps,
                       const Job& job);
 
+/// Position of a tool where it first touches the surface displaced by `field`, as moveTools() has
+/// it: the tip of a fingertip, the centre of a ball; mm.
+Eigen::Vector3d toolAtFirstContact(const bem::ContactSurface& surface, const bem::ContactTool& tool,
+                                   const Eigen::Vector3d& at, const bem::BoundaryField& field);
+
 inline constexpr int kMinSteps = 100;
 inline constexpr int kMaxSteps = 10000;
 

@@ -9,6 +9,7 @@
 #include "app/core/system/priority.h"
 #include "bem/base/error.h"
 #include "modeling/editing/change.h"
+#include "modeling/project/missing_density.h"
 
 namespace palpa::app {
 namespace {
@@ -187,6 +188,8 @@ void RebuildPipeline::build(std::uint64_t revision, const modeling::Project& pro
     finish(revision, State::kFailed, error.what(), nullptr, nullptr,
            {.isFree = error.kind() == bem::SolverError::Kind::kNotFixed});
     if (error.kind() == bem::SolverError::Kind::kTooLarge) suggestLater();
+  } catch (const modeling::MissingDensityError& error) {
+    finish(revision, State::kFailed, error.what(), nullptr, nullptr, {.needsDensity = true});
   } catch (const modeling::ModelingError& error) {
     finish(revision, State::kFailed, error.what(), nullptr);
     if (error.kind() == modeling::ModelingError::Kind::kTooLarge) suggestLater();

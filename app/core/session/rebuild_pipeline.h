@@ -31,6 +31,7 @@ struct FailureReason {
   std::optional<SupportConflict> conflict{};  ///< two supports contradict each other
   std::string emptyRegion{};  ///< MeshRegion::name of a region without any surface; empty: none
   bool isFree = false;        ///< the supports leave the body free to move
+  bool needsDensity = false;  ///< gravity acts, but the material has no density
   /// A mesh with which the body can be built (suggestMesh()), if the present one is too large or
   /// does not bound a body; found some seconds after the failure.
   std::optional<modeling::MeshSettings> mesh{};

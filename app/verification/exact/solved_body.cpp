@@ -52,8 +52,8 @@ SolvedBody::SolvedBody(BoundaryMesh bodyMesh, const Material& bodyMaterial, cons
   const Bulk bulk{material, exact.bodyForce};
   Eigen::MatrixXd term;
   if (bulk.hasBodyForce())
-    term = TriangleBodyForce(mesh, bulk)
-               .term(problem->dofs().collocationPoints(mesh, slots), options.job);
+    term = TriangleBodyForce(mesh).term(problem->dofs().collocationPoints(mesh, slots), bulk,
+                                        options.job);
   field = problem->solveField(problem->dofs().knownField(given), ReferenceProblem::Effort::kRefined,
                               options.job, term);
 }
