@@ -8,10 +8,11 @@ namespace palpa::gui {
 
 void addDeleteAction(const Workspace& workspace) {
   Editor& editor = workspace.editor;
-  QAction* action = workspace.menus.add(workspace.menus.edit,
-                                        {"delete", QObject::tr("&Delete"), QKeySequence::Delete,
-                                         QObject::tr("Delete the selected support, load or touch")},
-                                        &editor, [&editor] { deleteSelected(editor); });
+  QAction* action =
+      workspace.menus.add(workspace.menus.edit,
+                          {"delete", QObject::tr("&Delete"), QKeySequence::Delete,
+                           QObject::tr("Delete the selected support, load, touch or measurement")},
+                          &editor, [&editor] { deleteSelected(editor); });
   // Small keyboards have no Delete key.
   action->setShortcuts({QKeySequence::Delete, Qt::Key_Backspace});
   const auto update = [action, &editor] { action->setEnabled(!editor.selection().empty()); };

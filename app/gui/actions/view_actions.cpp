@@ -156,6 +156,7 @@ void ViewActions::addToggles() {
   add({"paint-support", tr("Supports a&nd loads")}, &SavedView::showsConditions,
       &Viewport::setRegionsVisible);
   add({"place-touch", tr("Touch mar&ks")}, &SavedView::showsTouches, &Viewport::setTouchesVisible);
+  add({"measure", tr("Dim&ensions")}, &SavedView::showsDimensions, &Viewport::setDimensionsVisible);
   add({"warning", tr("Warning signs (&!)")}, &SavedView::showsWarnings,
       &Viewport::setWarningsVisible);
   menus.view->addSeparator();

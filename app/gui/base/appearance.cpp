@@ -55,6 +55,8 @@ QPalette paletteOf(const Colours& c) {
   return palette;
 }
 
+/// Boxes that are not checked get a border, because the one of Fusion cannot be seen on dark
+/// windows.
 QString styleSheetOf(const Colours& c) {
   return QStringLiteral(R"(
 QToolBar { background: %1; border: 0; border-bottom: 1px solid %2; spacing: 2px; padding: 3px 6px; }
@@ -76,13 +78,16 @@ QMenu::item:disabled { color: %8; } QMenu::item:disabled:selected { background: 
 QMenu::icon { padding: 3px; border: 1px solid transparent; border-radius: 4px; }
 QMenu::icon:checked { background: %6; border-color: %4; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QCheckBox::indicator:unchecked { width: 12px; height: 12px; border: 1px solid %8; border-radius: 2px;
+  background: %9; }
+QCheckBox::indicator:unchecked:disabled { border-color: %2; }
 QFrame#rule { background: %2; border: 0; }
 QLineEdit[refused="true"] { border: 1px solid %7; }
 QLabel#refusal, QLabel#problem { color: %7; }
 QToolTip { border: 1px solid %2; padding: 4px; }
 )")
       .arg(c.window.name(), c.border.name(), c.button.name(), c.accent.name(), c.text.name(),
-           c.chosen.name(), c.error.name(), c.faint.name());
+           c.chosen.name(), c.error.name(), c.faint.name(), c.base.name());
 }
 
 /// Draws an SVG in the palette's text colour instead of black.

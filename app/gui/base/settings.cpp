@@ -152,6 +152,14 @@ void Settings::setForcesSplitter(const QByteArray& state) {
   file_.setValue("forces/splitter", state);
 }
 
+QByteArray Settings::ownMaterials() const {
+  return file_.value("materials/own").toByteArray();
+}
+
+void Settings::setOwnMaterials(const QByteArray& materials) {
+  file_.setValue("materials/own", materials);
+}
+
 QByteArray Settings::guideGeometry() const {
   return file_.value("guide/geometry").toByteArray();
 }

@@ -77,6 +77,10 @@ class Settings : public QObject {
   bool areExtremesShown() const;
   void setExtremesShown(bool shown);
 
+  /// The user's materials as text: OwnMaterials.
+  QByteArray ownMaterials() const;
+  void setOwnMaterials(const QByteArray& materials);
+
   /// QWidget::saveGeometry() of the guide; empty before it was shown.
   QByteArray guideGeometry() const;
   void setGuideGeometry(const QByteArray& geometry);

@@ -1,15 +1,27 @@
 #include "app/gui/base/units.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "modeling/project/project.h"
 
 namespace palpa::gui {
 namespace {
 
 /// Numbers smaller than this, in the program's unit, are rounding errors: in the order of Quantity.
-constexpr std::array<double, kQuantityCount> kNoise{1e-9, 1e-9, 1e-12, 1e-12, 1e-12};
+constexpr std::array<double, kQuantityCount> kNoise{1e-9, 1e-9, 1e-12, 1e-12,
+                                                    1e-9, 1e-9, 1e-9,  1e-12};
+
+/// A symbol as typed on a keyboard: "m/s2" for "m/s²", "Nmm" for "N mm".
+QString typed(QString symbol) {
+  symbol.replace(QStringLiteral("²"), "2").replace(QStringLiteral("³"), "3");
+  for (const QString& each : {QStringLiteral(" "), QStringLiteral("^"), QStringLiteral("·")})
+    symbol.remove(each);
+  return symbol;
+}
 
 }  // namespace
 
@@ -20,6 +32,13 @@ const std::array<QuantityInfo, kQuantityCount>& quantities() {
       {"force", tr("&Force:"), {{"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"lbf", 4.4482216152605}}},
       {"stress", tr("&Stress:"), {{"MPa", 1}, {"kPa", 1e-3}, {"Pa", 1e-6}, {"GPa", 1e3}}},
       {"angle", tr("&Angle:"), {{"°", std::numbers::pi / 180.0}, {"rad", 1}}},
+      {"moment",
+       tr("M&oment:"),
+       {{"N mm", 1}, {"N m", 1e3}, {"mN m", 1}, {"lbf in", 4.4482216152605 * 25.4}}},
+      {"acceleration",
+       tr("Acc&eleration:"),
+       {{"m/s²", 1}, {"mm/s²", 1e-3}, {"g", modeling::Gravity::kStandard}}},
+      {"density", tr("&Density:"), {{"kg/m³", 1}, {"g/cm³", 1e3}}},
       {"number", {}, {{"", 1}}},
   }};
   return infos;
@@ -53,18 +72,19 @@ QString shown(double value, Quantity quantity, const ShownUnits& units, int digi
 }
 
 std::optional<double> parsed(const QString& text, Quantity quantity, const ShownUnits& units) {
-  QString number = text.trimmed();
+  static const QRegularExpression form(
+      QStringLiteral(R"(^\s*([+-]?[0-9.,]+(?:[eE][+-]?[0-9]+)?)\s*(.*)$)"));
+  const QRegularExpressionMatch match = form.match(text);
+  if (!match.hasMatch()) return std::nullopt;
   double factor = units.of(quantity).factor;
-  // Use the longest matching symbol: "mN" and "N" both end in N.
-  qsizetype longest = 0;
-  for (const Unit& unit : unitsOf(quantity)) {
-    const qsizetype length = unit.symbol.size();
-    if (length > longest && number.endsWith(unit.symbol, Qt::CaseSensitive)) {
-      longest = length;
-      factor = unit.factor;
-    }
+  if (const QString symbol = typed(match.captured(2)); !symbol.isEmpty()) {
+    const auto& known = unitsOf(quantity);
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const Unit& unit) { return typed(unit.symbol) == symbol; });
+    if (found == known.end()) return std::nullopt;
+    factor = found->factor;
   }
-  number = number.chopped(longest).trimmed();
+  QString number = match.captured(1);
   if (!number.contains('.')) number.replace(',', '.');
   bool isNumber = false;
   const double value = number.toDouble(&isNumber) * factor;

@@ -5,11 +5,20 @@
 #include <optional>
 #include <vector>
 
-// Units for display. All values inside the program are in mm, N, MPa and rad.
+// Units for display. All values inside the program are in mm, N, MPa, rad, N mm, m/s² and kg/m³.
 namespace palpa::gui {
 
-enum class Quantity { kLength, kForce, kStress, kAngle, kNumber };
-inline constexpr std::size_t kQuantityCount = 5;
+enum class Quantity {
+  kLength,
+  kForce,
+  kStress,
+  kAngle,
+  kMoment,
+  kAcceleration,
+  kDensity,
+  kNumber,
+};
+inline constexpr std::size_t kQuantityCount = 8;
 
 struct Unit {
   QString symbol;
@@ -45,8 +54,9 @@ Unit shownUnit(const QString& programUnit, const ShownUnits& units);
 /// "12.5 mm": up to `digits` significant digits, without trailing zeros.
 QString shown(double value, Quantity quantity, const ShownUnits& units, int digits = 6);
 
-/// Reads a number in the chosen unit, or followed by any unit of the quantity ("0.5 cm", "3e-2"). A
-/// comma is a decimal point unless the text has a point. Nothing if the text is not a number.
+/// Reads a number in the chosen unit, or followed by any unit of the quantity ("0.5 cm", "3e-2",
+/// "1.1 g/cm3"). A comma is a decimal point unless the text has a point. Nothing if the text is not
+/// a number.
 std::optional<double> parsed(const QString& text, Quantity quantity, const ShownUnits& units);
 
 }  // namespace palpa::gui

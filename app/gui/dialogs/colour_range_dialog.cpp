@@ -19,14 +19,15 @@ ColourRangeDialog::ColourRangeDialog(Quantity quantity, const std::array<double,
   high_->setObjectName("highestColour");
   low_->setValue(range[0]);
   high_->setValue(range[1]);
-  form->addRow(tr("&Lowest"), low_);
-  form->addRow(tr("&Highest"), high_);
+  form->addRow(tr("&Lowest:"), low_);
+  form->addRow(tr("&Highest:"), high_);
   layout->addLayout(form);
   layout->addWidget(buttons_);
   connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(low_, &NumberRow::changed, this, &ColourRangeDialog::check);
   connect(high_, &NumberRow::changed, this, &ColourRangeDialog::check);
+  setMinimumWidth(280);
   low_->field().setFocus();
   low_->field().selectAll();
   check();

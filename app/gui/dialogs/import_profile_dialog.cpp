@@ -5,8 +5,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QVBoxLayout>
 #include <cmath>
 #include <numbers>
@@ -55,87 +53,6 @@ std::optional<std::vector<modeling::SketchSection>> importSections(Settings& set
   return std::vector<modeling::SketchSection>{{0.0, modeling::ProfileSketch(dialog.curve())}};
 }
 
-DrawingView::DrawingView(QWidget* parent) : QWidget(parent) {
-  setObjectName("drawing");
-  setAccessibleName(tr("Drawing"));
-  setMinimumSize(340, 300);
-}
-
-void DrawingView::setPaths(const std::vector<modeling::DrawnPath>& paths) {
-  constexpr int kPerPiece = 8;
-  lines_.clear();
-  bool any = false;
-  for (const modeling::DrawnPath& path : paths) {
-    QPolygonF& line = lines_.emplace_back();
-    const auto add = [&](const Vector2d& p) {
-      line << QPointF(p.x(), p.y());
-      low_ = any ? Vector2d(low_.cwiseMin(p)) : p;
-      high_ = any ? Vector2d(high_.cwiseMax(p)) : p;
-      any = true;
-    };
-    add(path.start());
-    for (const modeling::DrawnPiece& piece : path.pieces)
-      for (int k = piece.isStraight ? kPerPiece : 1; k <= kPerPiece; ++k)
-        add(piece.at(static_cast<double>(k) / kPerPiece));
-  }
-  setChosen(-1, std::nullopt);
-}
-
-void DrawingView::setChosen(int path, const std::optional<modeling::ProfileCurve>& fitted) {
-  chosen_ = path;
-  fitted_.clear();
-  if (fitted)
-    for (const modeling::SketchPlace& place : modeling::ProfileSketch(*fitted).samples())
-      fitted_ << QPointF(place.at.x(), place.at.y());
-  update();
-}
-
-QPointF DrawingView::pixelOf(const Vector2d& at) const {
-  const Vector2d extent = (high_ - low_).cwiseMax(1e-9);
-  const double scale = 0.88 * std::min(width() / extent.x(), height() / extent.y());
-  const Vector2d offset = scale * (at - 0.5 * (low_ + high_));
-  return {0.5 * width() + offset.x(), 0.5 * height() - offset.y()};
-}
-
-void DrawingView::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
-  painter.setRenderHint(QPainter::Antialiasing);
-  QColor faint = palette().color(QPalette::Text);
-  faint.setAlphaF(0.4F);
-  const auto draw = [&](const QPolygonF& line) {
-    QPolygonF pixels;
-    for (const QPointF& p : line) pixels << pixelOf({p.x(), p.y()});
-    painter.drawPolyline(pixels);
-  };
-  for (int i = 0; i < static_cast<int>(lines_.size()); ++i) {
-    painter.setPen(QPen(faint, i == chosen_ ? 5 : 1.3));
-    draw(lines_[static_cast<std::size_t>(i)]);
-  }
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-  draw(fitted_);
-}
-
-void DrawingView::mousePressEvent(QMouseEvent* event) {
-  constexpr double kReach = 12.0;
-  double best = kReach;
-  int nearest = -1;
-  for (std::size_t i = 0; i < lines_.size(); ++i)
-    for (qsizetype k = 1; k < lines_[i].size(); ++k) {
-      const QPointF a = pixelOf({lines_[i][k - 1].x(), lines_[i][k - 1].y()});
-      const QPointF b = pixelOf({lines_[i][k].x(), lines_[i][k].y()});
-      const QPointF along = b - a, to = event->position() - a;
-      const double length = QPointF::dotProduct(along, along);
-      const double t =
-          length > 0 ? std::clamp(QPointF::dotProduct(along, to) / length, 0.0, 1.0) : 0.0;
-      const double distance = QLineF(event->position(), a + t * along).length();
-      if (distance >= best) continue;
-      best = distance;
-      nearest = static_cast<int>(i);
-    }
-  if (nearest >= 0) Q_EMIT picked(nearest);
-}
-
 ImportProfileDialog::ImportProfileDialog(Settings& settings, SketchUse use,
                                          modeling::ProfileDrawing drawing, QWidget* parent)
     : QDialog(parent),
@@ -167,7 +84,7 @@ ImportProfileDialog::ImportProfileDialog(Settings& settings, SketchUse use,
   if (use == SketchUse::kRevolve) position_->setCurrentIndex(kAtAxis);
   addFormRow(form, tr("&Position:"), position_, "position");
   tolerance_->setRange(1e-6, modeling::kMaxLength);
-  tolerance_->setValue(drawing_.tolerance);
+  tolerance_->setValue(QString::number(drawing_.tolerance, 'g', 2).toDouble());
   addFormRow(form, tr("&Tolerance:"), tolerance_, "tolerance",
              tr("Largest distance of the spline from the drawing"));
   angle_->setRange(1, 60);
@@ -202,28 +119,45 @@ ImportProfileDialog::ImportProfileDialog(Settings& settings, SketchUse use,
   auto* column = new QVBoxLayout(this);
   column->addLayout(row, 1);
   column->addWidget(buttons);
-  connect(layer_, &QComboBox::currentIndexChanged, this, &ImportProfileDialog::showLayer);
+  connect(layer_, &QComboBox::currentIndexChanged, this, &ImportProfileDialog::readLayer);
   connect(paths_, &QListWidget::currentRowChanged, this, &ImportProfileDialog::fit);
   connect(tolerance_, &QuantityEdit::edited, this, &ImportProfileDialog::fit);
   connect(smooths_, &QCheckBox::toggled, this, &ImportProfileDialog::fit);
   connect(angle_, &QSpinBox::valueChanged, this, &ImportProfileDialog::fit);
   connect(view_, &DrawingView::picked, this, [this](int path) { paths_->setCurrentRow(path); });
   resize(860, 460);
-  showLayer();
+  showPaths();
   paths_->setFocus();
 }
 
-void ImportProfileDialog::showLayer() {
+void ImportProfileDialog::readLayer() {
+  if (layer_->currentIndex() == readLayer_) {
+    showPaths();
+    return;
+  }
   try {
     // Paths of one layer join without the others.
     const std::string layer =
         layer_->currentIndex() > 0 ? layer_->currentText().toStdString() : std::string();
-    drawing_ = modeling::readProfileDrawing(drawing_.source, layer, tolerance_->value());
-    problem_->clear();
+    auto drawing = runInBackground(
+        jobParent(), tr("Reading %1").arg(layer_->currentText()),
+        [&, source = drawing_.source, tolerance = tolerance_->value()](const Job& job) {
+          return modeling::readProfileDrawing(source, layer, tolerance, job);
+        });
+    if (!drawing) {  // cancelled
+      layer_->setCurrentIndex(readLayer_);
+      return;
+    }
+    drawing_ = std::move(*drawing);
+    readLayer_ = layer_->currentIndex();
   } catch (const std::exception& error) {
     problem_->setText(QString::fromStdString(error.what()));
     return;
   }
+  showPaths();
+}
+
+void ImportProfileDialog::showPaths() {
   view_->setPaths(drawing_.paths);
   const QSignalBlocker block(paths_);
   paths_->clear();
@@ -245,25 +179,34 @@ void ImportProfileDialog::fit() {
     const modeling::FitOptions options{
         tolerance_->value(),
         smooths_->isChecked() ? angle_->value() * std::numbers::pi / 180.0 : 0.0};
-    fitted_ = modeling::fitPath(drawing_, static_cast<std::size_t>(path), options);
-    QString text = tr("%1 control points, within %2 of the drawing.")
-                       .arg(fitted_->curve.points.size())
-                       .arg(shown(fitted_->deviation, Quantity::kLength, settings_.units(), 2));
-    if (fitted_->deviation < 1e-9)
-      text = tr("%1 control points, exactly as drawn.").arg(fitted_->curve.points.size());
-    text += "\n" + tr("Unit: %1.").arg(QString::fromStdString(drawing_.unit));
-    QStringList skipped;
-    for (const auto& [kind, count] : drawing_.skipped)
-      skipped << QString("%1 %2").arg(count).arg(QString::fromStdString(kind));
-    if (!skipped.isEmpty()) text += " " + tr("Not read: %1.").arg(skipped.join(", "));
-    result_->setText(text);
-    if (use_ != SketchUse::kRevolve && !drawing_.paths[static_cast<std::size_t>(path)].closed)
-      problem_->setText(tr("This curve is open; close it in the drawing, or after the import."));
+    fitted_ = runInBackground(jobParent(), tr("Fitting a spline"), [&](const Job& job) {
+      return modeling::fitPath(drawing_, static_cast<std::size_t>(path), options, job);
+    });
+    if (fitted_)
+      showFitted(path);
+    else
+      result_->setText(tr("The fit was cancelled; change the tolerance to begin it again."));
   } catch (const std::exception& error) {
     problem_->setText(QString::fromStdString(error.what()));
   }
   view_->setChosen(path, fitted_ ? std::optional(fitted_->curve) : std::nullopt);
   ok_->setEnabled(fitted_.has_value());
+}
+
+void ImportProfileDialog::showFitted(int path) {
+  QString text = tr("%1 control points, within %2 of the drawing.")
+                     .arg(fitted_->curve.points.size())
+                     .arg(shown(fitted_->deviation, Quantity::kLength, settings_.units(), 2));
+  if (fitted_->deviation < 1e-9)
+    text = tr("%1 control points, exactly as drawn.").arg(fitted_->curve.points.size());
+  text += "\n" + tr("Unit: %1.").arg(QString::fromStdString(drawing_.unit));
+  QStringList skipped;
+  for (const auto& [kind, count] : drawing_.skipped)
+    skipped << QString("%1 %2").arg(count).arg(QString::fromStdString(kind));
+  if (!skipped.isEmpty()) text += " " + tr("Not read: %1.").arg(skipped.join(", "));
+  result_->setText(text);
+  if (use_ != SketchUse::kRevolve && !drawing_.paths[static_cast<std::size_t>(path)].closed)
+    problem_->setText(tr("This curve is open; close it in the drawing, or after the import."));
 }
 
 modeling::ProfileCurve ImportProfileDialog::curve() const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/gui/base/settings.h"
+#include "app/gui/dialogs/drawing_view.h"
 #include "app/gui/widgets/quantity_edit.h"
 #include "modeling/exchange/profile_import.h"
 #include "modeling/shapes/shape_sketch.h"
@@ -24,39 +25,14 @@ std::optional<std::vector<modeling::SketchSection>> importSections(Settings& set
                                                                    modeling::SketchUse use,
                                                                    QWidget& window);
 
-/// The paths of a drawing, one of which is chosen.
-class DrawingView : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit DrawingView(QWidget* parent);
-
-  void setPaths(const std::vector<modeling::DrawnPath>& paths);
-  void setChosen(int path, const std::optional<modeling::ProfileCurve>& fitted);
-
- Q_SIGNALS:
-  void picked(int path);
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-
- private:
-  QPointF pixelOf(const Eigen::Vector2d& at) const;
-
-  std::vector<QPolygonF> lines_;  // mm
-  QPolygonF fitted_;
-  int chosen_ = -1;
-  Eigen::Vector2d low_ = Eigen::Vector2d::Zero(), high_ = Eigen::Vector2d::Zero();
-};
-
-/// Choice of a curve of a drawing, and of the tolerance of the spline through it.
+/// Choice of a curve of a drawing, and of the tolerance of the spline through it. Reads and fits in
+/// the background: a click waits for the result, or for Cancel.
 class ImportProfileDialog : public QDialog {
   Q_OBJECT
 
  public:
   ImportProfileDialog(Settings& settings, modeling::SketchUse use, modeling::ProfileDrawing drawing,
-                      QWidget* parent);
+                      QWidget* parent);  // not null: reading may take long before this is shown
 
   /// Valid after the dialog was accepted.
   modeling::ProfileCurve curve() const;
@@ -65,14 +41,19 @@ class ImportProfileDialog : public QDialog {
 
  private:
   enum Position { kAsDrawn, kCentred, kAtAxis };
-  void showLayer();
+  void readLayer();
+  void showPaths();
   void fit();
+  void showFitted(int path);
+  /// Widget over which the progress of a job is shown.
+  QWidget& jobParent() { return isVisible() ? *this : *parentWidget(); }
 
   Settings& settings_;
   modeling::SketchUse use_;
   modeling::ProfileDrawing drawing_;
   DrawingView* view_;
   QComboBox* layer_;
+  int readLayer_ = 0;  // index in layer_ of the layer in drawing_
   QListWidget* paths_;
   QComboBox* position_;
   QuantityEdit* tolerance_;

@@ -63,7 +63,7 @@ KeysDialog::KeysDialog(const Workspace& workspace) : QDialog(&workspace.window) 
   auto* column = new QVBoxLayout(this);
   column->addWidget(table);
   column->addWidget(buttons);
-  resize(560, 640);
+  resize(760, 640);
 }
 
 }  // namespace palpa::gui

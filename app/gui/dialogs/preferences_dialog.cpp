@@ -1,6 +1,7 @@
 #include "app/gui/dialogs/preferences_dialog.h"
 
 #include <QDialogButtonBox>
+#include <QGridLayout>
 #include <QGroupBox>
 #include <QVBoxLayout>
 
@@ -43,7 +44,9 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
 
 QWidget* PreferencesDialog::makeUnits() {
   auto* group = new QGroupBox(tr("Units"), this);
-  auto* form = new QFormLayout(group);
+  // In two columns, so that the dialog fits a small screen.
+  auto* grid = new QGridLayout(group);
+  int count = 0;
   for (std::size_t i = 0; i < kQuantityCount; ++i) {
     const QuantityInfo& quantity = quantities()[i];
     if (quantity.label.isEmpty()) continue;
@@ -51,11 +54,18 @@ QWidget* PreferencesDialog::makeUnits() {
     units_[i]->setObjectName(quantity.key);
     for (const Unit& unit : quantity.units) units_[i]->addItem(unit.symbol);
     units_[i]->setCurrentIndex(settings_.units().chosen[i]);
-    form->addRow(quantity.label, units_[i]);
+    auto* label = new QLabel(quantity.label, group);
+    label->setBuddy(units_[i]);
+    const int row = count / 2, column = 2 * (count % 2);
+    grid->addWidget(label, row, column);
+    grid->addWidget(units_[i], row, column + 1);
+    ++count;
   }
+  for (const int column : {1, 3}) grid->setColumnStretch(column, 1);
+  grid->setHorizontalSpacing(12);
   auto* note = new QLabel(tr("Project files are always in mm, N and MPa."), group);
   note->setEnabled(false);
-  form->addRow(note);
+  grid->addWidget(note, (count + 1) / 2, 0, 1, 4);
   return group;
 }
 

@@ -24,14 +24,14 @@ TransformDialog::TransformDialog(Editor& editor, const Settings& settings, QWidg
   setWindowTitle(tr("Transform solid"));
   setObjectName("transformSolid");
   kind_->addItems({tr("Move"), tr("Rotate"), tr("Scale"), tr("Mirror")});
-  addFormRow(form_, tr("&Transformation"), kind_, "transformation");
-  addFormRow(form_, tr("&By"), vector_, "by", tr("Vector by which the body is moved"));
-  addFormRow(form_, tr("&Axis"), axis_, "axis", tr("Direction of the axis, of any length"));
-  addFormRow(form_, tr("A&ngle"), angle_, "angle",
+  addFormRow(form_, tr("&Transformation:"), kind_, "transformation");
+  addFormRow(form_, tr("&By:"), vector_, "by", tr("Vector by which the body is moved"));
+  addFormRow(form_, tr("&Axis:"), axis_, "axis", tr("Direction of the axis, of any length"));
+  addFormRow(form_, tr("A&ngle:"), angle_, "angle",
              tr("Positive turns counter-clockwise seen against the axis"));
-  addFormRow(form_, tr("&Factors"), factors_, "factors", tr("Along x, y and z, each above zero"));
-  addFormRow(form_, tr("&Normal"), normal_, "normal", tr("Normal of the mirror plane"));
-  addFormRow(form_, tr("&Centre"), centre_, "centre", tr("A point that stays where it is"));
+  addFormRow(form_, tr("&Factors:"), factors_, "factors", tr("Along x, y and z, each above zero"));
+  addFormRow(form_, tr("&Normal:"), normal_, "normal", tr("Normal of the mirror plane"));
+  addFormRow(form_, tr("&Centre:"), centre_, "centre", tr("A point that stays where it is"));
   axis_->setValue(Eigen::Vector3d::UnitZ());
   angle_->setValue(std::numbers::pi / 2);
   factors_->setValue(Eigen::Vector3d::Ones());

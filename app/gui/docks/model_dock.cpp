@@ -5,6 +5,7 @@
 
 #include "app/gui/base/appearance.h"
 #include "app/gui/document/body_places.h"
+#include "app/gui/document/measurements.h"
 #include "app/gui/document/naming.h"
 #include "app/gui/document/point_groups.h"
 #include "app/gui/view/scene_controller.h"
@@ -44,7 +45,8 @@ ModelDock::ModelDock(const Workspace& workspace)
   });
   // Added and removed rows change the choice of rows: restore it from the selection.
   connect(&workspace.editor, &Editor::projectChanged, this, [this](const modeling::Change& change) {
-    if (change.topology || change.supports || change.loads || change.touches) showSelection();
+    if (change.topology || change.supports || change.loads || change.touches || change.measurements)
+      showSelection();
   });
   connect(&workspace.editor, &Editor::selectionChanged, this, &ModelDock::showSelection);
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
@@ -81,8 +83,8 @@ bool ModelDock::eventFilter(QObject* watched, QEvent* event) {
 
 void ModelDock::expandGroups() {
   // The long lists of patches and edges stay closed.
-  for (const RowKind rowKind :
-       {RowKind::kProject, RowKind::kBody, RowKind::kSupports, RowKind::kLoads, RowKind::kTouches})
+  for (const RowKind rowKind : {RowKind::kProject, RowKind::kBody, RowKind::kSupports,
+                                RowKind::kLoads, RowKind::kTouches, RowKind::kMeasurements})
     view_->expand(tree_->indexOf(rowKind));
 }
 
@@ -140,8 +142,8 @@ void ModelDock::showMenu(const QPoint& at) {
   if (!row.isValid()) return;
   Editor& editor = workspace_.editor;
   const RowKind rowKind = ModelTree::kindOfRow(row);
-  const bool isNamed =
-      rowKind == RowKind::kSupport || rowKind == RowKind::kLoad || rowKind == RowKind::kTouch;
+  const bool isNamed = rowKind == RowKind::kSupport || rowKind == RowKind::kLoad ||
+                       rowKind == RowKind::kTouch || rowKind == RowKind::kMeasurement;
   auto* menu = new QMenu(this);
   menu->setObjectName("modelMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -164,6 +166,8 @@ void ModelDock::showMenu(const QPoint& at) {
       deleteSelected(editor);
     })->setShortcut(QKeySequence::Delete);
   }
+  if (rowKind == RowKind::kMeasurement)
+    add(tr("&Copy value"), {}, [&editor] { copyMeasurement(editor); });
   if (rowKind == RowKind::kPatch && editor.solid())
     add(tr("Select &points"), "net", [&editor] {
       editor.select(Selection::ofPoints(pointsOf(editor.selection(), *editor.solid())));

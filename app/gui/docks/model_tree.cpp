@@ -8,7 +8,9 @@
 #include <algorithm>
 
 #include "app/gui/base/appearance.h"
-#include "app/gui/base/overloaded.h"
+#include "app/gui/document/load_kinds.h"
+#include "app/gui/document/measurement_words.h"
+#include "app/gui/document/measurements.h"
 #include "app/gui/document/naming.h"
 
 namespace palpa::gui {
@@ -24,11 +26,13 @@ struct List {
 };
 
 /// In the order of ModelTree::lists_.
-constexpr std::array<List, 5> kLists{{{RowKind::kPatches, RowKind::kPatch, {}},
-                                      {RowKind::kEdges, RowKind::kEdge, {}},
-                                      {RowKind::kSupports, RowKind::kSupport, Kind::kSupport},
-                                      {RowKind::kLoads, RowKind::kLoad, Kind::kLoad},
-                                      {RowKind::kTouches, RowKind::kTouch, Kind::kTouch}}};
+constexpr std::array<List, 6> kLists{
+    {{RowKind::kPatches, RowKind::kPatch, {}},
+     {RowKind::kEdges, RowKind::kEdge, {}},
+     {RowKind::kSupports, RowKind::kSupport, Kind::kSupport},
+     {RowKind::kLoads, RowKind::kLoad, Kind::kLoad},
+     {RowKind::kTouches, RowKind::kTouch, Kind::kTouch},
+     {RowKind::kMeasurements, RowKind::kMeasurement, Kind::kMeasurement}}};
 
 /// Index of the list below a row; nothing for rows without a list.
 std::optional<std::size_t> listOf(RowKind group) {
@@ -80,16 +84,21 @@ ModelTree::ModelTree(Editor& editor, QObject* parent)
     endResetModel();
   });
   connect(&editor, &Editor::projectChanged, this, &ModelTree::showChange);
+  connect(&editor.measurements(), &Measurements::changed, this,
+          [this] { replace(RowKind::kMeasurements, measurementLines()); });
   connect(&editor.settings(), &Settings::changed, this, [this] {
+    replace(RowKind::kMeasurements, measurementLines());
     const QModelIndex mesh = indexOf(RowKind::kMesh);
     Q_EMIT dataChanged(mesh, mesh.siblingAtColumn(1));
+    replace(RowKind::kLoads, loadLines());
   });
   showAll();
 }
 
 void ModelTree::showAll() {
   hasEdges_ = editor_.solid() != nullptr;
-  lists_ = {patchLines(), edgeLines(), supportLines(), loadLines(), touchLines()};
+  lists_ = {patchLines(), edgeLines(),  supportLines(),
+            loadLines(),  touchLines(), measurementLines()};
 }
 
 void ModelTree::showChange(const modeling::Change& change) {
@@ -149,9 +158,9 @@ const ModelTree::Lines* ModelTree::linesOf(RowKind parent) const {
 }
 
 const std::vector<RowKind>& ModelTree::fixedChildren(RowKind parent) const {
-  static const std::vector<RowKind> ofProject{RowKind::kBody,     RowKind::kSupports,
-                                              RowKind::kLoads,    RowKind::kTouches,
-                                              RowKind::kMaterial, RowKind::kMesh};
+  static const std::vector<RowKind> ofProject{
+      RowKind::kBody,         RowKind::kSupports, RowKind::kLoads, RowKind::kTouches,
+      RowKind::kMeasurements, RowKind::kMaterial, RowKind::kMesh};
   static const std::vector<RowKind> ofSolid{RowKind::kPatches, RowKind::kEdges};
   static const std::vector<RowKind> ofMesh{RowKind::kPatches};
   static const std::vector<RowKind> none;
@@ -204,12 +213,18 @@ ModelTree::Line ModelTree::lineOf(RowKind rowKind) const {
     case RowKind::kSupports:
       return {tr("Supports"), {}, "paint-support", tr("Supported parts of the surface")};
     case RowKind::kLoads:
-      return {tr("Loads"), {}, "place-load", tr("Pressures and tractions on the surface")};
+      return {tr("Loads"),
+              {},
+              "place-load",
+              tr("Forces, moments and pressures on the surface, and gravity")};
     case RowKind::kTouches:
       return {tr("Touches"),
               {},
               "place-touch",
               tr("Touches stored in the project; Simulate plays them")};
+    case RowKind::kMeasurements:
+      return {
+          tr("Measurements"), {}, "measure", tr("Dimensions of the body; they follow its shape")};
     case RowKind::kMaterial:
       return {tr("Material"), QString::fromStdString(project.material.name), "material",
               QString::fromStdString(project.material.name)};
@@ -268,17 +283,10 @@ ModelTree::Lines ModelTree::supportLines() const {
 
 ModelTree::Lines ModelTree::loadLines() const {
   Lines lines;
-  for (const modeling::Load& each : editor_.project().loads) {
-    const QString what =
-        std::visit(Overloaded{[](const modeling::Pressure&) { return tr("pressure"); },
-                              [](const modeling::UniformTraction&) { return tr("traction"); },
-                              [](const modeling::Bump&) { return tr("bump"); },
-                              [](const modeling::TotalForce&) { return tr("total force"); },
-                              [](const modeling::Moment&) { return tr("moment"); },
-                              [](const modeling::Gravity&) { return tr("gravity"); }},
-                   each.what);
-    lines.push_back({QString::fromStdString(each.name), what, "place-load", {}});
-  }
+  const ShownUnits units = editor_.settings().units();
+  for (const modeling::Load& each : editor_.project().loads)
+    lines.push_back({QString::fromStdString(each.name), strengthText(each, units),
+                     infoOf(loadKindOf(each)).icon, loadText(each, units)});
   return lines;
 }
 
@@ -289,6 +297,23 @@ ModelTree::Lines ModelTree::touchLines() const {
                      tr(modeling::infoOf(each.kind).name),
                      "place-touch",
                      {}});
+  return lines;
+}
+
+ModelTree::Lines ModelTree::measurementLines() const {
+  Lines lines;
+  const auto& list = editor_.project().measurements;
+  if (list.empty()) return lines;
+  const auto& results = editor_.measurements().results();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Measurements::Result& result = results[i];
+    lines.push_back({QString::fromStdString(list[i].name),
+                     result.value
+                         ? dimensionText(list[i].kind, *result.value, editor_.settings().units())
+                         : tr("gone"),
+                     result.value ? "measure" : "warning",
+                     result.value ? kindText(list[i].kind) : result.problem});
+  }
   return lines;
 }
 

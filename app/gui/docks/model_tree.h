@@ -10,8 +10,9 @@
 
 namespace palpa::gui {
 
-/// Item model of the open project: body with patches and edges, supports, loads, touches, material
-/// and mesh. Column 0 has editable names, column 1 a detail. Follows the editor.
+/// Item model of the open project: body with patches and edges, supports, loads, touches,
+/// measurements, material and mesh. Column 0 has editable names, column 1 a detail. Follows the
+/// editor.
 class ModelTree : public QAbstractItemModel {
   Q_OBJECT
 
@@ -24,6 +25,7 @@ class ModelTree : public QAbstractItemModel {
     kSupports,
     kLoads,
     kTouches,
+    kMeasurements,
     kMaterial,
     kMesh,
     kPatch,
@@ -31,6 +33,7 @@ class ModelTree : public QAbstractItemModel {
     kSupport,
     kLoad,
     kTouch,
+    kMeasurement,
   };
 
   ModelTree(Editor& editor, QObject* parent);
@@ -69,13 +72,14 @@ class ModelTree : public QAbstractItemModel {
   Lines supportLines() const;
   Lines loadLines() const;
   Lines touchLines() const;
+  Lines measurementLines() const;
   const Lines* linesOf(RowKind parent) const;
   void replace(RowKind parent, Lines lines);
   const std::vector<RowKind>& fixedChildren(RowKind parent) const;
 
   Editor& editor_;
   bool hasEdges_ = true;
-  std::array<Lines, 5> lists_;  // patches, edges, supports, loads, touches
+  std::array<Lines, 6> lists_;  // patches, edges, supports, loads, touches, measurements
 };
 
 }  // namespace palpa::gui

@@ -23,6 +23,10 @@ SamplesDock::SamplesDock(Samples& samples, SectionView& section, Settings& setti
       section_(section),
       settings_(settings),
       table_(new QTableWidget(this)),
+      hint_(new QLabel(
+          tr("No samples. In Simulate mode (F5), choose Sample (I) and click on the body or the "
+             "section: their fields appear here."),
+          this)),
       copy_(new QPushButton(tr("&Copy"), this)),
       save_(new QPushButton(tr("&Save …"), this)),
       remove_(new QPushButton(tr("&Remove"), this)),
@@ -44,10 +48,15 @@ SamplesDock::SamplesDock(Samples& samples, SectionView& section, Settings& setti
   saveSection_->setToolTip(tr("Write the fields of the section as a table or mesh"));
   auto* buttons = new QHBoxLayout;
   for (QPushButton* button : {copy_, save_, remove_, saveSection_}) buttons->addWidget(button);
+  hint_->setObjectName("samplesHint");
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
   auto* content = new QWidget(this);
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addWidget(table_);
+  layout->addWidget(hint_, 1);
   layout->addLayout(buttons);
   setWidget(content);
   connect(copy_, &QPushButton::clicked, this, &SamplesDock::copy);
@@ -81,6 +90,8 @@ void SamplesDock::showSamples() {
     }
   }
   if (values.empty()) table_->setRowCount(0);
+  table_->setHidden(values.empty());
+  hint_->setVisible(values.empty());
   if (samples_.selected() >= 0 && samples_.selected() < table_->columnCount())
     table_->selectColumn(samples_.selected());
   else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 
@@ -29,6 +30,7 @@ class SamplesDock : public QDockWidget {
   SectionView& section_;
   Settings& settings_;
   QTableWidget* table_;
+  QLabel* hint_;
   QPushButton *copy_, *save_, *remove_, *saveSection_;
   bool isFilling_ = false;
 };

@@ -3,6 +3,8 @@
 #include "app/gui/base/overloaded.h"
 #include "app/gui/document/named_items.h"
 #include "app/gui/document/point_groups.h"
+#include "modeling/error.h"
+#include "modeling/measure/measured_body.h"
 
 namespace palpa::gui {
 namespace {
@@ -50,6 +52,16 @@ void addRegion(const modeling::Body& body, const modeling::Region& region, Place
                part);
 }
 
+/// Nothing if the place is gone.
+void addMeasured(const modeling::Body& body, const modeling::Measurement& measurement,
+                 Places& places) {
+  try {
+    const auto value = modeling::MeasuredBody(body).measure(measurement);
+    places.insert(places.end(), value.points.begin(), value.points.end());
+  } catch (const modeling::ModelingError&) {
+  }
+}
+
 void addNamed(const modeling::Project& project, const Selection::Named& named, Places& places) {
   if (named.kind == Selection::Kind::kSupport) {
     if (const auto* support = findNamed(project.supports, named.name))
@@ -61,6 +73,9 @@ void addNamed(const modeling::Project& project, const Selection::Named& named, P
       addRegion(project.body, *region, places);
     else if (const auto* bump = std::get_if<modeling::Bump>(&load->what))
       addBall(bump->center, bump->radius, places);
+  } else if (named.kind == Selection::Kind::kMeasurement) {
+    if (const auto* measurement = findNamed(project.measurements, named.name))
+      addMeasured(project.body, *measurement, places);
   } else if (const auto* touch = findNamed(project.touches, named.name)) {
     const auto corners = modeling::boundingBox(project.body);
     addBall(touch->at, touch->radius.value_or(0.1 * (corners[1] - corners[0]).norm()), places);

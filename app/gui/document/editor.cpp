@@ -5,6 +5,7 @@
 
 #include "app/core/session/new_project.h"
 #include "app/core/system/destroy_in_background.h"
+#include "app/gui/document/measurements.h"
 #include "app/gui/document/named_items.h"
 #include "modeling/error.h"
 #include "modeling/exchange/file_format.h"
@@ -29,7 +30,8 @@ modeling::Project firstProject() {
 
 }  // namespace
 
-Editor::Editor(Settings& settings, QObject* parent) : QObject(parent), settings_(settings) {
+Editor::Editor(Settings& settings, QObject* parent)
+    : QObject(parent), settings_(settings), measurements_(new Measurements(*this)) {
   rebuildTimer_.setSingleShot(true);
   rebuildTimer_.setInterval(kRebuildInterval);
   connect(&rebuildTimer_, &QTimer::timeout, this, &Editor::rebuildChanged);

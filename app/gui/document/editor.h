@@ -13,6 +13,8 @@
 
 namespace palpa::gui {
 
+class Measurements;
+
 /// The open project for the parts of the window: session, selection, and signals for all changes.
 /// Functions do not throw; errors are emitted as `refused`.
 class Editor : public QObject {
@@ -31,6 +33,7 @@ class Editor : public QObject {
   /// Null for a mesh body, which has no control points.
   const modeling::Solid* solid() const { return std::get_if<modeling::Solid>(&project().body); }
   const Settings& settings() const { return settings_; }
+  Measurements& measurements() { return *measurements_; }
   const app::Session& session() const { return *session_; }
   app::RebuildStatus rebuildStatus() const { return session_->pipeline().status(); }
   std::shared_ptr<const app::TouchModel> model() const { return session_->pipeline().model(); }
@@ -110,6 +113,7 @@ class Editor : public QObject {
   Settings& settings_;
   Runner runner_;
   std::unique_ptr<app::Session> session_;
+  Measurements* measurements_;  // owned by this object
   Selection selection_;
   QTimer rebuildTimer_;
   QTimer autosaveTimer_;

@@ -6,7 +6,7 @@
 #include "app/gui/document/selection.h"
 #include "modeling/project/project.h"
 
-// Lists of the named items of a project: supports, loads, touches.
+// Lists of the named items of a project: supports, loads, touches, measurements.
 namespace palpa::gui {
 
 /// Calls `work` with the list of items of a kind and returns its result.
@@ -18,9 +18,11 @@ auto withList(const modeling::Project& project, Selection::Kind kind, const Work
     case Selection::Kind::kLoad:
       return work(project.loads);
     case Selection::Kind::kTouch:
+      return work(project.touches);
+    case Selection::Kind::kMeasurement:
       break;
   }
-  return work(project.touches);
+  return work(project.measurements);
 }
 
 /// The item with this name; null if absent.

@@ -13,7 +13,8 @@ using Kind = Selection::Kind;
 QString takenText(Kind kind, const QString& name) {
   const QString text = kind == Kind::kSupport ? tr("There is already a support named “%1”")
                        : kind == Kind::kLoad  ? tr("There is already a load named “%1”")
-                                              : tr("There is already a touch named “%1”");
+                       : kind == Kind::kTouch ? tr("There is already a touch named “%1”")
+                                              : tr("There is already a measurement named “%1”");
   return (text + tr("; choose another name.")).arg(name);
 }
 
@@ -32,6 +33,9 @@ modeling::Command replacement(const std::string& old, const modeling::Load& with
 modeling::Command replacement(const std::string& old, const modeling::Touch& with) {
   return modeling::SetTouch{old, with};
 }
+modeling::Command replacement(const std::string& old, const modeling::Measurement& with) {
+  return modeling::SetMeasurement{old, with};
+}
 
 modeling::Command addition(const modeling::Support& one) {
   return modeling::AddSupport{one};
@@ -41,6 +45,9 @@ modeling::Command addition(const modeling::Load& one) {
 }
 modeling::Command addition(const modeling::Touch& one) {
   return modeling::AddTouch{one};
+}
+modeling::Command addition(const modeling::Measurement& one) {
+  return modeling::AddMeasurement{one};
 }
 
 }  // namespace
@@ -112,12 +119,15 @@ void deleteSelected(Editor& editor) {
   } else if (!selection.edges.empty()) {
     Q_EMIT editor.refused(tr("Edges cannot be deleted; make them smooth to blend the patches."));
   } else if (!selection.named) {
-    Q_EMIT editor.refused(tr("Nothing is selected; select a support, load or touch to delete."));
+    Q_EMIT editor.refused(
+        tr("Nothing is selected; select a support, load, touch or measurement to "
+           "delete."));
   } else {
     const Selection::Named named = *selection.named;
     if (named.kind == Kind::kSupport) editor.perform(modeling::RemoveSupport{named.name});
     if (named.kind == Kind::kLoad) editor.perform(modeling::RemoveLoad{named.name});
     if (named.kind == Kind::kTouch) editor.perform(modeling::RemoveTouch{named.name});
+    if (named.kind == Kind::kMeasurement) editor.perform(modeling::RemoveMeasurement{named.name});
   }
 }
 

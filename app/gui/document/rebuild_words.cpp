@@ -21,6 +21,8 @@ bool isUpdate(const app::RebuildStatus& status) {
 }
 
 QString failureText(const app::RebuildStatus& status) {
+  if (status.reason.needsDensity)
+    return tr("Gravity acts, but the material has no density; enter it, or remove the load.");
   QString text = QString::fromStdString(status.error);
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   if (!text.endsWith('.')) text += '.';

@@ -5,6 +5,7 @@
 #include "app/core/session/new_project.h"
 #include "app/gui/base/translate.h"
 #include "app/gui/document/named_items.h"
+#include "app/gui/document/own_materials.h"
 
 namespace palpa::gui {
 namespace {
@@ -75,6 +76,19 @@ std::vector<Remedy> removing(Editor& editor, const std::string& emptyRegion) {
 
 }  // namespace
 
+Remedy usualDensity(Editor& editor) {
+  const modeling::LibraryMaterial& similar = similarWithDensity(editor.project().material);
+  const double density = *similar.material.densityKgPerM3;
+  return {tr("Use %1").arg(shown(density, Quantity::kDensity, editor.settings().units(), 4)),
+          tr("The density of %1, the material of the library that is nearest in stiffness")
+              .arg(quoted(similar.material.name)),
+          [&editor, density] {
+            modeling::Material material = editor.project().material;
+            material.densityKgPerM3 = density;
+            editor.perform(modeling::SetMaterial{material});
+          }};
+}
+
 std::vector<Remedy> remediesOf(Editor& editor) {
   const app::RebuildStatus status = editor.rebuildStatus();
   if (status.state != app::RebuildStatus::State::kFailed) return {};
@@ -83,6 +97,7 @@ std::vector<Remedy> remediesOf(Editor& editor) {
             resolving(editor, *status.reason.conflict, true)};
   if (!status.reason.emptyRegion.empty()) return removing(editor, status.reason.emptyRegion);
   if (status.reason.isFree) return {fixingTheBase(editor)};
+  if (status.reason.needsDensity) return {usualDensity(editor)};
   std::vector<Remedy> remedies;
   if (status.reason.mesh) remedies.push_back(meshing(editor, *status.reason.mesh));
   const bool isGeometry = !status.stages.empty() && status.stages.back().phase == Phase::kCheck;

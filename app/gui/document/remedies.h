@@ -19,4 +19,7 @@ struct Remedy {
 /// click can do, or if the build did not fail. The editor must outlive them.
 std::vector<Remedy> remediesOf(Editor& editor);
 
+/// Gives the material the density of the similar material of the library.
+Remedy usualDensity(Editor& editor);
+
 }  // namespace palpa::gui

@@ -9,7 +9,7 @@ namespace palpa::gui {
 /// Selected control points, patches or edges of the body, or one named item of the project. Only
 /// one of the members is not empty.
 struct Selection {
-  enum class Kind { kSupport, kLoad, kTouch };
+  enum class Kind { kSupport, kLoad, kTouch, kMeasurement };
   struct Named {
     Kind kind = Kind::kSupport;
     std::string name;

@@ -1,5 +1,3 @@
-
-#include "app/gui/base/overloaded.h"
 #include "app/gui/base/translate.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
@@ -9,7 +7,6 @@ namespace palpa::gui {
 namespace {
 
 using Eigen::Vector3d;
-using modeling::Load;
 using modeling::Support;
 using modeling::Touch;
 using modeling::TouchKind;
@@ -26,9 +23,6 @@ One selected(const Editor& editor, const std::vector<One>& list) {
 Support supportOf(const Editor& editor) {
   return selected(editor, editor.project().supports);
 }
-Load loadOf(const Editor& editor) {
-  return selected(editor, editor.project().loads);
-}
 Touch touchOf(const Editor& editor) {
   return selected(editor, editor.project().touches);
 }
@@ -36,45 +30,8 @@ Touch touchOf(const Editor& editor) {
 bool put(Editor& editor, const Support& support) {
   return editor.perform(modeling::SetSupport{support.name, support});
 }
-bool put(Editor& editor, const Load& load) {
-  return editor.perform(modeling::SetLoad{load.name, load});
-}
 bool put(Editor& editor, const Touch& touch) {
   return editor.perform(modeling::SetTouch{touch.name, touch});
-}
-
-void addName(PropertyPage& page) {
-  Editor& editor = page.editor();
-  page.addText(
-      tr("&Name"), "name",
-      [&editor] {
-        const auto& named = editor.selection().named;
-        return named ? QString::fromStdString(named->name) : QString();
-      },
-      [&editor](const QString& name) {
-        return !editor.selection().named || renameNamed(editor, *editor.selection().named, name);
-      });
-}
-
-/// Reads a member of the variant in a load. For a load of another kind another page is made.
-template <class What, class Member>
-auto reader(Editor& editor, Member What::*member) {
-  return [&editor, member] {
-    const Load load = loadOf(editor);
-    const auto* what = std::get_if<What>(&load.what);
-    return what ? what->*member : What().*member;
-  };
-}
-
-template <class What, class Member>
-auto writer(Editor& editor, Member What::*member) {
-  return [&editor, member](const Member& value) {
-    Load load = loadOf(editor);
-    auto* what = std::get_if<What>(&load.what);
-    if (!what) return false;
-    what->*member = value;
-    return put(editor, load);
-  };
 }
 
 QString kindText(TouchKind kind) {
@@ -143,10 +100,23 @@ void addTouchRadius(PropertyPage& page) {
 
 }  // namespace
 
+void addNameRow(PropertyPage& page) {
+  Editor& editor = page.editor();
+  page.addText(
+      tr("&Name"), "name",
+      [&editor] {
+        const auto& named = editor.selection().named;
+        return named ? QString::fromStdString(named->name) : QString();
+      },
+      [&editor](const QString& name) {
+        return !editor.selection().named || renameNamed(editor, *editor.selection().named, name);
+      });
+}
+
 void addSupportRows(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Support"));
-  addName(page);
+  addNameRow(page);
   page.addChoice(
       tr("&Kind"), "kind", {tr("Fixed"), tr("Roller: slides along the surface")},
       [&editor] { return supportOf(editor).kind == Support::Kind::kFixed ? 0 : 1; },
@@ -172,57 +142,10 @@ void addSupportRows(PropertyPage& page) {
       });
 }
 
-void addLoadRows(PropertyPage& page) {
-  using namespace modeling;
-  Editor& editor = page.editor();
-  const Load load = loadOf(editor);
-  page.addSection(std::visit(Overloaded{[](const Pressure&) { return tr("Load: pressure"); },
-                                        [](const UniformTraction&) { return tr("Load: traction"); },
-                                        [](const Bump&) { return tr("Load: bump"); },
-                                        [](const TotalForce&) { return tr("Load: total force"); },
-                                        [](const Moment&) { return tr("Load: moment"); },
-                                        [](const Gravity&) { return tr("Load: gravity"); }},
-                             load.what));
-  addName(page);
-  if (std::holds_alternative<Pressure>(load.what)) {
-    page.addQuantity(tr("&Pressure"), "pressure", Quantity::kStress,
-                     reader(editor, &Pressure::pressure), writer(editor, &Pressure::pressure));
-    page.addNote(tr("Positive presses into the body."));
-    addRegionRows(page, reader(editor, &Pressure::where), writer(editor, &Pressure::where));
-  } else if (std::holds_alternative<UniformTraction>(load.what)) {
-    page.addVector(tr("&Traction x, y, z"), "traction", Quantity::kStress,
-                   reader(editor, &UniformTraction::traction),
-                   writer(editor, &UniformTraction::traction));
-    addRegionRows(page, reader(editor, &UniformTraction::where),
-                  writer(editor, &UniformTraction::where));
-  } else if (std::holds_alternative<TotalForce>(load.what)) {
-    page.addVector(tr("&Force x, y, z"), "force", Quantity::kForce,
-                   reader(editor, &TotalForce::force), writer(editor, &TotalForce::force));
-    addRegionRows(page, reader(editor, &TotalForce::where), writer(editor, &TotalForce::where));
-  } else if (std::holds_alternative<Moment>(load.what)) {
-    page.addVector(tr("&Moment x, y, z (N mm)"), "moment", Quantity::kNumber,
-                   reader(editor, &Moment::moment), writer(editor, &Moment::moment));
-    addRegionRows(page, reader(editor, &Moment::where), writer(editor, &Moment::where));
-  } else if (std::holds_alternative<Gravity>(load.what)) {
-    page.addVector(tr("&Acceleration x, y, z (m/s²)"), "acceleration", Quantity::kNumber,
-                   reader(editor, &Gravity::accelerationMPerS2),
-                   writer(editor, &Gravity::accelerationMPerS2));
-  } else {
-    page.addVector(tr("&Centre x, y, z"), "centre", Quantity::kLength,
-                   reader(editor, &Bump::center), writer(editor, &Bump::center));
-    page.addQuantity(tr("&Radius"), "radius", Quantity::kLength, reader(editor, &Bump::radius),
-                     writer(editor, &Bump::radius));
-    page.addQuantity(tr("Pea&k"), "peak", Quantity::kStress, reader(editor, &Bump::peak),
-                     writer(editor, &Bump::peak));
-    page.addVector(tr("&Direction x, y, z"), "direction", Quantity::kNumber,
-                   reader(editor, &Bump::direction), writer(editor, &Bump::direction));
-  }
-}
-
 void addTouchRows(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Touch"));
-  addName(page);
+  addNameRow(page);
   page.addVector(
       tr("&Place x, y, z"), "place", Quantity::kLength, [&editor] { return touchOf(editor).at; },
       [&editor](const Vector3d& at) {

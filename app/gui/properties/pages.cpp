@@ -8,6 +8,12 @@ namespace {
 
 using modeling::Project;
 
+QString measurementKey(const Project& project, const std::string& name) {
+  const auto* measurement = findNamed(project.measurements, name);
+  return measurement ? QString("measurement %1").arg(static_cast<int>(measurement->kind))
+                     : QString("measurement");
+}
+
 QString namedKey(const Project& project, const Selection::Named& named) {
   switch (named.kind) {
     case Selection::Kind::kSupport: {
@@ -18,9 +24,13 @@ QString namedKey(const Project& project, const Selection::Named& named) {
       const auto* load = findNamed(project.loads, named.name);
       if (!load) return "load";
       const modeling::Region* region = modeling::regionOf(*load);
-      return QString("load %1 ").arg(load->what.index()) +
+      return QString("load %1 %2 ")
+                 .arg(load->what.index())
+                 .arg(project.material.densityKgPerM3.has_value()) +
              (region ? regionKey(*region) : QString());
     }
+    case Selection::Kind::kMeasurement:
+      return measurementKey(project, named.name);
     case Selection::Kind::kTouch:
       break;
   }
@@ -65,8 +75,10 @@ PropertyPage* makePage(const Workspace& workspace) {
     addSupportRows(*page);
   else if (selection.named->kind == Selection::Kind::kLoad)
     addLoadRows(*page);
-  else
+  else if (selection.named->kind == Selection::Kind::kTouch)
     addTouchRows(*page);
+  else
+    addMeasurementRows(*page);
   return page;
 }
 

@@ -20,8 +20,12 @@ void addPointRows(PropertyPage& page);      // point_rows.cpp
 void addPatchRows(PropertyPage& page);      // patch_rows.cpp
 void addEdgeRows(PropertyPage& page);       // edge_rows.cpp
 void addSupportRows(PropertyPage& page);    // condition_rows.cpp
-void addLoadRows(PropertyPage& page);
 void addTouchRows(PropertyPage& page);
+void addMeasurementRows(PropertyPage& page);  // measurement_rows.cpp
+void addLoadRows(PropertyPage& page);  // load_rows.cpp
+
+/// Row with the name of the selected support, load or touch.
+void addNameRow(PropertyPage& page);  // condition_rows.cpp
 
 /// Rows for the parts of a region, with fields and buttons to remove and add.
 void addRegionRows(PropertyPage& page, PropertyPage::Get<modeling::Region> get,

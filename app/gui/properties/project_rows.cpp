@@ -1,33 +1,30 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/gui/base/measures.h"
 #include "app/gui/base/translate.h"
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/naming.h"
+#include "app/gui/document/own_materials.h"
 #include "app/gui/properties/pages.h"
 #include "app/gui/view/scene_controller.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
-#include "modeling/project/material_library.h"
 
 namespace palpa::gui {
 namespace {
 
 /// Renames a library material with changed constants.
 void renameWhenChanged(modeling::Material& material) {
-  const auto& library = modeling::materialLibrary();
-  const bool isOfLibrary = std::any_of(library.begin(), library.end(), [&](const auto& each) {
-    return each.material.name == material.name;
-  });
-  if (isOfLibrary) material.name += tr(", changed").toStdString();
+  if (isOfLibrary(material.name)) material.name += tr(", changed").toStdString();
 }
 
 void addMaterial(PropertyPage& page) {
   // A new field needs a row: it does not compile here.
-  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio, density] = modeling::Material{};
+  [[maybe_unused]] const auto [name, youngsModulus, poissonRatio, unused] = modeling::Material{};
   Editor& editor = page.editor();
   page.addSection(tr("Material"), "material");
   page.addFact(tr("Name"), "materialName",
@@ -50,6 +47,19 @@ void addMaterial(PropertyPage& page) {
         renameWhenChanged(material);
         return editor.perform(modeling::SetMaterial{material});
       });
+  QuantityEdit* density = page.addQuantity(
+      tr("&Density"), "density", Quantity::kDensity,
+      [&editor] {
+        return editor.project().material.densityKgPerM3.value_or(
+            std::numeric_limits<double>::quiet_NaN());
+      },
+      [&editor](double value) {
+        modeling::Material material = editor.project().material;
+        material.densityKgPerM3 = std::isnan(value) ? std::nullopt : std::optional(value);
+        renameWhenChanged(material);
+        return editor.perform(modeling::SetMaterial{material});
+      });
+  density->setOptional(tr("unknown"));
   page.addButton(tr("Choo&se …"), "chooseMaterial", "material",
                  [workspace = page.workspace()] { editMaterial(workspace); });
 }

@@ -104,18 +104,33 @@ bool Samples::pinAt(const Eigen::Vector2d& pixel) {
       return true;
     }
   if (count() >= kMaxPins) return false;
-  if (const auto inside = section_.sampleAt(pixel)) {
-    pins_.push_back({inside->values.at, std::nullopt});
-  } else {
-    Eigen::Vector3d drawn;
-    const auto place = surfacePlaceAt(pixel, drawn);
-    if (!place) return false;
-    pins_.push_back({place->position, place});
-  }
+  const auto pin = placeAt(pixel);
+  if (!pin) return false;
+  pins_.push_back(*pin);
   inside_.reset();
   selected_ = count() - 1;
   evaluate();
   return true;
+}
+
+std::optional<Samples::Pin> Samples::placeAt(const Eigen::Vector2d& pixel) const {
+  if (const auto inside = section_.sampleAt(pixel)) return Pin{inside->values.at, std::nullopt};
+  Eigen::Vector3d drawn;
+  const auto place = surfacePlaceAt(pixel, drawn);
+  if (!place) return std::nullopt;
+  return Pin{place->position, place};
+}
+
+void Samples::setPin(int index, const Pin& pin) {
+  pins_[static_cast<std::size_t>(index)] = pin;
+  inside_.reset();
+  evaluate();
+}
+
+bool Samples::movePin(int index, const Eigen::Vector2d& pixel) {
+  const auto pin = placeAt(pixel);
+  if (pin) setPin(index, *pin);
+  return pin.has_value();
 }
 
 void Samples::select(int index) {

@@ -30,6 +30,16 @@ class Samples : public QObject {
   void hover(const std::optional<Eigen::Vector2d>& pixel);
   /// Pins the sample under a pixel, or selects the pin there. False if nothing is there.
   bool pinAt(const Eigen::Vector2d& pixel);
+  struct Pin {
+    Eigen::Vector3d at;                        ///< mm, at rest
+    std::optional<bem::SurfacePoint> surface;  ///< none: inside
+  };
+  /// index: 0 … count() - 1.
+  const Pin& pin(int index) const { return pins_[static_cast<std::size_t>(index)]; }
+  void setPin(int index, const Pin& pin);
+  /// Moves a pin to the place under a pixel, on the surface or the section. False and unchanged if
+  /// nothing is there.
+  bool movePin(int index, const Eigen::Vector2d& pixel);
   void select(int index);
   int selected() const { return selected_; }
   /// Removes the selected pin; without one the last.
@@ -49,10 +59,7 @@ class Samples : public QObject {
   void changed();
 
  private:
-  struct Pin {
-    Eigen::Vector3d at;                        ///< mm, at rest
-    std::optional<bem::SurfacePoint> surface;  ///< none: inside
-  };
+  std::optional<Pin> placeAt(const Eigen::Vector2d& pixel) const;
   std::optional<bem::SurfacePoint> surfacePlaceAt(const Eigen::Vector2d& pixel,
                                                   Eigen::Vector3d& drawn) const;
   Eigen::Vector3d drawn(std::size_t pin) const;

@@ -23,14 +23,6 @@ constexpr int kMaxPieces = 8;  // of an edge of the mesh
 /// Smallest range of colours, as a share of the body's size or of Young's modulus.
 constexpr double kMinShare = 0.005;
 
-modeling::DisplaySettings displaySettings(const app::TouchModel& model) {
-  modeling::DisplaySettings settings;
-  const double perTriangle = kTriangles / std::max(model.report().triangles, 1);
-  settings.mostPieces = std::clamp(static_cast<int>(std::sqrt(perTriangle)), 1, kMaxPieces);
-  settings.leastPieces = std::min(settings.leastPieces, settings.mostPieces);
-  return settings;
-}
-
 /// Smallest 1, 2 or 5 times a power of ten that is not below `value` > 0.
 double roundUp(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
@@ -64,6 +56,19 @@ Simulation::Simulation(Editor& editor, QObject* parent)
 }
 
 Simulation::~Simulation() = default;
+
+modeling::DisplaySettings Simulation::displaySettings(const app::TouchModel& model) {
+  modeling::DisplaySettings settings;
+  const double perTriangle = kTriangles / std::max(model.report().triangles, 1);
+  settings.mostPieces = std::clamp(static_cast<int>(std::sqrt(perTriangle)), 1, kMaxPieces);
+  settings.leastPieces = std::min(settings.leastPieces, settings.mostPieces);
+  return settings;
+}
+
+std::array<double, 2> Simulation::roundRange(double largest, bool isSymmetric) {
+  const double end = roundUp(largest);
+  return {isSymmetric ? -end : 0, end};
+}
 
 void Simulation::setActive(bool active) {
   if (active == isActive()) return;
@@ -120,7 +125,7 @@ void Simulation::setQuantity(app::SurfaceQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
   range_ = {0, 0};
-  largestInside_ = 0;
+  largestInside_ = largestBeside_ = 0;
   if (rangeMode_ == RangeMode::kHold) rangeMode_ = RangeMode::kAutomatic;
   isDirty_ = true;
   computeStiffness();
@@ -134,6 +139,12 @@ void Simulation::setRangeMode(RangeMode mode, const std::array<double, 2>& manua
   if (mode != RangeMode::kHold) range_ = {0, 0};
   isDirty_ = true;
   Q_EMIT picturesChanged();
+}
+
+void Simulation::setLargestBeside(double largest) {
+  if (largest == largestBeside_) return;
+  largestBeside_ = largest;
+  isDirty_ = true;
 }
 
 const bem::BoundaryField* Simulation::field() {
@@ -315,7 +326,7 @@ void Simulation::updateRange() {
     range_ = manualRange_;
     return;
   }
-  largest = std::max(largest, largestInside_);
+  largest = std::max({largest, largestInside_, largestBeside_});
   // Change the range rarely, so that colours can be compared over time.
   const double present = range_[1];
   const double least = leastRange();

@@ -28,6 +28,11 @@ class Simulation : public QObject {
   explicit Simulation(Editor& editor, QObject* parent = nullptr);
   ~Simulation() override;
 
+  /// How finely a model is drawn.
+  static modeling::DisplaySettings displaySettings(const app::TouchModel& model);
+  /// Round ends of the colours of values up to `largest`, which is above zero.
+  static std::array<double, 2> roundRange(double largest, bool isSymmetric);
+
   bool isActive() const { return timer_.isActive(); }
   /// Leaving the mode ends all contacts.
   void setActive(bool active);
@@ -77,6 +82,8 @@ class Simulation : public QObject {
   RangeMode rangeMode() const { return rangeMode_; }
   /// Largest absolute value on a section: the range encloses it, too.
   void setLargestInside(double largest) { largestInside_ = largest; }
+  /// The same for another body beside this one.
+  void setLargestBeside(double largest);
   /// The whole field of the last frame; null before the first body. Costs some milliseconds.
   const bem::BoundaryField* field();
   const std::shared_ptr<const app::DrawnBody>& sharedDrawn() const { return drawn_; }
@@ -146,7 +153,7 @@ class Simulation : public QObject {
   std::array<double, 2> range_{0, 1};
   RangeMode rangeMode_ = RangeMode::kAutomatic;
   std::array<double, 2> manualRange_{0, 1};
-  double largestInside_ = 0;
+  double largestInside_ = 0, largestBeside_ = 0;
   app::SurfaceQuantity quantity_ = app::SurfaceQuantity::kDisplacement;
   double scale_ = 1;
   std::optional<double> fingertip_;

@@ -82,6 +82,9 @@ view::ScalarField SimulationView::fieldLooks() const {
   field.name = name.toStdString();
   field.unit = fieldUnit().symbol.toStdString();
   if (info.isSigned) field.colours = view::ScalarField::Colours::kDiverging;
+  if (replacement_ && !replacement_->name.isEmpty()) field.name = replacement_->name.toStdString();
+  if (replacement_ && replacement_->isDiverging)
+    field.colours = view::ScalarField::Colours::kDiverging;
   field.isLogarithmic = info.isLogarithmic;
   return field;
 }
@@ -122,6 +125,30 @@ void SimulationView::showField() {
     field.range = std::array<double, 2>{1, 2};
     viewport.setField(field);
   }
+}
+
+void SimulationView::setReplacement(std::optional<Replacement> replacement) {
+  if (!replacement && !replacement_) return;
+  const auto isDiverging = [](const auto& each) { return each && each->isDiverging; };
+  const auto name = [](const auto& each) { return each ? each->name : QString(); };
+  const bool changesLooks = isDiverging(replacement) != isDiverging(replacement_) ||
+                            name(replacement) != name(replacement_);
+  replacement_ = std::move(replacement);
+  isStale_ = true;
+  if (!hasBody_) return;
+  if (changesLooks) showField();
+  // After a change of the quantity the next frame has its values and range.
+  if (simulation_.range()[0] < simulation_.range()[1]) showFrame();
+}
+
+const std::vector<double>& SimulationView::values() const {
+  const std::size_t count = simulation_.shape().positions.size();
+  const bool isReplaced = replacement_ && replacement_->values.size() == count;
+  return isReplaced ? replacement_->values : simulation_.values();
+}
+
+std::array<double, 2> SimulationView::range() const {
+  return replacement_ && replacement_->range ? *replacement_->range : simulation_.range();
 }
 
 void SimulationView::setGhostShown(bool shown) {
@@ -180,10 +207,9 @@ void SimulationView::showFrame() {
   viewport.moveBody(simulation_.shape().positions, simulation_.shape().normals);
   if (simulation_.quantity() != SurfaceQuantity::kNone) {
     const double factor = fieldUnit().factor;
-    std::vector<double> values = simulation_.values();
+    std::vector<double> values = this->values();
     for (double& value : values) value /= factor;
-    viewport.setFieldValues(values,
-                            {simulation_.range()[0] / factor, simulation_.range()[1] / factor});
+    viewport.setFieldValues(values, {range()[0] / factor, range()[1] / factor});
   }
   showContacts();
   widget_.updateQuickly();
@@ -204,7 +230,33 @@ std::vector<Eigen::Vector3d> SimulationView::ring(const app::TouchSnapshot::Cont
   return points;
 }
 
+void SimulationView::showReplacedContacts() {
+  view::LiveArrows arrows;
+  double largest = 0;
+  for (const app::TouchState::Contact& contact : *replacement_->contacts) {
+    const double force = contact.force.norm();
+    if (force == 0) continue;
+    largest = std::max(largest, force);
+    arrows.arrows.push_back(
+        {contact.at + simulation_.scale() * contact.displacement, contact.force,
+         contact.normalForce() > 0 ? view::ForceArrow::Anchor::kTip
+                                   : view::ForceArrow::Anchor::kTail,
+         view::ForceArrow::Role::kApplied,
+         shown(force, Quantity::kForce, settings_.units(), kLabelDigits).toStdString()});
+  }
+  if (largest > fullForce_ || largest < 0.1 * fullForce_) fullForce_ = 2 * largest;
+  arrows.fullForce = fullForce_ > 0 ? fullForce_ : 1;
+  view::Viewport& viewport = widget_.viewport();
+  viewport.setLiveArrows(arrows);
+  viewport.setContactRings({});
+  viewport.setBalls({});
+}
+
 void SimulationView::showContacts() {
+  if (replacement_ && replacement_->contacts) {
+    showReplacedContacts();
+    return;
+  }
   const app::TouchSnapshot& snapshot = simulation_.snapshot();
   view::LiveArrows arrows;
   std::vector<view::ContactRing> rings;

@@ -23,6 +23,16 @@ class SimulationView : public QObject {
   void setGhostShown(bool shown);
   bool isGhostShown() const { return isGhostShown_; }
 
+  /// What is shown instead of the state of the simulation; numbers in the program's units.
+  struct Replacement {
+    QString name{};                                ///< of the field; empty: of the quantity
+    std::vector<double> values{};                  ///< one per point of the body; empty: as usual
+    std::optional<std::array<double, 2>> range{};  ///< of the colours
+    bool isDiverging = false;                      ///< the sign of the values matters
+    std::optional<std::vector<app::TouchState::Contact>> contacts{};
+  };
+  void setReplacement(std::optional<Replacement> replacement);
+
  private:
   /// What a frame shows.
   struct Drawn {
@@ -39,6 +49,10 @@ class SimulationView : public QObject {
   void showGhost();
   void showFrame();
   void showContacts();
+  void showReplacedContacts();
+  /// The numbers and the range to be shown.
+  const std::vector<double>& values() const;
+  std::array<double, 2> range() const;
   /// True if the last frame differs visibly from what was drawn; takes it as drawn.
   bool hasChanged();
   /// Name, unit and colours of the shown quantity.
@@ -56,6 +70,7 @@ class SimulationView : public QObject {
   bool isStale_ = true;  // must be drawn even without a change
   double size_ = 0;      // mm, of the body
   Drawn drawn_;
+  std::optional<Replacement> replacement_;
   double fullForce_ = 0;                     // force of the longest arrow, N
   std::map<app::TouchId, bool> isPressing_;  // the tip of the arrow is on the surface
 };

@@ -56,11 +56,11 @@ SweepDialog::SweepDialog(const Workspace& workspace, std::shared_ptr<const app::
   auto* form = new QFormLayout;
   most_->setRange(1e-9, 1e9);
   most_->setValue(touch_.vector.norm());
-  addFormRow(form, info.isForce ? tr("From zero to &force") : tr("From zero to &depth"), most_,
+  addFormRow(form, info.isForce ? tr("From zero to &force:") : tr("From zero to &depth:"), most_,
              "sweepMost");
   steps_->setRange(1, app::kMaxSweepSteps);
   steps_->setValue(kSteps);
-  addFormRow(form, tr("&Steps"), steps_, "sweepSteps",
+  addFormRow(form, tr("&Steps:"), steps_, "sweepSteps",
              tr("Each state is a separate touch from first contact on, so the curve is one of "
                 "loading"));
   auto* controls = new QHBoxLayout;

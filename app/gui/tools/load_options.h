@@ -3,6 +3,8 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
+#include <array>
 
 #include "app/gui/tools/condition_choice.h"
 #include "app/gui/tools/load_tool.h"
@@ -28,8 +30,10 @@ class LoadOptions : public QWidget {
   QComboBox* kind_;
   ConditionChoice* load_;
   QuantityEdit* strength_;
-  VectorEdit* traction_;
+  std::array<VectorEdit*, kLoadKindCount> vectors_{};  // by kind; null for kinds without a vector
   QuantityEdit* radius_;
+  QPushButton* earth_;
+  QPushButton* addGravity_;
   QLabel* share_;
 };
 

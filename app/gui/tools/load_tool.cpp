@@ -11,9 +11,6 @@ namespace {
 using Kind = Selection::Kind;
 using Style = view::ToolDrawing::Style;
 
-constexpr double kStrengthShare = 0.02;  // of Young's modulus: strains of a few per cent
-constexpr double kBumpShare = 0.1;       // of the body's size
-
 }  // namespace
 
 void LoadTool::setKind(LoadKind kind) {
@@ -27,33 +24,45 @@ void LoadTool::setKind(LoadKind kind) {
 const modeling::Load* LoadTool::target() const {
   const auto name = selected(Kind::kLoad);
   const auto* load = name ? findNamed(editor_.project().loads, *name) : nullptr;
-  return load && load->what.index() == static_cast<std::size_t>(kind_) ? load : nullptr;
+  return load && loadKindOf(*load) == kind_ ? load : nullptr;
 }
 
-double LoadTool::defaultStrength() const {
-  return kStrengthShare * editor_.project().material.youngsModulus;
+void LoadTool::followSelection() {
+  const auto name = selected(Kind::kLoad);
+  if (const auto* load = name ? findNamed(editor_.project().loads, *name) : nullptr)
+    setKind(loadKindOf(*load));
+}
+
+modeling::Load LoadTool::next() const {
+  modeling::Load load = usualLoad(kind_, editor_.project());
+  if (auto* pressure = std::get_if<modeling::Pressure>(&load.what))
+    pressure->pressure = strength_.value_or(pressure->pressure);
+  if (auto* bump = std::get_if<modeling::Bump>(&load.what)) {
+    bump->peak = strength_.value_or(bump->peak);
+    bump->radius = radius_.value_or(bump->radius);
+  }
+  if (Eigen::Vector3d* vector = vectorOf(load))
+    *vector = vectors_[static_cast<std::size_t>(kind_)].value_or(*vector);
+  return load;
 }
 
 double LoadTool::strength() const {
-  if (const modeling::Load* load = target()) {
-    if (const auto* pressure = std::get_if<modeling::Pressure>(&load->what))
-      return pressure->pressure;
-    if (const auto* bump = std::get_if<modeling::Bump>(&load->what)) return bump->peak;
-  }
-  return strength_.value_or(defaultStrength());
+  const modeling::Load load = target() ? *target() : next();
+  if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) return pressure->pressure;
+  if (const auto* bump = std::get_if<modeling::Bump>(&load.what)) return bump->peak;
+  return 0;
 }
 
-Eigen::Vector3d LoadTool::traction() const {
-  if (const modeling::Load* load = target())
-    if (const auto* traction = std::get_if<modeling::UniformTraction>(&load->what))
-      return traction->traction;
-  return traction_.value_or(-defaultStrength() * Eigen::Vector3d::UnitZ());
+Eigen::Vector3d LoadTool::vector() const {
+  const modeling::Load load = target() ? *target() : next();
+  const Eigen::Vector3d* vector = vectorOf(load);
+  return vector ? *vector : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
 double LoadTool::radius() const {
-  if (const modeling::Load* load = target())
-    if (const auto* bump = std::get_if<modeling::Bump>(&load->what)) return bump->radius;
-  return radius_.value_or(kBumpShare * bodySize());
+  const modeling::Load load = target() ? *target() : next();
+  const auto* bump = std::get_if<modeling::Bump>(&load.what);
+  return bump ? bump->radius : 0;
 }
 
 void LoadTool::change(const modeling::Load& load) {
@@ -71,12 +80,11 @@ void LoadTool::setStrength(double strength) {
   Q_EMIT changed();
 }
 
-void LoadTool::setTraction(const Eigen::Vector3d& traction) {
-  traction_ = traction;
+void LoadTool::setVector(const Eigen::Vector3d& vector) {
+  vectors_[static_cast<std::size_t>(kind_)] = vector;
   if (const modeling::Load* present = target()) {
     modeling::Load load = *present;
-    if (auto* uniform = std::get_if<modeling::UniformTraction>(&load.what))
-      uniform->traction = traction;
+    if (Eigen::Vector3d* of = vectorOf(load)) *of = vector;
     change(load);
   }
   Q_EMIT changed();
@@ -96,7 +104,11 @@ bool LoadTool::press(const PointerEvent& event) {
   if (event.button != Qt::LeftButton) return false;
   const auto place = scene_.placeAt(event.pixel);
   if (!place) return true;
-  if (kind_ != LoadKind::kBump) {
+  if (kind_ == LoadKind::kGravity) {
+    placeGravity();
+    return true;
+  }
+  if (actsOnPatches(kind_)) {
     clickPatch(place->patch);
     return true;
   }
@@ -120,17 +132,13 @@ void LoadTool::clickPatch(int patch) {
       change(load);
     return;
   }
-  const auto& loads = editor_.project().loads;
-  modeling::Load load;
-  if (kind_ == LoadKind::kPressure) {
-    load.name = freeName(tr("pressure").toStdString(), loads);
-    load.what = modeling::Pressure{modeling::Region::ofPatches({name}), strength()};
-  } else {
-    load.name = freeName(tr("traction").toStdString(), loads);
-    load.what = modeling::UniformTraction{modeling::Region::ofPatches({name}), traction()};
-  }
-  if (editor_.perform(modeling::AddLoad{load}))
-    editor_.select(Selection::of(Kind::kLoad, load.name));
+  modeling::Load load = next();
+  *regionOf(load) = modeling::Region::ofPatches({name});
+  addLoad(editor_, load);
+}
+
+void LoadTool::placeGravity() {
+  addGravity(editor_, next());
 }
 
 bool LoadTool::move(const PointerEvent& event) {
@@ -156,18 +164,14 @@ bool LoadTool::release(const PointerEvent& event) {
 }
 
 void LoadTool::placeBump() {
-  modeling::Load load;
-  load.name = freeName(tr("bump").toStdString(), editor_.project().loads);
-  modeling::Bump bump;
+  modeling::Load load = next();
+  auto& bump = std::get<modeling::Bump>(load.what);
   bump.center = centre_->position;
-  bump.radius = dragged_ > 0 ? dragged_ : radius();
-  bump.peak = strength();
+  if (dragged_ > 0) bump.radius = dragged_;
   bump.direction = -centre_->normal;
-  load.what = bump;
   centre_.reset();
   draw({});
-  if (editor_.perform(modeling::AddLoad{load}))
-    editor_.select(Selection::of(Kind::kLoad, load.name));
+  addLoad(editor_, load);
 }
 
 bool LoadTool::cancel() {
@@ -200,12 +204,12 @@ void LoadTool::hover(const Eigen::Vector2d& pixel) {
       for (auto& line : ringOnSurface(scene_.surface(), place->position, radius()))
         drawing.lines.push_back({std::move(line), Style::kGuide, true});
     }
-  } else {
+  } else if (actsOnPatches(kind_)) {
     scene_.setHoveredPatch(place ? std::optional(place->patch) : std::nullopt);
     if (place) {
-      // Arrow along the traction at this place.
+      // Arrow along the force, or axis of the moment, at this place.
       const Eigen::Vector3d force =
-          kind_ == LoadKind::kPressure ? Eigen::Vector3d(-strength() * place->normal) : traction();
+          kind_ == LoadKind::kPressure ? Eigen::Vector3d(-strength() * place->normal) : vector();
       if (force.norm() > 0) {
         const Eigen::Vector3d along = 0.2 * bodySize() * force.normalized();
         const bool presses = force.dot(place->normal) < 0;
@@ -222,19 +226,23 @@ void LoadTool::hover(const Eigen::Vector2d& pixel) {
 }
 
 QString LoadTool::hint() const {
+  const QString patches = tr("; click a loaded patch to remove its load");
   switch (kind_) {
     case LoadKind::kPressure:
-      return tr(
-          "Click patches to press on them, a loaded patch to remove its load; the options have the "
-          "strength");
+      return tr("Click patches to press on them") + patches;
     case LoadKind::kTraction:
-      return tr(
-          "Click patches to pull at them, a loaded patch to remove its load; the options have the "
-          "vector");
-    default:
-      return tr("Press at the centre of the bump and drag its radius; a click sets %1")
-          .arg(shownLength(radius()));
+      return tr("Click patches to pull at them") + patches;
+    case LoadKind::kTotalForce:
+      return tr("Click patches to spread the force over them") + patches;
+    case LoadKind::kMoment:
+      return tr("Click patches to turn them") + patches;
+    case LoadKind::kGravity:
+      return tr("Click the body to give it its weight; the options have the acceleration");
+    case LoadKind::kBump:
+      break;
   }
+  return tr("Press at the centre of the bump and drag its radius; a click sets %1")
+      .arg(shownLength(radius()));
 }
 
 QWidget* LoadTool::makeOptions(QWidget* parent) {

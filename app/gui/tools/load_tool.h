@@ -1,18 +1,19 @@
 #pragma once
 
+#include <array>
+
+#include "app/gui/document/load_kinds.h"
 #include "app/gui/tools/surface_tool.h"
 
 namespace palpa::gui {
 
-/// Places loads: a pressure or a uniform traction on clicked patches, or a bump: a press sets its
-/// centre, a drag its radius. Patches go to the selected load of the chosen kind, or to a new load.
+/// Places loads: on clicked patches; a bump by a press at its centre and a drag of its radius;
+/// gravity by a click on the body. Patches go to the selected load of the chosen kind, or to a new
+/// load.
 class LoadTool : public SurfaceTool {
   Q_OBJECT
 
  public:
-  /// In the order of the alternatives of Load::what.
-  enum class LoadKind { kPressure, kTraction, kBump };
-
   using SurfaceTool::SurfaceTool;
 
   bool press(const PointerEvent& event) override;
@@ -29,27 +30,34 @@ class LoadTool : public SurfaceTool {
   /// Strength of the selected load of this kind, or of the next one, MPa; for a bump its peak.
   double strength() const;
   void setStrength(double strength);
-  Eigen::Vector3d traction() const;
-  void setTraction(const Eigen::Vector3d& traction);
+  /// Vector of the selected load of this kind, or of the next one; zero for kinds without one.
+  Eigen::Vector3d vector() const;
+  void setVector(const Eigen::Vector3d& vector);
   /// Radius of the selected bump, or of a bump placed by a click, mm.
   double radius() const;
   void setRadius(double radius);
+  /// The selected load of this kind; null without one.
+  const modeling::Load* target() const;
+  /// Takes the kind of the selected load, if any.
+  void followSelection();
+  /// Selects the gravity of the project, or adds it with the acceleration of the options.
+  void placeGravity();
 
  private:
-  const modeling::Load* target() const;
+  /// The next new load of this kind, without name and region.
+  modeling::Load next() const;
   void change(const modeling::Load& load);
   void clickPatch(int patch);
   void placeBump();
-  double defaultStrength() const;
   void hover(const Eigen::Vector2d& pixel);
   void drawBump();
 
   LoadKind kind_ = LoadKind::kPressure;
-  std::optional<double> strength_;           // MPa; default: a share of Young's modulus
-  std::optional<Eigen::Vector3d> traction_;  // MPa; default as for strength_
-  std::optional<double> radius_;             // mm; default: a share of the body's size
-  std::optional<SurfacePlace> centre_;       // centre of the dragged bump
-  double dragged_ = 0;                       // radius of the dragged bump, mm; 0 before the drag
+  std::optional<double> strength_;                                      // MPa; default: usualLoad()
+  std::array<std::optional<Eigen::Vector3d>, kLoadKindCount> vectors_;  // by kind, as strength_
+  std::optional<double> radius_;                                        // mm; as strength_
+  std::optional<SurfacePlace> centre_;  // centre of the dragged bump
+  double dragged_ = 0;                  // radius of the dragged bump, mm; 0 before the drag
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();
 };
 

@@ -1,7 +1,9 @@
 #include "app/gui/tools/surface_tools.h"
 
 #include "app/gui/tools/knot_tool.h"
+#include "app/gui/tools/load_entries.h"
 #include "app/gui/tools/load_tool.h"
+#include "app/gui/tools/measure_tool.h"
 #include "app/gui/tools/remove_knot_tool.h"
 #include "app/gui/tools/support_tool.h"
 #include "app/gui/tools/touch_tool.h"
@@ -12,10 +14,12 @@ namespace palpa::gui {
 namespace {
 
 template <class SurfaceTool>
-void add(const Workspace& workspace, QMenu* menu, const Menus::Item& item) {
-  workspace.tools.add(std::make_unique<SurfaceTool>(workspace.settings, workspace.editor,
-                                                    workspace.scene, workspace.view),
-                      menu, item);
+SurfaceTool& add(const Workspace& workspace, QMenu* menu, const Menus::Item& item) {
+  auto tool = std::make_unique<SurfaceTool>(workspace.settings, workspace.editor, workspace.scene,
+                                            workspace.view);
+  SurfaceTool& added = *tool;
+  workspace.tools.add(std::move(tool), menu, item);
+  return added;
 }
 
 }  // namespace
@@ -26,9 +30,11 @@ void addSurfaceTools(const Workspace& workspace) {
   add<SupportTool>(workspace, menus.conditions,
                    {"paint-support", tr("&Paint support"), QKeySequence(Qt::Key_P),
                     tr("Choose where the body is supported: patch by patch, or with a brush")});
-  add<LoadTool>(workspace, menus.conditions,
-                {"place-load", tr("Place &load"), QKeySequence(Qt::Key_L),
-                 tr("Press or pull at patches, or around a point")});
+  addLoadEntries(workspace,
+                 add<LoadTool>(workspace, menus.conditions,
+                               {"place-load", tr("Place &load"), QKeySequence(Qt::Key_L),
+                                tr("Forces, moments and pressures on patches or around a point, "
+                                   "and gravity")}));
   add<TouchTool>(workspace, menus.conditions,
                  {"place-touch", tr("Place &touch"), QKeySequence(Qt::Key_T),
                   tr("Record a touch: press on the surface and pull")});
@@ -38,6 +44,9 @@ void addSurfaceTools(const Workspace& workspace) {
   add<RemoveKnotTool>(workspace, menus.solid,
                       {"remove-knot", tr("&Remove knot"), QKeySequence(Qt::SHIFT | Qt::Key_K),
                        tr("Remove a line of control points where the shape allows it")});
+  add<MeasureTool>(workspace, menus.solid,
+                   {"measure", tr("&Measure"), QKeySequence(Qt::Key_M),
+                    tr("Distances, lengths, angles, wall thicknesses and radii of the body")});
 }
 
 }  // namespace palpa::gui

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/gui/base/overloaded.h"
+#include "app/gui/document/load_kinds.h"
+#include "app/view/scene/arrows.h"
 
 namespace palpa::gui {
 namespace {
@@ -25,47 +26,9 @@ view::ForceArrow arrow(const std::string& label, const Eigen::Vector3d& at,
   return result;
 }
 
-/// Strength along the arrow. A pressure keeps its sign: suction is negative.
-QString strengthOf(const modeling::Load& load, const ShownUnits& units) {
-  constexpr int kDigits = 3;
-  const auto stress = [&](double value) { return shown(value, Quantity::kStress, units, kDigits); };
-  const auto number = [&](double value, const char* unit) {
-    return shown(value, Quantity::kNumber, units, kDigits) + unit;
-  };
-  return std::visit(
-      Overloaded{
-          [&](const modeling::Pressure& of) { return stress(of.pressure); },
-          [&](const modeling::UniformTraction& of) { return stress(of.traction.norm()); },
-          [&](const modeling::Bump& of) { return stress(std::abs(of.peak) * of.direction.norm()); },
-          [&](const modeling::TotalForce& of) {
-            return shown(of.force.norm(), Quantity::kForce, units, kDigits);
-          },
-          [&](const modeling::Moment& of) { return number(of.moment.norm(), " N mm"); },
-          [&](const modeling::Gravity& of) {
-            return number(of.accelerationMPerS2.norm(), " m/s²");
-          }},
-      load.what);
-}
-
-/// "Weight: 2.5 kPa".
-std::string labelOf(const modeling::Load& load, const ShownUnits& units) {
-  return load.name + ": " + strengthOf(load, units).toStdString();
-}
-
-/// Direction of the arrow at a place of the load's region; zero without one.
-Eigen::Vector3d directionOf(const modeling::Load& load) {
-  return std::visit(
-      Overloaded{[](const modeling::UniformTraction& of) { return of.traction; },
-                 [](const modeling::TotalForce& of) { return of.force; },
-                 [](const modeling::Moment& of) { return of.moment; },
-                 [](const auto&) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }},
-      load.what);
-}
-
-}  // namespace
-
-std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
-                                         const ShownSurface& surface) {
+/// Tells for each triangle whether its middle lies in the region.
+auto insideTest(const modeling::Region& region, const modeling::Body& body,
+                const ShownSurface& surface) {
   const auto isIn = [&](const std::vector<modeling::RegionPart>& parts) {
     return [&parts, isNamed = modeling::namedPatches(parts, body)](int patch,
                                                                    const Eigen::Vector3d& point) {
@@ -73,13 +36,33 @@ std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const m
     };
   };
   const auto isInside = isIn(region.parts), isExcepted = isIn(region.except);
+  return [=](std::size_t triangle) {
+    const Eigen::Vector3d middle = surface.middle(triangle);
+    const int patch = surface.patchOfTriangle[triangle];
+    return isInside(patch, middle) && !isExcepted(patch, middle);
+  };
+}
+
+/// "Weight: 2.5 kPa".
+std::string labelOf(const modeling::Load& load, const ShownUnits& units) {
+  return load.name + ": " + strengthText(load, units).toStdString();
+}
+
+double signOf(double value) {
+  return value < 0.0 ? -1.0 : value > 0.0 ? 1.0 : 0.0;
+}
+
+}  // namespace
+
+std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
+                                         const ShownSurface& surface) {
+  const auto isInside = insideTest(region, body, surface);
   std::vector<std::size_t> inside;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double area = 0.0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (!isInside(t)) continue;
     const Eigen::Vector3d middle = surface.middle(t);
-    const int patch = surface.patchOfTriangle[t];
-    if (!isInside(patch, middle) || isExcepted(patch, middle)) continue;
     const double size = areaVector(surface, t).norm();
     inside.push_back(t);
     centre += size * middle;
@@ -100,33 +83,44 @@ std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const m
                       areaVector(surface, best).normalized()};
 }
 
+double regionArea(const modeling::Region& region, const modeling::Body& body,
+                  const ShownSurface& surface) {
+  const auto isInside = insideTest(region, body, surface);
+  double area = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (isInside(t)) area += areaVector(surface, t).norm();
+  return area;
+}
+
 std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
                                          const ShownSurface& surface, const ShownUnits& units) {
   using Anchor = view::ForceArrow::Anchor;
   std::vector<view::ForceArrow> arrows;
   for (const modeling::Load& load : project.loads) {
+    const std::string label = labelOf(load, units);
     if (const auto* bump = std::get_if<modeling::Bump>(&load.what)) {
-      const double sign = bump->peak < 0.0 ? -1.0 : bump->peak > 0.0 ? 1.0 : 0.0;
       arrows.push_back(
-          arrow(labelOf(load, units), bump->center, sign * bump->direction, Anchor::kTip));
+          arrow(label, bump->center, signOf(bump->peak) * bump->direction, Anchor::kTip));
       continue;
     }
     if (const auto* gravity = std::get_if<modeling::Gravity>(&load.what)) {
-      const auto corners = modeling::boundingBox(project.body);
-      arrows.push_back(arrow(labelOf(load, units), (corners[0] + corners[1]) / 2,
+      arrows.push_back(arrow(label, view::volumeCentre(surface.positions, surface.triangles),
                              gravity->accelerationMPerS2, Anchor::kTail));
+      arrows.back().kind = view::ForceArrow::Kind::kWeight;
       continue;
     }
     const auto place = regionMiddle(*modeling::regionOf(load), project.body, surface);
     if (!place) continue;
     if (const auto* pressure = std::get_if<modeling::Pressure>(&load.what)) {
-      const double sign = pressure->pressure < 0.0 ? -1.0 : pressure->pressure > 0.0 ? 1.0 : 0.0;
-      arrows.push_back(arrow(labelOf(load, units), place->position, -sign * place->normal,
+      const double sign = signOf(pressure->pressure);
+      arrows.push_back(arrow(label, place->position, -sign * place->normal,
                              sign < 0.0 ? Anchor::kTail : Anchor::kTip));
     } else {
-      const Eigen::Vector3d direction = directionOf(load);
-      arrows.push_back(arrow(labelOf(load, units), place->position, direction,
+      const Eigen::Vector3d& direction = *vectorOf(load);
+      arrows.push_back(arrow(label, place->position, direction,
                              direction.dot(place->normal) < 0.0 ? Anchor::kTip : Anchor::kTail));
+      if (std::holds_alternative<modeling::Moment>(load.what))
+        arrows.back().kind = view::ForceArrow::Kind::kMoment;
     }
   }
   return arrows;

@@ -15,8 +15,13 @@ namespace palpa::gui {
 std::optional<SurfacePlace> regionMiddle(const modeling::Region& region, const modeling::Body& body,
                                          const ShownSurface& surface);
 
+/// Area of a region, mm²; of whole triangles.
+double regionArea(const modeling::Region& region, const modeling::Body& body,
+                  const ShownSurface& surface);
+
 /// One arrow for each load, with name and strength. Arrows of pressures and bumps end on the
-/// surface, arrows of tractions may begin there. All arrows have the same length.
+/// surface, arrows of tractions may begin there, and the weight at the centre of volume. All forces
+/// have the same length.
 std::vector<view::ForceArrow> loadArrows(const modeling::Project& project,
                                          const ShownSurface& surface, const ShownUnits& units);
 

@@ -14,12 +14,13 @@ struct Toggle {
   bool SavedView::*on;
 };
 
-const std::array<Toggle, 7> kToggles{{{"net", &SavedView::showsNet},
+const std::array<Toggle, 8> kToggles{{{"net", &SavedView::showsNet},
                                       {"grid", &SavedView::showsGrid},
                                       {"axes", &SavedView::showsAxes},
                                       {"cube", &SavedView::showsCube},
                                       {"conditions", &SavedView::showsConditions},
                                       {"touches", &SavedView::showsTouches},
+                                      {"dimensions", &SavedView::showsDimensions},
                                       {"warnings", &SavedView::showsWarnings}}};
 const std::array<const char*, 3> kShadings{"shaded", "edges", "wire"};  // as view::Shading
 

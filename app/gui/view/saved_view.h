@@ -13,6 +13,7 @@ struct SavedView {
   view::Shading shading = view::Shading::kShadedWithEdges;
   bool showsNet = true, showsGrid = true, showsAxes = true, showsCube = true;
   bool showsConditions = true, showsTouches = true, showsWarnings = true;
+  bool showsDimensions = true;
 };
 
 /// The view as a JSON object. Entries of `present` with other keys stay.

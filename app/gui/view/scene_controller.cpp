@@ -25,7 +25,11 @@ void unite(std::vector<double>& field, const std::vector<double>& other) {
 }  // namespace
 
 SceneController::SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget)
-    : QObject(&widget), editor_(editor), settings_(settings), widget_(widget) {
+    : QObject(&widget),
+      editor_(editor),
+      settings_(settings),
+      widget_(widget),
+      dimensions_(new DimensionView(editor, settings, widget)) {
   connect(&editor, &Editor::projectReplaced, this, [this] {
     showProject();
     if (extent_ != Extent::kNothing) widget_.viewport().fit();

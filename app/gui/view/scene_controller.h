@@ -7,6 +7,7 @@
 
 #include "app/gui/base/settings.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/view/dimension_view.h"
 #include "app/gui/view/surface_place.h"
 #include "app/gui/view/viewport_widget.h"
 #include "modeling/solid/tessellation.h"
@@ -40,6 +41,8 @@ class SceneController : public QObject {
   /// Highlights the patch under the pointer.
   void setHoveredPatch(std::optional<int> patch);
 
+  DimensionView& dimensions() { return *dimensions_; }
+
   /// Points that enclose the selection in the view.
   std::vector<Eigen::Vector3d> selectedPlaces() const;
   /// Mean of the points that a motion of the selection moves; nothing without such points.
@@ -72,6 +75,7 @@ class SceneController : public QObject {
   Editor& editor_;
   const Settings& settings_;
   ViewportWidget& widget_;
+  DimensionView* dimensions_;  // owned by the widget
   std::unique_ptr<modeling::Tessellation> tessellation_;
   modeling::Tessellation::Shape shape_;  // as shown
   std::vector<int> patchOfTriangle_, patchOfPosition_;

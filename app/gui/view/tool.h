@@ -41,6 +41,11 @@ class Tool : public QObject {
   virtual bool key(QKeyEvent*) { return false; }
   /// True if key() would take this key now. Such keys do not trigger shortcuts of the menus.
   virtual bool wantsKey(const QKeyEvent&) const { return false; }
+  /// True if the present operation follows the pointer without a pressed button: then the view cube
+  /// does not take the pointer. By default, such operations want Enter, which confirms them.
+  virtual bool followsPointer() const {
+    return wantsKey(QKeyEvent(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier));
+  }
 
   /// Aborts the present operation (Escape). False without an operation.
   virtual bool cancel() { return false; }

@@ -165,9 +165,7 @@ void ViewportWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 std::optional<view::ViewCubePart> ViewportWidget::cubePartAt(const QMouseEvent& event) const {
-  // A tool that follows the pointer without a pressed button wants Enter, which confirms.
-  const QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
-  if (tool_ && tool_->wantsKey(enter)) return std::nullopt;
+  if (tool_ && tool_->followsPointer()) return std::nullopt;
   return viewport_->cubePartAt(toDevice(event.position()));
 }
 
@@ -293,6 +291,7 @@ void ViewportWidget::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (tool_ && tool_->key(event)) return;
+  if (event->modifiers() == Qt::NoModifier) Q_EMIT keyUnused(event->key());
   QWidget::keyPressEvent(event);
 }
 

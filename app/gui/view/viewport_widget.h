@@ -48,6 +48,8 @@ class ViewportWidget : public QWidget {
   void framePainted();
   /// The user pressed Escape and the tool had nothing to cancel.
   void escaped();
+  /// The user pressed a key without modifiers that neither the tool nor a menu uses.
+  void keyUnused(int key);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -18,6 +18,7 @@ constexpr int kNoteTime = 12000;      // ms until a note disappears
 constexpr int kMaxShownLength = 240;  // characters shown without "Details"
 constexpr int kMargin = 10;           // px to the widget below
 constexpr int kMaxWidth = 720;        // px
+constexpr int kMinBarWidth = 260;     // px
 
 /// The first line of a message, shortened after a word.
 QString beginning(const QString& text) {
@@ -39,7 +40,8 @@ QToolButton* makeButton(QWidget* row, const QString& name, const QString& text) 
 
 }  // namespace
 
-MessageBar::MessageBar(QWidget* under) : QWidget(under), rows_(new QVBoxLayout(this)) {
+MessageBar::MessageBar(QWidget* under, int keptFree)
+    : QWidget(under), keptFree_(keptFree), rows_(new QVBoxLayout(this)) {
   setObjectName("messages");
   setStyleSheet(
       "QFrame#message { background: palette(base); border: 1px solid palette(mid);"
@@ -112,7 +114,8 @@ QWidget* MessageBar::makeRow(const Message& message) {
   row->setProperty("error", message.isError);
   row->setProperty("text", message.text);
   auto* picture = new QLabel(row);
-  picture->setPixmap(icon(message.isError ? "warning" : "help").pixmap(20, 20));
+  picture->setObjectName("picture");
+  drawPicture(*row);
   const QString shortText = beginning(message.text);
   auto* text = new QLabel(shortText, row);
   text->setObjectName("text");
@@ -145,6 +148,12 @@ QWidget* MessageBar::makeRow(const Message& message) {
   return row;
 }
 
+/// A pixmap keeps the colours of the theme in which it was drawn.
+void MessageBar::drawPicture(const QWidget& row) {
+  row.findChild<QLabel*>("picture")->setPixmap(
+      icon(row.property("error").toBool() ? "warning" : "help").pixmap(20, 20));
+}
+
 void MessageBar::addActions(const std::vector<Action>& actions, QWidget* row, QVBoxLayout& under) {
   auto* line = new QHBoxLayout;
   for (const Action& action : actions) {
@@ -170,16 +179,24 @@ void MessageBar::remove(QWidget* row) {
 }
 
 void MessageBar::place() {
-  const int width = std::min(kMaxWidth, parentWidget()->width() - 2 * kMargin);
+  const int whole = parentWidget()->width(), free = whole - keptFree_ - 2 * kMargin;
+  const int width = std::min(kMaxWidth, free < kMinBarWidth ? whole - 2 * kMargin : free);
+  // In the middle if there is room, otherwise beside what is kept free.
+  const int left = std::max(kMargin, std::min((whole - width) / 2, kMargin + free - width));
   const int height =
       rows_->hasHeightForWidth() ? rows_->heightForWidth(width) : rows_->sizeHint().height();
-  setGeometry((parentWidget()->width() - width) / 2, kMargin, width,
-              std::min(height, parentWidget()->height() - 2 * kMargin));
+  setGeometry(left, kMargin, width, std::min(height, parentWidget()->height() - 2 * kMargin));
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched == parentWidget() && event->type() == QEvent::Resize) place();
   return QWidget::eventFilter(watched, event);
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange)
+    for (int i = 0; i < rows_->count(); ++i) drawPicture(*rows_->itemAt(i)->widget());
+  QWidget::changeEvent(event);
 }
 
 bool MessageBar::event(QEvent* event) {

@@ -17,8 +17,8 @@ class MessageBar : public QWidget {
  public:
   static constexpr int kMaxMessages = 3;
 
-  /// Covers the top of `under` and follows its size.
-  explicit MessageBar(QWidget* under);
+  /// Covers the top of `under` and follows its size, except for `keptFree` px at the right.
+  explicit MessageBar(QWidget* under, int keptFree = 0);
 
   /// A button below a message. It removes the message.
   struct Action {
@@ -40,6 +40,7 @@ class MessageBar : public QWidget {
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   struct Message {
@@ -54,7 +55,9 @@ class MessageBar : public QWidget {
   void leaveLater(QWidget* row);
   void remove(QWidget* row);
   void place();
+  static void drawPicture(const QWidget& row);
 
+  const int keptFree_;
   QVBoxLayout* rows_;
   std::deque<Message> waiting_;
 };

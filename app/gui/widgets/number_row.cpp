@@ -39,13 +39,27 @@ void NumberRow::setValue(double value) {
 }
 
 std::optional<double> NumberRow::value() const {
-  if (!ownProblem().isEmpty()) return std::nullopt;
+  if (isEmpty() || !isValid()) return std::nullopt;
   // A field that was not edited keeps all digits of its value.
   if (!field_->isModified()) return field_->value();
   return parsed(field_->text(), quantity_, settings_.units());
 }
 
+void NumberRow::setOptional(const QString& placeholder) {
+  field_->setOptional(placeholder);
+  showProblem();
+}
+
+void NumberRow::clear() {
+  setValue(std::numeric_limits<double>::quiet_NaN());
+}
+
+bool NumberRow::isEmpty() const {
+  return field_->isOptional() && field_->text().trimmed().isEmpty();
+}
+
 QString NumberRow::ownProblem() const {
+  if (isEmpty()) return {};
   const auto value = field_->isModified() ? parsed(field_->text(), quantity_, settings_.units())
                                           : std::optional(field_->value());
   if (!value) return tr("This is not a number");

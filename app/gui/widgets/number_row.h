@@ -19,8 +19,13 @@ class NumberRow : public QWidget {
   /// Both ends included.
   void setRange(double least, double most);
   void setValue(double value);
-  /// Present content in the program's unit; nothing while it is invalid.
+  /// Present content in the program's unit; nothing while it is invalid or empty.
   std::optional<double> value() const;
+  /// The field may be empty; `placeholder` is then shown.
+  void setOptional(const QString& placeholder);
+  void clear();
+  /// True for a number in the range, and for an optional field without one.
+  bool isValid() const { return ownProblem().isEmpty(); }
   /// Error found by the owner; empty for none.
   void setProblem(const QString& problem);
 
@@ -29,6 +34,7 @@ class NumberRow : public QWidget {
   void changed();
 
  private:
+  bool isEmpty() const;
   QString ownProblem() const;
   void showProblem();
 

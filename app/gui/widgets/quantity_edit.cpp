@@ -35,7 +35,9 @@ void QuantityEdit::setRange(double least, double most) {
 
 void QuantityEdit::showValue() {
   const bool isShort = isNarrow_ && !hasFocus();
-  const QString text = shown(value_, quantity_, settings_.units(), isShort ? kFewDigits : kDigits);
+  const QString text = std::isnan(value_) ? QString()
+                                          : shown(value_, quantity_, settings_.units(),
+                                                  isShort ? kFewDigits : kDigits);
   if (text != this->text()) {
     setText(text);
     setCursorPosition(0);
@@ -47,6 +49,10 @@ void QuantityEdit::showValue() {
 
 void QuantityEdit::commit() {
   if (!isModified()) return;
+  if (isOptional_ && text().trimmed().isEmpty()) {
+    accept(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   const auto value = parsed(text(), quantity_, settings_.units());
   if (!value) {
     refuse(tr("This is not a number"));
@@ -60,7 +66,7 @@ void QuantityEdit::commit() {
 }
 
 void QuantityEdit::accept(double value) {
-  const bool differs = value != value_;
+  const bool differs = value != value_ && !(std::isnan(value) && std::isnan(value_));
   value_ = value;
   showValue();
   if (differs) Q_EMIT edited(value);
@@ -77,7 +83,13 @@ void QuantityEdit::setRefused(bool isRefused) {
   style()->polish(this);  // costs almost a millisecond, so only on a change
 }
 
+void QuantityEdit::setOptional(const QString& placeholder) {
+  isOptional_ = true;
+  setPlaceholderText(placeholder);
+}
+
 void QuantityEdit::stepBy(double steps) {
+  if (std::isnan(value_)) return;
   const double factor = settings_.units().of(quantity_).factor;
   const double number = value_ / factor;
   const double step =

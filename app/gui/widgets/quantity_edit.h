@@ -16,7 +16,7 @@ class QuantityEdit : public QLineEdit {
  public:
   QuantityEdit(Quantity quantity, const Settings& settings, QWidget* parent = nullptr);
 
-  /// In the program's unit; rad for angles.
+  /// In the program's unit; rad for angles. NaN: an optional field is empty.
   double value() const { return value_; }
   /// Shows a value; does not emit `edited`.
   void setValue(double value);
@@ -24,6 +24,9 @@ class QuantityEdit : public QLineEdit {
   void showValue();
   /// Smallest and largest value accepted, both included.
   void setRange(double least, double most);
+  /// The field may be empty, its value is then NaN; `placeholder` is shown instead.
+  void setOptional(const QString& placeholder);
+  bool isOptional() const { return isOptional_; }
   /// Shows fewer digits while the field has no focus; the value keeps all digits.
   void setNarrow();
   /// Step of arrow keys and wheel; 0 (the default): a tenth of the leading power of ten of the
@@ -54,6 +57,7 @@ class QuantityEdit : public QLineEdit {
   double most_ = std::numeric_limits<double>::infinity();
   double step_ = 0;
   bool isNarrow_ = false;
+  bool isOptional_ = false;
 };
 
 }  // namespace palpa::gui

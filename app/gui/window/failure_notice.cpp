@@ -15,12 +15,12 @@ using State = app::RebuildStatus::State;
 }  // namespace
 
 FailureNotice::FailureNotice(Editor& editor, Simulation& simulation, MessageBar& messages,
-                             std::function<void()> paintSupport, QObject* parent)
+                             Steps steps, QObject* parent)
     : QObject(parent),
       editor_(editor),
       simulation_(simulation),
       messages_(messages),
-      paintSupport_(std::move(paintSupport)) {
+      steps_(std::move(steps)) {
   delay_.setSingleShot(true);
   delay_.setInterval(kDelay);
   connect(&delay_, &QTimer::timeout, this, &FailureNotice::show);
@@ -51,7 +51,10 @@ void FailureNotice::show() {
       actions.push_back({remedy.text, remedy.tip, std::move(remedy.apply)});
     if (status.reason.isFree)
       actions.push_back({tr("Paint support"), tr("Choose in the view where the body is supported"),
-                         paintSupport_});
+                         steps_.paintSupport});
+    if (status.reason.needsDensity)
+      actions.push_back(
+          {tr("Enter density …"), tr("Open the material with its density"), steps_.enterDensity});
   } else if (status.state == State::kCancelled && simulation_.isActive()) {
     text = waitingText(status);
     actions.push_back({tr("Build again"), tr("Build the model of the present shape"),

@@ -16,9 +16,14 @@ class FailureNotice : public QObject {
   Q_OBJECT
 
  public:
-  /// `paintSupport` activates the tool that paints supports, for a body without a sufficient one.
-  FailureNotice(Editor& editor, Simulation& simulation, MessageBar& messages,
-                std::function<void()> paintSupport, QObject* parent);
+  struct Steps {
+    /// Activates the tool that paints supports, for a body without a sufficient one.
+    std::function<void()> paintSupport;
+    /// Asks for the density of the material, which gravity needs.
+    std::function<void()> enterDensity;
+  };
+  FailureNotice(Editor& editor, Simulation& simulation, MessageBar& messages, Steps steps,
+                QObject* parent);
 
  private:
   void follow();
@@ -27,7 +32,7 @@ class FailureNotice : public QObject {
   Editor& editor_;
   Simulation& simulation_;
   MessageBar& messages_;
-  std::function<void()> paintSupport_;
+  Steps steps_;
   QTimer delay_;
   QString shown_;
   QStringList buttons_;

@@ -23,6 +23,7 @@
 #include "app/gui/dialogs/material_dialog.h"
 #include "app/gui/dialogs/preferences_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
+#include "app/gui/docks/comparison_dock.h"
 #include "app/gui/docks/forces_dock.h"
 #include "app/gui/docks/history_dock.h"
 #include "app/gui/docks/model_dock.h"
@@ -31,6 +32,7 @@
 #include "app/gui/docks/samples_dock.h"
 #include "app/gui/document/accuracy_words.h"
 #include "app/gui/document/rebuild_words.h"
+#include "app/gui/simulate/displaced_dimensions.h"
 #include "app/gui/simulate/simulate_actions.h"
 #include "app/gui/tools/point_tools.h"
 #include "app/gui/tools/support_tool.h"
@@ -40,6 +42,7 @@
 #include "app/gui/widgets/wheel_guard.h"
 #include "app/gui/window/failure_notice.h"
 #include "app/gui/window/keyboard_focus.h"
+#include "app/view/camera/view_cube.h"
 
 namespace palpa::gui {
 namespace {
@@ -58,16 +61,19 @@ constexpr int kLayoutVersion = 3;     // of saveState(); other versions are not 
 MainWindow::MainWindow()
     : editor_(settings_),
       simulation_(editor_),
+      comparison_(editor_, simulation_, settings_, nullptr),
       viewport_(new ViewportWidget(this)),
       scene_(editor_, settings_, *viewport_),
       pictures_(new SimulationView(simulation_, settings_, scene_, *viewport_)),
       section_(new SectionView(simulation_, settings_, *viewport_)),
       samples_(new Samples(simulation_, *section_, settings_, *viewport_)),
+      comparisonView_(
+          new ComparisonView(comparison_, simulation_, *pictures_, settings_, *viewport_)),
       warnings_(editor_, *viewport_),
       menus_(*this),
       tools_(menus_, *viewport_),
       workspace_{*this, *statusBar(), settings_, editor_, *viewport_, scene_, menus_, tools_},
-      messages_(new MessageBar(viewport_)),
+      messages_(new MessageBar(viewport_, static_cast<int>(view::kViewCubeSide))),
       hint_(new ElidedLabel(this)),
       rebuild_(new QPushButton(this)),
       rate_(new QLabel(this)),
@@ -81,11 +87,13 @@ MainWindow::MainWindow()
     return runWorkInBackground(*this, title, work);
   });
   files_ = new FileActions(workspace_);
+  comparisonActions_ = new ComparisonActions(workspace_, comparison_);
   new EditActions(workspace_);
   addDeleteAction(workspace_);
   new ViewActions(workspace_);
   addTools();
   new SolidActions(workspace_);
+  new DisplacedDimensions(simulation_, scene_.dimensions());
   new SimulateActions(workspace_, simulation_, *pictures_, *section_, *samples_);
   addDocks();
   addDialogs();
@@ -127,8 +135,14 @@ void MainWindow::addDocks() {
   auto* rebuild = docks_.add(new RebuildDock(editor_, this), kLower);
   auto* forces = docks_.add(new ForcesDock(simulation_, editor_, settings_, this), kUpper);
   docks_.add(new SamplesDock(*samples_, *section_, settings_, this), kLower);
+  auto* comparison = docks_.add(
+      new ComparisonDock(workspace_, comparison_, *comparisonView_, *comparisonActions_, this),
+      kUpper);
+  connect(comparisonActions_, &ComparisonActions::begun, comparison,
+          [comparison] { bringToFront(*comparison); });
   connect(&simulation_, &Simulation::activeChanged, this, [this, model, forces](bool active) {
     docks_.exchangeHeights(active);
+    if (comparison_.isActive()) return;  // its table lists the forces, too
     if (active)
       bringToFront(*forces);
     else
@@ -179,6 +193,7 @@ void MainWindow::addStatusBar() {
   connect(&simulation_, &Simulation::activeChanged, this, &MainWindow::updateRate);
   const auto showHint = [this] { hint_->setText(tools_.active().hint()); };
   connect(&tools_, &ToolBox::changed, this, showHint);
+  connect(&tools_, &ToolBox::explained, messages_, &MessageBar::showNote);
   showHint();
   connect(&editor_, &Editor::rebuildChanged, this, &MainWindow::updateStatus);
   connect(&editor_, &Editor::saved, this, [this](const QString& file) {
@@ -195,7 +210,8 @@ void MainWindow::addStatusBar() {
     const QString name = SupportTool::tr("&Paint support").remove('&');
     if (auto* tool = menus_.conditions->findChild<QAction*>(name)) tool->trigger();
   };
-  new FailureNotice(editor_, simulation_, *messages_, paintSupport, this);
+  const auto enterDensity = [this] { editMaterial(workspace_, true); };
+  new FailureNotice(editor_, simulation_, *messages_, {paintSupport, enterDensity}, this);
   connect(viewport_, &ViewportWidget::escaped, this, [this] {
     const bool wasError = messages_->hasErrors();
     messages_->clear();

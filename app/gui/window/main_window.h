@@ -8,6 +8,8 @@
 
 #include "app/gui/actions/file_actions.h"
 #include "app/gui/base/settings.h"
+#include "app/gui/compare/comparison_actions.h"
+#include "app/gui/compare/comparison_view.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/simulate/samples.h"
 #include "app/gui/simulate/section_view.h"
@@ -40,6 +42,9 @@ class MainWindow : public QMainWindow {
   Simulation& simulation() { return simulation_; }
   SectionView& section() { return *section_; }
   Samples& samples() { return *samples_; }
+  VariantComparison& comparison() { return comparison_; }
+  ComparisonView& comparisonView() { return *comparisonView_; }
+  ComparisonActions& comparisonActions() { return *comparisonActions_; }
   FileActions& files() { return *files_; }
 
   /// Opens a project or imports a body, by the ending of the name.
@@ -70,16 +75,19 @@ class MainWindow : public QMainWindow {
   Settings settings_;
   Editor editor_;
   Simulation simulation_;
+  VariantComparison comparison_;
   ViewportWidget* viewport_;
   SceneController scene_;
   SimulationView* pictures_;
   SectionView* section_;
   Samples* samples_;
+  ComparisonView* comparisonView_;
   GeometryWarnings warnings_;
   Menus menus_;
   ToolBox tools_;
   Workspace workspace_;
   FileActions* files_ = nullptr;
+  ComparisonActions* comparisonActions_ = nullptr;
   MessageBar* messages_;
   QLabel* hint_;
   QPushButton* rebuild_;

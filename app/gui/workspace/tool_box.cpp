@@ -5,7 +5,9 @@
 namespace palpa::gui {
 
 ToolBox::ToolBox(Menus& menus, ViewportWidget& widget)
-    : menus_(menus), widget_(widget), group_(this) {}
+    : menus_(menus), widget_(widget), group_(this) {
+  connect(&widget, &ViewportWidget::keyUnused, this, &ToolBox::explain);
+}
 
 ToolBox::~ToolBox() {
   widget_.setTool(nullptr);
@@ -61,6 +63,19 @@ std::vector<KeyHelp> ToolBox::keyHelp() const {
         group->rows.push_back(row);
   }
   return groups;
+}
+
+/// A key without effect would leave the user of the wrong mode without a hint.
+void ToolBox::explain(int key) {
+  for (const Entry& entry : entries_)
+    if (entry.mode != mode_ && entry.action->shortcut() == QKeySequence(key)) {
+      const QString name = entry.action->objectName();
+      Q_EMIT explained(
+          entry.mode == Mode::kSimulate
+              ? tr("%1 is a tool of Simulate mode: change to it with F5").arg(name)
+              : tr("%1 is a tool of Model mode: change to it with Shift+F5").arg(name));
+      return;
+    }
 }
 
 void ToolBox::restart() {

@@ -47,8 +47,12 @@ class ToolBox : public QObject {
  Q_SIGNALS:
   /// Another tool became active, or its hint() changed.
   void changed();
+  /// The user pressed the key of a tool of the other mode; `text` says what to do.
+  void explained(const QString& text);
 
  private:
+  void explain(int key);
+
   Menus& menus_;
   ViewportWidget& widget_;
   QActionGroup group_;

@@ -42,6 +42,12 @@ void addSwatch(const PixelBox& box, const Colour& support, const Colour& stroke,
   shapes.addFrame(box.low, box.high, std::max(1.0, std::round(unit)), stroke);
 }
 
+/// As the compared body: translucent with a dense rim.
+void addGlass(const PixelBox& box, double unit, FlatShapes& shapes) {
+  shapes.addRectangle(box.low, box.high, kComparedColour, 0.45);
+  shapes.addFrame(box.low, box.high, std::max(1.0, std::round(1.5 * unit)), kComparedColour);
+}
+
 }  // namespace
 
 void CaptionLayer::set(const Caption& caption, const ViewportTheme& theme, const Colour& support,
@@ -67,8 +73,10 @@ void CaptionLayer::setTexts(double pictureWidth) {
              title_);
   words.clear();
   if (!caption_.supports.empty()) words.push_back(caption_.supports);
+  if (!caption_.compared.empty()) words.push_back(caption_.compared);
   words.insert(words.end(), caption_.lines.begin(), caption_.lines.end());
-  const double left = OrientationAxes::kSide + (caption_.supports.empty() ? 0 : kSwatch + kToWords);
+  const bool hasSwatch = !caption_.supports.empty() || !caption_.compared.empty();
+  const double left = OrientationAxes::kSide + (hasSwatch ? kSwatch + kToWords : 0);
   setFitting(words, {kFontSize * unit, false, theme_.text}, pictureWidth - (left + kMargin) * unit,
              lines_);
 }
@@ -95,11 +103,17 @@ void CaptionLayer::update(const Turntable& camera, std::vector<PixelBox>& taken,
   double top = camera.height() - kMargin * unit - static_cast<double>(lines_.size()) * lineHeight();
   for (std::size_t i = 0; i < lines_.size(); ++i, top += lineHeight()) {
     Eigen::Vector2d corner(OrientationAxes::kSide * unit, top);
-    if (i == 0 && !caption_.supports.empty()) {
+    const std::size_t ofCompared = caption_.supports.empty() ? 0 : 1;
+    const bool isSupports = i == 0 && !caption_.supports.empty();
+    const bool isCompared = i == ofCompared && !caption_.compared.empty();
+    if (isSupports || isCompared) {
       const Eigen::Vector2d side = Eigen::Vector2d::Constant(std::round(kSwatch * unit));
       const Eigen::Vector2d low =
           (corner + Eigen::Vector2d(0, 0.5 * (lines_.extent(i).y() - side.y()))).array().round();
-      addSwatch({low, low + side}, support_, stroke_, unit, shapes);
+      if (isSupports)
+        addSwatch({low, low + side}, support_, stroke_, unit, shapes);
+      else
+        addGlass({low, low + side}, unit, shapes);
       corner.x() += (kSwatch + kToWords) * unit;
     }
     place(lines_, i, corner);

@@ -4,7 +4,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
-#include "app/view/scene/arrows.h"
+#include <Eigen/Geometry>
 
 namespace palpa::view {
 namespace {
@@ -12,6 +12,7 @@ namespace {
 constexpr double kMaxLoadLength = 0.17;  // of the body's diagonal
 constexpr double kMinLoadShare = 0.25;
 constexpr double kFaint = 0.22;
+constexpr double kStrong = 0.9;
 constexpr double kFontSize = 13;  // logical pixels
 constexpr double kGap = 8;
 constexpr double kCover = 7;
@@ -41,18 +42,19 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
 ForceArrows::ForceArrows(vtkRenderer* scene, vtkRenderer* shineThrough, vtkRenderer* overlay)
     : solid_(makeActor(mesh_.surface(), 1)),
       faint_(makeActor(mesh_.surface(), kFaint)),
+      strong_(makeActor(weights_.surface(), kStrong)),
       texts_(overlay) {
   blendInOrder(faint_);
+  blendInOrder(strong_);
   scene->AddActor(solid_);
   shineThrough->AddActor(faint_);
+  shineThrough->AddActor(strong_);
 }
 
 void ForceArrows::set(const std::vector<ForceArrow>& arrows, double bodyDiagonal,
                       const ViewportTheme& theme, double pixelRatio) {
-  double largest = 0;
-  for (const ForceArrow& arrow : arrows) largest = std::max(largest, arrow.force.norm());
-  show({arrows, largest, kMinLoadShare}, kMaxLoadLength * bodyDiagonal, bodyDiagonal, theme,
-       pixelRatio);
+  show({arrows, largestForce(arrows), kMinLoadShare}, kMaxLoadLength * bodyDiagonal, bodyDiagonal,
+       theme, pixelRatio);
 }
 
 void ForceArrows::set(const LiveArrows& arrows, double bodyDiagonal, const ViewportTheme& theme,
@@ -72,12 +74,14 @@ void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiag
   for (const PlacedArrow& placed : placeArrows(arrows, longest)) {
     ends_.push_back(placed.tail);
     ends_.push_back(placed.tip);
+    if (placed.arrow->kind == ForceArrow::Kind::kMoment) addTurn(placed);
     // Reactions take the quiet colour of text, applied forces a strong one.
     const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
                               ? kAppliedForceColour
                               : mixed(theme.text, theme.body, 0.25);
     labels_.push_back({placed.freeEnd(), placed.heldEnd(), colour});
     labels_.back().isHeldAtTip = placed.arrow->anchor == ForceArrow::Anchor::kTip;
+    labels_.back().kind = placed.arrow->kind;
     words.push_back(placed.arrow->label);
   }
   // An equal number of arrows: probably the same ones, a little later.
@@ -85,6 +89,16 @@ void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiag
     for (std::size_t i = 0; i < labels_.size(); ++i) labels_[i].choice = before[i].choice;
   texts_.set(words, {kFontSize * pixelRatio, false, theme.text});
   updateVisibility();
+}
+
+void ForceArrows::addTurn(const PlacedArrow& placed) {
+  const Eigen::Vector3d along = placed.freeEnd() - placed.heldEnd();
+  const Eigen::Vector3d first = along.unitOrthogonal();
+  const Eigen::Vector3d second = along.normalized().cross(first);
+  const double radius = std::min(kTurnRadius * bodyDiagonal_, kMaxTurnShare * along.norm());
+  for (const Eigen::Vector3d& out :
+       {first, second, Eigen::Vector3d(-first), Eigen::Vector3d(-second)})
+    ends_.push_back(placed.heldEnd() + kTurnAt * along + radius * out);
 }
 
 void ForceArrows::fitToView(const Turntable& camera) {
@@ -101,13 +115,21 @@ void ForceArrows::fitToView(const Turntable& camera) {
     label.share = share;
   }
   if (isSame) return;
-  std::vector<SolidArrow> solids;
+  using Kind = ForceArrow::Kind;
+  std::vector<SolidArrow> solids, weights;
   for (const Label& label : labels_) {
     const Eigen::Vector3d free = label.shownFree();
-    solids.push_back(label.isHeldAtTip ? SolidArrow::of(free, label.held, thickness, label.frame)
-                                       : SolidArrow::of(label.held, free, thickness, label.frame));
+    const Eigen::Vector3d& tail = label.isHeldAtTip ? free : label.held;
+    const Eigen::Vector3d& tip = label.isHeldAtTip ? label.held : free;
+    if (label.kind == Kind::kMoment)
+      solids.push_back(SolidArrow::turning(tail, tip, label.isHeldAtTip ? 1 - kTurnAt : kTurnAt,
+                                           thickness, label.frame));
+    else
+      (label.kind == Kind::kWeight ? weights : solids)
+          .push_back(SolidArrow::of(tail, tip, thickness, label.frame));
   }
   mesh_.set(solids);
+  weights_.set(weights);
 }
 
 void ForceArrows::setVisible(bool visible) {
@@ -119,6 +141,7 @@ void ForceArrows::updateVisibility() {
   const bool visible = visible_ && !labels_.empty();
   solid_->SetVisibility(visible);
   faint_->SetVisibility(visible);
+  strong_->SetVisibility(visible);
 }
 
 void ForceArrows::update(const Turntable& camera, std::vector<PixelBox>& taken,

@@ -12,13 +12,15 @@
 #include "app/view/layers/arrow_mesh.h"
 #include "app/view/layers/flat_shapes.h"
 #include "app/view/layers/text_pool.h"
+#include "app/view/scene/arrows.h"
 #include "app/view/scene/scene.h"
 #include "app/view/scene/theme.h"
 
 /// Force arrows. Internal to app/view.
 namespace palpa::view {
 
-/// Solid arrows that shine faintly through the body, with labels on plates beside their free ends.
+/// Solid arrows that shine faintly through the body, weights fully, with labels on plates beside
+/// their free ends.
 /// The actors are kept: arrows may change for every picture. Arrows that would leave the picture
 /// are drawn shorter, and all are smaller where the camera is near.
 class ForceArrows {
@@ -37,7 +39,7 @@ class ForceArrows {
   /// between clear() and finish() of `shapes`.
   void update(const Turntable& camera, std::vector<PixelBox>& taken, FlatShapes& shapes);
 
-  /// Tails and tips.
+  /// Tails and tips, and points of the curved arrows.
   const std::vector<Eigen::Vector3d>& ends() const { return ends_; }
 
  private:
@@ -46,6 +48,7 @@ class ForceArrows {
     Colour frame;
     std::optional<int> choice{};  ///< of its place in the picture before
     bool isHeldAtTip = false;
+    ForceArrow::Kind kind = ForceArrow::Kind::kForce;
     double share = 0;  ///< of the arrow that is drawn; 0: not yet
 
     Eigen::Vector3d shownFree() const { return held + share * (free - held); }
@@ -53,12 +56,14 @@ class ForceArrows {
 
   void show(const LiveArrows& arrows, double longest, double bodyDiagonal,
             const ViewportTheme& theme, double pixelRatio);
+  /// Adds points of the curved arrow to `ends_`.
+  void addTurn(const PlacedArrow& placed);
   void updateVisibility();
   /// Makes the arrows again that the view of the camera cuts off or shows too large.
   void fitToView(const Turntable& camera);
 
-  ArrowMesh mesh_;
-  vtkSmartPointer<vtkActor> solid_, faint_;
+  ArrowMesh mesh_, weights_;
+  vtkSmartPointer<vtkActor> solid_, faint_, strong_;
   TextPool texts_;
   std::vector<Label> labels_;
   std::vector<Eigen::Vector3d> ends_;

@@ -203,12 +203,18 @@ void SurfaceActor::updateRegionLooks() {
 
 void SurfaceActor::updateVisibility() {
   const bool anyRegion = regionsVisible_ && !(supportField_.empty() && loadField_.empty());
-  body_->SetVisibility(shading_ != Shading::kWire || anyMark_ || anyRegion);
+  body_->SetVisibility(isVisible_ && (shading_ != Shading::kWire || anyMark_ || anyRegion));
 }
 
 void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
   marks_ = marks;
   colourTriangles();
+}
+
+void SurfaceActor::setVisible(bool visible) {
+  isVisible_ = visible;
+  updateVisibility();
+  updateLines();
 }
 
 void SurfaceActor::setShading(Shading shading) {
@@ -315,7 +321,7 @@ void SurfaceActor::colourTriangles() {
 
 void SurfaceActor::updateLines() {
   const bool wire = shading_ == Shading::kWire;
-  const bool visible = shading_ != Shading::kShaded;
+  const bool visible = isVisible_ && shading_ != Shading::kShaded;
   borders_->SetVisibility(visible);
   knotLines_->SetVisibility(visible);
   // On the plain background lines take the colour of text, which every theme makes readable there.

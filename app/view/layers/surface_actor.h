@@ -46,6 +46,8 @@ class SurfaceActor {
   /// Millimetres per logical pixel in the middle of the picture: how wide the hatching is.
   void setScale(double millimetresPerPixel);
   void setRegionsVisible(bool visible);
+  /// Of everything; visible at first.
+  void setVisible(bool visible);
   void setShading(Shading shading);
   void setTheme(const ViewportTheme& theme);
   void setPixelRatio(double ratio);
@@ -70,6 +72,7 @@ class SurfaceActor {
   bool anyMark_ = false;
   bool isCut_ = false;
   bool regionsVisible_ = true;
+  bool isVisible_ = true;
   double scale_ = 1;
   std::optional<ScalarField::Colours> fieldColours_;
   bool isLogarithmic_ = false;

@@ -81,6 +81,22 @@ struct SampleLabel {
   Kind kind = Kind::kPinned;
 };
 
+/// A measured length or angle: dimension line, extension lines, arrows, and the number on a plate.
+struct Dimension {
+  enum class Kind : std::uint8_t {
+    kLinear,  ///< two ends
+    kAngle,   ///< the corner and the ends of both arms
+    kRadius,  ///< the place and the centre
+    kCurve,   ///< along an edge
+  };
+  Kind kind = Kind::kLinear;
+  /// mm. Fewer than the kind needs: two as kLinear, one with the number alone, none: not drawn.
+  std::vector<Eigen::Vector3d> points;
+  std::string text;
+  enum class State : std::uint8_t { kPlain, kSelected, kPreview };
+  State state = State::kPlain;
+};
+
 /// How a triangle of the body is marked; the later one wins where several apply.
 enum class Mark : std::uint8_t { kNone, kSupport, kLoad, kHovered, kSelected, kWarning };
 
@@ -135,10 +151,10 @@ struct TouchMarker {
   bool isSelected = false;
 };
 
-/// A force drawn as an arrow.
+/// A force, a moment or the weight of the body, drawn as an arrow.
 struct ForceArrow {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();     ///< mm
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N; a zero force is not drawn
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N, or N mm; a zero force is not drawn
 
   /// Which end of the arrow lies at `at`: pulling forces leave the surface, pressing ones end on
   /// it.
@@ -150,6 +166,13 @@ struct ForceArrow {
   Role role = Role::kApplied;
 
   std::string label;  ///< written beside the free end, e.g. "0.134 N"; may be empty
+
+  enum class Kind : std::uint8_t {
+    kForce,
+    kMoment,  ///< an axis with a curved arrow about it, right-handed, of constant size
+    kWeight,  ///< acts inside the body, which does not hide it
+  };
+  Kind kind = Kind::kForce;
 };
 
 /// Length of the arrow for LiveArrows::fullForce, in diagonals of the body at rest.
@@ -159,7 +182,7 @@ inline constexpr double kFullArrowLength = 0.25;
 struct LiveArrows {
   std::vector<ForceArrow> arrows;
   /// N, > 0: a force as large has the full length. Larger ones are no longer than that; smaller
-  /// ones shrink in proportion.
+  /// ones shrink in proportion. Moments do not depend on it.
   double fullForce = 1;
   /// An arrow is at least this share of the full length long; 0: a vanishing force has no arrow.
   double minShare = 0;
@@ -215,6 +238,7 @@ struct ToolDrawing {
 struct Caption {
   std::string title;               ///< top left
   std::string supports;            ///< explains the hatching, e.g. "held: base"
+  std::string compared{};          ///< explains the body of Viewport::setCompared()
   std::vector<std::string> lines;  ///< at the bottom, beside the axes
 };
 

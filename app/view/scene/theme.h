@@ -26,6 +26,7 @@ inline constexpr std::array<Colour, 3> kAxisColours{
     {{0.88, 0.24, 0.24}, {0.30, 0.65, 0.22}, {0.20, 0.46, 0.92}}};  ///< x, y, z
 inline constexpr Colour kNormalColour{0.72, 0.34, 0.86};
 inline constexpr Colour kHighlightColour{1.00, 0.76, 0.12};
+inline constexpr Colour kComparedColour{0.94, 0.43, 0.05};  ///< of the other variant
 inline constexpr Colour kAppliedForceColour{0.85, 0.07, 0.22};
 
 }  // namespace palpa::view

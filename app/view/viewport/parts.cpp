@@ -51,16 +51,19 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       shapes(shineThrough),
       surface(scene),
       sectionFace(scene),
+      standInSurface(scene),
       ghostSide(scene),
       grid(scene),
       netActor(scene, shineThrough),
       ghostLines(scene, shineThrough),
+      compared(scene, shineThrough),
       arrows(scene, shineThrough, overlay),
       rings(scene, shineThrough),
       liveArrows(scene, shineThrough, overlay),
       tool(scene, overlay),
       touchLayer(overlay),
       sampleLayer(overlay),
+      dimensionLayer(overlay),
       signs(overlay),
       axes(overlay),
       viewCube(overlay),
@@ -140,12 +143,17 @@ void Viewport::Parts::remakeSamples() {
   sampleLayer.set(samples, theme, pixelRatio);
 }
 
+void Viewport::Parts::remakeDimensions() {
+  dimensionLayer.set(dimensions, theme, pixelRatio);
+}
+
 void Viewport::Parts::applyTheme() {
   scene->SetBackground(theme.backgroundBottom.data());
   scene->SetBackground2(theme.backgroundTop.data());
   grid.setTheme(theme);
   surface.setTheme(theme);
   sectionFace.setTheme(theme);
+  standInSurface.setTheme(theme);
   netActor.setTheme(theme);
   viewCube.setTheme(theme, pixelRatio);
   ghostSide.setTheme(theme);
@@ -156,6 +164,7 @@ void Viewport::Parts::applyTheme() {
   remakeTouches();
   remakeTool();
   remakeSamples();
+  remakeDimensions();
 }
 
 void Viewport::Parts::applyCamera() {
@@ -164,7 +173,11 @@ void Viewport::Parts::applyCamera() {
   all.add(netBounds);
   for (const Eigen::Vector3d& point : arrows.ends()) all.add(point);
   for (const Eigen::Vector3d& point : liveArrows.ends()) all.add(point);
-  for (const Bounds& part : {ghostLines.bounds(), rings.bounds(), balls.bounds()}) all.add(part);
+  if (standIn)
+    for (const Eigen::Vector3d& point : standIn->positions) all.add(point);
+  for (const Bounds& part :
+       {ghostLines.bounds(), compared.bounds(), rings.bounds(), balls.bounds()})
+    all.add(part);
   for (const Eigen::Vector3d& point : tool.ends()) all.add(point);
   // The ground fades out at one visible height from the focus.
   const Eigen::Vector3d reach = Eigen::Vector3d(1, 1, 0) * camera.visibleHeight();
@@ -222,6 +235,8 @@ void Viewport::Parts::updateOverlay() {
       camera, [this](const Eigen::Vector3d& point) { return hidden(point); }, shapes);
   tool.update(camera, shapes);
   signs.update(camera, shapes);
+  dimensionLayer.update(camera, bodyBounds.empty() ? camera.focus() : bodyBounds.center(), taken,
+                        shapes);
   sampleLayer.update(
       camera, [this](const Eigen::Vector3d& point) { return hidden(point); }, taken, shapes);
   if (rubberBand) {
@@ -242,6 +257,9 @@ std::vector<Eigen::Vector3d> Viewport::Parts::shownPoints() const {
   std::vector<Eigen::Vector3d> points = body.positions;
   if (netVisible) points.insert(points.end(), net.points.begin(), net.points.end());
   points.insert(points.end(), arrows.ends().begin(), arrows.ends().end());
+  if (standIn) points.insert(points.end(), standIn->positions.begin(), standIn->positions.end());
+  if (!compared.bounds().empty())
+    for (const Eigen::Vector3d& corner : compared.bounds().corners()) points.push_back(corner);
   return points;
 }
 

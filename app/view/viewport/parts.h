@@ -10,8 +10,10 @@
 #include "app/view/camera/turntable.h"
 #include "app/view/layers/caption_layer.h"
 #include "app/view/layers/colour_bar.h"
+#include "app/view/layers/compared_body.h"
 #include "app/view/layers/contact_layer.h"
 #include "app/view/layers/control_net_actor.h"
+#include "app/view/layers/dimension_layer.h"
 #include "app/view/layers/flat_shapes.h"
 #include "app/view/layers/force_arrows.h"
 #include "app/view/layers/ghost_actor.h"
@@ -48,6 +50,7 @@ struct Viewport::Parts {
   void remakeTouches();
   void remakeTool();
   void remakeSamples();
+  void remakeDimensions();
   void applyTheme();
   void applyCamera();
   /// Viewport::setCamera(), showing the points beside the reserve.
@@ -87,7 +90,9 @@ struct Viewport::Parts {
   bool netVisible = true;
   std::optional<SectionDrawing> section;  ///< with the moved face
   TriangleBoxes faceBoxes;
+  std::optional<ViewportBody> standIn;
   std::vector<SampleLabel> samples;
+  std::vector<Dimension> dimensions;
   std::vector<ForceArrow> forces;
   LiveArrows liveForces;
   double restDiagonal;               ///< of the body before it moved: sizes do not follow its shape
@@ -105,16 +110,19 @@ struct Viewport::Parts {
   // Within a renderer, later actors are blended over earlier ones.
   SurfaceActor surface;
   SurfaceActor sectionFace;
+  SurfaceActor standInSurface;
   GhostSide ghostSide;
   GridActor grid;
   ControlNetActor netActor;
   GhostLines ghostLines;
+  ComparedBody compared;
   ForceArrows arrows;
   ContactRings rings;
   ForceArrows liveArrows;
   ToolLayer tool;
   TouchLayer touchLayer;
   SampleLayer sampleLayer;
+  DimensionLayer dimensionLayer;
   WarningSigns signs;
   OrientationAxes axes;
   ViewCubeActor viewCube;

@@ -57,6 +57,7 @@ void show(const Picture& picture, Viewport& viewport) {
   if (picture.field) viewport.setField(completed(*picture.field));
   if (!picture.sectionValues.empty()) viewport.setSectionValues(picture.sectionValues);
   viewport.setSampleLabels(picture.samples);
+  viewport.setDimensions(picture.dimensions);
   std::vector<Eigen::Vector3d> room = picture.room;
   if (picture.hasGhost) {
     ViewportBody ghost = picture.body;

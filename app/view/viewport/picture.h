@@ -21,6 +21,7 @@ struct Picture {
   std::optional<SectionDrawing> section;
   std::vector<double> sectionValues;  ///< of the field, one per point of the face; may be empty
   std::vector<SampleLabel> samples;
+  std::vector<Dimension> dimensions;
   bool hasGhost = false;  ///< the body at rest is shown as a ghost
   LiveArrows arrows;
   std::vector<ContactRing> rings;

@@ -32,8 +32,12 @@ void Viewport::setField(const std::optional<ScalarField>& field) {
     ofFace.values.assign(parts_->section ? parts_->section->face.positions.size() : 0,
                          std::numeric_limits<double>::quiet_NaN());
     parts_->sectionFace.setField(ofFace);
+    ofFace.values.assign(parts_->standIn ? parts_->standIn->positions.size() : 0,
+                         std::numeric_limits<double>::quiet_NaN());
+    parts_->standInSurface.setField(ofFace);
   } else {
     parts_->sectionFace.setField(std::nullopt);
+    parts_->standInSurface.setField(std::nullopt);
   }
   parts_->field = field;
   if (field) parts_->field->values.clear();
@@ -99,6 +103,47 @@ void Viewport::setGhost(const std::optional<ViewportBody>& body) {
   requireValidBody(ghost);
   parts_->ghostSide.set(ghost);
   parts_->ghostLines.set(ghost);
+}
+
+void Viewport::setCompared(const std::optional<ViewportBody>& body) {
+  const ViewportBody compared = body.value_or(ViewportBody{});
+  requireValidBody(compared);
+  parts_->compared.set(compared);
+}
+
+void Viewport::moveCompared(const std::vector<Eigen::Vector3d>& positions,
+                            const std::vector<Eigen::Vector3d>& normals) {
+  require(positions.size() == parts_->compared.size() && normals.size() == positions.size(),
+          "a moved body has as many points and normals as before");
+  parts_->compared.move(positions, normals);
+}
+
+void Viewport::setStandIn(const std::optional<ViewportBody>& body) {
+  const ViewportBody standIn = body.value_or(ViewportBody{});
+  requireValidBody(standIn);
+  parts_->standIn = body;
+  parts_->surface.setVisible(!body);
+  parts_->sectionFace.setVisible(!body);
+  parts_->standInSurface.setVisible(body.has_value());
+  parts_->standInSurface.setBody(standIn);
+  if (!parts_->field) return;
+  ScalarField field = *parts_->field;
+  field.values.assign(standIn.positions.size(), std::numeric_limits<double>::quiet_NaN());
+  parts_->standInSurface.setField(field);
+}
+
+void Viewport::moveStandIn(const std::vector<Eigen::Vector3d>& positions,
+                           const std::vector<Eigen::Vector3d>& normals,
+                           const std::vector<double>& values) {
+  require(parts_->standIn && positions.size() == parts_->standIn->positions.size() &&
+              normals.size() == positions.size(),
+          "a moved body has as many points and normals as before");
+  parts_->standIn->positions = positions;
+  parts_->standIn->normals = normals;
+  parts_->standInSurface.move(positions, normals);
+  if (!parts_->field) return;
+  require(values.size() == positions.size(), "a field needs one number per point");
+  parts_->standInSurface.setFieldValues(values, colourRange(*parts_->field));
 }
 
 void Viewport::setCaption(const Caption& caption) {

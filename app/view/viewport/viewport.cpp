@@ -63,9 +63,11 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->grid.setPixelRatio(ratio);
   parts_->surface.setPixelRatio(ratio);
   parts_->sectionFace.setPixelRatio(ratio);
+  parts_->standInSurface.setPixelRatio(ratio);
   parts_->netActor.setPixelRatio(ratio);
   parts_->axes.setPixelRatio(ratio);
   parts_->ghostLines.setPixelRatio(ratio);
+  parts_->compared.setPixelRatio(ratio);
   parts_->rings.setPixelRatio(ratio);
   parts_->viewCube.setTheme(parts_->theme, ratio);
   parts_->remakeArrows();
@@ -75,6 +77,7 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->remakeTouches();
   parts_->remakeTool();
   parts_->remakeSamples();
+  parts_->remakeDimensions();
 }
 
 double Viewport::pixelRatio() const {
@@ -114,6 +117,19 @@ void Viewport::setTouchesVisible(bool visible) {
 
 void Viewport::setWarningsVisible(bool visible) {
   parts_->signs.setVisible(visible);
+}
+
+void Viewport::setDimensions(const std::vector<Dimension>& dimensions) {
+  parts_->dimensions = dimensions;
+  parts_->remakeDimensions();
+}
+
+void Viewport::setDimensionsVisible(bool visible) {
+  parts_->dimensionLayer.setVisible(visible);
+}
+
+std::optional<int> Viewport::dimensionAt(const Eigen::Vector2d& pixel) const {
+  return parts_->dimensionLayer.at(parts_->resolution * pixel);
 }
 
 void Viewport::setAxesVisible(bool visible) {

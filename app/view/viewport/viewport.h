@@ -108,10 +108,28 @@ class Viewport {
   void setSectionValues(const std::vector<double>& values);
   /// Plates are placed so that they do not cover each other. fit() ignores them.
   void setSampleLabels(const std::vector<SampleLabel>& labels);
+  /// Dimensions of the body. fit() ignores them.
+  void setDimensions(const std::vector<Dimension>& dimensions);
+  void setDimensionsVisible(bool visible);
+  /// The dimension whose number is at a pixel of the last picture.
+  std::optional<int> dimensionAt(const Eigen::Vector2d& pixel) const;
   /// The undeformed shape: thin lines along its borders and knot lines, faint where the body hides
   /// them, and its translucent near side if it has triangles. None to remove it. fit() ignores it.
   /// Its triangles may be coarser than the triangles of the body: drawing them takes time.
   void setGhost(const std::optional<ViewportBody>& body);
+  /// Another body, translucent in kComparedColour, with its borders; none to
+  /// remove it. The body hides what lies inside it. fit() shows it, too.
+  void setCompared(const std::optional<ViewportBody>& body);
+  /// The same triangles at other places.
+  void moveCompared(const std::vector<Eigen::Vector3d>& positions,
+                    const std::vector<Eigen::Vector3d>& normals);
+  /// Draws another body, without its regions, instead of the body and its section; the field
+  /// colours it. Picking finds the body all the same. None: the body again.
+  void setStandIn(const std::optional<ViewportBody>& body);
+  /// The same triangles at other places, and numbers of the field (ignored without a field). Call
+  /// it after setField() and setFieldValues().
+  void moveStandIn(const std::vector<Eigen::Vector3d>& positions,
+                   const std::vector<Eigen::Vector3d>& normals, const std::vector<double>& values);
   /// Sizes follow the body of setBody(), not its movement. setRegionsVisible() does not hide them;
   /// fit() ignores them.
   void setLiveArrows(const LiveArrows& arrows);
