@@ -33,12 +33,14 @@ set(palpa_public_headers
   modeling/exchange/cad_export.h
   modeling/exchange/cad_import.h
   modeling/exchange/import.h
+  modeling/measure/measured_body.h
   modeling/mesh/mesh.h
   modeling/mesh/mesh_settings.h
   modeling/mesh/region_border.h
   modeling/mesh/surface_mesh.h
   modeling/project/project.h
   modeling/project/project_file.h
+  modeling/project/measurement.h
   modeling/project/touch_kind.h
   modeling/shapes/make_primitive.h
   modeling/shapes/primitive.h

@@ -15,12 +15,15 @@ palpa_add_test(palpa_cli_tests
   SOURCES
     cli_bad_input_test.cpp
     cli_cancel_test.cpp
+    cli_compare_test.cpp
     cli_drawing_test.cpp
     cli_edit_test.cpp
     cli_examples_test.cpp
     cli_exchange_test.cpp
+    cli_measure_test.cpp
     cli_project_test.cpp
     cli_recording_test.cpp
+    cli_section_test.cpp
     cli_simulation_test.cpp
     cli_usage_test.cpp
     cli_verify_test.cpp

@@ -36,6 +36,11 @@ TEST(BoxTree, TheNearestPointIsThatOfTryingEveryTriangle) {
     const bem::SurfacePoint found = tree.nearest(point);
     EXPECT_EQ(found.distance, expected.distance);
     EXPECT_LE((found.position - expected.position).norm(), 1e-12);
+    // A bound on the distance changes nothing, down to the chosen one of equally near triangles.
+    const bem::SurfacePoint bounded = tree.nearest(point, 1.01 * found.distance + 1e-9);
+    EXPECT_EQ(bounded.triangle, found.triangle);
+    EXPECT_EQ(bounded.weights, found.weights);
+    EXPECT_EQ(tree.nearest(point, 0.9 * found.distance).triangle, -1);
   }
 }
 

@@ -303,6 +303,9 @@ TEST_F(PropertiesDock, NothingIsCutOffInANarrowPanel) {
   const std::string patch = editor().solid()->patches()[0].name;
   editor().perform(AddLoad{{"t", UniformTraction{Region::ofPatches({patch}), {0, 0, 1}}}});
   editor().perform(AddLoad{{"b", Bump{{0, 0, 25}, 5, 0.1, {0, 0, -1}}}});
+  editor().perform(AddLoad{{"f", TotalForce{Region::ofPatches({patch}), {0, 0, 1}}}});
+  editor().perform(AddLoad{{"m", Moment{Region::ofPatches({patch}), {0, 0, 1}}}});
+  editor().perform(AddLoad{{"g", Gravity{}}});  // without density: with the remedies
   editor().perform(AddTouch{{"poke", {0, 0, 25}, TouchKind::kForce, {0, 0, -2}, 3.0}});
   using Kind = Selection::Kind;
   for (const auto& [name, selection] :
@@ -316,6 +319,9 @@ TEST_F(PropertiesDock, NothingIsCutOffInANarrowPanel) {
         {"support", Selection::of(Kind::kSupport, project().supports[0].name)},
         {"traction", Selection::of(Kind::kLoad, "t")},
         {"bump", Selection::of(Kind::kLoad, "b")},
+        {"total force", Selection::of(Kind::kLoad, "f")},
+        {"moment", Selection::of(Kind::kLoad, "m")},
+        {"gravity", Selection::of(Kind::kLoad, "g")},
         {"touch", Selection::of(Kind::kTouch, "poke")}}) {
     editor().select(selection);
     expectFits(name);

@@ -4,7 +4,9 @@
 #include <QDir>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 
 #include "app/core/session/new_project.h"
@@ -35,6 +37,55 @@ void startWithProfile(Photographer& p) {
   }
 }
 
+/// A thicker gripper finger beside the former one, under the same touch.
+void compareFingers(Photographer& p) {
+  p.open("gripper-finger");
+  p.editor().perform(modeling::TransformSolid{modeling::Scaling{{1, 1, 1.25}, {0, 0, 0}}});
+  p.waitForBuild();
+  p.window().comparisonActions().compareWithStateBefore(1);
+  const auto isCompared = [&p] {
+    const auto result = p.window().comparison().result();
+    return result && result->comparison && !p.window().comparison().isComputing() &&
+           result->comparison->states[1].state.errorEstimate;
+  };
+  (void)QTest::qWaitFor(isCompared, 60000);
+  p.window().viewport().viewport().fit();
+  p.grab(p.middle() + QPoint(20, -40), QPoint(60, 50));
+  (void)QTest::qWaitFor(isCompared, 60000);
+  p.shoot("compare");
+  p.letGo();
+}
+
+/// Dimensions of a cylinder; the radius of its rim follows the pointer.
+void measureCylinder(Photographer& p) {
+  p.open("cylinder");
+  p.key(Qt::Key_M);
+  const double radius = 20, height = 60;
+  const auto at = [&](double degrees, double z, double r) {
+    const double angle = degrees * std::numbers::pi / 180;
+    const Eigen::Vector2d pixel =
+        p.window().viewport().viewport().toPixel({r * std::cos(angle), r * std::sin(angle), z});
+    return QPoint(static_cast<int>(std::lround(pixel.x())),
+                  static_cast<int>(std::lround(pixel.y())));
+  };
+  const auto take = [&](QPoint pixel) {
+    p.hover(pixel);
+    p.click(pixel);
+  };
+  take(at(-110, height, radius));  // distance: from rim to rim
+  take(at(-110, 0, radius));
+  p.key(Qt::Key_Tab);
+  p.key(Qt::Key_Tab);  // angle
+  take(at(-40, height, 0.6 * radius));
+  take(at(-40, 0.75 * height, radius));
+  p.key(Qt::Key_Tab);  // wall thickness
+  take(at(-60, 0.3 * height, radius));
+  p.key(Qt::Key_Tab);  // radius
+  p.hover(at(10, height, radius));
+  p.shoot("measure");
+  p.key(Qt::Key_S);
+}
+
 void photograph(const QString& folder) {
   Photographer photographer(folder);
   Photographer& p = photographer;
@@ -59,10 +110,14 @@ void photograph(const QString& folder) {
   p.drag(p.middle() - QPoint(140, 70), p.middle() + QPoint(110, -60));
   p.shoot("paint-support");
   p.editor().undo();
-  p.key(Qt::Key_L);
-  p.drag(p.middle() + QPoint(20, -40), p.middle() + QPoint(90, -40));
+  p.open("gripper-finger");
+  p.action("Gravity")->trigger();
+  p.action("Moment")->trigger();
+  p.editor().select(Selection::ofPatches({*modeling::findPatch(p.editor().project().body, "top")}));
+  p.action("Moment")->trigger();
+  p.waitForBuild();
   p.shoot("place-load");
-  p.editor().undo();
+  p.open("sphere");
   p.key(Qt::Key_R);
   p.click(p.pointNear(p.middle()));
   p.shoot("rotate");
@@ -86,6 +141,9 @@ void photograph(const QString& folder) {
   p.shoot("simulate-grab-dark");
   p.letGo();
   p.theme(Theme::kLight);
+
+  measureCylinder(p);
+  compareFingers(p);
 
   // A point is pulled through the opposite side: signs mark the self-intersection.
   p.open("sphere");

@@ -1,6 +1,8 @@
+#include <QAbstractButton>
 #include <QDialog>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMessageBox>
 #include <QScreen>
 #include <QStatusBar>
@@ -18,6 +20,21 @@ using SmallScreen = WindowTest;
 
 std::string sizeText(const QSize& size) {
   return std::to_string(size.width()) + " x " + std::to_string(size.height());
+}
+
+/// Texts of labels, buttons and boxes that are wider than their widget.
+std::string cutTexts(const QWidget& dialog) {
+  std::string cut;
+  const auto check = [&](const QWidget* each, const QString& text, int needed) {
+    if (each->isVisible() && !text.isEmpty() && each->width() < needed)
+      cut += text.toStdString() + "; ";
+  };
+  for (const auto* label : dialog.findChildren<QLabel*>())
+    if (!label->wordWrap() && label->pixmap().isNull())
+      check(label, label->text(), label->sizeHint().width());
+  for (const auto* button : dialog.findChildren<QAbstractButton*>())
+    if (!button->inherits("QToolButton")) check(button, button->text(), button->sizeHint().width());
+  return cut;
 }
 
 TEST_F(SmallScreen, TheWindowFitsInBothModes) {
@@ -69,6 +86,7 @@ TEST_F(SmallScreen, EveryDialogFits) {
     if (!each->text().endsWith(QStringLiteral("…")) || !each->isEnabled() || each->menu()) continue;
     QSize least, size;
     QString name;
+    std::string cut;
     QTimer poll;
     QObject::connect(&poll, &QTimer::timeout, [&] {
       QWidget* modal = QApplication::activeModalWidget();
@@ -77,8 +95,15 @@ TEST_F(SmallScreen, EveryDialogFits) {
         name = modal->objectName() + " " + modal->windowTitle();
         least = modal->minimumSizeHint();
         size = modal->size();
-        keepPicture(QString("dialog-%1").arg(each->objectName()).toLower().replace(' ', '-'),
-                    modal);
+        cut = cutTexts(*modal);
+        const QString file =
+            QString("dialog-%1").arg(each->objectName()).toLower().replace(' ', '-');
+        keepPicture(file, modal);
+        if (qEnvironmentVariableIsSet("PALPA_PICTURES")) {
+          window_->settings().setTheme(Theme::kDark);
+          keepPicture(file + "-dark", modal);
+          window_->settings().setTheme(Theme::kLight);
+        }
       }
       modal->close();
     });
@@ -88,6 +113,7 @@ TEST_F(SmallScreen, EveryDialogFits) {
     ++dialogs;
     EXPECT_LE(least.width(), kSmall.width()) << name.toStdString() << ' ' << sizeText(least);
     EXPECT_LE(least.height(), kSmall.height()) << name.toStdString() << ' ' << sizeText(least);
+    EXPECT_EQ(cut, "") << name.toStdString();
     QApplication::setActiveWindow(window_.get());
   }
   EXPECT_GE(dialogs, 8);

@@ -39,6 +39,21 @@ TEST(Units, ReadNumbersWithAndWithoutUnit) {
   EXPECT_NEAR(*parsed("180", Quantity::kAngle, {}), 3.14159265358979, 1e-14);
 }
 
+TEST(Units, KnowMomentsAccelerationsAndDensities) {
+  ShownUnits units;
+  units.chosen[static_cast<std::size_t>(Quantity::kDensity)] = 1;
+  EXPECT_EQ(shown(1070, Quantity::kDensity, units), "1.07 g/cm³");
+  EXPECT_EQ(shown(-9.80665, Quantity::kAcceleration, {}, 3), "-9.81 m/s²");
+  EXPECT_EQ(shown(30, Quantity::kMoment, {}), "30 N mm");
+  EXPECT_DOUBLE_EQ(*parsed("2 N m", Quantity::kMoment, {}), 2000);
+  EXPECT_DOUBLE_EQ(*parsed("2Nmm", Quantity::kMoment, {}), 2);
+  EXPECT_DOUBLE_EQ(*parsed("1 g", Quantity::kAcceleration, {}), 9.80665);
+  EXPECT_DOUBLE_EQ(*parsed("9810 mm/s^2", Quantity::kAcceleration, {}), 9.81);
+  EXPECT_DOUBLE_EQ(*parsed("7.85 g/cm3", Quantity::kDensity, {}), 7850);
+  EXPECT_DOUBLE_EQ(*parsed("7850 kg/m³", Quantity::kDensity, units), 7850);
+  EXPECT_FALSE(parsed("1 kg", Quantity::kDensity, {}));
+}
+
 TEST(Units, RefuseWhatIsNoNumber) {
   for (const char* text : {"", "mm", "1 2", "1.2.3", "inf", "nan", "5 N", "1e999"})
     EXPECT_FALSE(parsed(text, Quantity::kLength, {})) << text;

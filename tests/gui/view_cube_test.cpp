@@ -103,6 +103,23 @@ TEST_F(ViewCubeInWindow, PicturesHaveNone) {
   EXPECT_EQ(QImage(with), QImage(without));
 }
 
+TEST_F(ViewCubeInWindow, MessagesLieBesideIt) {
+  const int side = static_cast<int>(view::kViewCubeSide);
+  for (const int width : {1600, 1280, 900}) {
+    window_->resize(width, 800);
+    window_->messages().clear();
+    window_->messages().showError("A message that is long enough for several words: " +
+                                  QString("where, what and how to mend it; ").repeated(6));
+    QTest::qWait(30);
+    const QRect cube(view().width() - side, 0, side, side);
+    const QRect shown = window_->messages().geometry();
+    EXPECT_FALSE(shown.intersects(cube)) << width;
+    EXPECT_GE(shown.left(), 0) << width;
+    EXPECT_GE(shown.width(), 260) << width;
+  }
+  keepPicture("messages-beside-the-cube");
+}
+
 TEST_F(ViewCubeInWindow, AMotionByKeysEndsWithAClickOnIt) {
   const int point = visiblePoint();
   editor().select(Selection::ofPoints({point}));

@@ -1,9 +1,12 @@
 #include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QToolBar>
+#include <algorithm>
 #include <set>
 
+#include "app/gui/base/appearance.h"
 #include "tests/gui/window_fixture.h"
 
 namespace palpa::gui {
@@ -72,6 +75,29 @@ TEST_F(WindowParts, EveryQuantityHasUnits) {
     ASSERT_FALSE(quantity.units.empty()) << quantity.key;
     EXPECT_EQ(quantity.label.isEmpty(), quantity.units.size() == 1) << quantity.key;
   }
+}
+
+TEST_F(WindowParts, MessagesFollowTheTheme) {
+  window_->messages().showError("An error that stays open");
+  QTest::qWait(30);
+  // The brightest pixel of the picture: nearly white in the dark theme.
+  const auto brightest = [this] {
+    const auto* picture = window_->messages().findChild<QLabel*>("picture");
+    const QImage image = picture->pixmap().toImage();
+    int most = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (qAlpha(image.pixel(x, y)) == 255) most = std::max(most, qGray(image.pixel(x, y)));
+    return most;
+  };
+  applyTheme(*qApp, Theme::kLight);
+  QTest::qWait(30);
+  EXPECT_LT(brightest(), 80);
+  applyTheme(*qApp, Theme::kDark);
+  QTest::qWait(30);
+  EXPECT_GT(brightest(), 180);
+  keepPicture("message-in-the-dark-theme");
+  applyTheme(*qApp, Theme::kLight);
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ Project project() {
                    {"wind", UniformTraction{{{kStroke}}, {0, 0, 1}}},
                    {"finger", Bump{}}};
   project.touches.emplace_back();
+  project.measurements.push_back({"height", MeasurementKind::kDistance, {{}, {}}});
   return project;
 }
 
@@ -82,6 +83,20 @@ TEST(Change, EveryFieldOfATouchCounts) {
        [](Project& p) { p.touches[0].kind = TouchKind::kBall; },
        [](Project& p) { p.touches[0].vector.z() = 1; }, [](Project& p) { p.touches[0].radius = 1; },
        [](Project& p) { p.touches[0].friction = 0.5; }});
+}
+
+TEST(Change, EveryFieldOfAMeasurementCounts) {
+  expectEach(
+      &Change::measurements,
+      {[](Project& p) { p.measurements.clear(); }, [](Project& p) { p.measurements[0].name = "x"; },
+       [](Project& p) { p.measurements[0].kind = MeasurementKind::kLength; },
+       [](Project& p) { p.measurements[0].places.pop_back(); },
+       [](Project& p) { p.measurements[0].places[0].what = MeasuredPlace::What::kFace; },
+       [](Project& p) { p.measurements[0].places[0].patch = "x"; },
+       [](Project& p) { p.measurements[0].places[0].other = "x"; },
+       [](Project& p) { p.measurements[0].places[0].side = Side::kUMax; },
+       [](Project& p) { p.measurements[0].places[0].at = Eigen::Vector2d(0.5, 0.25); },
+       [](Project& p) { p.measurements[0].places[0].at = Eigen::Vector3d(1, 2, 3); }});
 }
 
 TEST(Change, EveryFieldOfTheMaterialCounts) {

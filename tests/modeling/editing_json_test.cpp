@@ -18,6 +18,11 @@ std::vector<Command> oneOfEach() {
   const Reach reach{7.5, MirrorPlane{{1, 0, 0}, {1, 1, 0}}};
   const Support support{"wall", Support::Kind::kRoller, Region::ofPatches({"top"}), {0, 0, 0.1}};
   const Load load{"drag", UniformTraction{Region::below({1, 0, 0}, 3.0), {0.1, 0, 1.0 / 3.0}}};
+  const Measurement height{
+      "height",
+      MeasurementKind::kDistance,
+      {{MeasuredPlace::What::kPoint, "top", Eigen::Vector2d(0.25, 1)},
+       {MeasuredPlace::What::kEdge, "bottom", Eigen::Vector2d(0, 0.5), Side::kUMin}}};
   const Touch touch{"poke", {0, 0, 20}, TouchKind::kGrab, {0, 0, -1}, 3.0};
   MeshSettings mesh;
   mesh.edgeLength = 3.0;
@@ -56,6 +61,9 @@ std::vector<Command> oneOfEach() {
           AddTouch{{"needle", {0, 0, 20}, TouchKind::kPin, {0, 0, 0}, {}}},
           AddTouch{{"pull", {0, 0, 20}, TouchKind::kForce, {0, 0, 1}, {}}},
           RemoveTouch{"poke"},
+          AddMeasurement{height},
+          SetMeasurement{"height", height},
+          RemoveMeasurement{"height"},
           SetMaterial{{"rubber", 1.5, 0.49}},
           SetMaterial{{"rubber", 1.5, 0.49, 1150}},
           AddLoad{{"rope", TotalForce{Region::ofPatches({"top"}), {0, 0.5, 1.0 / 3.0}}}},

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "modeling/error.h"
+#include "modeling/project/shore_hardness.h"
 #include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
@@ -27,9 +28,15 @@ TEST(MaterialLibrary, EveryMaterialIsUsableAndHasASource) {
 TEST(MaterialLibrary, RubbersFollowGentsRelation) {
   for (const double shore : {30.0, 50.0, 70.0}) {
     const auto& rubber = libraryMaterial("rubber, " + std::to_string(int(shore)) + " shore a");
-    const double expected = 0.0981 * (56.0 + 7.62336 * shore) / (0.137505 * (254.0 - 2.54 * shore));
-    EXPECT_NEAR(rubber.material.youngsModulus, expected, 0.005) << shore;
+    EXPECT_NEAR(rubber.material.youngsModulus, youngsModulusOfShoreA(shore), 0.005) << shore;
   }
+}
+
+TEST(MaterialLibrary, TheModulusGrowsWithTheHardness) {
+  // By hand: 0.0981 (56 + 304.9344) / (0.137505 (254 - 101.6)).
+  EXPECT_NEAR(youngsModulusOfShoreA(40), 35.40767 / 20.95576, 1e-5);
+  for (double shore = kMinShoreA; shore < kMaxShoreA; ++shore)
+    EXPECT_LT(youngsModulusOfShoreA(shore), youngsModulusOfShoreA(shore + 1));
 }
 
 TEST(MaterialLibrary, AnUnknownNameListsTheKnownOnes) {

@@ -45,6 +45,18 @@ Project example() {
                      {"ball", {0, -25, 0}, TouchKind::kBall, {0, 1.0 / 3.0, 0}, 7.5},
                      {"needle", {-25, 0, 0}, TouchKind::kPin, {0, 0, 0}, std::nullopt},
                      {"hook", {-20, 0, 15}, TouchKind::kPin, {0, 0, 1}, 2.0}};
+  using What = MeasuredPlace::What;
+  project.measurements = {{"height",
+                           MeasurementKind::kDistance,
+                           {{What::kPoint, "top", Eigen::Vector2d(1.0 / 3.0, 1)},
+                            {What::kFace, "bottom", Eigen::Vector2d(0.5, 0.5)}}},
+                          {"rim",
+                           MeasurementKind::kLength,
+                           {{What::kEdge, "top", Eigen::Vector2d(0, 0.5), Side::kUMin}}},
+                          {"on a mesh",
+                           MeasurementKind::kAngle,
+                           {{What::kFace, "a", Eigen::Vector3d(1, 2, 1.0 / 3.0)},
+                            {What::kEdge, "a", Eigen::Vector3d(1, 2, 3), {}, "b"}}}};
   project.mesh.edgeLength = 4.0;
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
@@ -89,6 +101,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(after.supports, before.supports);
   EXPECT_EQ(after.loads, before.loads);
   EXPECT_EQ(after.touches, before.touches);
+  EXPECT_EQ(after.measurements, before.measurements);
   EXPECT_EQ(after.mesh, before.mesh);
   EXPECT_EQ(after.primitive, before.primitive);
   const auto smooth = [](const Project& project) {

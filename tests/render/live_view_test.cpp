@@ -61,6 +61,25 @@ TEST(LiveArrows, EndOrBeginWhereTheyAreHeld) {
   EXPECT_EQ(placed[1].freeEnd(), Vector3d(1, 2, -17));
 }
 
+TEST(LiveArrows, MomentsHaveOneLengthAndDoNotScaleForces) {
+  LiveArrows live{{arrow(1), arrow(500)}, 2};
+  live.arrows[1].kind = ForceArrow::Kind::kMoment;
+  EXPECT_DOUBLE_EQ(largestForce(live.arrows), 1);
+  const auto placed = placeArrows(live, 20);
+  ASSERT_EQ(placed.size(), 2);
+  EXPECT_DOUBLE_EQ((placed[0].tip - placed[0].tail).norm(), 10);
+  EXPECT_DOUBLE_EQ((placed[1].tip - placed[1].tail).norm(), 20 * kMomentLength);
+  live.arrows[1].force.setZero();
+  EXPECT_EQ(placeArrows(live, 20).size(), 1);
+  EXPECT_EQ(largestForce({}), 1);
+}
+
+TEST(VolumeCentre, IsTheCentroidOfATetrahedron) {
+  const std::vector<Vector3d> corners{{1, 1, 1}, {5, 1, 1}, {1, 9, 1}, {1, 1, 3}};
+  const std::vector<Triangle> faces{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  EXPECT_LT((volumeCentre(corners, faces) - Vector3d(2, 3, 1.5)).norm(), 1e-14);
+}
+
 TEST(SolidArrow, ShrinksInAllDirectionsWhenItIsShort) {
   const auto withLength = [](double length) {
     return SolidArrow::of({0, 0, 0}, {length, 0, 0}, 100, {});
@@ -99,6 +118,32 @@ TEST(ArrowMesh, HasTheVolumeOfACylinderAndACone) {
   EXPECT_NEAR(volume(mesh.surface()), 2 * expected, 0.04 * expected);
   mesh.set({});
   EXPECT_EQ(mesh.surface()->GetNumberOfPolys(), 0);
+}
+
+TEST(ArrowMesh, TurnsAreRightHandedAndClosed) {
+  const Vector3d tail(3, -2, 5), tip = tail + 40 * Vector3d(0.6, 0, 0.8);
+  ArrowMesh mesh;
+  const SolidArrow turn = SolidArrow::turning(tail, tip, 0.6, 100, {});
+  mesh.set({turn});
+  // Shaft, torus of 270° less the head, and cone.
+  const double pi = std::numbers::pi, r = turn.shaftRadius;
+  const double arc = 1.5 * pi * turn.turnRadius - turn.headLength;
+  const double expected =
+      pi * r * r * (40 + arc) + pi * turn.headRadius * turn.headRadius * turn.headLength / 3;
+  EXPECT_NEAR(volume(mesh.surface()), expected, 0.03 * expected);
+  // The tip of the curved arrow, the last point, lies ahead of its base in the sense of the turn.
+  const vtkIdType count = mesh.surface()->GetNumberOfPoints();
+  Vector3d head, base = Vector3d::Zero(), corner;
+  mesh.surface()->GetPoint(count - 1, head.data());
+  for (vtkIdType i = count - 48; i < count - 24; ++i) {
+    mesh.surface()->GetPoint(i, corner.data());
+    base += corner / 24;
+  }
+  const Vector3d centre = tail + 0.6 * (tip - tail);
+  EXPECT_GT((base - centre).cross(head - centre).dot(tip - tail), 0);
+  EXPECT_NEAR((base - centre).norm(), turn.turnRadius, 1e-4);
+  mesh.set({SolidArrow::of(tail, tip, 100, {})});
+  EXPECT_LT(mesh.surface()->GetNumberOfPoints(), count);
 }
 
 constexpr double kGap = 8;

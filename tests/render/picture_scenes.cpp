@@ -41,6 +41,7 @@ PictureCase push() {
   picture.rings = {{sphere.ring(at, 5), view::ContactRing::State::kSticking}};
   picture.caption = {"Sphere, pressed from above",
                      "fixed: base",
+                     {},
                      {"silicone, E = 0.25 MPa, nu = 0.48, 1538 nodes"}};
   return {picture};
 }
@@ -54,7 +55,7 @@ PictureCase pull() {
   picture.arrows = {{{sphere.at(at), {0.9, -0.5, 0.2}, Anchor::kTail, Role::kApplied, "1.05 N"}},
                     1.05};
   picture.rings = {{sphere.ring(at, 4), view::ContactRing::State::kGrabbed}};
-  picture.caption = {"Sphere, pulled at its side", "fixed: base", {}};
+  picture.caption = {"Sphere, pulled at its side", "fixed: base", {}, {}};
   return {picture};
 }
 
@@ -94,7 +95,7 @@ PictureCase front() {
   picture.field = box.displacement(10);
   picture.hasGhost = true;
   picture.camera = {{0, 1, 0}, {0, 0, 1}, true, 1};
-  picture.caption = {"Sheared box", "", {"front view, parallel projection", "second line"}};
+  picture.caption = {"Sheared box", "", {}, {"front view, parallel projection", "second line"}};
   return {picture};
 }
 
@@ -155,13 +156,42 @@ PictureCase section() {
       {sphere.at({1.5, -4, 12}), "1:  |u| 2.31 mm,  von Mises 0.0123 MPa", Kind::kPinned},
       {sphere.at({1.5, -2, 12}), "|u|  2.27 mm\nvon Mises stress  0.0119 MPa", Kind::kPointer}};
   picture.camera.direction = {-1, 0.45, -0.35};
-  picture.caption = {"Sphere, pressed and cut", "fixed: base", {}};
+  picture.caption = {"Sphere, pressed and cut", "fixed: base", {}, {}};
   return {picture};
 }
 
 PictureCase darkSection() {
   PictureCase result = section();
   result.picture.theme = view::ViewportTheme::dark();
+  return result;
+}
+
+/// Dimensions of every kind on a box, also short, end on, of a single point, and selected.
+PictureCase dimensions() {
+  const Pressed box(modeling::makeBox({40, 30, 20}), {});
+  Picture picture = pictureOf(box);
+  picture.hasGhost = false;
+  using Kind = view::Dimension::Kind;
+  using State = view::Dimension::State;
+  const Vector3d near(20, -15, 20), left(-20, -15, 20), low(20, -15, 0), back(20, 15, 20);
+  picture.dimensions = {
+      {Kind::kLinear, {near, left}, "40 mm"},
+      {Kind::kLinear, {near, low}, "20 mm", State::kSelected},
+      {Kind::kLinear, {{-20, 15, 20}, {-20, 13, 20}}, "2 mm"},
+      {Kind::kAngle, {near, back, low}, "90°"},
+      {Kind::kRadius, {{0, 0, 20}, {0, 0, 5}}, "R 15 mm"},
+      {Kind::kCurve, {back, {20, 15, 10}, {20, 15, 0}}, "20 mm", State::kPreview},
+      {Kind::kRadius, {{-5, -15, 8}}, "flat"},
+  };
+  picture.caption.title = "Box";
+  return {picture};
+}
+
+PictureCase darkDimensions() {
+  PictureCase result = dimensions();
+  result.picture.theme = view::ViewportTheme::dark();
+  // Closer: lines leave the picture, numbers stay in it.
+  result.picture.camera.zoom = 1.7;
   return result;
 }
 
@@ -177,7 +207,9 @@ std::map<std::string, PictureCase> pictureCases() {
           {"picture_many_arrows", manyArrows()},
           {"picture_film", film()},
           {"picture_section", section()},
-          {"picture_dark_section", darkSection()}};
+          {"picture_dark_section", darkSection()},
+          {"picture_dimensions", dimensions()},
+          {"picture_dark_dimensions", darkDimensions()}};
 }
 
 }  // namespace palpa::render_tests

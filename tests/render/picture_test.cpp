@@ -42,7 +42,7 @@ TEST_F(PictureTest, HasRoomForEverything) {
   picture.arrows = {{{{20, 0, 10}, {1, 0, 0}, ForceArrow::Anchor::kTail, {}, "1.00 N"}}, 1};
   picture.balls = {{{0, 0, 40}, 20}};
   picture.room = {{0, 0, -30}};
-  picture.caption = {"Title", "fixed: base", {"line"}};
+  picture.caption = {"Title", "fixed: base", {}, {"line"}};
   show(picture, viewport);
   const double diagonal = std::hypot(40, 30, 20);
   for (const Vector3d& point : {Vector3d(20 + kFullArrowLength * diagonal, 0, 10),

@@ -106,6 +106,23 @@ void boundaryConditions(Viewport& viewport) {
   viewport.fit();
 }
 
+/// A moment on the top, a torque on a side, whose axis ends on the body, and the weight.
+void momentsAndWeight(Viewport& viewport) {
+  using Kind = ForceArrow::Kind;
+  const Solid box = modeling::makeBox({60, 30, 20});
+  show(box, viewport);
+  viewport.setControlNetVisible(false);
+  viewport.setMarks(marks(
+      box, {{"side_xmin", Mark::kSupport}, {"side_xmax", Mark::kLoad}, {"top", Mark::kLoad}}));
+  const auto applied = ForceArrow::Role::kApplied;
+  viewport.setLoadArrows(
+      {{{0, 0, 20}, {0, 0, 5}, ForceArrow::Anchor::kTail, applied, "5.00 N mm", Kind::kMoment},
+       {{30, 0, 10}, {-2, 0, 0}, ForceArrow::Anchor::kTip, applied, "2.00 N mm", Kind::kMoment},
+       {{0, 0, 10}, {0, 0, -0.4}, ForceArrow::Anchor::kTail, applied, "0.40 N", Kind::kWeight}});
+  viewport.lookFrom(view::StandardView::kIsometric);
+  viewport.fit();
+}
+
 void warnings(Viewport& viewport) {
   const Solid cylinder = modeling::makeCylinder(15, 40);
   show(cylinder, viewport);
@@ -350,6 +367,7 @@ std::map<std::string, ViewportCase> viewportCases() {
       {"viewport_selection_gizmo", {selection}},
       {"viewport_rubber_band", {rubberBand}},
       {"viewport_dark_boundary_conditions", {dark(boundaryConditions)}},
+      {"viewport_moments_and_weight", {momentsAndWeight}},
       {"viewport_view_cube", {viewCube}},
       {"viewport_dark_view_cube", {dark(viewCubeFromAbove)}},
       {"viewport_warnings", {warnings}},

@@ -74,10 +74,10 @@ TEST(SplineBodyForce, TermEqualsThatOfFineTriangles) {
   const auto on = discretised(modeling::makeSphere(25), 1.2, [](const Vector3d&) { return 0; });
   const SplineQuadrature quadrature(on->surface(), 1e-6);
   const SplineBodyForce splines(on->surface(), quadrature, bulk);
-  const TriangleBodyForce triangles(on->mesh(), bulk);
+  const TriangleBodyForce triangles(on->mesh());
   SplineQuadrature::Workspace work;
   for (const SplineCollocationPoint& point : grevilleCollocation(on->surface())) {
-    const Vector3d expected = triangles.at(point.position);
+    const Vector3d expected = triangles.at(point.position, bulk);
     // The polyhedron lacks about (h / R)^2 / 5 of the volume.
     EXPECT_LE((splines.at(point, work) - expected).norm(), 2e-3 * expected.norm());
   }

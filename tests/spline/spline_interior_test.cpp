@@ -1,5 +1,6 @@
 #include "bem/spline/spline_interior.h"
 
+#include "app/verification/exact/textbook_fields.h"
 #include "bem/spline/spline_results.h"
 #include "spline_body.h"
 
@@ -85,6 +86,32 @@ TEST(SplineInterior, KeepsALinearFieldExactlyHoweverNearTheSurface) {
     EXPECT_LE((states[k].displacement - exact.displacement(points[k])).norm(), 1e-9);
     EXPECT_LE((states[k].stress - stress).norm(), 1e-8 * stress.norm());
   }
+}
+
+/// A body in the wall of a pressurised thick sphere, beside the cavity.
+TEST(SplineInterior, FollowsLamesFieldOfAThickSphere) {
+  const Material material{0.1, 0.45};
+  const Vector3d centre(0, 10, 50);
+  const ExactField exact = verification::pressurisedSphereField(12, 70, 0.01, material, centre);
+  const SplineBody body(fixedWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)), isBelow),
+                        material, exact, {1e-6});
+  const SplineQuadrature quadrature(body.surface, SplineInterior::kTolerance);
+  const std::vector<Vector3d> points{{0, 0, 0},   {0, 3, 24},    {10, 5, 15}, {-12, -8, 10},
+                                     {20, 0, -5}, {5, -20, -10}, {0, 0, -24}, {0.1, 0.2, 24.9}};
+  const SplineInterior interior(body.surface, body.tractions, quadrature, material, points, {});
+  const auto states = interior.evaluate(body.field.u.col(0), body.field.p.col(0), {});
+  double largestU = 0, largestStress = 0, errorU = 0, errorStress = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Matrix3d stress = exact.stress(points[k]);
+    largestU = std::max(largestU, exact.displacement(points[k]).norm());
+    largestStress = std::max(largestStress, stress.norm());
+    errorU = std::max(errorU, (states[k].displacement - exact.displacement(points[k])).norm());
+    errorStress = std::max(errorStress, (states[k].stress - stress).norm());
+  }
+  std::printf("thick sphere: u %.1e, stress %.1e\n", errorU / largestU,
+              errorStress / largestStress);
+  EXPECT_LE(errorU, 2e-3 * largestU);
+  EXPECT_LE(errorStress, 2e-2 * largestStress);
 }
 
 }  // namespace

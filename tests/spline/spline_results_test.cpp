@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "app/verification/exact/textbook_fields.h"
 #include "bem/spline/spline_integrals.h"
 #include "bem/spline/spline_state.h"
 #include "spline_body.h"
@@ -177,17 +178,8 @@ TEST(SplineInteriorState, OfALinearFieldIsExactHoweverNearTheSurface) {
 /// With no linear field to take away but a quadratic one: pure bending, which cubics carry exactly.
 TEST(SplineInteriorState, OfBendingKeepsTheToleranceOfTheQuadrature) {
   const Material material{0.1, 0.3};
-  const double curvature = 0.01, nu = material.poissonRatio;
-  const ExactField exact{
-      [=](const Vector3d& x) {
-        return Vector3d(-curvature * x.x() * x.z(), nu * curvature * x.y() * x.z(),
-                        curvature / 2 * (x.x() * x.x() + nu * (x.z() * x.z() - x.y() * x.y())));
-      },
-      [=](const Vector3d& x) {
-        Matrix3d stress = Matrix3d::Zero();
-        stress(0, 0) = -material.youngsModulus * curvature * x.z();
-        return stress;
-      }};
+  const double curvature = 0.01;
+  const ExactField exact = verification::bendingField(curvature, material);
   SplineSurface surface = app::splineSurfaceOf(modeling::makeBox({40, 30, 20}));
   const SplineTractions tractions(surface);
   const auto all = allElements(surface);
