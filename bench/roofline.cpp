@@ -164,20 +164,21 @@ class Roofline {
     const app::BoundarySetup setup = setupOf(project);
     const bem::SplineSurface& surface = setup.splines->surface();
     const bem::SplineTractions& tractions = setup.splines->tractions();
-    const bem::SplineEquations equations = splineEquations(
+    const bem::WeightedEquations equations = splineEquations(
         surface, tractions,
         setup.splines->degreesOfFreedom(setup.conditions.ofSlot, setup.material).extraSlots());
     const double seconds = coreSecondsFor([&] {
       bem::assemble<float>(surface, tractions, equations, setup.material, {kSplineTolerance}, job_);
     });
     const bem::SplineQuadrature quadrature(surface, kSplineTolerance);
-    bem::SplineQuadrature::Workspace work;
+    const auto workspace = quadrature.makeWorkspace();
+    bem::ElementQuadrature::Workspace& work = *workspace;
     // A sample of the points: each costs as much as in the assembly.
     SplinePairs kinds[3] = {{"prepared rules"}, {"divided elements"}, {"elements with the point"}};
     constexpr std::size_t kEvery = 16;
     for (std::size_t p = 0; p < equations.points.size(); p += kEvery)
       for (int e = 0; e < surface.elementCount(); ++e) {
-        const bem::SplinePlace* inside = placeIn(equations.points[p], e);
+        const bem::ElementPlace* inside = bem::placeIn(equations.points[p], e);
         const int used = quadrature.points(e, equations.points[p].position, inside, work).used;
         SplinePairs& kind = kinds[inside ? 2 : used <= kMaxPrepared ? 0 : 1];
         kind.pairs.push_back({static_cast<int>(p), e});
@@ -192,8 +193,8 @@ class Roofline {
       operations += kind.operations;
       kind.seconds = coreSecondsFor([&] {
         for (const auto& [p, e] : kind.pairs)
-          quadrature.integrate(e, equations.points[p].position, placeIn(equations.points[p], e),
-                               work);
+          quadrature.integrate(e, equations.points[p].position,
+                               bem::placeIn(equations.points[p], e), work);
       });
       sampled += kind.seconds;
     }
@@ -229,13 +230,7 @@ class Roofline {
     double points = 0, operations = 0, seconds = 0;
   };
 
-  static const bem::SplinePlace* placeIn(const bem::SplineCollocationPoint& point, int element) {
-    for (const bem::SplinePlace& place : point.places)
-      if (place.element == element) return &place;
-    return nullptr;
-  }
-
-  /// Of spline_kernel_loop.h, for cubic functions. Per quadrature point 57 for Kelvin's kernels; 16
+  /// Of kelvin_sums_loop.h, for cubic functions. Per quadrature point 57 for Kelvin's kernels; 16
   /// sums times the functions along u and then v (tensor rules) or times all functions (polar
   /// rules), fused; where points are not prepared, about 400 to place each. 15 per function to add
   /// the sums to their coefficients.

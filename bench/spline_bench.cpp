@@ -124,8 +124,8 @@ Row splines(int controlPoints, int degree, const Job& job) {
   bem::SplineSurface surface = app::splineSurfaceOf(modeling::makePrimitive(primitive));
   for (int e = 0; e < surface.elementCount(); ++e) {
     const bem::SplineElement& element = surface.elements()[e];
-    const bem::SplinePlace middle{e, (element.lower[0] + element.upper[0]) / 2,
-                                  (element.lower[1] + element.upper[1]) / 2};
+    const bem::ElementPlace middle{e, (element.lower[0] + element.upper[0]) / 2,
+                                   (element.lower[1] + element.upper[1]) / 2};
     if (isHeld(surface.evaluate(middle).position)) surface.setTag(e, 1);
   }
   const bem::SplineTractions tractions(surface);
@@ -151,7 +151,7 @@ Row splines(int controlPoints, int degree, const Job& job) {
   std::vector<double> basis;
   bem::visitSplinePoints(
       surface, all, 4, std::numeric_limits<double>::infinity(),
-      [&](const bem::SplinePlace& place, const bem::SplineJet& jet, double weight) {
+      [&](const bem::ElementPlace& place, const bem::SurfaceJet& jet, double weight) {
         surface.evaluateBasis(place, basis);
         Vector3d u = Vector3d::Zero();
         for (std::size_t f = 0; f < basis.size(); ++f)

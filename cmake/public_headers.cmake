@@ -5,6 +5,7 @@ set(palpa_public_headers
   base/byte_stream.h
   base/error.h
   base/job.h
+  base/lazy.h
   base/phase.h
   bem/base/error.h
   bem/contact/bilateral_contact_solver.h

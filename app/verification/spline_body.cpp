@@ -6,6 +6,7 @@
 
 #include "app/core/setup/to_spline_surface.h"
 #include "bem/dense/make_reference_problem.h"
+#include "bem/spline/spline_equations.h"
 #include "bem/spline/spline_results.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/solid/knot_operations.h"
@@ -18,11 +19,11 @@ namespace {
 
 /// sqrt of ∫ |value - exact|^2 over ∫ |exact|^2.
 double relativeError(const SplineSurface& surface,
-                     const std::function<Vector3d(const SplinePlace&, const SplineJet&)>& value,
-                     const std::function<Vector3d(const SplineJet&)>& exact) {
+                     const std::function<Vector3d(const ElementPlace&, const SurfaceJet&)>& value,
+                     const std::function<Vector3d(const SurfaceJet&)>& exact) {
   double error = 0, scale = 0;
   visitSplinePoints(surface, allElements(surface), 5, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet& jet, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
                       const Vector3d expected = exact(jet);
                       error += weight * (value(place, jet) - expected).squaredNorm();
                       scale += weight * expected.squaredNorm();
@@ -31,7 +32,7 @@ double relativeError(const SplineSurface& surface,
 }
 
 /// sum of N_j times the coefficient that belongs to it.
-Vector3d sumAt(const SplineSurface& surface, const SplinePlace& place,
+Vector3d sumAt(const SplineSurface& surface, const ElementPlace& place,
                const Eigen::Ref<const Eigen::VectorXd>& coefficients,
                const std::vector<int>& ofFunction) {
   std::vector<double> basis;
@@ -83,18 +84,18 @@ SplineBody::SplineBody(SplineSurface bodySurface, const Material& bodyMaterial,
                               job, term);
 }
 
-Vector3d SplineBody::displacement(const SplinePlace& place) const {
+Vector3d SplineBody::displacement(const ElementPlace& place) const {
   return sumAt(surface, place, field.u.col(0), surface.functions(place.element));
 }
 
-Vector3d SplineBody::traction(const SplinePlace& place) const {
+Vector3d SplineBody::traction(const ElementPlace& place) const {
   return sumAt(surface, place, field.p.col(0), tractions.ofFunction[place.element]);
 }
 
 double SplineBody::displacementError(const ExactField& exact) const {
   return relativeError(
-      surface, [&](const SplinePlace& place, const SplineJet&) { return displacement(place); },
-      [&](const SplineJet& jet) { return exact.displacement(jet.position); });
+      surface, [&](const ElementPlace& place, const SurfaceJet&) { return displacement(place); },
+      [&](const SurfaceJet& jet) { return exact.displacement(jet.position); });
 }
 
 double SplineBody::leastDisplacementError(const ExactField& exact) const {
@@ -102,16 +103,16 @@ double SplineBody::leastDisplacementError(const ExactField& exact) const {
       surface, [&](const Vector3d& x, const Vector3d&) { return exact.displacement(x); });
   return relativeError(
       surface,
-      [&](const SplinePlace& place, const SplineJet&) {
+      [&](const ElementPlace& place, const SurfaceJet&) {
         return sumAt(surface, place, nearest, surface.functions(place.element));
       },
-      [&](const SplineJet& jet) { return exact.displacement(jet.position); });
+      [&](const SurfaceJet& jet) { return exact.displacement(jet.position); });
 }
 
 double SplineBody::tractionError(const ExactField& exact) const {
   return relativeError(
-      surface, [&](const SplinePlace& place, const SplineJet&) { return traction(place); },
-      [&](const SplineJet& jet) {
+      surface, [&](const ElementPlace& place, const SurfaceJet&) { return traction(place); },
+      [&](const SurfaceJet& jet) {
         return Vector3d(exact.stress(jet.position) * jet.areaVector().normalized());
       });
 }
@@ -119,22 +120,22 @@ double SplineBody::tractionError(const ExactField& exact) const {
 double SplineBody::area() const {
   double sum = 0;
   visitSplinePoints(surface, allElements(surface), 4, INFINITY,
-                    [&](const SplinePlace&, const SplineJet&, double weight) { sum += weight; });
+                    [&](const ElementPlace&, const SurfaceJet&, double weight) { sum += weight; });
   return sum;
 }
 
 Vector3d SplineBody::reaction() const {
   Vector3d sum = Vector3d::Zero();
   visitSplinePoints(surface, allElements(surface), 4, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                       if (surface.elements()[place.element].tag == 1)
                         sum += weight * traction(place);
                     });
   return sum;
 }
 
-SplinePlace nearestPlace(const SplineSurface& surface, const Vector3d& point) {
-  SplinePlace best{0, 0, 0};
+ElementPlace nearestPlace(const SplineSurface& surface, const Vector3d& point) {
+  ElementPlace best{0, 0, 0};
   double least = INFINITY;
   for (int e = 0; e < surface.elementCount(); ++e) {
     const SplineElement& element = surface.elements()[e];

@@ -28,8 +28,8 @@ struct SplineBody {
              const ExactField& exact, const bem::AssemblyOptions& options = {},
              bem::Precision precision = bem::Precision::kDouble, const Job& job = {});
 
-  Eigen::Vector3d displacement(const bem::SplinePlace& place) const;
-  Eigen::Vector3d traction(const bem::SplinePlace& place) const;
+  Eigen::Vector3d displacement(const bem::ElementPlace& place) const;
+  Eigen::Vector3d traction(const bem::ElementPlace& place) const;
   /// sqrt(∫ |u - exact|^2 / ∫ |exact|^2) over the surface.
   double displacementError(const ExactField& exact) const;
   /// displacementError() of the exact field's L2 projection, the smallest error in the space.
@@ -55,7 +55,7 @@ bem::SplineSurface fixedWhere(bem::SplineSurface surface,
                               const std::function<bool(const Eigen::Vector3d&)>& isFixed);
 
 /// The place nearest to a point, by ever finer sampling of every element.
-bem::SplinePlace nearestPlace(const bem::SplineSurface& surface, const Eigen::Vector3d& point);
+bem::ElementPlace nearestPlace(const bem::SplineSurface& surface, const Eigen::Vector3d& point);
 
 /// Every knot span of every patch divided into equal parts.
 modeling::Solid divided(const modeling::Solid& solid, int parts);

@@ -3,6 +3,8 @@
 #include <chrono>
 
 #include "bem/dense/dense_reference_problem.h"
+#include "bem/quadratic/quadratic_assembly.h"
+#include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/spline/spline_assembly.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/triangle/triangle_discretisation.h"
@@ -71,14 +73,21 @@ DegreesOfFreedom solvableDofs(const SplineSurface& surface, const SplineTraction
   return dofs;
 }
 
-/// Calls `use` with the shape and slots of a discretisation: mesh and traction slots, or spline
-/// surface and spline tractions.
-template <class Use>
-std::unique_ptr<ReferenceProblem> withShape(const Discretisation& discretisation, const Use& use) {
-  if (const auto* splines = dynamic_cast<const SplineDiscretisation*>(&discretisation))
-    return use(splines->surface(), splines->tractions());
-  const auto& triangles = dynamic_cast<const TriangleDiscretisation&>(discretisation);
-  return use(triangles.mesh(), triangles.slots());
+std::unique_ptr<ReferenceProblem> makeQuadratic(const QuadraticDiscretisation& on,
+                                                const ProblemInputs& inputs, const Job& job,
+                                                ReferenceProblemTimes* times) {
+  inputs.material.validate();
+  on.checkSolvable(inputs.conditions, inputs.material);
+  DegreesOfFreedom dofs = on.degreesOfFreedom(inputs.conditions, inputs.material);
+  const WeightedEquations equations =
+      quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs.extraSlots());
+  return make(
+      inputs.precision, std::move(dofs),
+      [&](auto scalar) {
+        return assemble<decltype(scalar)>(on.surface(), equations, inputs.material, inputs.assembly,
+                                          job);
+      },
+      job, times);
 }
 
 }  // namespace
@@ -121,7 +130,7 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(const SplineSurface&
                                                             const Job& job,
                                                             ReferenceProblemTimes* times) {
   DegreesOfFreedom dofs = solvableDofs(surface, tractions, inputs);
-  const SplineEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
+  const WeightedEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
   return make(
       inputs.precision, std::move(dofs),
       [&](auto scalar) {
@@ -135,17 +144,21 @@ std::unique_ptr<ReferenceProblem> makeDenseReferenceProblem(const Discretisation
                                                             const ProblemInputs& inputs,
                                                             const Job& job,
                                                             ReferenceProblemTimes* times) {
-  return withShape(discretisation, [&](const auto& shape, const auto& slots) {
-    return makeDenseReferenceProblem(shape, slots, inputs, job, times);
-  });
+  if (const auto* splines = dynamic_cast<const SplineDiscretisation*>(&discretisation))
+    return makeDenseReferenceProblem(splines->surface(), splines->tractions(), inputs, job, times);
+  if (const auto* quadratic = dynamic_cast<const QuadraticDiscretisation*>(&discretisation))
+    return makeQuadratic(*quadratic, inputs, job, times);
+  const auto& triangles = dynamic_cast<const TriangleDiscretisation&>(discretisation);
+  return makeDenseReferenceProblem(triangles.mesh(), triangles.slots(), inputs, job, times);
 }
 
 std::unique_ptr<ReferenceProblem> readDenseReferenceProblem(const Discretisation& discretisation,
                                                             const ProblemInputs& inputs,
                                                             const ByteSource& source) {
-  return withShape(discretisation, [&](const auto& shape, const auto& slots) {
-    return read(inputs.precision, solvableDofs(shape, slots, inputs), source);
-  });
+  inputs.material.validate();
+  discretisation.checkSolvable(inputs.conditions, inputs.material);
+  return read(inputs.precision, discretisation.degreesOfFreedom(inputs.conditions, inputs.material),
+              source);
 }
 
 }  // namespace palpa::bem

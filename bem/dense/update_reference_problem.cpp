@@ -7,6 +7,8 @@
 
 #include "base/parallel.h"
 #include "bem/dense/updated_reference_problem.h"
+#include "bem/quadratic/quadratic_assembly.h"
+#include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/spline/spline_assembly.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/triangle/triangle_discretisation.h"
@@ -81,11 +83,11 @@ std::optional<Motion> motion(const BoundaryMesh& before, const BoundaryMesh& mes
   return motion;
 }
 
-std::optional<Motion> motion(const SplineSurface& before, const SplineSurface& surface,
-                             const SplineTractions& tractions,
-                             const SplineEquations& equationsBefore,
-                             const SplineEquations& equations) {
-  std::optional<std::vector<int>> elements = surface.movedElements(before);
+/// `elements`: those that moved; none if the surfaces differ in more than their positions.
+std::optional<Motion> motion(std::optional<std::vector<int>> elements,
+                             const ElementSurface& surface,
+                             const WeightedEquations& equationsBefore,
+                             const WeightedEquations& equations) {
   const auto &weights = equations.weights, &weightsBefore = equationsBefore.weights;
   if (!elements || weights.rows() != weightsBefore.rows() ||
       weights.cols() != weightsBefore.cols() || weights.nonZeros() != weightsBefore.nonZeros())
@@ -94,12 +96,12 @@ std::optional<Motion> motion(const SplineSurface& before, const SplineSurface& s
   motion.isOwnRow.assign(weights.rows(), false);
   const std::vector<int> place = placesIn(*elements, surface.elementCount());
   for (Eigen::Index p = 0; p < weights.cols(); ++p) {
-    const SplineCollocationPoint& point = equations.points[p];
+    const CollocationPlace& point = equations.points[p];
     // A point on the border of the moved part does not move, but its free term may change.
     const bool hasMoved =
         point.position != equationsBefore.points[p].position ||
         std::any_of(point.places.begin(), point.places.end(),
-                    [&](const SplinePlace& at) { return place[at.element] >= 0; });
+                    [&](const ElementPlace& at) { return place[at.element] >= 0; });
     Eigen::SparseMatrix<double>::InnerIterator w(weights, p), old(weightsBefore, p);
     for (; w && old; ++w, ++old) {
       if (w.row() != old.row()) return std::nullopt;
@@ -109,9 +111,26 @@ std::optional<Motion> motion(const SplineSurface& before, const SplineSurface& s
   }
   motion.moved = partOf(
       std::move(*elements), surface.coefficientCount(),
-      tractions.slots.count(), [&](int e) -> const auto& { return surface.functions(e); },
-      [&](int e) -> const auto& { return tractions.ofFunction[e]; });
+      surface.slotCount(), [&](int e) -> const auto& { return surface.coefficients(e); },
+      [&](int e) -> const auto& { return surface.slots(e); });
   return motion;
+}
+
+/// Elements of which a node moved; none if nodes, elements, groups or tags differ.
+std::optional<std::vector<int>> movedElements(const QuadraticDiscretisation& before,
+                                              const QuadraticDiscretisation& after) {
+  const BoundaryMesh &old = before.mesh(), &mesh = after.mesh();
+  if (old.nodeCount() != mesh.nodeCount() || old.triangles != mesh.triangles ||
+      old.smoothingGroups != mesh.smoothingGroups || old.tags != mesh.tags)
+    return std::nullopt;
+  std::vector<int> elements;
+  for (int e = 0; e < after.elementCount(); ++e) {
+    const std::vector<int>& nodes = after.surface().coefficients(e);
+    if (std::any_of(nodes.begin(), nodes.end(),
+                    [&](int node) { return old.nodes[node] != mesh.nodes[node]; }))
+      elements.push_back(e);
+  }
+  return elements;
 }
 
 /// Subtracts the rows of the base from new rows.
@@ -237,9 +256,9 @@ std::unique_ptr<ReferenceProblem> updateSplines(const std::shared_ptr<const Refe
   DegreesOfFreedom dofs(tractions.slots, inputs.conditions, inputs.material,
                         surface.boundingSize());
   if (!isAlike(base->dofs(), dofs)) return nullptr;
-  const SplineEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
+  const WeightedEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
   auto moved =
-      motion(before, surface, tractions,
+      motion(surface.movedElements(before), SplineElements(surface, tractions),
              splineEquations(before, SplineTractions(before), dofs.extraSlots()), equations);
   if (!moved || moved->share(surface.elementCount()) > kMaxShare) return nullptr;
   const auto partOn = [&](const SplineSurface& shape) {
@@ -257,6 +276,35 @@ std::unique_ptr<ReferenceProblem> updateSplines(const std::shared_ptr<const Refe
       partOn(before), partOn(surface), job, times);
 }
 
+std::unique_ptr<ReferenceProblem> updateQuadratic(
+    const std::shared_ptr<const ReferenceProblem>& base, const QuadraticDiscretisation& before,
+    const QuadraticDiscretisation& after, const ProblemInputs& inputs, const Job& job,
+    ReferenceProblemTimes* times) {
+  DegreesOfFreedom dofs = after.degreesOfFreedom(inputs.conditions, inputs.material);
+  if (!isAlike(base->dofs(), dofs)) return nullptr;
+  const auto equationsOn = [&](const QuadraticDiscretisation& on) {
+    return quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs.extraSlots());
+  };
+  auto elements = movedElements(before, after);
+  if (!elements) return nullptr;
+  const WeightedEquations equations = equationsOn(after);
+  auto moved = motion(std::move(elements), after.surface(), equationsOn(before), equations);
+  if (!moved || moved->share(after.elementCount()) > kMaxShare) return nullptr;
+  const auto partOn = [&](const QuadraticSurface& surface) {
+    return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {
+      return assemblePart<Scalar>(surface, part, equations.only(some), inputs.material,
+                                  inputs.assembly, job);
+    };
+  };
+  return update(
+      base, std::move(dofs), std::move(*moved),
+      [&]<class Scalar>(Scalar, const std::vector<int>& some) {
+        return assemble<Scalar>(after.surface(), equations.only(some), inputs.material,
+                                inputs.assembly, job);
+      },
+      partOn(before.surface()), partOn(after.surface()), job, times);
+}
+
 }  // namespace
 
 std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(
@@ -267,6 +315,9 @@ std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(
   if (const auto* splines = dynamic_cast<const SplineDiscretisation*>(&after))
     return updateSplines(base, dynamic_cast<const SplineDiscretisation&>(before).surface(),
                          splines->surface(), splines->tractions(), inputs, job, times);
+  if (const auto* quadratic = dynamic_cast<const QuadraticDiscretisation*>(&after))
+    return updateQuadratic(base, dynamic_cast<const QuadraticDiscretisation&>(before), *quadratic,
+                           inputs, job, times);
   const auto& triangles = dynamic_cast<const TriangleDiscretisation&>(after);
   return updateTriangles(base, before.mesh(), triangles.mesh(), triangles.slots(), inputs, job,
                          times);

@@ -1,265 +1,40 @@
 #include "bem/spline/spline_assembly.h"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <optional>
-#include <span>
-#include <string_view>
-
-#include "base/parallel.h"
-#include "base/scratch_pool.h"
-#include "bem/spline/spline_rows.h"
+#include "bem/spline/spline_elements.h"
+#include "bem/spline/spline_quadrature.h"
 
 namespace palpa::bem {
-namespace {
-
-constexpr int kPointsPerTask = kSplineLanes;
-
-/// Memory of one thread, reused from task to task.
-struct Scratch {
-  SplineRows::Sums sums;                                 ///< of one point
-  std::array<std::vector<double>, kPointsPerTask> T, U;  ///< of the points of a task
-};
-
-/// Number of coefficients whose blocks are computed together, so that they stay in the nearest
-/// cache.
-constexpr std::size_t kCoefficientsAtOnce = 32;
-
-/// Computes the blocks of a task's points from their sums and copies them to their rows of a
-/// matrix, which has columns for the given coefficients.
-template <class Scalar>
-void copyRows(void (*makeBlocks)(const MakeBlocksTask&), const KelvinConstants& constants,
-              const std::array<std::vector<double>, kPointsPerTask>& sums, std::ptrdiff_t begin,
-              std::ptrdiff_t end, std::ptrdiff_t pointCount, std::span<const int> coefficients,
-              LargeMatrix<Scalar>& matrix) {
-  const std::ptrdiff_t rows = matrix.rows();
-  const bool isFull = end - begin == kPointsPerTask;
-  alignas(64) double blocks[kCoefficientsAtOnce][9][kPointsPerTask];
-  MakeBlocksTask task{constants, {}, nullptr, 0, &blocks[0][0][0]};
-  for (int k = 0; k < kPointsPerTask; ++k) task.sums[k] = sums[begin + k < end ? k : 0].data();
-  for (std::size_t first = 0; first < coefficients.size(); first += kCoefficientsAtOnce) {
-    const std::size_t count = std::min(kCoefficientsAtOnce, coefficients.size() - first);
-    task.coefficients = coefficients.data() + first;
-    task.count = static_cast<int>(count);
-    makeBlocks(task);
-    for (std::size_t j = 0; j < count; ++j)
-      for (int c = 0; c < 3; ++c)
-        for (int i = 0; i < 3; ++i) {
-          const double* from = blocks[j][3 * c + i];
-          Scalar* to = matrix.data() + static_cast<std::ptrdiff_t>(3 * (first + j) + c) * rows +
-                       i * pointCount + begin;
-          // A length known at compile time is copied without a function call.
-          const auto cast = [](double value) { return static_cast<Scalar>(value); };
-          if (isFull)
-            std::transform(from, from + kPointsPerTask, to, cast);
-          else
-            std::transform(from, from + (end - begin), to, cast);
-        }
-  }
-}
-
-/// Elements over which the sums of points are taken, and the columns of the result.
-struct Columns {
-  std::optional<std::span<const int>> elements;  ///< none: all
-  std::span<const int> coefficients, slots;
-};
-
-/// Rows of the points, ordered as [i * count + point].
-template <class Scalar>
-BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
-                                 std::span<const SplineCollocationPoint> points,
-                                 std::optional<Phase> phase, const Job& job) {
-  const auto m = static_cast<std::ptrdiff_t>(points.size());
-  const auto triple = [](std::span<const int> some) {
-    return 3 * static_cast<Eigen::Index>(some.size());
-  };
-  BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, triple(columns.coefficients)),
-                                   LargeMatrix<Scalar>(3 * m, triple(columns.slots))};
-  const SplineKernel kernel = splineKernelForThisProcessor();
-  ScratchPool<Scratch> pool([] { return Scratch{}; });
-  parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, phase, [&](std::ptrdiff_t task) {
-    const std::ptrdiff_t begin = task * kPointsPerTask, end = std::min(m, begin + kPointsPerTask);
-    Scratch scratch = pool.take();
-    for (std::ptrdiff_t k = begin; k < end; ++k) {
-      if (columns.elements)
-        rows.integrateOver(*columns.elements, points[k], scratch.sums, job);
-      else
-        rows.integrate(points[k], scratch.sums, job);
-      scratch.sums.T.swap(scratch.T[k - begin]);
-      scratch.sums.U.swap(scratch.U[k - begin]);
-    }
-    copyRows(kernel.makeBlocksT, rows.constants(), scratch.T, begin, end, m, columns.coefficients,
-             result.H);
-    copyRows(kernel.makeBlocksU, rows.constants(), scratch.U, begin, end, m, columns.slots,
-             result.G);
-    pool.giveBack(std::move(scratch));
-  });
-  return result;
-}
-
-/// Number of points whose rows are stored at once before they are added to the rows of equations:
-/// small enough for a few MiB, but for many columns at least large enough to keep all threads busy.
-std::size_t pointsAtOnce(Eigen::Index columns) {
-  constexpr Eigen::Index kNumbers = 4'000'000, kMinRows = 128;
-  return static_cast<std::size_t>(std::max(kNumbers / (3 * columns), kMinRows));
-}
-
-/// Consecutive points with nonzero weights in the same equations, such as all points of an element.
-struct PointGroup {
-  Eigen::Index first, count;
-  std::vector<Eigen::Index> equations;
-  Eigen::MatrixXd weights;  ///< (equation, point)
-};
-
-/// Groups of the points first … first + count - 1; PointGroup::first is relative to `first`.
-std::vector<PointGroup> groupsOf(const Eigen::SparseMatrix<double>& weights, Eigen::Index first,
-                                 Eigen::Index count) {
-  std::vector<PointGroup> groups;
-  std::vector<Eigen::Index> equations;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    equations.clear();
-    for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + k); w; ++w)
-      equations.push_back(w.row());
-    if (groups.empty() || groups.back().equations != equations)
-      groups.push_back({k, 0, equations, {}});
-    ++groups.back().count;
-  }
-  for (PointGroup& group : groups) {
-    group.weights.resize(static_cast<Eigen::Index>(group.equations.size()), group.count);
-    for (Eigen::Index k = 0; k < group.count; ++k) {
-      Eigen::Index e = 0;
-      for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + group.first + k); w; ++w)
-        group.weights(e++, k) = w.value();
-    }
-  }
-  return groups;
-}
-
-constexpr Eigen::Index kColumnsPerTask = 64;
-
-/// Adds the weighted rows of points to the rows of the equations, for some columns.
-template <class Scalar>
-void addWeighted(const LargeMatrix<Scalar>& ofPoints, const std::vector<PointGroup>& groups,
-                 Eigen::Index firstColumn, LargeMatrix<Scalar>& ofEquations) {
-  const Eigen::Index points = ofPoints.rows() / 3, equations = ofEquations.rows() / 3,
-                     columns = std::min(kColumnsPerTask, ofPoints.cols() - firstColumn);
-  auto to = ofEquations.view();
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights, sums;
-  for (const PointGroup& group : groups) {
-    weights = group.weights.cast<Scalar>();
-    for (int i = 0; i < 3; ++i) {
-      sums.noalias() = weights * ofPoints.view().block(i * points + group.first, firstColumn,
-                                                       group.count, columns);
-      for (Eigen::Index column = 0; column < columns; ++column)
-        for (std::size_t e = 0; e < group.equations.size(); ++e)
-          to(i * equations + group.equations[e], firstColumn + column) +=
-              sums(static_cast<Eigen::Index>(e), column);
-    }
-  }
-}
-
-/// Rows of equations: weighted sums of the rows of their points.
-template <class Scalar>
-BoundaryOperators<Scalar> rowsOf(const SplineRows& rows, const Columns& columns,
-                                 const SplineEquations& equations, std::optional<Phase> phase,
-                                 const Job& job) {
-  const std::span points(equations.points);
-  if (equations.isCollocation()) return rowsOf<Scalar>(rows, columns, points, phase, job);
-  const Eigen::Index count = 3 * equations.weights.rows();
-  BoundaryOperators<Scalar> result{
-      LargeMatrix<Scalar>(count, 3 * static_cast<Eigen::Index>(columns.coefficients.size())),
-      LargeMatrix<Scalar>(count, 3 * static_cast<Eigen::Index>(columns.slots.size()))};
-  const auto tasksOf = [](const LargeMatrix<Scalar>& matrix) {
-    return (matrix.cols() + kColumnsPerTask - 1) / kColumnsPerTask;
-  };
-  const auto all = static_cast<double>(points.size());
-  const std::size_t atOnce = pointsAtOnce(result.H.cols() + result.G.cols());
-  for (std::size_t first = 0; first < points.size(); first += atOnce) {
-    const auto some = points.subspan(first, std::min(atOnce, points.size() - first));
-    Job ofSome = job;
-    if (job.progress)
-      ofSome.progress = [&](Phase name, double fraction) {
-        job.progress(
-            name, (static_cast<double>(first) + fraction * static_cast<double>(some.size())) / all);
-      };
-    const auto ofPoints = rowsOf<Scalar>(rows, columns, some, phase, ofSome);
-    const std::vector<PointGroup> groups =
-        groupsOf(equations.weights, static_cast<Eigen::Index>(first),
-                 static_cast<Eigen::Index>(some.size()));
-    parallelFor(tasksOf(result.H) + tasksOf(result.G), job, [&](std::ptrdiff_t task) {
-      const Eigen::Index ofG = task - tasksOf(result.H);
-      if (ofG < 0)
-        addWeighted(ofPoints.H, groups, task * kColumnsPerTask, result.H);
-      else
-        addWeighted(ofPoints.G, groups, ofG * kColumnsPerTask, result.G);
-    });
-  }
-  return result;
-}
-
-/// `points`: collocation points or equations.
-template <class Scalar, class Points>
-BoundaryOperators<Scalar> allRows(const SplineSurface& surface, const SplineTractions& tractions,
-                                  const Points& points, const Material& material,
-                                  const AssemblyOptions& options, const Job& job) {
-  material.validate();
-  const SplineQuadrature quadrature(surface, options.tolerance, job);
-  const SplineRows rows(surface, tractions, material, quadrature);
-  std::vector<int> coefficients(surface.coefficientCount()), slots(tractions.slots.count());
-  std::iota(coefficients.begin(), coefficients.end(), 0);
-  std::iota(slots.begin(), slots.end(), 0);
-  return rowsOf<Scalar>(rows, {std::nullopt, coefficients, slots}, points, Phase::kAssemble, job);
-}
-
-}  // namespace
 
 template <class Scalar>
 BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
-                                   const std::vector<SplineCollocationPoint>& points,
-                                   const Material& material, const AssemblyOptions& options,
-                                   const Job& job) {
-  return allRows<Scalar>(surface, tractions, std::span(points), material, options, job);
-}
-
-template <class Scalar>
-BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
-                                   const SplineEquations& equations, const Material& material,
+                                   const WeightedEquations& equations, const Material& material,
                                    const AssemblyOptions& options, const Job& job) {
-  return allRows<Scalar>(surface, tractions, equations, material, options, job);
+  const SplineQuadrature quadrature(surface, options.tolerance, job);
+  return assemble<Scalar>(SplineElements(surface, tractions), quadrature, equations, material, job);
 }
 
 template <class Scalar>
 BoundaryOperators<Scalar> assemblePart(const SplineSurface& surface,
                                        const SplineTractions& tractions, const ElementPart& part,
-                                       const SplineEquations& equations, const Material& material,
+                                       const WeightedEquations& equations, const Material& material,
                                        const AssemblyOptions& options, const Job& job) {
-  material.validate();
   const SplineQuadrature quadrature(surface, options.tolerance, job);
-  const SplineRows rows(surface, tractions, material, quadrature);
-  return rowsOf<Scalar>(rows, {part.elements, part.coefficients, part.slots}, equations,
-                        std::nullopt, job);
+  return assemblePart<Scalar>(SplineElements(surface, tractions), quadrature, part, equations,
+                              material, job);
 }
 
 template BoundaryOperators<double> assemble(const SplineSurface&, const SplineTractions&,
-                                            const std::vector<SplineCollocationPoint>&,
-                                            const Material&, const AssemblyOptions&, const Job&);
-template BoundaryOperators<float> assemble(const SplineSurface&, const SplineTractions&,
-                                           const std::vector<SplineCollocationPoint>&,
-                                           const Material&, const AssemblyOptions&, const Job&);
-template BoundaryOperators<double> assemble(const SplineSurface&, const SplineTractions&,
-                                            const SplineEquations&, const Material&,
+                                            const WeightedEquations&, const Material&,
                                             const AssemblyOptions&, const Job&);
 template BoundaryOperators<float> assemble(const SplineSurface&, const SplineTractions&,
-                                           const SplineEquations&, const Material&,
+                                           const WeightedEquations&, const Material&,
                                            const AssemblyOptions&, const Job&);
-
 template BoundaryOperators<double> assemblePart(const SplineSurface&, const SplineTractions&,
-                                                const ElementPart&, const SplineEquations&,
+                                                const ElementPart&, const WeightedEquations&,
                                                 const Material&, const AssemblyOptions&,
                                                 const Job&);
 template BoundaryOperators<float> assemblePart(const SplineSurface&, const SplineTractions&,
-                                               const ElementPart&, const SplineEquations&,
+                                               const ElementPart&, const WeightedEquations&,
                                                const Material&, const AssemblyOptions&, const Job&);
 
 }  // namespace palpa::bem

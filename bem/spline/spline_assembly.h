@@ -1,36 +1,21 @@
 #pragma once
 
+#include "bem/element/element_assembly.h"
 #include "bem/spline/spline_equations.h"
-#include "bem/triangle/assembly.h"
 
 namespace palpa::bem {
 
-/// Boundary operators H and G in spline coefficients, corresponding to assemble() for triangles.
-/// With the functions N_j of the surface and u = Σ N_j u_j, p = Σ N_s p_s,
-///   H_ij = ∫ T(x_i, y) [N_j(y) - N_j(x_i)] dΓ,  G_is = ∫ U(x_i, y) N_s(y) dΓ.
-/// This is the regularised identity: it has no free term and no principal value, and is valid at
-/// edges and corners. The subtraction is applied to the sums over all elements, so a translation
-/// gives exactly zero for any quadrature error. Rows and columns are ordered as in
-/// BoundaryOperators. The cost is about 0.4 µs per (point, element) and core with cubic splines and
-/// a tolerance of 1e-5. The result does not depend on the number of threads. Throws Cancelled if
-/// the job was stopped.
+/// Boundary operators in spline coefficients, see element_assembly.h.
 template <class Scalar>
 BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
-                                   const std::vector<SplineCollocationPoint>& points,
-                                   const Material& material, const AssemblyOptions& options,
-                                   const Job& job);
-/// Rows of the equations: weighted sums of the rows of their points.
-template <class Scalar>
-BoundaryOperators<Scalar> assemble(const SplineSurface& surface, const SplineTractions& tractions,
-                                   const SplineEquations& equations, const Material& material,
+                                   const WeightedEquations& equations, const Material& material,
                                    const AssemblyOptions& options, const Job& job);
 
-/// Contribution of some elements to the rows of equations whose points lie outside these elements;
-/// see assemblePart() for triangles.
+/// Contribution of some elements to the rows of equations whose points lie outside these elements.
 template <class Scalar>
 BoundaryOperators<Scalar> assemblePart(const SplineSurface& surface,
                                        const SplineTractions& tractions, const ElementPart& part,
-                                       const SplineEquations& equations, const Material& material,
+                                       const WeightedEquations& equations, const Material& material,
                                        const AssemblyOptions& options, const Job& job);
 
 }  // namespace palpa::bem

@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "bem/spline/gauss_rule.h"
+#include "bem/base/gauss_rule.h"
 
 namespace palpa::bem {
 namespace {
@@ -18,7 +18,7 @@ bool carries(const SplineSurface& surface, int element, int coefficient) {
 /// Places for a torn function whose Greville point lies on the other side of the border: the mean
 /// position on the elements that use the coefficient, weighted by the squared function, in the
 /// patch with the largest weight. Where faces meet at a sharp edge, the first face is used.
-std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
+std::vector<ElementPlace> placesOnOwnSide(const SplineSurface& surface, int coefficient) {
   int group = std::numeric_limits<int>::max();
   for (int e = 0; e < surface.elementCount(); ++e)
     if (carries(surface, e, coefficient)) group = std::min(group, surface.smoothingGroup(e));
@@ -30,7 +30,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
     double weight = 0;
   };
   std::map<int, Middle> middles;  // by patch
-  SplinePlace strongest{-1, 0, 0};
+  ElementPlace strongest{-1, 0, 0};
   double most = 0;
   std::vector<double> basis;
   for (int e = 0; e < surface.elementCount(); ++e) {
@@ -38,7 +38,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
     const SplineElement& element = surface.elements()[e];
     for (int i = 0; i < kPoints; ++i)
       for (int j = 0; j < kPoints; ++j) {
-        const SplinePlace place{
+        const ElementPlace place{
             e, element.lower[0] + rule.points[i] * (element.upper[0] - element.lower[0]),
             element.lower[1] + rule.points[j] * (element.upper[1] - element.lower[1])};
         surface.evaluateBasis(place, basis);
@@ -60,7 +60,7 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
       [](const auto& a, const auto& b) { return a.second.weight < b.second.weight; });
   const Eigen::Vector2d middle = heaviest->second.sum / heaviest->second.weight;
   const auto places = placesInPatch(surface, heaviest->first, middle[0], middle[1]);
-  if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const SplinePlace& p) {
+  if (!places.empty() && std::all_of(places.begin(), places.end(), [&](const ElementPlace& p) {
         return isOwn(p.element) && carries(surface, p.element, coefficient);
       }))
     return places;
@@ -70,16 +70,16 @@ std::vector<SplinePlace> placesOnOwnSide(const SplineSurface& surface, int coeff
 
 }  // namespace
 
-std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& surface) {
-  std::vector<SplineCollocationPoint> points;
+std::vector<CollocationPlace> grevilleCollocation(const SplineSurface& surface) {
+  std::vector<CollocationPlace> points;
   const auto all = occurrences(surface);
   for (int k = 0; k < surface.coefficientCount(); ++k) {
-    SplineCollocationPoint point;
+    CollocationPlace point;
     for (const SplineOccurrence& at : all[k])
-      for (const SplinePlace& place : grevillePlaces(surface, at)) point.places.push_back(place);
+      for (const ElementPlace& place : grevillePlaces(surface, at)) point.places.push_back(place);
     if (surface.isTorn(k) &&
         !std::all_of(point.places.begin(), point.places.end(),
-                     [&](const SplinePlace& p) { return carries(surface, p.element, k); }))
+                     [&](const ElementPlace& p) { return carries(surface, p.element, k); }))
       point.places = placesOnOwnSide(surface, k);
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
@@ -89,13 +89,13 @@ std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& sur
   return points;
 }
 
-std::optional<SplineCollocationPoint> shiftedCollocation(const SplineSurface& surface,
-                                                         const SplineTractions& tractions, int slot,
-                                                         double shift) {
+std::optional<CollocationPlace> shiftedCollocation(const SplineSurface& surface,
+                                                   const SplineTractions& tractions, int slot,
+                                                   double shift) {
   const auto& wanted = tractions.slots.slots[slot];
   const auto all = occurrences(surface);
   for (const SplineOccurrence& at : all[wanted.node])
-    for (const SplinePlace& place : grevillePlaces(surface, at)) {
+    for (const ElementPlace& place : grevillePlaces(surface, at)) {
       const SplineElement& element = surface.elements()[place.element];
       if (surface.smoothingGroup(place.element) != wanted.smoothingGroup ||
           element.tag != wanted.tag)
@@ -119,7 +119,7 @@ std::optional<SplineCollocationPoint> shiftedCollocation(const SplineSurface& su
         const int next = std::clamp(function[d] - step, 0, basis[d].count() - 1);
         parameter[d] += shift * (basis[d].greville(next) - parameter[d]);
       }
-      SplineCollocationPoint point;
+      CollocationPlace point;
       point.places = placesInPatch(surface, element.patch, parameter[0], parameter[1]);
       if (point.places.empty() ||
           surface.elements()[point.places.front().element].tag != wanted.tag)

@@ -8,25 +8,19 @@
 
 namespace palpa::bem {
 
-/// Surface point at which the boundary integral equation must hold.
-struct SplineCollocationPoint {
-  Eigen::Vector3d position;         ///< mm
-  std::vector<SplinePlace> places;  ///< in all elements that contain the point
-};
-
 /// Collocation points, one per displacement coefficient: its Greville point. For a torn
 /// coefficient, whose Greville point may lie on the other side of the border, the point lies in the
 /// middle of the elements that use the coefficient. Throws std::invalid_argument if a control point
 /// belongs to no patch.
-std::vector<SplineCollocationPoint> grevilleCollocation(const SplineSurface& surface);
+std::vector<CollocationPlace> grevilleCollocation(const SplineSurface& surface);
 
 /// Collocation point inside the part of the surface that contains a traction slot, at the fraction
 /// `shift` (in (0, 1)) of the way from the Greville point of the slot's function to the Greville
 /// point of the next function. It yields the equation for the additional traction of a coefficient
 /// where faces with prescribed displacement meet at a sharp edge. None if the border of the part
 /// lies between the two Greville points.
-std::optional<SplineCollocationPoint> shiftedCollocation(const SplineSurface& surface,
-                                                         const SplineTractions& tractions, int slot,
-                                                         double shift = 0.4);
+std::optional<CollocationPlace> shiftedCollocation(const SplineSurface& surface,
+                                                   const SplineTractions& tractions, int slot,
+                                                   double shift = 0.4);
 
 }  // namespace palpa::bem

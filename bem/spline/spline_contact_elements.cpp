@@ -5,7 +5,7 @@
 #include <map>
 
 #include "base/parallel.h"
-#include "bem/spline/gauss_rule.h"
+#include "bem/base/gauss_rule.h"
 
 namespace palpa::bem {
 namespace {
@@ -43,9 +43,9 @@ Points pointsOf(const SplineSurface& surface, int index, const std::array<int, 2
   Index row = 0;
   for (int j = 0; j < counts[1]; ++j)
     for (int i = 0; i < counts[0]; ++i, ++row) {
-      const SplinePlace place{index, element.lower[0] + width * u.points[i],
-                              element.lower[1] + height * v.points[j]};
-      const SplineJet jet = surface.evaluate(place);
+      const ElementPlace place{index, element.lower[0] + width * u.points[i],
+                               element.lower[1] + height * v.points[j]};
+      const SurfaceJet jet = surface.evaluate(place);
       surface.evaluateBasis(place, basis);
       result.positions.row(row) = jet.position.transpose();
       result.weights[row] = jet.areaVector().norm() * width * height * u.weights[i] * v.weights[j];
@@ -62,7 +62,7 @@ MatrixXd variance(const SplineSurface& surface, int index, Index size,
   const auto& spanU = patch.basis[0].spans()[element.span[0]];
   const auto& spanV = patch.basis[1].spans()[element.span[1]];
   // The area per unit of the parameters hardly varies within the rectangle; only its size matters.
-  const SplineJet jet = surface.evaluate({index, 0.5, 0.5});
+  const SurfaceJet jet = surface.evaluate({index, 0.5, 0.5});
   const double scale =
       jet.areaVector().norm() / surface.parameters({index, 0.5, 0.5}).derivative.determinant();
   const double area = scale * (spanU.upper - spanU.lower) * (spanV.upper - spanV.lower);
@@ -93,7 +93,7 @@ std::array<double, 2> lengths(const SplineSurface& surface, int index) {
   std::array<double, 2> longest{};
   for (const double v : {0.1, 0.5, 0.9})
     for (const double u : {0.1, 0.5, 0.9}) {
-      const SplineJet jet =
+      const SurfaceJet jet =
           surface.evaluate({index, element.lower[0] + u * width, element.lower[1] + v * height});
       longest[0] = std::max(longest[0], width * jet.du.norm());
       longest[1] = std::max(longest[1], height * jet.dv.norm());
@@ -105,8 +105,8 @@ std::array<double, 2> lengths(const SplineSurface& surface, int index) {
 
 SplineContactElements::SplineContactElements(const SplineSurface& surface,
                                              const SplineTractions& tractions,
-                                             const std::vector<double>& narrowest)
-    : elements_(surface.elements().size()), around_(surface.controlPoints().size()) {
+                                             const std::vector<double>& narrowest) {
+  elements_.resize(surface.elements().size());
   connectCells(surface);
   constexpr int kElementsPerTask = 8;
   parallelFor((count() + kElementsPerTask - 1) / kElementsPerTask, {}, [&](std::ptrdiff_t task) {
@@ -114,11 +114,11 @@ SplineContactElements::SplineContactElements(const SplineSurface& surface,
     for (int e = begin; e < std::min(count(), begin + kElementsPerTask); ++e)
       fill(surface, tractions, e, narrowest);
   });
+  setAround(surface.coefficientCount());
   VectorXd integrals = VectorXd::Zero(surface.coefficientCount());
   for (int e = 0; e < count(); ++e) {
     const Element& element = elements_[e];
     for (std::size_t a = 0; a < element.coefficients.size(); ++a) {
-      around_[element.coefficients[a]].push_back(e);
       integrals[element.coefficients[a]] += element.mass.row(static_cast<Index>(a)).sum();
     }
   }
@@ -228,19 +228,6 @@ void SplineContactElements::connectCells(const SplineSurface& surface) {
     for (const auto& [cell, side] : meeting)
       for (const auto& [other, otherSide] : meeting)
         if (other != cell) cells_[cell].sides[side].neighbours.push_back(other);
-}
-
-bool SplineContactElements::reaches(const Side& side, const Vector3d& middle, double radius) {
-  const double distance = (side.points[kPieces / 2] - middle).norm();
-  if (distance < radius) return true;
-  if (distance - side.radius >= radius) return false;
-  for (int k = 0; k < kPieces; ++k) {
-    const Vector3d along = side.points[k + 1] - side.points[k], from = middle - side.points[k];
-    const double length = along.squaredNorm();
-    const double t = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0.0;
-    if ((from - t * along).squaredNorm() < radius * radius) return true;
-  }
-  return false;
 }
 
 }  // namespace palpa::bem

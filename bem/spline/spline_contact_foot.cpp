@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bem/element/foot_step.h"
 #include "bem/spline/spline_contact_surface.h"
 #include "bem/triangle/contact_foot.h"
 
@@ -15,7 +16,6 @@ using Eigen::Vector3d;
 /// Overlap of the masks of a lattice, radius over spacing: the masks are never narrower than the
 /// splines can represent.
 constexpr double kOverlap = 1.7;
-constexpr double kSingular = 1e-6;
 
 struct Basis1d {
   double value[kMaxSplineDegree + 1], slope[kMaxSplineDegree + 1], bend[kMaxSplineDegree + 1];
@@ -37,18 +37,13 @@ struct Basis1d {
   }
 };
 
-struct Jet2 {
-  Vector3d position = Vector3d::Zero(), u = Vector3d::Zero(), v = Vector3d::Zero(),
-           uu = Vector3d::Zero(), uv = Vector3d::Zero(), vv = Vector3d::Zero();
-};
-
 /// Position and derivatives with respect to the patch parameters.
-Jet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) {
+SurfaceJet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) {
   const SplineElement& element = surface.elements()[at.element];
   const auto& basis = surface.patches()[element.patch].basis;
   const Basis1d a(basis[0].polynomials(element.span[0]), at.parameters[0]);
   const Basis1d b(basis[1].polynomials(element.span[1]), at.parameters[1]);
-  Jet2 jet;
+  SurfaceJet2 jet;
   const int* function = surface.functions(at.element).data();
   for (int j = 0; j <= basis[1].degree(); ++j)
     for (int i = 0; i <= basis[0].degree(); ++i) {
@@ -61,22 +56,6 @@ Jet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) {
       jet.vv += a.value[i] * b.bend[j] * point;
     }
   return jet;
-}
-
-/// Newton step towards (tool - x) . x_u = (tool - x) . x_v = 0. If the tool lies beyond the centre
-/// of curvature, the step omits the curvature terms.
-Vector2d stepToFoot(const Jet2& jet, const Vector3d& tool) {
-  const Vector3d off = tool - jet.position;
-  const Vector2d right(off.dot(jet.u), off.dot(jet.v));
-  Matrix2d metric, bend;
-  metric << jet.u.squaredNorm(), jet.u.dot(jet.v), jet.u.dot(jet.v), jet.v.squaredNorm();
-  bend << off.dot(jet.uu), off.dot(jet.uv), off.dot(jet.uv), off.dot(jet.vv);
-  const auto isDefinite = [&](const Matrix2d& matrix) {
-    return matrix.trace() > 0 && matrix.determinant() > kSingular * metric(0, 0) * metric(1, 1);
-  };
-  if (isDefinite(metric - bend)) return (metric - bend).inverse() * right;
-  if (isDefinite(metric)) return metric.inverse() * right;
-  return Vector2d::Zero();
 }
 
 }  // namespace
@@ -102,7 +81,7 @@ SurfacePoint SplineContactSurface::foot(const Vector3d& tool, const SurfacePoint
   // Steps are limited to the narrowest mask, which exceeds the error of the nearest mesh point.
   onMesh =
       walkToFoot(triangles, tree(), onMesh, narrowestMask(start), [&](const SurfacePoint& from) {
-        const Jet2 jet = evaluate(mesh_.surface(), mesh_.at(from));
+        const SurfaceJet2 jet = evaluate(mesh_.surface(), mesh_.at(from));
         const auto& corners = mesh_.triangle(from.triangle).corners;
         Matrix2d edges;
         edges << corners[1] - corners[0], corners[2] - corners[0];
@@ -117,7 +96,7 @@ Vector3d SplineContactSurface::normal(const SurfacePoint& point) const {
   // Slightly inside the triangle where the derivatives are parallel.
   for (const double inwards : {0.0, 1e-3, 1e-2}) {
     const Vector3d weights = (1 - inwards) * point.weights + Vector3d::Constant(inwards / 3);
-    const Jet2 jet = evaluate(mesh_.surface(), mesh_.at(point.triangle, weights));
+    const SurfaceJet2 jet = evaluate(mesh_.surface(), mesh_.at(point.triangle, weights));
     const Vector3d area = jet.u.cross(jet.v);
     if (area.norm() > 1e-9 * jet.u.norm() * jet.v.norm()) return area.normalized();
   }

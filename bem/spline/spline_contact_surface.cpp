@@ -1,56 +1,17 @@
 #include "bem/spline/spline_contact_surface.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "bem/spline/spline_collocation.h"
 
 namespace palpa::bem {
-namespace {
 
-using Eigen::Index;
 using Eigen::Vector3d;
 
-/// If a smaller part of the bump lies on free coefficients, the place counts as fixed by a support.
-constexpr double kMinPart = 0.02;
-
-}  // namespace
-
-class SplineContactSurface::Workspace final : public ContactSurface::Workspace {
- public:
-  explicit Workspace(const SplineContactSurface& surface)
-      : cellStamp_(surface.elements_.cellCount(), 0),
-        elementStamp_(surface.elements_.count(), 0),
-        nodeStamp_(surface.places_.size(), 0),
-        measureStamp_(surface.places_.size(), 0),
-        nodeIndex_(surface.places_.size(), 0),
-        measureIndex_(surface.places_.size(), 0) {
-    Index points = 0, functions = 0, means = 0;
-    for (int e = 0; e < surface.elements_.count(); ++e) {
-      points = std::max(points, surface.elements_[e].project.cols());
-      functions = std::max(functions, surface.elements_[e].project.rows());
-      means = std::max(means, surface.elements_[e].points.cols());
-    }
-    bump_.resize(points);
-    local_.resize(functions);
-    measured_.resize(functions);
-    atPoints_.resize(means);
-  }
-
- private:
-  friend class SplineContactSurface;
-  std::vector<unsigned> cellStamp_, elementStamp_, nodeStamp_, measureStamp_;
-  unsigned stamp_ = 0;
-  std::vector<int> cells_, around_, nodeIndex_, measureIndex_;
-  Eigen::VectorXd bump_, local_, measured_, atPoints_;  // of one element
-};
-
 SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const DegreesOfFreedom& dofs)
-    : ContactSurface(mesh.mesh(), mesh.meshSlots(), mesh.tractions().slots, dofs),
+    : ElementContactSurface(mesh.mesh(), mesh.meshSlots(), mesh.tractions().slots, dofs),
       mesh_(mesh),
       widths_(mesh.surface()),
       elements_(mesh.surface(), mesh.tractions(), widths_.ofFunctions()) {
-  for (const SplineCollocationPoint& point : grevilleCollocation(mesh.surface()))
+  for (const CollocationPlace& point : grevilleCollocation(mesh.surface()))
     places_.push_back(point.position);
   coefficientAt_.assign(mesh.mesh().nodes.size(), -2);  // -2: not visited yet
   std::vector<double> basis;
@@ -70,145 +31,6 @@ SplineContactSurface::SplineContactSurface(const SplineMesh& mesh, const Degrees
       }
       coefficient = best;
     }
-}
-
-std::unique_ptr<ContactSurface::Workspace> SplineContactSurface::makeWorkspace() const {
-  return std::make_unique<Workspace>(*this);
-}
-
-bool SplineContactSurface::makeMask(const SurfacePoint& point, double radius,
-                                    ContactSurface::Workspace& workspace, ContactMask& mask) const {
-  auto& work = static_cast<Workspace&>(workspace);
-  mask.point = point;
-  mask.radius = maskRadius(point, radius);
-  mask.nodes.clear();
-  mask.traction.clear();
-  mask.measureNodes.clear();
-  mask.measure.clear();
-  mask.points.clear();
-  mask.pointWeights.clear();
-  ++work.stamp_;
-  work.cells_.clear();
-  work.cells_.push_back(elements_.cellOf(mesh_.at(point).element));
-  work.cellStamp_[work.cells_.front()] = work.stamp_;
-  const double bump = project(smoothPosition(point), mask.radius, work, mask);
-  const double carried = measure(work, mask);
-  if (carried > kMinPart * bump) {
-    for (double& coefficient : mask.traction) coefficient /= carried;
-    for (double& weight : mask.measure) weight /= carried;
-    return true;
-  }
-  mask.nodes.clear();
-  mask.traction.clear();
-  mask.measureNodes.clear();
-  mask.measure.clear();
-  mask.points.clear();
-  mask.pointWeights.clear();
-  return false;
-}
-
-/// Computes the coefficients of the bump (1 - (ρ/radius)^2)^2 on the elements that reach into the
-/// ball and are connected with the touched element: the far side of a thin body must stay
-/// untouched. The part on fixed coefficients is omitted. Returns the integral of the bump.
-double SplineContactSurface::project(const Vector3d& middle, double radius, Workspace& work,
-                                     ContactMask& mask) const {
-  const double inverse = 1.0 / (radius * radius);
-  double integral = 0;
-  for (std::size_t k = 0; k < work.cells_.size(); ++k) {
-    elements_.visitNeighbours(work.cells_[k], middle, radius, [&](int neighbour) {
-      if (work.cellStamp_[neighbour] == work.stamp_) return;
-      work.cellStamp_[neighbour] = work.stamp_;
-      work.cells_.push_back(neighbour);
-    });
-    for (const int e : elements_.elementsOf(work.cells_[k])) {
-      const SplineContactElements::Element& element = elements_[e];
-      if ((element.center - middle).norm() >= radius + element.radius) continue;
-      const Index points = element.bumpPoints.rows();
-      bool isReached = false;
-      for (Index q = 0; q < points; ++q) {
-        const double s =
-            1 - inverse * (element.bumpPoints.row(q).transpose() - middle).squaredNorm();
-        work.bump_[q] = s > 0 ? s * s : 0.0;
-        isReached = isReached || s > 0;
-      }
-      if (!isReached) continue;
-      integral += element.bumpWeights.dot(work.bump_.head(points));
-      auto local = work.local_.head(element.project.rows());
-      local.noalias() = element.project * work.bump_.head(points);
-      for (Index a = 0; a < local.size(); ++a) {
-        const int node = element.coefficients[a];
-        if (!dofs().isFree(node)) continue;
-        if (work.nodeStamp_[node] != work.stamp_) {
-          work.nodeStamp_[node] = work.stamp_;
-          work.nodeIndex_[node] = static_cast<int>(mask.nodes.size());
-          mask.nodes.push_back(node);
-          mask.traction.push_back(0.0);
-        }
-        mask.traction[work.nodeIndex_[node]] += local[a];
-      }
-    }
-  }
-  return integral;
-}
-
-/// Computes ∫ Φ N_j dΓ, and points for other means; returns ∫ Φ dΓ.
-double SplineContactSurface::measure(Workspace& work, ContactMask& mask) const {
-  work.around_.clear();
-  for (const int node : mask.nodes)
-    for (const int e : elements_.around(node)) {
-      if (work.elementStamp_[e] == work.stamp_) continue;
-      work.elementStamp_[e] = work.stamp_;
-      work.around_.push_back(e);
-    }
-  double integral = 0, integralOfPoints = 0;
-  for (const int e : work.around_) {
-    const SplineContactElements::Element& element = elements_[e];
-    const Index size = element.mass.rows();
-    auto local = work.local_.head(size);
-    for (Index a = 0; a < size; ++a) {
-      const int node = element.coefficients[a];
-      local[a] = work.nodeStamp_[node] == work.stamp_ ? mask.traction[work.nodeIndex_[node]] : 0.0;
-    }
-    auto measured = work.measured_.head(size);
-    measured.noalias() = element.mass * local;
-    for (Index a = 0; a < size; ++a) {
-      const int node = element.coefficients[a];
-      if (work.measureStamp_[node] != work.stamp_) {
-        work.measureStamp_[node] = work.stamp_;
-        work.measureIndex_[node] = static_cast<int>(mask.measureNodes.size());
-        mask.measureNodes.push_back(node);
-        mask.measure.push_back(0.0);
-      }
-      mask.measure[work.measureIndex_[node]] += measured[a];
-    }
-    integral += measured.sum();
-    const Index points = element.points.cols();
-    auto atPoints = work.atPoints_.head(points);
-    atPoints.noalias() = element.weightedBasis * local;
-    for (Index q = 0; q < points; ++q) {
-      mask.points.push_back(element.points.col(q));
-      mask.pointWeights.push_back(atPoints[q]);
-    }
-    integralOfPoints += atPoints.sum();
-  }
-  for (double& weight : mask.pointWeights) weight /= integralOfPoints;
-  return integral;
-}
-
-double SplineContactSurface::strainEnergy(const Eigen::VectorXd& u,
-                                          const Eigen::VectorXd& p) const {
-  double sum = 0;
-  for (int e = 0; e < elements_.count(); ++e) {
-    const SplineContactElements::Element& element = elements_[e];
-    const Index size = element.mass.rows();
-    for (Index a = 0; a < size; ++a) {
-      const Vector3d traction = p.segment<3>(3 * element.slots[a]);
-      if (traction.isZero(0)) continue;
-      for (Index b = 0; b < size; ++b)
-        sum += element.mass(a, b) * traction.dot(u.segment<3>(3 * element.coefficients[b]));
-    }
-  }
-  return 0.5 * sum;
 }
 
 }  // namespace palpa::bem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/contact/contact_surface.h"
+#include "bem/element/element_contact_surface.h"
 #include "bem/spline/spline_contact_elements.h"
 #include "bem/spline/spline_mask_widths.h"
 #include "bem/spline/spline_mesh.h"
@@ -22,7 +22,7 @@ namespace palpa::bem {
 /// % from 2.2 elements on.
 ///
 /// Construction takes about 0.1 ms, and storage 10 kB, per cubic element.
-class SplineContactSurface final : public ContactSurface {
+class SplineContactSurface final : public ElementContactSurface {
  public:
   /// `mesh` and `dofs` must outlive the surface.
   SplineContactSurface(const SplineMesh& mesh, const DegreesOfFreedom& dofs);
@@ -43,18 +43,9 @@ class SplineContactSurface final : public ContactSurface {
   double narrowestMask(const SurfacePoint& point) const override;
   double maskSpacing(const SurfacePoint& point) const override;
 
-  std::unique_ptr<ContactSurface::Workspace> makeWorkspace() const override;
-  /// Takes about 50 µs for the narrowest mask of cubic splines.
-  bool makeMask(const SurfacePoint& point, double radius, ContactSurface::Workspace& workspace,
-                ContactMask& mask) const override;
-
-  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
-
  private:
-  class Workspace;
-  double project(const Eigen::Vector3d& middle, double radius, Workspace& work,
-                 ContactMask& mask) const;
-  double measure(Workspace& work, ContactMask& mask) const;
+  const ContactElements& elements() const override { return elements_; }
+  int elementAt(const SurfacePoint& point) const override { return mesh_.at(point).element; }
 
   const SplineMesh& mesh_;
   SplineMaskWidths widths_;

@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "bem/element/element_interior.h"
 #include "bem/spline/spline_body_force.h"
 #include "bem/spline/spline_contact_surface.h"
-#include "bem/spline/spline_interior.h"
+#include "bem/spline/spline_equations.h"
+#include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_state.h"
 
 namespace palpa::bem {
@@ -16,10 +18,11 @@ SplineDiscretisation::SplineDiscretisation(BoundaryMesh mesh, SplineSurface surf
     : Discretisation(std::move(mesh)),
       surface_(std::move(surface)),
       tractions_(surface_),
+      elements_(surface_, tractions_),
       splineMesh_(surface_, tractions_, Discretisation::mesh(), meshSlots(), std::move(triangles)) {
   std::vector<Entry> entries;
-  for (const SplineCollocationPoint& point : grevilleCollocation(surface_)) {
-    const SplinePlace& place = point.places.front();
+  for (const CollocationPlace& point : grevilleCollocation(surface_)) {
+    const ElementPlace& place = point.places.front();
     addWeights({place.element, surface_.parameters(place).parameters},
                static_cast<int>(places_.size()), entries);
     places_.push_back(point.position);
@@ -102,7 +105,7 @@ Vector3d SplineDiscretisation::displacementDefect(const SurfacePoint& place,
                                                   const Eigen::VectorXd& u,
                                                   const Eigen::VectorXd& p,
                                                   const Bulk& bulk) const {
-  return results().displacementDefect(splineMesh_.at(place), u, p, bulk);
+  return results().displacementDefect(surfacePlaces(surface_, splineMesh_.at(place)), u, p, bulk);
 }
 
 BoundaryField SplineDiscretisation::estimatedError(const ReferenceProblem& problem,
@@ -135,9 +138,8 @@ BodyForceWork SplineDiscretisation::bodyForceWork(const Bulk& bulk) const {
 std::unique_ptr<InteriorEvaluator> SplineDiscretisation::makeInteriorEvaluator(
     std::vector<Vector3d> points, const Bulk& bulk, const Job& job) const {
   const SplineQuadrature& quadrature =
-      interiorQuadrature_.get(surface_, SplineInterior::kTolerance, job);
-  return std::make_unique<SplineInterior>(surface_, tractions_, quadrature, bulk, std::move(points),
-                                          job);
+      interiorQuadrature_.get(surface_, ElementInterior::kTolerance, job);
+  return std::make_unique<ElementInterior>(elements_, quadrature, bulk, std::move(points), job);
 }
 
 std::unique_ptr<ContactSurface> SplineDiscretisation::makeContactSurface(

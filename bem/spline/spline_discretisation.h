@@ -1,10 +1,12 @@
 #pragma once
 
 #include "base/lazy.h"
+#include "bem/element/element_results.h"
 #include "bem/problem/discretisation.h"
+#include "bem/spline/spline_elements.h"
 #include "bem/spline/spline_integrals.h"
 #include "bem/spline/spline_mesh_stress.h"
-#include "bem/spline/spline_results.h"
+#include "bem/spline/spline_quadrature.h"
 
 namespace palpa::bem {
 
@@ -21,6 +23,7 @@ class SplineDiscretisation final : public Discretisation {
 
   const SplineSurface& surface() const { return surface_; }
   const SplineTractions& tractions() const { return tractions_; }
+  const SplineElements& elements() const { return elements_; }
   const SplineMesh& splineMesh() const { return splineMesh_; }
 
   const TractionSlots& slots() const override { return tractions_.slots; }
@@ -66,17 +69,19 @@ class SplineDiscretisation final : public Discretisation {
   using Entry = Eigen::Triplet<double>;
   void addWeights(const SplineMesh::Point& at, int row, std::vector<Entry>& entries) const;
   const SplineIntegrals& integrals() const { return integrals_.get(surface_, tractions_); }
-  const SplineResults& results() const { return results_.get(surface_, tractions_); }
+  ElementResults results() const {
+    return {elements_, quadrature_.get(surface_, ElementResults::kTolerance)};
+  }
 
   SplineSurface surface_;
   SplineTractions tractions_;
+  SplineElements elements_;
   SplineMesh splineMesh_;
   std::vector<Eigen::Vector3d> places_;
   Weights placeWeights_;
   Lazy<SplineIntegrals> integrals_;
-  Lazy<SplineResults> results_;
   Lazy<SplineMeshStress> stress_;
-  Lazy<SplineQuadrature> interiorQuadrature_;
+  Lazy<SplineQuadrature> quadrature_, interiorQuadrature_;
 };
 
 }  // namespace palpa::bem

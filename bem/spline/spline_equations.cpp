@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "bem/model/element_part.h"
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {
@@ -40,16 +39,16 @@ class Builder {
       ofExtraSlot_[extraSlots[k]] = surface.coefficientCount() + static_cast<int>(k);
   }
 
-  SplineEquations build(std::span<const int> extraSlots) {
+  WeightedEquations build(std::span<const int> extraSlots) {
     const int coefficients = surface_.coefficientCount();
-    std::vector<SplineCollocationPoint> greville = grevilleCollocation(surface_);
+    std::vector<CollocationPlace> greville = grevilleCollocation(surface_);
     for (int k = 0; k < coefficients; ++k) {
       isAveraged_[k] = surface_.isTorn(k);
       if (!isAveraged_[k]) collocate(k, std::move(greville[k]));
     }
     for (std::size_t s = 0; s < extraSlots.size(); ++s) {
       const int equation = coefficients + static_cast<int>(s), slot = extraSlots[s];
-      std::optional<SplineCollocationPoint> point;
+      std::optional<CollocationPlace> point;
       if (!surface_.isTorn(tractions_.slots.slots[slot].node))
         point = shiftedCollocation(surface_, tractions_, slot);
       isAveraged_[equation] = !point;
@@ -68,7 +67,7 @@ class Builder {
     return extra >= 0 ? extra : surface_.functions(element)[f];
   }
 
-  void collocate(int equation, SplineCollocationPoint point) {
+  void collocate(int equation, CollocationPlace point) {
     weights_.emplace_back(equation, static_cast<int>(equations_.points.size()), 1.0);
     equations_.points.push_back(std::move(point));
   }
@@ -82,7 +81,7 @@ class Builder {
     if (!isAsked) return;
     visitSplinePoints(surface_, {element}, pointsPerDirection(surface_, element),
                       std::numeric_limits<double>::infinity(),
-                      [&](const SplinePlace& place, const SplineJet& jet, double area) {
+                      [&](const ElementPlace& place, const SurfaceJet& jet, double area) {
                         surface_.evaluateBasis(place, basis_);
                         const auto point = static_cast<int>(equations_.points.size());
                         for (std::size_t f = 0; f < functions; ++f)
@@ -92,7 +91,7 @@ class Builder {
                       });
   }
 
-  SplineEquations finished() {
+  WeightedEquations finished() {
     std::vector<double> sums(count_, 0);
     for (const Weight& w : weights_) sums[w.row()] += w.value();
     for (Weight& w : weights_) w = {w.row(), w.col(), w.value() / sums[w.row()]};
@@ -108,30 +107,13 @@ class Builder {
   std::vector<bool> isAveraged_;  ///< by equation
   std::vector<Weight> weights_;
   std::vector<double> basis_;
-  SplineEquations equations_;
+  WeightedEquations equations_;
 };
 
 }  // namespace
 
-SplineEquations SplineEquations::only(std::span<const int> equations) const {
-  const std::vector<int> places = placesIn(equations, static_cast<int>(weights.rows()));
-  SplineEquations some;
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index p = 0; p < weights.cols(); ++p) {
-    const std::size_t before = entries.size();
-    for (Eigen::SparseMatrix<double>::InnerIterator w(weights, p); w; ++w)
-      if (const int row = places[w.row()]; row >= 0)
-        entries.emplace_back(row, static_cast<int>(some.points.size()), w.value());
-    if (entries.size() > before) some.points.push_back(points[p]);
-  }
-  some.weights.resize(static_cast<Eigen::Index>(equations.size()),
-                      static_cast<Eigen::Index>(some.points.size()));
-  some.weights.setFromTriplets(entries.begin(), entries.end());
-  return some;
-}
-
-SplineEquations splineEquations(const SplineSurface& surface, const SplineTractions& tractions,
-                                std::span<const int> extraSlots) {
+WeightedEquations splineEquations(const SplineSurface& surface, const SplineTractions& tractions,
+                                  std::span<const int> extraSlots) {
   return Builder(surface, tractions, extraSlots).build(extraSlots);
 }
 

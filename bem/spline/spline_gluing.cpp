@@ -41,7 +41,7 @@ Eigen::VectorXd gluedCoefficients(const SplineSurface& surface, const Eigen::Vec
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
   std::vector<double> basis;
   visitSplinePoints(surface, elements, kPoints, std::numeric_limits<double>::infinity(),
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                       surface.evaluateBasis(place, basis);
                       const std::vector<int>& functions = surface.functions(place.element);
                       Vector3d torn = Vector3d::Zero();  // displacement by the torn functions

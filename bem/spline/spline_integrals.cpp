@@ -4,8 +4,8 @@
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
-#include "bem/spline/gather.h"
-#include "bem/spline/spline_points.h"
+#include "bem/element/gather.h"
+#include "bem/spline/spline_placement.h"
 
 namespace palpa::bem {
 namespace {
@@ -15,8 +15,8 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 struct Workspace {
-  SplineRule rule;
-  SplinePoints points;
+  ElementRule rule;
+  ElementPoints points;
 };
 
 }  // namespace
@@ -36,9 +36,9 @@ SplineIntegrals::SplineIntegrals(const SplineSurface& surface, const SplineTract
     for (auto e = static_cast<int>(task * kElementsPerTask);
          e < std::min(count, (task + 1) * kElementsPerTask); ++e) {
       work.rule.clear();
-      work.rule.addTensor(cellOf(surface.elements()[e]), placement.degree(e) + 4);
+      addTensor(cellOf(surface.elements()[e]), placement.degree(e) + 4, work.rule);
       placement.place(e, work.rule, work.points);
-      const SplinePoints& points = work.points;
+      const ElementPoints& points = work.points;
       const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> basis(
           points.basis.data(), placement.functionCount(e), points.used,
           Eigen::OuterStride<>(placement.stride(e)));

@@ -8,17 +8,5 @@ void placePointsAvx2(const PlacePointsTask& task) {
 void tabulateAvx2(const TabulateTask& task) {
   detail::tabulate<xsimd::fma3<xsimd::avx2>>(task);
 }
-void sumKernelsAvx2(const SumKernelsTask& task) {
-  detail::sumKernels<xsimd::fma3<xsimd::avx2>>(task);
-}
-void addSumsAvx2(const AddSumsTask& task) {
-  detail::addSums<xsimd::fma3<xsimd::avx2>>(task);
-}
-void makeBlocksUAvx2(const MakeBlocksTask& task) {
-  detail::makeBlocks<xsimd::fma3<xsimd::avx2>, detail::BlockU>(task);
-}
-void makeBlocksTAvx2(const MakeBlocksTask& task) {
-  detail::makeBlocks<xsimd::fma3<xsimd::avx2>, detail::BlockT>(task);
-}
 
 }  // namespace palpa::bem

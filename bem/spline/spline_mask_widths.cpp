@@ -20,7 +20,7 @@ constexpr double kBeyondSamples = 0.5;
 
 /// Spread of functions on uniform elements of the size at a place, in the direction in which these
 /// are longest, mm.
-double spreadAt(const SplineSurface& surface, const SplinePlace& place, const SplineJet& jet) {
+double spreadAt(const SplineSurface& surface, const ElementPlace& place, const SurfaceJet& jet) {
   const SplineElement& element = surface.elements()[place.element];
   Eigen::Matrix<double, 3, 2> along;
   along << jet.du, jet.dv;
@@ -44,7 +44,7 @@ SplineMaskWidths::SplineMaskWidths(const SplineSurface& surface)
   for (int e = 0; e < surface.elementCount(); ++e) all.push_back(e);
   std::vector<double> basis, areas(ofFunctions_.size(), 0.0);
   visitSplinePoints(surface, all, kSamplesPerDirection, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet& jet, double area) {
+                    [&](const ElementPlace& place, const SurfaceJet& jet, double area) {
                       const double width = kMinWidth * spreadAt(surface, place, jet);
                       const double reach = kReach * width;
                       samples_[place.element].list.push_back(

@@ -19,7 +19,7 @@ SplineMeshStress::SplineMeshStress(const SplineMesh& mesh) : mesh_(mesh) {
       const int slot = slots.ofCorner[t][corner];
       const SplineMesh::Point at = mesh.at(t, Eigen::Vector3d::Unit(corner));
       if (!done.emplace(slot, at.element).second) continue;
-      SplineTangents tangents = splineTangents(mesh.surface(), at);
+      SurfaceTangents tangents = splineTangents(mesh.surface(), at);
       places_.push_back({slot, at.element, 0, tangents.frame, std::move(tangents.slopes)});
       ++count[slot];
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace palpa::bem {
 namespace {
@@ -45,7 +44,7 @@ bool isOnBorder(const SplinePatch& patch, const Vector2d& parameters) {
 
 }  // namespace
 
-SplineFoot nearestOnElement(const SplineSurface& surface, int index, const Vector3d& x) {
+ElementFoot nearestOnElement(const SplineSurface& surface, int index, const Vector3d& x) {
   const SplineElement& element = surface.elements()[index];
   const Vector2d lower(element.lower[0], element.lower[1]),
       upper(element.upper[0], element.upper[1]);
@@ -63,7 +62,7 @@ SplineFoot nearestOnElement(const SplineSurface& surface, int index, const Vecto
       at = local;
     }
   for (int step = 0; step < kMaxSteps; ++step) {
-    const SplineJet jet = jetAt(at);
+    const SurfaceJet jet = jetAt(at);
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << jet.du, jet.dv;
     Vector2d move = boundedStep(element, at, tangents.transpose() * tangents,
@@ -81,32 +80,13 @@ SplineFoot nearestOnElement(const SplineSurface& surface, int index, const Vecto
   return {{index, at[0], at[1]}, distance};
 }
 
-SplineFoot nearestOnSurface(const SplineSurface& surface, const SplineQuadrature& quadrature,
-                            const Vector3d& x) {
-  constexpr std::size_t kMaxTrials = 16;
-  std::vector<double> bound(surface.elements().size());
-  for (int e = 0; e < surface.elementCount(); ++e) bound[e] = quadrature.distance(e, x);
-  std::vector<int> order(bound.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto tried =
-      order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), kMaxTrials));
-  std::partial_sort(order.begin(), tried, order.end(),
-                    [&](int a, int b) { return bound[a] < bound[b]; });
-  SplineFoot best{{-1, 0, 0}, std::numeric_limits<double>::infinity()};
-  for (auto e = order.begin(); e != tried && bound[*e] < best.distance; ++e) {
-    const SplineFoot foot = nearestOnElement(surface, *e, x);
-    if (foot.distance < best.distance) best = foot;
-  }
-  return best;
-}
-
-SplineCollocationPoint surfacePlaces(const SplineSurface& surface, const SplineMesh::Point& at) {
+CollocationPlace surfacePlaces(const SplineSurface& surface, const SplineMesh::Point& at) {
   const int patch = surface.elements()[at.element].patch;
-  SplineCollocationPoint point;
+  CollocationPlace point;
   point.places = placesInPatch(surface, patch, at.parameters[0], at.parameters[1]);
   std::stable_partition(point.places.begin(), point.places.end(),
-                        [&](const SplinePlace& place) { return place.element == at.element; });
-  const SplinePlace own = point.places.front();
+                        [&](const ElementPlace& place) { return place.element == at.element; });
+  const ElementPlace own = point.places.front();
   point.position = surface.evaluate(own).position;
   if (!isOnBorder(surface.patches()[patch], at.parameters)) return point;
 
@@ -121,9 +101,9 @@ SplineCollocationPoint surfacePlaces(const SplineSurface& surface, const SplineM
     if (std::none_of(list.begin(), list.end(),
                      [&](int k) { return surface.tornFrom(k) == wanted; }) ||
         std::any_of(point.places.begin(), point.places.end(),
-                    [e](const SplinePlace& place) { return place.element == e; }))
+                    [e](const ElementPlace& place) { return place.element == e; }))
       continue;
-    const SplineFoot foot = nearestOnElement(surface, e, point.position);
+    const ElementFoot foot = nearestOnElement(surface, e, point.position);
     if (foot.distance <= slack) point.places.push_back(foot.place);
   }
   return point;

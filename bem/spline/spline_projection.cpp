@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bem/base/error.h"
-#include "bem/spline/gauss_rule.h"
+#include "bem/base/gauss_rule.h"
 
 namespace palpa::bem {
 namespace {
@@ -27,7 +27,7 @@ Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vec
     const auto size = static_cast<Eigen::Index>(list.size());
     ofElement.setZero(size, size);
     visitSplinePoints(surface, {e}, kPoints, INFINITY,
-                      [&](const SplinePlace& place, const SplineJet&, double weight) {
+                      [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                         surface.evaluateBasis(place, basis);
                         const Eigen::Map<const Eigen::VectorXd> values(basis.data(), size);
                         ofElement.noalias() += weight * values * values.transpose();
@@ -40,7 +40,7 @@ Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vec
   mass.setFromTriplets(entries.begin(), entries.end());
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
   visitSplinePoints(surface, elements, kPoints, featureLength / 8,
-                    [&](const SplinePlace& place, const SplineJet& jet, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
                       surface.evaluateBasis(place, basis);
                       const Vector3d value =
                           weight * function(jet.position, jet.areaVector().normalized());
@@ -61,13 +61,13 @@ Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vec
 void visitSplinePoints(
     const SplineSurface& surface, const std::vector<int>& elements, int pointsPerDirection,
     double cellSize,
-    const std::function<void(const SplinePlace&, const SplineJet&, double)>& visit) {
+    const std::function<void(const ElementPlace&, const SurfaceJet&, double)>& visit) {
   const GaussRule& rule = gaussRule(pointsPerDirection);
   for (const int e : elements) {
     const SplineElement& element = surface.elements()[e];
     const double width = element.upper[0] - element.lower[0];
     const double height = element.upper[1] - element.lower[1];
-    const SplineJet middle =
+    const SurfaceJet middle =
         surface.evaluate({e, element.lower[0] + width / 2, element.lower[1] + height / 2});
     const auto cells = [&](double length) {
       return std::clamp(static_cast<int>(std::ceil(length / cellSize)), 1, kMaxCells);
@@ -77,9 +77,9 @@ void visitSplinePoints(
       for (int a = 0; a < columns; ++a)
         for (int j = 0; j < pointsPerDirection; ++j)
           for (int i = 0; i < pointsPerDirection; ++i) {
-            const SplinePlace place{e, element.lower[0] + width * (a + rule.points[i]) / columns,
-                                    element.lower[1] + height * (b + rule.points[j]) / rows};
-            const SplineJet jet = surface.evaluate(place);
+            const ElementPlace place{e, element.lower[0] + width * (a + rule.points[i]) / columns,
+                                     element.lower[1] + height * (b + rule.points[j]) / rows};
+            const SurfaceJet jet = surface.evaluate(place);
             visit(place, jet,
                   jet.areaVector().norm() * width * height * rule.weights[i] * rule.weights[j] /
                       (columns * rows));

@@ -15,7 +15,7 @@ using SplineFunction =
 void visitSplinePoints(
     const SplineSurface& surface, const std::vector<int>& elements, int pointsPerDirection,
     double cellSize,
-    const std::function<void(const SplinePlace&, const SplineJet&, double)>& visit);
+    const std::function<void(const ElementPlace&, const SurfaceJet&, double)>& visit);
 
 /// L2 projection of tractions given on some elements (zero elsewhere) onto the traction splines: 3
 /// coefficients per slot, MPa. Preserves the net force, and the net moment if the geometry of a

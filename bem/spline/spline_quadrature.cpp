@@ -22,7 +22,7 @@ std::array<SplineCell, 2> halves(const SplineCell& cell, int direction) {
   return both;
 }
 
-bool contains(const SplineCell& cell, const SplinePlace& place) {
+bool contains(const SplineCell& cell, const ElementPlace& place) {
   const std::array<double, 2> parameter{place.u, place.v};
   for (int d = 0; d < 2; ++d) {
     const double slack = 1e-9 * (cell.upper[d] - cell.lower[d]);
@@ -60,21 +60,32 @@ int exactPoints(int degree) {
 
 }  // namespace
 
+/// Scratch memory: cells with the points per direction of their tensor rules, and outlines of
+/// cells.
+struct SplineQuadrature::Scratch final : Workspace {
+  ElementRule outline;
+  ElementPoints outlinePoints;
+  std::vector<std::pair<SplineCell, int>> cells;
+};
+
+std::unique_ptr<ElementQuadrature::Workspace> SplineQuadrature::makeWorkspace() const {
+  return std::make_unique<Scratch>();
+}
+
 SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double tolerance, const Job& job)
     : surface_(surface),
       placement_(surface),
-      kernel_(splineKernelForThisProcessor()),
-      accuracy_{std::clamp(tolerance, 1e-12, 1e-2), 0},
+      loops_(kelvinSumLoopsForThisProcessor()),
+      accuracy_(tolerance),
       // The remaining area is proportional to the third power of its size, the kernels to the
       // first.
       cornerLevels_(2 + static_cast<int>(std::ceil(-std::log2(accuracy_.error) / 2))) {
-  accuracy_.radial = std::max(3, static_cast<int>(std::lround(-std::log10(accuracy_.error))));
   constexpr std::ptrdiff_t kElementsPerTask = 16;
   const std::ptrdiff_t count = surface.elementCount();
   elements_.resize(count);
-  ScratchPool<Workspace> pool([] { return Workspace{}; });
+  ScratchPool<Scratch> pool([] { return Scratch{}; });
   parallelFor((count + kElementsPerTask - 1) / kElementsPerTask, job, [&](std::ptrdiff_t task) {
-    Workspace work = pool.take();
+    Scratch work = pool.take();
     const std::ptrdiff_t end = std::min(count, (task + 1) * kElementsPerTask);
     for (std::ptrdiff_t e = task * kElementsPerTask; e < end; ++e)
       prepare(static_cast<int>(e), work);
@@ -82,7 +93,7 @@ SplineQuadrature::SplineQuadrature(const SplineSurface& surface, double toleranc
   });
 }
 
-void SplineQuadrature::prepare(int index, Workspace& work) {
+void SplineQuadrature::prepare(int index, Scratch& work) {
   Element& element = elements_[index];
   element.whole = cellIn(index, cellOf(surface_.elements()[index]), work);
   divide(index, element.whole, work, element.parts);
@@ -102,14 +113,14 @@ void SplineQuadrature::prepare(int index, Workspace& work) {
       }
       if (n > kMaxKept)
         placement_.placeTensor(index, element.whole.cell, n, work.rule, work.points);
-      const SplinePoints& points = n > kMaxKept ? work.points : element.rules[n - kMinPoints];
+      const ElementPoints& points = n > kMaxKept ? work.points : element.rules[n - kMinPoints];
       isEnough = largestDifference(moments(index, points), exact) <= accuracy_.error;
     }
     element.ratio[n] = isEnough ? ratioFor(n, degree, accuracy_.error) : INFINITY;
   }
 }
 
-std::vector<double> SplineQuadrature::moments(int index, const SplinePoints& points) const {
+std::vector<double> SplineQuadrature::moments(int index, const ElementPoints& points) const {
   const int functions = placement_.functionCount(index), inU = placement_.functionsAlong(index, 0),
             inV = placement_.functionsAlong(index, 1), n = points.perDirection;
   std::vector<double> sums(static_cast<std::size_t>(3) * functions, 0);
@@ -131,9 +142,9 @@ int SplineQuadrature::pointsFor(const Element& element, double ratio) const {
 }
 
 SplineQuadrature::Cell SplineQuadrature::cellIn(int element, const SplineCell& cell,
-                                                Workspace& work) const {
-  SplineRule& rule = work.outline;
-  SplinePoints& points = work.outlinePoints;
+                                                Scratch& work) const {
+  ElementRule& rule = work.outline;
+  ElementPoints& points = work.outlinePoints;
   rule.clear();
   for (const double b : {0.0, 0.5, 1.0})
     for (const double a : {0.0, 0.5, 1.0})
@@ -156,7 +167,7 @@ SplineQuadrature::Cell SplineQuadrature::cellIn(int element, const SplineCell& c
   return result;
 }
 
-void SplineQuadrature::divide(int element, const Cell& cell, Workspace& work,
+void SplineQuadrature::divide(int element, const Cell& cell, Scratch& work,
                               std::vector<Cell>& parts) const {
   const int longer = cell.longer();
   for (const SplineCell& half : halves(cell.cell, longer)) {
@@ -170,7 +181,7 @@ void SplineQuadrature::divide(int element, const Cell& cell, Workspace& work,
 }
 
 void SplineQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, int depth,
-                               Workspace& work) const {
+                               Scratch& work) const {
   const Element& element = elements_[index];
   const int count = pointsFor(element, (x - cell.center).norm() / cell.radius);
   if (count > 0 || depth >= kMaxDepth) {
@@ -187,7 +198,7 @@ void SplineQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, i
 }
 
 void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& x,
-                                   const SplinePlace& place, int depth, Workspace& work) const {
+                                   const ElementPlace& place, int depth, Scratch& work) const {
   if (!contains(cell.cell, place)) {
     addNear(index, cell, x, depth, work);
     return;
@@ -213,7 +224,7 @@ void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& 
   }
 }
 
-bool SplineQuadrature::metricVaries(const Cell& cell, const SplinePlace& place) const {
+bool SplineQuadrature::metricVaries(const Cell& cell, const ElementPlace& place) const {
   constexpr double kMaxRatio = 4;
   const double here = surface_.evaluate(place).areaVector().norm();
   return std::any_of(cell.cornerMetric.begin(), cell.cornerMetric.end(), [here](double there) {
@@ -221,8 +232,8 @@ bool SplineQuadrature::metricVaries(const Cell& cell, const SplinePlace& place) 
   });
 }
 
-void SplineQuadrature::collect(int index, const Vector3d& x, const SplinePlace* inside,
-                               Workspace& work) const {
+void SplineQuadrature::collect(int index, const Vector3d& x, const ElementPlace* inside,
+                               Scratch& work) const {
   work.rule.clear();
   work.cells.clear();
   const Cell& whole = elements_[index].whole;
@@ -232,38 +243,45 @@ void SplineQuadrature::collect(int index, const Vector3d& x, const SplinePlace* 
     addNear(index, whole, x, 0, work);
 }
 
-const SplinePoints& SplineQuadrature::points(int index, const Vector3d& x,
-                                             const SplinePlace* inside, Workspace& work) const {
+template <class Use>
+void SplineQuadrature::useRules(int index, const Vector3d& x, const ElementPlace* inside,
+                                Scratch& work, const Use& use) const {
+  const Element& shape = elements_[index];
+  const int count = inside ? 0 : pointsFor(shape, ratio(index, x));
+  if (count > 0 && count <= kMaxKept) {
+    use(shape.rules[count - kMinPoints]);
+    return;
+  }
   collect(index, x, inside, work);
-  for (const auto& [cell, count] : work.cells) work.rule.addTensor(cell, count);
-  placement_.place(index, work.rule, work.points);
-  return work.points;
+  if (!work.rule.u.empty()) {
+    placement_.place(index, work.rule, work.points);
+    use(work.points);
+  }
+  for (const auto& [cell, points] : work.cells) {
+    placement_.placeTensor(index, cell, points, work.rule, work.points);
+    use(work.points);
+  }
 }
 
-void SplineQuadrature::integrate(int index, const Vector3d& x, const SplinePlace* inside,
+const ElementPoints& SplineQuadrature::points(int index, const Vector3d& x,
+                                              const ElementPlace* inside, Workspace& work) const {
+  auto& scratch = static_cast<Scratch&>(work);
+  collect(index, x, inside, scratch);
+  for (const auto& [cell, count] : scratch.cells) addTensor(cell, count, scratch.rule);
+  placement_.place(index, scratch.rule, scratch.points);
+  return scratch.points;
+}
+
+void SplineQuadrature::visitRules(int index, const Vector3d& x, const ElementPlace* inside,
+                                  Workspace& work, const Visit& visit) const {
+  useRules(index, x, inside, static_cast<Scratch&>(work), visit);
+}
+
+void SplineQuadrature::integrate(int index, const Vector3d& x, const ElementPlace* inside,
                                  Workspace& work) const {
   work.sums.assign(placement_.functionCount(index), {});
-  const auto sum = [&](const SplinePoints& at) {
-    const int inU = placement_.functionsAlong(index, 0);
-    kernel_.sumKernels(
-        {x.data(),
-         at.used,
-         at.count,
-         at.geometry.data(),
-         at.perDirection,
-         {at.basis.data(), at.basis.data() + static_cast<std::ptrdiff_t>(at.perDirection) * inU},
-         {at.perDirection > 0 ? inU : placement_.functionCount(index),
-          placement_.functionsAlong(index, 1)},
-         placement_.stride(index),
-         work.sums.data()});
-  };
-  visitRules(index, x, inside, work, sum);
-}
-
-void SplineQuadrature::addTo(const std::vector<int>& coefficients, const std::vector<int>& slots,
-                             const Workspace& work, double* T, double* U) const {
-  kernel_.addSums({work.sums.data(), static_cast<int>(work.sums.size()), coefficients.data(),
-                   slots.data(), T, U});
+  useRules(index, x, inside, static_cast<Scratch&>(work),
+           [&](const ElementPoints& at) { loops_.sumKernels(at.sumTask(x, work.sums.data())); });
 }
 
 }  // namespace palpa::bem

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/job.h"
-#include "bem/spline/spline_collocation.h"
-#include "bem/spline/spline_points.h"
+#include "bem/element/element_quadrature.h"
+#include "bem/spline/spline_placement.h"
 #include "bem/spline/spline_singular_rule.h"
 
 namespace palpa::bem {
@@ -21,7 +21,7 @@ namespace palpa::bem {
 ///
 /// Const use from several threads is safe if each thread has its own Workspace. Memory: about 90
 /// points per element.
-class SplineQuadrature {
+class SplineQuadrature final : public ElementQuadrature {
  public:
   static constexpr int kMinPoints = 3,
                        kMaxPoints = 8;  ///< points per direction of the tensor rules
@@ -31,81 +31,34 @@ class SplineQuadrature {
   /// not depend on the number of threads. Throws Cancelled if the job was stopped.
   SplineQuadrature(const SplineSurface& surface, double tolerance, const Job& job = {});
 
-  /// Memory of one thread, including the result of integrate().
-  struct Workspace {
-    std::vector<KernelSums> sums;  ///< per function, see spline_kernel.h
-
-    // Scratch: points of polar rules, cells with the points per direction of their tensor rules,
-    // and outlines of cells.
-    SplineRule rule, outline;
-    SplinePoints points, outlinePoints;
-    std::vector<std::pair<SplineCell, int>> cells;
-  };
+  std::unique_ptr<Workspace> makeWorkspace() const override;
 
   /// Distance of a point (mm) from the centre of an element over the element's radius.
   double ratio(int element, const Eigen::Vector3d& x) const {
     return (x - elements_[element].whole.center).norm() / elements_[element].whole.radius;
   }
-  /// Estimated distance of a point from an element, mm: distance from its bounding sphere. It is a
-  /// lower bound, except where the element leaves the sphere.
-  double distance(int element, const Eigen::Vector3d& x) const {
+  double distance(int element, const Eigen::Vector3d& x) const override {
     return (x - elements_[element].whole.center).norm() - elements_[element].whole.radius;
   }
-  int stride(int element) const { return placement_.stride(element); }
-  int functionsAlong(int element, int direction) const {
-    return placement_.functionsAlong(element, direction);
-  }
-
-  /// Rules whose points are kept for every element.
-  static constexpr int kKeptRules = 4;
-  /// The kept rule that suffices for a point outside of an element; -1: none does.
-  int keptRule(int element, const Eigen::Vector3d& x) const {
+  int keptRule(int element, const Eigen::Vector3d& x) const override {
     const int count = pointsFor(elements_[element], ratio(element, x));
     return count > 0 && count <= kMaxKept ? count - kMinPoints : -1;
   }
-  const SplinePoints& keptPoints(int element, int rule) const {
+  const ElementPoints& keptPoints(int element, int rule) const override {
     return elements_[element].rules[rule];
   }
-
-  /// Points at which integrate() sums; valid until the workspace is used again.
-  const SplinePoints& points(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
-                             Workspace& work) const;
-
-  /// Calls visit(points) for each rule that integrate() uses; they are valid during the call.
-  /// `inside` as for integrate().
-  template <class Visit>
-  void visitRules(int element, const Eigen::Vector3d& x, const SplinePlace* inside, Workspace& work,
-                  const Visit& visit) const {
-    const Element& shape = elements_[element];
-    const int count = inside ? 0 : pointsFor(shape, ratio(element, x));
-    if (count > 0 && count <= kMaxKept) {
-      visit(shape.rules[count - kMinPoints]);
-      return;
-    }
-    collect(element, x, inside, work);
-    if (!work.rule.u.empty()) {
-      placement_.place(element, work.rule, work.points);
-      visit(work.points);
-    }
-    for (const auto& [cell, points] : work.cells) {
-      placement_.placeTensor(element, cell, points, work.rule, work.points);
-      visit(work.points);
-    }
-  }
-
-  /// Computes the sums of one element for x (mm) in work.sums. `inside`: the place of x in the
-  /// element; null if the element does not contain x.
-  void integrate(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
-                 Workspace& work) const;
-  /// Adds work.sums to the sums of the coefficients of an element's functions: T is
-  /// [coefficient][kKernelSumsT], U is [slot][kKernelSumsU].
-  void addTo(const std::vector<int>& coefficients, const std::vector<int>& slots,
-             const Workspace& work, double* T, double* U) const;
+  const ElementPoints& points(int element, const Eigen::Vector3d& x, const ElementPlace* inside,
+                              Workspace& work) const override;
+  void visitRules(int element, const Eigen::Vector3d& x, const ElementPlace* inside,
+                  Workspace& work, const Visit& visit) const override;
+  void integrate(int element, const Eigen::Vector3d& x, const ElementPlace* inside,
+                 Workspace& work) const override;
 
  private:
   /// Larger rules are needed only near elements.
   static constexpr int kMaxKept = kMinPoints + kKeptRules - 1;
 
+  struct Scratch;
   struct Cell {
     SplineCell cell;
     Eigen::Vector3d center;
@@ -121,34 +74,38 @@ class SplineQuadrature {
     std::vector<Cell> parts;  ///< after the first subdivision
     /// Smallest distance over radius at which each number of points per direction suffices.
     std::array<double, kMaxPoints + 1> ratio;
-    std::array<SplinePoints, kKeptRules> rules;
+    std::array<ElementPoints, kKeptRules> rules;
   };
   /// Cells with a larger aspect ratio are subdivided before the polar rule, because radii would
   /// vary too much over the angles.
   static constexpr double kMaxAspect = 1.7;
 
-  void prepare(int element, Workspace& work);
+  /// Calls visit(points) for each rule.
+  template <class Use>
+  void useRules(int element, const Eigen::Vector3d& x, const ElementPlace* inside, Scratch& work,
+                const Use& use) const;
+  void prepare(int element, Scratch& work);
   /// Integrals of the functions times the area vectors: a minimum requirement for a rule at any
   /// distance.
-  std::vector<double> moments(int element, const SplinePoints& points) const;
+  std::vector<double> moments(int element, const ElementPoints& points) const;
   int pointsFor(const Element& element, double ratio) const;
-  Cell cellIn(int element, const SplineCell& cell, Workspace& work) const;
+  Cell cellIn(int element, const SplineCell& cell, Scratch& work) const;
   /// Halves an elongated cell and quarters other cells.
-  void divide(int element, const Cell& cell, Workspace& work, std::vector<Cell>& parts) const;
+  void divide(int element, const Cell& cell, Scratch& work, std::vector<Cell>& parts) const;
   void addNear(int element, const Cell& cell, const Eigen::Vector3d& x, int depth,
-               Workspace& work) const;
+               Scratch& work) const;
   void addSingular(int element, const Cell& cell, const Eigen::Vector3d& x,
-                   const SplinePlace& place, int depth, Workspace& work) const;
+                   const ElementPlace& place, int depth, Scratch& work) const;
   /// True if the metric at a place differs from the rest of a cell, as in a corner where it
   /// vanishes.
-  bool metricVaries(const Cell& cell, const SplinePlace& place) const;
+  bool metricVaries(const Cell& cell, const ElementPlace& place) const;
   /// Collects the points of a polar rule in work.rule, and the cells of tensor rules in work.cells.
-  void collect(int element, const Eigen::Vector3d& x, const SplinePlace* inside,
-               Workspace& work) const;
+  void collect(int element, const Eigen::Vector3d& x, const ElementPlace* inside,
+               Scratch& work) const;
 
   const SplineSurface& surface_;
   SplinePlacement placement_;
-  SplineKernel kernel_;
+  KelvinSumLoops loops_;
   SingularAccuracy accuracy_;
   int cornerLevels_;  ///< halvings towards a corner with a singular metric
   std::vector<Element> elements_;

@@ -1,60 +1,24 @@
 #pragma once
 
-#include <optional>
-
-#include "bem/model/bulk.h"
-#include "bem/problem/reference_problem.h"
-#include "bem/spline/spline_equations.h"
-#include "bem/spline/spline_mesh.h"
+#include "bem/element/element_results.h"
+#include "bem/spline/spline_elements.h"
 #include "bem/spline/spline_quadrature.h"
-#include "bem/triangle/results.h"
 
 namespace palpa::bem {
 
-/// Results that boundary integrals give for fields in spline coefficients: u (3 per displacement
-/// coefficient, mm) and p (3 per traction slot, MPa). Integrals over elements have a tolerance of
-/// 1e-6. Surface and tractions must outlive the results; const use from several threads is safe.
-class SplineResults {
- public:
-  SplineResults(const SplineSurface& surface, const SplineTractions& tractions,
-                const Job& job = {});
-
-  /// C^-1 r, mm: the change of u at a surface point x by one more iteration C u'(x) = ∫ U p - ⨍ T
-  /// u, with the residual of the regularised identity
-  ///   r(x) = ∫ U p dΓ - ∫ T [u(y) - u(x)] dΓ + B(x)
-  /// with the body force's term B (bem/model/body_force.h) and the free term C (1/2 at smooth
-  /// points). r is zero at collocation points. Takes about 1 µs
-  /// per element.
-  Eigen::Vector3d displacementDefect(const SplineMesh::Point& at, const Eigen::VectorXd& u,
-                                     const Eigen::VectorXd& p, const Bulk& bulk) const;
-
-  /// Residuals r of fields, averaged over the surface with each function N_j: component c of
-  /// function j in row 3 j + c, one column per field. Takes about 4 µs per pair of elements and
-  /// core. Throws Cancelled if the job was stopped.
-  Eigen::MatrixXd averageResidual(const BoundaryField& field, const Bulk& bulk,
-                                  const Job& job) const;
-
-  /// Displacement and stress at a point x (mm) inside the body, by Somigliana's identities u = ∫ U
-  /// p - ∫ T u, sigma = ∫ D p - ∫ S u. They are applied to the fields minus the linear field of the
-  /// nearest surface point, which satisfies them exactly: so the integrands stay bounded as x
-  /// approaches the surface, and the state converges to the surface state. Empty for a point
-  /// outside the body. Takes about 5 µs per element.
-  std::optional<InteriorState> interiorState(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                             const Bulk& bulk, const Eigen::Vector3d& x) const;
-
-  /// Term of the body force in the rows of equations, see SplineBodyForce.
-  Eigen::VectorXd bodyForceTerm(const SplineEquations& equations, const Bulk& bulk,
-                                const Job& job) const;
-
- private:
-  const SplineSurface& surface_;
-  const SplineTractions& tractions_;
-  SplineQuadrature quadrature_;
+/// The objects that the results of a spline surface need.
+struct SplineResultParts {
+  SplineElements elements;
+  SplineQuadrature quadrature;
 };
 
-/// Error estimate, see Discretisation::estimatedError(): solves A0 v = r̄ with the averaged
-/// residuals in the rows of the functions' collocation points.
-BoundaryField estimatedError(const SplineResults& results, const ReferenceProblem& problem,
-                             const BoundaryField& field, const Bulk& bulk, const Job& job);
+/// Results of fields in spline coefficients, with their own quadrature. Surface and tractions must
+/// outlive it.
+class SplineResults : private SplineResultParts, public ElementResults {
+ public:
+  SplineResults(const SplineSurface& surface, const SplineTractions& tractions, const Job& job = {})
+      : SplineResultParts{{surface, tractions}, {surface, kTolerance, job}},
+        ElementResults(elements, quadrature) {}
+};
 
 }  // namespace palpa::bem

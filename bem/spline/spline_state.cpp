@@ -1,12 +1,9 @@
 #include "bem/spline/spline_state.h"
 
-#include "bem/triangle/results.h"
-
 namespace palpa::bem {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -20,17 +17,9 @@ Vector3d sum(const std::vector<double>& weights, const std::vector<int>& indices
   return total;
 }
 
-Vector3d sum(const std::vector<double>& weights, const std::vector<int>& indices,
-             const Eigen::VectorXd& coefficients) {
-  Vector3d total = Vector3d::Zero();
-  for (std::size_t f = 0; f < weights.size(); ++f)
-    total += weights[f] * coefficients.segment<3>(3 * static_cast<Index>(indices[f]));
-  return total;
-}
-
 }  // namespace
 
-SplineTangents splineTangents(const SplineSurface& surface, const SplineMesh::Point& at) {
+SurfaceTangents splineTangents(const SplineSurface& surface, const SplineMesh::Point& at) {
   const SplineElement& element = surface.elements()[at.element];
   const Vector2d middle = surface
                               .parameters({at.element, (element.lower[0] + element.upper[0]) / 2,
@@ -46,7 +35,7 @@ SplineTangents splineTangents(const SplineSurface& surface, const SplineMesh::Po
     area = du.cross(dv);
     if (area.norm() > kFlattest * du.norm() * dv.norm()) break;
   }
-  SplineTangents tangents;
+  SurfaceTangents tangents;
   tangents.position = sum(basis.values, functions, surface.controlPoints());
   tangents.frame.col(0) = du.normalized();
   tangents.frame.col(2) = area.normalized();
@@ -67,35 +56,7 @@ Vector3d splineValue(const SplineSurface& surface, const SplineMesh::Point& at,
                      const std::vector<int>& indices, const Eigen::VectorXd& coefficients) {
   std::vector<double> basis;
   surface.evaluateBasis(at.element, at.parameters, basis);
-  return sum(basis, indices, coefficients);
-}
-
-SplineSurfaceState splineSurfaceState(const SplineSurface& surface,
-                                      const SplineTractions& tractions, const SplineMesh::Point& at,
-                                      const Eigen::VectorXd& u, const Eigen::VectorXd& p,
-                                      const Material& material) {
-  const SplineTangents tangents = splineTangents(surface, at);
-  const std::vector<int>& functions = surface.functions(at.element);
-  SplineSurfaceState state;
-  state.position = tangents.position;
-  state.displacement = sum(tangents.values, functions, u);
-  const Vector3d traction = sum(tangents.values, tractions.ofFunction[at.element], p);
-  Eigen::Matrix<double, 3, 2> along = Eigen::Matrix<double, 3, 2>::Zero();
-  for (std::size_t f = 0; f < functions.size(); ++f)
-    along += u.segment<3>(3 * static_cast<Index>(functions[f])) *
-             tangents.slopes.col(static_cast<Index>(f)).transpose();
-  state.stress = surfaceStress(tangents.frame, along, traction, material);
-
-  // Normal derivatives: p_a = G (u_a,n + u_n,a) and p_n = 2 G [e_nn + nu / (1 - 2 nu) e_kk].
-  const double nu = material.poissonRatio, shear = material.shear();
-  const Vector3d inFrame = tangents.frame.transpose() * traction;
-  Matrix3d local;
-  local.leftCols<2>() = tangents.frame.transpose() * along;
-  for (int a = 0; a < 2; ++a) local(a, 2) = inFrame[a] / shear - local(2, a);
-  local(2, 2) =
-      ((1 - 2 * nu) * inFrame[2] / (2 * shear) - nu * (local(0, 0) + local(1, 1))) / (1 - nu);
-  state.gradient = tangents.frame * local * tangents.frame.transpose();
-  return state;
+  return weightedSum(basis, indices, coefficients);
 }
 
 }  // namespace palpa::bem

@@ -96,7 +96,7 @@ std::optional<Eigen::Vector2d> SplineSurface::invert(int cut, double u, double v
   return at.map.invert((*outer)[0], (*outer)[1], slack);
 }
 
-std::optional<SplinePlace> SplineSurface::placeIn(int index, double u, double v) const {
+std::optional<ElementPlace> SplineSurface::placeIn(int index, double u, double v) const {
   const SplineElement& element = elements_[index];
   constexpr double kSlack = 1e-9;
   std::array<double, 2> parameter{u, v};
@@ -110,10 +110,10 @@ std::optional<SplinePlace> SplineSurface::placeIn(int index, double u, double v)
     if (parameter[d] < element.lower[d] - slack || parameter[d] > element.upper[d] + slack)
       return {};
   }
-  return SplinePlace{index, parameter[0], parameter[1]};
+  return ElementPlace{index, parameter[0], parameter[1]};
 }
 
-CutMap::Image SplineSurface::parameters(const SplinePlace& place) const {
+CutMap::Image SplineSurface::parameters(const ElementPlace& place) const {
   CutMap::Image image{{place.u, place.v}, Eigen::Matrix2d::Identity()};
   for (int cut = elements_[place.element].cut; cut >= 0; cut = cuts_[cut].inside) {
     const CutMap::Image outer = cuts_[cut].map.at(image.parameters[0], image.parameters[1]);
@@ -148,7 +148,7 @@ int SplineSurface::closedSurfaceCount() const {
   return count;
 }
 
-void SplineSurface::evaluateBasis(const SplinePlace& place, std::vector<double>& values) const {
+void SplineSurface::evaluateBasis(const ElementPlace& place, std::vector<double>& values) const {
   evaluateBasis(place.element, parameters(place).parameters, values);
 }
 
@@ -175,12 +175,12 @@ void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at, BasisJet
     }
 }
 
-SplineJet SplineSurface::evaluate(const SplinePlace& place) const {
+SurfaceJet SplineSurface::evaluate(const ElementPlace& place) const {
   const SplineElement& element = elements_[place.element];
   const auto& [u, v] = patches_[element.patch].basis;
   const auto [at, derivative] = parameters(place);
   const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
-  SplineJet jet{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
+  SurfaceJet jet{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
   const int* function = functions_[place.element].data();
   for (int j = 0; j <= v.degree(); ++j)
     for (int i = 0; i <= u.degree(); ++i) {
@@ -197,13 +197,13 @@ SplineJet SplineSurface::evaluate(const SplinePlace& place) const {
   return jet;
 }
 
-Vector3d SplineSurface::normal(const SplinePlace& place) const {
+Vector3d SplineSurface::normal(const ElementPlace& place) const {
   const SplineElement& element = elements_[place.element];
   const double middleU = (element.lower[0] + element.upper[0]) / 2;
   const double middleV = (element.lower[1] + element.upper[1]) / 2;
   for (const double inwards : {0.0, 1e-3, 1e-2}) {
-    const SplineJet jet = evaluate({place.element, place.u + inwards * (middleU - place.u),
-                                    place.v + inwards * (middleV - place.v)});
+    const SurfaceJet jet = evaluate({place.element, place.u + inwards * (middleU - place.u),
+                                     place.v + inwards * (middleV - place.v)});
     const Vector3d area = jet.areaVector();
     if (area.norm() > 1e-9 * jet.du.norm() * jet.dv.norm()) return area.normalized();
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/byte_stream.h"
+#include "bem/element/element_surface.h"
 #include "bem/spline/bspline_basis.h"
 #include "bem/spline/cut_map.h"
 
@@ -31,19 +32,6 @@ struct SplineElement {
   std::array<double, 2> lower, upper;  ///< in patch parameters, or in CutMap coordinates
   int tag = 0;
   int cut = -1;  ///< index of the CutMap; -1: none
-};
-
-/// Surface point, given by an element and its local coordinates.
-struct SplinePlace {
-  int element;
-  double u, v;
-};
-
-/// Position and first derivatives, mm per unit of the local coordinates.
-struct SplineJet {
-  Eigen::Vector3d position, du, dv;
-  /// Outward; its length is the area per unit of the local coordinates.
-  Eigen::Vector3d areaVector() const { return du.cross(dv); }
 };
 
 /// Closed surface of B-spline patches with outward normals du × dv: geometry and basis of the
@@ -79,9 +67,9 @@ class SplineSurface {
   }
   /// Place in an element of the parameters (u, v) of its patch; none if they lie outside the
   /// element.
-  std::optional<SplinePlace> placeIn(int element, double u, double v) const;
+  std::optional<ElementPlace> placeIn(int element, double u, double v) const;
   /// Parameters of a place, and their derivatives with respect to the local coordinates.
-  CutMap::Image parameters(const SplinePlace& place) const;
+  CutMap::Image parameters(const ElementPlace& place) const;
   bool isCut(int element) const { return elements_[element].cut >= 0; }
 
   /// Replaces an element by its pieces. A piece without a map is given in the local coordinates of
@@ -110,7 +98,7 @@ class SplineSurface {
   /// fastest. Where an edge is collapsed, some appear twice.
   const std::vector<int>& functions(int element) const { return functions_[element]; }
   /// Values of these functions at a place.
-  void evaluateBasis(const SplinePlace& place, std::vector<double>& values) const;
+  void evaluateBasis(const ElementPlace& place, std::vector<double>& values) const;
   /// Values at the patch parameters, also outside the element: its polynomials are extrapolated.
   void evaluateBasis(int element, const Eigen::Vector2d& parameters,
                      std::vector<double>& values) const;
@@ -120,9 +108,9 @@ class SplineSurface {
   };
   void evaluateBasis(int element, const Eigen::Vector2d& parameters, BasisJet& jet) const;
 
-  SplineJet evaluate(const SplinePlace& place) const;
+  SurfaceJet evaluate(const ElementPlace& place) const;
   /// Unit outward normal; evaluated slightly inside the element where the derivatives are parallel.
-  Eigen::Vector3d normal(const SplinePlace& place) const;
+  Eigen::Vector3d normal(const ElementPlace& place) const;
 
   /// Elements whose geometry differs in any bit from `before`, the same surface with other control
   /// points; none if patches, knots, elements, tags or torn functions differ.

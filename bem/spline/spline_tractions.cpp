@@ -21,8 +21,8 @@ std::vector<std::vector<SplineOccurrence>> occurrences(const SplineSurface& surf
   return all;
 }
 
-std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, double u,
-                                       double v) {
+std::vector<ElementPlace> placesInPatch(const SplineSurface& surface, int patch, double u,
+                                        double v) {
   const std::array<double, 2> parameter{u, v};
   std::array<std::vector<int>, 2> spans;
   for (int d = 0; d < 2; ++d) {
@@ -32,7 +32,7 @@ std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, 
       if (parameter[d] >= list[s].lower - slack && parameter[d] <= list[s].upper + slack)
         spans[d].push_back(static_cast<int>(s));
   }
-  std::vector<SplinePlace> places;
+  std::vector<ElementPlace> places;
   for (const int j : spans[1])
     for (const int i : spans[0])
       for (const int element : surface.elementsAt(patch, i, j))
@@ -40,7 +40,7 @@ std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, 
   return places;
 }
 
-std::vector<SplinePlace> grevillePlaces(const SplineSurface& surface, const SplineOccurrence& at) {
+std::vector<ElementPlace> grevillePlaces(const SplineSurface& surface, const SplineOccurrence& at) {
   const SplinePatch& patch = surface.patches()[at.patch];
   return placesInPatch(surface, at.patch, patch.basis[0].greville(at.i),
                        patch.basis[1].greville(at.j));
@@ -71,7 +71,7 @@ SplineTractions::SplineTractions(const SplineSurface& surface) {
   const auto all = occurrences(surface);
   for (int k = 0; k < surface.coefficientCount(); ++k)
     for (const SplineOccurrence& at : all[k])
-      for (const SplinePlace& place : grevillePlaces(surface, at)) {
+      for (const ElementPlace& place : grevillePlaces(surface, at)) {
         const auto found = index.find(
             {k, surface.smoothingGroup(place.element), surface.elements()[place.element].tag});
         if (found != index.end()) slots.slots[found->second].normal += surface.normal(place);

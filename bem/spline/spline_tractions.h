@@ -16,10 +16,11 @@ struct SplineOccurrence {
 std::vector<std::vector<SplineOccurrence>> occurrences(const SplineSurface& surface);
 
 /// Places of a point of a patch in all elements of the patch that contain it: up to four.
-std::vector<SplinePlace> placesInPatch(const SplineSurface& surface, int patch, double u, double v);
+std::vector<ElementPlace> placesInPatch(const SplineSurface& surface, int patch, double u,
+                                        double v);
 
 /// Places, in the elements that meet there, of the Greville point of a function of a patch.
-std::vector<SplinePlace> grevillePlaces(const SplineSurface& surface, const SplineOccurrence& at);
+std::vector<ElementPlace> grevillePlaces(const SplineSurface& surface, const SplineOccurrence& at);
 
 /// Coefficients of the traction field: one per (displacement coefficient, smoothing group, tag), as
 /// TractionSlots defines for nodes. The traction therefore jumps at sharp edges and at the border

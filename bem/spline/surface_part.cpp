@@ -185,7 +185,7 @@ Areas areasOf(const SplineSurface& surface, const std::vector<bool>& isInside) {
   std::iota(all.begin(), all.end(), 0);
   std::vector<double> basis;
   visitSplinePoints(surface, all, 4, std::numeric_limits<double>::infinity(),
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                       surface.evaluateBasis(place, basis);
                       for (std::size_t f = 0; f < basis.size(); ++f) {
                         const int k = surface.functions(place.element)[f];

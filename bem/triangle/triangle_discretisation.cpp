@@ -1,6 +1,7 @@
 #include "bem/triangle/triangle_discretisation.h"
 
 #include "bem/triangle/results.h"
+#include "bem/triangle/triangle_body_force.h"
 #include "bem/triangle/triangle_contact_surface.h"
 #include "bem/triangle/triangle_interior.h"
 
@@ -8,6 +9,11 @@ namespace palpa::bem {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+TriangleDiscretisation::TriangleDiscretisation(BoundaryMesh mesh)
+    : Discretisation(std::move(mesh)) {}
+
+TriangleDiscretisation::~TriangleDiscretisation() = default;
 
 Discretisation::Weights TriangleDiscretisation::placeWeights() const {
   Weights weights(displacementCount(), displacementCount());

@@ -2,15 +2,17 @@
 
 #include "base/lazy.h"
 #include "bem/problem/discretisation.h"
-#include "bem/triangle/triangle_body_force.h"
 
 namespace palpa::bem {
+
+class TriangleBodyForce;
 
 /// Linear displacements and tractions on the flat triangles of the mesh: the coefficients are the
 /// values at the nodes and slots.
 class TriangleDiscretisation final : public Discretisation {
  public:
-  explicit TriangleDiscretisation(BoundaryMesh mesh) : Discretisation(std::move(mesh)) {}
+  explicit TriangleDiscretisation(BoundaryMesh mesh);
+  ~TriangleDiscretisation() override;
 
   const TractionSlots& slots() const override { return meshSlots(); }
   const std::vector<Eigen::Vector3d>& places() const override { return mesh().nodes; }

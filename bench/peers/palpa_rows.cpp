@@ -69,7 +69,7 @@ double kelvinError(const PeerCase& body, const app::TouchModel& model) {
     std::vector<double> basis;
     bem::visitSplinePoints(
         surface, firstNumbers(surface.elements().size()), 4, kEverywhere,
-        [&](const bem::SplinePlace& place, const bem::SplineJet& jet, double weight) {
+        [&](const bem::ElementPlace& place, const bem::SurfaceJet& jet, double weight) {
           surface.evaluateBasis(place, basis);
           error.add(jet.position,
                     sum(Eigen::Map<const Eigen::VectorXd>(basis.data(),

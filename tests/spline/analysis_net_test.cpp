@@ -144,7 +144,7 @@ TEST(SplineRefinement, GivesTouchesTheMasksTheyAskFor) {
     EXPECT_LE(net.coefficients, 1750) << entry.path();
     for (const modeling::Touch& touch : project.touches) {
       if (touch.kind == modeling::TouchKind::kBall) continue;
-      const bem::SplinePlace place = bem::test::nearestPlace(surface, touch.at);
+      const bem::ElementPlace place = bem::test::nearestPlace(surface, touch.at);
       const double mask = widths.at(place.element, surface.evaluate(place).position);
       std::printf("%s, n %.0f, %s: mask %.2f for %.2f mm\n", project.name.c_str(), net.coefficients,
                   touch.name.c_str(), mask, *touch.radius);

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double kFingertip = 6.0;  // mm
 
-Vector3d at(const BoundarySetup& setup, const bem::SplinePlace& place,
+Vector3d at(const BoundarySetup& setup, const bem::ElementPlace& place,
             const Eigen::MatrixXd& values, const std::vector<int>& indices) {
   std::vector<double> basis;
   setup.splines->surface().evaluateBasis(place, basis);
@@ -44,11 +44,11 @@ SolvedSetup::SolvedSetup(BoundarySetup made) : setup(std::move(made)) {
   field = problem->solveField(problem->dofs().knownField(setup.conditions));
 }
 
-Vector3d SolvedSetup::u(const bem::SplinePlace& place) const {
+Vector3d SolvedSetup::u(const bem::ElementPlace& place) const {
   return at(setup, place, field.u, surface().functions(place.element));
 }
 
-Vector3d SolvedSetup::p(const bem::SplinePlace& place) const {
+Vector3d SolvedSetup::p(const bem::ElementPlace& place) const {
   return at(setup, place, field.p, setup.splines->tractions().ofFunction[place.element]);
 }
 

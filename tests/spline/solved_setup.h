@@ -22,9 +22,9 @@ struct SolvedSetup {
 
   const bem::SplineSurface& surface() const { return setup.splines->surface(); }
 
-  Eigen::Vector3d u(const bem::SplinePlace& place) const;  ///< mm
-  Eigen::Vector3d p(const bem::SplinePlace& place) const;  ///< MPa
-  Eigen::Vector3d reaction(int support) const;             ///< N
+  Eigen::Vector3d u(const bem::ElementPlace& place) const;  ///< mm
+  Eigen::Vector3d p(const bem::ElementPlace& place) const;  ///< MPa
+  Eigen::Vector3d reaction(int support) const;              ///< N
 };
 
 /// Box 40 x 30 x 20 mm without supports, nu = 0.3.

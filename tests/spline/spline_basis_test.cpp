@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/core/setup/to_spline_surface.h"
-#include "bem/spline/gauss_rule.h"
+#include "bem/base/gauss_rule.h"
 #include "bem/spline/spline_collocation.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/basis.h"
@@ -75,7 +75,7 @@ TEST(SplineSurface, IsTheSolid) {
     const SplineElement& element = surface.elements()[e];
     const double u = element.lower[0] + 0.3 * (element.upper[0] - element.lower[0]);
     const double v = element.lower[1] + 0.8 * (element.upper[1] - element.lower[1]);
-    const SplineJet jet = surface.evaluate({e, u, v});
+    const SurfaceJet jet = surface.evaluate({e, u, v});
     const modeling::SurfacePoint expected = exact.evaluate(element.patch, u, v);
     EXPECT_LT((jet.position - expected.position).norm(), 1e-11);
     EXPECT_LT((jet.du - expected.du).norm(), 1e-9);
@@ -105,18 +105,18 @@ TEST(SplineCollocation, PointsBelongToAllElementsThatContainThem) {
   const SplineSurface surface = app::splineSurfaceOf(modeling::makeCylinder(20, 60));
   const auto points = grevilleCollocation(surface);
   ASSERT_EQ(static_cast<int>(points.size()), surface.coefficientCount());
-  for (const SplineCollocationPoint& point : points) {
-    for (const SplinePlace& place : point.places)
+  for (const CollocationPlace& point : points) {
+    for (const ElementPlace& place : point.places)
       EXPECT_LT((surface.evaluate(place).position - point.position).norm(), 1e-9);
     // No other element touches it.
     for (int e = 0; e < surface.elementCount(); ++e) {
       if (std::any_of(point.places.begin(), point.places.end(),
-                      [e](const SplinePlace& p) { return p.element == e; }))
+                      [e](const ElementPlace& p) { return p.element == e; }))
         continue;
       const SplineElement& element = surface.elements()[e];
       for (int i = 0; i <= 6; ++i)
         for (int j = 0; j <= 6; ++j) {
-          const SplinePlace place{
+          const ElementPlace place{
               e, element.lower[0] + i / 6.0 * (element.upper[0] - element.lower[0]),
               element.lower[1] + j / 6.0 * (element.upper[1] - element.lower[1])};
           EXPECT_GT((surface.evaluate(place).position - point.position).norm(), 1e-6);
@@ -131,7 +131,7 @@ TEST(SplineCollocation, FurtherPointsLieInsideTheFaceTheyStandFor) {
   for (int s = 0; s < tractions.slots.count(); ++s) {
     const auto shifted = shiftedCollocation(box, tractions, s);
     ASSERT_TRUE(shifted);
-    const SplineCollocationPoint& point = *shifted;
+    const CollocationPlace& point = *shifted;
     int sides = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const double low = axis == 2 ? 0 : axis == 1 ? -15 : -20, high = axis == 2 ? 20 : -low;

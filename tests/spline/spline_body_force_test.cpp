@@ -1,7 +1,10 @@
 #include "bem/spline/spline_body_force.h"
 
+#include "bem/element/element_body_force.h"
+#include "bem/element/element_interior.h"
+#include "bem/spline/spline_equations.h"
 #include "bem/spline/spline_integrals.h"
-#include "bem/spline/spline_interior.h"
+#include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_results.h"
 #include "bem/spline/surface_part.h"
 #include "bem/triangle/triangle_body_force.h"
@@ -73,10 +76,11 @@ TEST(SplineBodyForce, TermEqualsThatOfFineTriangles) {
   const Bulk bulk{material, kForce};
   const auto on = discretised(modeling::makeSphere(25), 1.2, [](const Vector3d&) { return 0; });
   const SplineQuadrature quadrature(on->surface(), 1e-6);
-  const SplineBodyForce splines(on->surface(), quadrature, bulk);
+  const ElementBodyForce splines(on->elements(), quadrature, bulk);
   const TriangleBodyForce triangles(on->mesh());
-  SplineQuadrature::Workspace work;
-  for (const SplineCollocationPoint& point : grevilleCollocation(on->surface())) {
+  const auto workspace = quadrature.makeWorkspace();
+  ElementQuadrature::Workspace& work = *workspace;
+  for (const CollocationPlace& point : grevilleCollocation(on->surface())) {
     const Vector3d expected = triangles.at(point.position, bulk);
     // The polyhedron lacks about (h / R)^2 / 5 of the volume.
     EXPECT_LE((splines.at(point, work) - expected).norm(), 2e-3 * expected.norm());
@@ -97,8 +101,9 @@ TEST(SplineBodyForce, ResidualEnergyAndInnerStateAreExactOnABox) {
     const VectorXd u = body.field.u.col(0), p = body.field.p.col(0);
     const double largest = u.lpNorm<Eigen::Infinity>();
     for (int e = 0; e < body.surface.elementCount(); e += 5) {
-      const Vector3d defect = results.displacementDefect({e, {0.37, 0.61}}, u, p, bulk),
-                     without = results.displacementDefect({e, {0.37, 0.61}}, u, p, material);
+      const CollocationPlace at = surfacePlaces(body.surface, {e, {0.37, 0.61}});
+      const Vector3d defect = results.displacementDefect(at, u, p, bulk),
+                     without = results.displacementDefect(at, u, p, material);
       EXPECT_LE(defect.norm(), 1e-5 * largest);
       EXPECT_GE(without.norm(), 1e-2 * largest) << "the residual contains the weight";
     }
@@ -106,9 +111,9 @@ TEST(SplineBodyForce, ResidualEnergyAndInnerStateAreExactOnABox) {
         estimatedError(results, *body.problem, body.field, bulk, Job{}).u.col(0);
     EXPECT_LE(estimate.lpNorm<Eigen::Infinity>(), 1e-5 * largest);
     const std::vector<Vector3d> points{{0, 0, 10}, {-12, 9, 15}, {15, -10, 0.1}};
-    const SplineQuadrature quadrature(body.surface, SplineInterior::kTolerance, {});
+    const SplineQuadrature quadrature(body.surface, ElementInterior::kTolerance, {});
     const std::vector<InteriorState> states =
-        SplineInterior(body.surface, body.tractions, quadrature, bulk, points, {})
+        ElementInterior(SplineElements(body.surface, body.tractions), quadrature, bulk, points, {})
             .evaluate(u, p, {});
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Vector3d& x = points[k];

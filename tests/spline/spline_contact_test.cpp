@@ -104,7 +104,7 @@ TEST(SplineContact, SupportsBalanceIt) {
   Vector3d reaction = Vector3d::Zero();
   std::vector<double> basis;
   visitSplinePoints(sphere().splines, fixed, 6, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                       sphere().splines.evaluateBasis(place, basis);
                       for (std::size_t f = 0; f < basis.size(); ++f)
                         reaction += weight * basis[f] *

@@ -1,3 +1,4 @@
+#include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_results.h"
 #include "bem/spline/spline_state.h"
 #include "spline_body.h"
@@ -26,11 +27,12 @@ Effectivity effectivity(const char* name, const SplineBody& body, const ExactFie
   double scale = 0, largestError = 0;
   visitSplinePoints(
       body.surface, allElements(body.surface), 2, INFINITY,
-      [&](const SplinePlace& place, const SplineJet& jet, double weight) {
+      [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
         const SplineMesh::Point at{place.element, body.surface.parameters(place).parameters};
         const Vector3d expected = exact.displacement(jet.position);
         const Vector3d error = expected - body.displacement(place);
-        const Vector3d defect = results.displacementDefect(at, u, p, body.material);
+        const Vector3d defect =
+            results.displacementDefect(surfacePlaces(body.surface, at), u, p, body.material);
         const Vector3d estimate =
             defect + splineValue(body.surface, at, body.surface.functions(at.element), correction);
         sum.error += weight * error.squaredNorm();

@@ -53,8 +53,8 @@ SplineSurface fixedCylinder(const modeling::Solid& cylinder, bool atTop) {
   if (!atTop) return surface;
   for (int e = 0; e < surface.elementCount(); ++e) {
     const SplineElement& element = surface.elements()[e];
-    const SplinePlace middle{e, (element.lower[0] + element.upper[0]) / 2,
-                             (element.lower[1] + element.upper[1]) / 2};
+    const ElementPlace middle{e, (element.lower[0] + element.upper[0]) / 2,
+                              (element.lower[1] + element.upper[1]) / 2};
     if (surface.evaluate(middle).position.z() > kHeight - 1e-6) surface.setTag(e, 2);
   }
   return surface;
@@ -103,7 +103,7 @@ FemSolution solveFem(const json& reference, const SplineSurface& surface,
   solution.elements = surface.elementCount();
   solution.times = times;
   std::vector<double> basis;
-  const auto at = [&](const SplinePlace& place, const Eigen::VectorXd& values,
+  const auto at = [&](const ElementPlace& place, const Eigen::VectorXd& values,
                       const std::vector<int>& indices) {
     surface.evaluateBasis(place, basis);
     Vector3d sum = Vector3d::Zero();
@@ -113,13 +113,13 @@ FemSolution solveFem(const json& reference, const SplineSurface& surface,
   };
   std::vector<Vector3d> displacements;
   for (const json& point : reference["points"]) {
-    const SplinePlace place = nearestPlace(surface, vectorOf(point["x"]));
+    const ElementPlace place = nearestPlace(surface, vectorOf(point["x"]));
     displacements.push_back(at(place, field.u, surface.functions(place.element)));
   }
   Vector3d reaction = Vector3d::Zero();
   double energy = 0, area = 0;
   visitSplinePoints(surface, all, 5, loadRadius / 8,
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                       const Vector3d p = at(place, field.p, tractions.ofFunction[place.element]);
                       const Vector3d u = at(place, field.u, surface.functions(place.element));
                       area += weight;

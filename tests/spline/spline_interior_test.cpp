@@ -1,4 +1,4 @@
-#include "bem/spline/spline_interior.h"
+#include "bem/element/element_interior.h"
 
 #include "app/verification/exact/textbook_fields.h"
 #include "bem/spline/spline_results.h"
@@ -17,21 +17,22 @@ std::vector<Vector3d> pointsBelow(const SplineSurface& surface, double depth) {
   for (int e = 0; e < surface.elementCount(); e += 7) {
     const SplineElement& element = surface.elements()[e];
     const double width = element.upper[0] - element.lower[0];
-    const SplinePlace place{e, element.lower[0] + (e % 2 ? 0.5 : 0.97) * width,
-                            (element.lower[1] + element.upper[1]) / 2};
-    const SplineJet jet = surface.evaluate(place);
+    const ElementPlace place{e, element.lower[0] + (e % 2 ? 0.5 : 0.97) * width,
+                             (element.lower[1] + element.upper[1]) / 2};
+    const SurfaceJet jet = surface.evaluate(place);
     points.push_back(jet.position - depth * jet.du.norm() * width * surface.normal(place));
   }
   return points;
 }
 
-TEST(SplineInterior, FollowsAPointForceUpToTheSurface) {
+TEST(ElementInterior, FollowsAPointForceUpToTheSurface) {
   for (const double nu : {0.3, 0.5}) {
     const Material material{0.1, nu};
     const ExactField exact = kelvinField({20, 15, 40}, {0.03, -0.02, 0.06}, material);
     const SplineBody body(fixedWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)), isBelow),
                           material, exact, {1e-6});
-    const SplineQuadrature quadrature(body.surface, SplineInterior::kTolerance);
+    const SplineQuadrature quadrature(body.surface, ElementInterior::kTolerance);
+    const SplineElements elements(body.surface, body.tractions);
     const SplineResults fine(body.surface, body.tractions);
     const VectorXd u = body.field.u.col(0), p = body.field.p.col(0);
     for (const auto& [depth, displacement, stress] : {std::tuple(2.0, 5e-4, 1e-3),
@@ -41,7 +42,7 @@ TEST(SplineInterior, FollowsAPointForceUpToTheSurface) {
                                                       {1e-4, 1e-3, 1.2e-2},
                                                       {0.0, 1e-3, 1.2e-2}}) {
       const std::vector<Vector3d> points = pointsBelow(body.surface, depth);
-      const SplineInterior interior(body.surface, body.tractions, quadrature, material, points, {});
+      const ElementInterior interior(elements, quadrature, material, points, {});
       const std::vector<InteriorState> states = interior.evaluate(u, p, {});
       double largestU = 0, largestStress = 0, errorU = 0, errorStress = 0, beside = 0;
       for (std::size_t k = 0; k < points.size(); ++k) {
@@ -64,7 +65,7 @@ TEST(SplineInterior, FollowsAPointForceUpToTheSurface) {
   }
 }
 
-TEST(SplineInterior, KeepsALinearFieldExactlyHoweverNearTheSurface) {
+TEST(ElementInterior, KeepsALinearFieldExactlyHoweverNearTheSurface) {
   const Material material{0.1, 0.3};
   const ExactField exact = linearField(generalGradient(false), {0.1, -0.2, 0.3}, material);
   const SplineSurface surface = app::splineSurfaceOf(modeling::makeBox({40, 30, 20}));
@@ -76,10 +77,11 @@ TEST(SplineInterior, KeepsALinearFieldExactlyHoweverNearTheSurface) {
       surface, tractions, allElements(surface),
       [&](const Vector3d& x, const Vector3d& n) { return Vector3d(exact.stress(x) * n); },
       INFINITY);
-  const SplineQuadrature quadrature(surface, SplineInterior::kTolerance);
+  const SplineQuadrature quadrature(surface, ElementInterior::kTolerance);
   const std::vector<Vector3d> points{{1, 2, 11}, {3, 4, 20 - 1e-3},          {3, 4, 1e-7},
                                      {0, 0, 0},  {20 - 1e-4, 15 - 1e-4, 10}, {-19.99, -14.9, 0.02}};
-  const SplineInterior interior(surface, tractions, quadrature, material, points, {});
+  const SplineElements elements(surface, tractions);
+  const ElementInterior interior(elements, quadrature, material, points, {});
   const auto states = interior.evaluate(u, p, {});
   const Matrix3d stress = exact.stress(Vector3d::Zero());
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -95,10 +97,11 @@ TEST(SplineInterior, FollowsLamesFieldOfAThickSphere) {
   const ExactField exact = verification::pressurisedSphereField(12, 70, 0.01, material, centre);
   const SplineBody body(fixedWhere(app::splineSurfaceOf(modeling::makeSphere(25, 9)), isBelow),
                         material, exact, {1e-6});
-  const SplineQuadrature quadrature(body.surface, SplineInterior::kTolerance);
+  const SplineQuadrature quadrature(body.surface, ElementInterior::kTolerance);
   const std::vector<Vector3d> points{{0, 0, 0},   {0, 3, 24},    {10, 5, 15}, {-12, -8, 10},
                                      {20, 0, -5}, {5, -20, -10}, {0, 0, -24}, {0.1, 0.2, 24.9}};
-  const SplineInterior interior(body.surface, body.tractions, quadrature, material, points, {});
+  const SplineElements elements(body.surface, body.tractions);
+  const ElementInterior interior(elements, quadrature, material, points, {});
   const auto states = interior.evaluate(body.field.u.col(0), body.field.p.col(0), {});
   double largestU = 0, largestStress = 0, errorU = 0, errorStress = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {

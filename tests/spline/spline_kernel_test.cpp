@@ -15,16 +15,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::vector<SplineKernel> variants() {
-  std::vector<SplineKernel> all{{placePointsBaseline, tabulateBaseline, sumKernelsBaseline,
-                                 addSumsBaseline, makeBlocksUBaseline, makeBlocksTBaseline}};
+struct Loops : SplineKernel, KelvinSumLoops {};
+
+std::vector<Loops> variants() {
+  std::vector<Loops> all{
+      {{placePointsBaseline, tabulateBaseline},
+       {sumKernelsBaseline, addSumsBaseline, makeBlocksUBaseline, makeBlocksTBaseline}}};
 #if defined(__x86_64__)
   if (instructionSet() != InstructionSet::kBaseline)
-    all.push_back({placePointsAvx2, tabulateAvx2, sumKernelsAvx2, addSumsAvx2, makeBlocksUAvx2,
-                   makeBlocksTAvx2});
+    all.push_back({{placePointsAvx2, tabulateAvx2},
+                   {sumKernelsAvx2, addSumsAvx2, makeBlocksUAvx2, makeBlocksTAvx2}});
   if (instructionSet() == InstructionSet::kAvx512)
-    all.push_back({placePointsAvx512, tabulateAvx512, sumKernelsAvx512, addSumsAvx2,
-                   makeBlocksUAvx512, makeBlocksTAvx512});
+    all.push_back({{placePointsAvx512, tabulateAvx512},
+                   {sumKernelsAvx512, addSumsAvx2, makeBlocksUAvx512, makeBlocksTAvx512}});
 #endif
   return all;
 }
@@ -89,8 +92,8 @@ TEST(SplineKernel, SumsOverTensorRulesAreWhatTheyAreCalled) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-1, 1);
   const Vector3d x(0.1, -0.2, 0.3);
-  for (const SplineKernel& kernel : variants())
-    for (int n = 3; n <= kSplineLanes; ++n)
+  for (const Loops& kernel : variants())
+    for (int n = 3; n <= kElementLanes; ++n)
       for (const auto& [inU, inV] : {std::pair(2, 6), {3, 3}, {4, 4}, {5, 2}, {6, 5}}) {
         const Sample sample(n * n, random);
         std::vector<double> u(n * inU), v(n * inV);
@@ -117,7 +120,7 @@ TEST(SplineKernel, SumsOverAnyPointsAreWhatTheyAreCalled) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(-1, 1);
   const Vector3d x(0.1, -0.2, 0.3);
-  for (const SplineKernel& kernel : variants())
+  for (const Loops& kernel : variants())
     for (const int points : {1, 8, 63, 64, 65, 200})
       for (const int functions : {4, 9, 16, 25}) {
         const Sample sample(points, random);
@@ -149,13 +152,13 @@ TEST(SplineKernel, BlocksAreKelvinsKernels) {
   constexpr int kCoefficients = 5;
   const std::vector<int> wanted{3, 0, 4};
   std::mt19937 random(4);
-  for (const SplineKernel& kernel : variants()) {
-    std::vector<double> T[kSplineLanes], U[kSplineLanes];
+  for (const Loops& kernel : variants()) {
+    std::vector<double> T[kElementLanes], U[kElementLanes];
     std::vector<Sample> samples;
     MakeBlocksTask ofT{constants, {}, wanted.data(), static_cast<int>(wanted.size()), nullptr};
     MakeBlocksTask ofU = ofT;
     const Vector3d x(0.1, -0.2, 0.3);
-    for (int k = 0; k < kSplineLanes; ++k) {
+    for (int k = 0; k < kElementLanes; ++k) {
       samples.emplace_back(kCoefficients, random);
       const auto sums =
           writtenOut(samples[k], x, kCoefficients, [](int p, int f) { return p == f ? 1.0 : 0.0; });
@@ -168,12 +171,12 @@ TEST(SplineKernel, BlocksAreKelvinsKernels) {
       ofU.sums[k] = U[k].data();
       ofT.sums[k] = T[k].data();
     }
-    alignas(64) double blocksU[3][9][kSplineLanes], blocksT[3][9][kSplineLanes];
+    alignas(64) double blocksU[3][9][kElementLanes], blocksT[3][9][kElementLanes];
     ofU.blocks = &blocksU[0][0][0];
     ofT.blocks = &blocksT[0][0][0];
     kernel.makeBlocksU(ofU);
     kernel.makeBlocksT(ofT);
-    for (int k = 0; k < kSplineLanes; ++k)
+    for (int k = 0; k < kElementLanes; ++k)
       for (int j = 0; j < 3; ++j) {
         const Vector3d y = samples[k].vector(0, wanted[j]), area = samples[k].vector(3, wanted[j]);
         const Eigen::Matrix3d u = area.norm() * kelvinDisplacement(x, y, material),
@@ -194,7 +197,7 @@ TEST(SplineKernel, SumsAreAddedToTheirCoefficients) {
   std::vector<KernelSums> sums(3);
   for (KernelSums& sum : sums)
     for (double& value : sum.of) value = any(random);
-  for (const SplineKernel& kernel : variants()) {
+  for (const Loops& kernel : variants()) {
     std::vector<double> T(4 * kKernelSumsT, 1.0), U(5 * kKernelSumsU, 1.0);
     std::vector<double> expectedT = T, expectedU = U;
     for (int f = 0; f < 3; ++f) {
@@ -212,7 +215,7 @@ TEST(SplineKernel, SumsAreAddedToTheirCoefficients) {
 TEST(SplineKernel, TabulatedFunctionsAreThoseOfTheBasis) {
   const BsplineBasis basis(3, {0, 0, 0, 0, 0.3, 0.7, 1, 1, 1, 1});
   const std::vector<double> points{0.31, 0.4, 0.55, 0.6, 0.69};
-  for (const SplineKernel& kernel : variants()) {
+  for (const Loops& kernel : variants()) {
     std::vector<double> values(4 * points.size());
     kernel.tabulate(
         {basis.polynomials(1), points.data(), static_cast<int>(points.size()), values.data()});

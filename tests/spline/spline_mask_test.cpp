@@ -53,7 +53,7 @@ MaskShape shapeOf(const SplineTouched& body, const ContactMask& mask) {
   };
   double total = 0, bumpSpread = 0;
   visitSplinePoints(
-      body.splines, all, 5, 3.0, [&](const SplinePlace&, const SplineJet& jet, double weight) {
+      body.splines, all, 5, 3.0, [&](const ElementPlace&, const SurfaceJet& jet, double weight) {
         total += weight * bump(jet.position);
         bumpSpread += weight * bump(jet.position) * (jet.position - middle).squaredNorm();
       });
@@ -67,7 +67,7 @@ MaskShape shapeOf(const SplineTouched& body, const ContactMask& mask) {
   };
   double square = 0;
   visitSplinePoints(body.splines, all, 5, 3.0,
-                    [&](const SplinePlace& place, const SplineJet& jet, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
                       body.splines.evaluateBasis(place, basis);
                       const double value = valueAt(place.element);
                       const double wanted = bump(jet.position) / total;

@@ -17,8 +17,8 @@ struct WorstError {
 
 /// Sums of T less what a translation takes away, and sums of U.
 std::vector<double> reduced(const SplineSurface& surface, const SplineQuadrature& quadrature,
-                            int element, const SplineCollocationPoint& point,
-                            const SplinePlace* inside, SplineQuadrature::Workspace& work) {
+                            int element, const CollocationPlace& point, const ElementPlace* inside,
+                            ElementQuadrature::Workspace& work) {
   quadrature.integrate(element, point.position, inside, work);
   const auto count = surface.functions(element).size();
   std::vector<double> basis(count, 0), result;
@@ -36,15 +36,16 @@ WorstError measure(const SplineSurface& surface, double tolerance, bool skipCorn
   const SplineQuadrature quadrature(surface, tolerance);
   const SplineQuadrature reference(surface, tolerance * 1e-3);
   const auto points = grevilleCollocation(surface);
-  SplineQuadrature::Workspace work;
+  const auto workspace = quadrature.makeWorkspace();
+  ElementQuadrature::Workspace& work = *workspace;
   WorstError worst;
   for (std::size_t k = 0; k < points.size(); k += 3)
     for (int e = 0; e < surface.elementCount(); ++e) {
-      const SplinePlace* inside = nullptr;
-      for (const SplinePlace& place : points[k].places)
+      const ElementPlace* inside = nullptr;
+      for (const ElementPlace& place : points[k].places)
         if (place.element == e) inside = &place;
       if (inside && skipCorners) {
-        const SplineJet jet = surface.evaluate(*inside);
+        const SurfaceJet jet = surface.evaluate(*inside);
         if (jet.areaVector().norm() < 0.1 * jet.du.norm() * jet.dv.norm()) continue;
       }
       const auto found = reduced(surface, quadrature, e, points[k], inside, work);
@@ -97,8 +98,9 @@ TEST(SplineAssembly, ARotationNeedsNoTraction) {
                                      {modeling::makeCylinder(20, 60), 3e-3}}) {
     const SplineSurface surface = app::splineSurfaceOf(solid);
     const SplineTractions tractions(surface);
-    const auto operators = assemble<double>(surface, tractions, grevilleCollocation(surface),
-                                            {0.1, 0.4}, {1e-5}, Job{});
+    const auto operators =
+        assemble<double>(surface, tractions, collocationEquations(grevilleCollocation(surface)),
+                         {0.1, 0.4}, {1e-5}, Job{});
     Eigen::VectorXd turn(3 * surface.coefficientCount());
     const Vector3d axis = Vector3d(0.3, -0.5, 0.8) / 60;
     for (int k = 0; k < surface.coefficientCount(); ++k)
@@ -114,7 +116,7 @@ TEST(SplineAssembly, DoesNotDependOnTheNumberOfThreads) {
   Job one, three;
   one.threads = 1;
   three.threads = 3;
-  const auto points = grevilleCollocation(surface);
+  const auto points = collocationEquations(grevilleCollocation(surface));
   const auto a = assemble<double>(surface, tractions, points, {0.1, 0.3}, {1e-5}, one);
   const auto b = assemble<double>(surface, tractions, points, {0.1, 0.3}, {1e-5}, three);
   EXPECT_EQ(a.H.view(), b.H.view());
@@ -129,7 +131,8 @@ TEST(SplineAssembly, StopsWhenAsked) {
   job.stop = source.get_token();
   job.progress = [&](Phase, double) { source.request_stop(); };
   EXPECT_THROW(
-      assemble<double>(surface, tractions, grevilleCollocation(surface), {0.1, 0.3}, {1e-5}, job),
+      assemble<double>(surface, tractions, collocationEquations(grevilleCollocation(surface)),
+                       {0.1, 0.3}, {1e-5}, job),
       Cancelled);
 }
 

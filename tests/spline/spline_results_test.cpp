@@ -46,7 +46,7 @@ TEST(SplineIntegrals, LinearFieldsAreBalancedAndHaveTheEnergyOfTheirStress) {
     double volume = 0, area = 0;
     const std::vector<int> all = allElements(body.surface);
     visitSplinePoints(body.surface, all, 8, INFINITY,
-                      [&](const SplinePlace&, const SplineJet& jet, double weight) {
+                      [&](const ElementPlace&, const SurfaceJet& jet, double weight) {
                         volume += weight * jet.position.dot(jet.areaVector().normalized()) / 3;
                         area += weight;
                       });
@@ -84,7 +84,7 @@ TEST(SplineIntegrals, AFaceCarriesStressTimesArea) {
   EXPECT_LE((sum.moment - Vector3d(0, 0, 20).cross(force)).norm(), 1e-9 * 20 * force.norm());
 }
 
-TEST(SplineSurfaceState, IsThatOfALinearField) {
+TEST(SplineElements, StateIsThatOfALinearField) {
   // On bent faces the projected tractions err, which the stress takes over.
   for (const auto& [solid, tolerance] : {std::pair(modeling::makeBox({40, 30, 20}), 1e-9),
                                          {modeling::makeSphere(25, 9), 3e-3},
@@ -95,12 +95,11 @@ TEST(SplineSurfaceState, IsThatOfALinearField) {
     for (int e = 0; e < body.surface.elementCount(); ++e)
       for (const double s : {0.0, 0.3, 1.0}) {
         const SplineElement& element = body.surface.elements()[e];
-        const SplineSurfaceState state = splineSurfaceState(
-            body.surface, body.tractions,
-            {e,
-             {element.lower[0] + s * (element.upper[0] - element.lower[0]),
-              element.lower[1] + 0.7 * s * (element.upper[1] - element.lower[1])}},
-            body.u, body.p, body.material);
+        const SurfaceState state =
+            SplineElements(body.surface, body.tractions)
+                .state({e, element.lower[0] + s * (element.upper[0] - element.lower[0]),
+                        element.lower[1] + 0.7 * s * (element.upper[1] - element.lower[1])},
+                       body.u, body.p, body.material);
         worst = std::max(worst, (state.stress - stress).norm() / stress.norm());
         EXPECT_LE((state.gradient - body.gradient).norm(), 10 * tolerance * body.gradient.norm());
         EXPECT_LE((state.displacement - body.exact.displacement(state.position)).norm(), 1e-9);
@@ -123,9 +122,9 @@ InteriorError interiorError(const SplineBody& body, const ExactField& exact, dou
   for (int e = 0; e < body.surface.elementCount(); e += 7) {
     const SplineElement& element = body.surface.elements()[e];
     const double width = element.upper[0] - element.lower[0];
-    const SplinePlace place{e, element.lower[0] + (e % 2 ? 0.5 : 0.97) * width,
-                            (element.lower[1] + element.upper[1]) / 2};
-    const SplineJet jet = body.surface.evaluate(place);
+    const ElementPlace place{e, element.lower[0] + (e % 2 ? 0.5 : 0.97) * width,
+                             (element.lower[1] + element.upper[1]) / 2};
+    const SurfaceJet jet = body.surface.evaluate(place);
     const Vector3d x = jet.position - depth * jet.du.norm() * width * body.surface.normal(place);
     const auto state = results.interiorState(u, p, body.material, x);
     EXPECT_TRUE(state);

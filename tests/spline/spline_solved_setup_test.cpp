@@ -122,7 +122,7 @@ TEST(SplineSetup, FlatRollersAreExact) {
   double most = 0;
   for (int e = 0; e < solved.surface().elementCount(); e += 7) {
     const auto& element = solved.surface().elements()[e];
-    const bem::SplinePlace place{e, element.lower[0], element.upper[1]};
+    const bem::ElementPlace place{e, element.lower[0], element.upper[1]};
     const Vector3d x = solved.surface().evaluate(place).position - low;
     const Vector3d exact(nu * strain * x[0], nu * strain * x[1], -strain * x[2]);
     most = std::max(most, (solved.u(place) - exact).norm());
@@ -147,7 +147,7 @@ TEST(SplineSetup, CurvedRollersHoldBetweenTheirPoints) {
     const test::SolvedSetup solved(project);
     double slip = 0, sliding = 0;
     bem::visitSplinePoints(solved.surface(), solved.setup.supports[0].elements, 4, INFINITY,
-                           [&](const bem::SplinePlace& place, const bem::SplineJet& jet, double) {
+                           [&](const bem::ElementPlace& place, const bem::SurfaceJet& jet, double) {
                              const Vector3d u = solved.u(place),
                                             normal = jet.areaVector().normalized();
                              slip = std::max(slip, std::abs(u.dot(normal)));

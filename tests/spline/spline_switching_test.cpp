@@ -71,9 +71,9 @@ TEST(NodalSwitching, OfSplinesGivesTheDisplacementAtTheGrevillePoint) {
       *ball, {fixedWhereTagged(ball->slots()), kMaterial, kOptions, Precision::kDouble});
   const DegreesOfFreedom& dofs = problem->dofs();
   ASSERT_TRUE(dofs.extraSlots().empty());
-  const auto operators =
-      assemble<double>(ball->surface(), ball->tractions(), grevilleCollocation(ball->surface()),
-                       kMaterial, kOptions, Job{});
+  const auto operators = assemble<double>(
+      ball->surface(), ball->tractions(),
+      collocationEquations(grevilleCollocation(ball->surface())), kMaterial, kOptions, Job{});
   const WrittenOut written(operators, dofs);
 
   std::mt19937 random(3);

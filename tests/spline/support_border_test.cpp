@@ -56,11 +56,11 @@ TEST(SupportBorder, MayCutPatchesAtAnyHeightAndAngle) {
 
 TEST(SupportBorder, EquationsAreCollocationWhereNothingIsCut) {
   const SplineSurface whole = app::splineSurfaceOf(modeling::makeSphere(25, 9));
-  const SplineEquations collocation = splineEquations(whole, SplineTractions(whole), {});
+  const WeightedEquations collocation = splineEquations(whole, SplineTractions(whole), {});
   EXPECT_TRUE(collocation.isCollocation());
   const SplineSurface cut = withPart(
       whole, [](const Vector3d& x) { return x.z() + 20; }, 1);
-  const SplineEquations equations = splineEquations(cut, SplineTractions(cut), {});
+  const WeightedEquations equations = splineEquations(cut, SplineTractions(cut), {});
   EXPECT_FALSE(equations.isCollocation());
   const Eigen::VectorXd sums = equations.weights * Eigen::VectorXd::Ones(equations.weights.cols());
   EXPECT_LT((sums.array() - 1).abs().maxCoeff(), 1e-12);
@@ -98,7 +98,7 @@ Forces forces(const modeling::Body& shape, const Vector3d& normal, double below,
   Forces result{Vector3d::Zero(), setup.loads[0].resultant.force};
   std::vector<double> basis;
   visitSplinePoints(surface, setup.supports[0].elements, 5, INFINITY,
-                    [&](const SplinePlace& place, const SplineJet&, double weight) {
+                    [&](const ElementPlace& place, const SurfaceJet&, double weight) {
                       surface.evaluateBasis(place, basis);
                       for (std::size_t f = 0; f < basis.size(); ++f)
                         result.support +=

@@ -16,7 +16,7 @@ double areaWithTag(const SplineSurface& surface, int tag) {
     if (surface.elements()[e].tag == tag) list.push_back(e);
   double area = 0;
   visitSplinePoints(surface, list, 8, INFINITY,
-                    [&](const SplinePlace&, const SplineJet&, double weight) { area += weight; });
+                    [&](const ElementPlace&, const SurfaceJet&, double weight) { area += weight; });
   return area;
 }
 
@@ -77,7 +77,7 @@ TEST(SurfacePart, TearsFunctionsOnlyAtTheBorder) {
     } else if (cut.isTorn(k)) {
       EXPECT_GT(points[k].position.z(), -20 - 1e-9) << "its own side";
     }
-    for (const SplinePlace& place : points[k].places)
+    for (const ElementPlace& place : points[k].places)
       EXPECT_LT((cut.evaluate(place).position - points[k].position).norm(), 1e-8);
   }
   // Nothing is cut where the border runs along edges of patches.

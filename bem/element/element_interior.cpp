@@ -1,13 +1,11 @@
-#include "bem/spline/spline_interior.h"
+#include "bem/element/element_interior.h"
 
 #include <algorithm>
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/element/gather.h"
 #include "bem/model/body_force.h"
-#include "bem/spline/gather.h"
-#include "bem/spline/spline_nearest.h"
-#include "bem/spline/spline_state.h"
 
 namespace palpa::bem {
 namespace {
@@ -29,12 +27,10 @@ void forRanges(std::ptrdiff_t count, std::ptrdiff_t perTask, const Job& job,
 
 }  // namespace
 
-SplineInterior::SplineInterior(const SplineSurface& surface, const SplineTractions& tractions,
-                               const SplineQuadrature& quadrature, const Bulk& bulk,
-                               std::vector<Vector3d> points, const Job& job)
+ElementInterior::ElementInterior(const ElementSurface& surface, const ElementQuadrature& quadrature,
+                                 const Bulk& bulk, std::vector<Vector3d> points, const Job& job)
     : InteriorEvaluator(std::move(points)),
       surface_(surface),
-      tractions_(tractions),
       quadrature_(quadrature),
       bulk_(bulk),
       centre_(this->points().empty() ? Vector3d(0, 0, 0) : this->points().front()),
@@ -44,44 +40,27 @@ SplineInterior::SplineInterior(const SplineSurface& surface, const SplineTractio
   forRanges(static_cast<std::ptrdiff_t>(feet_.size()), kPointsPerTask, job,
             [&](std::ptrdiff_t first, std::ptrdiff_t end) {
               for (std::ptrdiff_t k = first; k < end; ++k) {
-                const SplineFoot foot = nearestOnSurface(surface_, quadrature_, this->points()[k]);
-                feet_[k] = {{foot.place.element, surface_.parameters(foot.place).parameters},
-                            foot.distance};
+                feet_[k] = nearestOnSurface(surface_, quadrature_, this->points()[k]);
               }
             });
   std::size_t next = 0;
   for (int e = 0; e < surface.elementCount(); ++e)
-    for (int rule = 0; rule < SplineQuadrature::kKeptRules; ++rule) {
+    for (int rule = 0; rule < ElementQuadrature::kKeptRules; ++rule) {
       firstSource_.push_back(next);
       next += static_cast<std::size_t>(quadrature.keptPoints(e, rule).used);
     }
   firstSource_.push_back(next);
 }
 
-void SplineInterior::addSources(int element, const SplinePoints& points, const VectorXd& u,
-                                const VectorXd& p, std::size_t first,
-                                InteriorSources& sources) const {
-  const Matrix3Xd displacements = gather(u, surface_.functions(element)),
-                  tractions = gather(p, tractions_.ofFunction[element]);
-  const int n = points.perDirection, stride = quadrature_.stride(element),
-            inU = quadrature_.functionsAlong(element, 0);
-  VectorXd basis(displacements.cols());
+void ElementInterior::addSources(int element, const ElementPoints& points, const VectorXd& u,
+                                 const VectorXd& p, std::size_t first,
+                                 InteriorSources& sources) const {
+  const Matrix3Xd displacements = gather(u, surface_.coefficients(element)),
+                  tractions = gather(p, surface_.slots(element));
+  VectorXd basis;
   for (int k = 0; k < points.used; ++k) {
-    if (n > 0) {
-      const double* alongU = points.basis.data() + static_cast<std::ptrdiff_t>(k % n) * inU;
-      const double* alongV =
-          points.basis.data() + static_cast<std::ptrdiff_t>(n) * inU +
-          static_cast<std::ptrdiff_t>(k / n) * quadrature_.functionsAlong(element, 1);
-      for (Index f = 0; f < basis.size(); ++f) basis[f] = alongU[f % inU] * alongV[f / inU];
-    } else {
-      basis = Eigen::Map<const VectorXd>(
-          points.basis.data() + static_cast<std::ptrdiff_t>(k) * stride, basis.size());
-    }
-    const auto at = [k](const double* x, const double* y, const double* z) {
-      return Vector3d(x[k], y[k], z[k]);
-    };
-    const Vector3d y = at(points.position(0), points.position(1), points.position(2)),
-                   area = at(points.area(0), points.area(1), points.area(2));
+    points.basisAt(k, basis);
+    const Vector3d y = points.positionOf(k), area = points.areaOf(k);
     Vector3d displacement = displacements * basis,
              force = points.areaSize()[k] * (tractions * basis);
     if (bulk_.hasBodyForce()) {
@@ -93,11 +72,11 @@ void SplineInterior::addSources(int element, const SplinePoints& points, const V
   }
 }
 
-InteriorState SplineInterior::sumAt(std::size_t point, const VectorXd& u, const VectorXd& p,
-                                    const InteriorSources& far, Scratch& scratch) const {
+InteriorState ElementInterior::sumAt(std::size_t point, const VectorXd& u, const VectorXd& p,
+                                     const InteriorSources& far, Scratch& scratch) const {
   const Vector3d& x = points()[point];
-  const Foot& foot = feet_[point];
-  SplineSurfaceState near = splineSurfaceState(surface_, tractions_, foot.at, u, p, bulk_.material);
+  const ElementFoot& foot = feet_[point];
+  SurfaceState near = surface_.state(foot.place, u, p, bulk_.material);
   // The rest of the field is without a body force.
   InteriorState particular{Vector3d::Zero(), Matrix3d::Zero()};
   if (bulk_.hasBodyForce()) {
@@ -129,12 +108,12 @@ InteriorState SplineInterior::sumAt(std::size_t point, const VectorXd& u, const 
   for (int e = 0; e < surface_.elementCount(); ++e) {
     const int rule = quadrature_.keptRule(e, x);
     if (rule >= 0) {
-      const std::size_t at = static_cast<std::size_t>(e) * SplineQuadrature::kKeptRules +
+      const std::size_t at = static_cast<std::size_t>(e) * ElementQuadrature::kKeptRules +
                              static_cast<std::size_t>(rule);
       add(far, firstSource_[at], firstSource_[at + 1] - firstSource_[at]);
       continue;
     }
-    const SplinePoints& points = quadrature_.points(e, x, nullptr, scratch.quadrature);
+    const ElementPoints& points = quadrature_.points(e, x, nullptr, *scratch.quadrature);
     scratch.near.reserve(static_cast<std::size_t>(points.used));
     addSources(e, points, u, p, 0, scratch.near);
     add(scratch.near, 0, static_cast<std::size_t>(points.used));
@@ -145,20 +124,20 @@ InteriorState SplineInterior::sumAt(std::size_t point, const VectorXd& u, const 
   return state;
 }
 
-std::vector<InteriorState> SplineInterior::evaluateAll(const VectorXd& u, const VectorXd& p,
-                                                       const Job& job) const {
+std::vector<InteriorState> ElementInterior::evaluateAll(const VectorXd& u, const VectorXd& p,
+                                                        const Job& job) const {
   InteriorSources far;
   far.resize(firstSource_.back());
   constexpr std::ptrdiff_t kElementsPerTask = 16;
   forRanges(surface_.elementCount(), kElementsPerTask, job,
             [&](std::ptrdiff_t first, std::ptrdiff_t end) {
               for (std::ptrdiff_t e = first; e < end; ++e)
-                for (int rule = 0; rule < SplineQuadrature::kKeptRules; ++rule)
+                for (int rule = 0; rule < ElementQuadrature::kKeptRules; ++rule)
                   addSources(static_cast<int>(e), quadrature_.keptPoints(static_cast<int>(e), rule),
-                             u, p, firstSource_[e * SplineQuadrature::kKeptRules + rule], far);
+                             u, p, firstSource_[e * ElementQuadrature::kKeptRules + rule], far);
             });
   std::vector<InteriorState> states(points().size());
-  ScratchPool<Scratch> pool([] { return Scratch{}; });
+  ScratchPool<Scratch> pool([this] { return Scratch{quadrature_.makeWorkspace(), {}}; });
   forRanges(static_cast<std::ptrdiff_t>(states.size()), kPointsPerTask, job,
             [&](std::ptrdiff_t first, std::ptrdiff_t end) {
               Scratch scratch = pool.take();

@@ -1,34 +1,22 @@
-#include "bem/spline/spline_points.h"
+#include "bem/spline/spline_placement.h"
 
 #include <algorithm>
 
-#include "bem/spline/gauss_rule.h"
+#include "bem/base/gauss_rule.h"
 
 namespace palpa::bem {
 
-void SplineRule::clear() {
-  u.clear();
-  v.clear();
-  weight.clear();
-}
-
-void SplineRule::add(double atU, double atV, double ofWeight) {
-  u.push_back(atU);
-  v.push_back(atV);
-  weight.push_back(ofWeight);
-}
-
-void SplineRule::addTensor(const SplineCell& cell, int pointsPerDirection) {
+void addTensor(const SplineCell& cell, int pointsPerDirection, ElementRule& points) {
   const GaussRule& rule = gaussRule(pointsPerDirection);
   const double du = cell.upper[0] - cell.lower[0], dv = cell.upper[1] - cell.lower[1];
   const auto n = static_cast<std::size_t>(pointsPerDirection);
-  std::size_t k = u.size();
-  for (auto* list : {&u, &v, &weight}) list->resize(k + n * n);
+  std::size_t k = points.u.size();
+  for (auto* list : {&points.u, &points.v, &points.weight}) list->resize(k + n * n);
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i, ++k) {
-      u[k] = cell.lower[0] + du * rule.points[i];
-      v[k] = cell.lower[1] + dv * rule.points[j];
-      weight[k] = du * dv * rule.weights[i] * rule.weights[j];
+      points.u[k] = cell.lower[0] + du * rule.points[i];
+      points.v[k] = cell.lower[1] + dv * rule.points[j];
+      points.weight[k] = du * dv * rule.weights[i] * rule.weights[j];
     }
 }
 
@@ -52,11 +40,11 @@ int SplinePlacement::degree(int element) const {
   return std::max(direction[0].degree, direction[1].degree);
 }
 
-void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points) const {
+void SplinePlacement::place(int index, ElementRule& rule, ElementPoints& points) const {
   place(index, rule, points, true);
 }
 
-void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points,
+void SplinePlacement::place(int index, ElementRule& rule, ElementPoints& points,
                             bool withBasis) const {
   const Element& element = elements_[index];
   if (surface_.isCut(index))
@@ -66,14 +54,13 @@ void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points,
       rule.v[k] = image.parameters[1];
       rule.weight[k] *= image.derivative.determinant();
     }
-  const auto given = rule.u.size();
-  const auto count = static_cast<std::size_t>(roundUpToLanes(static_cast<int>(given)));
-  rule.u.resize(count, rule.u.front());
-  rule.v.resize(count, rule.v.front());
-  rule.weight.resize(count, 0);
-  points.used = static_cast<int>(given);
-  points.count = static_cast<int>(count);
+  points.used = static_cast<int>(rule.u.size());
+  points.count = rule.pad();
   points.perDirection = 0;
+  points.functions[0] = element.functions;
+  points.functions[1] = 0;
+  points.stride = stride(index);
+  const auto count = static_cast<std::size_t>(points.count);
   points.geometry.resize(kPointValues * count);
   if (withBasis) points.basis.assign(count * static_cast<std::size_t>(stride(index)), 0);
   kernel_.placePoints({{element.direction[0], element.direction[1]},
@@ -88,19 +75,20 @@ void SplinePlacement::place(int index, SplineRule& rule, SplinePoints& points,
 }
 
 void SplinePlacement::placeTensor(int index, const SplineCell& cell, int pointsPerDirection,
-                                  SplineRule& rule, SplinePoints& points) const {
+                                  ElementRule& rule, ElementPoints& points) const {
   rule.clear();
-  rule.addTensor(cell, pointsPerDirection);
+  addTensor(cell, pointsPerDirection, rule);
   const bool isCut = surface_.isCut(index);
   place(index, rule, points, isCut);
   if (isCut) return;
   points.perDirection = pointsPerDirection;
+  for (int d = 0; d < 2; ++d) points.functions[d] = functionsAlong(index, d);
   const auto& direction = elements_[index].direction;
   const int inU = pointsPerDirection * functionsAlong(index, 0);
   points.basis.resize(inU +
                       static_cast<std::size_t>(pointsPerDirection) * functionsAlong(index, 1));
   kernel_.tabulate({direction[0], rule.u.data(), pointsPerDirection, points.basis.data()});
-  double along[kSplineLanes];
+  double along[kElementLanes];
   for (int j = 0; j < pointsPerDirection; ++j)
     along[j] = rule.v[static_cast<std::size_t>(j) * pointsPerDirection];
   kernel_.tabulate({direction[1], along, pointsPerDirection, points.basis.data() + inU});

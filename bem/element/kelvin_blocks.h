@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bem/spline/spline_kernel.h"
+#include "bem/element/kelvin_sums.h"
 
-/// Components of Kelvin's blocks computed from the sums of their kernels (spline_kernel.h), for
+/// Components of Kelvin's blocks computed from the sums of their kernels (kelvin_sums.h), for
 /// numbers and for batches of numbers.
 namespace palpa::bem::detail {
 

@@ -1,4 +1,4 @@
-#include "bem/spline/gauss_rule.h"
+#include "bem/base/gauss_rule.h"
 
 #include <Eigen/Dense>
 #include <array>

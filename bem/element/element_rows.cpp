@@ -1,66 +1,67 @@
-#include "bem/spline/spline_rows.h"
+#include "bem/element/element_rows.h"
 
 #include <algorithm>
 #include <numbers>
 
-#include "bem/spline/spline_blocks.h"
+#include "bem/element/kelvin_blocks.h"
 
 namespace palpa::bem {
 
-SplineRows::SplineRows(const SplineSurface& surface, const SplineTractions& tractions,
-                       const Material& material, const SplineQuadrature& quadrature)
-    : surface_(surface), tractions_(tractions), quadrature_(quadrature) {
+ElementRows::ElementRows(const ElementSurface& surface, const ElementQuadrature& quadrature,
+                         const Material& material)
+    : surface_(surface), quadrature_(quadrature), loops_(kelvinSumLoopsForThisProcessor()) {
   const double nu = material.poissonRatio;
   constants_ = {1.0 / (16 * std::numbers::pi * material.shear() * (1 - nu)),
                 -1.0 / (8 * std::numbers::pi * (1 - nu)), 3 - 4 * nu, 1 - 2 * nu};
 }
 
-void SplineRows::clear(Sums& sums) const {
+void ElementRows::clear(Sums& sums) const {
   sums.T.assign(static_cast<std::size_t>(kSumsT) * surface_.coefficientCount() + kSumsPadding, 0);
-  sums.U.assign(static_cast<std::size_t>(kSumsU) * tractions_.slots.count() + kSumsPadding, 0);
+  sums.U.assign(static_cast<std::size_t>(kSumsU) * surface_.slotCount() + kSumsPadding, 0);
+  if (!sums.quadrature) sums.quadrature = quadrature_.makeWorkspace();
 }
 
-void SplineRows::add(int element, const SplineCollocationPoint& point, const SplinePlace* inside,
-                     Sums& sums) const {
-  quadrature_.integrate(element, point.position, inside, sums.quadrature);
-  quadrature_.addTo(surface_.functions(element), tractions_.ofFunction[element], sums.quadrature,
-                    sums.T.data(), sums.U.data());
+void ElementRows::add(int element, const CollocationPlace& point, const ElementPlace* inside,
+                      Sums& sums) const {
+  quadrature_.integrate(element, point.position, inside, *sums.quadrature);
+  const std::vector<KernelSums>& ofFunctions = sums.quadrature->sums;
+  loops_.addSums({ofFunctions.data(), static_cast<int>(ofFunctions.size()),
+                  surface_.coefficients(element).data(), surface_.slots(element).data(),
+                  sums.T.data(), sums.U.data()});
 }
 
-void SplineRows::integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const {
+void ElementRows::integrate(const CollocationPlace& point, Sums& sums, const Job& job) const {
   clear(sums);
   for (int e = 0; e < surface_.elementCount(); ++e) {
     if (e % 64 == 0) job.throwIfCancelled();
-    const auto inside = std::find_if(point.places.begin(), point.places.end(),
-                                     [e](const SplinePlace& p) { return p.element == e; });
-    add(e, point, inside == point.places.end() ? nullptr : &*inside, sums);
+    add(e, point, placeIn(point, e), sums);
   }
   subtractTranslation(point, sums);
 }
 
-void SplineRows::integrateOver(std::span<const int> elements, const SplineCollocationPoint& point,
-                               Sums& sums, const Job& job) const {
+void ElementRows::integrateOver(std::span<const int> elements, const CollocationPlace& point,
+                                Sums& sums, const Job& job) const {
   clear(sums);
   job.throwIfCancelled();
   for (const int e : elements) add(e, point, nullptr, sums);
 }
 
-void SplineRows::subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const {
+void ElementRows::subtractTranslation(const CollocationPlace& point, Sums& sums) const {
   std::fill(std::begin(sums.total), std::end(sums.total), 0);
   for (int j = 0; j < surface_.coefficientCount(); ++j)
     for (int k = 0; k < kSumsT; ++k)
       sums.total[k] += sums.T[static_cast<std::size_t>(kSumsT) * j + k];
-  const SplinePlace& place = point.places.front();
+  const ElementPlace& place = point.places.front();
   surface_.evaluateBasis(place, sums.basis);
-  const std::vector<int>& coefficients = surface_.functions(place.element);
+  const std::vector<int>& coefficients = surface_.coefficients(place.element);
   for (std::size_t f = 0; f < coefficients.size(); ++f)
     for (int k = 0; k < kSumsT; ++k)
       sums.T[static_cast<std::size_t>(kSumsT) * coefficients[f] + k] -=
           sums.basis[f] * sums.total[k];
 }
 
-Eigen::Matrix3Xd SplineRows::residual(const Sums& sums, const Eigen::MatrixXd& u,
-                                      const Eigen::MatrixXd& p) const {
+Eigen::Matrix3Xd ElementRows::residual(const Sums& sums, const Eigen::MatrixXd& u,
+                                       const Eigen::MatrixXd& p) const {
   Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, u.cols());
   Eigen::Matrix3d block;
   for (Eigen::Index j = 0; 3 * j < u.rows(); ++j) {
@@ -78,7 +79,7 @@ Eigen::Matrix3Xd SplineRows::residual(const Sums& sums, const Eigen::MatrixXd& u
   return sum;
 }
 
-Eigen::Matrix3d SplineRows::freeTerm(const Sums& sums) const {
+Eigen::Matrix3d ElementRows::freeTerm(const Sums& sums) const {
   double symmetric[kSumsT] = {};
   std::copy_n(sums.total, kSumsU, symmetric);
   Eigen::Matrix3d C;

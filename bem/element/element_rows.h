@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "base/job.h"
+#include "bem/element/element_quadrature.h"
 #include "bem/model/material.h"
-#include "bem/spline/spline_quadrature.h"
-#include "bem/spline/spline_tractions.h"
 
 namespace palpa::bem {
 
@@ -14,26 +14,26 @@ namespace palpa::bem {
 ///   T_j = ∫ T(x, y) [N_j(y) - N_j(x)] dΓ,  U_s = ∫ U(x, y) N_s(y) dΓ.
 /// At a collocation point these are the three rows of the operators. All references must outlive
 /// the object; const use from several threads is safe.
-class SplineRows {
+class ElementRows {
  public:
-  /// Numbers of sums per displacement and per traction coefficient, see spline_kernel.h.
+  /// Numbers of sums per displacement and per traction coefficient, see kelvin_sums.h.
   static constexpr int kSumsT = kKernelSumsT, kSumsU = kKernelSumsU;
 
-  SplineRows(const SplineSurface& surface, const SplineTractions& tractions,
-             const Material& material, const SplineQuadrature& quadrature);
+  ElementRows(const ElementSurface& surface, const ElementQuadrature& quadrature,
+              const Material& material);
 
   /// Sums of a point; reusable for other points.
   struct Sums {
     std::vector<double> T, U;  ///< [coefficient][sum], plus kSumsPadding numbers
     double total[kSumsT];      ///< sum of T before N_j(x) is subtracted
-    SplineQuadrature::Workspace quadrature;
+    std::unique_ptr<ElementQuadrature::Workspace> quadrature;
     std::vector<double> basis;
   };
   /// Computes the sums over all elements. Throws Cancelled if the job was stopped.
-  void integrate(const SplineCollocationPoint& point, Sums& sums, const Job& job) const;
+  void integrate(const CollocationPlace& point, Sums& sums, const Job& job) const;
   /// Computes the sums ∫ T N_j and ∫ U N_s over some elements that do not contain the point,
   /// without subtraction. Throws Cancelled if the job was stopped.
-  void integrateOver(std::span<const int> elements, const SplineCollocationPoint& point, Sums& sums,
+  void integrateOver(std::span<const int> elements, const CollocationPlace& point, Sums& sums,
                      const Job& job) const;
 
   const KelvinConstants& constants() const { return constants_; }
@@ -49,13 +49,13 @@ class SplineRows {
 
  private:
   void clear(Sums& sums) const;
-  void add(int element, const SplineCollocationPoint& point, const SplinePlace* inside,
+  void add(int element, const CollocationPlace& point, const ElementPlace* inside,
            Sums& sums) const;
-  void subtractTranslation(const SplineCollocationPoint& point, Sums& sums) const;
+  void subtractTranslation(const CollocationPlace& point, Sums& sums) const;
 
-  const SplineSurface& surface_;
-  const SplineTractions& tractions_;
-  const SplineQuadrature& quadrature_;
+  const ElementSurface& surface_;
+  const ElementQuadrature& quadrature_;
+  KelvinSumLoops loops_;
   KelvinConstants constants_;
 };
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bem/contact/contact_surface.h"
+#include "bem/element/contact_elements.h"
+
+namespace palpa::bem {
+
+/// Surface of curved elements for contacts. The bump of a mask is projected element by element
+/// (least squares over the element's own functions); each coefficient is the weighted mean of the
+/// values that its elements give. So a mask that slides changes smoothly, and no system is solved.
+class ElementContactSurface : public ContactSurface {
+ public:
+  std::unique_ptr<ContactSurface::Workspace> makeWorkspace() const override;
+  /// Takes about 50 µs for the narrowest mask of cubic splines.
+  bool makeMask(const SurfacePoint& point, double radius, ContactSurface::Workspace& workspace,
+                ContactMask& mask) const override;
+
+  double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
+
+ protected:
+  using ContactSurface::ContactSurface;
+
+ private:
+  virtual const ContactElements& elements() const = 0;
+  virtual int elementAt(const SurfacePoint& point) const = 0;
+
+  class Workspace;
+  double project(const Eigen::Vector3d& middle, double radius, Workspace& work,
+                 ContactMask& mask) const;
+  double measure(Workspace& work, ContactMask& mask) const;
+};
+
+}  // namespace palpa::bem

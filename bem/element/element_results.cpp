@@ -1,0 +1,129 @@
+#include "bem/element/element_results.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
+#include "bem/element/element_body_force.h"
+#include "bem/element/element_rows.h"
+#include "bem/element/gather.h"
+#include "bem/triangle/kelvin.h"
+
+namespace palpa::bem {
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+Vector3d ElementResults::displacementDefect(const CollocationPlace& at, const Eigen::VectorXd& u,
+                                            const Eigen::VectorXd& p, const Bulk& bulk) const {
+  const ElementRows rows(surface_, quadrature_, bulk.material);
+  ElementRows::Sums sums;
+  rows.integrate(at, sums, Job{});
+  Vector3d residual = rows.residual(sums, u, p);
+  residual += ElementBodyForce(surface_, quadrature_, bulk).at(at, *sums.quadrature);
+  return rows.freeTerm(sums).partialPivLu().solve(residual);
+}
+
+Eigen::MatrixXd ElementResults::averageResidual(const BoundaryField& field, const Bulk& bulk,
+                                                const Job& job) const {
+  constexpr std::ptrdiff_t kPerTask = 16;
+  std::vector<WeightedPlace> samples;
+  for (int e = 0; e < surface_.elementCount(); ++e) surface_.samplePlaces(e, samples);
+  std::vector<Matrix3Xd> residuals(samples.size());
+  const ElementRows rows(surface_, quadrature_, bulk.material);
+  const ElementBodyForce bodyForce(surface_, quadrature_, bulk);
+  ScratchPool<ElementRows::Sums> pool([] { return ElementRows::Sums{}; });
+  const auto count = static_cast<std::ptrdiff_t>(samples.size());
+  parallelFor(
+      (count + kPerTask - 1) / kPerTask, job, Phase::kErrorEstimate, [&](std::ptrdiff_t task) {
+        ElementRows::Sums sums = pool.take();
+        for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
+          const ElementPlace& place = samples[static_cast<std::size_t>(k)].place;
+          const CollocationPlace point{surface_.evaluate(place).position, {place}};
+          rows.integrate(point, sums, job);
+          Matrix3Xd& residual = residuals[static_cast<std::size_t>(k)];
+          residual = rows.residual(sums, field.u, field.p);
+          if (bulk.hasBodyForce()) residual.colwise() += bodyForce.at(point, *sums.quadrature);
+        }
+        pool.giveBack(std::move(sums));
+      });
+
+  const Index functions = surface_.coefficientCount();
+  Eigen::MatrixXd average = Eigen::MatrixXd::Zero(3 * functions, field.u.cols());
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(functions);
+  std::vector<double> basis;
+  for (std::size_t s = 0; s < samples.size(); ++s) {
+    const auto& [place, weight] = samples[s];
+    surface_.evaluateShares(place, basis);
+    for (std::size_t f = 0; f < basis.size(); ++f) {
+      const Index k = surface_.coefficients(place.element)[f];
+      average.middleRows<3>(3 * k) += weight * basis[f] * residuals[s];
+      areas[k] += weight * basis[f];
+    }
+  }
+  for (Index k = 0; k < functions; ++k)
+    if (areas[k] > 0) average.middleRows<3>(3 * k) /= areas[k];
+  return average;
+}
+
+std::optional<InteriorState> ElementResults::interiorState(const Eigen::VectorXd& u,
+                                                           const Eigen::VectorXd& p,
+                                                           const Bulk& bulk,
+                                                           const Vector3d& x) const {
+  const Material& material = bulk.material;
+  const ElementFoot foot = nearestOnSurface(surface_, quadrature_, x);
+  const SurfaceState near = surface_.state(foot.place, u, p, material);
+  const auto linear = [&](const Vector3d& y) {
+    return Vector3d(near.displacement + near.gradient * (y - near.position));
+  };
+  InteriorState state{linear(x), near.stress};
+  if (foot.distance <= 1e-9 * surface_.boundingSize()) return state;
+
+  const std::unique_ptr<ElementQuadrature::Workspace> work = quadrature_.makeWorkspace();
+  double solidAngle = 0;
+  Eigen::VectorXd basis;
+  for (int e = 0; e < surface_.elementCount(); ++e) {
+    const Matrix3Xd displacements = gather(u, surface_.coefficients(e)),
+                    tractions = gather(p, surface_.slots(e));
+    const ElementPoints& points = quadrature_.points(e, x, nullptr, *work);
+    for (int k = 0; k < points.used; ++k) {
+      const double size = points.areaSize()[k];
+      if (!(size > 0)) continue;  // the metric is singular
+      const Vector3d y = points.positionOf(k), area = points.areaOf(k), normal = area / size;
+      points.basisAt(k, basis);
+      const Vector3d displacement = displacements * basis - linear(y);
+      const Vector3d traction = tractions * basis - near.stress * normal;
+      state.displacement += size * (kelvinDisplacement(x, y, material) * traction -
+                                    kelvinTraction(x, y, normal, material) * displacement);
+      state.stress += size * (kelvinStressFromTraction(x, y, traction, material) +
+                              kelvinStressFromDisplacement(x, y, normal, displacement, material));
+      if (bulk.hasBodyForce()) {
+        state.displacement += bodyForceDisplacement(y - x, area, bulk);
+        state.stress += bodyForceStress(y - x, area, bulk);
+      }
+      solidAngle += (y - x).dot(area) / std::pow((y - x).norm(), 3);
+    }
+  }
+  if (solidAngle < 2 * std::numbers::pi) return std::nullopt;
+  return state;
+}
+
+Eigen::VectorXd ElementResults::bodyForceTerm(const WeightedEquations& equations, const Bulk& bulk,
+                                              const Job& job) const {
+  return ElementBodyForce(surface_, quadrature_, bulk).term(equations, job);
+}
+
+BoundaryField estimatedError(const ElementResults& results, const ReferenceProblem& problem,
+                             const BoundaryField& field, const Bulk& bulk, const Job& job) {
+  const Eigen::MatrixXd average = results.averageResidual(field, bulk, job);
+  const DegreesOfFreedom& dofs = problem.dofs();
+  const Index points = dofs.count() / 3;
+  Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(dofs.count(), average.cols());
+  for (Index k = 0; k < dofs.nodeCount(); ++k)
+    for (int c = 0; c < 3; ++c) residual.row(c * points + k) = average.row(3 * k + c);
+  return dofs.expand(problem.correction(residual), Eigen::MatrixXd());
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,184 @@
+#include "bem/quadratic/quadratic_discretisation.h"
+
+#include <limits>
+
+#include "bem/element/element_interior.h"
+#include "bem/element/gather.h"
+#include "bem/model/body_force.h"
+#include "bem/quadratic/quadratic_assembly.h"
+#include "bem/quadratic/quadratic_contact_surface.h"
+#include "bem/triangle/results.h"
+
+namespace palpa::bem {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+QuadraticDiscretisation::QuadraticDiscretisation(BoundaryMesh mesh)
+    : Discretisation(std::move(mesh)),
+      surface_(this->mesh(), meshSlots()),
+      slots_(withCurvedNormals(meshSlots(), surface_)) {}
+
+Discretisation::Weights QuadraticDiscretisation::placeWeights() const {
+  Weights weights(displacementCount(), displacementCount());
+  weights.setIdentity();
+  return weights;
+}
+
+DegreesOfFreedom QuadraticDiscretisation::degreesOfFreedom(
+    const std::vector<SlotCondition>& conditions, const Material& material) const {
+  return {slots_, conditions, material, surface_.boundingSize()};
+}
+
+void QuadraticDiscretisation::checkSolvable(const std::vector<SlotCondition>& conditions,
+                                            const Material& material) const {
+  bem::checkSolvable(mesh(), conditions, degreesOfFreedom(conditions, material), material);
+}
+
+void QuadraticDiscretisation::write(const ByteSink& sink) const {
+  // Linear triangles on the same mesh are another problem.
+  writeList(sink, std::vector<int>{2});
+  writeList(sink, mesh().nodes);
+  writeList(sink, mesh().triangles);
+  writeList(sink, mesh().smoothingGroups);
+  writeList(sink, mesh().tags);
+}
+
+Discretisation::Weights QuadraticDiscretisation::displacementWeights(
+    std::span<const SurfacePoint> places) const {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const ElementPlace place = QuadraticSurface::place(places[k].triangle, places[k].weights);
+    const QuadraticBasis basis(place.u, place.v);
+    for (int f = 0; f < 6; ++f)
+      entries.emplace_back(static_cast<int>(k), surface_.coefficients(place.element)[f],
+                           basis.values[f]);
+  }
+  Weights weights(static_cast<Index>(places.size()), displacementCount());
+  weights.setFromTriplets(entries.begin(), entries.end());
+  return weights;
+}
+
+Resultant QuadraticDiscretisation::resultant(const VectorXd& p,
+                                             std::span<const int> elements) const {
+  return integrals().resultant(p, elements);
+}
+
+double QuadraticDiscretisation::strainEnergy(const VectorXd& u, const VectorXd& p) const {
+  return integrals().strainEnergy(u, p);
+}
+
+std::vector<Matrix3d> QuadraticDiscretisation::surfaceStress(const VectorXd& u, const VectorXd& p,
+                                                             const Material& material) const {
+  std::vector<Matrix3d> stress(slots_.slots.size(), Matrix3d::Zero());
+  std::vector<double> weight(slots_.slots.size(), 0);
+  for (int e = 0; e < surface_.elementCount(); ++e) {
+    const Eigen::Matrix3Xd displacements = gather(u, surface_.coefficients(e));
+    for (int f = 0; f < 6; ++f) {
+      const int slot = surface_.slots(e)[f];
+      const ElementPlace place = surface_.placeOf(surface_.coefficients(e)[f], e);
+      const SurfaceTangents at = surface_.tangents(place);
+      const double area = surface_.evaluate(place).areaVector().norm();
+      stress[slot] +=
+          area * bem::surfaceStress(at.frame, displacements * at.slopes.transpose(),
+                                    p.segment<3>(3 * static_cast<Index>(slot)), material);
+      weight[slot] += area;
+    }
+  }
+  for (std::size_t s = 0; s < stress.size(); ++s) stress[s] /= weight[s];
+  return stress;
+}
+
+Vector3d QuadraticDiscretisation::interpolate(const SurfacePoint& at, const VectorXd& u) const {
+  const ElementPlace place = QuadraticSurface::place(at.triangle, at.weights);
+  std::vector<double> basis;
+  surface_.evaluateBasis(place, basis);
+  return weightedSum(basis, surface_.coefficients(place.element), u);
+}
+
+Vector3d QuadraticDiscretisation::displacementAt(const SurfacePoint& place, const VectorXd& u,
+                                                 const VectorXd& p, const Bulk& bulk) const {
+  return interpolate(place, u) + displacementDefect(place, u, p, bulk);
+}
+
+Vector3d QuadraticDiscretisation::tractionAt(const SurfacePoint& at, const VectorXd& p) const {
+  const ElementPlace place = QuadraticSurface::place(at.triangle, at.weights);
+  std::vector<double> basis;
+  surface_.evaluateBasis(place, basis);
+  return weightedSum(basis, surface_.slots(place.element), p);
+}
+
+Vector3d QuadraticDiscretisation::displacementDefect(const SurfacePoint& place, const VectorXd& u,
+                                                     const VectorXd& p, const Bulk& bulk) const {
+  return results().displacementDefect(
+      surface_.placesAt(QuadraticSurface::place(place.triangle, place.weights)), u, p, bulk);
+}
+
+BoundaryField QuadraticDiscretisation::estimatedError(const ReferenceProblem& problem,
+                                                      const BoundaryField& field, const Bulk& bulk,
+                                                      const Job& job) const {
+  return bem::estimatedError(results(), problem, field, bulk, job);
+}
+
+std::optional<InteriorState> QuadraticDiscretisation::interiorState(const VectorXd& u,
+                                                                    const VectorXd& p,
+                                                                    const Bulk& bulk,
+                                                                    const Vector3d& point) const {
+  return results().interiorState(u, p, bulk, point);
+}
+
+std::unique_ptr<InteriorEvaluator> QuadraticDiscretisation::makeInteriorEvaluator(
+    std::vector<Vector3d> points, const Bulk& bulk, const Job& job) const {
+  return std::make_unique<ElementInterior>(
+      surface_, interiorQuadrature_.get(surface_, ElementInterior::kTolerance), bulk,
+      std::move(points), job);
+}
+
+VolumeMoments QuadraticDiscretisation::volumeMoments() const {
+  VolumeMoments moments(mesh().nodes.front());
+  for (int e = 0; e < surface_.elementCount(); ++e)
+    surface_.visitPoints(e, 1, [&](const ElementPlace&, const SurfaceJet& jet, double weight) {
+      moments.add(jet.position, weight * jet.areaVector().normalized());
+    });
+  return moments;
+}
+
+VectorXd QuadraticDiscretisation::bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
+                                                const Job& job) const {
+  return results().bodyForceTerm(quadraticEquations(surface_, mesh(), slots_, dofs.extraSlots()),
+                                 bulk, job);
+}
+
+BodyForceWork QuadraticDiscretisation::bodyForceWork(const Bulk& bulk) const {
+  BodyForceWork work;
+  if (!bulk.hasBodyForce()) return work;
+  const VolumeMoments moments = volumeMoments();
+  const Vector3d centre = moments.centroid();
+  work.ofDisplacement = VectorXd::Zero(3 * static_cast<Index>(surface_.coefficientCount()));
+  work.ofTraction = VectorXd::Zero(3 * static_cast<Index>(surface_.slotCount()));
+  work.constant = particularWork(moments, bulk);
+  std::vector<double> basis;
+  for (int e = 0; e < surface_.elementCount(); ++e)
+    surface_.visitPoints(
+        e, 1, [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
+          surface_.evaluateBasis(place, basis);
+          const ParticularState state =
+              particularState(jet.position - centre, jet.areaVector().normalized(), bulk);
+          for (std::size_t f = 0; f < basis.size(); ++f) {
+            work.ofDisplacement.segment<3>(3 * static_cast<Index>(surface_.coefficients(e)[f])) -=
+                weight * basis[f] * state.traction;
+            work.ofTraction.segment<3>(3 * static_cast<Index>(surface_.slots(e)[f])) +=
+                weight * basis[f] * state.displacement;
+          }
+        });
+  return work;
+}
+
+std::unique_ptr<ContactSurface> QuadraticDiscretisation::makeContactSurface(
+    const DegreesOfFreedom& dofs) const {
+  return std::make_unique<QuadraticContactSurface>(*this, dofs);
+}
+
+}  // namespace palpa::bem

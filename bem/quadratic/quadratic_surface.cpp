@@ -1,0 +1,280 @@
+#include "bem/quadratic/quadratic_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "bem/base/error.h"
+#include "bem/base/triangle_rule.h"
+
+namespace palpa::bem {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Local coordinates of the six nodes.
+const std::array<Vector2d, 6> kNodes{Vector2d(0, 0),   Vector2d(1, 0),     Vector2d(0, 1),
+                                     Vector2d(0.5, 0), Vector2d(0.5, 0.5), Vector2d(0, 0.5)};
+
+/// Nodes of the quarters of an element.
+constexpr std::array<std::array<int, 3>, 4> kQuarters{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
+
+/// The point of the local triangle u, v >= 0, u + v <= 1 nearest to a point.
+Vector2d intoTriangle(const Vector2d& at) {
+  Vector2d inside = at.cwiseMax(0);
+  if (inside.sum() <= 1) return inside;
+  const double along = std::clamp((1 + at[1] - at[0]) / 2, 0.0, 1.0);
+  return {1 - along, along};
+}
+
+}  // namespace
+
+QuadraticBasis::QuadraticBasis(double u, double v) {
+  const double w = 1 - u - v;
+  values = {w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 4 * w * u, 4 * u * v, 4 * v * w};
+  du = {1 - 4 * w, 4 * u - 1, 0, 4 * (w - u), 4 * v, -4 * v};
+  dv = {1 - 4 * w, 0, 4 * v - 1, -4 * u, 4 * u, 4 * (w - v)};
+}
+
+BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
+                           const std::function<Vector3d(int triangle, int edge)>& middle) {
+  BoundaryMesh mesh;
+  mesh.nodes = corners.nodes;
+  std::map<std::pair<int, int>, int> middles;
+  for (int t = 0; t < corners.triangleCount(); ++t) {
+    std::array<int, 6> node{};
+    for (int k = 0; k < 3; ++k) {
+      const int from = corners.triangles[t][k], to = corners.triangles[t][(k + 1) % 3];
+      node[k] = from;
+      const auto [known, isNew] =
+          middles.try_emplace(std::minmax(from, to), static_cast<int>(mesh.nodes.size()));
+      if (isNew) mesh.nodes.push_back(middle(t, k));
+      node[3 + k] = known->second;
+    }
+    for (const auto& quarter : kQuarters) {
+      mesh.triangles.push_back({node[quarter[0]], node[quarter[1]], node[quarter[2]]});
+      mesh.smoothingGroups.push_back(corners.smoothingGroups[t]);
+      mesh.tags.push_back(corners.tags[t]);
+    }
+  }
+  return mesh;
+}
+
+QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots)
+    : nodes_(mesh.nodes),
+      around_(mesh.nodes.size()),
+      slotCount_(slots.count()),
+      boundingSize_(mesh.boundingSize()) {
+  const int count = mesh.triangleCount() / 4;
+  if (mesh.triangleCount() % 4 != 0)
+    throw std::invalid_argument("QuadraticSurface: elements need four triangles each");
+  elements_.resize(static_cast<std::size_t>(count));
+  for (int e = 0; e < count; ++e) {
+    Element& element = elements_[e];
+    element.nodes.assign(6, -1);
+    element.slots.assign(6, -1);
+    for (int q = 0; q < 4; ++q)
+      for (int corner = 0; corner < 3; ++corner) {
+        const int local = kQuarters[q][corner], t = 4 * e + q;
+        int& node = element.nodes[local];
+        if (node >= 0 && node != mesh.triangles[t][corner])
+          throw std::invalid_argument("QuadraticSurface: the triangles are no quarters");
+        node = mesh.triangles[t][corner];
+        element.slots[local] = slots.ofCorner[t][corner];
+      }
+    for (const int node : element.nodes) around_[node].push_back(e);
+    const auto at = [&](int k) -> const Vector3d& { return nodes_[element.nodes[k]]; };
+    Polynomial& c = element.polynomial;
+    c.col(0) = at(0);
+    c.col(1) = -3 * at(0) - at(1) + 4 * at(3);
+    c.col(2) = -3 * at(0) - at(2) + 4 * at(5);
+    c.col(3) = 2 * at(0) + 2 * at(1) - 4 * at(3);
+    c.col(4) = 4 * (at(0) - at(3) + at(4) - at(5));
+    c.col(5) = 2 * at(0) + 2 * at(2) - 4 * at(5);
+    const Vector3d middle = evaluate({e, 1.0 / 3, 1.0 / 3}).areaVector();
+    for (const Vector2d& node : kNodes)
+      if (!(evaluate({e, node[0], node[1]}).areaVector().dot(middle) > 0))
+        throw SolverError(SolverError::Kind::kBadMesh, "boundary mesh: the quadratic triangle " +
+                                                           std::to_string(e) +
+                                                           " is folded; choose a shorter edge");
+  }
+}
+
+SurfaceJet QuadraticSurface::evaluate(const ElementPlace& place) const {
+  const Polynomial& c = elements_[place.element].polynomial;
+  const double u = place.u, v = place.v;
+  return {c.col(0) + u * (c.col(1) + u * c.col(3) + v * c.col(4)) + v * (c.col(2) + v * c.col(5)),
+          c.col(1) + 2 * u * c.col(3) + v * c.col(4), c.col(2) + u * c.col(4) + 2 * v * c.col(5)};
+}
+
+void QuadraticSurface::evaluateBasis(const ElementPlace& place, std::vector<double>& values) const {
+  const QuadraticBasis basis(place.u, place.v);
+  values.assign(basis.values.begin(), basis.values.end());
+}
+
+SurfaceTangents QuadraticSurface::tangents(const ElementPlace& place) const {
+  const SurfaceJet jet = evaluate(place);
+  const QuadraticBasis basis(place.u, place.v);
+  SurfaceTangents result;
+  result.position = jet.position;
+  result.values.assign(basis.values.begin(), basis.values.end());
+  result.frame.col(0) = jet.du.normalized();
+  result.frame.col(2) = jet.areaVector().normalized();
+  result.frame.col(1) = result.frame.col(2).cross(result.frame.col(0));
+  Matrix2d metric;
+  metric.col(0) = result.frame.leftCols<2>().transpose() * jet.du;
+  metric.col(1) = result.frame.leftCols<2>().transpose() * jet.dv;
+  const Matrix2d inverse = metric.inverse().transpose();
+  result.slopes.resize(2, 6);
+  for (int f = 0; f < 6; ++f) result.slopes.col(f) = inverse * Vector2d(basis.du[f], basis.dv[f]);
+  return result;
+}
+
+ElementFoot QuadraticSurface::nearestOnElement(int element, const Vector3d& x) const {
+  constexpr int kMaxSteps = 40, kMaxHalvings = 8;
+  const auto distanceAt = [&](const Vector2d& at) {
+    return (evaluate({element, at[0], at[1]}).position - x).norm();
+  };
+  Vector2d at(1.0 / 3, 1.0 / 3);
+  double distance = distanceAt(at);
+  for (const Vector2d& node : kNodes)
+    if (const double found = distanceAt(node); found < distance) {
+      distance = found;
+      at = node;
+    }
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const SurfaceJet jet = evaluate({element, at[0], at[1]});
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents << jet.du, jet.dv;
+    const Matrix2d metric = tangents.transpose() * tangents;
+    const Vector2d slope = tangents.transpose() * (x - jet.position);
+    // Gauss-Newton, then steepest descent along the border.
+    Vector2d move = intoTriangle(at + metric.inverse() * slope) - at;
+    if (move.dot(slope) <= 0) move = intoTriangle(at + slope / metric.trace()) - at;
+    double found = distanceAt(at + move);
+    for (int half = 0; half < kMaxHalvings && !(found < distance); ++half) {
+      move /= 2;
+      found = distanceAt(at + move);
+    }
+    if (!(found < distance)) break;
+    at += move;
+    distance = found;
+    if (move.lpNorm<Eigen::Infinity>() < 1e-12) break;
+  }
+  return {{element, at[0], at[1]}, distance};
+}
+
+void QuadraticSurface::samplePlaces(int element, std::vector<WeightedPlace>& places) const {
+  // The middles of the quarters.
+  for (const auto& quarter : kQuarters) {
+    const Vector2d at = (kNodes[quarter[0]] + kNodes[quarter[1]] + kNodes[quarter[2]]) / 3;
+    const ElementPlace place{element, at[0], at[1]};
+    places.push_back({place, evaluate(place).areaVector().norm() / 8});
+  }
+}
+
+void QuadraticSurface::evaluateShares(const ElementPlace& place,
+                                      std::vector<double>& shares) const {
+  const auto [triangle, weights] = quarter(place);
+  shares.assign(6, 0);
+  for (int corner = 0; corner < 3; ++corner)
+    shares[kQuarters[triangle % 4][corner]] = weights[corner];
+}
+
+ElementPlace QuadraticSurface::placeOf(int node, int element) const {
+  const std::vector<int>& nodes = elements_[element].nodes;
+  const auto k = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+  return {element, kNodes[k][0], kNodes[k][1]};
+}
+
+CollocationPlace QuadraticSurface::collocationAt(int node) const {
+  CollocationPlace point{nodes_[node], {}};
+  for (const int e : around_[node]) point.places.push_back(placeOf(node, e));
+  return point;
+}
+
+ElementPlace QuadraticSurface::place(int triangle, const Vector3d& weights) {
+  Vector2d at(0, 0);
+  for (int corner = 0; corner < 3; ++corner)
+    at += weights[corner] * kNodes[kQuarters[triangle % 4][corner]];
+  return {triangle / 4, at[0], at[1]};
+}
+
+std::pair<int, Vector3d> QuadraticSurface::quarter(const ElementPlace& place) {
+  const double u = place.u, v = place.v, w = 1 - u - v;
+  const int first = 4 * place.element;
+  if (w >= 0.5) return {first, {2 * w - 1, 2 * u, 2 * v}};
+  if (u >= 0.5) return {first + 1, {2 * w, 2 * u - 1, 2 * v}};
+  if (v >= 0.5) return {first + 2, {2 * w, 2 * u, 2 * v - 1}};
+  return {first + 3, {1 - 2 * v, 1 - 2 * w, 1 - 2 * u}};
+}
+
+CollocationPlace QuadraticSurface::placesAt(const ElementPlace& place) const {
+  constexpr double kSlack = 1e-9;
+  const std::array<double, 3> weights{1 - place.u - place.v, place.u, place.v};
+  const std::vector<int>& nodes = elements_[place.element].nodes;
+  for (int k = 0; k < 6; ++k)
+    if ((Vector2d(place.u, place.v) - kNodes[k]).lpNorm<Eigen::Infinity>() < kSlack) {
+      CollocationPlace point = collocationAt(nodes[k]);
+      std::stable_partition(point.places.begin(), point.places.end(),
+                            [&](const ElementPlace& p) { return p.element == place.element; });
+      return point;
+    }
+  CollocationPlace point{evaluate(place).position, {place}};
+  for (int edge = 0; edge < 3; ++edge) {
+    if (weights[(edge + 2) % 3] > kSlack) continue;
+    // The same point in the element beyond the edge, with the corners the other way round.
+    const int from = nodes[edge], to = nodes[(edge + 1) % 3];
+    for (const int other : around_[nodes[3 + edge]]) {
+      if (other == place.element) continue;
+      const ElementPlace a = placeOf(from, other), b = placeOf(to, other);
+      const double s = weights[(edge + 1) % 3];
+      point.places.push_back({other, a.u + s * (b.u - a.u), a.v + s * (b.v - a.v)});
+    }
+  }
+  return point;
+}
+
+void QuadraticSurface::visitPoints(int element, int cells, const Visit& visit) const {
+  const double size = 1.0 / cells;
+  const auto visitCell = [&](double i, double j, double sign) {
+    for (const TrianglePoint& q : triangleRule16()) {
+      const ElementPlace place{element, (i + sign * q.barycentric[1]) * size,
+                               (j + sign * q.barycentric[2]) * size};
+      const SurfaceJet jet = evaluate(place);
+      visit(place, jet, q.weight / 2 * size * size * jet.areaVector().norm());
+    }
+  };
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; i + j < cells; ++j) {
+      visitCell(i, j, 1);
+      if (i + j + 1 < cells) visitCell(i + 1, j + 1, -1);
+    }
+}
+
+TractionSlots withCurvedNormals(TractionSlots slots, const QuadraticSurface& surface) {
+  for (TractionSlots::Slot& slot : slots.slots) slot.normal.setZero();
+  for (int e = 0; e < surface.elementCount(); ++e)
+    for (int k = 0; k < 6; ++k) {
+      const SurfaceJet jet = surface.evaluate({e, kNodes[k][0], kNodes[k][1]});
+      // The angle of the element at the node: a corner's, or a straight one.
+      double angle = std::numbers::pi;
+      if (k < 3) {
+        const Vector2d a = kNodes[(k + 1) % 3] - kNodes[k], b = kNodes[(k + 2) % 3] - kNodes[k];
+        const Vector3d alongA = a[0] * jet.du + a[1] * jet.dv,
+                       alongB = b[0] * jet.du + b[1] * jet.dv;
+        angle = std::atan2(alongA.cross(alongB).norm(), alongA.dot(alongB));
+      }
+      slots.slots[surface.slots(e)[k]].normal += angle * jet.areaVector().normalized();
+    }
+  for (TractionSlots::Slot& slot : slots.slots) slot.normal.normalize();
+  return slots;
+}
+
+}  // namespace palpa::bem
