@@ -39,7 +39,11 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});
 
-/// Mesh of either kind of body.
+/// The engine that `wanted` stands for on a body.
+Engine engineFor(const Body& body, Engine wanted);
+
+/// Mesh of either kind of body for the engine of the settings: quadraticMesh() of a mesh with twice
+/// the edge length for quadratic triangles.
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {});
 
@@ -51,6 +55,7 @@ double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});
+/// The same for the engine of the settings.
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {});
 

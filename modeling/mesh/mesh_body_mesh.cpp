@@ -13,6 +13,7 @@
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_refine.h"
 #include "modeling/mesh/mesh_regions.h"
+#include "modeling/mesh/quadratic_mesh.h"
 #include "modeling/mesh/surface_cut.h"
 #include "modeling/mesh/surface_remesher.h"
 
@@ -202,6 +203,12 @@ void checkVolume(const TaggedSurface& surface, const MeshBody& body, double edge
                         " % of its volume; choose a shorter edge");
 }
 
+/// Settings of the mesh whose triangles become quadratic elements.
+MeshSettings ofQuadraticCorners(MeshSettings settings) {
+  settings.edgeLength *= 2;
+  return settings;
+}
+
 }  // namespace
 
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
@@ -271,15 +278,28 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
   return mesh;
 }
 
+Engine engineFor(const Body& body, Engine wanted) {
+  if (wanted != Engine::kAutomatic) return wanted;
+  return std::holds_alternative<Solid>(body) ? Engine::kSplines : Engine::kTriangles;
+}
+
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions, const Job& job) {
-  return std::visit([&](const auto& one) { return mesh(one, settings, regions, job); }, body);
+  const auto meshed = [&](const MeshSettings& of) {
+    return std::visit([&](const auto& one) { return mesh(one, of, regions, job); }, body);
+  };
+  if (engineFor(body, settings.engine) != Engine::kQuadratic) return meshed(settings);
+  return quadraticMesh(meshed(ofQuadraticCorners(settings)), body);
 }
 
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions) {
-  return std::visit([&](const auto& one) { return estimateNodeCount(one, settings, regions); },
-                    body);
+  const auto estimated = [&](const MeshSettings& of) {
+    return std::visit([&](const auto& one) { return estimateNodeCount(one, of, regions); }, body);
+  };
+  if (engineFor(body, settings.engine) != Engine::kQuadratic) return estimated(settings);
+  // A closed surface has three edges for every node.
+  return 4 * estimated(ofQuadraticCorners(settings));
 }
 
 }  // namespace palpa::modeling

@@ -1,6 +1,5 @@
 #include "modeling/mesh/mesh_follow.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/mesh/border_slide.h"
 #include "modeling/mesh/mesh_regions.h"
 #include "modeling/mesh/node_place.h"
 #include "modeling/mesh/triangle_shape.h"
@@ -153,50 +153,12 @@ class Follower {
     return patchMoved_[patch];
   }
 
-  /// Moves a node onto the borders by Newton's method for value(x(u, v)) = 0. Inside a patch each
-  /// step is the shortest step on the surface that reaches the borders to first order,
-  /// δ = G⁻¹ Jᵀ Nᵀ λ with (N J G⁻¹ Jᵀ Nᵀ) λ = -value, where J = (du dv), G = Jᵀ J and the rows of N
-  /// are the gradients; on an edge the same with a single parameter.
   void slide(int node, const NodePlace& place, const std::vector<const RegionBorder*>& borders) {
-    constexpr int kIterations = 25;
-    const Eigen::Index count = static_cast<Eigen::Index>(borders.size());
     SurfaceParameter& at = result_.parameters[node];
-    const auto [uLow, uHigh] = surface_.range(at.patch, 0);
-    const auto [vLow, vHigh] = surface_.range(at.patch, 1);
-    const bool alongU = place.edge < 0 || at.v == vLow || at.v == vHigh;
-    const bool alongV = place.edge < 0 || !alongU;
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
-      const SurfacePoint p = surface_.evaluate(at.patch, at.u, at.v);
-      Eigen::MatrixXd normals(count, 3);
-      Eigen::VectorXd values(count);
-      bool converged = true;
-      for (Eigen::Index k = 0; k < count; ++k) {
-        normals.row(k) = borders[k]->gradient(p.position).transpose();
-        values[k] = borders[k]->value(p.position);
-        converged = converged && std::abs(values[k]) <= tolerance(*borders[k], kConverged);
-      }
-      if (converged) {
-        result_.positions[node] = surface_.position(at.patch, at.u, at.v);
-        return;
-      }
-      Eigen::Matrix<double, 3, 2> jacobian;
-      jacobian << p.du, p.dv;
-      if (!alongU) jacobian.col(0).setZero();
-      if (!alongV) jacobian.col(1).setZero();
-      Eigen::Matrix2d metric = jacobian.transpose() * jacobian;
-      metric.diagonal().array() += 1e-12 * metric.trace();
-      const Eigen::MatrixXd toParameters = metric.inverse() * (normals * jacobian).transpose();
-      const Eigen::MatrixXd system = normals * jacobian * toParameters;
-      const Eigen::Vector2d step = toParameters * system.fullPivLu().solve(-values);
-      if (!step.allFinite()) break;
-      if (alongU) at.u += step[0];
-      if (alongV) at.v += step[1];
-      const bool inside =
-          (!alongU || (at.u > uLow && at.u < uHigh)) && (!alongV || (at.v > vLow && at.v < vHigh));
-      if (!inside) break;
-    }
-    throw RemeshNeeded{"the border of a region near " + placeText(previous_.positions[node]) +
-                       " has moved to another patch or edge, or away from the surface"};
+    if (!slideOntoBorders(surface_, place.edge >= 0, borders, kConverged * diagonal_, at))
+      throw RemeshNeeded{"the border of a region near " + placeText(previous_.positions[node]) +
+                         " has moved to another patch or edge, or away from the surface"};
+    result_.positions[node] = surface_.position(at.patch, at.u, at.v);
   }
 
   /// Throws RemeshNeeded if a moved node and its triangles are on different sides of a border.

@@ -8,12 +8,16 @@
 
 namespace palpa::modeling {
 
-/// Kind of the boundary elements of a body: splines on its patches, or flat triangles.
-enum class Engine { kAutomatic, kSplines, kTriangles };
+/// Kind of the boundary elements of a body: splines on its patches, flat triangles with linear
+/// functions, or curved triangles with quadratic functions. Automatic: splines for solids and
+/// flat triangles for mesh bodies.
+enum class Engine { kAutomatic, kSplines, kTriangles, kQuadratic };
 
 /// Settings of meshing and discretisation, as in a project file.
 struct MeshSettings {
-  double edgeLength = 5.0;   ///< target length of triangle legs in mm, > 0
+  /// Target distance of adjacent nodes in mm, > 0: the length of triangle legs, or half of it for
+  /// quadratic triangles, which have nodes in the middles of their edges.
+  double edgeLength = 5.0;
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
   bool refineAtBorders = false;  ///< along the borders of regions with refineBorder

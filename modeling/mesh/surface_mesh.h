@@ -24,6 +24,9 @@ struct SurfaceMesh {
   std::vector<std::vector<int>> trianglesOfRegion;  ///< per region passed to mesh(), ascending
   std::vector<RegionBorder> borders;  ///< the distinct half spaces and paintings of the regions
   std::vector<std::uint64_t> bordersOfTriangle;  ///< bit k: inside borders[k]
+  /// True if each four consecutive triangles are the quarters of a curved six-node triangle, see
+  /// quadraticMesh().
+  bool isQuadratic = false;
 };
 
 /// Extreme angles, aspects and edge lengths of a mesh.

@@ -119,7 +119,9 @@ MeshSettings meshFrom(const json& value) {
     settings.patchFactors = value["patch_factors"].get<std::map<std::string, double>>();
   const std::string engine = value.value("engine", "automatic");
   if (engine != "automatic")
-    settings.engine = engine == "splines" ? Engine::kSplines : Engine::kTriangles;
+    settings.engine = engine == "splines"     ? Engine::kSplines
+                      : engine == "quadratic" ? Engine::kQuadratic
+                                              : Engine::kTriangles;
   settings.accuracy = value.value("accuracy", settings.accuracy);
   settings.splineDensity = value.value("spline_density", settings.splineDensity);
   if (value.contains("element_length_mm"))

@@ -115,7 +115,9 @@ Json jsonOf(const MeshSettings& mesh) {
   Json object{{"edge_length_mm", mesh.edgeLength}};
   if (!mesh.patchFactors.empty()) object["patch_factors"] = mesh.patchFactors;
   if (mesh.engine != Engine::kAutomatic)
-    object["engine"] = mesh.engine == Engine::kSplines ? "splines" : "triangles";
+    object["engine"] = mesh.engine == Engine::kSplines     ? "splines"
+                       : mesh.engine == Engine::kQuadratic ? "quadratic"
+                                                           : "triangles";
   if (mesh.accuracy != MeshSettings{}.accuracy) object["accuracy"] = mesh.accuracy;
   if (mesh.splineDensity != MeshSettings{}.splineDensity)
     object["spline_density"] = mesh.splineDensity;

@@ -140,7 +140,7 @@ void checkProject(const Project& project) {
                           quotedPatchNames(project.body));
   if (project.mesh.engine == Engine::kSplines && !std::holds_alternative<Solid>(project.body))
     throw ModelingError(
-        "mesh.engine: a mesh body has no spline patches; select automatic or triangles");
+        "mesh.engine: a mesh body has no spline patches; select automatic, triangles or quadratic");
   if (project.primitive && !std::holds_alternative<Solid>(project.body))
     throw ModelingError("primitive: a mesh body is not made from a primitive");
 }

@@ -229,7 +229,7 @@ TEST(ProjectErrors, CheckHowSplineElementsAreChosen) {
   EXPECT_EQ(error(R"("engine": "splines", "accuracy": 1e-4, "element_length_mm": 3)"), "no error");
   EXPECT_EQ(error(R"("engine": "cubes")"),
             "box.json: mesh.engine: found \"cubes\", expected one of \"automatic\", \"splines\", "
-            "\"triangles\"");
+            "\"triangles\", \"quadratic\"");
   EXPECT_EQ(error(R"("accuracy": 0.2)"),
             "box.json: mesh.accuracy: found 0.2, expected at most 0.1");
   EXPECT_EQ(error(R"("spline_density": 0.5)"),
@@ -298,8 +298,8 @@ TEST(ProjectErrors, CheckMeshBodiesAndEdges) {
             "box.json: primitive: a mesh body is not made from a primitive");
   EXPECT_EQ(meshError("[0, 3, 2]", all, "", R"(, "engine": "triangles")"), "no error");
   EXPECT_EQ(meshError("[0, 3, 2]", all, "", R"(, "engine": "splines")"),
-            "box.json: mesh.engine: a mesh body has no spline patches; select automatic or "
-            "triangles");
+            "box.json: mesh.engine: a mesh body has no spline patches; select automatic, triangles "
+            "or quadratic");
   EXPECT_EQ(meshError("[0, 3, 2]", all, R"(, "solid": {"control_points_mm": [], "patches": []})")
                 .find("box.json: solid.control_points_mm: "),
             0U);

@@ -1,0 +1,290 @@
+#include "modeling/mesh/quadratic_mesh.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <map>
+
+#include "modeling/mesh/border_slide.h"
+#include "modeling/mesh/nearest_point.h"
+#include "modeling/mesh/node_place.h"
+
+namespace palpa::modeling {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Edge of a mesh with the triangles on both sides, and the borders that it lies on.
+struct MeshEdge {
+  int from = -1, to = -1;     ///< nodes; counter-clockwise in `left`
+  int left = -1, right = -1;  ///< triangles
+  std::vector<const RegionBorder*> borders;
+};
+
+struct Middle {
+  Vector3d position;
+  SurfaceParameter parameter{};
+};
+
+std::map<std::pair<int, int>, MeshEdge> edgesOf(const SurfaceMesh& mesh) {
+  std::map<std::pair<int, int>, MeshEdge> edges;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int from = mesh.triangles[t][k], to = mesh.triangles[t][(k + 1) % 3];
+      MeshEdge& edge = edges[std::minmax(from, to)];
+      if (edge.left < 0)
+        edge = {from, to, static_cast<int>(t), -1, {}};
+      else
+        edge.right = static_cast<int>(t);
+    }
+  for (auto& [nodes, edge] : edges) {
+    std::uint64_t sides = mesh.bordersOfTriangle[edge.left] ^ mesh.bordersOfTriangle[edge.right];
+    for (; sides != 0; sides &= sides - 1)
+      edge.borders.push_back(&mesh.borders[std::countr_zero(sides)]);
+  }
+  return edges;
+}
+
+double diagonal(const SurfaceMesh& mesh) {
+  Vector3d low = mesh.positions.front(), high = low;
+  for (const Vector3d& x : mesh.positions) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  return (high - low).norm();
+}
+
+/// Middle nodes on the patches of a solid.
+class OnSolid {
+ public:
+  OnSolid(const SurfaceMesh& mesh, const Solid& solid)
+      : mesh_(mesh), solid_(solid), surface_(solid), tolerance_(kConverged * diagonal(mesh)) {}
+
+  Middle middleOf(const MeshEdge& edge) const {
+    const Vector3d wanted = (mesh_.positions[edge.from] + mesh_.positions[edge.to]) / 2;
+    const bool onLeft = mesh_.patchOfTriangle[edge.left] <= mesh_.patchOfTriangle[edge.right];
+    const int triangle = onLeft ? edge.left : edge.right;
+    const auto& nodes = mesh_.triangles[triangle];
+    std::array<NodePlace, 3> places;
+    for (int k = 0; k < 3; ++k) places[k] = placeOf(solid_, surface_, mesh_.parameters[nodes[k]]);
+    const auto corners =
+        cornersIn(surface_, mesh_.patchOfTriangle[triangle], {&places[0], &places[1], &places[2]});
+    const auto cornerOf = [&](int node) {
+      return corners[std::find(nodes.begin(), nodes.end(), node) - nodes.begin()];
+    };
+    const SurfaceParameter a = cornerOf(edge.from), b = cornerOf(edge.to);
+    const SurfaceParameter start{a.patch, (a.u + b.u) / 2, (a.v + b.v) / 2};
+    const bool onSide = isOnSide(a, b);
+    SurfaceParameter at = towards(wanted, start, onSide);
+    if (!edge.borders.empty() && !slideOntoBorders(surface_, onSide, edge.borders, tolerance_, at))
+      at = start;
+    return {surface_.position(at.patch, at.u, at.v), at};
+  }
+
+ private:
+  static constexpr double kConverged = 1e-11;  ///< of the diagonal
+
+  bool isOnSide(const SurfaceParameter& a, const SurfaceParameter& b) const {
+    const auto [uLow, uHigh] = surface_.range(a.patch, 0);
+    const auto [vLow, vHigh] = surface_.range(a.patch, 1);
+    return (a.u == b.u && (a.u == uLow || a.u == uHigh)) ||
+           (a.v == b.v && (a.v == vLow || a.v == vHigh));
+  }
+
+  /// Gauss-Newton steps towards the nearest point, along the side if the point lies on one; the
+  /// start if they leave the patch.
+  SurfaceParameter towards(const Vector3d& wanted, const SurfaceParameter& start,
+                           bool onSide) const {
+    constexpr int kSteps = 8;
+    const auto [uLow, uHigh] = surface_.range(start.patch, 0);
+    const auto [vLow, vHigh] = surface_.range(start.patch, 1);
+    const bool alongU = !onSide || start.v == vLow || start.v == vHigh, alongV = !onSide || !alongU;
+    SurfaceParameter at = start;
+    for (int step = 0; step < kSteps; ++step) {
+      const SurfacePoint p = surface_.evaluate(at.patch, at.u, at.v);
+      Eigen::Matrix<double, 3, 2> tangents;
+      tangents << p.du, p.dv;
+      if (!alongU) tangents.col(0).setZero();
+      if (!alongV) tangents.col(1).setZero();
+      Eigen::Matrix2d metric = tangents.transpose() * tangents;
+      metric.diagonal().array() += 1e-12 * metric.trace();
+      const Vector2d by = metric.inverse() * (tangents.transpose() * (wanted - p.position));
+      if (!by.allFinite()) return start;
+      if (alongU) at.u += by[0];
+      if (alongV) at.v += by[1];
+      if ((alongU && !(at.u > uLow && at.u < uHigh)) || (alongV && !(at.v > vLow && at.v < vHigh)))
+        return start;
+      if ((tangents * by).norm() < tolerance_) break;
+    }
+    // A far step has jumped to another part of the surface.
+    const Vector3d found = surface_.position(at.patch, at.u, at.v),
+                   first = surface_.position(start.patch, start.u, start.v);
+    return (found - wanted).norm() <= (first - wanted).norm() ? at : start;
+  }
+
+  const SurfaceMesh& mesh_;
+  const Solid& solid_;
+  SurfaceEvaluator surface_;
+  double tolerance_;
+};
+
+/// Middle nodes on the triangles of a mesh body.
+class OnMeshBody {
+ public:
+  OnMeshBody(const SurfaceMesh& mesh, const MeshBody& body)
+      : mesh_(mesh), nearest_(trianglesOf(body)), features_(featuresOf(body)) {}
+
+  Middle middleOf(const MeshEdge& edge) const {
+    constexpr int kSteps = 8;
+    const Vector3d start = (mesh_.positions[edge.from] + mesh_.positions[edge.to]) / 2;
+    const auto onBody = [&](const Vector3d& x) {
+      return isFeature(edge) ? onFeature(edge, x) : nearest_.nearest(x);
+    };
+    Vector3d at = onBody(start);
+    for (int step = 0; step < kSteps && !edge.borders.empty(); ++step) {
+      for (const RegionBorder* border : edge.borders) {
+        const Vector3d gradient = border->gradient(at);
+        if (gradient.squaredNorm() > 0) at -= border->value(at) / gradient.squaredNorm() * gradient;
+      }
+      at = onBody(at);
+    }
+    return {at};
+  }
+
+ private:
+  static std::vector<std::array<Vector3d, 3>> trianglesOf(const MeshBody& body) {
+    std::vector<std::array<Vector3d, 3>> triangles;
+    for (const auto& t : body.triangles())
+      triangles.push_back({body.positions()[t[0]], body.positions()[t[1]], body.positions()[t[2]]});
+    return triangles;
+  }
+
+  /// The body's edges between two faces, by the faces.
+  static std::map<std::pair<int, int>, NearestOnSegments> featuresOf(const MeshBody& body) {
+    std::map<std::pair<int, int>, int> firstFace;
+    std::map<std::pair<int, int>, std::vector<std::array<Vector3d, 2>>> segments;
+    for (std::size_t t = 0; t < body.triangles().size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const auto nodes = std::minmax(body.triangles()[t][k], body.triangles()[t][(k + 1) % 3]);
+        const int face = body.faceOfTriangle()[t];
+        const auto [known, isNew] = firstFace.try_emplace(nodes, face);
+        if (!isNew && known->second != face)
+          segments[std::minmax(face, known->second)].push_back(
+              {body.positions()[nodes.first], body.positions()[nodes.second]});
+      }
+    std::map<std::pair<int, int>, NearestOnSegments> features;
+    for (const auto& [faces, list] : segments) features.emplace(faces, NearestOnSegments(list));
+    return features;
+  }
+
+  std::pair<int, int> facesOf(const MeshEdge& edge) const {
+    return std::minmax(mesh_.patchOfTriangle[edge.left], mesh_.patchOfTriangle[edge.right]);
+  }
+  bool isFeature(const MeshEdge& edge) const {
+    const auto faces = facesOf(edge);
+    return faces.first != faces.second ||
+           mesh_.smoothingGroupOfTriangle[edge.left] != mesh_.smoothingGroupOfTriangle[edge.right];
+  }
+  /// A sharp edge within one face has no separate curve: the middle of its nodes.
+  Vector3d onFeature(const MeshEdge& edge, const Vector3d& x) const {
+    const auto found = features_.find(facesOf(edge));
+    return found == features_.end() ? x : found->second.nearest(x);
+  }
+
+  const SurfaceMesh& mesh_;
+  NearestOnTriangles nearest_;
+  std::map<std::pair<int, int>, NearestOnSegments> features_;
+};
+
+/// True if the area vector of a six-node triangle at a node, or of a quarter, points far from the
+/// one in the middle or is much smaller.
+bool isFolded(const std::array<Vector3d, 6>& x) {
+  constexpr double kLeast = 0.2;
+  const auto areaAt = [&x](double u, double v) {
+    const double w = 1 - u - v;
+    const Vector3d du =
+        (1 - 4 * w) * x[0] + (4 * u - 1) * x[1] + 4 * (w - u) * x[3] + 4 * v * (x[4] - x[5]);
+    const Vector3d dv =
+        (1 - 4 * w) * x[0] + (4 * v - 1) * x[2] + 4 * u * (x[4] - x[3]) + 4 * (w - v) * x[5];
+    return Vector3d(du.cross(dv));
+  };
+  const Vector3d middle = areaAt(1.0 / 3, 1.0 / 3);
+  const auto isFar = [&](const Vector3d& area) {
+    return !(area.dot(middle) > kLeast * middle.squaredNorm());
+  };
+  constexpr double kNodes[6][2] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
+  for (const auto& [u, v] : kNodes)
+    if (isFar(areaAt(u, v))) return true;
+  constexpr int kQuarters[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  return std::any_of(std::begin(kQuarters), std::end(kQuarters), [&](const int(&q)[3]) {
+    return isFar(4 * (x[q[1]] - x[q[0]]).cross(x[q[2]] - x[q[0]]));
+  });
+}
+
+template <class OnBody>
+SurfaceMesh withMiddles(const SurfaceMesh& corners, const OnBody& onBody) {
+  SurfaceMesh mesh = corners;
+  const auto edges = edgesOf(corners);
+  std::map<std::pair<int, int>, int> nodeOf;
+  for (const auto& [nodes, edge] : edges) {
+    nodeOf[nodes] = static_cast<int>(mesh.positions.size());
+    const Middle middle = onBody.middleOf(edge);
+    mesh.positions.push_back(middle.position);
+    if (!corners.parameters.empty()) mesh.parameters.push_back(middle.parameter);
+  }
+  std::vector<std::array<int, 6>> elements;
+  for (const auto& t : corners.triangles) {
+    std::array<int, 6>& element = elements.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      element[k] = t[k];
+      element[3 + k] = nodeOf.at(std::minmax(t[k], t[(k + 1) % 3]));
+    }
+  }
+  // Straight edges of one element may fold another: until nothing changes.
+  for (bool hasChanged = true; hasChanged;) {
+    hasChanged = false;
+    for (const auto& element : elements) {
+      std::array<Vector3d, 6> x;
+      for (int k = 0; k < 6; ++k) x[k] = mesh.positions[element[k]];
+      if (!isFolded(x)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const Vector3d straight = (x[k] + x[(k + 1) % 3]) / 2;
+        hasChanged = hasChanged || straight != x[3 + k];
+        mesh.positions[element[3 + k]] = straight;
+      }
+    }
+  }
+  const auto fourTimes = [](const auto& list) {
+    std::decay_t<decltype(list)> result;
+    for (const auto& value : list) result.insert(result.end(), 4, value);
+    return result;
+  };
+  mesh.isQuadratic = true;
+  mesh.triangles.clear();
+  for (const auto& [a, b, c, ab, bc, ca] : elements)
+    for (const auto& quarter : {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c},
+                                std::array{ab, bc, ca}})
+      mesh.triangles.push_back(quarter);
+  mesh.patchOfTriangle = fourTimes(corners.patchOfTriangle);
+  mesh.smoothingGroupOfTriangle = fourTimes(corners.smoothingGroupOfTriangle);
+  mesh.bordersOfTriangle = fourTimes(corners.bordersOfTriangle);
+  for (std::vector<int>& region : mesh.trianglesOfRegion) {
+    std::vector<int> quarters;
+    for (const int t : region)
+      for (int q = 0; q < 4; ++q) quarters.push_back(4 * t + q);
+    region = std::move(quarters);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SurfaceMesh quadraticMesh(const SurfaceMesh& corners, const Body& body) {
+  if (const auto* solid = std::get_if<Solid>(&body))
+    return withMiddles(corners, OnSolid(corners, *solid));
+  return withMiddles(corners, OnMeshBody(corners, std::get<MeshBody>(body)));
+}
+
+}  // namespace palpa::modeling

@@ -1,0 +1,179 @@
+#include "modeling/mesh/quadratic_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh_checks.h"
+#include "modeling/mesh/mesh.h"
+#include "modeling/mesh/mesh_follow.h"
+#include "modeling/mesh/nearest_point.h"
+#include "modeling/shapes/primitives.h"
+#include "modeling/solid/surface_evaluator.h"
+#include "test_bodies.h"
+
+namespace palpa::modeling {
+namespace {
+
+using Eigen::Vector3d;
+
+MeshSettings settings(double edgeLength) {
+  MeshSettings of;
+  of.edgeLength = edgeLength;
+  of.engine = Engine::kQuadratic;
+  return of;
+}
+
+/// Calls visit(a, b, middle) with the nodes of every element's edges.
+template <class Visit>
+void forEdges(const SurfaceMesh& mesh, const Visit& visit) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 4) {
+    const auto &first = mesh.triangles[t], &second = mesh.triangles[t + 1],
+               &third = mesh.triangles[t + 2];
+    visit(first[0], second[1], first[1]);
+    visit(second[1], third[2], second[2]);
+    visit(third[2], first[0], first[2]);
+  }
+}
+
+/// Checks that middle nodes lie between their ends, and returns the largest distance of one from
+/// the chord over its length.
+double largestSagitta(const SurfaceMesh& mesh) {
+  double largest = 0;
+  forEdges(mesh, [&](int a, int b, int middle) {
+    const Vector3d chord = mesh.positions[b] - mesh.positions[a],
+                   off = mesh.positions[middle] - (mesh.positions[a] + mesh.positions[b]) / 2;
+    EXPECT_LE(std::abs(off.dot(chord)), 0.25 * chord.squaredNorm());
+    largest = std::max(largest, off.norm() / chord.norm());
+  });
+  return largest;
+}
+
+TEST(QuadraticMesh, NodesLieOnThePatchesAndOnTheBorders) {
+  const std::pair<Solid, double> bodies[] = {
+      {makeSphere(25), -12.0}, {makeCylinder(20, 60), 17.3}, {makeBox({40, 30, 50}), 20.0}};
+  for (const auto& [solid, below] : bodies) {
+    const HalfSpace low{Vector3d(0.1, 0.2, 1.0), below};
+    const std::vector<MeshRegion> regions{{"base", {{low}}, true}};
+    const SurfaceMesh mesh = modeling::mesh(Body(solid), settings(4), regions);
+    ASSERT_TRUE(mesh.isQuadratic);
+    EXPECT_EQ(mesh.triangles.size() % 4, 0U);
+    EXPECT_EQ(checks::manifoldFault(mesh), "");
+    const SurfaceEvaluator surface(solid);
+    for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
+      const SurfaceParameter& at = mesh.parameters[k];
+      EXPECT_LE((surface.position(at.patch, at.u, at.v) - mesh.positions[k]).norm(), 1e-9);
+    }
+    EXPECT_LE(largestSagitta(mesh), 0.2);
+    // Four triangles are on one side of the border, and nodes between both sides on it.
+    std::vector<int> sides(mesh.positions.size(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const int node : mesh.triangles[t]) sides[node] |= mesh.bordersOfTriangle[t] ? 2 : 1;
+    int onBorder = 0, all = 0;
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (sides[k] == 3) {
+        ++all;
+        const double value = mesh.borders.front().value(mesh.positions[k]);
+        if (std::abs(value) < 1e-7) ++onBorder;
+        // Beside patch edges meshes may leave the border by a tenth of the edge length.
+        EXPECT_NEAR(value, 0, 0.8);
+      }
+    EXPECT_GT(onBorder, 10);
+    EXPECT_GE(onBorder, 0.8 * all);
+    for (const int t : mesh.trianglesOfRegion.front()) EXPECT_NE(mesh.bordersOfTriangle[t], 0U);
+  }
+}
+
+TEST(QuadraticMesh, HasAboutTheNodesOfALinearMesh) {
+  const Body body(makeSphere(25));
+  MeshSettings linear = settings(4);
+  linear.engine = Engine::kTriangles;
+  const auto nodes = [&](const MeshSettings& of) {
+    return static_cast<double>(modeling::mesh(body, of).positions.size());
+  };
+  EXPECT_NEAR(nodes(settings(4)) / nodes(linear), 1, 0.25);
+  EXPECT_NEAR(estimateNodeCount(body, settings(4)) / nodes(settings(4)), 1, 0.1);
+}
+
+TEST(QuadraticMesh, MiddleNodesOfMeshBodiesLieOnTheSurfaceAndOnItsSharpEdges) {
+  const MeshBody body = test::bodyOf(makeCylinder(20, 60), 1);
+  const SurfaceMesh mesh = modeling::mesh(Body(body), settings(5));
+  ASSERT_TRUE(mesh.isQuadratic);
+  EXPECT_EQ(checks::manifoldFault(mesh), "");
+  EXPECT_LE(largestSagitta(mesh), 0.2);
+  std::vector<std::array<Vector3d, 3>> triangles;
+  for (const auto& [a, b, c] : body.triangles())
+    triangles.push_back({body.positions()[a], body.positions()[b], body.positions()[c]});
+  const NearestOnTriangles surface(triangles);
+  for (const Vector3d& x : mesh.positions) EXPECT_LE((surface.nearest(x) - x).norm(), 1e-9);
+  // Nodes in the middle of the rim's edges lie on the body's rim, not on the chord: within the
+  // sagitta of the body's own edges of 1 mm.
+  const double sagitta = 1.0 / (8 * 20);
+  int onRim = 0;
+  forEdges(mesh, [&](int a, int b, int middle) {
+    const auto isOnRim = [&](int node) {
+      const Vector3d& x = mesh.positions[node];
+      return (x.z() < 1e-6 || x.z() > 60 - 1e-6) && x.head<2>().norm() > 20 - 2 * sagitta;
+    };
+    if (!isOnRim(a) || !isOnRim(b) || (mesh.positions[a] - mesh.positions[b]).norm() > 15) return;
+    ++onRim;
+    EXPECT_NEAR(mesh.positions[middle].head<2>().norm(), 20, 3 * sagitta);
+  });
+  EXPECT_GT(onRim, 20);
+}
+
+TEST(QuadraticMesh, FoldedElementsBecomeStraight) {
+  // A spike between the middles of coarse edges: middle nodes on it would fold the elements.
+  MeshBody::Data data;
+  const MeshBody fine = test::icosphere(10, 4);
+  data.positions = fine.positions();
+  data.triangles = fine.triangles();
+  data.faceOfTriangle = fine.faceOfTriangle();
+  data.faceNames = fine.faceNames();
+  for (Vector3d& x : data.positions)
+    if (const double near = (x.normalized() - Vector3d(0.3, 0.5, 0.8).normalized()).norm();
+        near < 0.2)
+      x *= 1 + 0.8 * (1 - near / 0.2);
+  const MeshBody spiked(data);
+  MeshSettings coarse = settings(1);
+  coarse.engine = Engine::kTriangles;
+  const SurfaceMesh corners = modeling::mesh(Body(fine), [&] {
+    MeshSettings of = coarse;
+    of.edgeLength = 6;
+    return of;
+  }());
+  const SurfaceMesh mesh = quadraticMesh(corners, Body(spiked));
+  EXPECT_EQ(checks::manifoldFault(mesh), "");
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 4) {
+    const auto normalOf = [&](std::size_t triangle) {
+      const auto& [a, b, c] = mesh.triangles[triangle];
+      return Vector3d(
+          (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]));
+    };
+    for (std::size_t q = 1; q < 4; ++q) EXPECT_GT(normalOf(t).dot(normalOf(t + q)), 0);
+  }
+}
+
+TEST(QuadraticMesh, FollowsTheControlPoints) {
+  const HalfSpace low{Vector3d(0.1, 0.2, 1.0), -12.0};
+  const std::vector<MeshRegion> regions{{"base", {{low}}, true}};
+  const Solid sphere = makeSphere(25);
+  const SurfaceMesh before = modeling::mesh(Body(sphere), settings(4), regions);
+  std::vector<Vector3d> points = sphere.controlPoints();
+  for (Vector3d& x : points)
+    if (x.z() > 15) x.z() += 1.5;
+  const Solid moved = sphere.withControlPoints(points);
+  const FollowResult followed = followSolid(before, sphere, moved, regions);
+  ASSERT_TRUE(followed.update) << followed.remeshReason;
+  EXPECT_TRUE(followed.update->mesh.isQuadratic);
+  EXPECT_FALSE(followed.update->movedNodes.empty());
+  const SurfaceEvaluator surface(moved);
+  for (std::size_t k = 0; k < before.positions.size(); ++k) {
+    const SurfaceParameter& at = followed.update->mesh.parameters[k];
+    EXPECT_LE((surface.position(at.patch, at.u, at.v) - followed.update->mesh.positions[k]).norm(),
+              1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace palpa::modeling
