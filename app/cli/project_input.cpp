@@ -15,7 +15,8 @@ void ProjectInput::declare(CLI::App& options) {
   options
       .add_option(
           "--engine", engine_,
-          "Engine that computes the body: spline (on its patches), triangles, or automatic; "
+          "Engine that computes the body: splines (on its patches), quadratic (curved triangles), "
+          "triangles (flat, linear) or automatic; "
           "instead of the project's")
       ->type_name("ENGINE");
   options
@@ -35,8 +36,10 @@ namespace {
 modeling::Engine parseEngine(const std::string& text) {
   if (text == "spline" || text == "splines") return modeling::Engine::kSplines;
   if (text == "triangles") return modeling::Engine::kTriangles;
+  if (text == "quadratic") return modeling::Engine::kQuadratic;
   if (text == "automatic") return modeling::Engine::kAutomatic;
-  throw UsageError("--engine: expected spline, triangles or automatic, found '" + text + "'");
+  throw UsageError("--engine: expected splines, quadratic, triangles or automatic, found '" + text +
+                   "'");
 }
 
 }  // namespace

@@ -72,13 +72,21 @@ std::string toText(const app::TouchState::Contact& contact) {
   return text;
 }
 
+const char* nameOf(modeling::Engine engine) {
+  if (engine == modeling::Engine::kSplines) return "splines";
+  return engine == modeling::Engine::kQuadratic ? "quadratic" : "triangles";
+}
+
 std::string engineText(const app::TouchModel& model) {
   const app::BuildReport& build = model.report();
   const bem::Discretisation& on = *model.setup().discretisation;
-  if (!model.setup().splines)
+  if (model.setup().engine == modeling::Engine::kTriangles)
     return format("mesh       %s nodes, %s triangles, smallest angle %.1f°\n",
                   countText(build.nodes).c_str(), countText(build.triangles).c_str(),
                   build.quality.smallestAngle);
+  if (model.setup().engine == modeling::Engine::kQuadratic)
+    return format("mesh       %s nodes, %s quadratic triangles\n", countText(build.nodes).c_str(),
+                  countText(on.elementCount()).c_str());
   return format("splines    %s coefficients on %s elements; shown on %s nodes\n",
                 countText(on.displacementCount()).c_str(), countText(on.elementCount()).c_str(),
                 countText(build.nodes).c_str());
@@ -107,7 +115,7 @@ Json StateReport::json() const {
   const app::BuildReport& build = model.report();
   const LargestDisplacement largest = largestDisplacement(model, state);
   Json report{{"nodes", build.nodes}, {"triangles", build.triangles}};
-  report["engine"] = model.setup().splines ? "splines" : "triangles";
+  report["engine"] = nameOf(model.setup().engine);
   report["elements"] = model.setup().discretisation->elementCount();
   report["coefficients"] = model.setup().discretisation->displacementCount();
   report["error_estimate"] = state.errorEstimate ? Json(*state.errorEstimate) : Json();

@@ -101,6 +101,36 @@ TEST_P(Example, BothEnginesAgreeWithinTheirStatedErrors) {
   EXPECT_LE(splines.state.relativeBalance, 0.01);
 }
 
+TEST_P(Example, QuadraticTrianglesGiveTheForcesOfSplines) {
+  modeling::Project project =
+      modeling::readProject(fs::path(PALPA_PROJECTS) / (GetParam() + ".json"));
+  if (!std::holds_alternative<modeling::Solid>(project.body)) return;
+  // Under a ball there are as many masks as a mesh can represent, so coarse meshes differ by more.
+  for (modeling::Touch& touch : project.touches)
+    if (modeling::infoOf(touch.kind).isBall) {
+      touch.kind = modeling::TouchKind::kGrab;
+      touch.radius.reset();
+      touch.friction = 0;
+    }
+  const auto byQuadratic = build(project, Engine::kQuadratic);
+  const auto bySplines = build(project, Engine::kSplines);
+  for (const auto& model : {byQuadratic, bySplines}) widenTouches(project, *model);
+  const StaticTouchSolution quadratic = play(byQuadratic, project),
+                            splines = play(bySplines, project);
+  const double stated = quadratic.error + splines.error;
+  double force = 0;
+  for (std::size_t k = 0; k < splines.state.contacts.size(); ++k) {
+    const Vector3d a = splines.state.contacts[k].force, b = quadratic.state.contacts[k].force;
+    force = std::max(force, (a - b).norm() / a.norm());
+  }
+  std::printf("%s: quadratic n %d, estimate %.2g %%; splines %.2g %%; forces differ by %.2g %%\n",
+              project.name.c_str(), quadratic.model->setup().discretisation->displacementCount(),
+              100 * quadratic.error, 100 * splines.error, 100 * force);
+  EXPECT_EQ(quadratic.model->setup().engine, Engine::kQuadratic);
+  EXPECT_LE(force, stated);
+  EXPECT_LE(quadratic.state.relativeBalance, 0.02);
+}
+
 INSTANTIATE_TEST_SUITE_P(Projects, Example, testing::ValuesIn(examples()),
                          [](const testing::TestParamInfo<std::string>& tested) {
                            std::string name = tested.param;

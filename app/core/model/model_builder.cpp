@@ -114,8 +114,9 @@ void ModelBuilder::setUp() {
 bem::ProblemInputs ModelBuilder::problemInputs() const {
   const BoundarySetup& setup = model_->setup();
   const bem::AssemblyOptions automatic =
-      geometry_.usesSplines() ? bem::AssemblyOptions{1e-3 * geometry_.project().mesh.accuracy}
-                              : bem::AssemblyOptions{};
+      setup.engine == modeling::Engine::kTriangles
+          ? bem::AssemblyOptions{}
+          : bem::AssemblyOptions{1e-3 * geometry_.project().mesh.accuracy};
   return {setup.conditions.ofSlot, setup.material, options_.assembly.value_or(automatic),
           options_.precision};
 }

@@ -7,6 +7,7 @@
 #include "app/core/setup/load_setup.h"
 #include "app/core/setup/region_conditions.h"
 #include "app/core/setup/spline_setup.h"
+#include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/triangle/triangle_discretisation.h"
 
 namespace palpa::app {
@@ -23,7 +24,7 @@ void applySupports(const modeling::Project& project, const RegionTags& tags, Bou
   std::map<int, PrescribedDisplacement> ofNode;
   for (const auto& [slot, index] : supportOfSlot) {
     const Support& support = project.supports[index];
-    const auto& place = setup.meshSlots().slots[slot];
+    const auto& place = setup.discretisation->slots().slots[slot];
     if (support.kind == Support::Kind::kFixed) {
       setup.conditions.ofSlot[slot] = bem::SlotCondition::kFixed;
       ofNode[place.node].addFixed(support, setup.mesh().nodes[place.node]);
@@ -48,8 +49,19 @@ Vector3d meanPlace(const bem::Discretisation& on, const Eigen::VectorXd& tractio
   return weights > 0 ? Vector3d(sum / weights) : sum;
 }
 
+/// Elements of some triangles: themselves, or the quadratic triangles of their quarters.
+std::vector<int> elementsOf(const std::vector<int>& triangles, bool isQuadratic) {
+  if (!isQuadratic) return triangles;
+  std::vector<int> elements;
+  for (const int t : triangles)
+    if (elements.empty() || elements.back() != t / 4) elements.push_back(t / 4);
+  return elements;
+}
+
 void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& surface,
                 BoundarySetup& setup) {
+  const auto* quadratic =
+      dynamic_cast<const bem::QuadraticDiscretisation*>(setup.discretisation.get());
   std::vector<int> all(setup.mesh().triangles.size());
   std::iota(all.begin(), all.end(), 0);
   std::size_t region = project.supports.size();
@@ -57,6 +69,9 @@ void applyLoads(const modeling::Project& project, const modeling::SurfaceMesh& s
     const auto& triangles =
         modeling::regionOf(project.loads[k]) ? surface.trianglesOfRegion[region++] : all;
     addLoad(project, k, setup, [&](const LoadTraction& what) {
+      if (quadratic)
+        return quadratic->integrals().projectTraction(elementsOf(triangles, true), what.traction,
+                                                      what.featureLength);
       return bem::projectTraction(setup.mesh(), setup.meshSlots(),
                                   {triangles, what.traction, what.featureLength});
     });
@@ -99,11 +114,18 @@ BoundarySetup makeBoundarySetup(const ProjectGeometry& geometry,
   const modeling::Project& project = geometry.project();
   const RegionTags tags(project, surface);
   checkSupports(project, tags, surface);
-  BoundarySetup setup(project, std::make_shared<bem::TriangleDiscretisation>(
-                                   boundaryMesh(surface, tags.ofTriangle())));
+  bem::BoundaryMesh mesh = boundaryMesh(surface, tags.ofTriangle());
+  std::shared_ptr<const bem::Discretisation> discretisation;
+  if (surface.isQuadratic)
+    discretisation = std::make_shared<bem::QuadraticDiscretisation>(std::move(mesh));
+  else
+    discretisation = std::make_shared<bem::TriangleDiscretisation>(std::move(mesh));
+  BoundarySetup setup(project, std::move(discretisation));
+  if (surface.isQuadratic) setup.engine = modeling::Engine::kQuadratic;
   for (std::size_t s = 0; s < project.supports.size(); ++s) {
     const std::vector<int> triangles = tags.trianglesIn(static_cast<int>(s));
-    setup.supports.push_back({project.supports[s].name, triangles, triangles,
+    setup.supports.push_back({project.supports[s].name, triangles,
+                              elementsOf(triangles, surface.isQuadratic),
                               project.supports[s].kind == Support::Kind::kFixed});
   }
   applySupports(project, tags, setup);

@@ -23,6 +23,7 @@ struct BoundarySetup {
                 std::shared_ptr<const bem::Discretisation> surface);
 
   std::shared_ptr<const bem::Discretisation> discretisation;
+  modeling::Engine engine = modeling::Engine::kTriangles;  ///< never automatic
   /// The same object with splines, otherwise null.
   std::shared_ptr<const bem::SplineDiscretisation> splines;
   /// The solid whose control points the splines' coefficients belong to: the project's solid with

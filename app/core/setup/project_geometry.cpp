@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "modeling/mesh/mesh.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::app {
@@ -33,8 +34,7 @@ double fingertipRadius(const modeling::Project& project) {
 }
 
 bool usesSplines(const modeling::Project& project) {
-  return std::holds_alternative<modeling::Solid>(project.body) &&
-         project.mesh.engine != modeling::Engine::kTriangles;
+  return modeling::engineFor(project.body, project.mesh.engine) == modeling::Engine::kSplines;
 }
 
 ProjectGeometry::ProjectGeometry(const modeling::Project& project)

@@ -17,8 +17,7 @@ double defaultTouchRadius(double bodySize);
 /// of the project's touches if all are wider.
 double fingertipRadius(const modeling::Project& project);
 
-/// True if the project's body is computed with splines: a solid, unless the project chooses
-/// triangles. Mesh bodies have no patches.
+/// True if the project's body is computed with splines, see modeling::engineFor().
 bool usesSplines(const modeling::Project& project);
 
 /// Geometry that a build derives from a project before it meshes the body, once: engine, regions

@@ -87,6 +87,7 @@ BoundarySetup makeSplineSetup(const ProjectGeometry& geometry, const modeling::S
       splineTriangles(geometry.solid(), geometry.evaluator(), mesh));
   BoundarySetup setup(project, splines);
   setup.splines = splines;
+  setup.engine = modeling::Engine::kSplines;
   setup.refinedSolid = std::move(solid);
   for (std::size_t s = 0; s < project.supports.size(); ++s)
     setup.supports.push_back({project.supports[s].name, tags.trianglesIn(static_cast<int>(s)),

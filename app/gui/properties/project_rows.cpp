@@ -79,15 +79,31 @@ QString nodesText(const Editor& editor) {
 
 using ChangeMesh = std::function<bool(const std::function<void(modeling::MeshSettings&)>&)>;
 
-/// Engine of a solid and its accuracy.
+/// Choice among the engines that can compute the body.
 void addEngine(PropertyPage& page, const ChangeMesh& change) {
+  using modeling::Engine;
   Editor& editor = page.editor();
+  std::vector<Engine> engines{Engine::kAutomatic, Engine::kTriangles, Engine::kQuadratic};
+  QStringList names{tr("Automatic"), tr("Triangles"), tr("Quadratic triangles")};
+  if (editor.solid()) {
+    engines.insert(engines.begin() + 1, Engine::kSplines);
+    names.insert(1, tr("Splines"));
+  }
   page.addChoice(
-      tr("Compu&ted with"), "engine", {tr("Automatic"), tr("Splines"), tr("Triangles")},
-      [&editor] { return static_cast<int>(editor.project().mesh.engine); },
-      [change](int engine) {
-        return change([&](auto& mesh) { mesh.engine = static_cast<modeling::Engine>(engine); });
+      tr("Compu&ted with"), "engine", names,
+      [&editor, engines] {
+        const auto present =
+            std::find(engines.begin(), engines.end(), editor.project().mesh.engine);
+        return static_cast<int>(present - engines.begin());
+      },
+      [change, engines](int index) {
+        return change([&](auto& mesh) { mesh.engine = engines[static_cast<std::size_t>(index)]; });
       });
+}
+
+/// Accuracy of splines.
+void addAccuracy(PropertyPage& page, const ChangeMesh& change) {
+  Editor& editor = page.editor();
   page.addQuantity(
           tr("Requested &accuracy, %"), "accuracy", Quantity::kNumber,
           [&editor] { return 100 * editor.project().mesh.accuracy; },
@@ -127,7 +143,8 @@ void addMesh(PropertyPage& page) {
     edit(mesh);
     return editor.perform(modeling::SetMesh{mesh});
   };
-  if (editor.solid()) addEngine(page, change);
+  addEngine(page, change);
+  if (editor.solid()) addAccuracy(page, change);
   page.addQuantity(
       tr("&Edge length"), "edgeLength", Quantity::kLength,
       [&editor] { return editor.project().mesh.edgeLength; },
