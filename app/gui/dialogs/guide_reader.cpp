@@ -1,5 +1,6 @@
 #include "app/gui/dialogs/guide_reader.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QDesktopServices>
 #include <QFile>
 #include <QFileInfo>
@@ -88,6 +89,13 @@ GuideReader::GuideReader(QWidget* parent) : QTextBrowser(parent) {
   setObjectName("guideReader");
   document()->setDocumentMargin(kPageMargin);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // keeps the width of pictures constant
+  // Tables are up to a pixel wider than the page, which is no reason for a scroll bar.
+  connect(document()->documentLayout(), &QAbstractTextDocumentLayout::documentSizeChanged, this,
+          [this](const QSizeF& size) {
+            setHorizontalScrollBarPolicy(size.width() < viewport()->width() + 2
+                                             ? Qt::ScrollBarAlwaysOff
+                                             : Qt::ScrollBarAsNeeded);
+          });
 }
 
 void GuideReader::goTo(int position, int length) {

@@ -8,9 +8,9 @@ namespace {
 
 constexpr int kPanelWidth = 340;  // px: leaves the view almost three quarters of 1280
 constexpr int kMinWidth = 300, kMinHeight = 80;  // px of a panel's content
-constexpr int kUpperPercent = 44;   // of the window's height; with this share, supports, loads and
+constexpr int kUpperPercent = 45;   // of the window's height; with this share, supports, loads and
 constexpr int kForcesPercent = 60;  // the same in Simulate mode, where the forces are above
-constexpr int kLowerPercent = 56;   // touches show without scrolling in a window of 1280 x 800
+constexpr int kLowerPercent = 55;   // touches show without scrolling in a window of 1280 x 800
 
 /// Lets a panel that does not scroll by itself scroll in a low window, which otherwise would be
 /// higher than the screen.
