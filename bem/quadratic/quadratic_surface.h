@@ -35,7 +35,8 @@ BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
 class QuadraticSurface final : public ElementSurface {
  public:
   /// `mesh`: as quarteredMesh() makes it; `slots`: of this mesh. Throws SolverError (kBadMesh) if
-  /// an element is folded, std::invalid_argument if the mesh has another form. Mesh and slots may be destroyed afterwards.
+  /// an element is folded, std::invalid_argument if the mesh has another form. Mesh and slots may
+  /// be destroyed afterwards.
   QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots);
 
   int elementCount() const override { return static_cast<int>(elements_.size()); }

@@ -17,8 +17,8 @@ bool renameProject(Editor& editor, const QString& name);
 /// Adds a copy with a free name and selects it.
 void duplicate(Editor& editor, const Selection::Named& which);
 
-/// Deletes the selected support, load, touch or measurement. For any other selection Editor::refused states why
-/// it cannot be deleted.
+/// Deletes the selected support, load, touch or measurement. For any other selection
+/// Editor::refused states why it cannot be deleted.
 void deleteSelected(Editor& editor);
 
 /// "Sphere", "Box", …; "Solid" without a known primitive; "Mesh body".

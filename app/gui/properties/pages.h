@@ -22,7 +22,7 @@ void addEdgeRows(PropertyPage& page);       // edge_rows.cpp
 void addSupportRows(PropertyPage& page);    // condition_rows.cpp
 void addTouchRows(PropertyPage& page);
 void addMeasurementRows(PropertyPage& page);  // measurement_rows.cpp
-void addLoadRows(PropertyPage& page);  // load_rows.cpp
+void addLoadRows(PropertyPage& page);         // load_rows.cpp
 
 /// Row with the name of the selected support, load or touch.
 void addNameRow(PropertyPage& page);  // condition_rows.cpp
