@@ -100,9 +100,11 @@ BoundaryOperators<Scalar> rowsOf(const ElementRows& rows, const Columns& columns
 
 /// Number of points whose rows are stored at once before they are added to the rows of equations:
 /// small enough for a few MiB, but for many columns at least large enough to keep all threads busy.
+/// No columns (an empty part) is a valid number.
 std::size_t pointsAtOnce(Eigen::Index columns) {
   constexpr Eigen::Index kNumbers = 4'000'000, kMinRows = 128;
-  return static_cast<std::size_t>(std::max(kNumbers / (3 * columns), kMinRows));
+  return static_cast<std::size_t>(
+      std::max(kNumbers / std::max<Eigen::Index>(3 * columns, 1), kMinRows));
 }
 
 /// Consecutive points with nonzero weights in the same equations, such as all points of an element.

@@ -7,6 +7,7 @@
 #include "app/core/results/touch.h"
 #include "app/core/session/rebuild_pipeline.h"
 #include "bem/dense/make_reference_problem.h"
+#include "bem/dense/update_reference_problem.h"
 #include "core_projects.h"
 #include "modeling/shapes/primitives.h"
 
@@ -185,6 +186,29 @@ TEST(SplineUpdate, FollowsEditsBesideABorderThatCutsPatches) {
       EXPECT_LE(differenceFromFullRebuild(*update), 1e-6) << z;
     }
   }
+}
+
+/// The averaged equations of a cut patch once divided by the number of moved coefficients.
+TEST(SplineUpdate, MovesOfNothingAreEqualModels) {
+  modeling::Project project = sphere(modeling::Engine::kSplines);
+  project.supports[0].where = modeling::Region::below(Vector3d(0.2, -0.1, 1), -15);
+  project.mesh.elementLength = 9.0;
+  const auto former = buildTouchModel(project, {}, {});
+  modeling::Project renamed = project;
+  renamed.name = "other";
+  EXPECT_FALSE(updateTouchModel(renamed, project, *former, {}, {}));
+  const BoundarySetup& setup = former->setup();
+  const bem::ProblemInputs inputs{setup.conditions.ofSlot, setup.material};
+  const auto updated = bem::updateDenseReferenceProblem(former->problem(), *setup.discretisation,
+                                                        *setup.discretisation, inputs);
+  ASSERT_TRUE(updated);
+  const auto u = [&](const bem::ReferenceProblem& of) {
+    const Eigen::VectorXd forces = Eigen::VectorXd::LinSpaced(of.dofs().nodalCount(), -1, 1);
+    return of.solveField(of.dofs().expand(Eigen::VectorXd::Zero(of.dofs().count()), forces)).u;
+  };
+  const Eigen::MatrixXd before = u(*former->problem());
+  EXPECT_LE((u(*updated) - before).lpNorm<Eigen::Infinity>(),
+            1e-6 * before.lpNorm<Eigen::Infinity>());
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, Update,

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
 #include <fstream>
 #include <thread>
@@ -56,8 +57,12 @@ int watch(pid_t child, const std::string& log, std::chrono::seconds most) {
   std::uintmax_t size = 0;
   for (;;) {
     int status = 0;
-    if (::waitpid(child, &status, WNOHANG) == child)
-      return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (::waitpid(child, &status, WNOHANG) == child) {
+      if (WIFEXITED(status)) return WEXITSTATUS(status);
+      std::fprintf(stderr, "the window's process ended by signal %d (%s)\n", WTERMSIG(status),
+                   ::strsignal(WTERMSIG(status)));
+      return -1;
+    }
     std::error_code none;
     const std::uintmax_t now = fs::file_size(log, none);
     if (!none && now != size) {

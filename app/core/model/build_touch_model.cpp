@@ -7,12 +7,13 @@
 namespace palpa::app {
 namespace {
 
-/// True if nothing but control points moved that a model depends on.
+/// True if control points moved and nothing else changed that a model depends on.
 bool isMotion(const modeling::Project& former, const modeling::Project& project) {
   const modeling::Change change = modeling::compare(former, project);
-  return std::holds_alternative<modeling::Solid>(project.body) && !change.topology &&
-         !change.edges && !change.patchNames && !change.material && !change.supports &&
-         !change.loads && !change.mesh && !(change.touches && usesSplines(project));
+  return std::holds_alternative<modeling::Solid>(project.body) && !change.movedPoints.empty() &&
+         !change.topology && !change.edges && !change.patchNames && !change.material &&
+         !change.supports && !change.loads && !change.mesh &&
+         !(change.touches && usesSplines(project));
 }
 
 /// True if memory holds an update, which is at most as large as the former model, and the full
