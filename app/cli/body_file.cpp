@@ -10,6 +10,7 @@
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::cli {
@@ -23,7 +24,8 @@ void writeMeshOf(const modeling::Project& project, const std::string& path, bool
     return;
   }
   const auto regions = modeling::meshRegions(project);
-  const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
+  const modeling::SurfaceMesh mesh =
+      modeling::mesh(project.body, project.mesh, regions, job, modeling::meshFoci(project));
   modeling::writeMesh({mesh.positions, mesh.triangles, {}, {}}, path);
 }
 

@@ -12,6 +12,7 @@
 #include "bem/dense/make_reference_problem.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 
 namespace palpa::cli {
 namespace {
@@ -28,7 +29,8 @@ class CheckCommand : public Command {
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
     const Job job = context.job();
-    const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions, job);
+    const modeling::SurfaceMesh mesh =
+        modeling::mesh(project.body, project.mesh, regions, job, modeling::meshFoci(project));
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     const auto findings = modeling::checkGeometry(mesh, project.body, job);
     std::vector<Failure> problems;

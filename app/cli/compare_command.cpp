@@ -1,8 +1,8 @@
-#include <filesystem>
 #include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/result_file.h"
 #include "app/cli/text.h"
 #include "app/cli/touch_options.h"
@@ -138,25 +138,25 @@ class CompareCommand : public Command {
           ->required()
           ->type_name("");
     touch_.declare(options);
-    options.add_option("-o,--output", output_, "Write the table to this .csv or .json file")
-        ->type_name("FILE");
+    output_.declare(options, "Write the table to this .csv or .json file");
   }
 
   void run(const Context& context) override {
     touch_.validate();
     if (touch_.isNode() || touch_.hasSteps())
       throw UsageError("--node and --steps have no meaning for a comparison");
-    const std::string ending = std::filesystem::path(output_).extension();
-    if (!output_.empty() && ending != ".csv" && ending != ".json")
-      throw UsageError("-o: expected a name that ends in .csv or .json, found '" + output_ + "'");
+    const std::string ending = output_.ending();
+    if (output_.isGiven() && ending != ".csv" && ending != ".json")
+      throw UsageError("-o: expected a name that ends in .csv or .json, found '" + output_.path() +
+                       "'");
     const Report report = compare(context);
     const Json json = toJson(report);
     if (ending == ".csv") {
       std::ostringstream table;
       app::writeComparison(report.comparison.rows(), table);
-      writeText(table.str(), output_);
-    } else if (!output_.empty()) {
-      writeText(jsonText(json), output_);
+      writeText(table.str(), output_.path());
+    } else if (output_.isGiven()) {
+      writeText(jsonText(json), output_.path());
     }
     context.print(json, toText(report));
   }
@@ -184,7 +184,7 @@ class CompareCommand : public Command {
 
   std::array<std::string, 2> files_;
   TouchOptions touch_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_option.h"
 #include "app/cli/values.h"
 #include "modeling/exchange/file_format.h"
 
@@ -29,32 +30,29 @@ class ConvertCommand : public Command {
             "--tolerance", tolerance_,
             "Largest deviation of patches from curved faces in mm (default: 1e-4 of the size)")
         ->type_name("LENGTH");
-    options
-        .add_option("-o,--output", output_,
-                    "File to write: " + modeling::endingsText(modeling::isWritable))
-        ->required()
-        ->type_name("FILE");
+    output_.declare(options, "File to write: " + modeling::endingsText(modeling::isWritable))
+        ->required();
   }
 
   void run(const Context& context) override {
     modeling::ImportOptions options;
     if (!edgeLength_.empty()) options.edgeLength = parsePositive("--edge-length", edgeLength_);
     if (!tolerance_.empty()) options.tolerance = parsePositive("--tolerance", tolerance_);
-    modeling::requireFormat(output_, modeling::isWritable);
+    modeling::requireFormat(output_.path(), modeling::isWritable);
     const Job job = context.job();
     ReadBody read = readBody(file_, options, job);
     if (options.edgeLength > 0) read.project.mesh.edgeLength = options.edgeLength;
-    writeBody(read.project, output_, options.edgeLength > 0, job);
-    Json report{{"file", output_}};
+    writeBody(read.project, output_.path(), options.edgeLength > 0, job);
+    Json report{{"file", output_.path()}};
     report.update(toJson(read));
-    context.print(report, output_ + ": converted from " + file_ + "\n" + toText(read));
+    context.print(report, output_.path() + ": converted from " + file_ + "\n" + toText(read));
   }
 
  private:
   std::string file_;
   std::string edgeLength_;
   std::string tolerance_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

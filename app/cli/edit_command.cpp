@@ -1,7 +1,6 @@
-#include <filesystem>
-
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/text.h"
 #include "base/job.h"
 #include "modeling/editing/change.h"
@@ -47,16 +46,16 @@ class EditCommand : public Command {
     options.add_option("--commands", commands_, "Commands to apply (JSON; docs/editing.md)")
         ->required()
         ->type_name("FILE");
-    options.add_option("-o,--output", output_, "Project file to write")->type_name("FILE");
+    output_.declare(options, "Project file to write");
     options.add_flag("--in-place", inPlace_, "Write the result over the project file");
   }
 
   void run(const Context& context) override {
-    if (inPlace_ == !output_.empty())
+    if (inPlace_ == output_.isGiven())
       throw UsageError("give either -o FILE or --in-place, so that nothing is overwritten unasked");
     modeling::Project project = modeling::readProject(file_);
     const std::vector<modeling::Command> commands = modeling::readCommands(commands_);
-    const std::string target = inPlace_ ? file_ : output_;
+    const std::string target = inPlace_ ? file_ : output_.path();
     Json steps = Json::array();
     std::string text;
     for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -120,7 +119,7 @@ class EditCommand : public Command {
 
   std::string file_;
   std::string commands_;
-  std::string output_;
+  OutputOption output_;
   bool inPlace_ = false;
 };
 

@@ -14,7 +14,7 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An output file cannot be written.
+/// Standard output, a pipe or a folder cannot be written; files throw FileError.
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,6 +1,7 @@
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "modeling/exchange/file_format.h"
 
@@ -15,28 +16,28 @@ class ExportCommand : public Command {
 
   void declare(CLI::App& options) override {
     input_.declare(options);
-    options
-        .add_option("-o,--output", output_,
-                    "File to write: " + modeling::endingsText(modeling::isCad) + " (the solid), " +
-                        modeling::endingsText(modeling::isWritableMesh) + " (its mesh)")
-        ->required()
-        ->type_name("FILE");
+    output_
+        .declare(options, "File to write: " + modeling::endingsText(modeling::isCad) +
+                              " (the solid), " + modeling::endingsText(modeling::isWritableMesh) +
+                              " (its mesh)")
+        ->required();
   }
 
   void run(const Context& context) override {
-    if (modeling::requireFormat(output_, modeling::isWritable) == modeling::FileFormat::kProject)
+    if (modeling::requireFormat(output_.path(), modeling::isWritable) ==
+        modeling::FileFormat::kProject)
       throw UsageError(
           "export: --output must be a CAD or mesh file; palpa-cli convert copies projects");
     const ReadBody read{input_.read(), 0.0, {}};
-    writeBody(read.project, output_, input_.hasEdgeLength(), context.job());
-    Json report{{"file", output_}};
+    writeBody(read.project, output_.path(), input_.hasEdgeLength(), context.job());
+    Json report{{"file", output_.path()}};
     report.update(toJson(read));
-    context.print(report, output_ + ": written from " + input_.file() + "\n" + toText(read));
+    context.print(report, output_.path() + ": written from " + input_.file() + "\n" + toText(read));
   }
 
  private:
   ProjectInput input_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

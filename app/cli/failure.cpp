@@ -3,6 +3,7 @@
 
 #include "app/cli/errors.h"
 #include "app/view/files/errors.h"
+#include "base/atomic_file.h"
 #include "base/job.h"
 #include "bem/base/error.h"
 #include "modeling/error.h"
@@ -53,6 +54,8 @@ Failure currentFailure() {
   } catch (const view::ViewError& error) {
     return {kBadInput, "bad_input", error.what()};
   } catch (const OutputError& error) {
+    return {kBadInput, "bad_input", error.what()};
+  } catch (const FileError& error) {
     return {kBadInput, "bad_input", error.what()};
   } catch (const std::bad_alloc&) {
     return {kCannotBeSolved, "cannot_be_solved",

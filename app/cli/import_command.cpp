@@ -3,6 +3,7 @@
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/values.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/project/project_file.h"
@@ -32,8 +33,7 @@ class ImportCommand : public Command {
         ->type_name("LENGTH");
     options.add_option("--name", name_, "Name of the project (default: the file's)")
         ->type_name("TEXT");
-    options.add_option("-o,--output", output_, "Project file to write (default: standard output)")
-        ->type_name("FILE");
+    output_.declare(options, "Project file to write (default: standard output)");
   }
 
   void run(const Context& context) override {
@@ -46,15 +46,15 @@ class ImportCommand : public Command {
     if (!name_.empty()) read.project.name = name_;
     if (options.edgeLength > 0) read.project.mesh.edgeLength = options.edgeLength;
     modeling::checkProject(read.project);
-    if (output_.empty()) {
+    if (!output_.isGiven()) {
       std::cout << modeling::toJson(read.project);
       return;
     }
-    modeling::writeProject(read.project, output_);
-    Json report{{"file", output_}, {"name", read.project.name}};
+    modeling::writeProject(read.project, output_.path());
+    Json report{{"file", output_.path()}, {"name", read.project.name}};
     report.update(toJson(read));
-    context.print(report,
-                  output_ + ": made from " + file_ + ", held on its lowest tenth\n" + toText(read));
+    context.print(report, output_.path() + ": made from " + file_ + ", held on its lowest tenth\n" +
+                              toText(read));
   }
 
  private:
@@ -62,7 +62,7 @@ class ImportCommand : public Command {
   std::string edgeLength_;
   std::string tolerance_;
   std::string name_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

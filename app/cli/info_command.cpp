@@ -4,6 +4,7 @@
 #include "base/count_text.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/project/json_values.h"
+#include "modeling/project/mesh_foci.h"
 #include "modeling/solid/surface_properties.h"
 
 namespace palpa::cli {
@@ -147,8 +148,8 @@ class InfoCommand : public Command {
     const auto box = surfaceBox(project.body);
     const double volume = modeling::volume(project.body);
     const double area = modeling::area(project.body);
-    const double nodes =
-        modeling::estimateNodeCount(project.body, project.mesh, modeling::meshRegions(project));
+    const double nodes = modeling::estimateNodeCount(
+        project.body, project.mesh, modeling::meshRegions(project), modeling::meshFoci(project));
 
     Json report{{"name", project.name},
                 {"material", modeling::jsonOf(project.material)},

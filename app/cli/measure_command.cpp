@@ -4,6 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
@@ -216,10 +217,7 @@ class MeasureCommand : public Command {
         "Wall thickness at a point, and the largest ball inside that touches it");
     add(MeasurementKind::kRadius, "--radius", 1, 1,
         "Radii of curvature at a point, or the radius of an edge");
-    options
-        .add_option("-o,--output", output_,
-                    "Project to write with these measurements added to its own")
-        ->type_name("FILE");
+    output_.declare(options, "Project to write with these measurements added to its own");
   }
 
   void run(const Context& context) override {
@@ -227,7 +225,7 @@ class MeasureCommand : public Command {
     const MeasuredBody body(project.body);
     const std::size_t stored = project.measurements.size();
     addRequested(project, body);
-    if (!output_.empty() && project.measurements.size() == stored)
+    if (output_.isGiven() && project.measurements.size() == stored)
       throw UsageError("--output: there is nothing to add; measure something, or leave it out");
 
     const auto box = modeling::boundingBox(project.body);
@@ -253,10 +251,9 @@ class MeasureCommand : public Command {
       }
       text += "measured   " + line + "\n";
     }
-    if (!output_.empty()) {
-      modeling::writeProject(project, output_);
-      json["file"] = output_;
-      text += "written    " + output_ + "\n";
+    if (output_.isGiven()) {
+      modeling::writeProject(project, output_.path());
+      output_.addTo(json, text);
     }
     context.print(json, text);
   }
@@ -290,7 +287,7 @@ class MeasureCommand : public Command {
 
   ProjectInput input_;
   std::array<std::vector<std::string>, modeling::kMeasurementKinds.size()> texts_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

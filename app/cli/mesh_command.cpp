@@ -1,11 +1,13 @@
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
 #include "app/cli/mesh_report.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 
 namespace palpa::cli {
 namespace {
@@ -20,27 +22,24 @@ class MeshCommand : public Command {
 
   void declare(CLI::App& options) override {
     input_.declare(options);
-    options
-        .add_option("-o,--output", output_,
+    output_.declare(options,
                     "Mesh file to write: " + modeling::endingsText(modeling::isWritableMesh) +
-                        " (.vtp names patches and supports)")
-        ->type_name("FILE");
+                        " (.vtp names patches and supports)");
   }
 
   void run(const Context& context) override {
     // Check the file name before the work.
-    if (!output_.empty()) modeling::requireFormat(output_, modeling::isWritableMesh);
+    if (output_.isGiven()) modeling::requireFormat(output_.path(), modeling::isWritableMesh);
     const modeling::Project project = input_.read();
     const auto regions = modeling::meshRegions(project);
-    const modeling::SurfaceMesh mesh =
-        modeling::mesh(project.body, project.mesh, regions, context.job());
+    const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions,
+                                                      context.job(), modeling::meshFoci(project));
     const modeling::MeshQuality quality = modeling::measureQuality(mesh);
     Json report = toJson(mesh, quality);
     std::string text = toText(mesh, quality);
-    if (!output_.empty()) {
-      modeling::writeMesh(meshFile(project, mesh), output_);
-      report["file"] = output_;
-      text += "written    " + output_ + "\n";
+    if (output_.isGiven()) {
+      modeling::writeMesh(meshFile(project, mesh), output_.path());
+      output_.addTo(report, text);
     }
     context.print(report, text);
   }
@@ -67,7 +66,7 @@ class MeshCommand : public Command {
   }
 
   ProjectInput input_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/shape_options.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/text.h"
@@ -10,6 +11,7 @@
 #include "modeling/error.h"
 #include "modeling/project/material_library.h"
 #include "modeling/project/project_file.h"
+#include "modeling/project/shore_hardness.h"
 
 namespace palpa::cli {
 namespace {
@@ -22,6 +24,7 @@ class NewCommand : public Command {
     return "palpa-cli new sphere --radius 25 -o ball.json\n"
            "  palpa-cli new box --size 40,30,20 -o block.json\n"
            "  palpa-cli new cone --bottom-radius 20 --top-radius 0 --height 30 -o cone.json\n"
+           "  palpa-cli new cylinder --shore-a 55 -o buffer.json\n"
            "  palpa-cli new revolve --profile vase.curve.json -o vase.json\n"
            "  palpa-cli new extrude --profile bracket.dxf --height 8 -o bracket.json";
   }
@@ -41,6 +44,12 @@ class NewCommand : public Command {
         .add_option("--youngs-modulus", youngsModulus_,
                     "Young's modulus in MPa (default 0.2, a silicone)")
         ->type_name("MPA");
+    options
+        .add_option("--shore-a", shoreA_,
+                    format("Hardness of rubber on Shore's scale A, %g to %g: estimates Young's "
+                           "modulus by Gent's relation",
+                           modeling::kMinShoreA, modeling::kMaxShoreA))
+        ->type_name("S");
     options.add_option("--poisson-ratio", poissonRatio_, "Poisson's ratio (default 0.48)")
         ->type_name("NU");
     options
@@ -49,8 +58,7 @@ class NewCommand : public Command {
         ->type_name("DENSITY");
     options.add_option("--name", projectName_, "Name of the project (default: the shape)")
         ->type_name("TEXT");
-    options.add_option("-o,--output", output_, "Project file to write (default: standard output)")
-        ->type_name("FILE");
+    output_.declare(options, "Project file to write (default: standard output)");
   }
 
   void run(const Context& context) override {
@@ -70,20 +78,20 @@ class NewCommand : public Command {
     project.mesh.edgeLength = edgeLength_.empty() ? app::suitableEdgeLength(project.body)
                                                   : parsePositive("--edge-length", edgeLength_);
     modeling::checkProject(project);
-    if (output_.empty()) {
+    if (!output_.isGiven()) {
       std::cout << modeling::toJson(project);
       return;
     }
-    modeling::writeProject(project, output_);
+    modeling::writeProject(project, output_.path());
     report(context, project, made.deviation, chosen.drawingDeviation);
   }
 
  private:
   void setMaterial(modeling::Material& material) const {
     if (!material_.empty()) {
-      if (!youngsModulus_.empty() || !poissonRatio_.empty()) {
-        throw UsageError("--material brings its constants; leave out the modulus and the ratio");
-      }
+      if (!youngsModulus_.empty() || !shoreA_.empty() || !poissonRatio_.empty())
+        throw UsageError(
+            "--material brings its constants; leave out the modulus, the hardness and the ratio");
       try {
         material = modeling::libraryMaterial(material_).material;
       } catch (const modeling::ModelingError&) {
@@ -96,9 +104,19 @@ class NewCommand : public Command {
       return;
     }
     material = app::defaultMaterial();
-    if (youngsModulus_.empty() && poissonRatio_.empty()) return;
+    if (youngsModulus_.empty() && shoreA_.empty() && poissonRatio_.empty()) return;
     material.name = "custom";
     material.densityKgPerM3.reset();
+    if (!shoreA_.empty()) {
+      if (!youngsModulus_.empty())
+        throw UsageError("--shore-a estimates Young's modulus; leave out --youngs-modulus");
+      const double hardness = parseNumber("--shore-a", shoreA_);
+      if (hardness < modeling::kMinShoreA || hardness > modeling::kMaxShoreA)
+        throw UsageError(format("--shore-a: expected a hardness from %g to %g, found '%s'",
+                                modeling::kMinShoreA, modeling::kMaxShoreA, shoreA_.c_str()));
+      material.name = format("rubber of %g Shore A, estimated", hardness);
+      material.youngsModulus = modeling::estimatedModulusOfShoreA(hardness);
+    }
     if (!youngsModulus_.empty())
       material.youngsModulus = parsePositive("--youngs-modulus", youngsModulus_);
     if (!poissonRatio_.empty())
@@ -108,13 +126,19 @@ class NewCommand : public Command {
   void report(const Context& context, const modeling::Project& project, double deviation,
               std::optional<double> drawingDeviation) const {
     const auto names = modeling::patchNames(project.body);
-    Json json{{"file", output_},
+    Json json{{"file", output_.path()},
               {"name", project.name},
               {"primitive", shape_},
               {"patches", names},
               {"control_points", std::get<modeling::Solid>(project.body).controlPoints().size()},
               {"deviation_mm", deviation}};
     if (drawingDeviation) json["drawing_deviation_mm"] = *drawingDeviation;
+    std::string material;
+    if (!shoreA_.empty()) {
+      json["youngs_modulus_MPa"] = project.material.youngsModulus;
+      material = format(", Young's modulus %g MPa estimated from its hardness",
+                        project.material.youngsModulus);
+    }
     const auto [low, high] = modeling::boundingBox(project.body);
     const std::string fit = deviation <= 1e-12 * (high - low).norm()
                                 ? "exactly the shape"
@@ -124,10 +148,10 @@ class NewCommand : public Command {
         : *drawingDeviation < 1e-9
             ? ", the profile exactly as drawn"
             : format(", the profile within %.2g mm of the drawing", *drawingDeviation);
-    context.print(
-        json, format("%s: %s with the patches %s, %s%s, held at its base\n", output_.c_str(),
-                     shape_.c_str(), modeling::quotedPatchNames(project.body).c_str(), fit.c_str(),
-                     drawing.c_str()));
+    context.print(json, format("%s: %s with the patches %s, %s%s, fixed at its base%s\n",
+                               output_.path().c_str(), shape_.c_str(),
+                               modeling::quotedPatchNames(project.body).c_str(), fit.c_str(),
+                               drawing.c_str(), material.c_str()));
   }
 
   std::string shape_;
@@ -135,10 +159,11 @@ class NewCommand : public Command {
   std::string edgeLength_;
   std::string material_;
   std::string youngsModulus_;
+  std::string shoreA_;
   std::string poissonRatio_;
   std::string density_;
   std::string projectName_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

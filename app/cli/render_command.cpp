@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/film.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "app/cli/replay_report.h"
 #include "app/cli/section_options.h"
@@ -81,7 +82,7 @@ class RenderCommand : public Command {
   void declare(CLI::App& options) override {
     input_.declare(options);
     touch_.declare(options);
-    options.add_option("-o,--output", output_, "Picture to write (.png)")->type_name("FILE");
+    output_.declare(options, "Picture to write (.png)");
     options
         .add_option("--recording", recording_,
                     "Draw a replay of what was recorded: the state --at-time, or --frames")
@@ -156,7 +157,7 @@ class RenderCommand : public Command {
     if (recording_.empty()) {
       if (!atTime_.empty() || !frames_.empty() || !rate_.empty())
         throw UsageError("--at-time, --frames and --fps need --recording");
-      if (output_.empty()) throw UsageError("give the picture's name with -o");
+      if (!output_.isGiven()) throw UsageError("give the picture's name with -o");
       return;
     }
     if (touch_.isGiven() || touch_.hasSteps())
@@ -165,9 +166,9 @@ class RenderCommand : public Command {
           "--steps");
     if (frames_.empty() == atTime_.empty())
       throw UsageError("--recording needs either --at-time or --frames");
-    if (atTime_.empty() != output_.empty())
-      throw UsageError(output_.empty() ? "--at-time needs the picture's name with -o"
-                                       : "--frames names its pictures itself; leave out -o");
+    if (atTime_.empty() == output_.isGiven())
+      throw UsageError(output_.isGiven() ? "--frames names its pictures itself; leave out -o"
+                                         : "--at-time needs the picture's name with -o");
     if (!rate_.empty() && frames_.empty()) throw UsageError("--fps needs --frames");
     rate();
     if (!atTime_.empty() && parseNumber("--at-time", atTime_) < 0)
@@ -186,11 +187,12 @@ class RenderCommand : public Command {
                  const std::shared_ptr<const app::TouchModel>& model, const app::TouchState& state,
                  const PictureOptions& pictureOptions, const view::PictureSize& size,
                  const Context& context) const {
-    view::writePicture(makePicture(project, model, state, pictureOptions), size, output_);
+    view::writePicture(makePicture(project, model, state, pictureOptions), size, output_.path());
     const StateReport report{*model, state, {}};
     Json json = report.json();
-    json["file"] = output_;
-    context.print(json, report.text() + "written    " + output_ + "\n");
+    std::string text = report.text();
+    output_.addTo(json, text);
+    context.print(json, text);
   }
 
   void drawRecording(const modeling::Project& project,
@@ -249,7 +251,7 @@ class RenderCommand : public Command {
   PictureOptions options_;
   SectionOptions section_;
   std::string range_;
-  std::string output_;
+  OutputOption output_;
   std::string recording_;
   std::string atTime_;
   std::string frames_;

@@ -63,11 +63,7 @@ void writeText(const std::string& text, const std::string& path) {
     if (!stream) throw OutputError("cannot write " + path + "; check that its folder exists");
     return;
   }
-  try {
-    replaceFile(text, path);
-  } catch (const FileError& error) {
-    throw OutputError(error.what());
-  }
+  replaceFile(text, path);
 }
 
 void writeResult(const app::TouchModel& model, const app::TouchState& state, const Json& report,

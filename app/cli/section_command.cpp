@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "app/cli/result_file.h"
 #include "app/cli/section_options.h"
@@ -8,15 +9,10 @@
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/section_file.h"
 #include "app/core/results/stress_numbers.h"
-#include "base/atomic_file.h"
 #include "modeling/exchange/file_format.h"
 
 namespace palpa::cli {
 namespace {
-
-bool endsInCsv(const std::string& path) {
-  return path.ends_with(".csv");
-}
 
 /// Largest values of the fields on a section, and where they are.
 struct Extremes {
@@ -58,19 +54,17 @@ class SectionCommand : public Command {
     input_.declare(options);
     section_.declare(options, true);
     touch_.declare(options);
-    options
-        .add_option("-o,--output", output_,
-                    "Table (.csv) or mesh of the section with fields (.vtp)")
-        ->type_name("FILE");
+    output_.declare(options, "Table (.csv) or mesh of the section with fields (.vtp)");
   }
 
   void run(const Context& context) override {
     touch_.validate();
     const modeling::Plane plane = *section_.plane();
-    if (!output_.empty() && !endsInCsv(output_)) {
-      const auto format = modeling::requireFormat(output_, modeling::isWritableMesh);
+    if (output_.isGiven() && output_.ending() != ".csv") {
+      const auto format = modeling::requireFormat(output_.path(), modeling::isWritableMesh);
       if (format != modeling::FileFormat::kVtp)
-        throw UsageError("--output: a section is written as .csv or .vtp, found '" + output_ + "'");
+        throw UsageError("--output: a section is written as .csv or .vtp, found '" +
+                         output_.path() + "'");
     }
     const modeling::Project project = input_.read();
     const auto model = app::buildTouchModel(touch_.touched(project), {}, context.job());
@@ -84,13 +78,7 @@ class SectionCommand : public Command {
     const app::SectionField field(section, context.job());
     const std::vector<bem::InteriorState> states = field.states(state.field, context.job());
     context.progress.clear();
-    if (!output_.empty()) {
-      try {
-        app::writeSection(*section, states, output_);
-      } catch (const FileError& error) {
-        throw OutputError(error.what());
-      }
-    }
+    if (output_.isGiven()) app::writeSection(*section, states, output_.path());
     report(*section, states, context);
   }
 
@@ -125,17 +113,14 @@ class SectionCommand : public Command {
         "MPa", extremes.tension);
     add("smallest principal stress", "smallest_principal_MPa",
         stress(extremes.compression).principal[2], "MPa", extremes.compression);
-    if (!output_.empty()) {
-      text += "written    " + output_ + "\n";
-      json["file"] = output_;
-    }
+    if (output_.isGiven()) output_.addTo(json, text);
     context.print(json, text);
   }
 
   ProjectInput input_;
   SectionOptions section_;
   TouchOptions touch_;
-  std::string output_;
+  OutputOption output_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/deformed_file.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "app/cli/result_file.h"
 #include "app/cli/sample_options.h"
@@ -21,13 +22,13 @@ class SolveCommand : public Command {
   void declare(CLI::App& options) override {
     input_.declare(options);
     samples_.declare(options);
-    options.add_option("-o,--output", output_, resultFileHelp())->type_name("FILE");
+    output_.declare(options, resultFileHelp());
     deformed_.declare(options);
   }
 
   void run(const Context& context) override {
     samples_.validate();
-    if (!output_.empty()) requireResultFileName(output_);
+    if (output_.isGiven()) requireResultFileName(output_.path());
     deformed_.validate();
     const modeling::Project project = input_.read();
     const auto model = app::buildTouchModel(project, {}, context.job());
@@ -35,7 +36,7 @@ class SolveCommand : public Command {
     state.errorEstimate = app::estimateError(*model, state, context.job());
     const StateReport report{*model, state, samples_.evaluate(*model, state), 0,
                              samples_.hasFormerName()};
-    if (!output_.empty()) writeResult(*model, state, report.json(), output_);
+    if (output_.isGiven()) writeResult(*model, state, report.json(), output_.path());
     deformed_.write(project, *model, state, context);
     context.print(report.json(), report.text());
   }
@@ -43,7 +44,7 @@ class SolveCommand : public Command {
  private:
   ProjectInput input_;
   SampleOptions samples_;
-  std::string output_;
+  OutputOption output_;
   DeformedFile deformed_;
 };
 

@@ -1,10 +1,10 @@
 #include <chrono>
-#include <filesystem>
 #include <sstream>
 
 #include "app/cli/commands.h"
 #include "app/cli/deformed_file.h"
 #include "app/cli/errors.h"
+#include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
 #include "app/cli/replay_report.h"
 #include "app/cli/result_file.h"
@@ -54,11 +54,9 @@ class TouchCommand : public Command {
                     "Play the touches at N equal parts of their displacements and forces, too: a "
                     "force-depth curve, 1 to 1000 steps")
         ->type_name("N");
-    options
-        .add_option("-o,--output", output_,
-                    resultFileHelp() +
-                        "; .csv with --sweep (the curve) or --recording (the forces of every step)")
-        ->type_name("FILE");
+    output_.declare(
+        options, resultFileHelp() +
+                     "; .csv with --sweep (the curve) or --recording (the forces of every step)");
     deformed_.declare(options);
   }
 
@@ -71,7 +69,7 @@ class TouchCommand : public Command {
     }
     const int sweepSteps = sweep_.empty() ? 0 : parseSweep();
     const bool isCurve = sweepSteps > 0 && isTableName();
-    if (!output_.empty() && !isCurve) requireResultFileName(output_);
+    if (output_.isGiven() && !isCurve) requireResultFileName(output_.path());
     deformed_.validate();
     const modeling::Project project = input_.read();
     if (!touch_.isGiven() && project.touches.empty()) {
@@ -93,16 +91,16 @@ class TouchCommand : public Command {
     if (isCurve) {
       std::ostringstream table;
       app::writeSweep(rows, table);
-      writeText(table.str(), output_);
-    } else if (!output_.empty()) {
-      writeResult(*model, state, json, output_);
+      writeText(table.str(), output_.path());
+    } else if (output_.isGiven()) {
+      writeResult(*model, state, json, output_.path());
     }
     deformed_.write(project, *model, state, context);
     context.print(json, report.text() + sweepText(rows));
   }
 
  private:
-  bool isTableName() const { return std::filesystem::path(output_).extension() == ".csv"; }
+  bool isTableName() const { return output_.ending() == ".csv"; }
 
   int parseSweep() const {
     if (touch_.isNode()) throw UsageError("--sweep has no meaning for a single node");
@@ -115,9 +113,9 @@ class TouchCommand : public Command {
           "--recording says itself what is touched; leave out --at, --node, --steps, --sweep "
           "and --sample");
     const bool isTable = isTableName();
-    if (!output_.empty() && !isTable && std::filesystem::path(output_).extension() != ".json")
+    if (output_.isGiven() && !isTable && output_.ending() != ".json")
       throw UsageError("-o: with --recording expected a name that ends in .csv or .json, found '" +
-                       output_ + "'");
+                       output_.path() + "'");
     const app::RecordingFile file = app::readRecording(recording_);
     const modeling::Project project = input_.read();
     const auto model = app::buildTouchModel(project, {}, context.job());
@@ -131,7 +129,8 @@ class TouchCommand : public Command {
                   report.add(snapshot, step++);
                 });
     context.progress.clear();
-    if (!output_.empty()) writeText(isTable ? text.str() : jsonText(report.json()), output_);
+    if (output_.isGiven())
+      writeText(isTable ? text.str() : jsonText(report.json()), output_.path());
     context.print(report.json(), report.text());
   }
 
@@ -140,7 +139,7 @@ class TouchCommand : public Command {
   SampleOptions samples_;
   std::string recording_;
   std::string sweep_;
-  std::string output_;
+  OutputOption output_;
   DeformedFile deformed_;
 };
 

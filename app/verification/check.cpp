@@ -7,7 +7,15 @@
 namespace palpa::verification {
 
 const char* nameOf(Engine engine) {
-  return engine == Engine::kTriangles ? "triangles" : "splines";
+  switch (engine) {
+    case Engine::kTriangles:
+      return "triangles";
+    case Engine::kSplines:
+      return "splines";
+    case Engine::kQuadratic:
+      return "quadratic";
+  }
+  return "";
 }
 
 double Check::used() const {

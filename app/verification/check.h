@@ -5,8 +5,8 @@
 
 namespace palpa::verification {
 
-enum class Engine { kTriangles, kSplines };
-/// "triangles", "splines".
+enum class Engine { kTriangles, kSplines, kQuadratic };
+/// "triangles", "splines", "quadratic".
 const char* nameOf(Engine engine);
 
 /// A measured number and its bound.

@@ -14,6 +14,7 @@ namespace palpa::verification {
 
 struct Selection {
   bool triangles = true, splines = true;
+  bool quadratic = true;  ///< quadratic triangles: finite element cases
   /// Names of cases, or of families of cases ("kelvin_exterior_sphere"); none: all.
   std::vector<std::string> names;
   /// A few cases, one material each, some on coarser meshes. With names: the short form of these.

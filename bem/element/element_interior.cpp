@@ -56,13 +56,13 @@ void ElementInterior::addSources(int element, const ElementPoints& points, const
                                  const VectorXd& p, std::size_t first,
                                  InteriorSources& sources) const {
   const Matrix3Xd displacements = gather(u, surface_.coefficients(element)),
-                  tractions = gather(p, surface_.slots(element));
+                  tractions = surface_.scaledTractions(element, p);
   VectorXd basis;
   for (int k = 0; k < points.used; ++k) {
     points.basisAt(k, basis);
     const Vector3d y = points.positionOf(k), area = points.areaOf(k);
     Vector3d displacement = displacements * basis,
-             force = points.areaSize()[k] * (tractions * basis);
+             force = points.tractionArea()[k] * (tractions * basis);
     if (bulk_.hasBodyForce()) {
       const ParticularState particular = particularState(y - centre_, area, bulk_);
       displacement -= particular.displacement;

@@ -35,7 +35,9 @@ struct ElementPoints {
   }
   const double* position(int component) const { return at(component); }
   const double* area(int component) const { return at(3 + component); }
-  const double* areaSize() const { return at(6); }
+  /// Size of the area vectors; beside the border of a support, times the factor that all traction
+  /// functions of the element share (ElementSurface::tractionFactors()).
+  const double* tractionArea() const { return at(6); }
 
   Eigen::Vector3d positionOf(int point) const { return vectorAt(0, point); }
   Eigen::Vector3d areaOf(int point) const { return vectorAt(3, point); }

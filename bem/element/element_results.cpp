@@ -86,15 +86,17 @@ std::optional<InteriorState> ElementResults::interiorState(const Eigen::VectorXd
   Eigen::VectorXd basis;
   for (int e = 0; e < surface_.elementCount(); ++e) {
     const Matrix3Xd displacements = gather(u, surface_.coefficients(e)),
-                    tractions = gather(p, surface_.slots(e));
+                    tractions = surface_.scaledTractions(e, p);
     const ElementPoints& points = quadrature_.points(e, x, nullptr, *work);
     for (int k = 0; k < points.used; ++k) {
-      const double size = points.areaSize()[k];
+      const Vector3d y = points.positionOf(k), area = points.areaOf(k);
+      const double size = area.norm();
       if (!(size > 0)) continue;  // the metric is singular
-      const Vector3d y = points.positionOf(k), area = points.areaOf(k), normal = area / size;
+      const Vector3d normal = area / size;
       points.basisAt(k, basis);
       const Vector3d displacement = displacements * basis - linear(y);
-      const Vector3d traction = tractions * basis - near.stress * normal;
+      const Vector3d traction =
+          points.tractionArea()[k] / size * (tractions * basis) - near.stress * normal;
       state.displacement += size * (kelvinDisplacement(x, y, material) * traction -
                                     kelvinTraction(x, y, normal, material) * displacement);
       state.stress += size * (kelvinStressFromTraction(x, y, traction, material) +

@@ -18,6 +18,14 @@ Vector3d weightedSum(const std::vector<double>& weights, const std::vector<int>&
   return total;
 }
 
+Eigen::Matrix3Xd ElementSurface::scaledTractions(int element, const VectorXd& p) const {
+  Eigen::Matrix3Xd tractions = gather(p, slots(element));
+  const std::span<const double> factors = tractionFactors(element);
+  for (std::size_t f = 0; f < factors.size(); ++f)
+    tractions.col(static_cast<Index>(f)) *= factors[f];
+  return tractions;
+}
+
 SurfaceState ElementSurface::state(const ElementPlace& place, const VectorXd& u, const VectorXd& p,
                                    const Material& material) const {
   const SurfaceTangents at = tangents(place);
@@ -25,7 +33,8 @@ SurfaceState ElementSurface::state(const ElementPlace& place, const VectorXd& u,
   SurfaceState state;
   state.position = at.position;
   state.displacement = weightedSum(at.values, functions, u);
-  const Vector3d traction = weightedSum(at.values, slots(place.element), p);
+  const Vector3d traction = weightedSum(at.tractionValues.empty() ? at.values : at.tractionValues,
+                                        slots(place.element), p);
   const Eigen::Matrix<double, 3, 2> along = gather(u, functions) * at.slopes.transpose();
   state.stress = surfaceStress(at.frame, along, traction, material);
 

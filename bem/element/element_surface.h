@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "bem/model/material.h"
@@ -46,7 +47,8 @@ struct SurfaceTangents {
   Eigen::Vector3d position;  ///< mm, where they are evaluated
   Eigen::Matrix3d frame;     ///< columns: two tangents, the normal
   std::vector<double> values;
-  Eigen::Matrix2Xd slopes;  ///< one column per function of the element, 1/mm
+  std::vector<double> tractionValues;  ///< of the functions of tractions; empty: as `values`
+  Eigen::Matrix2Xd slopes;             ///< one column per function of the element, 1/mm
 };
 
 /// Displacement (mm), its gradient (column j is the derivative along axis j) and Cauchy stress
@@ -74,6 +76,16 @@ class ElementSurface {
   virtual SurfaceJet evaluate(const ElementPlace& place) const = 0;
   /// Values of the element's functions at a place.
   virtual void evaluateBasis(const ElementPlace& place, std::vector<double>& values) const = 0;
+  /// Values of the functions that carry the tractions: the same functions, except on elements
+  /// beside the border of a support, where those of tractions are unbounded.
+  virtual void evaluateTractionBasis(const ElementPlace& place, std::vector<double>& values) const {
+    evaluateBasis(place, values);
+  }
+  /// Factors of an element's traction coefficients in sums over quadrature points, whose
+  /// ElementPoints::tractionArea() contains the rest of their functions; empty: all are 1.
+  virtual std::span<const double> tractionFactors(int /*element*/) const { return {}; }
+  /// Traction coefficients of an element times their factors, one column per function.
+  Eigen::Matrix3Xd scaledTractions(int element, const Eigen::VectorXd& p) const;
   virtual SurfaceTangents tangents(const ElementPlace& place) const = 0;
   /// Point of an element nearest to x (mm). Exact for points on or near the element; otherwise
   /// possibly a local minimum.

@@ -31,10 +31,17 @@ double longestEdge(const QuadraticSurface& surface, int element) {
                    edgeLength(surface, element, 2)});
 }
 
-SurfaceJet2 jetAt(const QuadraticSurface& surface, const ElementPlace& place) {
-  const SurfaceJet jet = surface.evaluate(place);
+/// Newton step from a place towards the foot of a point, in local coordinates.
+Vector2d localStep(const QuadraticSurface& surface, const ElementPlace& place,
+                   const Vector3d& tool) {
+  const BorderCoordinates& coordinates = surface.coordinates(place.element);
+  const Vector2d local(place.u, place.v);
+  const SurfaceJet jet = surface.geometricJet(place.element, coordinates.geometric(local));
   const QuadraticSurface::Polynomial& c = surface.polynomial(place.element);
-  return {jet.position, jet.du, jet.dv, 2 * c.col(3), c.col(4), 2 * c.col(5)};
+  const Vector2d step = stepToFoot(
+      SurfaceJet2{jet.position, jet.du, jet.dv, 2 * c.col(3), c.col(4), 2 * c.col(5)}, tool);
+  const Vector2d regular = coordinates.awayFromBorder(local, kLeastBorderRoot);
+  return coordinates.derivative(regular).inverse() * step;
 }
 
 }  // namespace
@@ -167,7 +174,7 @@ SurfacePoint QuadraticContactSurface::foot(const Vector3d& tool, const SurfacePo
     };
     Eigen::Matrix2d edges;
     edges << localOf(1) - localOf(0), localOf(2) - localOf(0);
-    return Vector2d(edges.inverse() * stepToFoot(jetAt(surface_, place), tool));
+    return Vector2d(edges.inverse() * localStep(surface_, place, tool));
   });
   SurfacePoint found = at(onMesh.triangle, onMesh.weights);
   found.distance = (found.position - tool).norm();

@@ -16,9 +16,10 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-QuadraticDiscretisation::QuadraticDiscretisation(BoundaryMesh mesh)
+QuadraticDiscretisation::QuadraticDiscretisation(BoundaryMesh mesh,
+                                                 const std::vector<int>& supportTags)
     : Discretisation(std::move(mesh)),
-      surface_(this->mesh(), meshSlots()),
+      surface_(this->mesh(), meshSlots(), supportTags),
       slots_(withCurvedNormals(meshSlots(), surface_)) {}
 
 Discretisation::Weights QuadraticDiscretisation::placeWeights() const {
@@ -44,6 +45,10 @@ void QuadraticDiscretisation::write(const ByteSink& sink) const {
   writeList(sink, mesh().triangles);
   writeList(sink, mesh().smoothingGroups);
   writeList(sink, mesh().tags);
+  std::vector<int> onBorder;
+  for (int node = 0; node < surface_.coefficientCount(); ++node)
+    if (surface_.isOnBorder(node)) onBorder.push_back(node);
+  writeList(sink, onBorder);
 }
 
 Discretisation::Weights QuadraticDiscretisation::displacementWeights(
@@ -78,7 +83,12 @@ std::vector<Matrix3d> QuadraticDiscretisation::surfaceStress(const VectorXd& u, 
     const Eigen::Matrix3Xd displacements = gather(u, surface_.coefficients(e));
     for (int f = 0; f < 6; ++f) {
       const int slot = surface_.slots(e)[f];
-      const ElementPlace place = surface_.placeOf(surface_.coefficients(e)[f], e);
+      const ElementPlace node = surface_.placeOf(surface_.coefficients(e)[f], e);
+      // Stress is unbounded on the border of a support: as for the coefficients of traction, the
+      // value at the next node stands for it.
+      const Eigen::Vector2d local =
+          surface_.coordinates(e).awayFromBorder({node.u, node.v}, kBorderTractionRoot);
+      const ElementPlace place{e, local[0], local[1]};
       const SurfaceTangents at = surface_.tangents(place);
       const double area = surface_.evaluate(place).areaVector().norm();
       stress[slot] +=
@@ -104,9 +114,12 @@ Vector3d QuadraticDiscretisation::displacementAt(const SurfacePoint& place, cons
 }
 
 Vector3d QuadraticDiscretisation::tractionAt(const SurfacePoint& at, const VectorXd& p) const {
-  const ElementPlace place = QuadraticSurface::place(at.triangle, at.weights);
+  ElementPlace place = QuadraticSurface::place(at.triangle, at.weights);
+  const Eigen::Vector2d local =
+      surface_.coordinates(place.element).awayFromBorder({place.u, place.v}, kLeastBorderRoot);
+  place = {place.element, local[0], local[1]};
   std::vector<double> basis;
-  surface_.evaluateBasis(place, basis);
+  surface_.evaluateTractionBasis(place, basis);
   return weightedSum(basis, surface_.slots(place.element), p);
 }
 
@@ -159,18 +172,19 @@ BodyForceWork QuadraticDiscretisation::bodyForceWork(const Bulk& bulk) const {
   work.ofDisplacement = VectorXd::Zero(3 * static_cast<Index>(surface_.coefficientCount()));
   work.ofTraction = VectorXd::Zero(3 * static_cast<Index>(surface_.slotCount()));
   work.constant = particularWork(moments, bulk);
-  std::vector<double> basis;
+  std::vector<double> basis, ofTraction;
   for (int e = 0; e < surface_.elementCount(); ++e)
     surface_.visitPoints(
         e, 1, [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
           surface_.evaluateBasis(place, basis);
+          surface_.evaluateTractionBasis(place, ofTraction);
           const ParticularState state =
               particularState(jet.position - centre, jet.areaVector().normalized(), bulk);
           for (std::size_t f = 0; f < basis.size(); ++f) {
             work.ofDisplacement.segment<3>(3 * static_cast<Index>(surface_.coefficients(e)[f])) -=
                 weight * basis[f] * state.traction;
             work.ofTraction.segment<3>(3 * static_cast<Index>(surface_.slots(e)[f])) +=
-                weight * basis[f] * state.displacement;
+                weight * ofTraction[f] * state.displacement;
           }
         });
   return work;

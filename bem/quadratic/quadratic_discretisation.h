@@ -13,8 +13,9 @@ namespace palpa::bem {
 /// (quarteredMesh()), and at its slots.
 class QuadraticDiscretisation final : public Discretisation {
  public:
-  /// Throws SolverError (kBadMesh) as QuadraticSurface.
-  explicit QuadraticDiscretisation(BoundaryMesh mesh);
+  /// `supportTags`: of the triangles in supports. Throws SolverError (kBadMesh) as
+  /// QuadraticSurface.
+  explicit QuadraticDiscretisation(BoundaryMesh mesh, const std::vector<int>& supportTags = {});
   QuadraticDiscretisation(const QuadraticDiscretisation&) = delete;
   QuadraticDiscretisation& operator=(const QuadraticDiscretisation&) = delete;
 

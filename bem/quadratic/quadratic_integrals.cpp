@@ -27,18 +27,21 @@ QuadraticIntegrals::QuadraticIntegrals(const QuadraticSurface& surface)
       areas_(static_cast<std::size_t>(surface.coefficientCount()), 0) {
   // Area vectors of curved elements have no polynomial size: four cells leave errors of about 1e-9.
   constexpr int kCells = 2;
+  std::vector<double> values;
   for (int e = 0; e < surface.elementCount(); ++e) {
     Element& element = elements_[e];
     element.moments.setZero();
     element.products.setZero();
-    surface.visitPoints(e, kCells,
-                        [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
-                          const Vector6d basis = basisAt(place);
-                          element.products += weight * basis * basis.transpose();
-                          element.moments.topRows<3>() += weight * jet.position * basis.transpose();
-                          element.moments.row(3) += weight * basis.transpose();
-                        });
-    for (int f = 0; f < 6; ++f) areas_[surface.coefficients(e)[f]] += element.moments(3, f);
+    surface.visitPoints(
+        e, kCells, [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
+          const Vector6d basis = basisAt(place);
+          surface.evaluateTractionBasis(place, values);
+          const Eigen::Map<const Vector6d> ofTractions(values.data());
+          element.products += weight * basis * ofTractions.transpose();
+          element.moments.topRows<3>() += weight * jet.position * ofTractions.transpose();
+          element.moments.row(3) += weight * ofTractions.transpose();
+          for (int f = 0; f < 6; ++f) areas_[surface.coefficients(e)[f]] += weight * basis[f];
+        });
   }
 }
 
@@ -58,8 +61,9 @@ double QuadraticIntegrals::strainEnergy(const VectorXd& u, const VectorXd& p) co
   for (int e = 0; e < surface_.elementCount(); ++e) {
     const Eigen::Matrix3Xd tractions = gather(p, surface_.slots(e));
     if (tractions.isZero(0)) continue;
-    sum +=
-        gather(u, surface_.coefficients(e)).cwiseProduct(tractions * elements_[e].products).sum();
+    sum += gather(u, surface_.coefficients(e))
+               .cwiseProduct(tractions * elements_[e].products.transpose())
+               .sum();
   }
   return 0.5 * sum;
 }
@@ -91,8 +95,10 @@ VectorXd QuadraticIntegrals::projectTraction(const std::vector<int>& elements,
   for (int e = 0; e < surface_.elementCount(); ++e)
     for (int a = 0; a < 6; ++a)
       for (int b = 0; b < 6; ++b)
-        entries.emplace_back(surface_.slots(e)[a], surface_.slots(e)[b],
-                             elements_[e].products(a, b));
+        // No tractions are given in supports, whose functions are unbounded at their border.
+        entries.emplace_back(
+            surface_.slots(e)[a], surface_.slots(e)[b],
+            surface_.hasBorderTractions(e) ? (a == b ? 1.0 : 0.0) : elements_[e].products(a, b));
   Eigen::SparseMatrix<double> mass(count, count);
   mass.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(mass);

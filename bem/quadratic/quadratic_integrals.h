@@ -9,9 +9,9 @@
 
 namespace palpa::bem {
 
-/// Integrals over the elements: of the functions, of the functions times the position, and of
-/// products of functions; with them, resultants, energies and projections. Const use from several
-/// threads is safe; the surface must outlive the integrals.
+/// Integrals over the elements: of the functions N of displacements and M of tractions, of these
+/// times the position, and of their products; with them, resultants, energies and projections.
+/// Const use from several threads is safe; the surface must outlive the integrals.
 class QuadraticIntegrals {
  public:
   explicit QuadraticIntegrals(const QuadraticSurface& surface);
@@ -33,8 +33,8 @@ class QuadraticIntegrals {
  private:
   using Products = Eigen::Matrix<double, 6, 6>;
   struct Element {
-    Eigen::Matrix<double, 4, 6> moments;  ///< per function: ∫ N (y, 1)
-    Products products;                    ///< ∫ N_a N_b
+    Eigen::Matrix<double, 4, 6> moments;  ///< per function of tractions: ∫ M (y, 1)
+    Products products;                    ///< ∫ N_a M_b
   };
 
   const QuadraticSurface& surface_;

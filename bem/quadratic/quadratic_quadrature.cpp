@@ -51,6 +51,10 @@ std::array<double, 4> ratios(double error) {
   return ratio;
 }
 
+/// Share of the tolerance with which rules are selected on elements with BorderCoordinates, whose
+/// positions have degree four: measured (tests/quadratic/border_elements_test.cpp).
+constexpr double kBorderShare = 0.05;
+
 /// Powers of the size of a cell to which the rules' errors from curvature are proportional: one
 /// more than the degree left for the area by the functions.
 constexpr std::array<int, 4> kCurvatureOrder{4, 7, 9, 13};
@@ -63,8 +67,19 @@ Moments moments(const ElementPoints& points) {
   for (int k = 0; k < points.used; ++k)
     for (int f = 0; f < 6; ++f)
       sums[f] +=
-          points.basis[static_cast<std::size_t>(k) * points.stride + f] * points.areaSize()[k];
+          points.basis[static_cast<std::size_t>(k) * points.stride + f] * points.tractionArea()[k];
   return sums;
+}
+
+/// Values of the six functions at a point.
+void setBasis(double u, double v, double* basis) {
+  const double w = 1 - u - v;
+  basis[0] = w * (2 * w - 1);
+  basis[1] = u * (2 * u - 1);
+  basis[2] = v * (2 * v - 1);
+  basis[3] = 4 * w * u;
+  basis[4] = 4 * u * v;
+  basis[5] = 4 * v * w;
 }
 
 std::array<std::array<Vector2d, 3>, 4> quarters(const std::array<Vector2d, 3>& c) {
@@ -91,7 +106,8 @@ QuadraticQuadrature::QuadraticQuadrature(const QuadraticSurface& surface, double
       loops_(kelvinSumLoopsForThisProcessor()),
       accuracy_(0.1 * tolerance),
       tolerance_(std::clamp(tolerance, 1e-12, 1e-2)),
-      ratio_(ratios(tolerance_)) {
+      ratio_(ratios(tolerance_)),
+      borderRatio_(ratios(kBorderShare * tolerance_)) {
   elements_.resize(static_cast<std::size_t>(surface.elementCount()));
   for (int e = 0; e < surface.elementCount(); ++e) {
     Element& element = elements_[e];
@@ -120,8 +136,9 @@ std::unique_ptr<ElementQuadrature::Workspace> QuadraticQuadrature::makeWorkspace
 
 int QuadraticQuadrature::ruleFor(int element, double ratio, int depth) const {
   const auto& error = elements_[element].curvatureError;
+  const auto& least = surface_.coordinates(element).isPlain() ? ratio_ : borderRatio_;
   for (int k = 0; k < kKeptRules; ++k)
-    if (ratio >= ratio_[k] && std::ldexp(error[k], -kCurvatureOrder[k] * depth) <= tolerance_)
+    if (ratio >= least[k] && std::ldexp(error[k], -kCurvatureOrder[k] * depth) <= tolerance_)
       return k;
   return -1;
 }
@@ -158,9 +175,20 @@ void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& poi
   points.geometry.resize(kPointValues * count);
   points.basis.assign(count * static_cast<std::size_t>(points.stride), 0);
   const QuadraticSurface::Polynomial& c = surface_.polynomial(index);
+  const BorderCoordinates& coordinates = surface_.coordinates(index);
+  const bool hasBorderTractions = surface_.hasBorderTractions(index);
   double* geometry = points.geometry.data();
   for (std::size_t k = 0; k < count; ++k) {
-    const double u = rule.u[k], v = rule.v[k], w = 1 - u - v, weight = rule.weight[k];
+    setBasis(rule.u[k], rule.v[k],
+             points.basis.data() + k * static_cast<std::size_t>(points.stride));
+    double u = rule.u[k], v = rule.v[k], weight = rule.weight[k], ofTractions = 1;
+    if (!coordinates.isPlain()) {
+      const Vector2d local(u, v), geometric = coordinates.geometric(local);
+      weight *= coordinates.derivative(local).determinant();
+      if (hasBorderTractions) ofTractions = 1 / coordinates.root(local);
+      u = geometric[0];
+      v = geometric[1];
+    }
     double du[3], dv[3];
     for (int i = 0; i < 3; ++i) {
       geometry[i * count + k] =
@@ -175,14 +203,7 @@ void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& poi
       geometry[(3 + i) * count + k] = area;
       squared += area * area;
     }
-    geometry[6 * count + k] = std::sqrt(squared);
-    double* basis = points.basis.data() + k * static_cast<std::size_t>(points.stride);
-    basis[0] = w * (2 * w - 1);
-    basis[1] = u * (2 * u - 1);
-    basis[2] = v * (2 * v - 1);
-    basis[3] = 4 * w * u;
-    basis[4] = 4 * u * v;
-    basis[5] = 4 * v * w;
+    geometry[6 * count + k] = ofTractions * std::sqrt(squared);
   }
 }
 
@@ -265,6 +286,9 @@ void QuadraticQuadrature::integrate(int index, const Vector3d& x, const ElementP
   const int rule = inside ? -1 : keptRule(index, x);
   const ElementPoints& at = rule >= 0 ? keptPoints(index, rule) : points(index, x, inside, work);
   loops_.sumKernels(at.sumTask(x, work.sums.data()));
+  const std::span<const double> factors = surface_.tractionFactors(index);
+  for (std::size_t f = 0; f < factors.size(); ++f)
+    for (int k = 0; k < kKernelSumsU; ++k) work.sums[f].of[k] *= factors[f];
 }
 
 }  // namespace palpa::bem

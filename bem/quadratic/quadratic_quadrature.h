@@ -72,7 +72,8 @@ class QuadraticQuadrature final : public ElementQuadrature {
   KelvinSumLoops loops_;
   SingularAccuracy accuracy_;
   double tolerance_;
-  std::array<double, kKeptRules> ratio_;  ///< smallest distance over radius of each rule
+  /// Smallest distance over radius of each rule, and with BorderCoordinates.
+  std::array<double, kKeptRules> ratio_, borderRatio_;
   std::vector<Element> elements_;
 };
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/support_border.h"
 #include "bem/base/error.h"
 #include "bem/base/triangle_rule.h"
 
@@ -33,6 +34,27 @@ Vector2d intoTriangle(const Vector2d& at) {
   return {1 - along, along};
 }
 
+using Triangles = std::vector<std::array<int, 3>>;
+
+std::vector<bool> areSupported(const std::vector<int>& tags, const std::vector<int>& supportTags) {
+  std::vector<bool> supported;
+  for (const int tag : tags)
+    supported.push_back(std::find(supportTags.begin(), supportTags.end(), tag) !=
+                        supportTags.end());
+  return supported;
+}
+
+/// True if the middle node of an edge is nearer to one end.
+bool isBorderEdge(const std::vector<bool>& isBorderVertex, int from, int to) {
+  return isBorderVertex[from] != isBorderVertex[to];
+}
+
+/// The middle of a quadratic curve from a border vertex through the point at kBorderEdgeShare.
+Vector3d curveMiddle(const Vector3d& border, const Vector3d& node, const Vector3d& end) {
+  static_assert(kBorderEdgeShare == 0.25);
+  return -0.5 * border + 4.0 / 3 * node + end / 6;
+}
+
 }  // namespace
 
 QuadraticBasis::QuadraticBasis(double u, double v) {
@@ -43,7 +65,10 @@ QuadraticBasis::QuadraticBasis(double u, double v) {
 }
 
 BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
-                           const std::function<Vector3d(int triangle, int edge)>& middle) {
+                           const std::function<Vector3d(int, int, double)>& middle,
+                           const std::vector<int>& supportTags) {
+  const std::vector<bool> isBorderVertex = supportBorderVertices(
+      corners.triangles, areSupported(corners.tags, supportTags), corners.nodeCount());
   BoundaryMesh mesh;
   mesh.nodes = corners.nodes;
   std::map<std::pair<int, int>, int> middles;
@@ -54,7 +79,10 @@ BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
       node[k] = from;
       const auto [known, isNew] =
           middles.try_emplace(std::minmax(from, to), static_cast<int>(mesh.nodes.size()));
-      if (isNew) mesh.nodes.push_back(middle(t, k));
+      const double share = !isBorderEdge(isBorderVertex, from, to) ? 0.5
+                           : isBorderVertex[from]                  ? kBorderEdgeShare
+                                                                   : 1 - kBorderEdgeShare;
+      if (isNew) mesh.nodes.push_back(middle(t, k, share));
       node[3 + k] = known->second;
     }
     for (const auto& quarter : kQuarters) {
@@ -66,9 +94,11 @@ BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
   return mesh;
 }
 
-QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots)
+QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
+                                   const std::vector<int>& supportTags)
     : nodes_(mesh.nodes),
       around_(mesh.nodes.size()),
+      isOnBorder_(mesh.nodes.size(), false),
       slotCount_(slots.count()),
       boundingSize_(mesh.boundingSize()) {
   const int count = mesh.triangleCount() / 4;
@@ -89,7 +119,18 @@ QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots
         element.slots[local] = slots.ofCorner[t][corner];
       }
     for (const int node : element.nodes) around_[node].push_back(e);
-    const auto at = [&](int k) -> const Vector3d& { return nodes_[element.nodes[k]]; };
+  }
+  setCoordinates(mesh, supportTags);
+  for (int e = 0; e < count; ++e) {
+    Element& element = elements_[e];
+    const std::vector<int>& nodes = element.nodes;
+    const auto at = [&](int k) -> Vector3d {
+      if (k < 3) return nodes_[nodes[k]];
+      const int from = nodes[k - 3], to = nodes[(k - 2) % 3];
+      if (!isBorderEdge(isOnBorder_, from, to)) return nodes_[nodes[k]];
+      return isOnBorder_[from] ? curveMiddle(nodes_[from], nodes_[nodes[k]], nodes_[to])
+                               : curveMiddle(nodes_[to], nodes_[nodes[k]], nodes_[from]);
+    };
     Polynomial& c = element.polynomial;
     c.col(0) = at(0);
     c.col(1) = -3 * at(0) - at(1) + 4 * at(3);
@@ -97,18 +138,62 @@ QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots
     c.col(3) = 2 * at(0) + 2 * at(1) - 4 * at(3);
     c.col(4) = 4 * (at(0) - at(3) + at(4) - at(5));
     c.col(5) = 2 * at(0) + 2 * at(2) - 4 * at(5);
-    const Vector3d middle = evaluate({e, 1.0 / 3, 1.0 / 3}).areaVector();
+    const Vector3d middle = geometricJet(e, {1.0 / 3, 1.0 / 3}).areaVector();
     for (const Vector2d& node : kNodes)
-      if (!(evaluate({e, node[0], node[1]}).areaVector().dot(middle) > 0))
+      if (!(geometricJet(e, node).areaVector().dot(middle) > 0))
         throw SolverError(SolverError::Kind::kBadMesh, "boundary mesh: the quadratic triangle " +
                                                            std::to_string(e) +
                                                            " is folded; choose a shorter edge");
   }
 }
 
+void QuadraticSurface::setCoordinates(const BoundaryMesh& mesh,
+                                      const std::vector<int>& supportTags) {
+  Triangles corners;
+  std::vector<int> tags;
+  for (int e = 0; e < elementCount(); ++e) {
+    const std::vector<int>& nodes = elements_[e].nodes;
+    corners.push_back({nodes[0], nodes[1], nodes[2]});
+    tags.push_back(mesh.tags[4 * static_cast<std::size_t>(e)]);
+  }
+  const std::vector<bool> supported = areSupported(tags, supportTags);
+  isOnBorder_ = supportBorderVertices(corners, supported, coefficientCount());
+  for (int e = 0; e < elementCount(); ++e) {
+    Element& element = elements_[e];
+    std::vector<int> onBorder;
+    for (int k = 0; k < 3; ++k)
+      if (isOnBorder_[element.nodes[k]]) onBorder.push_back(k);
+    if (onBorder.empty()) continue;
+    if (onBorder.size() == 1)
+      element.coordinates = BorderCoordinates::vertex(onBorder.front());
+    else
+      element.coordinates = BorderCoordinates::edge(3 - onBorder[0] - onBorder[1]);
+    element.hasBorderTractions = supported[e];
+    for (int f = 0; f < 6; ++f) {
+      const double root = element.coordinates.root(kNodes[f]);
+      element.tractionFactors[f] = root > 0 ? root : kBorderTractionRoot;
+    }
+  }
+  // The middle nodes of the edges on the border.
+  for (const Element& element : elements_)
+    for (int k = 0; k < 3; ++k)
+      if (isOnBorder_[element.nodes[k]] && isOnBorder_[element.nodes[(k + 1) % 3]])
+        isOnBorder_[element.nodes[3 + k]] = true;
+}
+
 SurfaceJet QuadraticSurface::evaluate(const ElementPlace& place) const {
-  const Polynomial& c = elements_[place.element].polynomial;
-  const double u = place.u, v = place.v;
+  const BorderCoordinates& coordinates = elements_[place.element].coordinates;
+  const Vector2d local(place.u, place.v);
+  if (coordinates.isPlain()) return geometricJet(place.element, local);
+  const SurfaceJet jet = geometricJet(place.element, coordinates.geometric(local));
+  const Matrix2d by = coordinates.derivative(local);
+  return {jet.position, by(0, 0) * jet.du + by(1, 0) * jet.dv,
+          by(0, 1) * jet.du + by(1, 1) * jet.dv};
+}
+
+SurfaceJet QuadraticSurface::geometricJet(int element, const Vector2d& geometric) const {
+  const Polynomial& c = elements_[element].polynomial;
+  const double u = geometric[0], v = geometric[1];
   return {c.col(0) + u * (c.col(1) + u * c.col(3) + v * c.col(4)) + v * (c.col(2) + v * c.col(5)),
           c.col(1) + 2 * u * c.col(3) + v * c.col(4), c.col(2) + u * c.col(4) + 2 * v * c.col(5)};
 }
@@ -118,12 +203,30 @@ void QuadraticSurface::evaluateBasis(const ElementPlace& place, std::vector<doub
   values.assign(basis.values.begin(), basis.values.end());
 }
 
-SurfaceTangents QuadraticSurface::tangents(const ElementPlace& place) const {
+void QuadraticSurface::evaluateTractionBasis(const ElementPlace& place,
+                                             std::vector<double>& values) const {
+  const Element& element = elements_[place.element];
+  if (!element.hasBorderTractions) return evaluateBasis(place, values);
+  evaluateBasis(place, values);
+  const double root = element.coordinates.root({place.u, place.v});
+  for (int f = 0; f < 6; ++f) values[f] *= element.tractionFactors[f] / root;
+}
+
+std::span<const double> QuadraticSurface::tractionFactors(int element) const {
+  if (!elements_[element].hasBorderTractions) return {};
+  return elements_[element].tractionFactors;
+}
+
+SurfaceTangents QuadraticSurface::tangents(const ElementPlace& given) const {
+  const Vector2d at =
+      coordinates(given.element).awayFromBorder({given.u, given.v}, kLeastBorderRoot);
+  const ElementPlace place{given.element, at[0], at[1]};
   const SurfaceJet jet = evaluate(place);
   const QuadraticBasis basis(place.u, place.v);
   SurfaceTangents result;
   result.position = jet.position;
   result.values.assign(basis.values.begin(), basis.values.end());
+  if (hasBorderTractions(place.element)) evaluateTractionBasis(place, result.tractionValues);
   result.frame.col(0) = jet.du.normalized();
   result.frame.col(2) = jet.areaVector().normalized();
   result.frame.col(1) = result.frame.col(2).cross(result.frame.col(0));
@@ -139,7 +242,7 @@ SurfaceTangents QuadraticSurface::tangents(const ElementPlace& place) const {
 ElementFoot QuadraticSurface::nearestOnElement(int element, const Vector3d& x) const {
   constexpr int kMaxSteps = 40, kMaxHalvings = 8;
   const auto distanceAt = [&](const Vector2d& at) {
-    return (evaluate({element, at[0], at[1]}).position - x).norm();
+    return (geometricJet(element, at).position - x).norm();
   };
   Vector2d at(1.0 / 3, 1.0 / 3);
   double distance = distanceAt(at);
@@ -149,7 +252,7 @@ ElementFoot QuadraticSurface::nearestOnElement(int element, const Vector3d& x) c
       at = node;
     }
   for (int step = 0; step < kMaxSteps; ++step) {
-    const SurfaceJet jet = evaluate({element, at[0], at[1]});
+    const SurfaceJet jet = geometricJet(element, at);
     Eigen::Matrix<double, 3, 2> tangents;
     tangents << jet.du, jet.dv;
     const Matrix2d metric = tangents.transpose() * tangents;
@@ -167,7 +270,8 @@ ElementFoot QuadraticSurface::nearestOnElement(int element, const Vector3d& x) c
     distance = found;
     if (move.lpNorm<Eigen::Infinity>() < 1e-12) break;
   }
-  return {{element, at[0], at[1]}, distance};
+  const Vector2d local = coordinates(element).local(at);
+  return {{element, local[0], local[1]}, distance};
 }
 
 void QuadraticSurface::samplePlaces(int element, std::vector<WeightedPlace>& places) const {
@@ -262,7 +366,7 @@ TractionSlots withCurvedNormals(TractionSlots slots, const QuadraticSurface& sur
   for (TractionSlots::Slot& slot : slots.slots) slot.normal.setZero();
   for (int e = 0; e < surface.elementCount(); ++e)
     for (int k = 0; k < 6; ++k) {
-      const SurfaceJet jet = surface.evaluate({e, kNodes[k][0], kNodes[k][1]});
+      const SurfaceJet jet = surface.geometricJet(e, surface.coordinates(e).geometric(kNodes[k]));
       // The angle of the element at the node: a corner's, or a straight one.
       double angle = std::numbers::pi;
       if (k < 3) {

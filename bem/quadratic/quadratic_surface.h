@@ -7,8 +7,17 @@
 #include "bem/element/element_surface.h"
 #include "bem/model/boundary_mesh.h"
 #include "bem/model/surface_point.h"
+#include "bem/quadratic/border_coordinates.h"
 
 namespace palpa::bem {
+
+/// The root of the distance from the border of a support at which unbounded values are evaluated
+/// instead of nearer to it, when a value at a point is wanted: 1 % of the element.
+inline constexpr double kLeastBorderRoot = 0.1;
+
+/// The coefficient of a traction function at a node on the border is the traction that the function
+/// alone would have at this root without its polynomial: at the next node.
+inline constexpr double kBorderTractionRoot = 0.5;
 
 /// Values of the six quadratic functions on a triangle at the barycentric coordinates (1 - u - v,
 /// u, v): of the three corners, then of the middles of the edges 0-1, 1-2 and 2-0.
@@ -24,20 +33,28 @@ struct QuadraticBasis {
 /// bc, c), (ab, bc, ca). So the nodes of the flat mesh are the nodes of the elements, and its slots
 /// their traction coefficients.
 ///
-/// `middle`(triangle, edge): position of the middle node of the edge from corner `edge` of a
-/// triangle of `corners` to the next, mm; asked once per edge. The nodes of `corners` keep their
-/// indices, the middle nodes follow.
-BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
-                           const std::function<Eigen::Vector3d(int triangle, int edge)>& middle);
+/// Elements with a vertex on the border of a support (supportBorderVertices(), base) have
+/// BorderCoordinates. The middle node of an edge from such a vertex to another lies at the fraction
+/// kBorderEdgeShare of the edge from this vertex.
+///
+/// `middle`(triangle, edge, share): position of the middle node of the edge from corner `edge` of a
+/// triangle of `corners` to the next, at the fraction `share` of the edge, mm; asked once per edge.
+/// The nodes of `corners` keep their indices, the middle nodes follow. `supportTags`: of triangles
+/// in supports.
+BoundaryMesh quarteredMesh(
+    const BoundaryMesh& corners,
+    const std::function<Eigen::Vector3d(int triangle, int edge, double share)>& middle,
+    const std::vector<int>& supportTags = {});
 
 /// Closed surface of curved six-node triangles with quadratic displacements and tractions. Const
 /// use from several threads is safe.
 class QuadraticSurface final : public ElementSurface {
  public:
-  /// `mesh`: as quarteredMesh() makes it; `slots`: of this mesh. Throws SolverError (kBadMesh) if
-  /// an element is folded, std::invalid_argument if the mesh has another form. Mesh and slots may
-  /// be destroyed afterwards.
-  QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots);
+  /// `mesh`: as quarteredMesh() makes it with these tags; `slots`: of this mesh. Throws SolverError
+  /// (kBadMesh) if an element is folded, std::invalid_argument if the mesh has another form. Mesh
+  /// and slots may be destroyed afterwards.
+  QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
+                   const std::vector<int>& supportTags = {});
 
   int elementCount() const override { return static_cast<int>(elements_.size()); }
   int coefficientCount() const override { return static_cast<int>(nodes_.size()); }
@@ -49,6 +66,8 @@ class QuadraticSurface final : public ElementSurface {
   double boundingSize() const override { return boundingSize_; }
   SurfaceJet evaluate(const ElementPlace& place) const override;
   void evaluateBasis(const ElementPlace& place, std::vector<double>& values) const override;
+  void evaluateTractionBasis(const ElementPlace& place, std::vector<double>& values) const override;
+  std::span<const double> tractionFactors(int element) const override;
   SurfaceTangents tangents(const ElementPlace& place) const override;
   ElementFoot nearestOnElement(int element, const Eigen::Vector3d& x) const override;
   void samplePlaces(int element, std::vector<WeightedPlace>& places) const override;
@@ -57,10 +76,18 @@ class QuadraticSurface final : public ElementSurface {
   void evaluateShares(const ElementPlace& place, std::vector<double>& shares) const override;
 
   const std::vector<Eigen::Vector3d>& nodes() const { return nodes_; }
-  /// Position as a polynomial in the local coordinates: columns are the coefficients of 1, u, v,
+  const BorderCoordinates& coordinates(int element) const { return elements_[element].coordinates; }
+  /// True if the traction functions of an element are unbounded at the border of its support.
+  bool hasBorderTractions(int element) const { return elements_[element].hasBorderTractions; }
+  /// True if a node lies on the border of a support, where elements have BorderCoordinates.
+  bool isOnBorder(int node) const { return isOnBorder_[node]; }
+  /// Position as a polynomial in the geometric coordinates, which are the local ones except beside
+  /// the border of a support: columns are the coefficients of 1, u, v,
   /// u^2, uv, v^2.
   using Polynomial = Eigen::Matrix<double, 3, 6>;
   const Polynomial& polynomial(int element) const { return elements_[element].polynomial; }
+  /// Position and derivatives by the geometric coordinates.
+  SurfaceJet geometricJet(int element, const Eigen::Vector2d& geometric) const;
   /// Elements that contain a node.
   const std::vector<int>& around(int node) const { return around_[node]; }
   /// Place of a node in one of its elements.
@@ -82,10 +109,16 @@ class QuadraticSurface final : public ElementSurface {
   struct Element {
     std::vector<int> nodes, slots;
     Polynomial polynomial;
+    BorderCoordinates coordinates;
+    bool hasBorderTractions = false;
+    std::array<double, 6> tractionFactors{};
   };
+  void setCoordinates(const BoundaryMesh& mesh, const std::vector<int>& supportTags);
+
   std::vector<Eigen::Vector3d> nodes_;
   std::vector<Element> elements_;
   std::vector<std::vector<int>> around_;
+  std::vector<bool> isOnBorder_;  ///< per node
   int slotCount_;
   double boundingSize_;
 };

@@ -42,7 +42,7 @@ SplineIntegrals::SplineIntegrals(const SplineSurface& surface, const SplineTract
       const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> basis(
           points.basis.data(), placement.functionCount(e), points.used,
           Eigen::OuterStride<>(placement.stride(e)));
-      const Eigen::Map<const Eigen::VectorXd> weights(points.areaSize(), points.used);
+      const Eigen::Map<const Eigen::VectorXd> weights(points.tractionArea(), points.used);
       const Eigen::MatrixXd weighted = basis * weights.asDiagonal();
       Element& element = elements_[e];
       element.products = weighted * basis.transpose();

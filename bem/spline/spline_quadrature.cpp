@@ -160,7 +160,7 @@ SplineQuadrature::Cell SplineQuadrature::cellIn(int element, const SplineCell& c
   for (const int j : {0, 2})
     for (const int i : {0, 2}) {
       result.radius = std::max(result.radius, (at(i, j) - result.center).norm());
-      result.cornerMetric[corner++] = points.areaSize()[i + 3 * j];
+      result.cornerMetric[corner++] = points.tractionArea()[i + 3 * j];
     }
   // The middle lines have a positive length even where an edge is collapsed.
   result.length = {(at(2, 1) - at(0, 1)).norm(), (at(1, 2) - at(1, 0)).norm()};

@@ -103,7 +103,7 @@ class Merging {
 
 /// Numbers the parts of the surface that are connected without crossing sharp edges.
 std::vector<int> connectedParts(const std::vector<Vector3d>& normals, Neighbours neighbours) {
-  const double cosine = std::cos(kSharpAngle * std::numbers::pi / 180.0);
+  const double cosine = std::cos(kSharpEdgeDegrees * std::numbers::pi / 180.0);
   std::vector<int> part(normals.size(), -1);
   std::vector<int> open;
   int count = 0;

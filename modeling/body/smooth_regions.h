@@ -7,10 +7,10 @@
 
 namespace palpa::modeling {
 
-/// Smallest angle (degrees) between the normals of two triangles at which their common edge is
+/// Smallest angle between the normals of two triangles at which their common edge is
 /// sharp: well above the angles in a reasonably fine tessellation of a curved surface, and below
 /// the angles that a designer calls an edge.
-inline constexpr double kSharpAngle = 40.0;
+inline constexpr double kSharpEdgeDegrees = 40.0;
 
 using Triangles = std::vector<std::array<int, 3>>;
 

@@ -28,6 +28,15 @@ std::string endingOf(const std::filesystem::path& path) {
   return ending;
 }
 
+/// Largest distance of control points from the beginning of a path, mm: the scale of rounding
+/// errors.
+double reachOf(const DrawnPath& path) {
+  double reach = 0.0;
+  for (const DrawnPiece& piece : path.pieces)
+    for (const Vector2d& p : piece.points) reach = std::max(reach, (p - path.start()).norm());
+  return reach;
+}
+
 }  // namespace
 
 bool isDrawingFile(const std::filesystem::path& path) {
@@ -120,10 +129,8 @@ void DrawingBuilder::arc(const Vector2d& centre, const Vector2d& u, const Vector
 void DrawingBuilder::close() {
   if (!isOpen_) return;
   // Rounding in arcs must not leave a tiny line.
-  double size = 0.0;
-  for (const DrawnPiece& piece : path_.pieces)
-    for (const Vector2d& p : piece.points) size = std::max(size, (p - path_.start()).norm());
-  if (!path_.pieces.empty() && (toMm_ * start_ - path_.end()).norm() > 1e-9 * size) lineTo(start_);
+  if (!path_.pieces.empty() && (toMm_ * start_ - path_.end()).norm() > 1e-9 * reachOf(path_))
+    lineTo(start_);
   if (!path_.pieces.empty()) {
     path_.pieces.back().points[3] = path_.start();
     path_.closed = true;
@@ -136,10 +143,7 @@ void DrawingBuilder::close() {
 
 void DrawingBuilder::end() {
   if (!path_.pieces.empty()) {
-    double size = 0.0;
-    for (const DrawnPiece& piece : path_.pieces)
-      for (const Vector2d& p : piece.points) size = std::max(size, (p - path_.start()).norm());
-    if ((path_.end() - path_.start()).norm() <= 1e-9 * size) {
+    if ((path_.end() - path_.start()).norm() <= 1e-9 * reachOf(path_)) {
       path_.pieces.back().points[3] = path_.start();
       path_.closed = true;
     }

@@ -15,15 +15,16 @@ namespace palpa::modeling {
 
 /// Piece of a drawn path: a cubic Bézier curve, mm.
 struct DrawnPiece {
-  std::array<Eigen::Vector2d, 4> points;
-  bool isStraight = false;
+  std::array<Eigen::Vector2d, 4> points;  ///< control points
+  bool isStraight = false;  ///< a line from points[0] to points[3], the others at its thirds
 
+  /// Point at the parameter t in [0, 1].
   Eigen::Vector2d at(double t) const;
 };
 
-/// Pieces that follow one another. A closed path ends where it begins.
+/// Pieces, each of which begins where the one before ends. A closed path ends where it begins.
 struct DrawnPath {
-  std::vector<DrawnPiece> pieces;
+  std::vector<DrawnPiece> pieces;  ///< not empty
   bool closed = false;
   std::string layer;   ///< of the file; empty if there is none
   std::string origin;  ///< of its first piece: "line 12: LWPOLYLINE"
@@ -32,8 +33,9 @@ struct DrawnPath {
   Eigen::Vector2d end() const { return pieces.back().points.back(); }
 };
 
+/// Paths of a drawing file.
 struct Drawing {
-  std::vector<DrawnPath> paths;        ///< not empty, no path without pieces
+  std::vector<DrawnPath> paths;        ///< not empty, in the order of the file
   std::map<std::string, int> skipped;  ///< kinds of elements that are no curves, and how many
   std::string unit;                    ///< of the file, with a remark if it was assumed
 };
@@ -41,7 +43,7 @@ struct Drawing {
 inline constexpr std::size_t kMaxDrawingFile = 32UL << 20;  // bytes
 inline constexpr std::size_t kMaxDrawnPieces = 100'000;     // of one drawing
 
-/// Parts of circles and ellipses become Bézier curves within this fraction of the larger radius.
+/// Largest distance of Bézier curves from parts of circles and ellipses, over the larger radius.
 inline constexpr double kArcError = 1e-6;
 
 /// Reads the entities LINE, ARC, CIRCLE, LWPOLYLINE, POLYLINE, ELLIPSE and SPLINE of a text DXF
@@ -62,10 +64,14 @@ bool isDrawingFile(const std::filesystem::path& path);
 /// is larger than kMaxDrawingFile.
 Drawing readDrawing(const std::filesystem::path& path, const Job& job = {});
 
-/// Collects the pieces of paths for readers of files.
+/// Collects the pieces of paths for readers of files. Points are in the coordinates of the file;
+/// the map given to begin() takes them to mm. Angles in rad. Functions that add a piece throw
+/// ModelingError if the drawing has more than kMaxDrawnPieces or a coordinate is not a number or
+/// beyond kMaxLength.
 class DrawingBuilder {
  public:
-  /// Messages begin with `place`, which names the line.
+  /// Begins an element of the file and ends the path before. Messages begin with `place`, which
+  /// names the line.
   void begin(const std::string& place, const std::string& layer, const Eigen::Affine2d& toMm);
   /// Begins a path at a point.
   void moveTo(const Eigen::Vector2d& p);
@@ -81,7 +87,9 @@ class DrawingBuilder {
   void end();
 
   bool hasPath() const { return isOpen_; }
+  /// Present end of the path.
   const Eigen::Vector2d& position() const { return position_; }
+  /// Ends the path and returns all paths, which the builder then no longer has.
   std::vector<DrawnPath> take();
 
  private:

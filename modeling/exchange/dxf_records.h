@@ -13,6 +13,7 @@
 // to the text of the file. Functions throw ModelingError that names line and record.
 namespace palpa::modeling::dxf {
 
+/// Group code and value.
 struct Group {
   int code = 0;
   std::string_view value;
@@ -25,13 +26,18 @@ struct Record {
   int line = 0;
   std::vector<Group> groups;
 
+  // Values of the first group with a code. Numbers throw if the value is not a number.
+  /// Nothing if the group is missing.
   std::optional<std::string_view> text(int code) const;
   static double number(const Group& group);
   double number(int code, double otherwise) const;
+  /// Throws if the group is missing, too.
   double number(int code) const;
-  /// 0 if the group is missing.
+  /// Bits 0 … 65535; 0 if the group is missing.
   int flags(int code) const;
+  /// x and y, whose codes differ by 10. Throws if one is missing.
   Eigen::Vector2d point(int code) const { return {number(code), number(code + 10)}; }
+  /// "line 12: LWPOLYLINE", the beginning of messages.
   std::string place() const;
   [[noreturn]] void fail(const std::string& what) const;
 };
@@ -55,7 +61,7 @@ class RecordReader {
 /// A name from the file, for messages.
 std::string plainText(std::string_view text);
 
-/// Unit of $INSUNITS: its name, and its length in mm.
+/// Unit of $INSUNITS: its name, and its length in mm. Throws if it is not a length for parts.
 std::pair<std::string, double> unitNumbered(int number);
 
 }  // namespace palpa::modeling::dxf

@@ -1,15 +1,12 @@
 #include "modeling/exchange/profile_fit.h"
 
-#include <Geom2d_BSplineCurve.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array1OfPnt2d.hxx>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/shapes/opencascade_curve.h"
 #include "modeling/shapes/profile.h"
 
 namespace palpa::modeling {
@@ -166,38 +163,6 @@ Chain chainOf(const std::vector<Piece>& pieces) {
   return chain;
 }
 
-Handle(Geom2d_BSplineCurve) opencascadeCurve(const ProfileCurve& curve) {
-  std::vector<double> distinct;
-  std::vector<int> times;
-  for (double knot : curve.knots) {
-    if (distinct.empty() || knot > distinct.back()) {
-      distinct.push_back(knot);
-      times.push_back(0);
-    }
-    ++times.back();
-  }
-  TColgp_Array1OfPnt2d poles(1, static_cast<int>(curve.points.size()));
-  for (int i = 1; i <= poles.Length(); ++i)
-    poles.SetValue(i, gp_Pnt2d(curve.points[i - 1].x(), curve.points[i - 1].y()));
-  TColStd_Array1OfReal knots(1, static_cast<int>(distinct.size()));
-  TColStd_Array1OfInteger multiplicities(1, knots.Length());
-  for (int i = 1; i <= knots.Length(); ++i) {
-    knots.SetValue(i, distinct[i - 1]);
-    multiplicities.SetValue(i, times[i - 1]);
-  }
-  return new Geom2d_BSplineCurve(poles, knots, multiplicities, curve.degree);
-}
-
-ProfileCurve curveFrom(const Geom2d_BSplineCurve& curve) {
-  ProfileCurve result;
-  result.degree = curve.Degree();
-  for (int i = 1; i <= curve.NbKnots(); ++i)
-    result.knots.insert(result.knots.end(), curve.Multiplicity(i), curve.Knot(i));
-  for (int i = 1; i <= curve.NbPoles(); ++i)
-    result.points.emplace_back(curve.Pole(i).X(), curve.Pole(i).Y());
-  return result;
-}
-
 double distanceToLine(const DrawnPiece& line, const Vector2d& p) {
   const Vector2d along = line.points[3] - line.points[0];
   const double t = std::clamp(along.dot(p - line.points[0]) / along.squaredNorm(), 0.0, 1.0);
@@ -317,8 +282,8 @@ FittedProfile fitProfile(const DrawnPath& path, const FitOptions& options, const
       }
   const Chain chain = chainOf(pieces);
   const Handle(Geom2d_BSplineCurve) curve =
-      withFewKnots(opencascadeCurve(chain.curve), pieces, chain, options.tolerance, job);
-  FittedProfile result{curveFrom(*curve), deviationFromDrawing(*curve, pieces, chain)};
+      withFewKnots(makeCurve(chain.curve), pieces, chain, options.tolerance, job);
+  FittedProfile result{toProfileCurve(*curve), deviationFromDrawing(*curve, pieces, chain)};
   checkCount(result.curve.points.size(), options.tolerance);
   if (path.closed) result.curve.points.back() = result.curve.points.front();
   return result;

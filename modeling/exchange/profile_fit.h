@@ -11,6 +11,7 @@ struct FittedProfile {
   double deviation = 0.0;  ///< mm: largest distance between curve and path, from dense samples
 };
 
+/// Limits of fitProfile().
 struct FitOptions {
   double tolerance = 0.01;  ///< mm, > 0: largest distance between curve and path
   /// rad: straight lines that turn by less than this angle are taken for a drawn curve and replaced

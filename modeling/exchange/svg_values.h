@@ -9,7 +9,8 @@
 // Values of SVG attributes (SVG 1.1, sections 7.6, 8.3 and 4.2).
 namespace palpa::modeling {
 
-/// Cursor over the numbers, letters and flags of an attribute's value.
+/// Cursor over the numbers, letters and flags of an attribute's value. Reading functions skip
+/// separators first and throw ModelingError that names the character.
 class SvgCursor {
  public:
   explicit SvgCursor(std::string_view text) : text_(text), all_(text.size()) {}
@@ -22,11 +23,10 @@ class SvgCursor {
   char take();
   /// True if a number begins here.
   bool hasNumber();
-  /// Throws ModelingError that names the character.
   double number();
-  /// The digit 0 or 1 of an arc, which needs no separator.
+  /// The digit 0 or 1 of an arc, which needs no separator after it.
   bool flag();
-  /// Letters from here on.
+  /// The word of letters that begins here; may be empty.
   std::string_view name();
   void expect(char c);
   [[noreturn]] void fail(const std::string& what) const;
@@ -40,10 +40,10 @@ class SvgCursor {
 /// relative units (%, em, …).
 double svgLength(std::string_view text);
 
-/// Map of a transform attribute. Throws ModelingError.
+/// Map of a transform attribute, in px. Throws ModelingError.
 Eigen::Affine2d svgTransform(std::string_view text);
 
-/// Adds the paths of a path attribute (d). Throws ModelingError.
+/// Adds the paths of a path attribute (d), in px. Throws ModelingError.
 void addSvgPath(DrawingBuilder& builder, std::string_view text);
 
 }  // namespace palpa::modeling

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "modeling/error.h"
+#include "modeling/measure/measured_angle.h"
 #include "modeling/measure/measured_surface.h"
 
 namespace palpa::modeling {
@@ -15,19 +15,14 @@ namespace {
 using Eigen::Vector3d;
 using What = MeasuredPlace::What;
 
-constexpr double kRounding = 1e-12;  // relative
 /// A ray from the surface has left it after this part of the body's size.
 constexpr double kOffSurface = 1e-6;
 
 /// Sine of the angle between a contact of a ball and the tangent plane that is no contact.
 constexpr double kKink = 0.02;
 
-double angleBetween(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 /// Nearest points of two places. The pairs of samples with the smallest distances begin alternating
-/// projections, which end when both points rest.
+/// projections, which end when both points stop moving.
 class ClosestPair {
  public:
   ClosestPair(const MeasuredSurface& surface, const MeasuredPlace& a, const MeasuredPlace& b)
@@ -49,7 +44,7 @@ class ClosestPair {
   MeasuredValue value() const {
     MeasuredValue value;
     value.value = (points_[1] - points_[0]).norm();
-    value.accuracy = accuracy_ + kRounding * surface_.size();
+    value.accuracy = accuracy_ + kMeasuredRounding * surface_.size();
     value.points = {points_[0], points_[1]};
     return value;
   }
@@ -59,7 +54,7 @@ class ClosestPair {
     constexpr int kMaxSteps = 200;
     Vector3d q = surface_.nearestOn(b_, p);
     double moved = std::numeric_limits<double>::infinity(), fell = 0;
-    for (int step = 0; step < kMaxSteps && moved > kRounding * surface_.size(); ++step) {
+    for (int step = 0; step < kMaxSteps && moved > kMeasuredRounding * surface_.size(); ++step) {
       const double before = (q - p).norm();
       const Vector3d next = surface_.nearestOn(a_, q);
       moved = (next - p).norm();
@@ -72,7 +67,7 @@ class ClosestPair {
     least_ = distance;
     points_ = {p, q};
     // Each step falls by at most the last fall; a slow end falls by as much again over all steps.
-    accuracy_ = moved > kRounding * surface_.size() ? kMaxSteps * std::max(fell, 0.0) : 0;
+    accuracy_ = moved > kMeasuredRounding * surface_.size() ? kMaxSteps * std::max(fell, 0.0) : 0;
   }
 
   const MeasuredSurface& surface_;
@@ -91,113 +86,6 @@ MeasuredValue lengthOf(const MeasuredSurface& surface, const MeasuredPlace& plac
   value.accuracy = line.accuracy;
   value.points = std::move(line.points);
   return value;
-}
-
-/// Angle at a corner between the directions of two points.
-MeasuredValue cornerAngle(const Vector3d& corner, const Vector3d& a, const Vector3d& b,
-                          double size) {
-  const Vector3d u = a - corner, v = b - corner;
-  const double shorter = std::min(u.norm(), v.norm());
-  if (!(shorter > 1e-9 * size))
-    throw ModelingError("angle: two of its points are at one place; choose three different points");
-  MeasuredValue value;
-  value.value = angleBetween(u, v);
-  value.accuracy = kRounding * size / shorter;
-  value.points = {corner, a, b};
-  return value;
-}
-
-/// Angle between two tangent planes through the material: π minus the angle of the outward normals.
-MeasuredValue faceAngle(const PlacePoint& a, const PlacePoint& b, double size) {
-  MeasuredValue value;
-  value.value = std::numbers::pi - angleBetween(a.normal, b.normal);
-  value.accuracy = 10 * kRounding;
-  const Vector3d along = a.normal.cross(b.normal);
-  if (along.norm() < 1e-6) {  // parallel
-    value.points = {a.position, b.position};
-    return value;
-  }
-  // The point of the common line of both planes that is nearest to the middle of both places.
-  const Vector3d axis = along.normalized();
-  const Vector3d middle = 0.5 * (a.position + b.position);
-  Eigen::Matrix3d planes;
-  planes << a.normal.transpose(), b.normal.transpose(), axis.transpose();
-  const Vector3d corner = planes.fullPivLu().solve(
-      Vector3d(a.normal.dot(a.position), b.normal.dot(b.position), axis.dot(middle)));
-  const auto arm = [&](const PlacePoint& place) {
-    const Vector3d way = place.position - corner;
-    return Vector3d(way - axis.dot(way) * axis);
-  };
-  Vector3d first = arm(a), second = arm(b);
-  const double least = 0.02 * size;
-  if (first.norm() < least && second.norm() < least) {
-    // Both places lie at the corner: the arms leave it into the faces.
-    first = least * axis.cross(a.normal);
-    second = -least * axis.cross(b.normal);
-  } else if (first.norm() < least) {
-    first = second.norm() * axis.cross(a.normal);
-    if (std::abs(angleBetween(first, second) - value.value) > 1e-6) first = -first;
-  } else if (second.norm() < least) {
-    second = first.norm() * axis.cross(b.normal);
-  }
-  if (std::abs(angleBetween(first, second) - value.value) > 1e-6) second = -second;
-  value.points = {corner, corner + first, corner + second};
-  return value;
-}
-
-/// Angle of two edges: away from a common end, else the smaller one between their tangents.
-MeasuredValue edgeAngle(const MeasuredSurface& surface, const MeasuredPlace& a,
-                        const MeasuredPlace& b) {
-  const EdgePoint p = surface.edgeAt(a), q = surface.edgeAt(b);
-  const auto ends = [&](const MeasuredPlace& place) {
-    const std::vector<Vector3d> line = surface.edge(place).points;
-    return std::array{line.front(), line.back()};
-  };
-  const std::array<Vector3d, 2> from = ends(a), to = ends(b);
-  Vector3d u = p.tangent, v = q.tangent;
-  MeasuredValue value;
-  value.accuracy = 10 * kRounding;
-  for (int i = 0; i < 2; ++i)
-    for (int k = 0; k < 2; ++k) {
-      if ((from[i] - to[k]).norm() > 1e-9 * surface.size()) continue;
-      if (u.dot(from[1 - i] - from[i]) < 0) u = -u;
-      if (v.dot(to[1 - k] - to[k]) < 0) v = -v;
-      value.value = angleBetween(u, v);
-      const double length = std::max((p.position - from[i]).norm(), 0.05 * surface.size());
-      value.points = {from[i], from[i] + length * u, from[i] + length * v};
-      return value;
-    }
-  if (u.dot(v) < 0) v = -v;
-  value.value = angleBetween(u, v);
-  const double length = 0.5 * (q.position - p.position).norm() + 0.05 * surface.size();
-  value.points = {p.position, p.position + length * u, p.position + length * v};
-  return value;
-}
-
-MeasuredValue edgeAndFaceAngle(const EdgePoint& edge, const PlacePoint& face, double size) {
-  const Vector3d flat = edge.tangent - edge.tangent.dot(face.normal) * face.normal;
-  MeasuredValue value;
-  value.value = std::atan2(std::abs(edge.tangent.dot(face.normal)), flat.norm());
-  value.accuracy = 10 * kRounding;
-  const double length = 0.15 * size;
-  const Vector3d way =
-      flat.norm() > 1e-9 ? Vector3d(flat.normalized()) : face.normal.unitOrthogonal();
-  value.points = {edge.position, edge.position + length * edge.tangent,
-                  edge.position + length * way};
-  return value;
-}
-
-MeasuredValue angleOf(const MeasuredSurface& surface, const std::vector<MeasuredPlace>& places) {
-  if (places.size() == 3)
-    return cornerAngle(surface.at(places[1]).position, surface.at(places[0]).position,
-                       surface.at(places[2]).position, surface.size());
-  const MeasuredPlace &a = places[0], &b = places[1];
-  if (a.what == What::kFace && b.what == What::kFace)
-    return faceAngle(surface.at(a), surface.at(b), surface.size());
-  if (a.what == What::kEdge && b.what == What::kEdge) return edgeAngle(surface, a, b);
-  const bool edgeFirst = a.what == What::kEdge;
-  return edgeAndFaceAngle(surface.edgeAt(edgeFirst ? a : b), surface.at(edgeFirst ? b : a),
-                          surface.size());
 }
 
 /// Diameter of the largest ball that touches the surface at the place from inside: a ball on the
@@ -238,7 +126,7 @@ MeasuredValue thicknessOf(const MeasuredSurface& surface, const MeasuredPlace& p
                         "\": no surface lies opposite to the place; measure beside it");
   MeasuredValue value;
   value.value = *hit;
-  value.accuracy = 10 * kRounding * surface.size();
+  value.accuracy = 10 * kMeasuredRounding * surface.size();
   value.second = inscribedDiameter(surface, place, *hit);
   value.points = {p.position, p.position - *hit * p.normal};
   return value;

@@ -65,7 +65,7 @@ std::optional<MeshEdge> MeshEdges::at(int face, int other, const Vector3d& point
   const auto continues = [&](std::size_t a, std::size_t b) {  // b follows a
     const Vector3d u = p[segments[a][1]] - p[segments[a][0]];
     const Vector3d v = p[segments[b][1]] - p[segments[b][0]];
-    return std::atan2(u.cross(v).norm(), u.dot(v)) < kSharpAngle * std::numbers::pi / 180.0;
+    return std::atan2(u.cross(v).norm(), u.dot(v)) < kSharpEdgeDegrees * std::numbers::pi / 180.0;
   };
   std::vector<std::size_t> list{first};
   bool isClosed = false;

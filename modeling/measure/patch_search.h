@@ -16,7 +16,7 @@ struct PatchJet {
   Eigen::Vector3d position, u, v, uu, uv, vv;
 };
 
-/// Point of a patch; u and v in the ranges of its knots.
+/// Point of a patch; u and v in the ranges of its knots, position in mm.
 struct PatchPoint {
   int patch = -1;
   Eigen::Vector2d uv = Eigen::Vector2d::Zero();
@@ -34,8 +34,9 @@ class PatchSearch {
   ~PatchSearch();
 
   int patchCount() const;
+  /// First and last knot of a direction: 0 for u, 1 for v.
   std::array<double, 2> range(int patch, int direction) const;
-  /// Distinct knots.
+  /// Distinct knots, which bound the polynomial spans.
   const std::vector<double>& spans(int patch, int direction) const;
   PatchJet jet(int patch, const Eigen::Vector2d& uv) const;
   Eigen::Vector3d position(int patch, const Eigen::Vector2d& uv) const;
@@ -43,7 +44,7 @@ class PatchSearch {
   /// Nearest point on a patch, or on all.
   PatchPoint nearest(int patch, const Eigen::Vector3d& x) const;
   PatchPoint nearest(const Eigen::Vector3d& x) const;
-  /// Smallest s > `least` with origin + s direction on a patch.
+  /// Smallest s > `least` with origin + s direction on a patch; unit direction, mm.
   std::optional<double> firstHit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                  double least) const;
 

@@ -12,7 +12,7 @@ struct RoundFit {
   double radius = 0;                                 ///< mm
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of a cylinder: a point of the axis
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();    ///< of a circle its normal; unit; zero: sphere
-  double deviation = 0;
+  double deviation = 0;                              ///< mm
 };
 
 /// Largest distance of the points from their plane of least squares, mm.

@@ -112,9 +112,25 @@ SurfaceMesh finish(WorkMesh& work, const Counts& counts, std::span<const MeshReg
   return mesh;
 }
 
-void refine(MeshEditor& editor, const MeshSettings& settings, std::uint64_t borders,
-            const std::set<int>& borderPatches) {
-  if (settings.refinementLevels == 0) return;
+/// Refines towards the foci; true if there are any.
+bool refineAtFoci(MeshEditor& editor, const MeshSettings& settings,
+                  std::span<const MeshFocus> foci) {
+  bool hasAny = false;
+  for (const MeshFocus& focus : foci) {
+    if (focus.edgeLength >= settings.edgeLength) continue;
+    hasAny = true;
+    refineTowards(
+        editor,
+        [&](int a, int b) { return isAtFocus(focus, editor.position(a), editor.position(b)); },
+        focus.edgeLength, settings.edgeLength);
+  }
+  return hasAny;
+}
+
+/// True if there are features to refine towards.
+bool refineAtFeatures(MeshEditor& editor, const MeshSettings& settings, std::uint64_t borders,
+                      const std::set<int>& borderPatches) {
+  if (settings.refinementLevels == 0) return false;
   const WorkMesh& work = editor.mesh();
   const std::vector<bool> sharp = sharpEdges(*work.solid, *work.surface);
   const auto isSource = [&](int a, int b) {
@@ -130,24 +146,28 @@ void refine(MeshEditor& editor, const MeshSettings& settings, std::uint64_t bord
   };
   refineTowards(editor, isSource, std::ldexp(settings.edgeLength, -settings.refinementLevels),
                 settings.edgeLength);
-  improveShapes(editor);
+  return true;
 }
 
 }  // namespace
 
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions) {
+                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci) {
+  // Right triangles with legs of the edge length, bisected once more than needed half of the time.
+  constexpr double kAreaPerNode = 0.7;
   settings.validate();
   const SurfaceEvaluator surface(solid);
   const Counts counts = subdivisionCounts(solid, surface, patchEdgeLengths(solid, settings));
   const double plain = structuredNodeCount(solid, counts) + narrowPatchNodes(surface, counts) +
-                       strokeNodes(surface, settings, regions);
+                       strokeNodes(surface, settings, regions) +
+                       focusNodes(foci, settings.edgeLength, kAreaPerNode);
   if (settings.refinementLevels == 0) return plain;
   return plain + refinementNodes(solid, surface, settings, regions);
 }
 
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions, const Job& job) {
+                 std::span<const MeshRegion> regions, const Job& job,
+                 std::span<const MeshFocus> foci) {
   const auto report = [&](double fraction) {
     job.throwIfCancelled();
     job.report(Phase::kMesh, fraction);
@@ -158,7 +178,7 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
     if (!solid.findPatch(name))
       throw ModelingError("mesh.patch_factors: there is no patch \"" + name +
                           "\"; the patches are " + quotedPatchNames(solid));
-  const double expected = estimateNodeCount(solid, settings, regions);
+  const double expected = estimateNodeCount(solid, settings, regions, foci);
   if (expected > kMaxNodes)
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
                             " mm would need about " + estimateText(expected) + " nodes; at most " +
@@ -181,7 +201,9 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   closeWedges(editor, std::ldexp(kBorderError * shortest, -levels));
   relieveSlivers(editor);
   report(0.6);
-  refine(editor, settings, refinedBorders(regions, borders), refinedPatches(regions, solid));
+  const bool isGraded = refineAtFeatures(editor, settings, refinedBorders(regions, borders),
+                                         refinedPatches(regions, solid));
+  if (refineAtFoci(editor, settings, foci) || isGraded) improveShapes(editor);
   report(0.9);
   WorkMesh work = editor.take();
   SurfaceMesh result = finish(work, counts, regions, borders);

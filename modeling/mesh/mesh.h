@@ -4,6 +4,7 @@
 
 #include "base/job.h"
 #include "modeling/body/body.h"
+#include "modeling/mesh/mesh_focus.h"
 #include "modeling/mesh/mesh_settings.h"
 #include "modeling/mesh/surface_mesh.h"
 
@@ -22,12 +23,15 @@ inline constexpr double kMaxVolumeChange = 0.5;
 /// a half space or painting becomes a chain of mesh edges, so that each triangle lies on one side
 /// of it. With refinement the edge length falls linearly towards sharp edges or borders.
 ///
+/// Around foci the edge length falls likewise, if it is not shorter anyway.
+///
 /// Throws ModelingError if settings are out of range, patchFactors has an unknown patch, a region
 /// (the message names it) selects nothing or nothing wider than a quarter of the edge length, or
 /// more than kMaxNodes nodes are needed (checked before allocation). Throws Cancelled. Progress has
 /// the phase "mesh".
 SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions = {}, const Job& job = {});
+                 std::span<const MeshRegion> regions = {}, const Job& job = {},
+                 std::span<const MeshFocus> foci = {});
 
 /// New triangulation of the surface of a mesh body with the given edge length. Nodes lie on the
 /// body's triangles, have no parameters (the list is empty) and follow a space filling curve. Sharp
@@ -37,7 +41,8 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
 /// ModelingError also if the edge length is too coarse for the body: the volume would change by
 /// more than kMaxVolumeChange.
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions = {}, const Job& job = {});
+                 std::span<const MeshRegion> regions = {}, const Job& job = {},
+                 std::span<const MeshFocus> foci = {});
 
 /// The engine that `wanted` stands for on a body.
 Engine engineFor(const Body& body, Engine wanted);
@@ -45,18 +50,22 @@ Engine engineFor(const Body& body, Engine wanted);
 /// Mesh of either kind of body for the engine of the settings: quadraticMesh() of a mesh with twice
 /// the edge length for quadratic triangles.
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions = {}, const Job& job = {});
+                 std::span<const MeshRegion> regions = {}, const Job& job = {},
+                 std::span<const MeshFocus> foci = {});
 
 /// Approximate number of nodes of mesh(). Error: 5 % without refinement, about 40 % with refinement
 /// or strokes (overlaps count twice), a factor of about four if patches are so narrow that cells
 /// must be cut. Infinite for absurdly small edge lengths. Cost: milliseconds, negligible memory.
 /// Throws ModelingError as validate() and checkRegion().
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions = {});
+                         std::span<const MeshRegion> regions = {},
+                         std::span<const MeshFocus> foci = {});
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions = {});
-/// The same for the engine of the settings.
+                         std::span<const MeshRegion> regions = {},
+                         std::span<const MeshFocus> foci = {});
+/// The same for the engine of the settings. Foci that overlap count several times.
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions = {});
+                         std::span<const MeshRegion> regions = {},
+                         std::span<const MeshFocus> foci = {});
 
 }  // namespace palpa::modeling

@@ -121,7 +121,8 @@ double finestLength(const MeshSettings& settings) {
 }
 
 SizeField sizeField(const TaggedSurface& surface, const MeshSettings& settings,
-                    const RefinedFeatures& refined, const std::vector<RegionBorder>& borders) {
+                    const RefinedFeatures& refined, const std::vector<RegionBorder>& borders,
+                    std::span<const MeshFocus> foci) {
   SizeField sizes(settings.edgeLength / kMeanEdge);
   forThinStrokes(surface, borders, settings.edgeLength,
                  [&](const Vector3d& a, const Vector3d& b, double length) {
@@ -131,6 +132,11 @@ SizeField sizeField(const TaggedSurface& surface, const MeshSettings& settings,
     forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
       sizes.addSource(a, b, finestLength(settings) / kMeanEdge);
     });
+  for (const auto& [center, radius, length] : foci)
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector3d reach = radius / 2 * Vector3d::Unit(axis);
+      sizes.addSource(center - reach, center + reach, length / kMeanEdge);
+    }
   sizes.update();
   return sizes;
 }
@@ -209,14 +215,21 @@ MeshSettings ofQuadraticCorners(MeshSettings settings) {
   return settings;
 }
 
+std::vector<MeshFocus> ofQuadraticCorners(std::span<const MeshFocus> foci) {
+  std::vector<MeshFocus> doubled(foci.begin(), foci.end());
+  for (MeshFocus& focus : doubled) focus.edgeLength *= 2;
+  return doubled;
+}
+
 }  // namespace
 
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions) {
+                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci) {
   settings.validate();
   for (const MeshRegion& region : regions) checkRegion(region.where, body, region.name);
   const double h = settings.edgeLength;
-  const double plain = area(body) / (kAreaPerNode * h * h) + 2.0;
+  const double plain =
+      area(body) / (kAreaPerNode * h * h) + 2.0 + focusNodes(foci, h, kAreaPerNode);
   const std::vector<RegionBorder> borders = distinctBorders(regions);
   if (settings.refinementLevels == 0 && !anyPainted(borders)) return plain;
   const RefinedFeatures refined(body, settings, regions, borders);
@@ -228,6 +241,7 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
   const TaggedSurface surface = cutSurface(body, settings, borders);
   double more = 0.0;
   double finest = h;
+  for (const MeshFocus& focus : foci) finest = std::min(finest, focus.edgeLength);
   forThinStrokes(surface, borders, h, [&](const Vector3d& a, const Vector3d& b, double length) {
     more += (b - a).norm() * perLength(length);
     finest = std::min(finest, length);
@@ -242,9 +256,10 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
 }
 
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions, const Job& job) {
+                 std::span<const MeshRegion> regions, const Job& job,
+                 std::span<const MeshFocus> foci) {
   job.report(Phase::kMesh, 0.0);
-  const double expected = estimateNodeCount(body, settings, regions);
+  const double expected = estimateNodeCount(body, settings, regions, foci);
   if (!(expected <= kMaxNodes))
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
                             " mm would need about " + estimateText(expected) + " nodes; at most " +
@@ -259,7 +274,8 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
   const Job remeshing{job.stop,
                       [&job](Phase phase, double done) { job.report(phase, 0.1 + 0.85 * done); },
                       job.threads};
-  TaggedSurface surface = remesh(original, sizeField(original, used, refined, borders), remeshing);
+  TaggedSurface surface =
+      remesh(original, sizeField(original, used, refined, borders, foci), remeshing);
   checkVolume(surface, body, settings.edgeLength);
   renumber(surface);
   SurfaceMesh mesh;
@@ -284,22 +300,29 @@ Engine engineFor(const Body& body, Engine wanted) {
 }
 
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
-                 std::span<const MeshRegion> regions, const Job& job) {
-  const auto meshed = [&](const MeshSettings& of) {
-    return std::visit([&](const auto& one) { return mesh(one, of, regions, job); }, body);
+                 std::span<const MeshRegion> regions, const Job& job,
+                 std::span<const MeshFocus> foci) {
+  const auto meshed = [&](const MeshSettings& of, std::span<const MeshFocus> at) {
+    return std::visit([&](const auto& one) { return mesh(one, of, regions, job, at); }, body);
   };
-  if (engineFor(body, settings.engine) != Engine::kQuadratic) return meshed(settings);
-  return quadraticMesh(meshed(ofQuadraticCorners(settings)), body);
+  if (engineFor(body, settings.engine) != Engine::kQuadratic) return meshed(settings, foci);
+  const SurfaceMesh corners = meshed(ofQuadraticCorners(settings), ofQuadraticCorners(foci));
+  std::vector<bool> isSupported(corners.triangles.size(), false);
+  for (std::size_t k = 0; k < regions.size(); ++k)
+    if (regions[k].isSupport)
+      for (const int t : corners.trianglesOfRegion[k]) isSupported[t] = true;
+  return quadraticMesh(corners, body, isSupported);
 }
 
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions) {
-  const auto estimated = [&](const MeshSettings& of) {
-    return std::visit([&](const auto& one) { return estimateNodeCount(one, of, regions); }, body);
+                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci) {
+  const auto estimated = [&](const MeshSettings& of, std::span<const MeshFocus> at) {
+    return std::visit([&](const auto& one) { return estimateNodeCount(one, of, regions, at); },
+                      body);
   };
-  if (engineFor(body, settings.engine) != Engine::kQuadratic) return estimated(settings);
+  if (engineFor(body, settings.engine) != Engine::kQuadratic) return estimated(settings, foci);
   // A closed surface has three edges for every node.
-  return 4 * estimated(ofQuadraticCorners(settings));
+  return 4 * estimated(ofQuadraticCorners(settings), ofQuadraticCorners(foci));
 }
 
 }  // namespace palpa::modeling

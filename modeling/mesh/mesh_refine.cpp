@@ -45,7 +45,7 @@ std::vector<double> distances(const MeshEditor& editor,
     if (i % kCheckpoint == 0) editor.checkpoint();
     const int node = static_cast<int>(i);
     if (editor.around(node).empty()) continue;
-    for (int other : editor.interfaceNeighbours(node))
+    for (int other : editor.neighbours(node))
       if (isSource(node, other)) {
         distance[i] = 0.0;
         queue.emplace(0.0, node);

@@ -72,7 +72,7 @@ std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
                              const std::vector<RegionBorder>& borders) {
   std::uint64_t bits = 0;
   for (const MeshRegion& region : regions)
-    if (region.refineBorder)
+    if (region.isSupport)
       bits |= bitsOf(region.where.parts, borders) | bitsOf(region.where.except, borders);
   return bits;
 }
@@ -81,7 +81,7 @@ std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Body& bo
   std::set<int> patches;
   for (const MeshRegion& region : regions)
     for (const RegionPart& part : region.where.parts)
-      if (const auto* set = std::get_if<PatchSet>(&part); set && region.refineBorder)
+      if (const auto* set = std::get_if<PatchSet>(&part); set && region.isSupport)
         for (const std::string& name : set->patches) patches.insert(*findPatch(body, name));
   return patches;
 }

@@ -23,11 +23,11 @@ std::vector<int> trianglesOf(const MeshRegion& region, const Body& body,
                              const std::vector<std::uint64_t>& insideOfTriangle,
                              const std::vector<RegionBorder>& borders);
 
-/// Set of the borders that belong to a region with refineBorder.
+/// Set of the borders that belong to a region with isSupport.
 std::uint64_t refinedBorders(std::span<const MeshRegion> regions,
                              const std::vector<RegionBorder>& borders);
 
-/// Patches named in a region with refineBorder. Their outer edges are borders, too.
+/// Patches named in a region with isSupport. Their outer edges are borders, too.
 std::set<int> refinedPatches(std::span<const MeshRegion> regions, const Body& body);
 
 }  // namespace palpa::modeling

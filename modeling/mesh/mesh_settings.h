@@ -20,7 +20,7 @@ struct MeshSettings {
   double edgeLength = 5.0;
   int refinementLevels = 0;  ///< 0 … 6: the finest size is edgeLength / 2^levels
   bool refineAtSharpEdges = false;
-  bool refineAtBorders = false;  ///< along the borders of regions with refineBorder
+  bool refineAtBorders = false;  ///< along the borders of regions with isSupport
   /// Factor of edge and element lengths by patch name, 0.05 … 20; 1 for all other patches. The
   /// surrounding patches get as many pieces as needed to fit.
   std::map<std::string, double> patchFactors{};
@@ -47,7 +47,9 @@ struct MeshSettings {
 struct MeshRegion {
   std::string name;
   Region where;
-  bool refineBorder = true;
+  /// At the border of a support the mesh is refined (MeshSettings::refinementLevels), and quadratic
+  /// triangles have unbounded tractions.
+  bool isSupport = true;
 };
 
 }  // namespace palpa::modeling

@@ -6,6 +6,7 @@
 #include <bit>
 #include <map>
 
+#include "base/support_border.h"
 #include "modeling/mesh/border_slide.h"
 #include "modeling/mesh/nearest_point.h"
 #include "modeling/mesh/node_place.h"
@@ -20,6 +21,7 @@ using Eigen::Vector3d;
 struct MeshEdge {
   int from = -1, to = -1;     ///< nodes; counter-clockwise in `left`
   int left = -1, right = -1;  ///< triangles
+  double share = 0.5;         ///< of the middle node, from `from` to `to`
   std::vector<const RegionBorder*> borders;
 };
 
@@ -28,14 +30,24 @@ struct Middle {
   SurfaceParameter parameter{};
 };
 
-std::map<std::pair<int, int>, MeshEdge> edgesOf(const SurfaceMesh& mesh) {
+double shareOf(const std::vector<bool>& isBorderVertex, int from, int to) {
+  if (isBorderVertex[from] == isBorderVertex[to]) return 0.5;
+  return isBorderVertex[from] ? kBorderEdgeShare : 1 - kBorderEdgeShare;
+}
+
+Vector3d straight(const SurfaceMesh& mesh, const MeshEdge& edge) {
+  return (1 - edge.share) * mesh.positions[edge.from] + edge.share * mesh.positions[edge.to];
+}
+
+std::map<std::pair<int, int>, MeshEdge> edgesOf(const SurfaceMesh& mesh,
+                                                const std::vector<bool>& isBorderVertex) {
   std::map<std::pair<int, int>, MeshEdge> edges;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int from = mesh.triangles[t][k], to = mesh.triangles[t][(k + 1) % 3];
       MeshEdge& edge = edges[std::minmax(from, to)];
       if (edge.left < 0)
-        edge = {from, to, static_cast<int>(t), -1, {}};
+        edge = {from, to, static_cast<int>(t), -1, shareOf(isBorderVertex, from, to), {}};
       else
         edge.right = static_cast<int>(t);
     }
@@ -63,7 +75,7 @@ class OnSolid {
       : mesh_(mesh), solid_(solid), surface_(solid), tolerance_(kConverged * diagonal(mesh)) {}
 
   Middle middleOf(const MeshEdge& edge) const {
-    const Vector3d wanted = (mesh_.positions[edge.from] + mesh_.positions[edge.to]) / 2;
+    const Vector3d wanted = straight(mesh_, edge);
     const bool onLeft = mesh_.patchOfTriangle[edge.left] <= mesh_.patchOfTriangle[edge.right];
     const int triangle = onLeft ? edge.left : edge.right;
     const auto& nodes = mesh_.triangles[triangle];
@@ -75,7 +87,8 @@ class OnSolid {
       return corners[std::find(nodes.begin(), nodes.end(), node) - nodes.begin()];
     };
     const SurfaceParameter a = cornerOf(edge.from), b = cornerOf(edge.to);
-    const SurfaceParameter start{a.patch, (a.u + b.u) / 2, (a.v + b.v) / 2};
+    const SurfaceParameter start{a.patch, a.u + edge.share * (b.u - a.u),
+                                 a.v + edge.share * (b.v - a.v)};
     const bool onSide = isOnSide(a, b);
     SurfaceParameter at = towards(wanted, start, onSide);
     if (!edge.borders.empty() && !slideOntoBorders(surface_, onSide, edge.borders, tolerance_, at))
@@ -138,7 +151,7 @@ class OnMeshBody {
 
   Middle middleOf(const MeshEdge& edge) const {
     constexpr int kSteps = 8;
-    const Vector3d start = (mesh_.positions[edge.from] + mesh_.positions[edge.to]) / 2;
+    const Vector3d start = straight(mesh_, edge);
     const auto onBody = [&](const Vector3d& x) {
       return isFeature(edge) ? onFeature(edge, x) : nearest_.nearest(x);
     };
@@ -223,10 +236,18 @@ bool isFolded(const std::array<Vector3d, 6>& x) {
   });
 }
 
+/// The middle of the quadratic curve through the nodes of an edge.
+Vector3d curveMiddle(const Vector3d& from, const Vector3d& node, const Vector3d& to, double share) {
+  if (share == 0.5) return node;
+  const double a = share, weight = 1 / (4 * a * (1 - a));
+  return (2 * a - 1) / (4 * a) * from + weight * node + (1 - 2 * a) / (4 * (1 - a)) * to;
+}
+
 template <class OnBody>
-SurfaceMesh withMiddles(const SurfaceMesh& corners, const OnBody& onBody) {
+SurfaceMesh withMiddles(const SurfaceMesh& corners, const std::vector<bool>& isBorderVertex,
+                        const OnBody& onBody) {
   SurfaceMesh mesh = corners;
-  const auto edges = edgesOf(corners);
+  const auto edges = edgesOf(corners, isBorderVertex);
   std::map<std::pair<int, int>, int> nodeOf;
   for (const auto& [nodes, edge] : edges) {
     nodeOf[nodes] = static_cast<int>(mesh.positions.size());
@@ -234,6 +255,9 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const OnBody& onBody) {
     mesh.positions.push_back(middle.position);
     if (!corners.parameters.empty()) mesh.parameters.push_back(middle.parameter);
   }
+  const auto shareIn = [&](const std::array<int, 6>& element, int k) {
+    return shareOf(isBorderVertex, element[k], element[(k + 1) % 3]);
+  };
   std::vector<std::array<int, 6>> elements;
   for (const auto& t : corners.triangles) {
     std::array<int, 6>& element = elements.emplace_back();
@@ -247,12 +271,20 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const OnBody& onBody) {
     hasChanged = false;
     for (const auto& element : elements) {
       std::array<Vector3d, 6> x;
-      for (int k = 0; k < 6; ++k) x[k] = mesh.positions[element[k]];
+      for (int k = 0; k < 3; ++k) x[k] = mesh.positions[element[k]];
+      for (int k = 0; k < 3; ++k)
+        x[3 + k] =
+            curveMiddle(x[k], mesh.positions[element[3 + k]], x[(k + 1) % 3], shareIn(element, k));
       if (!isFolded(x)) continue;
       for (int k = 0; k < 3; ++k) {
-        const Vector3d straight = (x[k] + x[(k + 1) % 3]) / 2;
-        hasChanged = hasChanged || straight != x[3 + k];
-        mesh.positions[element[3 + k]] = straight;
+        // From the smaller index, to the same bits in both elements of the edge.
+        const bool isUp = element[k] < element[(k + 1) % 3];
+        const int from = isUp ? k : (k + 1) % 3, to = isUp ? (k + 1) % 3 : k;
+        const double share = shareOf(isBorderVertex, element[from], element[to]);
+        const Vector3d onEdge = (1 - share) * x[from] + share * x[to];
+        Vector3d& node = mesh.positions[element[3 + k]];
+        hasChanged = hasChanged || onEdge != node;
+        node = onEdge;
       }
     }
   }
@@ -281,10 +313,15 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const OnBody& onBody) {
 
 }  // namespace
 
-SurfaceMesh quadraticMesh(const SurfaceMesh& corners, const Body& body) {
+SurfaceMesh quadraticMesh(const SurfaceMesh& corners, const Body& body,
+                          const std::vector<bool>& isSupported) {
+  const auto vertexCount = static_cast<int>(corners.positions.size());
+  const std::vector<bool> isBorderVertex =
+      isSupported.empty() ? std::vector<bool>(corners.positions.size(), false)
+                          : supportBorderVertices(corners.triangles, isSupported, vertexCount);
   if (const auto* solid = std::get_if<Solid>(&body))
-    return withMiddles(corners, OnSolid(corners, *solid));
-  return withMiddles(corners, OnMeshBody(corners, std::get<MeshBody>(body)));
+    return withMiddles(corners, isBorderVertex, OnSolid(corners, *solid));
+  return withMiddles(corners, isBorderVertex, OnMeshBody(corners, std::get<MeshBody>(body)));
 }
 
 }  // namespace palpa::modeling

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "modeling/body/body.h"
 #include "modeling/mesh/surface_mesh.h"
 
@@ -10,10 +12,13 @@ namespace palpa::modeling {
 /// (a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca) with the middle nodes ab, bc, ca of its
 /// edges. The nodes of `corners`, a mesh of this body, keep their numbers.
 ///
-/// Middle nodes lie on the true surface near the middle of their edge: on edges of patches and
-/// faces, and on the borders of regions, where their edge does. Where an element would be folded,
-/// the middle nodes of its edges are moved to the middles of the edges. Cost: about 5 µs per
-/// triangle.
-SurfaceMesh quadraticMesh(const SurfaceMesh& corners, const Body& body);
+/// Middle nodes lie on the true surface near the middle of their edge, or near the quarter at the
+/// border of a support (base/support_border.h): on edges of patches and faces, and on the borders
+/// of regions, where their edge does. Where an element would be folded, the middle nodes of its
+/// edges are moved onto the straight edges. Cost: about 5 µs per triangle.
+///
+/// `isSupported`: per triangle of `corners`, true in supports; empty: nowhere.
+SurfaceMesh quadraticMesh(const SurfaceMesh& corners, const Body& body,
+                          const std::vector<bool>& isSupported = {});
 
 }  // namespace palpa::modeling

@@ -90,7 +90,7 @@ double refinementNodes(const Solid& solid, const SurfaceEvaluator& surface,
       if ((refined >> k) & 1) length += borderLength(surface, borders[k]);
     for (const MeshRegion& region : regions)
       for (const RegionPart& part : region.where.parts) {
-        if (!region.refineBorder) continue;
+        if (!region.isSupport) continue;
         if (const auto* set = std::get_if<PatchSet>(&part))
           for (const std::string& name : set->patches) patches.insert(*solid.findPatch(name));
       }

@@ -14,4 +14,8 @@ inline constexpr double kMaxShoreA = 80;
 /// Rubber Chem. Technol. 31 (1958) 896-906. `hardness` < 100.
 double youngsModulusOfShoreA(double hardness);
 
+/// youngsModulusOfShoreA() rounded to four digits, which are more than the estimate has: the value
+/// that the window and the command line enter.
+double estimatedModulusOfShoreA(double hardness);
+
 }  // namespace palpa::modeling

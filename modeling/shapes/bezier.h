@@ -5,7 +5,9 @@
 
 namespace palpa::modeling {
 
-/// Control points of the same Bézier curve with one degree more.
+/// Control points of the same Bézier curve with one degree more: n + 1 of n, with
+///   q_i = i / n p_(i-1) + (1 - i / n) p_i
+/// (Piegl and Tiller, The NURBS Book, section 5.5).
 inline std::vector<Eigen::Vector2d> elevatedOnce(const std::vector<Eigen::Vector2d>& points) {
   const double count = static_cast<double>(points.size());
   std::vector<Eigen::Vector2d> result{points.front()};

@@ -38,7 +38,7 @@ class FlatCap {
 
   /// Smallest sine between the two families of lines over a grid of cells; zero or negative where
   /// the cap folds. `cells` per direction. Stops at a value of at most `floor`, which is then an
-  /// upper limit: a search need not measure what it will not choose.
+  /// upper limit: enough for a search that will not choose this cap.
   double quality(int cells, double floor = -1.0) const;
 
  private:

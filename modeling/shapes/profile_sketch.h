@@ -28,9 +28,9 @@ struct SketchPoint {
 
 /// Point on the curve of a sketch.
 struct SketchPlace {
-  int run = 0;
-  double u = 0.0;  ///< 0 … 1 along the run
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  int run = 0;                                   ///< from 0, see ProfileSketch
+  double u = 0.0;                                ///< 0 … 1 along the run
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< mm
 };
 
 /// Plane curve while it is drawn and edited. Points on the curve divide it into runs. A run without
@@ -60,10 +60,10 @@ class ProfileSketch {
   ProfileCurve curve() const;
   /// Points along the curve for drawing and picking, 2 on a straight run. Empty unless isCurve().
   std::vector<SketchPlace> samples() const;
-  /// Location of the curve at a place.
+  /// Location on a run at the parameter u (0 … 1), mm.
   Eigen::Vector2d at(int run, double u) const;
-  /// Corners of the box around the curve, or around its points while there is no curve; both zero
-  /// without points.
+  /// Minimum and maximum corner of the box around the curve, or around its points while there is no
+  /// curve, mm; both zero without points.
   std::array<Eigen::Vector2d, 2> box() const;
 
   // Drawing. A closed curve has no ends.
@@ -89,7 +89,8 @@ class ProfileSketch {
   /// Makes a point a corner, so that the curve passes through it.
   void makeCorner(int point);
   /// Lets the curve pass smoothly: a corner becomes a control point, or a point with one tangent if
-  /// it is the only point on a closed curve. Ends of an open curve only record the wish.
+  /// it is the only point on a closed curve. An end of an open curve stays on the curve until the
+  /// curve continues there (see SketchPoint).
   void makeSmooth(int point);
   /// Scales about a location. Factors other than 0; negative ones mirror.
   void scale(const Eigen::Vector2d& factors, const Eigen::Vector2d& about);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/round_number.h"
+
 namespace palpa::modeling {
 
 using Eigen::Vector2d;
@@ -73,10 +75,7 @@ Snapped snapped(const Vector2d& at, const SnapRules& rules) {
 }
 
 double gridStep(double least, double unit) {
-  const double power = unit * std::pow(10.0, std::floor(std::log10(least / unit)));
-  for (const double times : {1.0, 2.0, 5.0})
-    if (times * power >= least * (1.0 - 1e-12)) return times * power;
-  return 10.0 * power;
+  return unit * roundedUp(least / unit);
 }
 
 }  // namespace palpa::modeling

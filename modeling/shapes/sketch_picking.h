@@ -15,16 +15,17 @@ int nearestSketchPoint(const ProfileSketch& sketch, const Eigen::Vector2d& at, d
 std::optional<SketchPlace> nearestSketchPlace(const std::vector<SketchPlace>& samples,
                                               const Eigen::Vector2d& at, double reach);
 
-/// What a location snaps to, and within which distance.
+/// Targets of snapping, and its distance.
 struct SnapRules {
-  double reach = 0.0;     ///< mm
-  double gridStep = 0.0;  ///< mm; 0: no grid
-  bool toAxes = true;     ///< the lines x = 0 and y = 0
-  std::vector<Eigen::Vector2d> points;
+  double reach = 0.0;                   ///< mm
+  double gridStep = 0.0;                ///< mm; 0: no grid
+  bool toAxes = true;                   ///< the lines x = 0 and y = 0
+  std::vector<Eigen::Vector2d> points;  ///< of the sketch, mm
 };
 
+/// Location after snapping, and its targets.
 struct Snapped {
-  Eigen::Vector2d at;
+  Eigen::Vector2d at;  ///< mm
   bool toPoint = false;
   std::array<bool, 2> toLine{};  ///< coordinate by coordinate: an axis, or the x or y of a point
   std::array<bool, 2> toGrid{};
@@ -34,7 +35,8 @@ struct Snapped {
 /// a point, else the grid.
 Snapped snapped(const Eigen::Vector2d& at, const SnapRules& rules);
 
-/// Step of a grid with lines `least` apart or more: 1, 2 or 5 times a power of ten of `unit`.
+/// Smallest step that is not below `least` (mm, > 0): 1, 2 or 5 times a power of ten of `unit` (the
+/// shown unit of length in mm).
 double gridStep(double least, double unit);
 
 }  // namespace palpa::modeling

@@ -5,8 +5,8 @@
 
 #include "modeling/solid/solid.h"
 
-// Patches as OpenCASCADE surfaces, for the files of modeling/ that use its spline algebra. The only
-// header here that includes OpenCASCADE; no public header includes this one.
+// Patches as OpenCASCADE surfaces, for the files of modeling/ that use its spline algebra. No
+// public header includes this one.
 namespace palpa::modeling {
 
 /// Distinct values of a non-decreasing list.

@@ -138,6 +138,25 @@ TEST_F(CliProject, NewTakesAMaterialFromTheLibrary) {
   EXPECT_EQ(cli_.run("new box --material liver --poisson-ratio 0.3").exitCode, 2);
 }
 
+TEST_F(CliProject, NewEstimatesTheModulusFromTheHardness) {
+  // Gent's relation by hand: 0.0981 (56 + 7.62336 * 50) / (0.137505 (254 - 2.54 * 50)) = 2.4558
+  // MPa.
+  const Json material = cli_.run("new box --shore-a 50").json().at("material");
+  EXPECT_EQ(material.at("youngs_modulus_MPa"), 2.456);
+  EXPECT_EQ(material.at("poisson_ratio"), 0.48);
+  EXPECT_FALSE(material.contains("density_kg_per_m3"));
+  EXPECT_EQ(material.at("name"), "rubber of 50 Shore A, estimated");
+  EXPECT_EQ(cli_.run("new box --shore-a 50 --poisson-ratio 0.49")
+                .json()
+                .at("material")
+                .at("poisson_ratio"),
+            0.49);
+  const Json report = cli_.runJson("new box --shore-a 50 -o rubber.json");
+  EXPECT_EQ(report.at("youngs_modulus_MPa"), 2.456);
+  for (const char* wrong : {"19", "80.5", "A50", "50 --youngs-modulus 2", "50 --material liver"})
+    EXPECT_EQ(cli_.run(std::string("new box --shore-a ") + wrong).exitCode, 2) << wrong;
+}
+
 TEST_F(CliProject, NewPlacesSolidsAsDocumented) {
   const auto boxOf = [&](const std::string& arguments) {
     cli_.run("new " + arguments + " -o p.json");

@@ -6,7 +6,9 @@
 #include <QTreeView>
 
 #include "app/gui/dialogs/material_dialog.h"
+#include "app/gui/docks/forces_dock.h"
 #include "app/gui/document/load_kinds.h"
+#include "app/gui/simulate/load_marks.h"
 #include "app/gui/view/condition_marks.h"
 #include "app/gui/widgets/vector_edit.h"
 #include "modeling/shapes/primitives.h"
@@ -254,6 +256,68 @@ TEST_F(Loads, ArrowsShowMomentsAsTurnsAndWeightsAtTheCentre) {
   EXPECT_EQ(arrows.back().kind, view::ForceArrow::Kind::kWeight);
   EXPECT_LT(arrows.back().at.norm(), 0.01) << "the centre of the sphere";
   EXPECT_EQ(arrows.back().label, "gravity 1: 9.81 m/s²");
+}
+
+TEST_F(Loads, ArrowsFollowTheBodyInSimulateMode) {
+  startWithoutDensity();
+  modeling::Material material = project().material;
+  material.densityKgPerM3 = 1000;
+  editor().perform(modeling::SetMaterial{material});
+  const modeling::Region top = modeling::Region::ofPatches({"top"});
+  editor().perform(modeling::AddLoad{{"push", TotalForce{top, {0, 0, -0.5}}}});
+  editor().perform(modeling::AddLoad{{"turn", Moment{top, {0, 0, 2}}}});
+  editor().perform(modeling::AddLoad{{"weight", Gravity{}}});
+  waitForModel();
+  action("Simulate")->trigger();
+  Simulation& simulation = window_->simulation();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation.drawn() != nullptr; }, 20000));
+  QTest::qWait(100);
+  LoadMarks marks(editor(), window_->settings(), simulation);
+  marks.find();
+  const auto arrows = marks.arrows();
+  ASSERT_EQ(arrows.size(), 3u);
+  EXPECT_EQ(arrows[0].label, "push: 0.5 N");
+  EXPECT_EQ(arrows[1].kind, view::ForceArrow::Kind::kMoment);
+  EXPECT_EQ(arrows[2].kind, view::ForceArrow::Kind::kWeight);
+  // A bar of 10 mm, 100 mm² and 0.15 MPa is 0.33 mm shorter; the fixed base makes it stiffer.
+  const double sinks = 10 - arrows[0].at.z();
+  EXPECT_GT(sinks, 0.1);
+  EXPECT_LT(sinks, 0.34);
+  EXPECT_LT(arrows[2].at.z(), 5) << "the weight sinks, too";
+  EXPECT_GT(arrows[2].at.z(), 5 - sinks);
+  action("× 10")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return std::abs(10 - marks.arrows()[0].at.z() - 10 * sinks) < 0.01 * sinks; }, 5000));
+  action("× 1")->trigger();
+  // The view shows them, and hides them with the supports.
+  action("Plain")->trigger();
+  action("Axes")->trigger();
+  action("Grid")->trigger();
+  const auto redPixels = [this] {
+    QTest::qWait(500);  // until the fine picture is drawn
+    const QImage image = view().grab().toImage();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor pixel = image.pixelColor(x, y);
+        count +=
+            pixel.red() > 100 && pixel.red() > 2 * pixel.green() && pixel.red() > 2 * pixel.blue();
+      }
+    return count;
+  };
+  const int shown = redPixels();
+  keepPicture("loads-in-simulate");
+  action("Supports and loads")->trigger();
+  const int hidden = redPixels();
+  EXPECT_GT(shown, hidden + 500);
+  action("Supports and loads")->trigger();
+  // A moment is listed as one.
+  const auto& forces = *window_->findChild<ForcesDock*>();
+  ASSERT_EQ(forces.text(1, 0), "Load turn");
+  EXPECT_EQ(forces.text(1, 1), "2 N mm");
+  EXPECT_EQ(forces.details(1), "turns with: 0.000, 0.000, 2.000 N mm");
+  action("Model")->trigger();
+  EXPECT_GT(redPixels(), hidden + 500);
 }
 
 TEST_F(Loads, GravityWithoutDensityOffersTheRemedy) {

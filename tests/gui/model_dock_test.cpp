@@ -183,6 +183,25 @@ TEST_F(ModelDock, TheMenuOfARowDuplicatesAndSelectsPoints) {
   EXPECT_EQ(editor().selection().points.size(), net.size() * net[0].size());
 }
 
+TEST_F(ModelDock, NamesAreNotCutForALongDetail) {
+  ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/gripper-finger.json"));
+  ASSERT_GT(editor().project().material.name.size(), 15u);
+  window_->resize(1280, 800);
+  tree().expandAll();
+  QTest::qWait(50);
+  for (int i = 0; i < rows().rowCount(rows().indexOf(RowKind::kEdges)); ++i) {
+    const QModelIndex edge = row(RowKind::kEdges, i);
+    EXPECT_GE(tree().visualRect(edge).width(), tree().sizeHintForIndex(edge).width())
+        << edge.data().toString().toStdString();
+    EXPECT_GE(tree().visualRect(edge).width(),
+              tree().fontMetrics().horizontalAdvance(edge.data().toString()));
+  }
+  // A long name leaves room for the details.
+  editor().perform(modeling::RenameProject{std::string(200, 'n')});
+  QTest::qWait(50);
+  EXPECT_LT(tree().columnWidth(0), 0.8 * tree().viewport()->width());
+}
+
 TEST_F(ModelDock, TheLayoutIsRememberedAndReset) {
   auto* dock = find<QDockWidget>("properties");
   EXPECT_GE(view().width(), window_->width() * 6 / 10);

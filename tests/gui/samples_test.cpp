@@ -1,6 +1,7 @@
 #include <QLabel>
 #include <QTableWidget>
 
+#include "app/gui/simulate/sample_words.h"
 #include "app/view/camera/view_cube.h"
 #include "tests/gui/window_fixture.h"
 
@@ -94,6 +95,25 @@ TEST_F(SamplePins, TheViewCubeWorksBesideThem) {
   moveTo(cube);
   QTest::mouseClick(&view(), Qt::LeftButton, {}, cube);
   EXPECT_NE(view().viewport().camera().direction, before);
+}
+
+TEST_F(SamplePins, ComponentsHaveTheDecimalsOfTheLargest) {
+  app::PointSample sample{};
+  sample.at = {43.8712, 0.001, -1.80349};
+  sample.displacement.setZero();
+  sample.stress.setZero();
+  sample.strain.setZero();
+  sample.numbers.principal = {9.5641e-4, 8.924e-5, -6.732e-4};
+  sample.numbers.directions.setIdentity();
+  const std::vector<SampleRow> rows = sampleRows(sample, {});
+  const auto valueOf = [&](const QString& name) {
+    for (const SampleRow& row : rows)
+      if (row.name.startsWith(name)) return row.value.toStdString();
+    return std::string();
+  };
+  EXPECT_EQ(valueOf("Position"), "(43.87, 0, -1.80)");
+  EXPECT_EQ(valueOf("Displacement"), "(0, 0, 0)");
+  EXPECT_EQ(valueOf("Principal"), "(0.0009564, 0.0000892, -0.0006732)");
 }
 
 TEST_F(SamplePins, ThePanelAndTheKeySayWhatIsNeeded) {

@@ -111,6 +111,35 @@ TEST_F(Sections, ThePlaneIsMovedByKeysDragsAndNumbers) {
   EXPECT_FALSE(action("Section")->isChecked());
 }
 
+// Default numbers in fields have few digits.
+TEST_F(Sections, FieldsBeginWithReadableNumbers) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  editor().perform(modeling::TransformSolid{
+      modeling::Scaling{Vector3d::Constant(1.0 / 3), Vector3d(20, 21, 23)}});
+  waitForModel();
+  action("Simulate")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().drawn() != nullptr; }, 20000));
+  moveTo(QPoint(10, 10));
+  key(Qt::Key_K);
+  ASSERT_TRUE(waitForSection());
+  constexpr int kMaxLength = 9;  // "-13.333 mm" has 10
+  const auto text = [this](const char* name) { return find<QuantityEdit>(name)->text(); };
+  EXPECT_LE(text("sectionOffset").size(), kMaxLength) << text("sectionOffset").toStdString();
+  for (const int axis : {Qt::Key_X, Qt::Key_Y, Qt::Key_Z, Qt::Key_Up}) {
+    key(axis);
+    EXPECT_LE(text("sectionOffset").size(), kMaxLength) << text("sectionOffset").toStdString();
+  }
+  const QPoint from = pixelOf(section().middle());
+  drag(from, from - QPoint(0, 17));
+  EXPECT_LE(text("sectionOffset").size(), kMaxLength) << text("sectionOffset").toStdString();
+  key(Qt::Key_H);
+  QTest::keyClick(&view(), Qt::Key_X);
+  ASSERT_EQ(window_->tools().activeTitle(), "Exact touch");
+  QTest::qWait(50);
+  EXPECT_EQ(text("exactRadius").size(), 6) << text("exactRadius").toStdString();  // "3.1 mm"
+  EXPECT_EQ(text("exactDepth").size(), 7) << text("exactDepth").toStdString();
+}
+
 TEST_F(Sections, EscapePutsADraggedPlaneBack) {
   enter();
   key(Qt::Key_K);

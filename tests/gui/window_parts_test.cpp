@@ -2,6 +2,9 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolBar>
 #include <algorithm>
 #include <set>
@@ -74,6 +77,26 @@ TEST_F(WindowParts, EveryQuantityHasUnits) {
     ASSERT_NE(quantity.key, nullptr);
     ASSERT_FALSE(quantity.units.empty()) << quantity.key;
     EXPECT_EQ(quantity.label.isEmpty(), quantity.units.size() == 1) << quantity.key;
+  }
+}
+
+// At the usual width of 1280 px, in which the guide shows the window.
+TEST_F(WindowParts, NoPanelScrollsSideways) {
+  ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/gripper-finger.json"));
+  window_->resize(1280, 800);
+  action("Reset layout")->trigger();
+  for (QDockWidget* panel : window_->findChildren<QDockWidget*>()) {
+    panel->raise();
+    QTest::qWait(30);
+    const std::string name = panel->objectName().toStdString();
+    if (const auto* area = qobject_cast<QScrollArea*>(panel->widget())) {
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << name;
+    }
+    for (const auto* button : panel->findChildren<QPushButton*>()) {
+      if (!button->isVisible()) continue;
+      EXPECT_GE(button->width(), button->fontMetrics().horizontalAdvance(button->text()))
+          << name << ": " << button->text().toStdString();
+    }
   }
 }
 

@@ -35,6 +35,7 @@ TEST(MaterialLibrary, RubbersFollowGentsRelation) {
 TEST(MaterialLibrary, TheModulusGrowsWithTheHardness) {
   // By hand: 0.0981 (56 + 304.9344) / (0.137505 (254 - 101.6)).
   EXPECT_NEAR(youngsModulusOfShoreA(40), 35.40767 / 20.95576, 1e-5);
+  EXPECT_EQ(estimatedModulusOfShoreA(40), 1.690);
   for (double shore = kMinShoreA; shore < kMaxShoreA; ++shore)
     EXPECT_LT(youngsModulusOfShoreA(shore), youngsModulusOfShoreA(shore + 1));
 }

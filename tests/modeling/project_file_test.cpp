@@ -213,7 +213,7 @@ TEST_F(ProjectFile, NamesTheRegionsOfAMesh) {
   ASSERT_EQ(regions.size(), 6U);
   EXPECT_EQ(regions[0].name, "supports[0] \"base\"");
   EXPECT_EQ(regions[3].name, "loads[1] \"drag\"");
-  EXPECT_FALSE(regions[3].refineBorder);
+  EXPECT_FALSE(regions[3].isSupport);
   EXPECT_EQ(regions[5].name, "loads[4] \"key\"");
 }
 

@@ -11,14 +11,14 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 PlaceMiddle onSphere(double radius) {
-  return [radius](const Vector3d& a, const Vector3d& b) {
-    return Vector3d(radius * (a + b).normalized());
+  return [radius](const Vector3d& a, const Vector3d& b, double share) {
+    return Vector3d(radius * onFlatFaces(a, b, share).normalized());
   };
 }
 
 PlaceMiddle onCylinder(double radius) {
-  return [radius](const Vector3d& a, const Vector3d& b) {
-    Vector3d middle = (a + b) / 2;
+  return [radius](const Vector3d& a, const Vector3d& b, double share) {
+    Vector3d middle = onFlatFaces(a, b, share);
     const auto isOnSide = [radius](const Vector3d& x) {
       return x.head<2>().norm() > (1 - 1e-9) * radius;
     };
@@ -28,11 +28,14 @@ PlaceMiddle onCylinder(double radius) {
 }
 
 std::unique_ptr<QuadraticDiscretisation> quadratic(const BoundaryMesh& corners,
-                                                   const PlaceMiddle& middle) {
-  return std::make_unique<QuadraticDiscretisation>(quarteredMesh(corners, [&](int t, int k) {
+                                                   const PlaceMiddle& middle,
+                                                   const std::vector<int>& supportTags) {
+  const auto placed = [&](int t, int k, double share) {
     const auto& nodes = corners.triangles[t];
-    return middle(corners.nodes[nodes[k]], corners.nodes[nodes[(k + 1) % 3]]);
-  }));
+    return middle(corners.nodes[nodes[k]], corners.nodes[nodes[(k + 1) % 3]], share);
+  };
+  return std::make_unique<QuadraticDiscretisation>(quarteredMesh(corners, placed, supportTags),
+                                                   supportTags);
 }
 
 QuadraticBody::QuadraticBody(std::unique_ptr<QuadraticDiscretisation> discretisation,

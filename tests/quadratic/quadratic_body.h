@@ -11,21 +11,23 @@ namespace palpa::bem::test {
 
 using verification::ExactField;
 
-/// Places the middle of an edge with the ends a and b (mm) on the true surface.
-using PlaceMiddle =
-    std::function<Eigen::Vector3d(const Eigen::Vector3d& a, const Eigen::Vector3d& b)>;
+/// Places the point at a fraction of an edge with the ends a and b (mm) on the true surface.
+using PlaceMiddle = std::function<Eigen::Vector3d(const Eigen::Vector3d& a,
+                                                  const Eigen::Vector3d& b, double share)>;
 
-inline Eigen::Vector3d onFlatFaces(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return (a + b) / 2;
+inline Eigen::Vector3d onFlatFaces(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                   double share) {
+  return (1 - share) * a + share * b;
 }
 /// The sphere about the origin.
 PlaceMiddle onSphere(double radius);
 /// The cylinder of verification::cylinderMesh().
 PlaceMiddle onCylinder(double radius);
 
-/// Quadratic triangles on a mesh of the corners.
+/// Quadratic triangles on a mesh of the corners. `supportTags`: of the triangles in supports.
 std::unique_ptr<QuadraticDiscretisation> quadratic(const BoundaryMesh& corners,
-                                                   const PlaceMiddle& middle);
+                                                   const PlaceMiddle& middle,
+                                                   const std::vector<int>& supportTags = {});
 
 /// A body of quadratic triangles with boundary data of an exact field, and its solution.
 /// Displacements are prescribed at the nodes, tractions are projected.

@@ -200,7 +200,7 @@ TEST(QuadraticSolution, AnUpdateEqualsARebuild) {
 
 TEST(QuadraticSurface, RefusesFoldedElements) {
   EXPECT_THROW(quadratic(boxMesh({0, 0, 0}, {1, 1, 1}, 1, 1, 1),
-                         [](const Vector3d& a, const Vector3d& b) {
+                         [](const Vector3d& a, const Vector3d& b, double) {
                            const Vector3d middle = (a + b) / 2;
                            return middle.z() > 0.9 ? Vector3d(middle + Vector3d(0.45, 0.1, 0))
                                                    : middle;

@@ -11,6 +11,7 @@
 
 #include "app/view/layers/grid_actor.h"
 #include "app/view/layers/vtk_arrays.h"
+#include "base/round_number.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/render/viewport_scenes.h"
 
@@ -361,11 +362,11 @@ TEST(Ground, LiesUnderTheBodyInSteps) {
 }
 
 TEST(Ground, SpacingIsRound) {
-  EXPECT_EQ(roundSpacing(1), 1);
-  EXPECT_EQ(roundSpacing(1.01), 2);
-  EXPECT_EQ(roundSpacing(3), 5);
-  EXPECT_EQ(roundSpacing(7), 10);
-  EXPECT_DOUBLE_EQ(roundSpacing(0.03), 0.05);
+  EXPECT_EQ(roundedUp(1), 1);
+  EXPECT_EQ(roundedUp(1.01), 2);
+  EXPECT_EQ(roundedUp(3), 5);
+  EXPECT_EQ(roundedUp(7), 10);
+  EXPECT_DOUBLE_EQ(roundedUp(0.03), 0.05);
 }
 
 TEST(DistinctLines, KeepsOneOfEachPairAndJoinsNeighbours) {

@@ -12,8 +12,7 @@ bool isMotion(const modeling::Project& former, const modeling::Project& project)
   const modeling::Change change = modeling::compare(former, project);
   return std::holds_alternative<modeling::Solid>(project.body) && !change.movedPoints.empty() &&
          !change.topology && !change.edges && !change.patchNames && !change.material &&
-         !change.supports && !change.loads && !change.mesh &&
-         !(change.touches && usesSplines(project));
+         !change.supports && !change.loads && !change.mesh && !change.touches;
 }
 
 /// True if memory holds an update, which is at most as large as the former model, and the full

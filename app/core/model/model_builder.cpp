@@ -8,6 +8,7 @@
 #include "bem/dense/update_reference_problem.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
+#include "modeling/project/mesh_foci.h"
 
 namespace palpa::app {
 namespace {
@@ -69,13 +70,15 @@ void ModelBuilder::checkExpectedMemory() const {
     checkFits(coefficients, kSlotsPerCoefficient * coefficients);
   } else {
     const double nodes =
-        modeling::estimateNodeCount(geometry_.project().body, settings_, geometry_.regions());
+        modeling::estimateNodeCount(geometry_.project().body, settings_, geometry_.regions(),
+                                    modeling::meshFoci(geometry_.project()));
     checkFits(nodes, nodes);
   }
 }
 
 void ModelBuilder::mesh() {
-  mesh_ = modeling::mesh(geometry_.project().body, settings_, geometry_.regions(), job_);
+  mesh_ = modeling::mesh(geometry_.project().body, settings_, geometry_.regions(), job_,
+                         modeling::meshFoci(geometry_.project()));
   job_.throwIfCancelled();
   report_.meshSeconds = lap();
 }

@@ -7,6 +7,7 @@
 #include "app/core/setup/project_geometry.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 
 namespace palpa::app {
 namespace {
@@ -20,7 +21,7 @@ using modeling::MeshSettings;
 constexpr double kTriangleOrder = 2, kSplineOrder = 3;
 /// Observed orders outside this range belong to meshes that are too coarse to show one.
 constexpr double kMinOrder = 1, kMaxOrder = 6;
-/// Contacts wider than fingertips by more than this factor are what limits the accuracy.
+/// Contacts wider than fingertips by more than this factor limit the accuracy.
 constexpr double kWide = 1.05;
 /// Lengths are divided by a little more than expected to be necessary.
 constexpr double kMargin = 1.05;
@@ -56,7 +57,8 @@ double coefficientsOf(const modeling::Project& project, const MeshSettings& mesh
   other.mesh = mesh;
   try {
     if (usesSplines(other)) return ProjectGeometry(other).refinement().coefficients;
-    return modeling::estimateNodeCount(other.body, mesh, modeling::meshRegions(other));
+    return modeling::estimateNodeCount(other.body, mesh, modeling::meshRegions(other),
+                                       modeling::meshFoci(other));
   } catch (const modeling::ModelingError&) {
     return INFINITY;
   }

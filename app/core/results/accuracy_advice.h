@@ -19,9 +19,9 @@ struct AccuracyAdvice {
   double requested = 0;  ///< relative error: MeshSettings::accuracy
   double reached = 0;    ///< estimated relative error of touches (estimateTouchError())
 
-  /// What limits the reached accuracy.
+  /// Limit of the reached accuracy.
   enum class Limit {
-    kNone,  ///< it is the requested one, or better
+    kNone,  ///< none: the requested accuracy is reached
     /// The number of spline coefficients that builds of a few seconds allow.
     kBuildTime,
     kTouch,          ///< triangles that cannot represent a fingertip, so contacts are wider

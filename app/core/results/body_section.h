@@ -10,14 +10,15 @@
 namespace palpa::app {
 
 /// Section of a body at rest by a plane, as a mesh whose outline lies on the drawn surface. The
-/// part on the side to which the plane's normal points is taken away. Knows nothing of the
-/// solution: fields come as one state per interior point and one value per point of the drawn
-/// surface. Immutable.
+/// part on the side to which the plane's normal points is taken away. Independent of the solution:
+/// fields are given as one state per interior point and one value per point of the drawn surface.
+/// Immutable.
 class BodySection {
  public:
   /// Largest edges are `coarseness` times kEdge times the diagonal of the body.
   static constexpr double kEdge = 1 / 40.0;
 
+  /// `coarseness` >= 1. Throws Cancelled.
   BodySection(std::shared_ptr<const DrawnBody> body, const modeling::Plane& plane,
               const Job& job = {}, double coarseness = 1);
 
@@ -27,9 +28,10 @@ class BodySection {
   bool isEmpty() const { return mesh_.triangles.empty(); }
   /// Signed distances of the points of the drawn surface from the plane, mm.
   const std::vector<double>& distances() const { return distances_; }
+  /// The section in a deformed body, one entry per point of mesh().
   struct Shape {
-    std::vector<Eigen::Vector3d> positions;
-    std::vector<Eigen::Vector3d> normals;  ///< unit
+    std::vector<Eigen::Vector3d> positions;  ///< mm
+    std::vector<Eigen::Vector3d> normals;    ///< unit
   };
   /// The section displaced by `scale` times one displacement per point, mm.
   Shape deformed(const std::vector<Eigen::Vector3d>& displacements, double scale) const;
@@ -75,8 +77,8 @@ class SectionField {
   std::unique_ptr<bem::InteriorEvaluator> inside_;
 };
 
-/// The number that colours show at a point of a section. kNormalTraction: the normal stress across
-/// the plane. Not for kNone and kStiffness, which have no values inside the body.
+/// The number that colours show at a point of a section, mm or MPa. kNormalTraction: the normal
+/// stress across the plane. Not for kNone and kStiffness, which have no values inside the body.
 double sectionValue(SurfaceQuantity quantity, const bem::InteriorState& state,
                     const modeling::Plane& plane);
 /// True if sectionValue() is defined.

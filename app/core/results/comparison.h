@@ -59,16 +59,19 @@ class VariantPlayer {
   double volume_;
 };
 
-/// What a row of a comparison compares.
+/// Figure of a row of a comparison.
 enum class ComparedFigure {
+  // of a contact
   kForce,
-  kNormalForce,
+  kNormalForce,  ///< TouchState::Contact::normalForce()
   kStiffness,
-  kMoved,
+  kMoved,  ///< displacement of the middle of the contact, from all causes
+  // of a support
   kReaction,
+  // of the body
   kMaxDisplacement,
-  kMaxStress,
-  kEnergy,
+  kMaxStress,  ///< von Mises, on the surface
+  kEnergy,     ///< strain energy
   kVolume,
   kMass,
 };

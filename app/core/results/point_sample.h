@@ -14,17 +14,18 @@ struct PointSample {
   Eigen::Vector3d at;                       ///< mm, at rest
   Eigen::Vector3d displacement;             ///< mm
   std::optional<Eigen::Vector3d> traction;  ///< MPa; only on the surface
-  Eigen::Matrix3d stress, strain;           ///< MPa; global axes
+  Eigen::Matrix3d stress;                   ///< MPa, global axes
+  Eigen::Matrix3d strain;                   ///< linear, global axes
   StressNumbers numbers;                    ///< of the stress
 };
 
-/// At surface points, from the values that colours show. `slotStress`: from
+/// Sample at a surface point, from the values that colours show. `slotStress`: from
 /// bem::Discretisation::surfaceStress() of the field.
 PointSample sampleSurface(const TouchModel& model, const bem::BoundaryField& field,
                           const std::vector<Eigen::Matrix3d>& slotStress,
                           const bem::SurfacePoint& place);
 
-/// At a point inside the body from its state.
+/// Sample at a point inside the body (mm, at rest) from its state.
 PointSample sampleInside(const TouchModel& model, const Eigen::Vector3d& at,
                          const bem::InteriorState& state);
 

@@ -14,6 +14,7 @@ struct StressNumbers {
   double vonMises = 0;         ///< MPa
 };
 
+/// Numbers of the symmetric part of a stress (MPa).
 inline StressNumbers stressNumbers(const Eigen::Matrix3d& stress) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((stress + stress.transpose()) / 2);
   return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse(),

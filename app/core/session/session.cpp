@@ -13,11 +13,11 @@ namespace {
 /// During a motion, a build waits for this time without commands.
 constexpr std::chrono::milliseconds kQuiet{100};
 
-/// True if the model of a project depends on the change. Names do not matter, touches only with
-/// splines, whose analysis net depends on them.
-bool concernsModel(const modeling::Change& change, const modeling::Project& project) {
+/// True if the model depends on the change. Names do not matter; elements and meshes are finer at
+/// touches.
+bool concernsModel(const modeling::Change& change) {
   return change.body() || change.material || change.supports || change.loads || change.mesh ||
-         (change.touches && usesSplines(project));
+         change.touches;
 }
 
 Session::Options withCache(Session::Options options) {
@@ -97,7 +97,7 @@ void Session::endGroup() {
 void Session::rebuildIfNeeded(const modeling::Change& change, std::chrono::milliseconds quiet) {
   if (!change.any()) return;
   countEdit();
-  if (concernsModel(change, project())) pipeline_->submit(project(), quiet);
+  if (concernsModel(change)) pipeline_->submit(project(), quiet);
 }
 
 void Session::countEdit() {

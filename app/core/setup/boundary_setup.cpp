@@ -117,7 +117,8 @@ BoundarySetup makeBoundarySetup(const ProjectGeometry& geometry,
   bem::BoundaryMesh mesh = boundaryMesh(surface, tags.ofTriangle());
   std::shared_ptr<const bem::Discretisation> discretisation;
   if (surface.isQuadratic)
-    discretisation = std::make_shared<bem::QuadraticDiscretisation>(std::move(mesh));
+    discretisation =
+        std::make_shared<bem::QuadraticDiscretisation>(std::move(mesh), tags.ofSupports());
   else
     discretisation = std::make_shared<bem::TriangleDiscretisation>(std::move(mesh));
   BoundarySetup setup(project, std::move(discretisation));

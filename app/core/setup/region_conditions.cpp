@@ -93,6 +93,13 @@ std::optional<int> RegionTags::supportOf(int tag) const {
   return regions.front();
 }
 
+std::vector<int> RegionTags::ofSupports() const {
+  std::vector<int> tags;
+  for (int tag = 0; tag < static_cast<int>(combinations_.size()); ++tag)
+    if (supportOf(tag)) tags.push_back(tag);
+  return tags;
+}
+
 std::vector<int> RegionTags::trianglesIn(int region) const {
   std::vector<int> triangles;
   for (std::size_t t = 0; t < ofTriangle_.size(); ++t)

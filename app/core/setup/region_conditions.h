@@ -30,6 +30,8 @@ class RegionTags {
   bool isIn(int tag, int region) const;
   /// The support of a tag; none if the place is free.
   std::optional<int> supportOf(int tag) const;
+  /// Tags with a support, ascending.
+  std::vector<int> ofSupports() const;
   /// Triangles with this region, ascending.
   std::vector<int> trianglesIn(int region) const;
 

@@ -9,7 +9,6 @@
 #include "app/gui/dialogs/file_dialogs.h"
 #include "app/gui/dialogs/new_solid_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
-#include "app/gui/dialogs/profile_dialog.h"
 #include "app/gui/dialogs/recovery_dialog.h"
 #include "app/gui/dialogs/welcome_dialog.h"
 #include "app/gui/document/editor.h"
@@ -20,7 +19,6 @@
 #include "app/gui/workspace/menus.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/shapes/make_primitive.h"
-#include "modeling/shapes/shape_sketch.h"
 
 namespace palpa::gui {
 namespace {
@@ -74,7 +72,6 @@ FileActions::FileActions(const Workspace& workspace)
   menu->addSeparator();
   menus.add(menu, {nullptr, tr("&Quit"), QKeySequence::Quit}, &workspace_.window, &QWidget::close);
   menus.bar->addSeparator();
-  addPrimitiveEditing();
   Editor& editor = workspace_.editor;
   connect(&editor, &Editor::aboutToReplace, this, &FileActions::storeThumbnail);
   connect(&editor, &Editor::projectReplaced, this, [this, &editor] { file_ = editor.fileName(); });
@@ -97,32 +94,6 @@ void FileActions::addImportAndExport() {
             this, [this] { exportBody(); });
   menus.add(menus.file, {nullptr, tr("Save &picture …"), {}, tr("Write the view to a PNG file")},
             this, [this] { savePicture(); });
-}
-
-void FileActions::addPrimitiveEditing() {
-  Menus& menus = workspace_.menus;
-  QAction* edit = menus.add(menus.solid,
-                            {nullptr,
-                             tr("Edit &primitive …"),
-                             {},
-                             tr("Change the sizes of the shape of the solid; possible until "
-                                "control points are edited")},
-                            this, [this] { editPrimitive(); });
-  QAction* profile = menus.add(menus.solid,
-                               {nullptr,
-                                tr("Edit pro&file …"),
-                                {},
-                                tr("Draw and edit the curves of a revolved, extruded or lofted "
-                                   "solid; possible until control points are edited")},
-                               this, [this] { editProfileOfProject(workspace_); });
-  const auto update = [this, edit, profile] {
-    const auto& primitive = workspace_.editor.project().primitive;
-    edit->setEnabled(primitive.has_value());
-    profile->setEnabled(primitive && modeling::hasProfile(*primitive));
-  };
-  connect(&workspace_.editor, &Editor::projectReplaced, this, update);
-  connect(&workspace_.editor, &Editor::projectChanged, this, update);
-  update();
 }
 
 void FileActions::fillRecentFiles(QMenu* menu) {
@@ -306,13 +277,6 @@ void FileActions::newSolid() {
   } catch (const std::exception& error) {
     Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
   }
-}
-
-void FileActions::editPrimitive() {
-  NewSolidDialog dialog(workspace_.settings, workspace_.editor.project().primitive,
-                        &workspace_.window);
-  if (dialog.exec() == QDialog::Accepted)
-    workspace_.editor.perform(modeling::MakePrimitive{dialog.primitive()});
 }
 
 bool FileActions::mayDiscard() {

@@ -36,14 +36,12 @@ class FileActions : public QObject {
 
  private:
   void addImportAndExport();
-  void addPrimitiveEditing();
   void fillRecentFiles(QMenu* menu);
   void fillExamples(QMenu* menu);
   void recover();
   void importBody();
   void exportBody();
   void savePicture();
-  void editPrimitive();
 
   Workspace workspace_;
   QString file_;  // the file that was opened, imported or saved last; empty for another project

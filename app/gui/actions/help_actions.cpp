@@ -47,8 +47,9 @@ void showGuide(const Workspace& workspace) {
 
 QString aboutText() {
   return QObject::tr(
-             "<h3>Palpa %1</h3><p>Model a solid and touch it: boundary elements give the "
-             "exact displacement and force.</p><p>Licence: GPL-3.0-or-later</p>"
+             "<h3>Palpa %1</h3><p>Model a solid and touch it: boundary elements give "
+             "displacements and forces, with an estimate of their error.</p><p>Licence: "
+             "GPL-3.0-or-later</p>"
              "<p>Qt %2, VTK %3, OpenCASCADE %4, Eigen %5</p>")
       .arg(QApplication::applicationVersion(), qVersion(), vtkVersion::GetVTKVersion(),
            PALPA_OPENCASCADE_VERSION,

@@ -66,7 +66,7 @@ void PointActions::moveBy() {
   if (moved.empty()) return;
   NumberDialog dialog(tr("Move by"), tr("Control points that are moved: %1.").arg(moved.size()),
                       workspace_.settings, &workspace_.window);
-  VectorEdit& vector = dialog.addVector(tr("&Vector"), Eigen::Vector3d::Zero());
+  VectorEdit& vector = dialog.addVector(tr("&Vector:"), Eigen::Vector3d::Zero());
   if (dialog.exec() == QDialog::Accepted)
     workspace_.editor.perform(modeling::MovePoints{
         modeling::PointSelection::of({moved.begin(), moved.end()}),
@@ -83,7 +83,7 @@ void PointActions::moveTo() {
       moved.size() == 1 ? tr("Moves control point %1 to this place.").arg(*moved.begin())
                         : tr("Moves %1 control points; their middle comes here.").arg(moved.size()),
       workspace_.settings, &workspace_.window);
-  VectorEdit& place = dialog.addVector(tr("&Place"), from);
+  VectorEdit& place = dialog.addVector(tr("&Place:"), from);
   if (dialog.exec() != QDialog::Accepted) return;
   modeling::MovePoints command{modeling::PointSelection::of({moved.begin(), moved.end()}),
                                modeling::MoveBy{place.value() - from}, options_.reach(solid)};
@@ -100,7 +100,7 @@ void PointActions::moveAlongNormal() {
                          "zero inwards. Points: %1.")
                           .arg(moved.size()),
                       workspace_.settings, &workspace_.window);
-  QuantityEdit& distance = dialog.addLength(tr("&Distance"), 0);
+  QuantityEdit& distance = dialog.addLength(tr("&Distance:"), 0);
   if (dialog.exec() == QDialog::Accepted)
     workspace_.editor.perform(modeling::MovePoints{
         modeling::PointSelection::of({moved.begin(), moved.end()}),

@@ -172,7 +172,7 @@ void ComparisonView::update() {
     replacement.emplace();
     replacement->contacts = result_->comparison->states[1].state.contacts;
     if (!isCommon && largestB_ > 0)
-      replacement->range = Simulation::roundRange(largestB_, info.isSigned);
+      replacement->range = ColourRange::roundRange(largestB_, info.isSigned);
   } else if (drawn_ == Shown::kDifference) {
     replacement.emplace();
     replacement->name = tr("B − A: %1").arg(tr(info.label));
@@ -180,7 +180,7 @@ void ComparisonView::update() {
     replacement->isDiverging = true;
     const double least = kMinDifference * std::max(largestB_, simulation_.range()[1]);
     const double largest = std::max(largestOf(difference_), least);
-    replacement->range = Simulation::roundRange(largest > 0 ? largest : 1, true);
+    replacement->range = ColourRange::roundRange(largest > 0 ? largest : 1, true);
   }
   pictures_.setReplacement(std::move(replacement));
   drawShapes();

@@ -19,7 +19,8 @@ StateChoiceDialog::StateChoiceDialog(const modeling::Document::History& history,
   list_->setAccessibleName(tr("Steps, the latest first"));
   // The latest step first: usually its effect is the question.
   for (std::size_t step = history.position; step > 0; --step) {
-    auto* item = new QListWidgetItem(QString::fromStdString(history.labels[step]), list_);
+    auto* item =
+        new QListWidgetItem(icon("history"), QString::fromStdString(history.labels[step]), list_);
     item->setData(Qt::UserRole, QVariant::fromValue<qulonglong>(step));
   }
   if (!file.isEmpty()) {

@@ -37,7 +37,7 @@ class VariantComparison : public QObject {
   QString nameOfA() const;
   const QString& nameOfB() const { return name_; }
   const QString& file() const { return file_; }
-  /// What happened to the file since it was read; empty: nothing.
+  /// Message if the file was changed or removed since it was read; otherwise empty.
   const QString& fileNotice() const { return notice_; }
 
   /// State of B's model. Requires isActive().

@@ -2,8 +2,6 @@
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHeaderView>
-#include <QShortcut>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -27,8 +25,7 @@ MaterialDialog::MaterialDialog(Settings& settings, const modeling::Material& pre
     : QDialog(parent),
       settings_(settings),
       own_(settings),
-      filter_(new QLineEdit(this)),
-      list_(new QTreeWidget(this)),
+      list_(new MaterialList(own_, settings, this)),
       source_(new QLabel(this)),
       name_(new QLineEdit(this)),
       modulus_(new NumberRow(Quantity::kStress, settings, this)),
@@ -38,10 +35,6 @@ MaterialDialog::MaterialDialog(Settings& settings, const modeling::Material& pre
       note_(new QLineEdit(this)) {
   setObjectName("material");
   setWindowTitle(tr("Material"));
-  filter_->setObjectName("filter");
-  filter_->setPlaceholderText(tr("Find a material"));
-  filter_->setClearButtonEnabled(true);
-  filter_->setAccessibleName(tr("Find a material"));
   source_->setObjectName("source");
   source_->setWordWrap(true);
   source_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -50,8 +43,8 @@ MaterialDialog::MaterialDialog(Settings& settings, const modeling::Material& pre
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   ok_ = buttons->button(QDialogButtonBox::Ok);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(filter_);
-  column->addWidget(makeList(), 1);
+  column->addWidget(list_, 1);
+  column->addLayout(makeOwnButtons());
   column->addWidget(source_);
   column->addLayout(makeForm());
   column->addWidget(buttons);
@@ -63,48 +56,21 @@ MaterialDialog::MaterialDialog(Settings& settings, const modeling::Material& pre
   hardness_->clear();
   ratio_->setValue(poissonRatio);
   density_->setValue(density.value_or(std::numeric_limits<double>::quiet_NaN()));
-  fillList({});
-  for (int i = 0; i < list_->topLevelItemCount(); ++i) {
-    const modeling::LibraryMaterial& entry = *entryOf(list_->topLevelItem(i));
-    if (entry.material != present) continue;
-    list_->setCurrentItem(list_->topLevelItem(i));
-    take(list_->topLevelItem(i));
-    break;
-  }
+  if (list_->select(present)) take(*list_->current());
   connectFields();
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   update();
 }
 
-QWidget* MaterialDialog::makeList() {
-  auto* group = new QWidget(this);
-  auto* column = new QVBoxLayout(group);
-  column->setContentsMargins(0, 0, 0, 0);
-  list_->setObjectName("library");
-  list_->setAccessibleName(tr("Materials"));
-  list_->setHeaderLabels(
-      {tr("Material"), tr("Young's modulus"), tr("Poisson's ratio"), tr("Density")});
-  list_->setRootIsDecorated(false);
-  list_->setAlternatingRowColors(true);
-  list_->setUniformRowHeights(true);
-  list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
-  QHeaderView* header = list_->header();
-  header->setStretchLastSection(false);
-  header->setSectionResizeMode(0, QHeaderView::Stretch);
-  for (int i : {1, 2, 3}) {
-    list_->headerItem()->setTextAlignment(i, Qt::AlignRight | Qt::AlignVCenter);
-    header->setSectionResizeMode(i, QHeaderView::ResizeToContents);
-  }
+QLayout* MaterialDialog::makeOwnButtons() {
   auto* line = new QHBoxLayout;
   save_ = addOwnButton(*line, "saveOwn", tr("&Save as own material"), {});
   rename_ = addOwnButton(*line, "renameOwn", tr("&Rename"), tr("Change the name (F2)"));
   delete_ = addOwnButton(*line, "deleteOwn", tr("&Delete"),
                          tr("Delete the own material (Delete); the fields keep its values"));
   line->addStretch(1);
-  column->addWidget(list_, 1);
-  column->addLayout(line);
-  return group;
+  return line;
 }
 
 QPushButton* MaterialDialog::addOwnButton(QLayout& line, const QString& name, const QString& text,
@@ -145,17 +111,12 @@ QFormLayout* MaterialDialog::makeForm() {
 }
 
 void MaterialDialog::connectFields() {
-  connect(filter_, &QLineEdit::textChanged, this, &MaterialDialog::filter);
-  connect(list_, &QTreeWidget::currentItemChanged, this, [this](const QTreeWidgetItem* item) {
-    if (item && !isFilling_) take(item);
-  });
-  connect(list_, &QTreeWidget::itemDoubleClicked, this, [this] {
+  connect(list_, &MaterialList::chosen, this, &MaterialDialog::take);
+  connect(list_, &MaterialList::doubleClicked, this, [this] {
     if (ok_->isEnabled()) accept();
   });
-  connect(list_, &QTreeWidget::itemChanged, this, &MaterialDialog::renameOwn);
-  auto* erase = new QShortcut(QKeySequence::Delete, list_);
-  erase->setContext(Qt::WidgetShortcut);
-  connect(erase, &QShortcut::activated, delete_, &QPushButton::click);
+  connect(list_, &MaterialList::renamed, this, &MaterialDialog::renameOwn);
+  connect(list_, &MaterialList::deletePressed, delete_, &QPushButton::click);
   connect(name_, &QLineEdit::textChanged, this, &MaterialDialog::update);
   connect(note_, &QLineEdit::textChanged, this, &MaterialDialog::update);
   connect(modulus_, &NumberRow::changed, this, [this] {
@@ -167,55 +128,13 @@ void MaterialDialog::connectFields() {
   for (NumberRow* row : {ratio_, density_})
     connect(row, &NumberRow::changed, this, &MaterialDialog::update);
   connect(save_, &QPushButton::clicked, this, &MaterialDialog::saveOwn);
-  connect(rename_, &QPushButton::clicked, this, [this] { list_->editItem(list_->currentItem()); });
+  connect(rename_, &QPushButton::clicked, this, [this] { list_->editName(); });
   connect(delete_, &QPushButton::clicked, this, &MaterialDialog::deleteOwn);
 }
 
-void MaterialDialog::fillList(const std::string& chosen) {
-  isFilling_ = true;
-  list_->clear();
-  entries_ = own_.list();
-  const auto ownCount = entries_.size();
-  const auto& library = modeling::materialLibrary();
-  entries_.insert(entries_.end(), library.begin(), library.end());
-  const ShownUnits units = settings_.units();
-  constexpr int kDigits = 4;
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const auto& [name, youngsModulus, poissonRatio, density] = entries_[i].material;
-    auto* item = new QTreeWidgetItem(
-        list_,
-        {QString::fromStdString(name), shown(youngsModulus, Quantity::kStress, units, kDigits),
-         shown(poissonRatio, Quantity::kNumber, units, kDigits),
-         density ? shown(*density, Quantity::kDensity, units, kDigits) : tr("unknown")});
-    item->setData(0, Qt::UserRole, static_cast<int>(i));
-    if (i < ownCount) {
-      item->setFlags(item->flags() | Qt::ItemIsEditable);
-      item->setIcon(0, icon("material"));
-      item->setToolTip(0, tr("Own material"));
-    }
-    for (int column : {1, 2, 3}) item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    if (name == chosen) list_->setCurrentItem(item);
-  }
-  isFilling_ = false;
-  filter(filter_->text());
-}
-
-const modeling::LibraryMaterial* MaterialDialog::entryOf(const QTreeWidgetItem* item) const {
-  return item ? &entries_[item->data(0, Qt::UserRole).toUInt()] : nullptr;
-}
-
-void MaterialDialog::filter(const QString& text) {
-  for (int i = 0; i < list_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* item = list_->topLevelItem(i);
-    const modeling::LibraryMaterial& entry = *entryOf(item);
-    const QString all = QString::fromStdString(entry.material.name + " " + entry.note);
-    item->setHidden(!all.contains(text.trimmed(), Qt::CaseInsensitive));
-  }
-}
-
-void MaterialDialog::take(const QTreeWidgetItem* item) {
+void MaterialDialog::take(const modeling::LibraryMaterial& entry) {
   isTaking_ = true;
-  taken_ = *entryOf(item);
+  taken_ = entry;
   const auto& [name, youngsModulus, poissonRatio, density] = taken_->material;
   name_->setText(QString::fromStdString(name));
   modulus_->setValue(youngsModulus);
@@ -233,10 +152,7 @@ void MaterialDialog::applyHardness() {
   const auto hardness = hardness_->value();
   if (hardness) {
     isTaking_ = true;
-    // Four digits: more than the estimate has.
-    const double modulus = modeling::youngsModulusOfShoreA(*hardness);
-    const double unit = std::pow(10, std::floor(std::log10(modulus)) - 3);
-    modulus_->setValue(std::round(modulus / unit) * unit);
+    modulus_->setValue(modeling::estimatedModulusOfShoreA(*hardness));
     const QString note = tr("estimated from %1 Shore A (Gent 1958)")
                              .arg(shown(*hardness, Quantity::kNumber, settings_.units()));
     if (note_->text().isEmpty() || note_->text() == hardnessNote_) note_->setText(note);
@@ -260,7 +176,7 @@ void MaterialDialog::update() {
   const QString obstacle = obstacleToSave();
   save_->setEnabled(obstacle.isEmpty());
   save_->setToolTip(obstacle.isEmpty() ? tr("Keep the values below for all projects") : obstacle);
-  const modeling::LibraryMaterial* current = entryOf(list_->currentItem());
+  const modeling::LibraryMaterial* current = list_->current();
   const bool isOwn = current && own_.find(current->material.name);
   rename_->setEnabled(isOwn);
   delete_->setEnabled(isOwn);
@@ -308,19 +224,13 @@ void MaterialDialog::saveOwn() {
   if (!obstacleToSave().isEmpty()) return;
   const modeling::Material saved = material();
   own_.put({saved, note_->text().trimmed().toStdString(), {}});
-  fillList(saved.name);
+  list_->fill(saved.name);
   taken_ = *own_.find(saved.name);
-  if (QTreeWidgetItem* item = list_->currentItem()) {
-    item->setHidden(false);  // a filter must not hide it
-    list_->scrollToItem(item);
-  }
+  list_->reveal();
   update();
 }
 
-void MaterialDialog::renameOwn(QTreeWidgetItem* item) {
-  if (isFilling_) return;
-  const std::string from = entryOf(item)->material.name;
-  const QString to = item->text(0).trimmed();
+void MaterialDialog::renameOwn(const std::string& from, const QString& to) {
   const bool isRenamed = own_.rename(from, to.toStdString());
   if (isRenamed && name_->text().toStdString() == from) name_->setText(to);
   const std::string chosen = isRenamed ? to.toStdString() : from;
@@ -328,7 +238,7 @@ void MaterialDialog::renameOwn(QTreeWidgetItem* item) {
   QMetaObject::invokeMethod(
       this,
       [this, chosen, isRenamed, to] {
-        fillList(chosen);
+        list_->fill(chosen);
         if (own_.find(chosen)) taken_ = *own_.find(chosen);
         update();
         if (!isRenamed)
@@ -341,11 +251,11 @@ void MaterialDialog::renameOwn(QTreeWidgetItem* item) {
 }
 
 void MaterialDialog::deleteOwn() {
-  const modeling::LibraryMaterial* current = entryOf(list_->currentItem());
+  const modeling::LibraryMaterial* current = list_->current();
   if (!current || !own_.find(current->material.name)) return;
   own_.remove(current->material.name);
   taken_.reset();
-  fillList({});
+  list_->fill({});
   update();
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <optional>
 
+#include "app/gui/dialogs/material_list.h"
 #include "app/gui/document/own_materials.h"
 #include "app/gui/widgets/number_row.h"
 #include "app/gui/workspace/workspace.h"
@@ -30,32 +31,26 @@ class MaterialDialog : public QDialog {
   void enterDensity();
 
  private:
-  QWidget* makeList();
+  QLayout* makeOwnButtons();
   QFormLayout* makeForm();
   QPushButton* addOwnButton(QLayout& line, const QString& name, const QString& text,
                             const QString& tip);
   void connectFields();
-  /// Fills the list again and selects the material of this name, if any.
-  void fillList(const std::string& chosen);
-  void filter(const QString& text);
-  const modeling::LibraryMaterial* entryOf(const QTreeWidgetItem* item) const;
   /// Puts a material into the fields.
-  void take(const QTreeWidgetItem* item);
+  void take(const modeling::LibraryMaterial& entry);
   void showSource();
   void update();
   void applyHardness();
   /// Reason why the fields cannot be saved as an own material; empty if they can.
   QString obstacleToSave() const;
   void saveOwn();
-  void renameOwn(QTreeWidgetItem* item);
+  void renameOwn(const std::string& from, const QString& to);
   void deleteOwn();
   bool holds(const modeling::Material& material) const;
 
   const Settings& settings_;
   OwnMaterials own_;
-  std::vector<modeling::LibraryMaterial> entries_;  // own ones, then the library
-  QLineEdit* filter_;
-  QTreeWidget* list_;
+  MaterialList* list_;
   QLabel* source_;
   QLineEdit* name_;
   NumberRow* modulus_;
@@ -67,7 +62,6 @@ class MaterialDialog : public QDialog {
   std::optional<modeling::LibraryMaterial> taken_;  // list entry in the fields
   QString hardnessNote_;                            // source of a modulus from the hardness
   bool isTaking_ = false;                           // take() or applyHardness() changes the fields
-  bool isFilling_ = false;
 };
 
 /// Asks for the material of the project and sets it.

@@ -22,6 +22,8 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kRowsOfAllShapes = 2;  // degree and control points, below the shape's lengths
+constexpr int kKindsWidth = 160;     // px, of the list of shapes
+constexpr int kSizeWidth = 84;       // px, of a field that shows five digits with a unit
 
 /// Prevents a line break before the unit.
 QString unbroken(QString length) {
@@ -87,7 +89,7 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   for (const PrimitiveKind& kind : primitiveKinds())
     kinds_->addItem(new QListWidgetItem(icon(kind.icon), kind.title));
   kinds_->setIconSize({22, 22});
-  kinds_->setFixedWidth(180);
+  kinds_->setFixedWidth(kKindsWidth);
   kinds_->setVisible(!isPresent);
   degree_->setObjectName("degree");
   degree_->setRange(1, 5);
@@ -96,7 +98,7 @@ void NewSolidDialog::addWidgets(bool isPresent) {
   controlPoints_->setRange(0, modeling::kMaxControlPoints);
   controlPoints_->setSpecialValueText(tr("automatic"));
   controlPoints_->setToolTip(tr("Per direction and patch; more can be added later with knots"));
-  preview_->setMinimumSize(260, 240);
+  preview_->setMinimumSize(220, 240);
   problem_->setObjectName("problem");
   problem_->setWordWrap(true);
   facts_->setObjectName("facts");
@@ -222,6 +224,7 @@ void NewSolidDialog::addOuterSizeRow() {
   const std::array<QString, 3> names{tr("Outer width"), tr("Outer depth"), tr("Outer height")};
   for (int axis = 0; axis < 3; ++axis) {
     outerSize_->component(axis).setAccessibleName(names[static_cast<std::size_t>(axis)]);
+    outerSize_->component(axis).setMinimumWidth(kSizeWidth);
     outerSize_->component(axis).setRange(modeling::kMinLength, modeling::kMaxLength);
   }
   connect(outerSize_, &VectorEdit::edited, this, &NewSolidDialog::setOuterSize);

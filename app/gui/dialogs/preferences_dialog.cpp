@@ -64,7 +64,7 @@ QWidget* PreferencesDialog::makeUnits() {
   for (const int column : {1, 3}) grid->setColumnStretch(column, 1);
   grid->setHorizontalSpacing(12);
   auto* note = new QLabel(tr("Project files are always in mm, N and MPa."), group);
-  note->setEnabled(false);
+  note->setForegroundRole(QPalette::PlaceholderText);
   grid->addWidget(note, (count + 1) / 2, 0, 1, 4);
   return group;
 }
@@ -102,7 +102,7 @@ QWidget* PreferencesDialog::makeLimits() {
   static_cast<QLabel*>(form->labelForField(cacheRow))->setBuddy(cache_);
   form->addRow(tr("Sna&pshot for recovery:"), autosave_);
   auto* note = new QLabel(tr("Threads and memory hold for projects opened from now on."), group);
-  note->setEnabled(false);
+  note->setForegroundRole(QPalette::PlaceholderText);
   form->addRow(note);
   return group;
 }

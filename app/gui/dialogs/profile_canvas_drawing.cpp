@@ -1,4 +1,4 @@
-// What ProfileCanvas draws.
+// Drawing of ProfileCanvas.
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>

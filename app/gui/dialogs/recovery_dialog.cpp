@@ -46,6 +46,7 @@ RecoveryDialog::RecoveryDialog(Editor& editor, std::vector<modeling::Snapshot> s
   list_->setAccessibleName(tr("Snapshots"));
   list_->setRootIsDecorated(false);
   list_->setHeaderLabels({tr("Project"), tr("Time"), tr("File")});
+  list_->setTextElideMode(Qt::ElideMiddle);  // names of files are at the end of their paths
   for (std::size_t i = 0; i < snapshots_.size(); ++i) {
     const modeling::Snapshot& each = snapshots_[i];
     const auto seconds =

@@ -1,78 +1,19 @@
 #include "app/gui/docks/comparison_dock.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 
 #include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/file_dialogs.h"
 #include "app/gui/document/editor.h"
-#include "app/gui/document/force_words.h"
 #include "app/gui/document/rebuild_words.h"
 #include "app/gui/widgets/form_row.h"
 #include "base/atomic_file.h"
 
 namespace palpa::gui {
-namespace {
-
-constexpr int kCellDigits = 3;                      // narrow columns; the exported table has all
-constexpr double kMinPlain = 1e3, kMaxPlain = 1e7;  // shown without a power of ten
-constexpr double kSameShare = 1e-6;   // of a figure: smaller differences are rounding errors
-constexpr double kCellNoise = 1e-12;  // of a number in the program's unit: less is a rounding error
-
-/// Unit in which a figure is shown.
-Unit unitOfFigure(const app::ComparedFigureInfo& info, const ShownUnits& units) {
-  const Unit& length = units.of(Quantity::kLength);
-  if (info.figure == app::ComparedFigure::kVolume)
-    return {length.symbol + QStringLiteral("³"), std::pow(length.factor, 3)};
-  const Unit shown = shownUnit(info.unit, units);
-  return shown.symbol.isEmpty() ? Unit{info.unit, 1} : shown;
-}
-
-QString cellText(const std::optional<double>& value, const Unit& unit, bool isSigned = false) {
-  if (!value) return QStringLiteral("–");
-  const double shown = std::abs(*value) < kCellNoise ? 0 : *value / unit.factor;
-  const double size = std::abs(shown);
-  const bool isPlain = size >= kMinPlain && size < kMaxPlain;  // not 1.78e+04
-  return (isSigned && shown > 0 ? "+" : "") +
-         (isPlain ? QString::number(shown, 'f', 0) : QString::number(shown, 'g', kCellDigits));
-}
-
-/// The difference, and 0 where it is a rounding error of the solution.
-std::optional<double> shownDifference(const app::ComparisonRow& row) {
-  const auto by = row.difference();
-  const bool isNoise = by && std::abs(*by) < kSameShare * std::max(std::abs(*row.values[0]),
-                                                                   std::abs(*row.values[1]));
-  return isNoise ? 0.0 : by;
-}
-
-QString errorTip(const std::optional<double>& error) {
-  return error && *error > 0
-             ? ComparisonDock::tr("Estimated error %1 %").arg(100 * *error, 0, 'g', 2)
-             : QString();
-}
-
-QString headingOf(const app::ComparisonRow& row) {
-  switch (row.part) {
-    case app::ComparisonRow::Part::kContact:
-      return QString::fromStdString(row.name);
-    case app::ComparisonRow::Part::kSupport:
-      return ComparisonDock::tr("Support %1").arg(QString::fromStdString(row.name));
-    case app::ComparisonRow::Part::kBody:
-      return ComparisonDock::tr("Whole body");
-  }
-  return {};
-}
-
-}  // namespace
 
 ComparisonDock::ComparisonDock(const Workspace& workspace, VariantComparison& comparison,
                                ComparisonView& pictures, ComparisonActions& actions,
@@ -141,8 +82,8 @@ QWidget* ComparisonDock::makeContent() {
   again_ = makeButton(tr("Build again"), "comparisonAgain", tr("Build the other variant again"));
   reload_ = makeButton(tr("&Reload"), "comparisonReload", tr("Read the other variant again"));
   copy_ = makeButton(tr("Cop&y"), "comparisonCopy", tr("Copy the table for a spreadsheet"));
-  save_ = makeButton(tr("E&xport …"), "comparisonExport",
-                     tr("Write all figures as comma-separated values"));
+  export_ = makeButton(tr("E&xport …"), "comparisonExport",
+                       tr("Write all figures as comma-separated values"));
   end_ = makeButton(tr("E&nd"), "comparisonEnd", tr("End the comparison"));
 
   shown_ = new QComboBox(page);
@@ -157,26 +98,7 @@ QWidget* ComparisonDock::makeContent() {
       tr("Show the other variant under the same touches in Simulate mode, instead of at rest"));
   deformed_->setChecked(pictures_.isDeformed());
 
-  table_ = new QTreeWidget(page);
-  table_->setObjectName("comparisonTable");
-  table_->setAccessibleName(tr("Figures of both variants"));
-  table_->setColumnCount(kColumns);
-  table_->setHeaderLabels({QString(), tr("A"), tr("B"), tr("B − A"), tr("%")});
-  QTreeWidgetItem* header = table_->headerItem();
-  header->setToolTip(kDifference, tr("Grey: smaller than the estimated errors of both"));
-  header->setToolTip(kPercent, tr("Difference over the figure of A"));
-  table_->setRootIsDecorated(false);
-  table_->setItemsExpandable(false);
-  table_->setIndentation(0);
-  table_->setUniformRowHeights(true);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->installEventFilter(this);
-  table_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->header()->setStretchLastSection(false);
-  table_->header()->setSectionResizeMode(kLabel, QHeaderView::Stretch);
-  table_->header()->setMinimumSectionSize(20);
-  for (int column = kA; column < kColumns; ++column)
-    header->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+  table_ = new ComparisonTable(page);
 
   auto* build = new QHBoxLayout;
   build->addWidget(progress_, 1);
@@ -191,7 +113,7 @@ QWidget* ComparisonDock::makeContent() {
   checks->addWidget(deformed_);
   checks->addStretch();
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* button : {copy_, save_, reload_, end_}) {
+  for (QPushButton* button : {copy_, export_, reload_, end_}) {
     button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // four in a narrow panel
     buttons->addWidget(button);
   }
@@ -212,8 +134,8 @@ QWidget* ComparisonDock::makeContent() {
   connect(cancel_, &QPushButton::clicked, this, [this] { comparison_.cancelBuild(); });
   connect(again_, &QPushButton::clicked, this, [this] { comparison_.buildAgain(); });
   connect(reload_, &QPushButton::clicked, &actions_, &ComparisonActions::reload);
-  connect(copy_, &QPushButton::clicked, this, &ComparisonDock::copy);
-  connect(save_, &QPushButton::clicked, this, &ComparisonDock::save);
+  connect(copy_, &QPushButton::clicked, table_, &ComparisonTable::copy);
+  connect(export_, &QPushButton::clicked, this, &ComparisonDock::exportTable);
   connect(end_, &QPushButton::clicked, &comparison_, &VariantComparison::end);
   return page;
 }
@@ -291,107 +213,16 @@ void ComparisonDock::showTable() {
   const auto result = comparison_.result();
   const bool hasRows = result && result->comparison;
   copy_->setEnabled(hasRows);
-  save_->setEnabled(hasRows);
+  export_->setEnabled(hasRows);
   if (comparison_.isActive()) showStatus();
   if (!hasRows) {
     table_->clear();
     return;
   }
-  const ShownUnits units = workspace_.settings.units();
-  int line = 0;
-  const auto set = [](QTreeWidgetItem& item, int column, const QString& text) {
-    if (item.text(column) != text) item.setText(column, text);
-  };
-  // Lines are kept: during a drag the table changes many times a second.
-  const auto next = [this, &line] {
-    if (line == table_->topLevelItemCount()) new QTreeWidgetItem(table_);
-    return table_->topLevelItem(line++);
-  };
-  QString heading;
-  for (const app::ComparisonRow& row : result->comparison->rows()) {
-    if (const QString now = headingOf(row); now != heading) {
-      heading = now;
-      QTreeWidgetItem& item = *next();
-      set(item, kLabel, heading);
-      for (int column = kA; column < kColumns; ++column) set(item, column, {});
-      item.setFlags(Qt::ItemIsEnabled);
-      item.setFirstColumnSpanned(true);
-      QFont font = table_->font();
-      font.setBold(true);
-      item.setFont(kLabel, font);
-    }
-    const app::ComparedFigureInfo& info = app::infoOf(row.figure);
-    const Unit unit = unitOfFigure(info, units);
-    QTreeWidgetItem& item = *next();
-    item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    item.setFirstColumnSpanned(false);
-    item.setFont(kLabel, table_->font());
-    set(item, kLabel, tr("%1, %2").arg(tr(info.label), unit.symbol));
-    set(item, kA, cellText(row.values[0], unit));
-    set(item, kB, cellText(row.values[1], unit));
-    const auto difference = shownDifference(row);
-    set(item, kDifference, cellText(difference, unit, true));
-    const auto relative = row.relativeDifference();
-    set(item, kPercent,
-        !relative         ? QString()
-        : difference == 0 ? QString("0")
-                          : QString::asprintf("%+.1f", 100 * *relative));
-    item.setToolTip(kLabel, item.text(kLabel).trimmed());
-    item.setToolTip(kA, errorTip(row.errors[0]));
-    item.setToolTip(kB, errorTip(row.errors[1]));
-    const bool isNoise = row.difference() != 0 && row.isWithinErrors();
-    for (int column = kA; column < kColumns; ++column)
-      item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-    for (const int column : {kDifference, kPercent}) {
-      item.setToolTip(column,
-                      isNoise ? tr("Smaller than the estimated errors of both") : QString());
-      item.setForeground(column,
-                         palette().color(isNoise ? QPalette::PlaceholderText : QPalette::Text));
-    }
-  }
-  const auto& states = result->comparison->states;
-  if (states[0].state.errorEstimate || states[1].state.errorEstimate) {
-    QTreeWidgetItem& item = *next();
-    item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    item.setFirstColumnSpanned(false);
-    item.setFont(kLabel, table_->font());
-    set(item, kLabel, tr("Estimated error, %"));
-    item.setToolTip(kLabel, tr("Of forces, stiffness and displacements"));
-    for (std::size_t k = 0; k < 2; ++k) {
-      const auto& error = states[k].state.errorEstimate;
-      set(item, kA + static_cast<int>(k), error ? QString::number(100 * *error, 'g', 2) : "–");
-      item.setTextAlignment(kA + static_cast<int>(k), Qt::AlignRight | Qt::AlignVCenter);
-    }
-    for (const int column : {kDifference, kPercent}) set(item, column, {});
-  }
-  while (table_->topLevelItemCount() > line) delete table_->takeTopLevelItem(line);
+  table_->showComparison(*result->comparison, workspace_.settings.units());
 }
 
-QString ComparisonDock::text(const QString& heading, const QString& label, int column) const {
-  QString current;
-  for (int k = 0; k < table_->topLevelItemCount(); ++k) {
-    const QTreeWidgetItem& item = *table_->topLevelItem(k);
-    if (!(item.flags() & Qt::ItemIsSelectable))
-      current = item.text(kLabel);
-    else if (current == heading && item.text(kLabel).trimmed().startsWith(label))
-      return item.text(column);
-  }
-  return {};
-}
-
-void ComparisonDock::copy() const {
-  if (table_->topLevelItemCount() == 0) return;
-  QStringList lines{QStringList{QString(), tr("A"), tr("B"), tr("B − A"), tr("%")}.join('\t')};
-  for (int k = 0; k < table_->topLevelItemCount(); ++k) {
-    QStringList cells;
-    for (int column = 0; column < kColumns; ++column)
-      cells << table_->topLevelItem(k)->text(column).trimmed();
-    lines << cells.join('\t');
-  }
-  QApplication::clipboard()->setText(lines.join('\n') + '\n');
-}
-
-void ComparisonDock::save() {
+void ComparisonDock::exportTable() {
   // The dialog runs the event loop: the comparison may end meanwhile.
   const auto result = comparison_.result();
   if (!result || !result->comparison) return;
@@ -406,15 +237,6 @@ void ComparisonDock::save() {
   } catch (const Error& error) {
     Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
   }
-}
-
-bool ComparisonDock::eventFilter(QObject* watched, QEvent* event) {
-  if (watched == table_ && event->type() == QEvent::KeyPress &&
-      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
-    copy();
-    return true;
-  }
-  return QDockWidget::eventFilter(watched, event);
 }
 
 }  // namespace palpa::gui

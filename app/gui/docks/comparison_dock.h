@@ -7,15 +7,15 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QTreeWidget>
 
 #include "app/gui/compare/comparison_actions.h"
 #include "app/gui/compare/comparison_view.h"
+#include "app/gui/docks/comparison_table.h"
 #include "app/gui/workspace/workspace.h"
 
 namespace palpa::gui {
 
-/// Panel with the table of a comparison and what the view shows of it.
+/// Panel with the table of a comparison and the choice of its pictures in the view.
 class ComparisonDock : public QDockWidget {
   Q_OBJECT
 
@@ -23,16 +23,12 @@ class ComparisonDock : public QDockWidget {
   ComparisonDock(const Workspace& workspace, VariantComparison& comparison,
                  ComparisonView& pictures, ComparisonActions& actions, QWidget* parent);
 
-  /// Text of a cell of the first row with this label below a heading; empty if absent.
-  QString text(const QString& heading, const QString& label, int column) const;
-
- protected:
-  /// Ctrl+C copies the table.
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  /// See ComparisonTable::text().
+  QString text(const QString& heading, const QString& label, int column) const {
+    return table_->text(heading, label, column);
+  }
 
  private:
-  enum Column { kLabel, kA, kB, kDifference, kPercent, kColumns };
-
   QWidget* makeStart();
   QWidget* makeContent();
   void showState();
@@ -40,8 +36,7 @@ class ComparisonDock : public QDockWidget {
   void showStatus();
   QString statusText() const;
   QString touchesText() const;
-  void copy() const;
-  void save();
+  void exportTable();
 
   Workspace workspace_;
   VariantComparison& comparison_;
@@ -52,8 +47,8 @@ class ComparisonDock : public QDockWidget {
   QProgressBar* progress_;
   QComboBox* shown_;
   QCheckBox *common_, *deformed_;
-  QTreeWidget* table_;
-  QPushButton *cancel_, *again_, *reload_, *copy_, *save_, *end_;
+  ComparisonTable* table_;
+  QPushButton *cancel_, *again_, *reload_, *copy_, *export_, *end_;
 };
 
 }  // namespace palpa::gui

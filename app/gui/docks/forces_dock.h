@@ -3,10 +3,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QTimer>
-#include <QTreeWidget>
 #include <map>
 
 #include "app/gui/base/settings.h"
+#include "app/gui/docks/force_table.h"
 #include "app/gui/simulate/force_history.h"
 #include "app/gui/simulate/simulation.h"
 #include "app/gui/widgets/plot_widget.h"
@@ -23,35 +23,28 @@ class ForcesDock : public QDockWidget {
  public:
   ForcesDock(Simulation& simulation, Editor& editor, Settings& settings, QWidget* parent);
 
-  /// Text of a cell; empty if absent.
-  QString text(int row, int column) const;
-  /// Text below the row: state of the contact and components of its force.
-  QString details(int row) const;
-
- protected:
-  /// Delete ends the selected contact.
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  /// See ForceTable.
+  QString text(int row, int column) const { return table_->text(row, column); }
+  QString details(int row) const { return table_->details(row); }
 
  private:
-  void endSelected();
-  void showMenu(const QPoint& at);
   void showForces();
   void showPlot();
-  struct Row {
-    QStringList cells;
-    QString details;
-    app::TouchId contact = 0;  ///< 0: not a contact
-    int curve = -1;            ///< number of the curve in the plot; -1: none
-  };
+  ForceTable::Row rowOf(const app::TouchSnapshot::Contact& contact);
+  /// Row of a load or a support; `verb` says what the force or moment does to the body.
+  ForceTable::Row rowOf(const QString& name, const QString& verb, const Eigen::Vector3d& vector,
+                        Quantity quantity = Quantity::kForce) const;
+  QString forceText(const Eigen::Vector3d& force) const;
+  /// Limits of the shown forces and hints, each after a line break.
+  QString notes() const;
   /// Number of a contact: constant while the contact or its curve is visible. Numbers restart
   /// with 1.
   int numberOf(app::TouchId contact);
-  void fillRow(int row, const Row& filled);
 
   Simulation& simulation_;
   const Editor& editor_;
   const Settings& settings_;
-  QTreeWidget* list_;
+  ForceTable* table_;
   QLabel* summary_;
   PlotWidget* plot_;
   AccuracyPanel* accuracy_;

@@ -1,6 +1,7 @@
 #include "app/gui/docks/history_dock.h"
 
 #include "app/gui/base/appearance.h"
+#include "app/gui/widgets/faint_text.h"
 
 namespace palpa::gui {
 namespace {
@@ -14,6 +15,7 @@ HistoryDock::HistoryDock(Editor& editor, QWidget* parent)
   setObjectName("history");
   list_->setObjectName("steps");
   list_->setAccessibleName(tr("Steps of the history"));
+  drawFaintText(*list_);
   list_->setUniformItemSizes(true);
   list_->setMinimumHeight(80);
   setWidget(list_);
@@ -59,8 +61,7 @@ void HistoryDock::showHistory() {
     QFont font = list_->font();
     font.setBold(row == present);
     item.setFont(font);
-    item.setForeground(row > present ? list_->palette().placeholderText()
-                                     : list_->palette().text());
+    item.setData(kFaintTextRole, row > present);
   }
   list_->setCurrentRow(present);
   list_->scrollToItem(list_->item(present));

@@ -2,6 +2,8 @@
 
 #include <QHeaderView>
 #include <QMenu>
+#include <QStyledItemDelegate>
+#include <algorithm>
 
 #include "app/gui/base/appearance.h"
 #include "app/gui/document/body_places.h"
@@ -14,6 +16,31 @@
 namespace palpa::gui {
 
 using RowKind = ModelTree::RowKind;
+
+namespace {
+
+constexpr int kMaxNamePercent = 72;  // of the panel's width; the rest is left to the details
+
+/// Limits the width of names, so that a long one leaves room for the details.
+class NameDelegate : public QStyledItemDelegate {
+ public:
+  explicit NameDelegate(QTreeView& view) : QStyledItemDelegate(&view), view_(view) {}
+
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    int depth = 1;
+    for (QModelIndex above = index.parent(); above.isValid(); above = above.parent()) ++depth;
+    const int most =
+        view_.viewport()->width() * kMaxNamePercent / 100 - depth * view_.indentation();
+    size.setWidth(std::min(size.width(), std::max(most, 0)));
+    return size;
+  }
+
+ private:
+  QTreeView& view_;
+};
+
+}  // namespace
 
 ModelDock::ModelDock(const Workspace& workspace)
     : QDockWidget(tr("Model"), &workspace.window),
@@ -35,8 +62,10 @@ ModelDock::ModelDock(const Workspace& workspace)
   view_->setMinimumHeight(80);
   view_->header()->setStretchLastSection(false);
   view_->header()->setMinimumSectionSize(40);
-  view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  // A long detail, such as the name of a material, is cut before the names are.
+  view_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  view_->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+  view_->setItemDelegateForColumn(0, new NameDelegate(*view_));
   setWidget(view_);
   expandGroups();
   connect(tree_, &QAbstractItemModel::modelReset, this, [this] {

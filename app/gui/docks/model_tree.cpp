@@ -8,8 +8,6 @@
 #include <algorithm>
 
 #include "app/gui/base/appearance.h"
-#include "app/gui/document/load_kinds.h"
-#include "app/gui/document/measurement_words.h"
 #include "app/gui/document/measurements.h"
 #include "app/gui/document/naming.h"
 
@@ -70,10 +68,6 @@ QIcon cachedIcon(const QString& name) {
   return *found;
 }
 
-QString fromUtf8(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 }  // namespace
 
 ModelTree::ModelTree(Editor& editor, QObject* parent)
@@ -85,20 +79,20 @@ ModelTree::ModelTree(Editor& editor, QObject* parent)
   });
   connect(&editor, &Editor::projectChanged, this, &ModelTree::showChange);
   connect(&editor.measurements(), &Measurements::changed, this,
-          [this] { replace(RowKind::kMeasurements, measurementLines()); });
+          [this] { replace(RowKind::kMeasurements, measurementLines(editor_)); });
   connect(&editor.settings(), &Settings::changed, this, [this] {
-    replace(RowKind::kMeasurements, measurementLines());
+    replace(RowKind::kMeasurements, measurementLines(editor_));
     const QModelIndex mesh = indexOf(RowKind::kMesh);
     Q_EMIT dataChanged(mesh, mesh.siblingAtColumn(1));
-    replace(RowKind::kLoads, loadLines());
+    replace(RowKind::kLoads, loadLines(editor_));
   });
   showAll();
 }
 
 void ModelTree::showAll() {
   hasEdges_ = editor_.solid() != nullptr;
-  lists_ = {patchLines(), edgeLines(),  supportLines(),
-            loadLines(),  touchLines(), measurementLines()};
+  lists_ = {patchLines(editor_), edgeLines(editor_),  supportLines(editor_),
+            loadLines(editor_),  touchLines(editor_), measurementLines(editor_)};
 }
 
 void ModelTree::showChange(const modeling::Change& change) {
@@ -108,11 +102,12 @@ void ModelTree::showChange(const modeling::Change& change) {
     endResetModel();
     return;
   }
-  if (change.topology || change.patchNames) replace(RowKind::kPatches, patchLines());
-  if (change.topology || change.patchNames || change.edges) replace(RowKind::kEdges, edgeLines());
-  if (change.supports) replace(RowKind::kSupports, supportLines());
-  if (change.loads) replace(RowKind::kLoads, loadLines());
-  if (change.touches) replace(RowKind::kTouches, touchLines());
+  if (change.topology || change.patchNames) replace(RowKind::kPatches, patchLines(editor_));
+  if (change.topology || change.patchNames || change.edges)
+    replace(RowKind::kEdges, edgeLines(editor_));
+  if (change.supports) replace(RowKind::kSupports, supportLines(editor_));
+  if (change.loads) replace(RowKind::kLoads, loadLines(editor_));
+  if (change.touches) replace(RowKind::kTouches, touchLines(editor_));
   const auto touch = [this](RowKind rowKind) {
     const QModelIndex row = indexOf(rowKind);
     Q_EMIT dataChanged(row, row.siblingAtColumn(1));
@@ -123,8 +118,8 @@ void ModelTree::showChange(const modeling::Change& change) {
   if (change.mesh) touch(RowKind::kMesh);
 }
 
-void ModelTree::replace(RowKind parent, Lines lines) {
-  Lines& old = lists_[*listOf(parent)];
+void ModelTree::replace(RowKind parent, ModelLines lines) {
+  ModelLines& old = lists_[*listOf(parent)];
   const QModelIndex row = indexOf(parent);
   const auto first = static_cast<int>(
       std::mismatch(old.begin(), old.end(), lines.begin(), lines.end()).first - old.begin());
@@ -152,7 +147,7 @@ void ModelTree::replace(RowKind parent, Lines lines) {
   Q_EMIT dataChanged(row, row.siblingAtColumn(1));
 }
 
-const ModelTree::Lines* ModelTree::linesOf(RowKind parent) const {
+const ModelLines* ModelTree::linesOf(RowKind parent) const {
   const auto list = listOf(parent);
   return list ? &lists_[*list] : nullptr;
 }
@@ -195,136 +190,18 @@ int ModelTree::rowCount(const QModelIndex& parent) const {
   if (!parent.isValid()) return 1;
   if (parent.column() > 0) return 0;
   const RowKind rowKind = kindOfRow(parent);
-  if (const Lines* lines = linesOf(rowKind)) return static_cast<int>(lines->size());
+  if (const ModelLines* lines = linesOf(rowKind)) return static_cast<int>(lines->size());
   return static_cast<int>(fixedChildren(rowKind).size());
-}
-
-ModelTree::Line ModelTree::lineOf(RowKind rowKind) const {
-  const modeling::Project& project = editor_.project();
-  switch (rowKind) {
-    case RowKind::kProject:
-      return {QString::fromStdString(project.name), {}, "model", tr("The project")};
-    case RowKind::kBody:
-      return {bodyTitle(project), {}, "solid", tr("The body")};
-    case RowKind::kPatches:
-      return {hasEdges_ ? tr("Patches") : tr("Faces"), {}, "patch", {}};
-    case RowKind::kEdges:
-      return {tr("Edges"), {}, "edge", {}};
-    case RowKind::kSupports:
-      return {tr("Supports"), {}, "paint-support", tr("Supported parts of the surface")};
-    case RowKind::kLoads:
-      return {tr("Loads"),
-              {},
-              "place-load",
-              tr("Forces, moments and pressures on the surface, and gravity")};
-    case RowKind::kTouches:
-      return {tr("Touches"),
-              {},
-              "place-touch",
-              tr("Touches stored in the project; Simulate plays them")};
-    case RowKind::kMeasurements:
-      return {
-          tr("Measurements"), {}, "measure", tr("Dimensions of the body; they follow its shape")};
-    case RowKind::kMaterial:
-      return {tr("Material"), QString::fromStdString(project.material.name), "material",
-              QString::fromStdString(project.material.name)};
-    case RowKind::kMesh:
-      return {tr("Mesh"),
-              shown(project.mesh.edgeLength, Quantity::kLength, editor_.settings().units(), 4),
-              "wire", tr("Length of the mesh's edges")};
-    default:
-      return {};
-  }
-}
-
-ModelTree::Lines ModelTree::patchLines() const {
-  Lines lines;
-  if (const modeling::Solid* solid = editor_.solid()) {
-    for (const modeling::Patch& patch : solid->patches())
-      lines.push_back(
-          {QString::fromStdString(patch.name),
-           QStringLiteral("%1 × %2").arg(patch.net.size()).arg(patch.net.front().size()), "patch",
-           tr("Patch of degree %1 × %2").arg(patch.degree[0]).arg(patch.degree[1])});
-  } else {
-    for (const std::string& name : modeling::patchNames(editor_.project().body))
-      lines.push_back({QString::fromStdString(name), {}, "patch", tr("Face of the mesh body")});
-  }
-  return lines;
-}
-
-ModelTree::Lines ModelTree::edgeLines() const {
-  Lines lines;
-  const modeling::Solid* solid = editor_.solid();
-  if (!solid) return lines;
-  for (const modeling::SolidEdge& edge : solid->edges()) {
-    std::array<QString, 2> names, sides;
-    for (int use = 0; use < 2; ++use) {
-      names[use] = QString::fromStdString(solid->patches()[edge.uses[use].patch].name);
-      sides[use] = fromUtf8(modeling::sideName(edge.uses[use].side));
-    }
-    lines.push_back(
-        {names[0] + " – " + names[1], edge.smooth ? tr("smooth") : tr("sharp"),
-         edge.smooth ? "smooth-edge" : "edge",
-         tr("Side %1 of %2, side %3 of %4").arg(sides[0], names[0], sides[1], names[1])});
-  }
-  return lines;
-}
-
-ModelTree::Lines ModelTree::supportLines() const {
-  Lines lines;
-  for (const modeling::Support& each : editor_.project().supports) {
-    const bool isFixed = each.kind == modeling::Support::Kind::kFixed;
-    lines.push_back({QString::fromStdString(each.name), isFixed ? tr("fixed") : tr("roller"),
-                     "paint-support",
-                     isFixed ? tr("Fixed in all directions") : tr("Slides along the surface")});
-  }
-  return lines;
-}
-
-ModelTree::Lines ModelTree::loadLines() const {
-  Lines lines;
-  const ShownUnits units = editor_.settings().units();
-  for (const modeling::Load& each : editor_.project().loads)
-    lines.push_back({QString::fromStdString(each.name), strengthText(each, units),
-                     infoOf(loadKindOf(each)).icon, loadText(each, units)});
-  return lines;
-}
-
-ModelTree::Lines ModelTree::touchLines() const {
-  Lines lines;
-  for (const modeling::Touch& each : editor_.project().touches)
-    lines.push_back({QString::fromStdString(each.name),
-                     tr(modeling::infoOf(each.kind).name),
-                     "place-touch",
-                     {}});
-  return lines;
-}
-
-ModelTree::Lines ModelTree::measurementLines() const {
-  Lines lines;
-  const auto& list = editor_.project().measurements;
-  if (list.empty()) return lines;
-  const auto& results = editor_.measurements().results();
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Measurements::Result& result = results[i];
-    lines.push_back({QString::fromStdString(list[i].name),
-                     result.value
-                         ? dimensionText(list[i].kind, *result.value, editor_.settings().units())
-                         : tr("gone"),
-                     result.value ? "measure" : "warning",
-                     result.value ? kindText(list[i].kind) : result.problem});
-  }
-  return lines;
 }
 
 QVariant ModelTree::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const RowKind rowKind = kindOfRow(index);
-  const Lines* siblings = isListed(rowKind) ? linesOf(parentOf(rowKind)) : nullptr;
+  const ModelLines* siblings = isListed(rowKind) ? linesOf(parentOf(rowKind)) : nullptr;
   if (siblings && index.row() >= static_cast<int>(siblings->size())) return {};
-  const Line line = siblings ? (*siblings)[index.row()] : lineOf(rowKind);
+  const ModelLine line = siblings ? (*siblings)[index.row()] : lineOf(rowKind, editor_);
   const bool isName = index.column() == 0;
-  const Lines* below = linesOf(rowKind);
+  const ModelLines* below = linesOf(rowKind);
   switch (role) {
     case Qt::DisplayRole:
       if (isName) return line.name;
@@ -392,7 +269,7 @@ QItemSelection ModelTree::rowsOf(const Selection& selection) const {
                              return list.kind == selection.named->kind;
                            })->group;
     const QString name = QString::fromStdString(selection.named->name);
-    const Lines& lines = *linesOf(parent);
+    const ModelLines& lines = *linesOf(parent);
     for (int row = 0; row < static_cast<int>(lines.size()); ++row)
       if (lines[row].name == name) add(parent, row);
   }

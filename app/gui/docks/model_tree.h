@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/gui/docks/model_lines.h"
 #include "app/gui/document/editor.h"
 
 namespace palpa::gui {
@@ -17,24 +18,7 @@ class ModelTree : public QAbstractItemModel {
   Q_OBJECT
 
  public:
-  enum class RowKind : quintptr {
-    kProject,
-    kBody,
-    kPatches,
-    kEdges,
-    kSupports,
-    kLoads,
-    kTouches,
-    kMeasurements,
-    kMaterial,
-    kMesh,
-    kPatch,
-    kEdge,
-    kSupport,
-    kLoad,
-    kTouch,
-    kMeasurement,
-  };
+  using RowKind = ModelRow;
 
   ModelTree(Editor& editor, QObject* parent);
 
@@ -58,28 +42,15 @@ class ModelTree : public QAbstractItemModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  private:
-  struct Line {
-    QString name, detail, icon, tip;
-    bool operator==(const Line&) const = default;
-  };
-  using Lines = std::vector<Line>;
-
   void showAll();
   void showChange(const modeling::Change& change);
-  Line lineOf(RowKind rowKind) const;  // of the fixed rows
-  Lines patchLines() const;
-  Lines edgeLines() const;
-  Lines supportLines() const;
-  Lines loadLines() const;
-  Lines touchLines() const;
-  Lines measurementLines() const;
-  const Lines* linesOf(RowKind parent) const;
-  void replace(RowKind parent, Lines lines);
+  const ModelLines* linesOf(RowKind parent) const;
+  void replace(RowKind parent, ModelLines lines);
   const std::vector<RowKind>& fixedChildren(RowKind parent) const;
 
   Editor& editor_;
   bool hasEdges_ = true;
-  std::array<Lines, 6> lists_;  // patches, edges, supports, loads, touches, measurements
+  std::array<ModelLines, 6> lists_;  // patches, edges, supports, loads, touches, measurements
 };
 
 }  // namespace palpa::gui

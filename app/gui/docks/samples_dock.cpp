@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMessageBox>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "app/core/results/section_file.h"
@@ -15,6 +16,11 @@
 #include "modeling/error.h"
 
 namespace palpa::gui {
+namespace {
+
+constexpr int kButtonMargin = 16;  // px, left and right of the text
+
+}  // namespace
 
 SamplesDock::SamplesDock(Samples& samples, SectionView& section, Settings& settings,
                          QWidget* parent)
@@ -34,6 +40,10 @@ SamplesDock::SamplesDock(Samples& samples, SectionView& section, Settings& setti
   setObjectName("samples");
   table_->setObjectName("samplesTable");
   table_->setAccessibleName(tr("Fields at the pinned samples"));
+  // The number of a sample stays in view while its column is scrolled to.
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->verticalHeader()->setHighlightSections(false);  // bold names are wider
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectColumns);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -47,7 +57,12 @@ SamplesDock::SamplesDock(Samples& samples, SectionView& section, Settings& setti
   saveSection_->setObjectName("saveSection");
   saveSection_->setToolTip(tr("Write the fields of the section as a table or mesh"));
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* button : {copy_, save_, remove_, saveSection_}) buttons->addWidget(button);
+  for (QPushButton* button : {copy_, save_, remove_, saveSection_}) {
+    // Four in a narrow panel: each as wide as its text needs.
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    buttons->addWidget(button,
+                       button->fontMetrics().horizontalAdvance(button->text()) + kButtonMargin);
+  }
   hint_->setObjectName("samplesHint");
   hint_->setWordWrap(true);
   hint_->setAlignment(Qt::AlignCenter);
@@ -92,15 +107,24 @@ void SamplesDock::showSamples() {
   if (values.empty()) table_->setRowCount(0);
   table_->setHidden(values.empty());
   hint_->setVisible(values.empty());
-  if (samples_.selected() >= 0 && samples_.selected() < table_->columnCount())
-    table_->selectColumn(samples_.selected());
-  else
-    table_->clearSelection();
   table_->resizeColumnsToContents();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  if (samples_.selected() >= 0 && samples_.selected() < table_->columnCount())
+    showSelected();
+  else
+    table_->clearSelection();
   for (QPushButton* button : {copy_, save_, remove_}) button->setEnabled(!values.empty());
   saveSection_->setEnabled(section_.isShown() && !section_.states().empty());
   isFilling_ = false;
+}
+
+void SamplesDock::showSelected() {
+  const int column = samples_.selected();
+  if (table_->currentColumn() == column && table_->selectionModel()->isColumnSelected(column, {}))
+    return;
+  table_->selectColumn(column);
+  // A column wider than the panel shows its beginning.
+  table_->horizontalScrollBar()->setValue(table_->horizontalHeader()->sectionPosition(column));
 }
 
 void SamplesDock::copy() const {

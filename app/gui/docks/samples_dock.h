@@ -22,6 +22,8 @@ class SamplesDock : public QDockWidget {
 
  private:
   void showSamples();
+  /// Selects the column of the selected sample.
+  void showSelected();
   void copy() const;
   void save();
   void saveSection();

@@ -19,7 +19,7 @@ QString accuracyReason(const app::RebuildStatus& status);
 
 /// True if a finer mesh is advised for the present project.
 bool canRefine(const app::RebuildStatus& status);
-/// What refining does, or why it is impossible.
+/// Effect of refining, or the reason why it is impossible.
 QString refineTip(const app::RebuildStatus& status);
 
 }  // namespace palpa::gui

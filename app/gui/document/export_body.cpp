@@ -8,6 +8,7 @@
 #include "modeling/exchange/mesh_writer.h"
 #include "modeling/mesh/display_mesh.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::gui {
@@ -47,8 +48,8 @@ void exportBody(const modeling::Project& project, const std::filesystem::path& p
     modeling::writeMesh({own->positions(), own->triangles(), {}, {}}, path);
     return;
   }
-  const modeling::SurfaceMesh mesh =
-      modeling::mesh(project.body, project.mesh, modeling::meshRegions(project), job);
+  const modeling::SurfaceMesh mesh = modeling::mesh(
+      project.body, project.mesh, modeling::meshRegions(project), job, modeling::meshFoci(project));
   if (surface == ExportedSurface::kDrawnSurface) {
     const modeling::MeshFile file = welded(modeling::displayMesh(mesh, project.body, {}, job));
     job.throwIfCancelled();

@@ -12,6 +12,8 @@ namespace {
 
 using Status = app::TouchSnapshot::Status;
 
+constexpr double kVectorNoise = 1e-9;  // N, N mm: shorter vectors are rounding errors
+
 }  // namespace
 
 QString kindText(bem::ContactTool::Kind kind) {
@@ -37,7 +39,7 @@ QString statusText(Status status) {
 }
 
 QString vectorText(const Eigen::Vector3d& vector, const Unit& unit) {
-  const double size = vector.norm() / unit.factor;
+  const double size = vector.norm() < kVectorNoise ? 0 : vector.norm() / unit.factor;
   const int decimals =
       size > 0 ? std::clamp(kForceDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9)
                : 0;

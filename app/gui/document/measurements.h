@@ -14,7 +14,7 @@ namespace palpa::gui {
 
 class Editor;
 
-/// Values of the project's measurements. They follow every edit: evaluated when somebody asks, and
+/// Values of the project's measurements. They follow every edit: evaluated by results(), and
 /// announced a little later, so that a drag stays fluent.
 class Measurements : public QObject {
   Q_OBJECT

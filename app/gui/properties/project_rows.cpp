@@ -13,6 +13,7 @@
 #include "app/gui/view/scene_controller.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 
 namespace palpa::gui {
 namespace {
@@ -67,8 +68,8 @@ void addMaterial(PropertyPage& page) {
 QString nodesText(const Editor& editor) {
   const modeling::Project& project = editor.project();
   try {
-    const double nodes =
-        modeling::estimateNodeCount(project.body, project.mesh, modeling::meshRegions(project));
+    const double nodes = modeling::estimateNodeCount(
+        project.body, project.mesh, modeling::meshRegions(project), modeling::meshFoci(project));
     if (!std::isfinite(nodes) || nodes > modeling::kMaxNodes)
       return tr("far too many: more than %L1").arg(modeling::kMaxNodes, 0, 'f', 0);
     return tr("about %L1").arg(nodes, 0, 'f', 0);

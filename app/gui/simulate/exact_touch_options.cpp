@@ -5,6 +5,12 @@
 #include "app/gui/widgets/form_row.h"
 
 namespace palpa::gui {
+namespace {
+
+constexpr const char* kTipProperty =
+    "tip";  // property of a button: its tool tip while it is enabled
+
+}  // namespace
 
 using Direction = ExactTouch::Direction;
 
@@ -75,7 +81,7 @@ void ExactTouchOptions::makeButtons(const std::function<void()>& sweep) {
   const auto add = [&](QPushButton* button, const char* name, const QString& tip, int row,
                        int column) {
     button->setObjectName(name);
-    button->setToolTip(tip);
+    button->setProperty(kTipProperty, tip);
     grid->addWidget(button, row, column);
   };
   add(apply_, "exactApply", tr("Touch the solid with these numbers, instead of the touch before"),
@@ -106,8 +112,12 @@ void ExactTouchOptions::refresh() {
   setFormRowVisible(form_, depth_, !info.isForce);
   setFormRowVisible(form_, force_, info.isForce);
   setFormRowVisible(form_, friction_, info.presses);
-  for (QPushButton* button : {apply_, keep_, store_, sweep_})
+  for (QPushButton* button : {apply_, keep_, store_, sweep_}) {
     button->setEnabled(touch_.isComplete());
+    button->setToolTip(touch_.isComplete()
+                           ? button->property(kTipProperty).toString()
+                           : tr("Choose a place first: click the solid, or type its coordinates"));
+  }
   if ((info.isForce ? touch_.force() : touch_.depth()) == 0) sweep_->setEnabled(false);
 }
 

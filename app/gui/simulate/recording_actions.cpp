@@ -194,8 +194,8 @@ void RecordingActions::exportAnimation() {
                                                   workspace_.settings.lastFolder());
   if (target.isEmpty()) return;
   try {
-    // Removed with what is in it, also after an error or a cancellation. Pictures are moved from
-    // there when all are drawn.
+    // Removed with its files, also after an error or a cancellation. Pictures are moved from there
+    // when all are drawn.
     const QTemporaryDir pictures(isVideo ? QDir::tempPath() + "/palpa-XXXXXX"
                                          : target + "/.palpa-XXXXXX");
     if (!pictures.isValid())

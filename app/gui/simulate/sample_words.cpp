@@ -11,15 +11,25 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kSampleDigits = 4;
+constexpr int kMaxDecimals = 7;  // more are harder to read than a power of ten
 
-/// Numbers in the chosen unit; those far below the largest one are rounding errors.
+/// Numbers in the chosen unit. Several have the decimals of the largest one; those far below it are
+/// rounding errors.
 QString numbers(std::initializer_list<double> values, Quantity quantity, const ShownUnits& units) {
+  const double factor = units.of(quantity).factor;
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
+  const int decimals =
+      largest > 0 ? kSampleDigits - 1 - static_cast<int>(std::floor(std::log10(largest / factor)))
+                  : 0;
+  const bool isPlain = values.size() > 1 && decimals >= 0 && decimals <= kMaxDecimals;
+  const double noise =
+      std::max(1e-6 * largest, isPlain ? 0.5 * factor * std::pow(10, -decimals) : 0.0);
   QStringList texts;
   for (const double value : values) {
-    const double cleaned = std::abs(value) < 1e-6 * largest ? 0 : value;
-    texts << QString::number(cleaned / units.of(quantity).factor, 'g', kSampleDigits);
+    const double cleaned = std::abs(value) < noise ? 0 : value / factor;
+    texts << (isPlain && cleaned != 0 ? QString::number(cleaned, 'f', decimals)
+                                      : QString::number(cleaned, 'g', kSampleDigits));
   }
   return texts.size() == 1 ? texts.front() : "(" + texts.join(", ") + ")";
 }

@@ -226,7 +226,7 @@ void Samples::showLabels() {
     if (areExtremesShown_) addExtremes(labels);
     if (hovered_) labels.push_back(*hovered_);
   }
-  // What stands still needs no new picture.
+  // Without motion the picture stays the same.
   const auto isSame = [](const view::SampleLabel& a, const view::SampleLabel& b) {
     return a.text == b.text && a.kind == b.kind && (a.at - b.at).norm() <= 1e-4 * a.at.norm();
   };

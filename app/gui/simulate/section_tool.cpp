@@ -99,7 +99,7 @@ bool SectionTool::move(const PointerEvent& event) {
     by = (event.pixel.y() < drag_->from.y() ? 1 : -1) * (b - a).norm();
   }
   if (!std::isfinite(by)) return true;
-  section_.setPlane({normal, drag_->before.offset + by}, true);
+  section_.setPlane({normal, section_.rounded(drag_->before.offset + by)}, true);
   return true;
 }
 
@@ -155,7 +155,7 @@ bool SectionTool::key(QKeyEvent* event) {
   const auto nudge = [this](double sign) {
     const auto [least, most] = section_.offsets();
     modeling::Plane plane = section_.plane();
-    plane.offset += sign * kNudge * (most - least);
+    plane.offset = section_.rounded(plane.offset + sign * kNudge * (most - least));
     section_.setPlane(plane);
   };
   switch (event->key()) {

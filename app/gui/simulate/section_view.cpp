@@ -10,8 +10,9 @@
 namespace palpa::gui {
 namespace {
 
-constexpr double kCoarse = 2.5;      // size of triangles while the plane moves
-constexpr double kUnchanged = 1e-5;  // of the largest value of a field
+constexpr double kCoarse = 2.5;       // size of triangles while the plane moves
+constexpr double kUnchanged = 1e-5;   // of the largest value of a field
+constexpr double kOffsetStep = 1e-3;  // of the power of ten below the body's reach
 
 Eigen::AlignedBox3d boxOf(const app::DrawnBody& body) {
   Eigen::AlignedBox3d box;
@@ -84,6 +85,11 @@ double SectionView::reach() const {
   return simulation_.drawn() ? 0.5 * boxOf(*simulation_.drawn()).diagonal().norm() : 1;
 }
 
+double SectionView::rounded(double offset) const {
+  const double step = kOffsetStep * std::pow(10, std::floor(std::log10(reach())));
+  return step * std::round(offset / step);
+}
+
 void SectionView::setShown(bool shown) {
   if (shown == isShown_) return;
   isShown_ = shown;
@@ -113,8 +119,8 @@ void SectionView::setPlane(const modeling::Plane& plane, bool isMoving) {
 }
 
 void SectionView::setNormal(const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d through = middle();
-  setPlane({normal.normalized(), normal.normalized().dot(through)});
+  const Eigen::Vector3d unit = normal.normalized();
+  setPlane({unit, rounded(unit.dot(middle()))});
 }
 
 void SectionView::flip() {
@@ -139,7 +145,7 @@ void SectionView::request() {
     if (axis == 2 && towards.head<2>().norm() > 0.4 * towards.norm())
       towards.head<2>().cwiseAbs().maxCoeff(&axis);
     plane_.normal = (towards[axis] < 0 ? -1 : 1) * Eigen::Vector3d::Unit(axis);
-    plane_.offset = plane_.normal.dot(boxOf(*simulation_.drawn()).center());
+    plane_.offset = rounded(plane_.normal.dot(boxOf(*simulation_.drawn()).center()));
     hasPlane_ = true;
     Q_EMIT changed();
   }

@@ -40,6 +40,8 @@ class SectionView : public QObject {
   Eigen::Vector3d middle() const;
   /// Half the diagonal of the body's box, mm.
   double reach() const;
+  /// The offset rounded to a step far below a pixel, so that it reads "1.82 mm".
+  double rounded(double offset) const;
 
   /// All fields at the point of the section under a pixel, and where it is drawn.
   struct Sample {

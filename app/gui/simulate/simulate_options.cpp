@@ -6,10 +6,18 @@
 #include "app/core/results/touch.h"
 #include "app/gui/widgets/form_row.h"
 #include "app/gui/widgets/quantity_edit.h"
+#include "base/round_number.h"
 
 namespace palpa::gui {
+namespace {
+
+constexpr int kRadiusDigits = 2;  // of the default, which is shown in a field
+
+}  // namespace
+
 double SimulateOptions::radius(const app::DrawnBody& body) const {
-  return radius_.value_or(app::defaultTouchRadius(body.model().setup().mesh()));
+  return radius_.value_or(
+      roundedToDigits(app::defaultTouchRadius(body.model().setup().mesh()), kRadiusDigits));
 }
 
 void SimulateOptions::setRadius(double radius) {

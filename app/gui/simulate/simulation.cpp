@@ -6,16 +6,13 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/results/touch.h"
 #include "app/core/system/destroy_in_background.h"
 #include "app/core/system/priority.h"
-#include "bem/base/error.h"
 
 namespace palpa::gui {
 namespace {
 
-constexpr int kFrame = 16;          // ms between two frames
-constexpr double kHeadroom = 0.25;  // a range is reduced if the values fill less than this share
+constexpr int kFrame = 16;  // ms between two frames
 /// Number of triangles that are drawn in time without a graphics card; a finer mesh has more.
 constexpr double kTriangles = 8000;
 constexpr int kMaxPieces = 8;  // of an edge of the mesh
@@ -23,30 +20,19 @@ constexpr int kMaxPieces = 8;  // of an edge of the mesh
 /// Smallest range of colours, as a share of the body's size or of Young's modulus.
 constexpr double kMinShare = 0.005;
 
-/// Smallest 1, 2 or 5 times a power of ten that is not below `value` > 0.
-double roundUp(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (value <= step * power * (1 + 1e-9)) return step * power;
-  return 10 * power;
-}
-
 }  // namespace
 
-Simulation::Simulation(Editor& editor, QObject* parent)
-    : QObject(parent),
-      editor_(editor),
-      stiffnessWorker_([this](app::StiffnessWorker::Result result) {
-        QMetaObject::invokeMethod(
-            this, [this, result = std::move(result)] { receiveStiffness(result); },
-            Qt::QueuedConnection);
-      }) {
+Simulation::Simulation(Editor& editor, QObject* parent) : QObject(parent), editor_(editor) {
   timer_.setInterval(kFrame);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Simulation::frame);
   connect(&editor, &Editor::rebuildChanged, this, [this] {
     followModel();
     if (isActive() && !drawn_) Q_EMIT waitingChanged();
+  });
+  connect(&stiffness_, &ShownStiffness::grown, this, [this] {
+    isDirty_ = true;
+    Q_EMIT picturesChanged();
   });
   // Another project opens in Model mode: body, curves and contacts of this one end at once.
   connect(&editor, &Editor::aboutToReplace, this, [this] {
@@ -65,11 +51,6 @@ modeling::DisplaySettings Simulation::displaySettings(const app::TouchModel& mod
   return settings;
 }
 
-std::array<double, 2> Simulation::roundRange(double largest, bool isSymmetric) {
-  const double end = roundUp(largest);
-  return {isSymmetric ? -end : 0, end};
-}
-
 void Simulation::setActive(bool active) {
   if (active == isActive()) return;
   if (active) {
@@ -85,7 +66,7 @@ void Simulation::setActive(bool active) {
     loop_->setModel(nullptr);
     maker_.cancel();
     maker_.waitUntilIdle();
-    stiffnessWorker_.stop();
+    stiffness_.stop();
     model_.reset();
     drawn_.reset();
     field_.reset();
@@ -124,9 +105,7 @@ void Simulation::endAll() {
 void Simulation::setQuantity(app::SurfaceQuantity quantity) {
   if (quantity == quantity_) return;
   quantity_ = quantity;
-  range_ = {0, 0};
-  largestInside_ = largestBeside_ = 0;
-  if (rangeMode_ == RangeMode::kHold) rangeMode_ = RangeMode::kAutomatic;
+  range_.startField();
   isDirty_ = true;
   computeStiffness();
   Q_EMIT quantityChanged();
@@ -134,16 +113,14 @@ void Simulation::setQuantity(app::SurfaceQuantity quantity) {
 }
 
 void Simulation::setRangeMode(RangeMode mode, const std::array<double, 2>& manual) {
-  rangeMode_ = mode;
-  manualRange_ = manual;
-  if (mode != RangeMode::kHold) range_ = {0, 0};
+  range_.setMode(mode, manual);
   isDirty_ = true;
   Q_EMIT picturesChanged();
 }
 
 void Simulation::setLargestBeside(double largest) {
-  if (largest == largestBeside_) return;
-  largestBeside_ = largest;
+  if (largest == range_.largestBeside()) return;
+  range_.setLargestBeside(largest);
   isDirty_ = true;
 }
 
@@ -152,36 +129,16 @@ const bem::BoundaryField* Simulation::field() {
 }
 
 void Simulation::setFingertip(double radius) {
-  if (fingertip_ == radius) return;
-  fingertip_ = radius;
-  computeStiffness();
+  if (stiffness_.setFingertip(radius)) computeStiffness();
 }
 
 /// Restarts the stiffness map. It is computed only while it is shown, since it delays the columns.
 void Simulation::computeStiffness() {
-  stiffnessWorker_.stop();
-  stiffnesses_.clear();
-  stiffnessReady_ = 0;
   isDirty_ = true;
-  if (quantity_ != app::SurfaceQuantity::kStiffness || !field_) return;
-  const app::TouchModel& model = field_->model()->model();
-  stiffnessWorker_.start(field_->model(),
-                         fingertip_.value_or(app::defaultTouchRadius(model.setup().mesh())));
-}
-
-void Simulation::receiveStiffness(const app::StiffnessWorker::Result& result) {
-  // A late result of a previous map.
-  if (!field_ || result.model != field_->model() || quantity_ != app::SurfaceQuantity::kStiffness ||
-      result.radius != fingertip_.value_or(result.radius))
-    return;
-  const app::BoundarySetup& setup = result.model->model().setup();
-  stiffnesses_ = drawn_->stiffnesses(result.compliances);
-  stiffnessColours_ =
-      app::StiffnessColours::of(setup.mesh(), setup.meshSlots(), result.compliances);
-  stiffnessColours_.cap(stiffnesses_);
-  stiffnessReady_ = result.ready;
-  isDirty_ = true;
-  Q_EMIT picturesChanged();
+  if (quantity_ == app::SurfaceQuantity::kStiffness && field_)
+    stiffness_.start(field_->model(), drawn_);
+  else
+    stiffness_.clear();
 }
 
 void Simulation::setScale(double scale) {
@@ -272,12 +229,13 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
     wantedNumber_ = 0;  // make it again, or the next one
     return;
   }
+  stiffness_.stop();  // it shares the body that is to be destroyed in the background
   if (field_) app::destroyInBackground(std::shared_ptr<app::TouchField>(std::move(field_)));
   if (drawn_) app::destroyInBackground(std::move(drawn_));
   field_ = std::move(field);
   drawn_ = std::move(drawn);
   drawnNumber_ = number;
-  range_ = {0, 0};
+  range_.restart();
   snapshot_ = incoming_;
   computeStiffness();
   evaluate();
@@ -295,7 +253,7 @@ void Simulation::evaluate() {
   if (field) values_ = drawn_->values(quantity_, *field);
   if (quantity_ == app::SurfaceQuantity::kDisplacement) values_ = shape_.sizes;
   if (quantity_ == app::SurfaceQuantity::kStiffness) {
-    values_ = stiffnesses_;
+    values_ = stiffness_.values();
     // No colour where the stiffness is unknown.
     values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
   }
@@ -313,7 +271,7 @@ double Simulation::leastRange() const {
 void Simulation::updateRange() {
   if (values_.empty()) return;
   if (quantity_ == app::SurfaceQuantity::kStiffness) {
-    range_ = stiffnessColours_.range;
+    range_.setEnds(stiffness_.colours().range);
     return;
   }
   double largest = 0;
@@ -322,20 +280,7 @@ void Simulation::updateRange() {
     // Without contacts and loads show no colours, instead of one colour for zero.
     std::fill(values_.begin(), values_.end(), std::numeric_limits<double>::quiet_NaN());
   }
-  if (rangeMode_ == RangeMode::kManual) {
-    range_ = manualRange_;
-    return;
-  }
-  largest = std::max({largest, largestInside_, largestBeside_});
-  // Change the range rarely, so that colours can be compared over time.
-  const double present = range_[1];
-  const double least = leastRange();
-  const bool mayChange = rangeMode_ != RangeMode::kHold || present == 0;
-  if (mayChange &&
-      (present == 0 || largest > present || (largest > 0 && largest < kHeadroom * present)))
-    range_[1] = roundUp(std::max(largest, least));
-  const bool isSymmetric = app::infoOf(quantity_).isSigned || rangeMode_ == RangeMode::kSymmetric;
-  if (mayChange) range_[0] = isSymmetric ? -range_[1] : 0;
+  range_.update(largest, leastRange(), app::infoOf(quantity_).isSigned);
 }
 
 }  // namespace palpa::gui

@@ -7,14 +7,14 @@
 #include <optional>
 #include <set>
 
-#include "app/core/live/stiffness_worker.h"
 #include "app/core/live/touch_field.h"
 #include "app/core/live/touch_loop.h"
 #include "app/core/results/drawn_body.h"
-#include "app/core/results/stiffness_colours.h"
 #include "app/core/system/priority.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/rebuild_words.h"
+#include "app/gui/simulate/colour_range.h"
+#include "app/gui/simulate/shown_stiffness.h"
 #include "base/worker_thread.h"
 
 namespace palpa::gui {
@@ -30,8 +30,6 @@ class Simulation : public QObject {
 
   /// How finely a model is drawn.
   static modeling::DisplaySettings displaySettings(const app::TouchModel& model);
-  /// Round ends of the colours of values up to `largest`, which is above zero.
-  static std::array<double, 2> roundRange(double largest, bool isSymmetric);
 
   bool isActive() const { return timer_.isActive(); }
   /// Leaving the mode ends all contacts.
@@ -55,9 +53,9 @@ class Simulation : public QObject {
   /// Radius of the fingertip of the stiffness colours, mm; default: a fingertip for the body.
   void setFingertip(double radius);
   /// Share of the surface with known stiffness, 0 … 1.
-  double stiffnessReady() const { return stiffnessReady_; }
+  double stiffnessReady() const { return stiffness_.ready(); }
   /// Colours of the stiffness.
-  const app::StiffnessColours& stiffnessColours() const { return stiffnessColours_; }
+  const app::StiffnessColours& stiffnessColours() const { return stiffness_.colours(); }
   /// Factor of the drawn displacements, 0 … 1000; forces do not depend on it.
   void setScale(double scale);
   double scale() const { return scale_; }
@@ -69,19 +67,14 @@ class Simulation : public QObject {
   const app::DrawnBody::Shape& shape() const { return shape_; }
   /// One number per point of drawn(); the range of the colours has round ends and changes rarely.
   const std::vector<double>& values() const { return values_; }
-  const std::array<double, 2>& range() const { return range_; }
+  const std::array<double, 2>& range() const { return range_.ends(); }
   /// How the ends of the colours follow the values. Stiffness has its own.
-  enum class RangeMode {
-    kAutomatic,  ///< round numbers that enclose the values and change rarely
-    kHold,       ///< as they are
-    kSymmetric,  ///< as kAutomatic, about zero
-    kManual,
-  };
+  using RangeMode = ColourRange::Mode;
   /// `manual` in the program's unit, first < second; only for kManual.
   void setRangeMode(RangeMode mode, const std::array<double, 2>& manual = {0, 1});
-  RangeMode rangeMode() const { return rangeMode_; }
+  RangeMode rangeMode() const { return range_.mode(); }
   /// Largest absolute value on a section: the range encloses it, too.
-  void setLargestInside(double largest) { largestInside_ = largest; }
+  void setLargestInside(double largest) { range_.setLargestInside(largest); }
   /// The same for another body beside this one.
   void setLargestBeside(double largest);
   /// The whole field of the last frame; null before the first body. Costs some milliseconds.
@@ -133,7 +126,6 @@ class Simulation : public QObject {
   void updateRange();
   double leastRange() const;
   void computeStiffness();
-  void receiveStiffness(const app::StiffnessWorker::Result& result);
 
   Editor& editor_;
   std::unique_ptr<app::TouchLoop> loop_;
@@ -150,18 +142,11 @@ class Simulation : public QObject {
   Eigen::VectorXd displacements_;
   app::DrawnBody::Shape shape_;
   std::vector<double> values_;
-  std::array<double, 2> range_{0, 1};
-  RangeMode rangeMode_ = RangeMode::kAutomatic;
-  std::array<double, 2> manualRange_{0, 1};
-  double largestInside_ = 0, largestBeside_ = 0;
+  ColourRange range_;
   app::SurfaceQuantity quantity_ = app::SurfaceQuantity::kDisplacement;
   double scale_ = 1;
-  std::optional<double> fingertip_;
-  std::vector<double> stiffnesses_;  // one per point, capped to the range of the colours
-  app::StiffnessColours stiffnessColours_;
-  double stiffnessReady_ = 0;
+  ShownStiffness stiffness_;
   WorkerThread maker_{app::lowerThreadPriority};  // of drawn bodies
-  app::StiffnessWorker stiffnessWorker_;
 };
 
 }  // namespace palpa::gui

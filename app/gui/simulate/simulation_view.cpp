@@ -36,17 +36,22 @@ view::ContactRing::State stateOf(Status status, bool isConverged) {
 
 }  // namespace
 
-SimulationView::SimulationView(Simulation& simulation, const Settings& settings,
-                               SceneController& scene, ViewportWidget& widget)
+SimulationView::SimulationView(const Editor& editor, Simulation& simulation,
+                               const Settings& settings, SceneController& scene,
+                               ViewportWidget& widget)
     : QObject(&widget),
       simulation_(simulation),
       settings_(settings),
       scene_(scene),
-      widget_(widget) {
+      widget_(widget),
+      loads_(editor, settings, simulation) {
   connect(&simulation, &Simulation::activeChanged, this, &SimulationView::enterOrLeave);
   connect(&simulation, &Simulation::bodyChanged, this, &SimulationView::showBody);
   connect(&simulation, &Simulation::framed, this, &SimulationView::showFrame);
-  connect(&settings, &Settings::changed, this, [this] { isStale_ = true; });  // units
+  connect(&settings, &Settings::changed, this, [this] {  // units
+    isStale_ = true;
+    if (hasBody_) loads_.find();
+  });
   connect(&simulation, &Simulation::picturesChanged, this, [this] {
     if (hasBody_) showField();
   });
@@ -107,6 +112,7 @@ void SimulationView::showBody() {
   size_ = 0;
   for (const Eigen::Vector3d& position : mesh.positions)
     size_ = std::max(size_, (position - mesh.positions.front()).norm());
+  loads_.find();
   showField();
   showGhost();
   showFrame();
@@ -201,7 +207,7 @@ bool SimulationView::hasChanged() {
 }
 
 void SimulationView::showFrame() {
-  // A held touch is computed without end, but what stands still needs no new picture.
+  // A touch that stays is computed without end, but without motion the picture stays the same.
   if (!hasBody_ || !hasChanged()) return;
   view::Viewport& viewport = widget_.viewport();
   viewport.moveBody(simulation_.shape().positions, simulation_.shape().normals);
@@ -211,6 +217,7 @@ void SimulationView::showFrame() {
     for (double& value : values) value /= factor;
     viewport.setFieldValues(values, {range()[0] / factor, range()[1] / factor});
   }
+  viewport.setLoadArrows(loads_.arrows());
   showContacts();
   widget_.updateQuickly();
 }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/gui/base/settings.h"
+#include "app/gui/simulate/load_marks.h"
 #include "app/gui/simulate/simulation.h"
 #include "app/gui/view/scene_controller.h"
 #include "app/gui/view/viewport_widget.h"
@@ -11,19 +12,20 @@
 namespace palpa::gui {
 
 /// Drawing of Simulate mode: the deformed surface in colours, arrows with newtons, rings around
-/// contacts, balls, and the undeformed shape as lines. After the mode the scene controller draws
-/// again.
+/// contacts, balls, the loads, and the undeformed shape as lines. After the mode the scene
+/// controller draws again.
 class SimulationView : public QObject {
   Q_OBJECT
 
  public:
-  SimulationView(Simulation& simulation, const Settings& settings, SceneController& scene,
-                 ViewportWidget& widget);
+  SimulationView(const Editor& editor, Simulation& simulation, const Settings& settings,
+                 SceneController& scene, ViewportWidget& widget);
 
   void setGhostShown(bool shown);
   bool isGhostShown() const { return isGhostShown_; }
 
-  /// What is shown instead of the state of the simulation; numbers in the program's units.
+  /// Values, colours and contacts shown in place of the state of the simulation; numbers in the
+  /// program's units.
   struct Replacement {
     QString name{};                                ///< of the field; empty: of the quantity
     std::vector<double> values{};                  ///< one per point of the body; empty: as usual
@@ -34,7 +36,7 @@ class SimulationView : public QObject {
   void setReplacement(std::optional<Replacement> replacement);
 
  private:
-  /// What a frame shows.
+  /// Contents of a frame.
   struct Drawn {
     std::vector<Eigen::Vector3d> positions;
     std::vector<double> values;
@@ -53,7 +55,7 @@ class SimulationView : public QObject {
   /// The numbers and the range to be shown.
   const std::vector<double>& values() const;
   std::array<double, 2> range() const;
-  /// True if the last frame differs visibly from what was drawn; takes it as drawn.
+  /// True if the frame differs visibly from the last one that was drawn; then stores it as drawn.
   bool hasChanged();
   /// Name, unit and colours of the shown quantity.
   view::ScalarField fieldLooks() const;
@@ -65,6 +67,7 @@ class SimulationView : public QObject {
   const Settings& settings_;
   SceneController& scene_;
   ViewportWidget& widget_;
+  LoadMarks loads_;
   bool isGhostShown_ = true;
   bool hasBody_ = false;
   bool isStale_ = true;  // must be drawn even without a change

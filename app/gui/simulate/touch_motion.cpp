@@ -37,7 +37,7 @@ std::optional<app::TouchId> TouchMotion::begin(const modeling::Touch& touch) {
                                                      Eigen::VectorXd(model.rest().field.u.col(0)));
     if (touch.kind == modeling::TouchKind::kPin) to += from;
   } else if (tool.presses()) {
-    // Where the tool first meets the surface, as moveTools() has it.
+    // From where the tool first meets the surface, as in moveTools().
     const bem::ContactSurface& surface = simulation_.body()->surface();
     from = surface.smoothPosition(place) + simulation_.displacementAt(place);
     if (app::infoOf(tool.kind).isBall) from += tool.radius * surface.normal(place);

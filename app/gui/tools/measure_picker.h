@@ -17,7 +17,7 @@ enum class MeasureWish {
   kEdgeOrPoint,  ///< an edge under the pointer, else the surface point
 };
 
-/// What a click measures.
+/// Place that a click measures.
 struct MeasureTarget {
   enum class Snap { kNone, kCorner, kEdge };
   modeling::MeasuredPlace place;

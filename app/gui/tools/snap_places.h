@@ -10,11 +10,11 @@
 
 namespace palpa::gui {
 
-/// What a dragged place snaps to.
+/// Target of the snapping of a dragged place.
 struct SnapTarget {
   enum class Kind { kPoint, kEdge };
   Kind kind = Kind::kPoint;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< mm
 };
 
 /// Control points and edges that stand still during a motion, as they were when it began.

@@ -41,7 +41,7 @@ class SupportTool : public SurfaceTool {
   void paintPatch(int patch);
   void paintAt(const Eigen::Vector3d& position);
   void eraseAt(const SurfacePlace& place);
-  /// Removes what is nearer than the radius from the strokes among the parts.
+  /// Removes the points of strokes among the parts that are nearer than the radius.
   void eraseStrokes(std::vector<modeling::RegionPart>& parts,
                     const Eigen::Vector3d& position) const;
   /// Continues the present stroke, the last of the parts, or begins another one.

@@ -22,8 +22,8 @@ class SceneController : public QObject {
  public:
   SceneController(Editor& editor, const Settings& settings, ViewportWidget& widget);
 
-  /// What is drawn of the project. With kNothing the view belongs to others; all changes are drawn
-  /// later.
+  /// Drawn part of the project. With kNothing other classes draw the view; changes of the project
+  /// are drawn when the extent changes.
   enum class Extent {
     kAll,
     kBody,  ///< the body with its supports and loads, without points, selection and touches

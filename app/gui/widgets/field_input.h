@@ -11,8 +11,8 @@ bool isField(const QWidget& widget);
 /// True while a field contains input that was not applied.
 bool hasUnfinishedInput(const QWidget& field);
 
-/// Drops the input that was not applied: the field shows its value, or `former` if it does not know
-/// the value itself.
+/// Drops the input that was not applied: the field shows its value, or `former` if it stores no
+/// value besides its text.
 void dropInput(QWidget& field, const QString& former);
 
 /// Applies the unfinished input of the focused field inside `window` and takes the focus from it.

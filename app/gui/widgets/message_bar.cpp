@@ -181,7 +181,7 @@ void MessageBar::remove(QWidget* row) {
 void MessageBar::place() {
   const int whole = parentWidget()->width(), free = whole - keptFree_ - 2 * kMargin;
   const int width = std::min(kMaxWidth, free < kMinBarWidth ? whole - 2 * kMargin : free);
-  // In the middle if there is room, otherwise beside what is kept free.
+  // In the middle if there is room, otherwise left of the strip that is kept free.
   const int left = std::max(kMargin, std::min((whole - width) / 2, kMargin + free - width));
   const int height =
       rows_->hasHeightForWidth() ? rows_->heightForWidth(width) : rows_->sizeHint().height();

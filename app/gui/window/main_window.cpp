@@ -14,6 +14,7 @@
 #include "app/gui/actions/edit_actions.h"
 #include "app/gui/actions/help_actions.h"
 #include "app/gui/actions/point_actions.h"
+#include "app/gui/actions/primitive_actions.h"
 #include "app/gui/actions/select_actions.h"
 #include "app/gui/actions/solid_actions.h"
 #include "app/gui/actions/view_actions.h"
@@ -64,7 +65,7 @@ MainWindow::MainWindow()
       comparison_(editor_, simulation_, settings_, nullptr),
       viewport_(new ViewportWidget(this)),
       scene_(editor_, settings_, *viewport_),
-      pictures_(new SimulationView(simulation_, settings_, scene_, *viewport_)),
+      pictures_(new SimulationView(editor_, simulation_, settings_, scene_, *viewport_)),
       section_(new SectionView(simulation_, settings_, *viewport_)),
       samples_(new Samples(simulation_, *section_, settings_, *viewport_)),
       comparisonView_(
@@ -87,6 +88,7 @@ MainWindow::MainWindow()
     return runWorkInBackground(*this, title, work);
   });
   files_ = new FileActions(workspace_);
+  addPrimitiveActions(workspace_);
   comparisonActions_ = new ComparisonActions(workspace_, comparison_);
   new EditActions(workspace_);
   addDeleteAction(workspace_);

@@ -18,7 +18,7 @@ constexpr double kFromEdge = 4;
 
 /// Half the side of a face; the rest, to 1, belongs to edges and corners.
 constexpr double kFace = 0.74;
-/// Parts seen more grazingly are not drawn.
+/// Parts turned farther away from the eye are not drawn.
 constexpr double kMinFacing = 0.02;
 
 struct Solid {

@@ -16,7 +16,7 @@
 namespace palpa::view {
 
 /// Dimension lines with extension lines, arrows and a plate with the number, of fixed size in
-/// pixels, over everything. Plates stay inside the picture and dodge what is drawn before.
+/// pixels, over everything. Plates stay inside the picture and beside the plates drawn before.
 class DimensionLayer {
  public:
   explicit DimensionLayer(vtkRenderer* overlay) : texts_(overlay) {}

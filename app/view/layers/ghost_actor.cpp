@@ -14,8 +14,7 @@ namespace {
 constexpr Colour kOnDark{0.92, 0.94, 0.98};
 constexpr Colour kOnWhite{0.13, 0.15, 0.20};
 
-/// The dense rim shows the outline of the shape without computing it.
-constexpr const char* kDenseRim = R"(
+constexpr const char* kGhostRim = R"(
 float facing = abs(normalVCVSOutput.z);
 opacity = mix(0.70, 0.16, smoothstep(0.0, 0.45, facing));
 //VTK::Light::Impl
@@ -26,11 +25,6 @@ opacity = mix(0.70, 0.16, smoothstep(0.0, 0.45, facing));
 constexpr const char* kFarthest =
     "gl_Position.z = 0.99999 * gl_Position.w;\n"
     "//VTK::Light::Impl\n";
-
-void setLines(vtkActor* actor, const std::vector<std::vector<int>>& lines) {
-  vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
-  actor->SetVisibility(!lines.empty());
-}
 
 // Without lines of the far side, which would confuse.
 constexpr const char* kDeclareFacing = R"(//VTK::Normal::Dec
@@ -45,42 +39,10 @@ constexpr const char* kDiscardTurned = "//VTK::Color::Impl\nif (facingVSOutput <
 
 }  // namespace
 
-GhostSide::GhostSide(vtkRenderer* scene)
-    : points_(makeFloatPoints()),
-      normals_(vtkSmartPointer<vtkFloatArray>::New()),
-      surface_(vtkSmartPointer<vtkPolyData>::New()),
-      actor_(vtkSmartPointer<vtkActor>::New()) {
-  normals_->SetNumberOfComponents(3);
-  surface_->SetPoints(points_);
-  surface_->GetPointData()->SetNormals(normals_);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(surface_);
-  actor_->SetMapper(mapper);
-  vtkShaderProperty* shader = actor_->GetShaderProperty();
-  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, kDenseRim, false);
-  shader->AddVertexShaderReplacement("//VTK::Light::Impl", true, kFarthest, false);
-  vtkProperty* property = actor_->GetProperty();
-  property->SetInterpolationToPhong();
-  property->SetAmbient(0.6);
-  property->SetDiffuse(0.4);
-  property->BackfaceCullingOn();
-  blendInOrder(actor_);
-  actor_->VisibilityOff();
-  scene->AddActor(actor_);
-}
-
-void GhostSide::set(const ViewportBody& body) {
-  vtkNew<vtkCellArray> triangles;
-  for (const Triangle& t : body.triangles) triangles->InsertNextCell({t[0], t[1], t[2]});
-  surface_->SetPolys(triangles);
-  assign(body.positions, points_);
-  assign(body.normals, normals_);
-  surface_->Modified();
-  actor_->SetVisibility(!body.triangles.empty());
-}
+GhostSide::GhostSide(vtkRenderer* scene) : surface_(scene, {kGhostRim, kFarthest, 0.6, 0.4}) {}
 
 void GhostSide::setTheme(const ViewportTheme& theme) {
-  setColour(actor_, mixed(theme.net, theme.body, 0.3));
+  surface_.setColour(mixed(theme.net, theme.body, 0.3));
 }
 
 GhostLines::GhostLines(vtkRenderer* scene, vtkRenderer* shineThrough)
@@ -121,8 +83,8 @@ void GhostLines::set(const ViewportBody& body) {
   bounds_ = {};
   for (const Eigen::Vector3d& position : body.positions) bounds_.add(position);
   const auto borders = distinctLines(body.borders, body.positions);
-  for (vtkActor* actor : borders_) setLines(actor, borders);
-  for (vtkActor* actor : knotLines_) setLines(actor, body.knotLines);
+  for (vtkActor* actor : borders_) showLines(actor, borders);
+  for (vtkActor* actor : knotLines_) showLines(actor, body.knotLines);
 }
 
 void GhostLines::setTheme(const ViewportTheme& theme,

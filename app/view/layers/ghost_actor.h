@@ -11,6 +11,7 @@
 
 #include "app/view/camera/bounds.h"
 #include "app/view/camera/turntable.h"
+#include "app/view/layers/rim_surface.h"
 #include "app/view/layers/vtk_arrays.h"
 #include "app/view/scene/scene.h"
 #include "app/view/scene/theme.h"
@@ -24,14 +25,11 @@ namespace palpa::view {
 class GhostSide {
  public:
   explicit GhostSide(vtkRenderer* scene);
-  void set(const ViewportBody& body);
+  void set(const ViewportBody& body) { surface_.set(body); }
   void setTheme(const ViewportTheme& theme);
 
  private:
-  vtkSmartPointer<vtkPoints> points_;
-  vtkSmartPointer<vtkFloatArray> normals_;
-  vtkSmartPointer<vtkPolyData> surface_;
-  vtkSmartPointer<vtkActor> actor_;
+  RimSurface surface_;
 };
 
 /// Borders and knot lines; the hidden ones of the near side are drawn faintly. Create it after the

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/view/scene/theme.h"
+#include "base/round_number.h"
 
 namespace palpa::view {
 namespace {
@@ -21,21 +22,13 @@ constexpr int kPiecesPerLine = 16;
 
 }  // namespace
 
-double roundSpacing(double smallest) {
-  const double power = std::pow(10, std::floor(std::log10(smallest)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= smallest * (1 - 1e-12)) return factor * power;
-  }
-  return 10 * power;
-}
-
 double gridSpacing(const Turntable& camera, double pixelRatio) {
-  return roundSpacing(kMinCell * pixelRatio / camera.pixelsPerLength(camera.distance()));
+  return roundedUp(kMinCell * pixelRatio / camera.pixelsPerLength(camera.distance()));
 }
 
 double groundLevel(const Bounds& body) {
   if (body.empty() || body.low.z() >= 0) return 0;
-  const double step = roundSpacing(std::max(0.02 * body.size().norm(), 1e-9));
+  const double step = roundedUp(std::max(0.02 * body.size().norm(), 1e-9));
   // A body that stands on a step up to rounding stays there.
   return step * std::floor(body.low.z() / step + 1e-3);
 }

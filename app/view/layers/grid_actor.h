@@ -11,10 +11,7 @@
 /// The ground grid. Internal to app/view.
 namespace palpa::view {
 
-/// The smallest of 1, 2, 5 times a power of ten that is at least `smallest` (> 0).
-double roundSpacing(double smallest);
-
-/// Between the lines of the grid, mm.
+/// Distance between the lines of the grid, mm.
 double gridSpacing(const Turntable& camera, double pixelRatio);
 
 /// Height of the grid's plane: 0, or below a body that reaches deeper, in steps that suit its size,

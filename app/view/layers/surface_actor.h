@@ -37,7 +37,7 @@ class SurfaceActor {
   /// Viewport::setRegions().
   void setRegions(const std::vector<double>& supports, const std::vector<double>& loads,
                   const std::vector<double>& conflict);
-  /// Leaves out what lies where these numbers, one per point, are above zero. Empty: nothing.
+  /// Leaves out the surface where these numbers, one per point, are above zero. Empty: draws all.
   void setCut(const std::vector<double>& distances);
   /// Viewport::setField(); the range is required.
   void setField(const std::optional<ScalarField>& field);

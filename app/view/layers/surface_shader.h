@@ -17,7 +17,7 @@ struct SurfaceLook {
   bool anyLoad = false;
   bool anyConflict = false;
   bool anyMark = false;
-  bool isCut = false;  ///< what lies in front of a section is left out
+  bool isCut = false;  ///< the part in front of a section is left out
   std::optional<ScalarField::Colours> field;
 
   bool operator==(const SurfaceLook&) const = default;

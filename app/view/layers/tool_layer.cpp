@@ -116,12 +116,11 @@ void ToolLayer::set(const ToolDrawing& drawing, const ViewportTheme& theme, doub
     const Lines& lines = lines_[k];
     ends_.insert(ends_.end(), points.begin(), points.end());
     assign(points, lines.points);
-    vtkPolyData::SafeDownCast(lines.actor->GetMapper()->GetInput())->SetLines(polylines(cells));
+    showLines(lines.actor, cells);
     const Look look = lookOf(style, theme);
     setColour(lines.actor, look.colour);
     lines.actor->GetProperty()->SetLineWidth(static_cast<float>(look.width * pixelRatio));
     lines.actor->GetProperty()->SetOpacity(look.opacity);
-    lines.actor->SetVisibility(!cells.empty());
   }
   std::vector<std::string> texts;
   for (const ToolDrawing::Label& label : drawing.labels) texts.push_back(label.text);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kWidest = 1.04;  // of a face, for the longest word
 constexpr double kFontSize = 26;  // of the pictures of words, per pixel ratio; drawn at about half
-constexpr double kMinFacing = 0.32;  // words on faces seen more grazingly are left out
+constexpr double kMinFacing = 0.32;  // cosine; words on faces turned farther away are left out
 constexpr double kOpacity = 0.94;
 
 struct Name {

@@ -136,6 +136,11 @@ vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines) 
   return actor;
 }
 
+void showLines(vtkActor* actor, const std::vector<std::vector<int>>& lines) {
+  vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
+  actor->SetVisibility(!lines.empty());
+}
+
 void setColour(vtkActor* actor, const Colour& colour) {
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }

@@ -40,6 +40,8 @@ void blendInOrder(vtkActor* actor);
 /// An unlit actor for lines of `points`, in front of surfaces that contain them, blended in order.
 /// The width is set by the caller.
 vtkSmartPointer<vtkActor> makeLineActor(vtkPoints* points, vtkCellArray* lines);
+/// Replaces the lines of such an actor; without lines it is hidden.
+void showLines(vtkActor* actor, const std::vector<std::vector<int>>& lines);
 
 void setColour(vtkActor* actor, const Colour& colour);
 

@@ -15,6 +15,12 @@ void requireRange(const std::array<double, 2>& range) {
           "the range of a field is finite, the smallest value first");
 }
 
+/// The field on a surface with so many points, where its values are not known yet.
+ScalarField withoutValues(ScalarField field, std::size_t points) {
+  field.values.assign(points, std::numeric_limits<double>::quiet_NaN());
+  return field;
+}
+
 }  // namespace
 
 void Viewport::setField(const std::optional<ScalarField>& field) {
@@ -28,13 +34,10 @@ void Viewport::setField(const std::optional<ScalarField>& field) {
   }
   parts_->surface.setField(field);
   if (field) {
-    ScalarField ofFace = *field;
-    ofFace.values.assign(parts_->section ? parts_->section->face.positions.size() : 0,
-                         std::numeric_limits<double>::quiet_NaN());
-    parts_->sectionFace.setField(ofFace);
-    ofFace.values.assign(parts_->standIn ? parts_->standIn->positions.size() : 0,
-                         std::numeric_limits<double>::quiet_NaN());
-    parts_->standInSurface.setField(ofFace);
+    parts_->sectionFace.setField(
+        withoutValues(*field, parts_->section ? parts_->section->face.positions.size() : 0));
+    parts_->standInSurface.setField(
+        withoutValues(*field, parts_->standIn ? parts_->standIn->positions.size() : 0));
   } else {
     parts_->sectionFace.setField(std::nullopt);
     parts_->standInSurface.setField(std::nullopt);
@@ -69,10 +72,8 @@ void Viewport::setSection(const std::optional<SectionDrawing>& section) {
   const ViewportBody& face = section ? section->face : none;
   parts_->faceBoxes.set(face.positions, face.triangles);
   parts_->sectionFace.setBody(face);
-  if (!parts_->field) return;
-  ScalarField field = *parts_->field;
-  field.values.assign(face.positions.size(), std::numeric_limits<double>::quiet_NaN());
-  parts_->sectionFace.setField(field);
+  if (parts_->field)
+    parts_->sectionFace.setField(withoutValues(*parts_->field, face.positions.size()));
 }
 
 void Viewport::moveSection(const std::vector<Eigen::Vector3d>& positions,
@@ -126,10 +127,8 @@ void Viewport::setStandIn(const std::optional<ViewportBody>& body) {
   parts_->sectionFace.setVisible(!body);
   parts_->standInSurface.setVisible(body.has_value());
   parts_->standInSurface.setBody(standIn);
-  if (!parts_->field) return;
-  ScalarField field = *parts_->field;
-  field.values.assign(standIn.positions.size(), std::numeric_limits<double>::quiet_NaN());
-  parts_->standInSurface.setField(field);
+  if (parts_->field)
+    parts_->standInSurface.setField(withoutValues(*parts_->field, standIn.positions.size()));
 }
 
 void Viewport::moveStandIn(const std::vector<Eigen::Vector3d>& positions,

@@ -118,7 +118,7 @@ class Viewport {
   /// Its triangles may be coarser than the triangles of the body: drawing them takes time.
   void setGhost(const std::optional<ViewportBody>& body);
   /// Another body, translucent in kComparedColour, with its borders; none to
-  /// remove it. The body hides what lies inside it. fit() shows it, too.
+  /// remove it. The body hides the parts inside it. fit() shows it, too.
   void setCompared(const std::optional<ViewportBody>& body);
   /// The same triangles at other places.
   void moveCompared(const std::vector<Eigen::Vector3d>& positions,

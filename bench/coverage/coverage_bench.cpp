@@ -1,0 +1,234 @@
+// palpa-coverage: stated against true errors over random bodies (docs/verification.md).
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/core/model/build_touch_model.h"
+#include "app/core/results/error_estimate.h"
+#include "app/core/results/field_sample.h"
+#include "app/core/results/touch.h"
+#include "bench/coverage/random_case.h"
+#include "modeling/error.h"
+#include "modeling/mesh/mesh.h"
+
+namespace palpa::bench {
+namespace {
+
+using Eigen::Vector3d;
+using modeling::Engine;
+using nlohmann::json;
+
+struct Solution {
+  int unknowns = 0;
+  double stated = 0;
+  std::vector<Vector3d> displacements;  ///< at the places
+  std::vector<Vector3d> forces;         ///< of the contacts, or the reaction without one
+  double widening = 1;                  ///< of the touch's mask
+  double seconds = 0;
+};
+
+Solution solve(const modeling::Project& project, const std::vector<Vector3d>& places,
+               bool wantsEstimate) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto model = app::buildTouchModel(project, {}, {});
+  app::TouchState state =
+      project.touches.empty() ? model->rest() : app::playTouches(*model, project.touches);
+  Solution solution;
+  solution.unknowns = model->setup().discretisation->displacementCount();
+  if (wantsEstimate) solution.stated = app::estimateError(*model, state);
+  for (const Vector3d& place : places)
+    solution.displacements.push_back(app::sampleField(*model, state, place).displacement);
+  for (const auto& contact : state.contacts) {
+    solution.forces.push_back(contact.force);
+    if (!contact.isBall() && project.touches.front().radius)
+      solution.widening = contact.radius / *project.touches.front().radius;
+  }
+  if (state.contacts.empty())
+    for (const auto& support : state.supports) solution.forces.push_back(support.resultant.force);
+  solution.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return solution;
+}
+
+/// Places all over the surface: nodes of a coarse mesh.
+std::vector<Vector3d> placesOn(const modeling::Body& body, double size) {
+  modeling::MeshSettings settings;
+  settings.engine = Engine::kTriangles;
+  settings.edgeLength = size / 2.5;
+  return modeling::mesh(body, settings).positions;
+}
+
+/// Larger of the relative errors of displacements (root mean squares) and of forces.
+double errorOf(const Solution& solution, const Solution& truth) {
+  double error = 0, scale = 0;
+  for (std::size_t k = 0; k < truth.displacements.size(); ++k) {
+    error += (solution.displacements[k] - truth.displacements[k]).squaredNorm();
+    scale += truth.displacements[k].squaredNorm();
+  }
+  double relative = std::sqrt(error / scale);
+  double largest = 0;
+  for (const Vector3d& force : truth.forces) largest = std::max(largest, force.norm());
+  for (std::size_t k = 0; k < truth.forces.size(); ++k)
+    relative = std::max(relative, (solution.forces[k] - truth.forces[k]).norm() / largest);
+  return relative;
+}
+
+/// Edge length that gives about so many nodes, mm.
+double edgeLengthFor(modeling::Project project, double nodes, double size) {
+  double low = size / 200, high = size;
+  for (int step = 0; step < 30; ++step) {
+    const double middle = std::sqrt(low * high);
+    project.mesh.edgeLength = middle;
+    (modeling::estimateNodeCount(project.body, project.mesh) > nodes ? low : high) = middle;
+  }
+  return high;
+}
+
+struct Variant {
+  std::string name;
+  Engine engine;
+  double nodes;     ///< of triangles
+  double accuracy;  ///< of splines
+};
+
+const std::vector<Variant>& variants() {
+  static const std::vector<Variant> all{{"quadratic 500", Engine::kQuadratic, 500, 0},
+                                        {"quadratic 1200", Engine::kQuadratic, 1200, 0},
+                                        {"triangles 600", Engine::kTriangles, 600, 0},
+                                        {"triangles 1500", Engine::kTriangles, 1500, 0},
+                                        {"splines 0.03", Engine::kSplines, 0, 0.03},
+                                        {"splines 0.01", Engine::kSplines, 0, 0.01}};
+  return all;
+}
+
+json run(std::uint64_t number, double truthNodes) {
+  json result{{"number", number}};
+  try {
+    RandomCase random = randomCase(number);
+    result.update({{"shape", random.shape},
+                   {"support", random.support},
+                   {"action", random.action},
+                   {"nu", random.project.material.poissonRatio}});
+    modeling::Project& project = random.project;
+    const auto [low, high] = modeling::boundingBox(project.body);
+    const double size = (high - low).norm() / 2;
+    const std::vector<Vector3d> places = placesOn(project.body, size);
+    const auto set = [&](Engine engine, double nodes, double accuracy) {
+      project.mesh = {};
+      project.mesh.engine = engine;
+      if (engine == Engine::kSplines) {
+        project.mesh.accuracy = accuracy;
+        project.mesh.edgeLength = size / 10;
+      } else {
+        project.mesh.edgeLength = edgeLengthFor(project, nodes, size);
+      }
+    };
+    set(Engine::kQuadratic, truthNodes, 0);
+    const Solution truth = solve(project, places, false);
+    set(Engine::kQuadratic, truthNodes / 2, 0);
+    const Solution half = solve(project, places, false);
+    result["truth"] = {{"unknowns", truth.unknowns},
+                       {"seconds", truth.seconds},
+                       {"to_half", errorOf(half, truth)}};
+    for (const Variant& variant : variants()) {
+      try {
+        set(variant.engine, variant.nodes, variant.accuracy);
+        const Solution solution = solve(project, places, true);
+        result["variants"][variant.name] = {{"unknowns", solution.unknowns},
+                                            {"stated", solution.stated},
+                                            {"true", errorOf(solution, truth)},
+                                            {"widening", solution.widening},
+                                            {"seconds", solution.seconds}};
+      } catch (const std::exception& error) {
+        result["variants"][variant.name] = {{"failed", error.what()}};
+      }
+    }
+  } catch (const std::exception& error) {
+    result["failed"] = error.what();
+  }
+  return result;
+}
+
+/// Share of cases with stated >= true, smallest and median ratio, per engine and variant.
+void summarise(const std::vector<json>& results) {
+  std::map<std::string, std::vector<std::array<double, 2>>> ratios;
+  std::map<std::string, int> failed;
+  int invalid = 0;
+  for (const json& result : results) {
+    if (!result.contains("variants")) {
+      ++invalid;
+      continue;
+    }
+    for (const auto& [name, of] : result["variants"].items()) {
+      if (of.contains("failed")) {
+        ++failed[name];
+        continue;
+      }
+      const double error = of["true"];
+      ratios[name].push_back({of["stated"].get<double>() / std::max(error, 1e-12), error});
+    }
+  }
+  std::printf("%-16s %6s %9s %9s %9s %9s %9s %9s %7s\n", "variant", "cases", "covered %",
+              ">= half %", "least", "median", "90 %", "med. err", "failed");
+  for (auto& [name, list] : ratios) {
+    const auto count = static_cast<double>(list.size());
+    const auto share = [&](double least) {
+      return 100 *
+             static_cast<double>(std::count_if(list.begin(), list.end(),
+                                               [&](const auto& r) { return r[0] >= least; })) /
+             count;
+    };
+    const double covered = share(1), half = share(0.5);
+    std::sort(list.begin(), list.end());
+    const auto quantile = [&](double q) {
+      return list[static_cast<std::size_t>(q * (count - 1))][0];
+    };
+    std::vector<double> errors;
+    for (const auto& r : list) errors.push_back(r[1]);
+    std::sort(errors.begin(), errors.end());
+    std::printf("%-16s %6zu %9.1f %9.1f %9.2f %9.2f %9.2f %9.2e %7d\n", name.c_str(), list.size(),
+                covered, half, list.front()[0], quantile(0.5), quantile(0.9),
+                errors[errors.size() / 2], failed[name]);
+  }
+  std::printf("%d numbers without a valid body or truth\n", invalid);
+}
+
+}  // namespace
+}  // namespace palpa::bench
+
+int main(int argc, char** argv) {
+  using namespace palpa::bench;
+  CLI::App options("Stated against true errors of displacements and forces over random bodies.");
+  std::uint64_t first = 1, count = 10;
+  double truthNodes = 3500;
+  std::string file;
+  bool isSummary = false;
+  options.add_option("--first", first, "number of the first case");
+  options.add_option("--cases", count, "how many");
+  options.add_option("--truth-nodes", truthNodes,
+                     "of the mesh of quadratic triangles that counts as true");
+  options.add_option("-o", file, "one line of JSON per case; cases that it holds are left out");
+  options.add_flag("--summary", isSummary, "only print the table of the file");
+  CLI11_PARSE(options, argc, argv);
+  std::map<std::uint64_t, nlohmann::json> results;
+  if (!file.empty()) {
+    std::ifstream known(file);
+    for (std::string line; std::getline(known, line);) {
+      const nlohmann::json result = nlohmann::json::parse(line);
+      results[result.at("number")] = result;
+    }
+  }
+  for (std::uint64_t number = first; !isSummary && number < first + count; ++number) {
+    if (results.contains(number)) continue;
+    results[number] = run(number, truthNodes);
+    if (!file.empty()) std::ofstream(file, std::ios::app) << results[number].dump() << '\n';
+    std::fprintf(stderr, "%s\n", results[number].dump().c_str());
+  }
+  std::vector<nlohmann::json> all;
+  for (const auto& [number, result] : results) all.push_back(result);
+  summarise(all);
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+namespace palpa::modeling {
+
+/// Part of the surface with a finer mesh: the place of a touch or of a small load.
+struct MeshFocus {
+  Eigen::Vector3d center;  ///< mm, on or near the surface
+  double radius;           ///< mm, > 0
+  /// Wanted distance of adjacent nodes within half of the radius, mm; beyond it grows by
+  /// kSizeGrowth per distance. Lengths of more than that of the settings have no effect.
+  double edgeLength;
+};
+
+/// True if an edge from a to b (mm) is within half of the radius of a focus.
+bool isAtFocus(const MeshFocus& focus, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// Rough number of nodes that the foci add to a mesh with the given edge length (mm), as
+/// refinementNodes() for lines: ∫ (1 / l(s)² - 1 / h²) dA over the plane around each focus.
+double focusNodes(std::span<const MeshFocus> foci, double edgeLength, double areaPerNode);
+
+}  // namespace palpa::modeling

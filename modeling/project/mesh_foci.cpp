@@ -1,0 +1,43 @@
+#include "modeling/project/mesh_foci.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeling/mesh/mesh.h"
+
+namespace palpa::modeling {
+namespace {
+
+/// Distance of adjacent nodes over the radius of a pressure mask. Masks are at least 1.25 times as
+/// wide as the longest edge at a node of linear triangles, or once the longest edge of quadratic
+/// ones, which is about three times the distance of their nodes.
+double shareOfRadius(Engine engine) {
+  return engine == Engine::kQuadratic ? 0.3 : 0.42;
+}
+
+/// Radius of the area that a touch loads, mm; 0 if it is not known.
+double loadedRadius(const Touch& touch) {
+  if (!touch.radius) return 0;
+  const TouchKindInfo& info = infoOf(touch.kind);
+  if (!info.isBall) return *touch.radius;
+  // Hertz: a ball pressed into an elastic half space by d touches within sqrt(R d).
+  return info.isForce ? 0 : std::sqrt(*touch.radius * std::min(touch.vector.norm(), *touch.radius));
+}
+
+}  // namespace
+
+std::vector<MeshFocus> meshFoci(const Project& project) {
+  const Engine engine = engineFor(project.body, project.mesh.engine);
+  std::vector<MeshFocus> foci;
+  if (engine == Engine::kSplines) return foci;
+  const auto add = [&](const Eigen::Vector3d& center, double radius) {
+    const double length = shareOfRadius(engine) * radius;
+    if (radius > 0 && length < project.mesh.edgeLength) foci.push_back({center, radius, length});
+  };
+  for (const Touch& touch : project.touches) add(touch.at, loadedRadius(touch));
+  for (const Load& load : project.loads)
+    if (const auto* bump = std::get_if<Bump>(&load.what)) add(bump->center, bump->radius);
+  return foci;
+}
+
+}  // namespace palpa::modeling

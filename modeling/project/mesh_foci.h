@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "modeling/mesh/mesh_focus.h"
+#include "modeling/project/project.h"
+
+namespace palpa::modeling {
+
+/// The places of a project where a mesh of triangles must be finer than its settings say: under
+/// touches, whose pressure masks would otherwise be wider than wished or whose contact area would
+/// cover few nodes, and under bumps. None for splines, whose elements follow
+/// project_geometry.h (app/core).
+std::vector<MeshFocus> meshFoci(const Project& project);
+
+}  // namespace palpa::modeling
