@@ -36,6 +36,7 @@ set(palpa_public_headers
   modeling/exchange/import.h
   modeling/measure/measured_body.h
   modeling/mesh/mesh.h
+  modeling/mesh/mesh_focus.h
   modeling/mesh/mesh_settings.h
   modeling/mesh/region_border.h
   modeling/mesh/surface_mesh.h

@@ -1,10 +1,8 @@
 #include "app/cli/body_file.h"
 
-#include <filesystem>
-
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
-#include "app/core/session/new_project.h"
+#include "app/core/session/import_project.h"
 #include "base/count_text.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/file_format.h"
@@ -34,10 +32,8 @@ void writeMeshOf(const modeling::Project& project, const std::string& path, bool
 ReadBody readBody(const std::string& path, const modeling::ImportOptions& options, const Job& job) {
   if (modeling::fileFormatOf(path) == modeling::FileFormat::kProject)
     return {modeling::readProject(path), 0.0, {}};
-  modeling::ImportedBody imported = modeling::importBody(path, options, job);
-  const std::string name = std::filesystem::path(path).stem().string();
-  return {app::makeProject(std::move(imported.body), name), imported.deviation,
-          std::move(imported.notes)};
+  app::ImportedProject imported = app::importProject(path, options, job);
+  return {std::move(imported.project), imported.deviation, std::move(imported.notes)};
 }
 
 void writeBody(const modeling::Project& project, const std::string& path, bool remesh,
@@ -68,6 +64,12 @@ Json toJson(const ReadBody& read) {
   report["deviation_mm"] = read.deviation;
   report["notes"] = read.notes;
   return report;
+}
+
+Json toJson(const modeling::ProposedSupport& proposed) {
+  return {{"name", proposed.support.name},
+          {"where", proposed.description()},
+          {"faces", proposed.flatFace}};
 }
 
 std::string toText(const ReadBody& read) {

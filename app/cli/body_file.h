@@ -7,6 +7,7 @@
 #include "app/cli/command.h"
 #include "modeling/exchange/import.h"
 #include "modeling/project/project.h"
+#include "modeling/project/proposed_support.h"
 
 // Bodies in files of any kind: projects, CAD files, triangle meshes.
 namespace palpa::cli {
@@ -30,5 +31,8 @@ void writeBody(const modeling::Project& project, const std::string& path, bool r
 /// Kind and size of the body, deviation and notes.
 Json toJson(const ReadBody& read);
 std::string toText(const ReadBody& read);
+
+/// Name of the support, the place it holds in words, and the names of the held faces.
+Json toJson(const modeling::ProposedSupport& proposed);
 
 }  // namespace palpa::cli

@@ -26,7 +26,7 @@ class CheckCommand : public Command {
   void declare(CLI::App& options) override { input_.declare(options); }
 
   void run(const Context& context) override {
-    const modeling::Project project = input_.read();
+    const modeling::Project project = input_.read(context);
     const auto regions = modeling::meshRegions(project);
     const Job job = context.job();
     const modeling::SurfaceMesh mesh =

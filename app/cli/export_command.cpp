@@ -28,7 +28,7 @@ class ExportCommand : public Command {
         modeling::FileFormat::kProject)
       throw UsageError(
           "export: --output must be a CAD or mesh file; palpa-cli convert copies projects");
-    const ReadBody read{input_.read(), 0.0, {}};
+    const ReadBody read = input_.readWithNotes(context.job());
     writeBody(read.project, output_.path(), input_.hasEdgeLength(), context.job());
     Json report{{"file", output_.path()}};
     report.update(toJson(read));

@@ -2,6 +2,7 @@
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
 #include "base/count_text.h"
+#include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/project/json_values.h"
 #include "modeling/project/mesh_foci.h"
@@ -135,6 +136,22 @@ std::string describe(const modeling::Body& body, Json& report) {
   return std::visit([&](const auto& one) { return describe(one, report); }, body);
 }
 
+/// Of a mesh body the mesh itself, which costs little and is exact where many features are small.
+double expectedNodes(const modeling::Project& project, const Job& job) {
+  const auto regions = modeling::meshRegions(project);
+  const auto foci = modeling::meshFoci(project);
+  const double estimate = modeling::estimateNodeCount(project.body, project.mesh, regions, foci);
+  constexpr double kMaxMeshed = 50'000;
+  if (std::holds_alternative<modeling::Solid>(project.body) || !(estimate < kMaxMeshed))
+    return estimate;
+  try {
+    return static_cast<double>(
+        modeling::mesh(project.body, project.mesh, regions, job, foci).positions.size());
+  } catch (const modeling::ModelingError&) {
+    return estimate;  // `mesh` and `check` say why there is no mesh
+  }
+}
+
 class InfoCommand : public Command {
  public:
   std::string name() const override { return "info"; }
@@ -144,12 +161,11 @@ class InfoCommand : public Command {
   void declare(CLI::App& options) override { input_.declare(options); }
 
   void run(const Context& context) override {
-    const modeling::Project project = input_.read();
+    const modeling::Project project = input_.read(context);
     const auto box = surfaceBox(project.body);
     const double volume = modeling::volume(project.body);
     const double area = modeling::area(project.body);
-    const double nodes = modeling::estimateNodeCount(
-        project.body, project.mesh, modeling::meshRegions(project), modeling::meshFoci(project));
+    const double nodes = expectedNodes(project, context.job());
 
     Json report{{"name", project.name},
                 {"material", modeling::jsonOf(project.material)},

@@ -221,7 +221,7 @@ class MeasureCommand : public Command {
   }
 
   void run(const Context& context) override {
-    modeling::Project project = input_.read();
+    modeling::Project project = input_.read(context);
     const MeasuredBody body(project.body);
     const std::size_t stored = project.measurements.size();
     addRequested(project, body);

@@ -30,7 +30,7 @@ class MeshCommand : public Command {
   void run(const Context& context) override {
     // Check the file name before the work.
     if (output_.isGiven()) modeling::requireFormat(output_.path(), modeling::isWritableMesh);
-    const modeling::Project project = input_.read();
+    const modeling::Project project = input_.read(context);
     const auto regions = modeling::meshRegions(project);
     const modeling::SurfaceMesh mesh = modeling::mesh(project.body, project.mesh, regions,
                                                       context.job(), modeling::meshFoci(project));

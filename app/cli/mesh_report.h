@@ -7,7 +7,8 @@
 
 namespace palpa::cli {
 
-/// Counts and quality of a mesh: nodes, triangles, smallest angle, edge lengths.
+/// Counts and quality of a mesh: nodes, triangles, smallest angle, edge lengths, features meshed
+/// over.
 Json toJson(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& quality);
 std::string toText(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& quality);
 

@@ -1,13 +1,20 @@
 #include "app/cli/project_input.h"
 
+#include <iostream>
+
 #include "app/cli/errors.h"
 #include "app/cli/values.h"
+#include "modeling/exchange/file_format.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::cli {
 
 void ProjectInput::declare(CLI::App& options) {
-  options.add_option("file", file_, "Project file (JSON)")->required()->type_name("");
+  options
+      .add_option("file", file_,
+                  "Project, or a CAD or mesh file: " + modeling::endingsText(modeling::isReadable))
+      ->required()
+      ->type_name("");
   options
       .add_option("--edge-length", edgeLength_,
                   "Target length of mesh edges in mm, instead of the project's")
@@ -44,11 +51,27 @@ modeling::Engine parseEngine(const std::string& text) {
 
 }  // namespace
 
-modeling::Project ProjectInput::read() const {
-  modeling::Project project = modeling::readProject(file_);
-  if (!edgeLength_.empty()) {
-    project.mesh.edgeLength = parsePositive("--edge-length", edgeLength_);
-  }
+bool ProjectInput::isImported() const {
+  const auto format = modeling::fileFormatOf(file_);
+  return format && modeling::isImportable(infoOf(*format));
+}
+
+modeling::Project ProjectInput::read(const Context& context) const {
+  ReadBody read = readWithNotes(context.job());
+  context.progress.clear();
+  if (!context.options.quiet)
+    for (const std::string& note : read.notes)
+      std::cerr << "palpa-cli: " << file_ << ": " << note << '\n';
+  return std::move(read.project);
+}
+
+ReadBody ProjectInput::readWithNotes(const Job& job) const {
+  modeling::ImportOptions import;
+  if (!edgeLength_.empty()) import.edgeLength = parsePositive("--edge-length", edgeLength_);
+  ReadBody read =
+      isImported() ? readBody(file_, import, job) : ReadBody{modeling::readProject(file_), 0.0, {}};
+  modeling::Project& project = read.project;
+  if (import.edgeLength > 0) project.mesh.edgeLength = import.edgeLength;
   if (!accuracy_.empty() && !elementLength_.empty())
     throw UsageError("give either --accuracy or --element-length");
   if (!engine_.empty()) project.mesh.engine = parseEngine(engine_);
@@ -60,7 +83,7 @@ modeling::Project ProjectInput::read() const {
   if (!elementLength_.empty())
     project.mesh.elementLength = parsePositive("--element-length", elementLength_);
   modeling::checkProject(project);
-  return project;
+  return read;
 }
 
 }  // namespace palpa::cli

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/cli/body_file.h"
+#include "app/cli/command.h"
 #include "modeling/project/project.h"
 
 namespace palpa::cli {
@@ -13,8 +15,15 @@ class ProjectInput {
   /// Adds FILE, --edge-length, --engine, --accuracy and --element-length.
   void declare(CLI::App& options);
 
-  /// Reads the file and applies the options. Throws as readProject(), and UsageError.
-  modeling::Project read() const;
+  /// Reads a project, or makes one from a CAD or mesh file, and applies the options. Notes on the
+  /// import go to standard error. Throws as readBody(), and UsageError.
+  modeling::Project read(const Context& context) const;
+
+  /// The same with the notes, which are not written.
+  ReadBody readWithNotes(const Job& job) const;
+
+  /// True if the file is not a project, but a CAD or mesh file.
+  bool isImported() const;
 
   /// True if the command line changes the mesh size.
   bool hasEdgeLength() const { return !edgeLength_.empty(); }

@@ -133,10 +133,10 @@ class RenderCommand : public Command {
     validateRecording();
     PictureOptions pictureOptions = readPictureOptions();
     const view::PictureSize size = size_.empty() ? view::PictureSize{} : parseSize(size_);
-    const modeling::Project project = input_.read();
+    const modeling::Project project = touch_.touched(input_.read(context));
     view::requireDisplay();
 
-    const auto model = app::buildTouchModel(touch_.touched(project), {}, context.job());
+    const auto model = app::buildTouchModel(project, {}, context.job());
     if (pictureOptions.field == app::SurfaceQuantity::kStiffness) {
       const double radius = fingertip_.empty() ? app::defaultTouchRadius(model->setup().mesh())
                                                : parsePositive("--fingertip", fingertip_);

@@ -66,8 +66,8 @@ class SectionCommand : public Command {
         throw UsageError("--output: a section is written as .csv or .vtp, found '" +
                          output_.path() + "'");
     }
-    const modeling::Project project = input_.read();
-    const auto model = app::buildTouchModel(touch_.touched(project), {}, context.job());
+    const modeling::Project project = touch_.touched(input_.read(context));
+    const auto model = app::buildTouchModel(project, {}, context.job());
     const bool touched = touch_.isGiven() || !project.touches.empty();
     const app::TouchState state = touched ? touch_.play(*model, project, context) : model->rest();
     const auto body = std::make_shared<const app::DrawnBody>(model);

@@ -30,10 +30,10 @@ class SolveCommand : public Command {
     samples_.validate();
     if (output_.isGiven()) requireResultFileName(output_.path());
     deformed_.validate();
-    const modeling::Project project = input_.read();
+    const modeling::Project project = input_.read(context);
     const auto model = app::buildTouchModel(project, {}, context.job());
     app::TouchState state = model->rest();
-    state.errorEstimate = app::estimateError(*model, state, context.job());
+    app::addErrors(*model, state, context.job());
     const StateReport report{*model, state, samples_.evaluate(*model, state), 0,
                              samples_.hasFormerName()};
     if (output_.isGiven()) writeResult(*model, state, report.json(), output_.path());

@@ -1,9 +1,13 @@
 #include "app/cli/state_report.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/cli/text.h"
 #include "app/core/live/touch_table.h"
 #include "app/core/system/memory.h"
 #include "base/count_text.h"
+#include "base/number_with_error.h"
 
 namespace palpa::cli {
 namespace {
@@ -16,10 +20,43 @@ Json toJson(const std::string& name, const bem::Resultant& resultant) {
           {"moment_Nmm", cli::toJson(resultant.moment)}};
 }
 
-std::string toText(const char* what, const std::string& name, const bem::Resultant& resultant) {
-  return format("%-10s %s: force ", what, name.c_str()) + cli::toText(resultant.force, 4) +
-         format(" N, |%.4g| N, moment ", resultant.force.norm()) +
-         cli::toText(resultant.moment, 4) + " N·mm\n";
+/// A number without the digits that its relative error makes uncertain.
+std::string rounded(double value, double error) {
+  if (!(error > 0)) return format("%.4g", value);
+  return withDecimals(value, decimalsFor(value, error * std::abs(value)));
+}
+
+std::string rounded(const Eigen::Vector3d& vector, double error) {
+  if (!(error > 0)) return cli::toText(vector, 4);
+  const double length = vector.norm();
+  return cli::toText(vector, digitsFor(length, error * length));
+}
+
+/// A number of at most the size of `whole`, with the same decimals.
+std::string inDecimalsOf(double value, double whole, double error) {
+  if (!(error > 0)) return format("%.4g", value);
+  return withDecimals(value, decimalsFor(whole, error * whole));
+}
+
+/// "4.72 ± 0.03", without the error where it is not known.
+std::string withError(double value, double error) {
+  const std::string text = rounded(value, error);
+  if (!(error > 0) || value == 0) return text;
+  return text + " ± " + errorText(error * value, decimalsFor(value, error * value));
+}
+
+/// `error`: relative, 0 for a given load; `lever`: mm, of errors of forces in the moment.
+std::string toText(const char* what, const std::string& name, const bem::Resultant& resultant,
+                   double error, double lever) {
+  const double moment = resultant.moment.norm();
+  // A moment below its error is shown as 0.
+  const double momentError = error * std::max(moment, lever * resultant.force.norm());
+  const int digits = momentError > moment ? 0
+                     : momentError > 0    ? digitsFor(moment, momentError)
+                                          : 4;
+  return format("%-10s %s: force ", what, name.c_str()) + rounded(resultant.force, error) +
+         " N, |" + withError(resultant.force.norm(), error) + "| N, moment " +
+         (digits > 0 ? cli::toText(resultant.moment, digits) : "(0, 0, 0)") + " N·mm\n";
 }
 
 const char* kindName(const app::TouchState::Contact& contact) {
@@ -40,6 +77,7 @@ Json toJson(const app::TouchState::Contact& contact) {
   json["displacement_mm"] = cli::toJson(contact.displacement);
   json["deflection_mm"] = cli::toJson(contact.deflection);
   json["stiffness_N_per_mm"] = contact.stiffness;
+  if (contact.errorEstimate) json["error_estimate"] = *contact.errorEstimate;
   if (!contact.presses()) return json;
   json["friction"] = contact.friction;
   json["tool_mm"] = cli::toJson(contact.tool);
@@ -60,12 +98,16 @@ std::string toText(const app::TouchState::Contact& contact) {
   if (contact.radius > 0) text += format(", radius %.4g mm", contact.radius);
   if (contact.presses()) text += format(", friction %.4g", contact.friction);
   text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
-  text += "           force " + cli::toText(contact.force, 4) +
-          format(
-              " N, |%.4g| N: %.4g N into the body, %.4g N along it; deflection %.4g mm, "
-              "stiffness %.4g N/mm\n",
-              contact.force.norm(), contact.normalForce(), contact.tangentialForce().norm(),
-              contact.deflection.norm(), contact.stiffness);
+  const double force = contact.force.norm();
+  const double error = contact.errorEstimate.value_or(0);
+  const bool isGiven = contact.kind && modeling::infoOf(*contact.kind).isForce;
+  const double ofForce = isGiven ? 0 : error;
+  text += "           force " + rounded(contact.force, ofForce) + " N, |" +
+          withError(force, ofForce) +
+          "| N: " + inDecimalsOf(contact.normalForce(), force, ofForce) + " N into the body, " +
+          inDecimalsOf(contact.tangentialForce().norm(), force, ofForce) +
+          " N along it; deflection " + rounded(contact.deflection.norm(), error) +
+          " mm, stiffness " + rounded(contact.stiffness, error) + " N/mm\n";
   if (contact.isBall() && !contact.patch.empty())
     text += format("           patch radius %.4g mm, %zu masks\n", contact.patchRadius(),
                    contact.patch.size());
@@ -178,9 +220,11 @@ std::string StateReport::text() const {
         "largest\n",
         state.path->steps, state.path->settlingSteps, state.path->change);
   }
-  for (const auto& load : model.setup().loads) text += toText("load", load.name, load.resultant);
+  for (const auto& load : model.setup().loads)
+    text += toText("load", load.name, load.resultant, 0, 0);
   for (const auto& support : state.supports) {
-    text += toText("support", support.name, support.resultant);
+    text += toText("support", support.name, support.resultant, state.errorEstimate.value_or(0),
+                   model.setup().mesh().boundingSize());
   }
   text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);

@@ -4,10 +4,13 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "base/number_with_error.h"
+
 namespace palpa::cli {
 namespace {
 
-constexpr int kMaxDecimals = 6;  // smaller numbers have powers of ten
+constexpr int kMaxDecimals = 6;      // smaller numbers have powers of ten
+constexpr double kMaxWritten = 1e9;  // larger ones too
 
 }  // namespace
 
@@ -34,6 +37,7 @@ std::string toText(const Eigen::Vector3d& vector, int digits) {
   const int decimals =
       largest > 0 ? digits - 1 - static_cast<int>(std::floor(std::log10(largest))) : 0;
   const auto number = [&](double x) {
+    if (decimals < 0 && largest < kMaxWritten) return withDecimals(x, decimals);
     if (decimals < 0 || decimals > kMaxDecimals) return format("%.*g", digits, x);
     std::string text = format("%.*f", decimals, x);
     if (text.find('.') != std::string::npos) {

@@ -11,6 +11,7 @@
 #include "app/cli/sample_options.h"
 #include "app/cli/state_report.h"
 #include "app/cli/sweep_report.h"
+#include "app/cli/text.h"
 #include "app/cli/touch_options.h"
 #include "app/cli/values.h"
 #include "app/core/live/touch_replay.h"
@@ -34,6 +35,7 @@ class TouchCommand : public Command {
            "--friction 0.5\n"
            "  palpa-cli touch ball.json --at 0,0,25 --displace 0,0,-2 --at 25,0,0 --kind pin\n"
            "    (two at once: the options of each follow its --at)\n"
+           "  palpa-cli touch bracket.step --place auto --depth 1%   (opposite to the support)\n"
            "  palpa-cli touch projects/sphere.json   (plays the project's touches)\n"
            "  palpa-cli touch ball.json --at 0,0,25 --kind ball --displace 0,0,-2 --radius 6 "
            "--sweep 20 -o curve.csv\n"
@@ -71,22 +73,24 @@ class TouchCommand : public Command {
     const bool isCurve = sweepSteps > 0 && isTableName();
     if (output_.isGiven() && !isCurve) requireResultFileName(output_.path());
     deformed_.validate();
-    const modeling::Project project = input_.read();
-    if (!touch_.isGiven() && project.touches.empty()) {
+    const ReadBody read = input_.readWithNotes(context.job());
+    if (!touch_.isGiven() && read.project.touches.empty()) {
       throw modeling::ModelingError(input_.file() +
-                                    ": the project has no recorded touches; give one with --at "
-                                    "x,y,z --displace x,y,z");
+                                    ": the project has no recorded touches; give one with --place "
+                                    "auto, or with --at x,y,z --displace x,y,z");
     }
-    const auto model = app::buildTouchModel(touch_.touched(project), {}, context.job());
+    const modeling::Project project = touch_.touched(read.project);
+    const auto model = app::buildTouchModel(project, {}, context.job());
     const auto start = std::chrono::steady_clock::now();
     app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    state.errorEstimate = app::estimateError(*model, state, context.job());
+    app::addErrors(*model, state, context.job());
     std::vector<app::SweepRow> rows;
     if (sweepSteps > 0) rows = touch_.sweep(*model, project, sweepSteps, context);
     const StateReport report{*model, state, samples_.evaluate(*model, state), seconds.count(),
                              samples_.hasFormerName()};
-    Json json = report.json();
+    Json json = preparation(read, project);
+    json.update(report.json());
     if (sweepSteps > 0) json["sweep"] = sweepJson(rows);
     if (isCurve) {
       std::ostringstream table;
@@ -96,10 +100,43 @@ class TouchCommand : public Command {
       writeResult(*model, state, json, output_.path());
     }
     deformed_.write(project, *model, state, context);
-    context.print(json, report.text() + sweepText(rows));
+    context.print(json, preparationText(read, project) + report.text() + sweepText(rows));
   }
 
  private:
+  /// True if neither the file nor the command line states a support.
+  bool hasProposedSupport(const modeling::Project& project) const {
+    return input_.isImported() || project.supports.empty();
+  }
+
+  /// What the program chose: the body of a CAD or mesh file, the support, the place.
+  Json preparation(const ReadBody& read, const modeling::Project& project) const {
+    Json json;
+    if (input_.isImported()) json["import"] = cli::toJson(read);
+    if (hasProposedSupport(read.project) && !project.supports.empty())
+      json["proposed_support"] = toJson(modeling::proposeSupport(project.body));
+    if (touch_.isPlaced()) json["place"] = placeJson(project.touches.front());
+    return json;
+  }
+
+  std::string preparationText(const ReadBody& read, const modeling::Project& project) const {
+    std::string text;
+    if (input_.isImported()) text += cli::toText(read);
+    if (hasProposedSupport(read.project) && !project.supports.empty())
+      text += "held on    " + modeling::proposeSupport(project.body).description() +
+              " (proposed, as the file has no support)\n";
+    return text;
+  }
+
+  static Json placeJson(const modeling::Touch& touch) {
+    Json json{{"at_mm", cli::toJson(touch.at)}, {"radius_mm", *touch.radius}};
+    const double depth = touch.vector.norm();
+    if (modeling::infoOf(touch.kind).isForce || depth == 0) return json;
+    json["direction"] = cli::toJson(Eigen::Vector3d(touch.vector / depth));
+    json["depth_mm"] = depth;
+    return json;
+  }
+
   bool isTableName() const { return output_.ending() == ".csv"; }
 
   int parseSweep() const {
@@ -117,7 +154,7 @@ class TouchCommand : public Command {
       throw UsageError("-o: with --recording expected a name that ends in .csv or .json, found '" +
                        output_.path() + "'");
     const app::RecordingFile file = app::readRecording(recording_);
-    const modeling::Project project = input_.read();
+    const modeling::Project project = input_.read(context);
     const auto model = app::buildTouchModel(project, {}, context.job());
     ReplayReport report(file, app::recordedModelOf(*model, project.name));
     std::ostringstream text;

@@ -8,12 +8,16 @@
 #include "app/cli/values.h"
 #include "app/core/results/tool_trajectory.h"
 #include "app/core/results/touch.h"
+#include "modeling/project/proposed_support.h"
+#include "modeling/project/touch_place.h"
 
 namespace palpa::cli {
 namespace {
 
 using modeling::TouchKind;
 using modeling::TouchKindInfo;
+
+constexpr const char* kUsualDepth = "1%";
 
 int parseNode(const std::string& text) {
   int node = 0;
@@ -22,6 +26,13 @@ int parseNode(const std::string& text) {
     throw UsageError("--node: expected the number of a node (0, 1, …), found '" + text + "'");
   }
   return node;
+}
+
+/// A length of --depth in mm.
+double parseDepth(const std::string& text, double size) {
+  const bool isShare = !text.empty() && text.back() == '%';
+  const double number = parsePositive("--depth", isShare ? text.substr(0, text.size() - 1) : text);
+  return isShare ? number / 100 * size : number;
 }
 
 /// In the order of TouchOptions::Which.
@@ -101,6 +112,16 @@ void TouchOptions::declare(CLI::App& options) {
   add(kForce, "Force on the touched place, N, instead of --displace", "X,Y,Z");
   add(kRadius, "Radius of the contact, or of the ball, mm (default: a fingertip's)", "LENGTH");
   add(kFriction, "Coulomb's coefficient of a push or ball, 0 to 10 (default 0)", "NUMBER");
+  options
+      .add_option("--place", place_,
+                  "auto: touch the place opposite to the supports, and press it by --depth along "
+                  "its inward normal; without a support, the largest flat face is held")
+      ->type_name("auto");
+  options
+      .add_option("--depth", depth_,
+                  "With --place: how far to press, in mm or as a share of the diagonal of the "
+                  "body's box (default 1%)")
+      ->type_name("LENGTH|SHARE%");
   options.add_option("--node", node_, "Touch one node of the mesh instead of a place")
       ->type_name("K");
   options
@@ -112,7 +133,7 @@ void TouchOptions::declare(CLI::App& options) {
 
 std::vector<TouchOptions::Group> TouchOptions::groups() const {
   std::vector<Group> groups;
-  const bool isOne = option(kAt).values.size() == 1;
+  const bool isOne = isPlaced() || option(kAt).values.size() == 1;
   if (isOne) groups.emplace_back();  // whatever the order
   std::array<std::size_t, kCount> next{};
   for (const CLI::Option* parsed : app_->parse_order()) {
@@ -134,11 +155,13 @@ std::vector<TouchOptions::Group> TouchOptions::groups() const {
 }
 
 void TouchOptions::validate() const {
-  if (option(kAt).isGiven() && !node_.empty()) throw UsageError("give either --at or --node");
+  if (option(kAt).isGiven() + isPlaced() + isNode() > 1)
+    throw UsageError("give either --at, --place or --node");
+  validatePlace();
   if (!steps_.empty()) steps();
   if (!node_.empty()) {
     validateNode();
-  } else if (option(kAt).isGiven()) {
+  } else if (option(kAt).isGiven() || isPlaced()) {
     touches();
     for (const TouchKindInfo& info : modeling::kTouchKinds)
       if (const auto& kinds = option(kKind).values;
@@ -148,7 +171,7 @@ void TouchOptions::validate() const {
   } else {
     for (std::size_t which = kKind; which < kCount; ++which)
       if (repeated_[which].isGiven())
-        throw UsageError(std::string(kNames[which]) + " needs --at (or --node)");
+        throw UsageError(std::string(kNames[which]) + " needs --at (or --place auto, or --node)");
   }
 }
 
@@ -164,11 +187,38 @@ void TouchOptions::validateNode() const {
   parseVector("--displace", option(kDisplace).values.front());
 }
 
-modeling::Touch TouchOptions::touchOf(const Group& group) {
+void TouchOptions::validatePlace() const {
+  if (isPlaced() && place_ != "auto")
+    throw UsageError("--place: expected auto, found '" + place_ +
+                     "'; give the coordinates of a place with --at");
+  if (depth_.empty()) return;
+  if (!isPlaced()) throw UsageError("--depth needs --place auto");
+  if (option(kDisplace).isGiven() || option(kForce).isGiven())
+    throw UsageError("a touch has either --depth, --displace or --force");
+  const TouchKind kind =
+      option(kKind).isGiven() ? parseKind(option(kKind).values.front()) : TouchKind::kGrab;
+  if (modeling::infoOf(kind).isForce || !modeling::infoOf(kind).needsVector)
+    throw UsageError("--kind " + option(kKind).values.front() + " has no --depth");
+  parseDepth(depth_, 1);
+}
+
+void TouchOptions::place(modeling::Touch& touch, const modeling::Project& project) const {
+  const auto [low, high] = modeling::boundingBox(project.body);
+  const double size = (high - low).norm();
+  const modeling::TouchPlace place = modeling::placeOppositeToSupports(
+      project.body, project.supports, touch.radius.value_or(modeling::radiusOfFirstTouch(size)));
+  touch.at = place.position;
+  if (!touch.radius) touch.radius = place.radius;
+  if (!option(kDisplace).isGiven() && modeling::infoOf(touch.kind).needsVector &&
+      !modeling::infoOf(touch.kind).isForce)
+    touch.vector = -parseDepth(depth_.empty() ? kUsualDepth : depth_, size) * place.normal;
+}
+
+modeling::Touch TouchOptions::touchOf(const Group& group) const {
   const std::string& displacement = group[kDisplace];
   const std::string& force = group[kForce];
   modeling::Touch touch;
-  touch.at = parseVector("--at", group[kAt]);
+  if (!isPlaced()) touch.at = parseVector("--at", group[kAt]);
   if (!group[kKind].empty()) touch.kind = parseKind(group[kKind]);
   if (!displacement.empty() && !force.empty())
     throw UsageError("a touch has either --displace or --force");
@@ -180,7 +230,8 @@ modeling::Touch TouchOptions::touchOf(const Group& group) {
   if (!kind.isForce && !force.empty())
     throw UsageError("--kind " + std::string(kind.name) + " has --displace, but no --force");
   const Which which = kind.isForce ? kForce : kDisplace;
-  if (kind.needsVector && group[which].empty())
+  const bool hasDepth = isPlaced() && !kind.isForce;
+  if (kind.needsVector && !hasDepth && group[which].empty())
     throw UsageError(group[kKind].empty()
                          ? std::string("a touch needs either --displace or --force")
                          : "--kind " + std::string(kind.name) + " needs " + kNames[which]);
@@ -201,7 +252,10 @@ std::vector<modeling::Touch> TouchOptions::touches() const {
 }
 
 modeling::Project TouchOptions::touched(modeling::Project project) const {
-  if (option(kAt).isGiven()) project.touches = touches();
+  if (option(kAt).isGiven() || isPlaced()) project.touches = touches();
+  if (!isPlaced()) return project;
+  if (project.supports.empty()) project.supports = {modeling::proposeSupport(project.body).support};
+  place(project.touches.front(), project);
   return project;
 }
 
@@ -215,7 +269,7 @@ app::TouchState TouchOptions::play(const app::TouchModel& model, const modeling:
     return app::touchNode(model, parseNode(node_),
                           parseVector("--displace", option(kDisplace).values.front()));
   }
-  app::TouchState state = app::playTouches(model, touched(project).touches, steps(), context.job());
+  app::TouchState state = app::playTouches(model, project.touches, steps(), context.job());
   context.progress.clear();
   return state;
 }
@@ -224,7 +278,7 @@ std::vector<app::SweepRow> TouchOptions::sweep(const app::TouchModel& model,
                                                const modeling::Project& project, int count,
                                                const Context& context) const {
   std::vector<app::SweepRow> rows;
-  app::sweepTouches(model, touched(project).touches, count, steps(), context.job(),
+  app::sweepTouches(model, project.touches, count, steps(), context.job(),
                     [&rows](app::SweepRow row) { rows.push_back(std::move(row)); });
   context.progress.clear();
   return rows;

@@ -11,8 +11,8 @@
 
 namespace palpa::cli {
 
-/// The options that describe touches: groups that begin with --at, or --node. Without them a
-/// command plays the touches of the project.
+/// The options that describe touches: groups that begin with --at, or --place, or --node. Without
+/// them a command plays the touches of the project.
 class TouchOptions {
  public:
   void declare(CLI::App& options);
@@ -21,17 +21,22 @@ class TouchOptions {
   void validate() const;
 
   /// True if the command line describes a touch.
-  bool isGiven() const { return option(kAt).isGiven() || !node_.empty(); }
+  bool isGiven() const { return option(kAt).isGiven() || isPlaced() || isNode(); }
+
+  /// True if the program chooses the place: --place auto.
+  bool isPlaced() const { return !place_.empty(); }
 
   bool isNode() const { return !node_.empty(); }
 
   bool hasSteps() const { return !steps_.empty(); }
 
   /// The project with the touches of the command line, if there are any, instead of the recorded
-  /// ones. Build the model for it: its elements follow the touches.
+  /// ones. With --place auto and without supports it gets the support of
+  /// modeling::proposeSupport(), too. Build the model for it: its elements follow the touches.
+  /// Throws ModelingError if there is no place.
   modeling::Project touched(modeling::Project project) const;
 
-  /// Throws SolverError, Cancelled.
+  /// Plays the touches of a project of touched(), or --node. Throws SolverError, Cancelled.
   app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
                        const Context& context) const;
 
@@ -53,14 +58,18 @@ class TouchOptions {
 
   const Repeated& option(Which which) const { return repeated_[which]; }
   std::vector<Group> groups() const;
-  static modeling::Touch touchOf(const Group& group);
+  modeling::Touch touchOf(const Group& group) const;
   std::vector<modeling::Touch> touches() const;
   void validateNode() const;
+  void validatePlace() const;
+  void place(modeling::Touch& touch, const modeling::Project& project) const;
   int steps() const;
 
   const CLI::App* app_ = nullptr;
   std::array<Repeated, kCount> repeated_;
   std::string node_;
+  std::string place_;
+  std::string depth_;
   std::string steps_;
 };
 

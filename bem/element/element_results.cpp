@@ -1,5 +1,6 @@
 #include "bem/element/element_results.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,8 +17,23 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+namespace {
+
+/// Sine of the angle of the tangents below which the metric counts as singular.
+constexpr double kMinSine = 0.02;
+
+}  // namespace
+
+bool ElementResults::isRegular(const CollocationPlace& at) const {
+  return std::all_of(at.places.begin(), at.places.end(), [&](const ElementPlace& place) {
+    const SurfaceJet jet = surface_.evaluate(place);
+    return jet.areaVector().norm() > kMinSine * jet.du.norm() * jet.dv.norm();
+  });
+}
+
 Vector3d ElementResults::displacementDefect(const CollocationPlace& at, const Eigen::VectorXd& u,
                                             const Eigen::VectorXd& p, const Bulk& bulk) const {
+  if (!isRegular(at)) return Vector3d::Zero();
   const ElementRows rows(surface_, quadrature_, bulk.material);
   ElementRows::Sums sums;
   rows.integrate(at, sums, Job{});

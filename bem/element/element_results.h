@@ -25,8 +25,8 @@ class ElementResults {
   /// u, with the residual of the regularised identity
   ///   r(x) = ∫ U p dΓ - ∫ T [u(y) - u(x)] dΓ + B(x)
   /// with the body force's term B (bem/model/body_force.h) and the free term C (1/2 at smooth
-  /// points). r is zero at collocation points. Takes about 1 µs
-  /// per element.
+  /// points). r is zero at collocation points. Zero also where the metric of an element is singular
+  /// (the corner of a round cap), where the integrals are inexact. Takes about 1 µs per element.
   Eigen::Vector3d displacementDefect(const CollocationPlace& at, const Eigen::VectorXd& u,
                                      const Eigen::VectorXd& p, const Bulk& bulk) const;
 
@@ -49,6 +49,8 @@ class ElementResults {
                                 const Job& job) const;
 
  private:
+  bool isRegular(const CollocationPlace& at) const;
+
   const ElementSurface& surface_;
   const ElementQuadrature& quadrature_;
 };

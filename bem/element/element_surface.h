@@ -77,7 +77,7 @@ class ElementSurface {
   /// Values of the element's functions at a place.
   virtual void evaluateBasis(const ElementPlace& place, std::vector<double>& values) const = 0;
   /// Values of the functions that carry the tractions: the same functions, except on elements
-  /// beside the border of a support, where those of tractions are unbounded.
+  /// beside the border of a support, where the functions of tractions are unbounded.
   virtual void evaluateTractionBasis(const ElementPlace& place, std::vector<double>& values) const {
     evaluateBasis(place, values);
   }

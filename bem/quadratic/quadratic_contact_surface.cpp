@@ -40,7 +40,7 @@ Vector2d localStep(const QuadraticSurface& surface, const ElementPlace& place,
   const QuadraticSurface::Polynomial& c = surface.polynomial(place.element);
   const Vector2d step = stepToFoot(
       SurfaceJet2{jet.position, jet.du, jet.dv, 2 * c.col(3), c.col(4), 2 * c.col(5)}, tool);
-  const Vector2d regular = coordinates.awayFromBorder(local, kLeastBorderRoot);
+  const Vector2d regular = coordinates.awayFromBorder(local, kMinBorderRoot);
   return coordinates.derivative(regular).inverse() * step;
 }
 

@@ -116,7 +116,7 @@ Vector3d QuadraticDiscretisation::displacementAt(const SurfacePoint& place, cons
 Vector3d QuadraticDiscretisation::tractionAt(const SurfacePoint& at, const VectorXd& p) const {
   ElementPlace place = QuadraticSurface::place(at.triangle, at.weights);
   const Eigen::Vector2d local =
-      surface_.coordinates(place.element).awayFromBorder({place.u, place.v}, kLeastBorderRoot);
+      surface_.coordinates(place.element).awayFromBorder({place.u, place.v}, kMinBorderRoot);
   place = {place.element, local[0], local[1]};
   std::vector<double> basis;
   surface_.evaluateTractionBasis(place, basis);
@@ -125,8 +125,19 @@ Vector3d QuadraticDiscretisation::tractionAt(const SurfacePoint& at, const Vecto
 
 Vector3d QuadraticDiscretisation::displacementDefect(const SurfacePoint& place, const VectorXd& u,
                                                      const VectorXd& p, const Bulk& bulk) const {
-  return results().displacementDefect(
-      surface_.placesAt(QuadraticSurface::place(place.triangle, place.weights)), u, p, bulk);
+  // At the border of a support the metric is singular and the displacement known: towards it the
+  // defect decreases like the root of the distance.
+  const ElementPlace at = QuadraticSurface::place(place.triangle, place.weights);
+  const BorderCoordinates& coordinates = surface_.coordinates(at.element);
+  const Eigen::Vector2d local(at.u, at.v);
+  const double root = coordinates.root(local);
+  if (root >= kMinBorderRoot)
+    return results().displacementDefect(surface_.placesAt(at), u, p, bulk);
+  if (root == 0) return Vector3d::Zero();
+  const Eigen::Vector2d away = coordinates.awayFromBorder(local, kMinBorderRoot);
+  return root / kMinBorderRoot *
+         results().displacementDefect(surface_.placesAt({at.element, away[0], away[1]}), u, p,
+                                      bulk);
 }
 
 BoundaryField QuadraticDiscretisation::estimatedError(const ReferenceProblem& problem,

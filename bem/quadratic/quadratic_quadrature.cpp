@@ -12,8 +12,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Quartering ends far below distances of 1e-6 element sizes.
-constexpr int kMaxDepth = 40;
+/// Quartering ends far below distances of 1e-6 element sizes. In BorderCoordinates, cells at the
+/// border are as thin as the square of their length, so their number grows with every level.
+constexpr int kMaxDepth = 40, kMaxDepthAtBorder = 20;
 
 /// Points and weights on the triangle (0, 0), (1, 0), (0, 1); the weights sum to 1/2.
 ElementRule symmetricRule(std::span<const TrianglePoint> points) {
@@ -143,6 +144,10 @@ int QuadraticQuadrature::ruleFor(int element, double ratio, int depth) const {
   return -1;
 }
 
+int QuadraticQuadrature::maxDepth(int element) const {
+  return surface_.coordinates(element).isPlain() ? kMaxDepth : kMaxDepthAtBorder;
+}
+
 QuadraticQuadrature::Cell QuadraticQuadrature::cellIn(int element, const Corners& corners) const {
   const auto at = [&](const Vector2d& local) {
     return surface_.evaluate({element, local[0], local[1]}).position;
@@ -210,7 +215,7 @@ void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& poi
 void QuadraticQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, int depth,
                                   ElementRule& to) const {
   const int rule = ruleFor(index, (x - cell.center).norm() / cell.radius, depth);
-  if (rule >= 0 || depth >= kMaxDepth) {
+  if (rule >= 0 || depth >= maxDepth(index)) {
     addRule(cell.corners, rule >= 0 ? rule : kKeptRules - 1, to);
     return;
   }
@@ -242,7 +247,7 @@ void QuadraticQuadrature::addSingular(int index, const Cell& cell, const Vector3
   const double height =
       here * cross(cell.corners[1] - cell.corners[0], cell.corners[2] - cell.corners[0]) /
       length[longest];
-  if (depth >= kMaxDepth || (!varies && length[longest] <= kMaxAspect * height)) {
+  if (depth >= maxDepth(index) || (!varies && length[longest] <= kMaxAspect * height)) {
     addPolar(jet, {place.u, place.v}, cell.corners, accuracy_, to);
     return;
   }

@@ -58,6 +58,7 @@ class QuadraticQuadrature final : public ElementQuadrature {
   /// The smallest rule that suffices for a cell made by `depth` quarterings, at a distance over its
   /// radius; -1: none.
   int ruleFor(int element, double ratio, int depth) const;
+  int maxDepth(int element) const;
   Cell cellIn(int element, const Corners& corners) const;
   void addRule(const Corners& corners, int rule, ElementRule& to) const;
   void place(int element, ElementRule& rule, ElementPoints& points) const;

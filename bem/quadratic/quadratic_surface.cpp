@@ -218,8 +218,7 @@ std::span<const double> QuadraticSurface::tractionFactors(int element) const {
 }
 
 SurfaceTangents QuadraticSurface::tangents(const ElementPlace& given) const {
-  const Vector2d at =
-      coordinates(given.element).awayFromBorder({given.u, given.v}, kLeastBorderRoot);
+  const Vector2d at = coordinates(given.element).awayFromBorder({given.u, given.v}, kMinBorderRoot);
   const ElementPlace place{given.element, at[0], at[1]};
   const SurfaceJet jet = evaluate(place);
   const QuadraticBasis basis(place.u, place.v);

@@ -13,7 +13,7 @@ namespace palpa::bem {
 
 /// The root of the distance from the border of a support at which unbounded values are evaluated
 /// instead of nearer to it, when a value at a point is wanted: 1 % of the element.
-inline constexpr double kLeastBorderRoot = 0.1;
+inline constexpr double kMinBorderRoot = 0.1;
 
 /// The coefficient of a traction function at a node on the border is the traction that the function
 /// alone would have at this root without its polynomial: at the next node.

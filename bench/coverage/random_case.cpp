@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/solid/surface_properties.h"
@@ -21,24 +22,28 @@ using modeling::Solid;
 /// SplitMix64).
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15ULL + 12345) {}
+  /// The seed is mixed: neighbouring ones would give the same numbers, shifted by one.
+  explicit Random(std::uint64_t seed) : state_(mixed(mixed(seed + kStep) + kStep)) {}
 
   double between(double low, double high) { return low + (high - low) * unit(); }
   int below(int count) { return std::min(static_cast<int>(unit() * count), count - 1); }
   Vector3d direction() {
     for (;;) {
-      const Vector3d v(between(-1, 1), between(-1, 1), between(-1, 1));
+      // One statement each: the order of evaluation of arguments is not defined.
+      Vector3d v;
+      for (int k = 0; k < 3; ++k) v[k] = between(-1, 1);
       if (v.norm() > 0.2 && v.norm() < 1) return v.normalized();
     }
   }
 
  private:
-  double unit() {
-    std::uint64_t z = state_ += 0x9E3779B97F4A7C15ULL;
+  static constexpr std::uint64_t kStep = 0x9E3779B97F4A7C15ULL;
+  static std::uint64_t mixed(std::uint64_t z) {
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
+    return z ^ (z >> 31);
   }
+  double unit() { return static_cast<double>(mixed(state_ += kStep) >> 11) * 0x1.0p-53; }
   std::uint64_t state_;
 };
 

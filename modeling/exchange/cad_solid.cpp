@@ -90,7 +90,7 @@ TopoDS_Shape repair(const TopoDS_Shape& shape, CadSolid& result, const Job& job)
 }
 
 std::string pointText(const gp_Pnt& p) {
-  return "(" + numberText(p.X()) + ", " + numberText(p.Y()) + ", " + numberText(p.Z()) + ") mm";
+  return placeText({p.X(), p.Y(), p.Z()});
 }
 
 /// The reason why the faces do not enclose a body; empty if they do.
@@ -113,9 +113,11 @@ std::string openPlace(const TopoDS_Shape& shape) {
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
     const std::string place =
         curve.IsNull() ? "" : " near " + pointText(curve->Value(0.5 * (first + last)));
-    return uses < 2 ? "the surface is not closed: an edge" + place + " belongs to one face only"
+    return uses < 2 ? "the surface is not closed: an edge" + place +
+                          " belongs to one face only; close the surface"
                     : "an edge" + place + " belongs to " + std::to_string(uses) +
-                          " faces; a body has two at each edge";
+                          " faces; a body has two at each edge: separate bodies that touch, remove "
+                          "inner walls";
   }
   return "";
 }

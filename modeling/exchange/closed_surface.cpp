@@ -273,7 +273,9 @@ void PolygonSoup::closePolygon() {
 }
 
 ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job) {
-  if (soup.polygonCount() == 0) throw ModelingError("contains no triangles");
+  if (soup.polygonCount() == 0)
+    throw ModelingError(
+        "contains no triangles, only points or lines, or nothing; export a surface");
   ClosedSurface surface;
   scalePoints(soup, scale, surface);
   cutPolygons(soup, surface, job);

@@ -84,6 +84,14 @@ void nameBySharpEdges(const ClosedSurface& surface, MeshBody::Data& data) {
     data.faceNames.push_back("face_" + std::to_string(face));
 }
 
+/// The bytes of a text format without the mark that some editors put before UTF-8.
+std::string_view plainText(std::string_view bytes) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw ModelingError("is text in UTF-16, which is not read; save it as UTF-8 or ASCII");
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  return bytes;
+}
+
 MeshBody bodyFrom(std::string_view bytes, FileFormat format, const MeshReadOptions& options,
                   const Job& job) {
   if (!std::isfinite(options.scale) || options.scale <= 0.0)
@@ -94,7 +102,9 @@ MeshBody bodyFrom(std::string_view bytes, FileFormat format, const MeshReadOptio
                             std::to_string(kMaxMeshFile) + " are read",
                         ModelingError::Kind::kTooLarge);
   job.report(Phase::kImport, 0.0);
-  const PolygonSoup soup = parseSoup(bytes, format, job);
+  // The first 80 bytes of a binary STL file are arbitrary.
+  const PolygonSoup soup =
+      parseSoup(format == FileFormat::kStl ? bytes : plainText(bytes), format, job);
   job.report(Phase::kImport, 0.3);
   ClosedSurface surface = closeSurface(soup, options.scale, job);
   job.report(Phase::kImport, 0.6);

@@ -44,9 +44,6 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions = {}, const Job& job = {},
                  std::span<const MeshFocus> foci = {});
 
-/// The engine that `wanted` stands for on a body.
-Engine engineFor(const Body& body, Engine wanted);
-
 /// Mesh of either kind of body for the engine of the settings: quadraticMesh() of a mesh with twice
 /// the edge length for quadratic triangles.
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,

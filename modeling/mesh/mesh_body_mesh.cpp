@@ -1,85 +1,25 @@
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <numeric>
-#include <set>
+#include <optional>
 #include <variant>
 
 #include "base/count_text.h"
 #include "base/text.h"
-#include "modeling/body/smooth_regions.h"
 #include "modeling/error.h"
+#include "modeling/mesh/engine_choice.h"
 #include "modeling/mesh/mesh.h"
-#include "modeling/mesh/mesh_refine.h"
+#include "modeling/mesh/mesh_body_surface.h"
 #include "modeling/mesh/mesh_regions.h"
+#include "modeling/mesh/nearest_point.h"
 #include "modeling/mesh/quadratic_mesh.h"
-#include "modeling/mesh/surface_cut.h"
 #include "modeling/mesh/surface_remesher.h"
+#include "modeling/mesh/triangle_crossings.h"
 
 namespace palpa::modeling {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Details smaller than this fraction of the edge length get no sharp edge.
-constexpr double kMinDetail = 1.0 / 8.0;
-constexpr double kSnap = 0.05;  // of the edge length: sharp edges nearer to a border belong to it
-/// Mean edge length after remeshing, of the requested length.
-constexpr double kMeanEdge = 0.93;
-/// Requested length of remeshed edges, of strokeEdge(): that is the largest length of bisected
-/// edges, whose lengths vary more.
-constexpr double kMeanOfLongest = 0.85;
-/// Area per node over the squared mean edge length, measured; 0.87 for equilateral triangles.
-constexpr double kAreaPerNode = 0.84;
-
-TaggedSurface taggedSurface(const MeshBody& body, double edgeLength) {
-  const double detail = kMinDetail * edgeLength;
-  const std::vector<int> regions =
-      smoothRegions(body.positions(), body.triangles(), detail * detail,
-                    static_cast<int>(body.triangles().size()));
-  TaggedSurface surface{body.positions(), body.triangles(), {}};
-  const auto neighbours = triangleNeighbours(body.triangles());
-  for (int t : reliableTriangles(body.positions(), body.triangles(), neighbours))
-    surface.tags.push_back({body.faceOfTriangle()[t], regions[t], 0});
-  return surface;
-}
-
-/// The feature edges for refinement according to the settings.
-class RefinedFeatures {
- public:
-  RefinedFeatures(const MeshBody& body, const MeshSettings& settings,
-                  std::span<const MeshRegion> regions, const std::vector<RegionBorder>& borders)
-      : sharp_(settings.refineAtSharpEdges),
-        borders_(settings.refineAtBorders),
-        sides_(refinedBorders(regions, borders)),
-        faces_(refinedPatches(regions, body)) {}
-
-  bool contains(const SurfaceTag& one, const SurfaceTag& other) const {
-    if (sharp_ && one.region != other.region) return true;
-    return borders_ && (((one.sides ^ other.sides) & sides_) != 0 ||
-                        faces_.contains(one.face) != faces_.contains(other.face));
-  }
-
- private:
-  bool sharp_;
-  bool borders_;
-  std::uint64_t sides_;
-  std::set<int> faces_;
-};
-
-/// Calls `visit(a, b)` with the ends of every feature edge for refinement.
-template <class Visit>
-void forRefinedEdges(const TaggedSurface& surface, const RefinedFeatures& refined, Visit visit) {
-  const auto neighbours = triangleNeighbours(surface.triangles);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const SurfaceTag& other = surface.tags[neighbours[t][k]];
-      if (surface.tags[t] < other && refined.contains(surface.tags[t], other))
-        visit(surface.positions[surface.triangles[t][k]],
-              surface.positions[surface.triangles[t][(k + 1) % 3]]);
-    }
-}
 
 /// Settings with an edge length of at most half of the body's diagonal: lengths derived from larger
 /// edges would be meaningless.
@@ -87,67 +27,6 @@ MeshSettings bounded(MeshSettings settings, const MeshBody& body) {
   const auto [low, high] = boundingBox(Body(body));
   settings.edgeLength = std::min(settings.edgeLength, 0.5 * (high - low).norm());
   return settings;
-}
-
-/// Calls `visit(a, b, length)` with the ends and the wanted length of every edge on the border of a
-/// stroke that is thin enough to need shorter edges than `edgeLength`.
-template <class Visit>
-void forThinStrokes(const TaggedSurface& surface, const std::vector<RegionBorder>& borders,
-                    double edgeLength, Visit visit) {
-  const auto neighbours = triangleNeighbours(surface.triangles);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint64_t sides = surface.tags[t].sides;
-      const std::uint64_t between = sides & ~surface.tags[neighbours[t][k]].sides;
-      if (between == 0) continue;
-      const Vector3d& a = surface.positions[surface.triangles[t][k]];
-      const Vector3d& b = surface.positions[surface.triangles[t][(k + 1) % 3]];
-      for (std::uint64_t bits = between; bits != 0; bits &= bits - 1) {
-        const RegionBorder& border = borders[std::countr_zero(bits)];
-        if (const double length = kMeanOfLongest * border.edgeAt(0.5 * (a + b), edgeLength);
-            length < edgeLength)
-          visit(a, b, length);
-      }
-    }
-}
-
-bool anyPainted(const std::vector<RegionBorder>& borders) {
-  return std::any_of(borders.begin(), borders.end(),
-                     [](const RegionBorder& border) { return border.isPainted(); });
-}
-
-double finestLength(const MeshSettings& settings) {
-  return std::ldexp(settings.edgeLength, -settings.refinementLevels);
-}
-
-SizeField sizeField(const TaggedSurface& surface, const MeshSettings& settings,
-                    const RefinedFeatures& refined, const std::vector<RegionBorder>& borders,
-                    std::span<const MeshFocus> foci) {
-  SizeField sizes(settings.edgeLength / kMeanEdge);
-  forThinStrokes(surface, borders, settings.edgeLength,
-                 [&](const Vector3d& a, const Vector3d& b, double length) {
-                   sizes.addSource(a, b, length / kMeanEdge);
-                 });
-  if (settings.refinementLevels > 0)
-    forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
-      sizes.addSource(a, b, finestLength(settings) / kMeanEdge);
-    });
-  for (const auto& [center, radius, length] : foci)
-    for (int axis = 0; axis < 3; ++axis) {
-      const Vector3d reach = radius / 2 * Vector3d::Unit(axis);
-      sizes.addSource(center - reach, center + reach, length / kMeanEdge);
-    }
-  sizes.update();
-  return sizes;
-}
-
-TaggedSurface cutSurface(const MeshBody& body, const MeshSettings& settings,
-                         const std::vector<RegionBorder>& borders) {
-  TaggedSurface surface = taggedSurface(body, settings.edgeLength);
-  for (std::size_t k = 0; k < borders.size(); ++k)
-    cutAtBorder(surface, borders[k], static_cast<int>(k), kSnap * settings.edgeLength,
-                settings.edgeLength);
-  return surface;
 }
 
 /// Position along the Z-order curve through the box around all nodes (Morton, 1966).
@@ -221,38 +100,120 @@ std::vector<MeshFocus> ofQuadraticCorners(std::span<const MeshFocus> foci) {
   return doubled;
 }
 
+/// Faces of the triangles of a mesh: those named in a region have their number in the tags, the
+/// others are the nearest.
+std::vector<int> facesOf(const TaggedSurface& surface, const SimplifiedSurface& simplified) {
+  std::set<int> named;
+  for (const SurfaceTag& tag : surface.tags) named.insert(tag.face);
+  std::vector<std::array<Vector3d, 3>> corners;
+  std::vector<int> faces;
+  for (std::size_t t = 0; t < simplified.triangles.size(); ++t) {
+    if (named.contains(simplified.faceOfTriangle[t])) continue;
+    const auto& [a, b, c] = simplified.triangles[t];
+    corners.push_back({simplified.positions[a], simplified.positions[b], simplified.positions[c]});
+    faces.push_back(simplified.faceOfTriangle[t]);
+  }
+  const NearestOnTriangles others(corners);
+  std::vector<int> result;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vector3d middle =
+        (surface.positions[a] + surface.positions[b] + surface.positions[c]) / 3;
+    const int face = surface.tags[t].face;
+    result.push_back(face == kOtherFace ? faces[others.nearestTriangle(middle)] : face);
+  }
+  return result;
+}
+
+/// A mesh and its faults.
+struct Attempt {
+  SurfaceMesh mesh;
+  std::size_t crossings = 0;
+  bool hasSlivers = false;  ///< triangles too thin for a good solution
+
+  bool isBetterThan(const Attempt& other) const {
+    return std::pair(crossings, hasSlivers) < std::pair(other.crossings, other.hasSlivers);
+  }
+};
+
+/// Shares of the feature fraction that are tried until a mesh has no crossings. Other features
+/// vanish with each; slivers are worth two more attempts only.
+constexpr double kSharesOfFraction[] = {1, 0.8, 0.5, 0.2, 0};
+
+bool hasSlivers(const SurfaceMesh& mesh) {
+  constexpr double kMinAngle = 1;  // degrees
+  return measureQuality(mesh).smallestAngle < kMinAngle;
+}
+
+/// New triangulation, finer where it cuts through itself. Returns also the number of crossings.
+std::pair<TaggedSurface, std::size_t> remeshWithoutCrossings(const MeshBodySurface& made,
+                                                             const Job& job) {
+  constexpr int kRounds = 2;
+  constexpr std::size_t kMaxFound = 1000;
+  const Job quiet{job.stop, {}, job.threads};
+  SizeField sizes = made.sizes;
+  for (int round = 1;; ++round) {
+    TaggedSurface surface = remesh(made.surface, sizes, made.smallest, job);
+    const auto crossings =
+        triangleCrossings(surface.positions, surface.triangles, kMaxFound, quiet);
+    if (crossings.empty() || round == kRounds) return {std::move(surface), crossings.size()};
+    for (const TriangleCrossing& crossing : crossings)
+      for (const int t : {crossing.a, crossing.b})
+        for (int k = 0; k < 3; ++k) {
+          const Vector3d& from = surface.positions[surface.triangles[t][k]];
+          const Vector3d& to = surface.positions[surface.triangles[t][(k + 1) % 3]];
+          sizes.addSource(from, to,
+                          std::max(0.5 * (to - from).norm(), made.smallest((from + to) / 2)));
+        }
+    sizes.update();
+  }
+}
+
+/// A mesh of the body without features smaller than `fraction` of the edge length. Throws
+/// ModelingError if it has lost the body's volume or a region.
+Attempt tryMesh(const MeshBody& body, const MeshSettings& settings,
+                std::span<const MeshRegion> regions, std::span<const MeshFocus> foci,
+                double fraction, const Job& job) {
+  const auto made = meshBodySurface(body, settings, regions, foci, fraction, job);
+  job.throwIfCancelled();
+  auto [surface, crossings] = remeshWithoutCrossings(*made, job);
+  checkVolume(surface, body, settings.edgeLength);
+  renumber(surface);
+  Attempt attempt;
+  SurfaceMesh& mesh = attempt.mesh;
+  mesh.patchOfTriangle = facesOf(surface, made->simplified);
+  mesh.positions = std::move(surface.positions);
+  mesh.triangles = std::move(surface.triangles);
+  for (const SurfaceTag& tag : surface.tags) {
+    mesh.smoothingGroupOfTriangle.push_back(tag.region);
+    mesh.bordersOfTriangle.push_back(tag.sides);
+  }
+  mesh.borders = distinctBorders(regions);
+  for (const MeshRegion& region : regions)
+    mesh.trianglesOfRegion.push_back(
+        trianglesOf(region, body, mesh.patchOfTriangle, mesh.bordersOfTriangle, mesh.borders));
+  if (made->below > 0)
+    mesh.simplification = {made->below, made->simplified.moved, made->simplified.vanishedFaces};
+  attempt.crossings = crossings;
+  attempt.hasSlivers = hasSlivers(mesh);
+  return attempt;
+}
+
 }  // namespace
 
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
                          std::span<const MeshRegion> regions, std::span<const MeshFocus> foci) {
   settings.validate();
   for (const MeshRegion& region : regions) checkRegion(region.where, body, region.name);
-  const double h = settings.edgeLength;
-  const double plain =
-      area(body) / (kAreaPerNode * h * h) + 2.0 + focusNodes(foci, h, kAreaPerNode);
-  const std::vector<RegionBorder> borders = distinctBorders(regions);
-  if (settings.refinementLevels == 0 && !anyPainted(borders)) return plain;
-  const RefinedFeatures refined(body, settings, regions, borders);
-  // As for solids (refinement_estimate.h): the size grows from a with the distance s as a + g s.
-  const auto perLength = [h](double a) {
-    constexpr double g = kSizeGrowth;
-    return 2.0 * ((1.0 / a - 1.0 / h) / g - (h - a) / (g * h * h)) / kAreaPerNode;
-  };
-  const TaggedSurface surface = cutSurface(body, settings, borders);
-  double more = 0.0;
-  double finest = h;
-  for (const MeshFocus& focus : foci) finest = std::min(finest, focus.edgeLength);
-  forThinStrokes(surface, borders, h, [&](const Vector3d& a, const Vector3d& b, double length) {
-    more += (b - a).norm() * perLength(length);
-    finest = std::min(finest, length);
-  });
-  if (settings.refinementLevels > 0) {
-    finest = std::min(finest, finestLength(settings));
-    forRefinedEdges(surface, refined, [&](const Vector3d& a, const Vector3d& b) {
-      more += (b - a).norm() * perLength(finestLength(settings));
-    });
-  }
-  return std::min(plain + more, area(body) / (kAreaPerNode * finest * finest) + 2.0);
+  const double finest = std::ldexp(settings.edgeLength, -settings.refinementLevels);
+  const double rough = area(body) / (settings.edgeLength * settings.edgeLength);
+  // More cannot be counted, only refused.
+  if (!(rough <= kMaxNodes) || !(finest > 0)) return rough;
+  const MeshSettings used = bounded(settings, body);
+  const auto made = meshBodySurface(body, used, regions, foci, used.featureFraction);
+  // Nothing is as good an estimate as the mesh.
+  if (const std::size_t known = made->meshedNodes; known > 0) return static_cast<double>(known);
+  return expectedNodes(made->surface, made->sizes);
 }
 
 SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
@@ -265,38 +226,36 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                             " mm would need about " + estimateText(expected) + " nodes; at most " +
                             countText(kMaxNodes) + " are possible; choose a longer edge",
                         ModelingError::Kind::kTooLarge);
-  const std::vector<RegionBorder> borders = distinctBorders(regions);
   const MeshSettings used = bounded(settings, body);
-  const TaggedSurface original = cutSurface(body, used, borders);
-  job.throwIfCancelled();
-  job.report(Phase::kMesh, 0.1);
-  const RefinedFeatures refined(body, used, regions, borders);
+  double done = 0;
+  // The progress of later attempts cannot fall.
   const Job remeshing{job.stop,
-                      [&job](Phase phase, double done) { job.report(phase, 0.1 + 0.85 * done); },
+                      [&](Phase phase, double part) {
+                        done = std::max(done, 0.1 + 0.85 * part);
+                        job.report(phase, done);
+                      },
                       job.threads};
-  TaggedSurface surface =
-      remesh(original, sizeField(original, used, refined, borders, foci), remeshing);
-  checkVolume(surface, body, settings.edgeLength);
-  renumber(surface);
-  SurfaceMesh mesh;
-  mesh.positions = std::move(surface.positions);
-  mesh.triangles = std::move(surface.triangles);
-  for (const SurfaceTag& tag : surface.tags) {
-    mesh.patchOfTriangle.push_back(tag.face);
-    mesh.smoothingGroupOfTriangle.push_back(tag.region);
-    mesh.bordersOfTriangle.push_back(tag.sides);
+  std::optional<Attempt> best;
+  std::exception_ptr fault;
+  for (const double share : kSharesOfFraction) {
+    const double fraction = share * used.featureFraction;
+    try {
+      Attempt attempt = tryMesh(body, used, regions, foci, fraction, remeshing);
+      if (!best || attempt.isBetterThan(*best)) best = std::move(attempt);
+    } catch (const EmptyRegionError&) {
+      throw;
+    } catch (const ModelingError& error) {
+      if (error.kind() == ModelingError::Kind::kTooLarge) throw;
+      if (!fault) fault = std::current_exception();
+    }
+    const bool mayImprove = share > 0.5;
+    if ((best && best->crossings == 0 && !(mayImprove && best->hasSlivers)) || fraction == 0) break;
   }
-  mesh.borders = borders;
-  for (const MeshRegion& region : regions)
-    mesh.trianglesOfRegion.push_back(
-        trianglesOf(region, body, mesh.patchOfTriangle, mesh.bordersOfTriangle, borders));
+  if (!best) std::rethrow_exception(fault);
+  meshBodySurface(body, used, regions, foci, used.featureFraction, job)->meshedNodes =
+      best->mesh.positions.size();
   job.report(Phase::kMesh, 1.0);
-  return mesh;
-}
-
-Engine engineFor(const Body& body, Engine wanted) {
-  if (wanted != Engine::kAutomatic) return wanted;
-  return std::holds_alternative<Solid>(body) ? Engine::kSplines : Engine::kTriangles;
+  return std::move(best->mesh);
 }
 
 SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
@@ -305,7 +264,8 @@ SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
   const auto meshed = [&](const MeshSettings& of, std::span<const MeshFocus> at) {
     return std::visit([&](const auto& one) { return mesh(one, of, regions, job, at); }, body);
   };
-  if (engineFor(body, settings.engine) != Engine::kQuadratic) return meshed(settings, foci);
+  if (engineFor(body, settings.engine, regions) != Engine::kQuadratic)
+    return meshed(settings, foci);
   const SurfaceMesh corners = meshed(ofQuadraticCorners(settings), ofQuadraticCorners(foci));
   std::vector<bool> isSupported(corners.triangles.size(), false);
   for (std::size_t k = 0; k < regions.size(); ++k)
@@ -320,7 +280,8 @@ double estimateNodeCount(const Body& body, const MeshSettings& settings,
     return std::visit([&](const auto& one) { return estimateNodeCount(one, of, regions, at); },
                       body);
   };
-  if (engineFor(body, settings.engine) != Engine::kQuadratic) return estimated(settings, foci);
+  if (engineFor(body, settings.engine, regions) != Engine::kQuadratic)
+    return estimated(settings, foci);
   // A closed surface has three edges for every node.
   return 4 * estimated(ofQuadraticCorners(settings), ofQuadraticCorners(foci));
 }

@@ -10,8 +10,10 @@ struct MeshFocus {
   Eigen::Vector3d center;  ///< mm, on or near the surface
   double radius;           ///< mm, > 0
   /// Wanted distance of adjacent nodes within half of the radius, mm; beyond it grows by
-  /// kSizeGrowth per distance. Lengths of more than that of the settings have no effect.
+  /// kSizeGrowth per distance. No effect where it exceeds the edge length of the settings.
   double edgeLength;
+
+  bool operator==(const MeshFocus&) const = default;
 };
 
 /// True if an edge from a to b (mm) is within half of the radius of a focus.

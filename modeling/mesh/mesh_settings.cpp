@@ -32,6 +32,9 @@ void MeshSettings::validate(const std::string& path) const {
   if (refinementLevels < 0 || refinementLevels > kMaxLevels)
     throw ModelingError(path + ".refinement.levels: " + std::to_string(refinementLevels) +
                         " is outside 0 … " + std::to_string(kMaxLevels));
+  if (!(featureFraction >= 0.0 && featureFraction <= 1.0))
+    throw ModelingError(path + ".feature_fraction: " + numberText(featureFraction) +
+                        " is outside 0 … 1");
   for (const auto& [name, factor] : patchFactors) {
     const std::string place = path + ".patch_factors." + name;
     if (!(factor >= kMinFactor && factor <= kMaxFactor))

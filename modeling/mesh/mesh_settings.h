@@ -9,8 +9,7 @@
 namespace palpa::modeling {
 
 /// Kind of the boundary elements of a body: splines on its patches, flat triangles with linear
-/// functions, or curved triangles with quadratic functions. Automatic: splines for solids and
-/// flat triangles for mesh bodies.
+/// functions, or curved triangles with quadratic functions. Automatic: see engineFor().
 enum class Engine { kAutomatic, kSplines, kTriangles, kQuadratic };
 
 /// Settings of meshing and discretisation, as in a project file.
@@ -24,6 +23,9 @@ struct MeshSettings {
   /// Factor of edge and element lengths by patch name, 0.05 … 20; 1 for all other patches. The
   /// surrounding patches get as many pieces as needed to fit.
   std::map<std::string, double> patchFactors{};
+  /// Features of mesh bodies smaller than this fraction of the edge length there are meshed over,
+  /// 0 … 1; 0 keeps all.
+  double featureFraction = 0.25;
   Engine engine = Engine::kAutomatic;
   /// Requested relative error of displacements and forces, 1e-4 … 0.1; sets the size of the spline
   /// elements unless elementLength does.

@@ -48,7 +48,9 @@ using SegmentList = std::vector<Kernel::Segment_3>;
 
 struct NearestOnTriangles::Tree
     : ElementTree<Kernel::Triangle_3,
-                  CGAL::AABB_triangle_primitive<Kernel, TriangleList::iterator>> {};
+                  CGAL::AABB_triangle_primitive<Kernel, TriangleList::iterator>> {
+  std::vector<int> indices;  ///< per element
+};
 
 struct NearestOnSegments::Tree
     : ElementTree<Kernel::Segment_3, CGAL::AABB_segment_primitive<Kernel, SegmentList::iterator>> {
@@ -57,9 +59,12 @@ struct NearestOnSegments::Tree
 NearestOnTriangles::NearestOnTriangles(const std::vector<std::array<Vector3d, 3>>& triangles) {
   auto tree = std::make_shared<Tree>();
   // CGAL may divide by the area. Neighbours cover the triangles without area.
-  for (const auto& [a, b, c] : triangles)
-    if ((b - a).cross(c - a).squaredNorm() > 0.0)
-      tree->elements.emplace_back(toPoint(a), toPoint(b), toPoint(c));
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    if ((b - a).cross(c - a).squaredNorm() == 0.0) continue;
+    tree->elements.emplace_back(toPoint(a), toPoint(b), toPoint(c));
+    tree->indices.push_back(static_cast<int>(t));
+  }
   if (tree->elements.empty()) return;
   tree->build();
   tree_ = std::move(tree);
@@ -67,6 +72,12 @@ NearestOnTriangles::NearestOnTriangles(const std::vector<std::array<Vector3d, 3>
 
 Vector3d NearestOnTriangles::nearest(const Vector3d& point) const {
   return tree_ ? toVector(tree_->tree.closest_point(toPoint(point))) : point;
+}
+
+int NearestOnTriangles::nearestTriangle(const Vector3d& point) const {
+  if (!tree_) return -1;
+  const auto found = tree_->tree.closest_point_and_primitive(toPoint(point)).second;
+  return tree_->indices[static_cast<std::size_t>(found - tree_->elements.begin())];
 }
 
 NearestOnSegments::NearestOnSegments(const std::vector<std::array<Vector3d, 2>>& segments) {

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "base/support_border.h"
+#include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/border_slide.h"
 #include "modeling/mesh/nearest_point.h"
 #include "modeling/mesh/node_place.h"
+#include "modeling/mesh/triangle_crossings.h"
 
 namespace palpa::modeling {
 namespace {
@@ -147,14 +151,16 @@ class OnSolid {
 class OnMeshBody {
  public:
   OnMeshBody(const SurfaceMesh& mesh, const MeshBody& body)
-      : mesh_(mesh), nearest_(trianglesOf(body)), features_(featuresOf(body)) {}
+      : mesh_(mesh),
+        nearest_(trianglesOf(body)),
+        borders_(bordersOf(body)),
+        sharp_(sharpEdgesOf(body)),
+        tolerance_(kOnBorder * diagonal(mesh)) {}
 
   Middle middleOf(const MeshEdge& edge) const {
     constexpr int kSteps = 8;
     const Vector3d start = straight(mesh_, edge);
-    const auto onBody = [&](const Vector3d& x) {
-      return isFeature(edge) ? onFeature(edge, x) : nearest_.nearest(x);
-    };
+    const auto onBody = [&](const Vector3d& x) { return near(edge, x, onBodyOf(edge, x)); };
     Vector3d at = onBody(start);
     for (int step = 0; step < kSteps && !edge.borders.empty(); ++step) {
       for (const RegionBorder* border : edge.borders) {
@@ -175,40 +181,80 @@ class OnMeshBody {
   }
 
   /// The body's edges between two faces, by the faces.
-  static std::map<std::pair<int, int>, NearestOnSegments> featuresOf(const MeshBody& body) {
-    std::map<std::pair<int, int>, int> firstFace;
+  static std::map<std::pair<int, int>, NearestOnSegments> bordersOf(const MeshBody& body) {
     std::map<std::pair<int, int>, std::vector<std::array<Vector3d, 2>>> segments;
-    for (std::size_t t = 0; t < body.triangles().size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const auto nodes = std::minmax(body.triangles()[t][k], body.triangles()[t][(k + 1) % 3]);
-        const int face = body.faceOfTriangle()[t];
-        const auto [known, isNew] = firstFace.try_emplace(nodes, face);
-        if (!isNew && known->second != face)
-          segments[std::minmax(face, known->second)].push_back(
-              {body.positions()[nodes.first], body.positions()[nodes.second]});
-      }
-    std::map<std::pair<int, int>, NearestOnSegments> features;
-    for (const auto& [faces, list] : segments) features.emplace(faces, NearestOnSegments(list));
-    return features;
+    forEdges(body, [&](const Vector3d& a, const Vector3d& b, int one, int other) {
+      const int face = body.faceOfTriangle()[one], next = body.faceOfTriangle()[other];
+      if (face != next) segments[std::minmax(face, next)].push_back({a, b});
+    });
+    std::map<std::pair<int, int>, NearestOnSegments> borders;
+    for (const auto& [faces, list] : segments) borders.emplace(faces, NearestOnSegments(list));
+    return borders;
   }
 
-  std::pair<int, int> facesOf(const MeshEdge& edge) const {
-    return std::minmax(mesh_.patchOfTriangle[edge.left], mesh_.patchOfTriangle[edge.right]);
+  static NearestOnSegments sharpEdgesOf(const MeshBody& body) {
+    const double cosine = std::cos(kSharpEdgeDegrees * std::numbers::pi / 180);
+    const auto normalOf = [&](int t) {
+      const auto& [a, b, c] = body.triangles()[t];
+      const auto& p = body.positions();
+      return (p[b] - p[a]).cross(p[c] - p[a]).normalized();
+    };
+    std::vector<std::array<Vector3d, 2>> segments;
+    forEdges(body, [&](const Vector3d& a, const Vector3d& b, int one, int other) {
+      if (normalOf(one).dot(normalOf(other)) < cosine) segments.push_back({a, b});
+    });
+    return NearestOnSegments(segments);
   }
-  bool isFeature(const MeshEdge& edge) const {
-    const auto faces = facesOf(edge);
-    return faces.first != faces.second ||
-           mesh_.smoothingGroupOfTriangle[edge.left] != mesh_.smoothingGroupOfTriangle[edge.right];
+
+  /// Calls `visit(a, b, one, other)` with the ends and the two triangles of every edge.
+  template <class Visit>
+  static void forEdges(const MeshBody& body, Visit visit) {
+    const auto neighbours = triangleNeighbours(body.triangles());
+    for (std::size_t t = 0; t < body.triangles().size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        if (static_cast<int>(t) < neighbours[t][k])
+          visit(body.positions()[body.triangles()[t][k]],
+                body.positions()[body.triangles()[t][(k + 1) % 3]], static_cast<int>(t),
+                neighbours[t][k]);
   }
-  /// A sharp edge within one face has no separate curve: the middle of its nodes.
-  Vector3d onFeature(const MeshEdge& edge, const Vector3d& x) const {
-    const auto found = features_.find(facesOf(edge));
-    return found == features_.end() ? x : found->second.nearest(x);
+
+  /// The nearest point on the border between two faces if the edge runs along it, on the sharp
+  /// edges if it is one, otherwise on the surface; x where the edge runs over features that the
+  /// mesh leaves out. On surfaces it keeps the distance of its ends from the body.
+  Vector3d onBodyOf(const MeshEdge& edge, const Vector3d& x) const {
+    const auto border = borders_.find(
+        std::minmax(mesh_.patchOfTriangle[edge.left], mesh_.patchOfTriangle[edge.right]));
+    if (border != borders_.end() &&
+        border->second.distance(mesh_.positions[edge.from]) < tolerance_ &&
+        border->second.distance(mesh_.positions[edge.to]) < tolerance_)
+      return border->second.nearest(x);
+    const Vector3d &from = mesh_.positions[edge.from], &to = mesh_.positions[edge.to];
+    const double near = kNearBody * (to - from).norm();
+    if (mesh_.smoothingGroupOfTriangle[edge.left] != mesh_.smoothingGroupOfTriangle[edge.right])
+      return sharp_.distance(from) < near && sharp_.distance(to) < near ? sharp_.nearest(x) : x;
+    const Vector3d offset = (nearest_.nearest(from) - from + nearest_.nearest(to) - to) / 2;
+    return offset.norm() < near ? nearest_.nearest(x) - offset : x;
   }
+
+  /// `found`, or x where that is too far or beside the edge: where the mesh runs over a feature of
+  /// the body, the middle must not jump into it.
+  Vector3d near(const MeshEdge& edge, const Vector3d& x, const Vector3d& found) const {
+    constexpr double kFar = 0.25, kBeside = 0.05;  // of the edge
+    const Vector3d along = mesh_.positions[edge.to] - mesh_.positions[edge.from];
+    const Vector3d step = found - x;
+    const double length = along.norm();
+    if (step.norm() > kFar * length) return x;
+    return std::abs(step.dot(along)) > kBeside * length * length ? x : found;
+  }
+
+  static constexpr double kOnBorder = 1e-7;  ///< of the diagonal
+  static constexpr double kNearBody = 0.03;  ///< of the edge
 
   const SurfaceMesh& mesh_;
   NearestOnTriangles nearest_;
-  std::map<std::pair<int, int>, NearestOnSegments> features_;
+  std::map<std::pair<int, int>, NearestOnSegments> borders_;
+  NearestOnSegments sharp_;
+  double tolerance_;
 };
 
 /// True if the area vector of a six-node triangle at a node, or of a quarter, points far from the
@@ -243,6 +289,15 @@ Vector3d curveMiddle(const Vector3d& from, const Vector3d& node, const Vector3d&
   return (2 * a - 1) / (4 * a) * from + weight * node + (1 - 2 * a) / (4 * (1 - a)) * to;
 }
 
+std::vector<std::array<int, 3>> quartersOf(const std::vector<std::array<int, 6>>& elements) {
+  std::vector<std::array<int, 3>> quarters;
+  for (const auto& [a, b, c, ab, bc, ca] : elements)
+    for (const auto& quarter : {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c},
+                                std::array{ab, bc, ca}})
+      quarters.push_back(quarter);
+  return quarters;
+}
+
 template <class OnBody>
 SurfaceMesh withMiddles(const SurfaceMesh& corners, const std::vector<bool>& isBorderVertex,
                         const OnBody& onBody) {
@@ -266,6 +321,21 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const std::vector<bool>& isB
       element[3 + k] = nodeOf.at(std::minmax(t[k], t[(k + 1) % 3]));
     }
   }
+  // Straightens the edges of an element; returns whether that changed one.
+  const auto straighten = [&](const std::array<int, 6>& element) {
+    bool hasChanged = false;
+    for (int k = 0; k < 3; ++k) {
+      // From the smaller index, to the same bits in both elements of the edge.
+      const bool isUp = element[k] < element[(k + 1) % 3];
+      const int from = element[isUp ? k : (k + 1) % 3], to = element[isUp ? (k + 1) % 3 : k];
+      const double share = shareOf(isBorderVertex, from, to);
+      const Vector3d onEdge = (1 - share) * mesh.positions[from] + share * mesh.positions[to];
+      Vector3d& node = mesh.positions[element[3 + k]];
+      hasChanged = hasChanged || onEdge != node;
+      node = onEdge;
+    }
+    return hasChanged;
+  };
   // Straight edges of one element may fold another: until nothing changes.
   for (bool hasChanged = true; hasChanged;) {
     hasChanged = false;
@@ -275,18 +345,14 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const std::vector<bool>& isB
       for (int k = 0; k < 3; ++k)
         x[3 + k] =
             curveMiddle(x[k], mesh.positions[element[3 + k]], x[(k + 1) % 3], shareIn(element, k));
-      if (!isFolded(x)) continue;
-      for (int k = 0; k < 3; ++k) {
-        // From the smaller index, to the same bits in both elements of the edge.
-        const bool isUp = element[k] < element[(k + 1) % 3];
-        const int from = isUp ? k : (k + 1) % 3, to = isUp ? (k + 1) % 3 : k;
-        const double share = shareOf(isBorderVertex, element[from], element[to]);
-        const Vector3d onEdge = (1 - share) * x[from] + share * x[to];
-        Vector3d& node = mesh.positions[element[3 + k]];
-        hasChanged = hasChanged || onEdge != node;
-        node = onEdge;
-      }
+      if (isFolded(x) && straighten(element)) hasChanged = true;
     }
+    // Curved elements may also cut through others, as flat ones do not.
+    if (!hasChanged && corners.parameters.empty())
+      for (const TriangleCrossing& crossing :
+           triangleCrossings(mesh.positions, quartersOf(elements)))
+        for (const int t : {crossing.a, crossing.b})
+          if (straighten(elements[t / 4])) hasChanged = true;
   }
   const auto fourTimes = [](const auto& list) {
     std::decay_t<decltype(list)> result;
@@ -294,11 +360,7 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const std::vector<bool>& isB
     return result;
   };
   mesh.isQuadratic = true;
-  mesh.triangles.clear();
-  for (const auto& [a, b, c, ab, bc, ca] : elements)
-    for (const auto& quarter : {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c},
-                                std::array{ab, bc, ca}})
-      mesh.triangles.push_back(quarter);
+  mesh.triangles = quartersOf(elements);
   mesh.patchOfTriangle = fourTimes(corners.patchOfTriangle);
   mesh.smoothingGroupOfTriangle = fourTimes(corners.smoothingGroupOfTriangle);
   mesh.bordersOfTriangle = fourTimes(corners.bordersOfTriangle);

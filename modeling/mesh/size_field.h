@@ -20,6 +20,8 @@ class SizeField {
   void update();
 
   double largest() const { return largest_; }
+  /// True if there are no sources.
+  bool isUniform() const { return levels_.empty(); }
   double at(const Eigen::Vector3d& point) const;
 
  private:

@@ -10,6 +10,13 @@
 
 namespace palpa::modeling {
 
+/// What a mesh left out of a body.
+struct MeshSimplification {
+  double below = 0;       ///< mm: smaller features were meshed over; 0: none
+  double moved = 0;       ///< mm, the largest distance of the surface from the body's
+  int vanishedFaces = 0;  ///< of the body
+};
+
 /// Closed, oriented triangle mesh of a body's surface.
 ///
 /// Every node lies on the body's surface; every triangle lies in one patch; patches share the nodes
@@ -24,6 +31,7 @@ struct SurfaceMesh {
   std::vector<std::vector<int>> trianglesOfRegion;  ///< per region passed to mesh(), ascending
   std::vector<RegionBorder> borders;  ///< the distinct half spaces and paintings of the regions
   std::vector<std::uint64_t> bordersOfTriangle;  ///< bit k: inside borders[k]
+  MeshSimplification simplification;             ///< of a mesh body
   /// True if each four consecutive triangles are the quarters of a curved six-node triangle, see
   /// quadraticMesh().
   bool isQuadratic = false;

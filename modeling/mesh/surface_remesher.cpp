@@ -17,10 +17,9 @@ namespace {
 constexpr double kLong = 4.0 / 3.0;
 constexpr double kShort = 4.0 / 5.0;
 constexpr double kMaxTurn = std::numbers::pi / 4.0;  // of a feature line between two nodes
-constexpr double kMaxSag = 0.13;                     // of an edge: an arc of about 60 degrees
-constexpr double kSliver = 20.0;                     // degrees
+constexpr double kMaxSag = 0.2;                      // of an edge: an arc of about 90 degrees
+constexpr double kSliver = 15.0;                     // degrees
 constexpr double kRelief = 0.6;  // factor of the length of an edge that must become shorter
-constexpr double kMinRelief = 1.0 / 32.0;  // of the largest size
 constexpr int kPasses = 6;
 constexpr int kReliefRounds = 5;
 constexpr int kReliefPasses = 3;
@@ -37,9 +36,10 @@ struct Edge {
 
 class Remesher {
  public:
-  Remesher(const TaggedSurface& surface, SizeField sizes, const Job& job)
+  Remesher(const TaggedSurface& surface, SizeField sizes, const LengthAt& smallest, const Job& job)
       : original_(surface),
         sizes_(std::move(sizes)),
+        smallest_(smallest),
         editor_(surface, original_, sizes_),
         job_(job) {}
 
@@ -200,19 +200,23 @@ class Remesher {
     const double pieces = std::min(turn / kMaxTurn, kMaxPieces);
     if (pieces <= 1.0) return;
     for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      sizes_.addSource(editor_.position(line[i]), editor_.position(line[i + 1]), length / pieces);
+      addSource(line[i], line[i + 1], length / pieces);
+  }
+
+  void addSource(int a, int b, double length) {
+    const Eigen::Vector3d &from = editor_.position(a), &to = editor_.position(b);
+    sizes_.addSource(from, to, std::max(length, smallest_(0.5 * (from + to))));
   }
 
   /// Requests shorter edges at slivers between features and at edges that cut off too much of a
   /// curved surface. Returns whether there was such a place.
   bool relieve() {
     const double sliver = std::cos(kSliver * std::numbers::pi / 180.0);
-    const double least = kMinRelief * sizes_.largest();
     bool found = false;
     const auto shorten = [&](int a, int b) {
       const double length = kRelief * editor_.length(a, b);
-      if (length < least) return;
-      sizes_.addSource(editor_.position(a), editor_.position(b), length);
+      if (length < smallest_(0.5 * (editor_.position(a) + editor_.position(b)))) return;
+      addSource(a, b, length);
       found = true;
     };
     for (int t = 0; t < editor_.triangleCount(); ++t) {
@@ -246,6 +250,7 @@ class Remesher {
 
   OriginalSurface original_;
   SizeField sizes_;
+  const LengthAt& smallest_;
   SurfaceEditor editor_;
   const Job& job_;
   int steps_ = 0;
@@ -253,8 +258,9 @@ class Remesher {
 
 }  // namespace
 
-TaggedSurface remesh(const TaggedSurface& surface, SizeField sizes, const Job& job) {
-  return Remesher(surface, std::move(sizes), job).run();
+TaggedSurface remesh(const TaggedSurface& surface, SizeField sizes, const LengthAt& smallest,
+                     const Job& job) {
+  return Remesher(surface, std::move(sizes), smallest, job).run();
 }
 
 }  // namespace palpa::modeling

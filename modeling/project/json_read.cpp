@@ -124,6 +124,7 @@ MeshSettings meshFrom(const json& value) {
                                               : Engine::kTriangles;
   settings.accuracy = value.value("accuracy", settings.accuracy);
   settings.splineDensity = value.value("spline_density", settings.splineDensity);
+  settings.featureFraction = value.value("feature_fraction", settings.featureFraction);
   if (value.contains("element_length_mm"))
     settings.elementLength = value["element_length_mm"].get<double>();
   if (!value.contains("refinement")) return settings;

@@ -121,6 +121,8 @@ Json jsonOf(const MeshSettings& mesh) {
   if (mesh.accuracy != MeshSettings{}.accuracy) object["accuracy"] = mesh.accuracy;
   if (mesh.splineDensity != MeshSettings{}.splineDensity)
     object["spline_density"] = mesh.splineDensity;
+  if (mesh.featureFraction != MeshSettings{}.featureFraction)
+    object["feature_fraction"] = mesh.featureFraction;
   if (mesh.elementLength) object["element_length_mm"] = *mesh.elementLength;
   if (mesh.refinementLevels > 0 || mesh.refineAtSharpEdges || mesh.refineAtBorders) {
     Json at = Json::array();

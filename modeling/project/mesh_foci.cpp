@@ -15,6 +15,10 @@ double shareOfRadius(Engine engine) {
   return engine == Engine::kQuadratic ? 0.3 : 0.42;
 }
 
+/// Its factor under balls: the area of contact under a ball is found by switching
+/// masks on and off, so it takes several of them.
+constexpr double kShareUnderBalls = 0.6;
+
 /// Radius of the area that a touch loads, mm; 0 if it is not known.
 double loadedRadius(const Touch& touch) {
   if (!touch.radius) return 0;
@@ -27,14 +31,15 @@ double loadedRadius(const Touch& touch) {
 }  // namespace
 
 std::vector<MeshFocus> meshFoci(const Project& project) {
-  const Engine engine = engineFor(project.body, project.mesh.engine);
+  const Engine engine = engineOf(project);
   std::vector<MeshFocus> foci;
   if (engine == Engine::kSplines) return foci;
-  const auto add = [&](const Eigen::Vector3d& center, double radius) {
-    const double length = shareOfRadius(engine) * radius;
+  const auto add = [&](const Eigen::Vector3d& center, double radius, double share = 1) {
+    const double length = share * shareOfRadius(engine) * radius;
     if (radius > 0 && length < project.mesh.edgeLength) foci.push_back({center, radius, length});
   };
-  for (const Touch& touch : project.touches) add(touch.at, loadedRadius(touch));
+  for (const Touch& touch : project.touches)
+    add(touch.at, loadedRadius(touch), infoOf(touch.kind).isBall ? kShareUnderBalls : 1);
   for (const Load& load : project.loads)
     if (const auto* bump = std::get_if<Bump>(&load.what)) add(bump->center, bump->radius);
   return foci;

@@ -21,8 +21,8 @@ void fromVersion1(json& document) {
   refuse(document, "primitive", "");
   if (document.contains("solid")) refuse(document["solid"], "smooth_edges", "solid.");
   if (document.contains("mesh"))
-    for (const char* key :
-         {"patch_factors", "engine", "accuracy", "spline_density", "element_length_mm"})
+    for (const char* key : {"patch_factors", "engine", "accuracy", "spline_density",
+                            "feature_fraction", "element_length_mm"})
       refuse(document["mesh"], key, "mesh.");
   document["version"] = 2;
 }

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/mesh/engine_choice.h"
 #include "modeling/project/missing_density.h"
 
 namespace palpa::modeling {
@@ -191,6 +192,10 @@ std::vector<MeshRegion> meshRegions(const Project& project) {
       regions.push_back(
           {indexed("loads", i) + " \"" + project.loads[i].name + "\"", *where, false});
   return regions;
+}
+
+Engine engineOf(const Project& project) {
+  return engineFor(project.body, project.mesh.engine, meshRegions(project));
 }
 
 }  // namespace palpa::modeling

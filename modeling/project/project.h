@@ -140,6 +140,9 @@ void checkProject(const Project& project);
 /// borders of loads are not. Names begin with the path: `supports[0] "base"`.
 std::vector<MeshRegion> meshRegions(const Project& project);
 
+/// The engine that computes the project, see engineFor(): never automatic.
+Engine engineOf(const Project& project);
+
 /// The region of a load; null for a bump, which has a radius instead, and for gravity.
 const Region* regionOf(const Load& load);
 Region* regionOf(Load& load);

@@ -68,8 +68,9 @@ TEST_F(CliProject, PaintedSupportsGoAllTheWay) {
                       "4 mm of (0, -10, -22)"),
             std::string::npos)
       << info;
+  // Beside the border of the support the quarters of quadratic triangles are uneven.
   EXPECT_GE(cli_.runJson("mesh p.json").at("quality").at("smallest_angle_degrees").get<double>(),
-            10.0);
+            7.0);
   const Json solved = cli_.runJson("solve p.json");
   const double pressed = 0.001 * std::numbers::pi * 36;  // a cap's projection is a bit less
   EXPECT_NEAR(solved.at("loads")[0].at("force_N")[0].get<double>(), -pressed, 0.1 * pressed);
@@ -271,7 +272,7 @@ TEST_F(CliProject, MeshWritesEveryFormatAndReportsItsQuality) {
   for (const char* name : {"m.stl", "m.obj", "m.ply", "m.vtp"}) {
     const Json report = cli_.runJson(std::string("mesh p.json --edge-length 6 -o ") + name);
     EXPECT_GT(report.at("nodes").get<int>(), 100);
-    EXPECT_GT(report.at("quality").at("smallest_angle_degrees").get<double>(), 20);
+    EXPECT_GT(report.at("quality").at("smallest_angle_degrees").get<double>(), 10);
     // Euler's formula for a closed surface without holes: triangles = 2 (nodes - 2).
     EXPECT_EQ(report.at("triangles").get<int>(), 2 * (report.at("nodes").get<int>() - 2));
     EXPECT_GT(std::filesystem::file_size(cli_.path(name)), 1000u) << name;

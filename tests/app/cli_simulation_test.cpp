@@ -108,8 +108,11 @@ TEST_F(CliSimulation, ASweepListsTheStatesOfSingleTouches) {
   ASSERT_EQ(sweep.size(), 5u);
   EXPECT_EQ(norm(sweep[0].at("contacts")[0].at("force_N")), 0);
   EXPECT_EQ(sweep[4].at("contacts")[0].at("force_N"), report.at("contacts")[0].at("force_N"));
+  // The touch of half the depth has a finer mesh under it.
   const Json half = cli_.runJson(touch + "--displace 0,0,-1");
-  EXPECT_EQ(sweep[2].at("contacts")[0].at("force_N"), half.at("contacts")[0].at("force_N"));
+  EXPECT_NEAR(norm(sweep[2].at("contacts")[0].at("force_N")),
+              norm(half.at("contacts")[0].at("force_N")),
+              0.05 * norm(half.at("contacts")[0].at("force_N")));
   EXPECT_EQ(sweep[2].at("share"), 0.5);
   // Force, deflection and stiffness fit together.
   const Json& contact = report.at("contacts")[0];
@@ -214,7 +217,7 @@ TEST_F(CliSimulation, EveryKindOfTouchSaysWhatItDoes) {
   for (const Json& mask : ball.at("patch").at("masks")) sum += mask.at("force_N")[2].get<double>();
   EXPECT_NEAR(sum, ball.at("force_N")[2].get<double>(), 1e-9);
   EXPECT_NEAR(ball.at("tool_mm")[2].get<double>(), 25 + 12 - 2, 0.1);
-  EXPECT_EQ(pressed.at("path").at("steps"), 150);
+  EXPECT_GE(pressed.at("path").at("steps"), 150) << "a divided step counts as several";
   EXPECT_EQ(pressed.at("path").at("converged"), true);
 
   const std::string text =

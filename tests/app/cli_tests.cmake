@@ -21,6 +21,7 @@ palpa_add_test(palpa_cli_tests
     cli_examples_test.cpp
     cli_exchange_test.cpp
     cli_measure_test.cpp
+    cli_place_test.cpp
     cli_project_test.cpp
     cli_recording_test.cpp
     cli_section_test.cpp
@@ -29,6 +30,8 @@ palpa_add_test(palpa_cli_tests
     cli_verify_test.cpp
   LIBRARIES palpa_cli_runner
   LABEL cli)
+add_test(NAME cli.corpus COMMAND ${CMAKE_CURRENT_LIST_DIR}/corpus_test.sh $<TARGET_FILE:palpa-cli>)
+set_tests_properties(cli.corpus PROPERTIES LABELS cli TIMEOUT 300)
 # Sanitizer presets leave out the label render: graphics drivers leak and race on their own.
 palpa_add_test(palpa_cli_render_tests
   SOURCES cli_render_test.cpp

@@ -10,6 +10,7 @@
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/deformed_solid.h"
 #include "app/core/results/error_estimate.h"
+#include "app/core/results/field_sample.h"
 #include "app/core/results/touch.h"
 #include "bem/contact/contact_surface.h"
 #include "core_projects.h"
@@ -65,9 +66,14 @@ void widenTouches(modeling::Project& project, const TouchModel& model) {
 
 class Example : public testing::TestWithParam<std::string> {};
 
-/// Largest displacement of a node of either mesh; both engines share the mesh.
-Eigen::MatrixXd onNodes(const StaticTouchSolution& played) {
-  return played.model->setup().discretisation->valuesOnMesh(played.state.field).u;
+/// Displacements at places all over the surface.
+Eigen::Matrix3Xd displacementsAt(const StaticTouchSolution& played,
+                                 const std::vector<Vector3d>& places) {
+  Eigen::Matrix3Xd u(3, places.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    u.col(static_cast<Eigen::Index>(k)) =
+        sampleField(*played.model, played.state, places[k]).displacement;
+  return u;
 }
 
 TEST_P(Example, BothEnginesAgreeWithinTheirStatedErrors) {
@@ -87,7 +93,9 @@ TEST_P(Example, BothEnginesAgreeWithinTheirStatedErrors) {
     const Vector3d a = splines.state.contacts[k].force, b = triangles.state.contacts[k].force;
     force = std::max(force, (a - b).norm() / b.norm());
   }
-  const Eigen::MatrixXd a = onNodes(splines), b = onNodes(triangles);
+  const std::vector<Vector3d>& places = splines.model->surface().positions;
+  const Eigen::Matrix3Xd a = displacementsAt(splines, places),
+                         b = displacementsAt(triangles, places);
   const double displacement = (a - b).norm() / b.norm();
   std::printf(
       "%s: splines n %d, estimate %.2g %%; triangles n %d, estimate %.2g %%; forces differ by "
@@ -138,11 +146,26 @@ INSTANTIATE_TEST_SUITE_P(Projects, Example, testing::ValuesIn(examples()),
                            return name;
                          });
 
-TEST(Engines, AutomaticMeansSplinesForSolids) {
-  EXPECT_TRUE(build(test::clampedCylinder(6), Engine::kAutomatic)->setup().splines);
-  EXPECT_FALSE(build(test::clampedCylinder(6), Engine::kTriangles)->setup().splines);
-  // Below z = -20 mm: the border cuts patches.
-  EXPECT_TRUE(build(test::clampedSphere(6), Engine::kAutomatic)->setup().splines);
+TEST(Engines, AutomaticMeansSplinesWhereSupportsAreWholePatches) {
+  const auto engineOf = [](modeling::Project project, Engine wanted = Engine::kAutomatic) {
+    project.mesh.engine = wanted;
+    return modeling::engineOf(project);
+  };
+  EXPECT_EQ(engineOf(test::clampedCylinder(6)), Engine::kSplines);
+  EXPECT_EQ(engineOf(test::clampedCylinder(6), Engine::kTriangles), Engine::kTriangles);
+  EXPECT_EQ(engineOf(test::freeBox(6)), Engine::kSplines);
+  // The border cuts patches.
+  EXPECT_EQ(engineOf(test::clampedSphere(6)), Engine::kQuadratic);
+  EXPECT_EQ(engineOf(test::paintedSphere(6)), Engine::kQuadratic);
+  EXPECT_EQ(engineOf(test::clampedSphere(6), Engine::kSplines), Engine::kSplines);
+  // A half space that contains one patch of a box and touches no other.
+  modeling::Project box = test::freeBox(6);
+  const auto [low, high] = modeling::boundingBox(box.body);
+  box.supports = {{"base", modeling::Support::Kind::kFixed,
+                   modeling::Region::below(Vector3d::UnitZ(), low.z() + 0.01), Vector3d::Zero()}};
+  EXPECT_EQ(engineOf(box), Engine::kSplines);
+  box.supports[0].where = modeling::Region::below(Vector3d::UnitZ(), low.z() + 3);
+  EXPECT_EQ(engineOf(box), Engine::kQuadratic);
 }
 
 /// A body held at the bottom and pulled up at its top by 3 mm.
@@ -156,7 +179,8 @@ StaticTouchSolution pulled(modeling::Project project, double height) {
 double largestDistance(const StaticTouchSolution& played) {
   const modeling::Solid deformed = deformedSolid(*played.model, played.state.field);
   const bem::BoundaryMesh& mesh = played.model->setup().mesh();
-  const Eigen::MatrixXd u = onNodes(played);
+  const Eigen::MatrixXd u =
+      played.model->setup().discretisation->valuesOnMesh(played.state.field).u;
   const modeling::SurfaceEvaluator surface(deformed);
   const auto& parameters = played.model->surface().parameters;
   double largest = 0;

@@ -136,7 +136,8 @@ TEST_F(Materials, OwnOnesAreSavedRenamedAndDeletedForAllProjects) {
       edit->selectAll();
       QTest::keyClicks(edit, to);
       QTest::keyClick(edit, end);
-      QTest::qWait(20);
+      ASSERT_TRUE(QTest::qWaitFor([&] { return !materials.findChild<QLineEdit*>(); }));
+      QTest::qWait(20);  // the list is filled after its editor was closed
     };
     rename("Nothing", Qt::Key_Escape);
     EXPECT_TRUE(dialog.isVisible());

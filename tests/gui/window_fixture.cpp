@@ -32,7 +32,8 @@ void WindowTest::restart() {
 void WindowTest::waitForModel() {
   ASSERT_TRUE(QTest::qWaitFor(
       [this] { return editor().rebuildStatus().state == app::RebuildStatus::State::kUpToDate; },
-      60000));
+      60000))
+      << editor().rebuildStatus().error;
   QTest::qWait(50);
 }
 

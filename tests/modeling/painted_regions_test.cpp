@@ -25,6 +25,7 @@ using Eigen::Vector3d;
 SurfaceMesh painted(const Body& body, double h, std::vector<RegionPart> parts) {
   MeshSettings settings;
   settings.edgeLength = h;
+  settings.engine = Engine::kTriangles;
   const std::vector<MeshRegion> regions{{"paint", Region{std::move(parts)}, true}};
   return mesh(body, settings, regions);
 }

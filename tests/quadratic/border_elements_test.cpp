@@ -201,6 +201,27 @@ TEST(BorderElements, IntegrateWithTheTolerance) {
   }
 }
 
+// Quartering towards a place on the border, where elements are infinitely thin, had no end.
+TEST(BorderElements, DisplacementsOnTheBorderArePrescribedOnes) {
+  const auto sphere = quadratic(heldSphere(4, -15), onSphere(25), {1});
+  const VectorXd u = VectorXd::Random(3 * sphere->displacementCount());
+  const VectorXd p = VectorXd::Random(3 * sphere->slots().count());
+  const BoundaryMesh& mesh = sphere->mesh();
+  int found = 0;
+  for (int t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& coordinates = sphere->surface().coordinates(t / 4);
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d weights = Vector3d::Unit(k);
+      const ElementPlace place = QuadraticSurface::place(t, weights);
+      if (coordinates.root({place.u, place.v}) > 0) continue;
+      const SurfacePoint at{t, weights, mesh.point(t, weights), 0};
+      EXPECT_EQ(sphere->displacementAt(at, u, p, Material{0.1, 0.3}), sphere->interpolate(at, u));
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 50);
+}
+
 /// The reference case c_sph_equator: sphere held below z = -20, pressed by a bump at its side.
 class HeldSphere : public testing::Test {
  protected:

@@ -86,6 +86,7 @@ Forces forces(const modeling::Body& shape, const Vector3d& normal, double below,
   project.body = shape;
   project.supports = {{"base", Support::Kind::kFixed, Region::below(normal, below), {0, 0, 0}}};
   project.loads = {{"bump", modeling::Bump{{0, 0, top}, 8, 0.02, {0.2, 0, -1}}}};
+  project.mesh.engine = modeling::Engine::kSplines;
   project.mesh.edgeLength = 4;
   project.mesh.elementLength = elementLength;
   const app::BoundarySetup setup = app::makeBoundarySetup(

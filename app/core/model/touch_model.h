@@ -59,6 +59,8 @@ struct TouchState {
     double friction = 0;                                ///< Coulomb's coefficient
     Eigen::Vector3d tool = Eigen::Vector3d::Zero();     ///< mm, in space: fingertip, ball's centre
     std::vector<bem::ContactSimulation::PatchForce> patch{};  ///< of a push or ball
+    /// Estimated relative error of the force (error_estimate.h); empty if it was not requested.
+    std::optional<double> errorEstimate{};
 
     bool presses() const { return kind && modeling::infoOf(*kind).presses; }
     bool isBall() const { return kind && modeling::infoOf(*kind).isBall; }
@@ -85,8 +87,8 @@ struct TouchState {
   /// `balance` over the largest of these forces (of a moment: BoundarySetup::LoadPart::couple); 0
   /// if there are none.
   double relativeBalance = 0;
-  /// Estimated relative error of displacements and forces (error_estimate.h); empty if it was not
-  /// requested.
+  /// Estimated relative error of displacements and forces, the largest one (error_estimate.h);
+  /// empty if it was not requested.
   std::optional<double> errorEstimate;
 };
 

@@ -173,7 +173,7 @@ void estimateErrors(const VariantPlayer& a, const VariantPlayer& b, Comparison& 
   const std::array players{&a, &b};
   for (std::size_t k = 0; k < 2; ++k) {
     TouchState& state = comparison.states[k].state;
-    state.errorEstimate = estimateError(*players[k]->variant().model, state, job);
+    addErrors(*players[k]->variant().model, state, job);
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "app/core/model/touch_model.h"
 
 // Error estimates from the residual of the boundary integral equation between the collocation
@@ -8,13 +10,28 @@
 // with exact and finer solutions.
 namespace palpa::app {
 
-/// Relative error of a state's displacements and of its contacts' forces, which have the error of
-/// the displacements they cause. The maximum of: the root mean square over `samples` places all
-/// over the surface; the root mean square over the places of each contact; the balance of forces
-/// (which shows errors in the bending of slender bodies that the residual of triangles does not). 0
-/// if nothing moves. Costs about as much as the assembly. Throws Cancelled.
-double estimateError(const TouchModel& model, const TouchState& state, const Job& job = {},
-                     int samples = 48);
+/// Relative errors of a state.
+struct StateError {
+  /// Of displacements: root mean square over places all over the surface; at least the balance of
+  /// forces, which shows errors in the bending of slender bodies that the residual does not.
+  double field = 0;
+  /// Of the force of each contact: root mean square of the error of displacements over places of
+  /// the contact, as forces have the error of the displacements they cause; at least the balance.
+  std::vector<double> contacts;
+
+  double largest() const;
+};
+
+/// Estimates the errors of a state from `samples` places all over the surface and five at each
+/// contact. 0 where nothing moves. Costs about as much as the assembly. Throws Cancelled.
+StateError estimateErrors(const TouchModel& model, const TouchState& state, const Job& job = {},
+                          int samples = 48);
+
+/// Sets the estimates of a state and of its contacts.
+void addErrors(const TouchModel& model, TouchState& state, const Job& job = {});
+
+/// The largest of the errors.
+double estimateError(const TouchModel& model, const TouchState& state, const Job& job = {});
 
 /// True if a support is nearer to a place than `radius` (mm): forces of contacts there are less
 /// accurate than estimateTouchError().

@@ -13,9 +13,6 @@ double suitableEdgeLength(const modeling::Body& body);
 /// Material of a new body: a silicone of 0.2 MPa.
 modeling::Material defaultMaterial();
 
-/// A fixed support "base" on the lowest tenth of a body.
-modeling::Support baseSupport(const modeling::Body& body);
-
 /// A project with a body that can be touched at once: default material, its lowest tenth fixed, a
 /// suitable mesh.
 modeling::Project makeProject(modeling::Body body, const std::string& name);

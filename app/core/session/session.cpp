@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "app/core/setup/boundary_setup.h"
+#include "app/core/setup/project_geometry.h"
+#include "modeling/project/mesh_foci.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::app {
@@ -13,11 +15,9 @@ namespace {
 /// During a motion, a build waits for this time without commands.
 constexpr std::chrono::milliseconds kQuiet{100};
 
-/// True if the model depends on the change. Names do not matter; elements and meshes are finer at
-/// touches.
+/// True if the model depends on the change whatever the touches are. Names do not matter.
 bool concernsModel(const modeling::Change& change) {
-  return change.body() || change.material || change.supports || change.loads || change.mesh ||
-         change.touches;
+  return change.body() || change.material || change.supports || change.loads || change.mesh;
 }
 
 Session::Options withCache(Session::Options options) {
@@ -97,7 +97,15 @@ void Session::endGroup() {
 void Session::rebuildIfNeeded(const modeling::Change& change, std::chrono::milliseconds quiet) {
   if (!change.any()) return;
   countEdit();
-  if (concernsModel(change)) pipeline_->submit(project(), quiet);
+  // Elements and meshes are finer at touches.
+  const bool isOtherMesh =
+      change.touches && (usesSplines(project()) || modeling::meshFoci(project()) != foci_);
+  if (concernsModel(change) || isOtherMesh) submit(quiet);
+}
+
+void Session::submit(std::chrono::milliseconds quiet) {
+  foci_ = modeling::meshFoci(project());
+  pipeline_->submit(project(), quiet);
 }
 
 void Session::countEdit() {

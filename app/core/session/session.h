@@ -5,9 +5,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/core/session/rebuild_pipeline.h"
 #include "modeling/editing/document.h"
+#include "modeling/mesh/mesh_focus.h"
 #include "modeling/project/autosave.h"
 
 namespace palpa::app {
@@ -48,7 +50,7 @@ class Session {
   /// Null without a cache folder or limit.
   ModelCache* cache() const { return options_.build.cache.get(); }
   /// Builds the model again, after a failure or a stop.
-  void rebuild() { pipeline_->submit(project()); }
+  void rebuild() { submit(); }
   /// Ends a motion: builds the model that perform() has delayed.
   void endMotion() { pipeline_->startPending(); }
 
@@ -91,9 +93,11 @@ class Session {
 
  private:
   void rebuildIfNeeded(const modeling::Change& change, std::chrono::milliseconds quiet = {});
+  void submit(std::chrono::milliseconds quiet = {});
   void countEdit();
 
   modeling::Document document_;
+  std::vector<modeling::MeshFocus> foci_;  ///< of the model that was asked for last
   Options options_;
   std::optional<std::filesystem::path> file_;
   bool recovered_ = false;

@@ -34,7 +34,7 @@ double fingertipRadius(const modeling::Project& project) {
 }
 
 bool usesSplines(const modeling::Project& project) {
-  return modeling::engineFor(project.body, project.mesh.engine) == modeling::Engine::kSplines;
+  return modeling::engineOf(project) == modeling::Engine::kSplines;
 }
 
 ProjectGeometry::ProjectGeometry(const modeling::Project& project)

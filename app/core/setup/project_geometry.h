@@ -17,7 +17,7 @@ double defaultTouchRadius(double bodySize);
 /// of the project's touches if all are wider.
 double fingertipRadius(const modeling::Project& project);
 
-/// True if the project's body is computed with splines, see modeling::engineFor().
+/// True if the project's body is computed with splines, see modeling::engineOf().
 bool usesSplines(const modeling::Project& project);
 
 /// Geometry that a build derives from a project before it meshes the body, once: engine, regions

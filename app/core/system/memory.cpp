@@ -2,13 +2,31 @@
 
 #include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <limits>
 
 #include "base/count_text.h"
 #include "base/text.h"
 
 namespace palpa::app {
+
+namespace {
+
+/// What the limit of the process (ulimit -v) leaves, bytes; infinite without a limit.
+double addressSpaceLeft() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return std::numeric_limits<double>::infinity();
+  double usedPages = 0;
+  std::ifstream("/proc/self/statm") >> usedPages;
+  const double used = usedPages * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return std::max(1.0, static_cast<double>(limit.rlim_cur) - used);
+}
+
+}  // namespace
 
 double availableMemory() {
   std::ifstream file("/proc/meminfo");
@@ -16,7 +34,7 @@ double availableMemory() {
   double value = 0;
   while (file >> key >> value) {
     std::getline(file, unit);
-    if (key == "MemAvailable:") return value * 1024;
+    if (key == "MemAvailable:") return std::min(value * 1024, addressSpaceLeft());
   }
   return 0;
 }

@@ -4,7 +4,8 @@
 
 namespace palpa::app {
 
-/// Memory available without swapping, bytes; 0 if unknown.
+/// Memory available without swapping and within the limit of the process (ulimit -v), bytes; 0 if
+/// unknown.
 double availableMemory();
 /// Largest resident size of this process so far, bytes.
 double peakMemory();

@@ -42,9 +42,13 @@ class VariantComparison : public QObject {
 
   /// State of B's model. Requires isActive().
   app::RebuildStatus otherStatus() const { return pipeline_->status(); }
-  void cancelBuild() { pipeline_->cancel(); }
+  void cancelBuild() {
+    if (pipeline_) pipeline_->cancel();
+  }
   /// Repeats a stopped or failed build.
-  void buildAgain() { pipeline_->submit(*other_); }
+  void buildAgain() {
+    if (pipeline_) pipeline_->submit(*other_);
+  }
 
   struct Result {
     std::shared_ptr<const app::DrawnBody> drawnA, drawnB;  ///< A: null while it has no model

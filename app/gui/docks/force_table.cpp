@@ -57,7 +57,6 @@ ForceTable::ForceTable(Simulation& simulation, QWidget* parent)
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
   setIconSize({kSwatch, kSwatch});
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setMinimumHeight(kMinRows * 2 * fontMetrics().lineSpacing());
   setContextMenuPolicy(Qt::CustomContextMenu);
   setToolTip(tr("Delete ends the selected contact"));
   connect(this, &QWidget::customContextMenuRequested, this, &ForceTable::showMenu);
@@ -67,6 +66,9 @@ void ForceTable::showRows(const std::vector<Row>& rows) {
   for (std::size_t i = 0; i < rows.size(); ++i) fillRow(static_cast<int>(i), rows[i]);
   const int count = static_cast<int>(rows.size());
   while (topLevelItemCount() > count) delete takeTopLevelItem(count);
+  if (count > 0)
+    setMinimumHeight(header()->sizeHint().height() + 2 * frameWidth() +
+                     kMinRows * 2 * rowHeight(model()->index(0, 0)));
 }
 
 void ForceTable::fillRow(int row, const Row& filled) {

@@ -11,6 +11,7 @@
 #include "app/gui/document/accuracy_words.h"
 #include "app/gui/document/force_words.h"
 #include "app/gui/document/rebuild_words.h"
+#include "base/number_with_error.h"
 
 namespace palpa::gui {
 namespace {
@@ -137,15 +138,22 @@ ForceTable::Row ForcesDock::rowOf(const app::TouchSnapshot::Contact& contact) {
   ForceTable::Row row;
   row.contact = contact.id;
   row.curve = numberOf(contact.id) - 1;
+  // The live forces have about the error of a fingertip on this model.
+  const double error = errorOfForces();
+  const auto digits = [error](double value) {
+    return error > 0 ? std::clamp(digitsFor(value, error * value), 1, kFewDigits) : kFewDigits;
+  };
+  const double deflection = contact.deflection.norm();
   row.cells = {
       tr("%1 %2").arg(kindText(contact.tool.kind)).arg(numberOf(contact.id)),
-      isLoaded ? forceText(contact.force) : tr("–"),
-      isLoaded ? shown(contact.deflection.norm(), Quantity::kLength, units, kFewDigits) : QString(),
-      isLoaded && stiffness > 0
-          ? tr("%L1 %2/%3").arg(stiffness, 0, 'g', kFewDigits).arg(force.symbol, length.symbol)
-          : QString()};
+      isLoaded ? forceWithError(contact.force.norm(), force, error) : tr("–"),
+      isLoaded ? shown(deflection, Quantity::kLength, units, digits(deflection)) : QString(),
+      isLoaded && stiffness > 0 ? tr("%L1 %2/%3")
+                                      .arg(stiffness, 0, 'g', digits(stiffness))
+                                      .arg(force.symbol, length.symbol)
+                                : QString()};
   row.details = statusText(contact.status);
-  if (isLoaded) row.details += ": " + vectorText(contact.force, force);
+  if (isLoaded) row.details += ": " + vectorText(contact.force, force, error);
   // Loads and other contacts also move the place.
   if ((contact.displacement - contact.deflection).norm() >
       kOtherMotion * contact.displacement.norm())
@@ -156,14 +164,15 @@ ForceTable::Row ForcesDock::rowOf(const app::TouchSnapshot::Contact& contact) {
 }
 
 ForceTable::Row ForcesDock::rowOf(const QString& name, const QString& verb,
-                                  const Eigen::Vector3d& vector, Quantity quantity) const {
-  const ShownUnits units = settings_.units();
-  return {{name, shown(vector.norm(), quantity, units, kForceDigits), QString(), QString()},
-          verb + ": " + vectorText(vector, units.of(quantity))};
+                                  const Eigen::Vector3d& vector, Quantity quantity,
+                                  double error) const {
+  const Unit& unit = settings_.units().of(quantity);
+  return {{name, forceWithError(vector.norm(), unit, error), QString(), QString()},
+          verb + ": " + vectorText(vector, unit, error)};
 }
 
-QString ForcesDock::forceText(const Eigen::Vector3d& force) const {
-  return shown(force.norm(), Quantity::kForce, settings_.units(), kForceDigits);
+double ForcesDock::errorOfForces() const {
+  return editor_.rebuildStatus().touchError;
 }
 
 void ForcesDock::showForces() {
@@ -194,11 +203,12 @@ void ForcesDock::showForces() {
       // A moment has no force, and is the same about every point.
       rows.push_back(load.couple > 0
                          ? rowOf(name, tr("turns with"), load.resultant.moment, Quantity::kMoment)
-                         : rowOf(name, tr("acts with"), load.resultant.force));
+                         : rowOf(name, tr("acts with"), load.resultant.force, Quantity::kForce));
     }
     for (const auto& support : state->supports)
       rows.push_back(rowOf(tr("Support %1").arg(QString::fromStdString(support.name)),
-                           tr("holds with"), support.resultant.force));
+                           tr("holds with"), support.resultant.force, Quantity::kForce,
+                           errorOfForces()));
     words = tr("Energy %L1 mJ · balance %2")
                 .arg(state->energy < kNoEnergy ? 0.0 : state->energy, 0, 'g', kForceDigits)
                 .arg(percentText(state->relativeBalance));

@@ -31,10 +31,12 @@ class ForcesDock : public QDockWidget {
   void showForces();
   void showPlot();
   ForceTable::Row rowOf(const app::TouchSnapshot::Contact& contact);
-  /// Row of a load or a support; `verb` says what the force or moment does to the body.
+  /// Row of a load or a support; `verb` says what the force or moment does to the body. `error`:
+  /// relative, 0 for given numbers.
   ForceTable::Row rowOf(const QString& name, const QString& verb, const Eigen::Vector3d& vector,
-                        Quantity quantity = Quantity::kForce) const;
-  QString forceText(const Eigen::Vector3d& force) const;
+                        Quantity quantity, double error = 0) const;
+  /// Relative; 0 while it is unknown.
+  double errorOfForces() const;
   /// Limits of the shown forces and hints, each after a line break.
   QString notes() const;
   /// Number of a contact: constant while the contact or its curve is visible. Numbers restart

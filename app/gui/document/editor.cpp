@@ -3,14 +3,15 @@
 #include <QFileInfo>
 #include <QMetaObject>
 
+#include "app/core/session/import_project.h"
 #include "app/core/session/new_project.h"
 #include "app/core/system/destroy_in_background.h"
 #include "app/gui/document/measurements.h"
 #include "app/gui/document/named_items.h"
 #include "modeling/error.h"
 #include "modeling/exchange/file_format.h"
-#include "modeling/exchange/import.h"
 #include "modeling/project/project_file.h"
+#include "modeling/project/proposed_support.h"
 #include "modeling/shapes/make_primitive.h"
 
 namespace palpa::gui {
@@ -143,11 +144,9 @@ bool Editor::importFile(const QString& file) {
   const bool isOpen = openInBackground(
       tr("Importing %1").arg(info.fileName()),
       [&](const Job& job, const app::Session::Options& options) {
-        modeling::ImportedBody imported = modeling::importBody(file.toStdString(), {}, job);
+        app::ImportedProject imported = app::importProject(file.toStdString(), {}, job);
         notes = std::move(imported.notes);
-        return std::make_unique<app::Session>(
-            app::makeProject(std::move(imported.body), info.completeBaseName().toStdString()),
-            options);
+        return std::make_unique<app::Session>(std::move(imported.project), options);
       });
   if (!isOpen) return false;
   QStringList told;
@@ -158,7 +157,9 @@ bool Editor::importFile(const QString& file) {
     told << tr(
         "The mesh became a mesh body, which can be supported and touched but has no control "
         "points and cannot be exported as CAD.");
-  if (!told.isEmpty()) Q_EMIT said(tr("%1 was imported. %2").arg(info.fileName(), told.join(' ')));
+  told << tr("It is held on %1; Paint support (P) changes that.")
+              .arg(QString::fromStdString(modeling::proposeSupport(project().body).description()));
+  Q_EMIT said(tr("%1 was imported. %2").arg(info.fileName(), told.join(' ')));
   return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include "app/core/model/contact_kind.h"
 #include "app/gui/base/translate.h"
+#include "base/number_with_error.h"
 
 namespace palpa::gui {
 namespace {
@@ -38,11 +39,12 @@ QString statusText(Status status) {
   return {};
 }
 
-QString vectorText(const Eigen::Vector3d& vector, const Unit& unit) {
+QString vectorText(const Eigen::Vector3d& vector, const Unit& unit, double error) {
   const double size = vector.norm() < kVectorNoise ? 0 : vector.norm() / unit.factor;
+  const int digits =
+      error > 0 ? std::min(kForceDigits, digitsFor(size, error * size)) : kForceDigits;
   const int decimals =
-      size > 0 ? std::clamp(kForceDigits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9)
-               : 0;
+      size > 0 ? std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 9) : 0;
   QStringList parts;
   for (int k = 0; k < 3; ++k) {
     const double value = vector[k] / unit.factor;
@@ -51,6 +53,21 @@ QString vectorText(const Eigen::Vector3d& vector, const Unit& unit) {
     parts << QString::number(isZero ? 0.0 : value, 'f', decimals);
   }
   return parts.join(", ") + " " + unit.symbol;
+}
+
+QString forceWithError(double force, const Unit& unit, double error) {
+  if (!(error > 0) || force < kVectorNoise) {
+    const double value = force < kVectorNoise ? 0 : force / unit.factor;
+    return QString::number(value, 'g', kForceDigits) + " " + unit.symbol;
+  }
+  const double value = force / unit.factor;
+  // An error of less than the last digit that is shown is not stated.
+  const int most = decimalsFor(value, value * std::pow(10.0, -kForceDigits));
+  const int decimals = decimalsFor(value, error * value);
+  if (decimals > most) return QString::fromStdString(withDecimals(value, most)) + " " + unit.symbol;
+  return QString::fromStdString(withDecimals(value, decimals) + " ± " +
+                                errorText(error * value, decimals)) +
+         " " + unit.symbol;
 }
 
 }  // namespace palpa::gui

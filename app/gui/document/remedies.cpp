@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "app/core/session/new_project.h"
 #include "app/gui/base/translate.h"
 #include "app/gui/document/named_items.h"
 #include "app/gui/document/own_materials.h"
+#include "modeling/project/proposed_support.h"
 
 namespace palpa::gui {
 namespace {
@@ -26,9 +26,12 @@ Remedy resolving(Editor& editor, const app::SupportConflict& conflict, bool firs
           [&editor, command] { editor.perform(command); }};
 }
 
-Remedy fixingTheBase(Editor& editor) {
-  return {tr("Fix the base"), tr("Add a fixed support on the lowest tenth of the body"), [&editor] {
-            modeling::Support base = app::baseSupport(editor.project().body);
+Remedy proposingASupport(Editor& editor) {
+  return {tr("Propose a support"),
+          tr("Add a fixed support on the largest flat face, or on the lowest tenth of a body "
+             "without flat faces"),
+          [&editor] {
+            modeling::Support base = modeling::proposeSupport(editor.project().body).support;
             const auto& supports = editor.project().supports;
             if (findNamed(supports, base.name)) base.name = freeName(base.name, supports);
             if (editor.perform(modeling::AddSupport{base}))
@@ -96,7 +99,7 @@ std::vector<Remedy> remediesOf(Editor& editor) {
     return {resolving(editor, *status.reason.conflict, false),
             resolving(editor, *status.reason.conflict, true)};
   if (!status.reason.emptyRegion.empty()) return removing(editor, status.reason.emptyRegion);
-  if (status.reason.isFree) return {fixingTheBase(editor)};
+  if (status.reason.isFree) return {proposingASupport(editor)};
   if (status.reason.needsDensity) return {usualDensity(editor)};
   std::vector<Remedy> remedies;
   if (status.reason.mesh) remedies.push_back(meshing(editor, *status.reason.mesh));

@@ -135,6 +135,26 @@ void addAccuracy(PropertyPage& page, const ChangeMesh& change) {
   });
 }
 
+/// The smallest features of a mesh body that its mesh follows, and what the last mesh left out.
+void addSmallFeatures(PropertyPage& page, const ChangeMesh& change) {
+  Editor& editor = page.editor();
+  page.addQuantity(
+          tr("&Smallest features, % of edge"), "featureFraction", Quantity::kNumber,
+          [&editor] { return 100 * editor.project().mesh.featureFraction; },
+          [change](double percent) {
+            return change([&](auto& mesh) { mesh.featureFraction = percent / 100; });
+          })
+      ->setRange(0, 100);
+  page.addSlowFact(tr("Meshed over"), "simplification", [&page, &editor] {
+    const auto model = editor.model();
+    if (!model) return QString("…");
+    const auto& [below, moved, vanishedFaces] = model->surface().simplification;
+    if (below == 0) return tr("nothing");
+    return tr("features below %1; the surface moved by up to %2")
+        .arg(page.shownLength(below), page.shownLength(moved));
+  });
+}
+
 void addMesh(PropertyPage& page) {
   Editor& editor = page.editor();
   page.addSection(tr("Mesh"), "mesh");
@@ -162,6 +182,7 @@ void addMesh(PropertyPage& page) {
       tr("Finer at &borders of supports"), "refineAtBorders",
       [&editor] { return editor.project().mesh.refineAtBorders; },
       [change](bool on) { return change([&](auto& mesh) { mesh.refineAtBorders = on; }); });
+  if (!editor.solid()) addSmallFeatures(page, change);
   page.addSlowFact(tr("Nodes"), "nodes", [&editor] { return nodesText(editor); });
   for (const auto& [patch, unused] : editor.project().mesh.patchFactors)
     page.addQuantity(

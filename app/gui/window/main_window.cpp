@@ -15,6 +15,7 @@
 #include "app/gui/actions/help_actions.h"
 #include "app/gui/actions/point_actions.h"
 #include "app/gui/actions/primitive_actions.h"
+#include "app/gui/actions/proposal_actions.h"
 #include "app/gui/actions/select_actions.h"
 #include "app/gui/actions/solid_actions.h"
 #include "app/gui/actions/view_actions.h"
@@ -95,6 +96,7 @@ MainWindow::MainWindow()
   new ViewActions(workspace_);
   addTools();
   new SolidActions(workspace_);
+  new ProposalActions(workspace_);
   new DisplacedDimensions(simulation_, scene_.dimensions());
   new SimulateActions(workspace_, simulation_, *pictures_, *section_, *samples_);
   addDocks();

@@ -1,0 +1,34 @@
+#include "app/core/session/import_project.h"
+
+#include "app/core/session/new_project.h"
+#include "base/text.h"
+#include "modeling/body/closed_surfaces.h"
+#include "modeling/exchange/import.h"
+#include "modeling/project/proposed_support.h"
+
+namespace palpa::app {
+namespace {
+
+constexpr double kCavityPoissonRatio = 0.45;
+
+}  // namespace
+
+ImportedProject importProject(const std::filesystem::path& path,
+                              const modeling::ImportOptions& options, const Job& job) {
+  modeling::ImportedBody imported = modeling::importBody(path, options, job);
+  ImportedProject result{makeProject(std::move(imported.body), path.stem().string()),
+                         imported.deviation, std::move(imported.notes)};
+  modeling::Project& project = result.project;
+  project.supports = {modeling::proposeSupport(project.body).support};
+  if (modeling::closedSurfaceCount(project.body) > 1) {
+    result.notes.push_back(
+        "The body has a closed cavity, so the Poisson's ratio of its material is " +
+        numberText(kCavityPoissonRatio) + " instead of " +
+        numberText(project.material.poissonRatio) +
+        ": a cavity in nearly incompressible material cannot be computed.");
+    project.material.poissonRatio = kCavityPoissonRatio;
+  }
+  return result;
+}
+
+}  // namespace palpa::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/job.h"
+#include "modeling/exchange/cad_import.h"
+#include "modeling/project/project.h"
+
+namespace palpa::app {
+
+/// A project made from a file of another program.
+struct ImportedProject {
+  modeling::Project project;
+  double deviation = 0.0;          ///< mm, see modeling::ImportedBody
+  std::vector<std::string> notes;  ///< sentences for the user, see modeling::ImportedBody
+};
+
+/// A project with the body of a CAD or mesh file that can be touched at once: named after the file,
+/// with the default material, a suitable mesh, and the support of modeling::proposeSupport(). A
+/// body with a closed cavity gets a smaller Poisson's ratio than the default material, because the
+/// solver refuses cavities in nearly incompressible material. Throws as modeling::importBody().
+ImportedProject importProject(const std::filesystem::path& path,
+                              const modeling::ImportOptions& options = {}, const Job& job = {});
+
+}  // namespace palpa::app
