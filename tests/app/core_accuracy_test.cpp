@@ -39,7 +39,7 @@ TEST(TouchError, IsOfPlacesAwayFromSupports) {
     errors.push_back(estimateTouchError(*build(triangleSphere(edge)), {}).relative);
   const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
   EXPECT_LT(*most, 1.5 * *least);
-  EXPECT_LT(*most, 0.1);
+  EXPECT_LT(*most, 0.3);
 }
 
 TEST(AccuracyAdvice, ARequestThatIsMetNeedsNothing) {
@@ -53,10 +53,10 @@ TEST(AccuracyAdvice, ARequestThatIsMetNeedsNothing) {
 
 TEST(AccuracyAdvice, TrianglesGetAShorterEdge) {
   modeling::Project project = triangleSphere(5);
-  project.mesh.accuracy = 0.06;
+  project.mesh.accuracy = 0.1;
   const auto model = build(project);
   const TouchError error = estimateTouchError(*model, {});
-  ASSERT_GT(error.relative, 0.06);
+  ASSERT_GT(error.relative, 0.1);
   ASSERT_GT(error.widening, 1.05);
   const AccuracyAdvice advice = advise(project, *model);
   EXPECT_EQ(advice.limit, Limit::kTouch);
@@ -72,7 +72,7 @@ TEST(AccuracyAdvice, TrianglesGetAShorterEdge) {
   EXPECT_NEAR(finer->setup().discretisation->displacementCount(), advice.coefficients,
               0.3 * advice.coefficients);
   const TouchError reached = estimateTouchError(*finer, {});
-  EXPECT_LT(reached.relative, 0.06 * 1.1);
+  EXPECT_LT(reached.relative, 0.1 * 1.25);
   EXPECT_LT(reached.widening, 1.1);
 }
 

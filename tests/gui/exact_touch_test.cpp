@@ -241,20 +241,20 @@ TEST_F(ExactTouch, TheSplitterOfTheForcesPanelIsRemembered) {
 TEST_F(ExactTouch, TheAccuracyIsStatedAndTheMeshRefined) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
-  // Triangles of 5 mm reach a few per cent.
+  // Triangles of 5 mm are stated to reach some 25 per cent.
   modeling::MeshSettings mesh = editor().project().mesh;
   mesh.engine = modeling::Engine::kTriangles;
   mesh.edgeLength = 5;
-  mesh.accuracy = 0.05;
+  mesh.accuracy = 0.1;
   ASSERT_TRUE(editor().perform(modeling::SetMesh{mesh}));
   EXPECT_FALSE(find<QPushButton>("rebuildAccuracyRefine")->isEnabled());
   waitForModel();
   find<QDockWidget>("rebuild")->raise();
   auto* refine = find<QPushButton>("rebuildAccuracyRefine");
   ASSERT_TRUE(QTest::qWaitFor([&] { return refine->isEnabled(); }, 60000));
-  EXPECT_EQ(find<QLabel>("modelRequested")->text(), "5 %");
+  EXPECT_EQ(find<QLabel>("modelRequested")->text(), "10 %");
   EXPECT_TRUE(find<QLabel>("modelError")->text().startsWith("about"));
-  EXPECT_GT(editor().rebuildStatus().touchError, 0.05);
+  EXPECT_GT(editor().rebuildStatus().touchError, 0.1);
   EXPECT_TRUE(find<QLabel>("rebuildAccuracyText")->text().contains("too coarse"))
       << find<QLabel>("rebuildAccuracyText")->text().toStdString();
   EXPECT_TRUE(refine->toolTip().contains("nodes")) << refine->toolTip().toStdString();
@@ -268,7 +268,7 @@ TEST_F(ExactTouch, TheAccuracyIsStatedAndTheMeshRefined) {
   waitForModel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return editor().rebuildStatus().accuracy != nullptr; }, 60000));
   QTest::qWait(100);
-  EXPECT_LT(editor().rebuildStatus().touchError, 0.06);
+  EXPECT_LT(editor().rebuildStatus().touchError, 0.125);
   keepPicture("accuracy-reached");
   editor().undo();
   EXPECT_EQ(editor().project().mesh.edgeLength, 5);
