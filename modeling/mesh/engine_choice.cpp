@@ -23,9 +23,10 @@ bool hasSpace(const std::vector<RegionPart>& parts) {
 }
 
 /// True if the border of the region runs through the inside of a patch.
-bool cutsPatches(const Region& region, const Solid& solid, const SurfaceEvaluator& surface) {
+bool cutsPatches(const Region& region, const Solid& solid) {
   if (!hasSpace(region.parts) && !hasSpace(region.except)) return false;
   if (hasStrokes(region.parts) || hasStrokes(region.except)) return true;
+  const SurfaceEvaluator surface(solid);
   constexpr int kCells = 12;
   std::vector<Eigen::Vector3d> places;
   std::vector<int> patches;
@@ -46,7 +47,8 @@ bool cutsPatches(const Region& region, const Solid& solid, const SurfaceEvaluato
   for (std::size_t first = 0; first < field.size(); first += each) {
     const auto [least, most] = std::minmax_element(field.begin() + static_cast<long>(first),
                                                    field.begin() + static_cast<long>(first + each));
-    if (*least<-tolerance&& * most> tolerance) return true;
+    const double deepest = *least, farthest = *most;
+    if (deepest < -tolerance && farthest > tolerance) return true;
   }
   return false;
 }
@@ -57,9 +59,8 @@ Engine engineFor(const Body& body, Engine wanted, std::span<const MeshRegion> re
   if (wanted != Engine::kAutomatic) return wanted;
   const auto* solid = std::get_if<Solid>(&body);
   if (!solid) return Engine::kQuadratic;
-  const SurfaceEvaluator surface(*solid);
   const bool isCut = std::any_of(regions.begin(), regions.end(), [&](const MeshRegion& region) {
-    return region.isSupport && cutsPatches(region.where, *solid, surface);
+    return region.isSupport && cutsPatches(region.where, *solid);
   });
   return isCut ? Engine::kQuadratic : Engine::kSplines;
 }

@@ -15,8 +15,8 @@ double shareOfRadius(Engine engine) {
   return engine == Engine::kQuadratic ? 0.3 : 0.42;
 }
 
-/// Its factor under balls: the area of contact under a ball is found by switching
-/// masks on and off, so it takes several of them.
+/// Factor on that share under balls, whose area of contact takes several masks: it is found by
+/// switching them on and off.
 constexpr double kShareUnderBalls = 0.6;
 
 /// Radius of the area that a touch loads, mm; 0 if it is not known.

@@ -37,8 +37,8 @@ bool hasCutSplines(const BoundarySetup& setup) {
 /// residual sees only a part where flat triangles change the body, or splines are cut. Measured by
 /// bench/coverage (docs/verification.md).
 double coverFactor(const BoundarySetup& setup) {
-  const bool isCoarse = setup.engine == modeling::Engine::kTriangles || hasCutSplines(setup);
-  return isCoarse ? 3.5 : 1.5;
+  const bool isPartly = setup.engine == modeling::Engine::kTriangles || hasCutSplines(setup);
+  return isPartly ? 3.5 : 1.5;
 }
 
 /// Relative error of the force of a ball whose area of contact is covered by few pressure masks:
@@ -197,12 +197,13 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   }
   StateError estimate;
   const double factor = coverFactor(model.setup());
+  const bool isCut = hasCutSplines(model.setup());
   estimate.field = factor * std::max(sum.relative(), state.relativeBalance);
   for (const TouchState::Contact& contact : state.contacts) {
     double ofContact =
         factor * std::max(errorAtContact(mesh, error, contact), state.relativeBalance);
     // The residual at a contact does not show what is wrong at the supports.
-    if (hasCutSplines(model.setup())) ofContact = std::max(ofContact, estimate.field);
+    if (isCut) ofContact = std::max(ofContact, estimate.field);
     estimate.contacts.push_back(ofContact + contactAreaError(contact));
   }
   return estimate;
