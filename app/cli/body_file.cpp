@@ -31,9 +31,10 @@ void writeMeshOf(const modeling::Project& project, const std::string& path, bool
 
 ReadBody readBody(const std::string& path, const modeling::ImportOptions& options, const Job& job) {
   if (modeling::fileFormatOf(path) == modeling::FileFormat::kProject)
-    return {modeling::readProject(path), 0.0, {}};
+    return {modeling::readProject(path), 0.0, {}, {}};
   app::ImportedProject imported = app::importProject(path, options, job);
-  return {std::move(imported.project), imported.deviation, std::move(imported.notes)};
+  return {std::move(imported.project), imported.deviation, std::move(imported.notes),
+          std::move(imported.held)};
 }
 
 void writeBody(const modeling::Project& project, const std::string& path, bool remesh,

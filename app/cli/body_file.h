@@ -17,6 +17,7 @@ struct ReadBody {
   modeling::Project project;
   double deviation = 0.0;  ///< mm, from the file's surfaces
   std::vector<std::string> notes;
+  std::optional<modeling::ProposedSupport> held;  ///< of an imported body
 };
 
 /// Reads a project, or makes one from an imported body, with the name of the file.

@@ -7,7 +7,6 @@
 #include "app/cli/values.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/project/project_file.h"
-#include "modeling/project/proposed_support.h"
 
 namespace palpa::cli {
 namespace {
@@ -52,12 +51,11 @@ class ImportCommand : public Command {
       return;
     }
     modeling::writeProject(read.project, output_.path());
-    const modeling::ProposedSupport held = modeling::proposeSupport(read.project.body);
     Json report{{"file", output_.path()}, {"name", read.project.name}};
     report.update(toJson(read));
-    report["proposed_support"] = toJson(held);
+    report["proposed_support"] = toJson(*read.held);
     context.print(report, output_.path() + ": made from " + file_ + ", held on " +
-                              held.description() + "\n" + toText(read));
+                              read.held->description() + "\n" + toText(read));
   }
 
  private:

@@ -68,8 +68,8 @@ modeling::Project ProjectInput::read(const Context& context) const {
 ReadBody ProjectInput::readWithNotes(const Job& job) const {
   modeling::ImportOptions import;
   if (!edgeLength_.empty()) import.edgeLength = parsePositive("--edge-length", edgeLength_);
-  ReadBody read =
-      isImported() ? readBody(file_, import, job) : ReadBody{modeling::readProject(file_), 0.0, {}};
+  ReadBody read = isImported() ? readBody(file_, import, job)
+                               : ReadBody{modeling::readProject(file_), 0.0, {}, {}};
   modeling::Project& project = read.project;
   if (import.edgeLength > 0) project.mesh.edgeLength = import.edgeLength;
   if (!accuracy_.empty() && !elementLength_.empty())

@@ -73,13 +73,15 @@ class TouchCommand : public Command {
     const bool isCurve = sweepSteps > 0 && isTableName();
     if (output_.isGiven() && !isCurve) requireResultFileName(output_.path());
     deformed_.validate();
-    const ReadBody read = input_.readWithNotes(context.job());
+    ReadBody read = input_.readWithNotes(context.job());
     if (!touch_.isGiven() && read.project.touches.empty()) {
       throw modeling::ModelingError(input_.file() +
                                     ": the project has no recorded touches; give one with --place "
                                     "auto, or with --at x,y,z --displace x,y,z");
     }
     const modeling::Project project = touch_.touched(read.project);
+    if (read.project.supports.empty() && !project.supports.empty())
+      read.held = modeling::proposeSupport(project.body);
     const auto model = app::buildTouchModel(project, {}, context.job());
     const auto start = std::chrono::steady_clock::now();
     app::TouchState state = touch_.play(*model, project, context);
@@ -100,31 +102,25 @@ class TouchCommand : public Command {
       writeResult(*model, state, json, output_.path());
     }
     deformed_.write(project, *model, state, context);
-    context.print(json, preparationText(read, project) + report.text() + sweepText(rows));
+    context.print(json, preparationText(read) + report.text() + sweepText(rows));
   }
 
  private:
-  /// True if neither the file nor the command line states a support.
-  bool hasProposedSupport(const modeling::Project& project) const {
-    return input_.isImported() || project.supports.empty();
-  }
-
   /// What the program chose: the body of a CAD or mesh file, the support, the place.
   Json preparation(const ReadBody& read, const modeling::Project& project) const {
     Json json;
     if (input_.isImported()) json["import"] = cli::toJson(read);
-    if (hasProposedSupport(read.project) && !project.supports.empty())
-      json["proposed_support"] = toJson(modeling::proposeSupport(project.body));
+    if (read.held) json["proposed_support"] = toJson(*read.held);
     if (touch_.isPlaced()) json["place"] = placeJson(project.touches.front());
     return json;
   }
 
-  std::string preparationText(const ReadBody& read, const modeling::Project& project) const {
+  std::string preparationText(const ReadBody& read) const {
     std::string text;
     if (input_.isImported()) text += cli::toText(read);
-    if (hasProposedSupport(read.project) && !project.supports.empty())
-      text += "held on    " + modeling::proposeSupport(project.body).description() +
-              " (proposed, as the file has no support)\n";
+    if (read.held)
+      text +=
+          "held on    " + read.held->description() + " (proposed, as the file has no support)\n";
     return text;
   }
 

@@ -8,6 +8,7 @@
 #include "app/cli/values.h"
 #include "app/core/results/tool_trajectory.h"
 #include "app/core/results/touch.h"
+#include "app/core/setup/project_geometry.h"
 #include "modeling/project/proposed_support.h"
 #include "modeling/project/touch_place.h"
 
@@ -206,7 +207,7 @@ void TouchOptions::place(modeling::Touch& touch, const modeling::Project& projec
   const auto [low, high] = modeling::boundingBox(project.body);
   const double size = (high - low).norm();
   const modeling::TouchPlace place = modeling::placeOppositeToSupports(
-      project.body, project.supports, touch.radius.value_or(modeling::radiusOfFirstTouch(size)));
+      project.body, project.supports, touch.radius.value_or(app::radiusOfFirstTouch(size)));
   touch.at = place.position;
   if (!touch.radius) touch.radius = place.radius;
   if (!option(kDisplace).isGiven() && modeling::infoOf(touch.kind).needsVector &&

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
 
 #include "modeling/error.h"
 #include "modeling/mesh/nearest_point.h"
@@ -18,13 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kPiecesPerSize = 80;                        // along the diagonal of the body's box
-constexpr std::size_t kMaxCandidates = 20000;             // whose distances are computed
-constexpr double kEqualHeight = 0.02;                     // of the largest height
-constexpr double kEqualClearance = 0.05;                  // of the largest clearance
-constexpr double kFingertipRadius = 6.0;                  // mm
-constexpr double kSmallBody = 0.2 / std::numbers::sqrt3;  // radius over the size, at most
-constexpr double kLargeBody = 0.05;                       // at least
+constexpr int kPiecesPerSize = 80;             // along the diagonal of the body's box
+constexpr std::size_t kMaxCandidates = 20000;  // whose distances are computed
+constexpr double kEqualHeight = 0.02;          // of the largest height
+constexpr double kEqualClearance = 0.05;       // of the largest clearance
 constexpr double kOpposed = 0.2;     // length of the mean normal below which the normals cancel
 constexpr double kMinRadius = 0.25;  // of the wished one
 
@@ -182,10 +178,6 @@ double twoDigits(double number) {
 }
 
 }  // namespace
-
-double radiusOfFirstTouch(double size) {
-  return std::max(std::min(kFingertipRadius, kSmallBody * size), kLargeBody * size);
-}
 
 TouchPlace placeOppositeToSupports(const Body& body, const std::vector<Support>& supports,
                                    double radius) {

@@ -15,10 +15,6 @@ struct TouchPlace {
   double radius = 0.0;
 };
 
-/// Radius of a first touch on a body with this diagonal of its box, mm: a fingertip's, but at least
-/// a twentieth of the size, as a smaller touch on a large body needs a much finer mesh.
-double radiusOfFirstTouch(double size);
-
 /// The place opposite to the supports, where pressing moves the body most directly against them.
 ///
 /// The supports have a centroid c and a mean outward normal m, both weighted by area. The height of

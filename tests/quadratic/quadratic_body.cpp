@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "bem/dense/update_reference_problem.h"
+
 namespace palpa::bem::test {
 
 using Eigen::Vector3d;
@@ -90,6 +92,24 @@ double QuadraticBody::maxTractionError(const ExactField& exact) const {
       size = std::max(size, expected.norm());
     }
   return error / size;
+}
+
+double updateError(const QuadraticDiscretisation& before, const QuadraticDiscretisation& after,
+                   const ProblemInputs& inputs) {
+  const std::shared_ptr<const ReferenceProblem> base = makeDenseReferenceProblem(before, inputs);
+  const auto updated = updateDenseReferenceProblem(base, before, after, inputs);
+  if (!updated) return std::numeric_limits<double>::infinity();
+  const auto rebuilt = makeDenseReferenceProblem(after, inputs);
+  const DegreesOfFreedom& dofs = rebuilt->dofs();
+  Eigen::VectorXd known = Eigen::VectorXd::Zero(dofs.nodalCount());
+  for (Eigen::Index k = 0; k < known.size(); ++k)
+    known[k] = dofs.isFree(static_cast<int>(k / 3)) ? std::sin(0.37 * static_cast<double>(k)) : 0;
+  const BoundaryField field = dofs.expand(Eigen::VectorXd::Zero(dofs.count()), known);
+  const auto solve = [&](const ReferenceProblem& problem) {
+    return problem.solveField(field, ReferenceProblem::Effort::kRefined, Job{});
+  };
+  const BoundaryField a = solve(*updated), b = solve(*rebuilt);
+  return (a.u - b.u).norm() / b.u.norm();
 }
 
 }  // namespace palpa::bem::test

@@ -29,6 +29,11 @@ std::unique_ptr<QuadraticDiscretisation> quadratic(const BoundaryMesh& corners,
                                                    const PlaceMiddle& middle,
                                                    const std::vector<int>& supportTags = {});
 
+/// Relative difference of the displacements of an incremental update from a full build, from some
+/// known values; infinite if there was no update.
+double updateError(const QuadraticDiscretisation& before, const QuadraticDiscretisation& after,
+                   const ProblemInputs& inputs);
+
 /// A body of quadratic triangles with boundary data of an exact field, and its solution.
 /// Displacements are prescribed at the nodes, tractions are projected.
 struct QuadraticBody {

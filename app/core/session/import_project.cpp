@@ -4,7 +4,6 @@
 #include "base/text.h"
 #include "modeling/body/closed_surfaces.h"
 #include "modeling/exchange/import.h"
-#include "modeling/project/proposed_support.h"
 
 namespace palpa::app {
 namespace {
@@ -17,9 +16,12 @@ ImportedProject importProject(const std::filesystem::path& path,
                               const modeling::ImportOptions& options, const Job& job) {
   modeling::ImportedBody imported = modeling::importBody(path, options, job);
   ImportedProject result{makeProject(std::move(imported.body), path.stem().string()),
-                         imported.deviation, std::move(imported.notes)};
+                         imported.deviation,
+                         std::move(imported.notes),
+                         {}};
   modeling::Project& project = result.project;
-  project.supports = {modeling::proposeSupport(project.body).support};
+  result.held = modeling::proposeSupport(project.body);
+  project.supports = {result.held.support};
   if (modeling::closedSurfaceCount(project.body) > 1) {
     result.notes.push_back(
         "The body has a closed cavity, so the Poisson's ratio of its material is " +

@@ -7,6 +7,7 @@
 #include "base/job.h"
 #include "modeling/exchange/cad_import.h"
 #include "modeling/project/project.h"
+#include "modeling/project/proposed_support.h"
 
 namespace palpa::app {
 
@@ -15,6 +16,7 @@ struct ImportedProject {
   modeling::Project project;
   double deviation = 0.0;          ///< mm, see modeling::ImportedBody
   std::vector<std::string> notes;  ///< sentences for the user, see modeling::ImportedBody
+  modeling::ProposedSupport held;  ///< the support of the project
 };
 
 /// A project with the body of a CAD or mesh file that can be touched at once: named after the file,

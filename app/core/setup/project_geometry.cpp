@@ -24,6 +24,10 @@ double defaultTouchRadius(double bodySize) {
   return std::min(kFingertipRadius, 0.2 * bodySize / std::sqrt(3.0));
 }
 
+double radiusOfFirstTouch(double bodySize) {
+  return std::max(defaultTouchRadius(bodySize), 0.05 * bodySize);
+}
+
 double fingertipRadius(const modeling::Project& project) {
   std::optional<double> narrowest;
   for (const modeling::Touch& touch : project.touches)

@@ -13,6 +13,10 @@ namespace palpa::app {
 /// size (the diagonal of its box, mm).
 double defaultTouchRadius(double bodySize);
 
+/// Radius of a proposed touch, mm: the default one, but at least a twentieth of the body's size, as
+/// a smaller touch on a large body needs a much finer mesh.
+double radiusOfFirstTouch(double bodySize);
+
 /// The narrowest touch that a project's model resolves anywhere, mm: a fingertip, or the narrowest
 /// of the project's touches if all are wider.
 double fingertipRadius(const modeling::Project& project);

@@ -1,5 +1,6 @@
 #include "app/gui/actions/proposal_actions.h"
 
+#include "app/core/setup/project_geometry.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/named_items.h"
 #include "app/gui/workspace/menus.h"
@@ -39,8 +40,7 @@ ProposalActions::ProposalActions(const Workspace& workspace)
 
 void ProposalActions::update() {
   const bool isHeld = !workspace_.editor.project().supports.empty();
-  touch_->setEnabled(isHeld);
-  touch_->setToolTip(isHeld ? touch_->statusTip() : tr("Add a support first."));
+  setPossible(touch_, isHeld ? QString() : tr("Add a support first."));
 }
 
 void ProposalActions::addSupport() {
@@ -70,7 +70,7 @@ void ProposalActions::addTouch() {
   modeling::Touch touch;
   try {
     const modeling::TouchPlace place = modeling::placeOppositeToSupports(
-        project.body, project.supports, modeling::radiusOfFirstTouch(size));
+        project.body, project.supports, app::radiusOfFirstTouch(size));
     touch.at = place.position;
     touch.vector = -kDepthShare * size * place.normal;
     touch.radius = place.radius;

@@ -11,12 +11,6 @@ namespace {
 
 constexpr int kMaxDegree = 5;
 
-/// Enables the action, or disables it with the obstacle as its tool tip.
-void setPossible(QAction* action, const QString& obstacle) {
-  action->setEnabled(obstacle.isEmpty());
-  action->setToolTip(obstacle.isEmpty() ? action->statusTip() : obstacle);
-}
-
 }  // namespace
 
 SolidActions::SolidActions(const Workspace& workspace)

@@ -6,6 +6,11 @@
 #include "app/gui/base/translate.h"
 
 namespace palpa::gui {
+void setPossible(QAction* action, const QString& obstacle) {
+  action->setEnabled(obstacle.isEmpty());
+  action->setToolTip(obstacle.isEmpty() ? action->statusTip() : obstacle);
+}
+
 Menus::Menus(QMainWindow& window)
     : file(addMenu(window, tr("&File"))),
       edit(addMenu(window, tr("&Edit"))),

@@ -9,6 +9,9 @@
 
 namespace palpa::gui {
 
+/// Enables an action, or disables it with the obstacle as its tool tip.
+void setPossible(QAction* action, const QString& obstacle);
+
 /// Menus and tool bars, filled by the parts of the window. Menus appear in the order of the
 /// members.
 class Menus {
