@@ -140,20 +140,22 @@ ForceTable::Row ForcesDock::rowOf(const app::TouchSnapshot::Contact& contact) {
   row.curve = numberOf(contact.id) - 1;
   // The live forces have about the error of a fingertip on this model.
   const double error = errorOfForces();
+  const bool isGiven = contact.tool.kind == bem::ContactTool::Kind::kForce;
+  const double ofForce = isGiven ? 0 : error;
   const auto digits = [error](double value) {
     return error > 0 ? std::clamp(digitsFor(value, error * value), 1, kFewDigits) : kFewDigits;
   };
   const double deflection = contact.deflection.norm();
   row.cells = {
       tr("%1 %2").arg(kindText(contact.tool.kind)).arg(numberOf(contact.id)),
-      isLoaded ? forceWithError(contact.force.norm(), force, error) : tr("–"),
+      isLoaded ? forceWithError(contact.force.norm(), force, ofForce) : tr("–"),
       isLoaded ? shown(deflection, Quantity::kLength, units, digits(deflection)) : QString(),
       isLoaded && stiffness > 0 ? tr("%L1 %2/%3")
                                       .arg(stiffness, 0, 'g', digits(stiffness))
                                       .arg(force.symbol, length.symbol)
                                 : QString()};
   row.details = statusText(contact.status);
-  if (isLoaded) row.details += ": " + vectorText(contact.force, force, error);
+  if (isLoaded) row.details += ": " + vectorText(contact.force, force, ofForce);
   // Loads and other contacts also move the place.
   if ((contact.displacement - contact.deflection).norm() >
       kOtherMotion * contact.displacement.norm())
