@@ -1,5 +1,7 @@
+#include "app/cli/body_choice.h"
 #include "app/cli/body_file.h"
 #include "app/cli/commands.h"
+#include "app/cli/errors.h"
 #include "app/cli/output_option.h"
 #include "app/cli/values.h"
 #include "modeling/exchange/file_format.h"
@@ -30,6 +32,8 @@ class ConvertCommand : public Command {
             "--tolerance", tolerance_,
             "Largest deviation of patches from curved faces in mm (default: 1e-4 of the size)")
         ->type_name("LENGTH");
+    choice_.declare(options);
+    choice_.declarePlacement(options);
     output_.declare(options, "File to write: " + modeling::endingsText(modeling::isWritable))
         ->required();
   }
@@ -38,6 +42,11 @@ class ConvertCommand : public Command {
     modeling::ImportOptions options;
     if (!edgeLength_.empty()) options.edgeLength = parsePositive("--edge-length", edgeLength_);
     if (!tolerance_.empty()) options.tolerance = parsePositive("--tolerance", tolerance_);
+    choice_.addTo(options);
+    if (choice_.isGiven() && modeling::fileFormatOf(file_) == modeling::FileFormat::kProject)
+      throw UsageError(file_ +
+                       " is a project, which has one body in mm; --solid, --unit, --scale "
+                       "and --up are for CAD and mesh files");
     modeling::requireFormat(output_.path(), modeling::isWritable);
     const Job job = context.job();
     ReadBody read = readBody(file_, options, job);
@@ -52,6 +61,7 @@ class ConvertCommand : public Command {
   std::string file_;
   std::string edgeLength_;
   std::string tolerance_;
+  BodyChoice choice_;
   OutputOption output_;
 };
 

@@ -7,6 +7,7 @@
 #include "base/job.h"
 #include "bem/base/error.h"
 #include "modeling/error.h"
+#include "modeling/exchange/file_bodies.h"
 
 namespace palpa::cli {
 namespace {
@@ -47,6 +48,10 @@ Failure currentFailure() {
   } catch (const ReportedFailure& error) {
     return {error.code(), error.code() == kBadInput ? "bad_input" : "cannot_be_solved",
             error.what(), true};
+  } catch (const modeling::SeveralBodies& several) {
+    return {kBadInput, "bad_input",
+            several.what() + std::string("; give --solid N, or import them all with 'palpa-cli "
+                                         "import FILE --all -o FOLDER'")};
   } catch (const modeling::ModelingError& error) {
     return failureOf(error);
   } catch (const bem::SolverError& error) {

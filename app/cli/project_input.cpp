@@ -15,6 +15,7 @@ void ProjectInput::declare(CLI::App& options) {
                   "Project, or a CAD or mesh file: " + modeling::endingsText(modeling::isReadable))
       ->required()
       ->type_name("");
+  choice_.declare(options);
   options
       .add_option("--edge-length", edgeLength_,
                   "Target length of mesh edges in mm, instead of the project's")
@@ -67,6 +68,11 @@ modeling::Project ProjectInput::read(const Context& context) const {
 
 ReadBody ProjectInput::readWithNotes(const Job& job) const {
   modeling::ImportOptions import;
+  choice_.addTo(import);
+  if (choice_.isGiven() && !isImported())
+    throw UsageError(file_ +
+                     " is a project, which has one body in mm; --solid and --unit are for "
+                     "CAD and mesh files");
   if (!edgeLength_.empty()) import.edgeLength = parsePositive("--edge-length", edgeLength_);
   ReadBody read = isImported() ? readBody(file_, import, job)
                                : ReadBody{modeling::readProject(file_), 0.0, {}, {}};

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/cli/body_choice.h"
 #include "app/cli/body_file.h"
 #include "app/cli/command.h"
 #include "modeling/project/project.h"
@@ -12,7 +13,7 @@ namespace palpa::cli {
 /// The project of a command, with the options that change it for this run.
 class ProjectInput {
  public:
-  /// Adds FILE, --edge-length, --engine, --accuracy and --element-length.
+  /// Adds FILE, --solid, --unit, --edge-length, --engine, --accuracy and --element-length.
   void declare(CLI::App& options);
 
   /// Reads a project, or makes one from a CAD or mesh file, and applies the options. Notes on the
@@ -32,6 +33,7 @@ class ProjectInput {
 
  private:
   std::string file_;
+  BodyChoice choice_;
   std::string edgeLength_, engine_, accuracy_, elementLength_;
 };
 

@@ -14,6 +14,7 @@
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/exchange/cad_bodies.h"
 #include "modeling/exchange/cad_mesh.h"
 #include "modeling/exchange/cad_patches.h"
 #include "modeling/exchange/cad_read.h"
@@ -77,7 +78,7 @@ Named divideClosed(const CadSolid& solid) {
 }
 
 /// Sets the NUBS solid and returns an empty text, or returns the reason why there is none.
-std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
+std::string tryPatches(const CadSolid& solid, double tolerance, double factor, const Job& job,
                        ImportedBody& imported) {
   try {
     const Named named = divideClosed(solid);
@@ -92,8 +93,8 @@ std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
       imported.notes.push_back("Approximated because they are not plain B-splines: " +
                                facesText(result.approximatedFaces) +
                                "; the patches differ by up to " +
-                               shortNumberText(result.deviation) + " mm (tolerance " +
-                               shortNumberText(tolerance) + " mm).");
+                               shortNumberText(factor * result.deviation) + " mm (tolerance " +
+                               shortNumberText(factor * tolerance) + " mm).");
     return "";
   } catch (const NoPatches& none) {
     return none.reason;
@@ -103,10 +104,10 @@ std::string tryPatches(const CadSolid& solid, double tolerance, const Job& job,
   }
 }
 
-void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reason, const Job& job,
-              ImportedBody& imported) {
+void makeMesh(const CadSolid& solid, double edgeLength, double factor, const std::string& reason,
+              const Job& job, ImportedBody& imported) {
   if (areaOf(solid.shape) / (edgeLength * edgeLength) > kMaxNodes)
-    throw ModelingError("an edge length of " + numberText(edgeLength) +
+    throw ModelingError("an edge length of " + numberText(factor * edgeLength) +
                             " mm would need too many triangles; use a larger one",
                         ModelingError::Kind::kTooLarge);
   const double chordTolerance = edgeLength / kChordsPerEdgeLength;
@@ -120,21 +121,62 @@ void makeMesh(const CadSolid& solid, double edgeLength, const std::string& reaso
       reason + ".");
   if (result.deviation > 0.0)
     imported.notes.push_back("Flat triangles follow the curved faces within " +
-                             shortNumberText(result.deviation) + " mm.");
+                             shortNumberText(factor * result.deviation) + " mm.");
 }
 
-ImportedBody convert(const CadContent& content, const ImportOptions& options, const Job& job) {
-  const CadSolid solid = findSolid(content, job);
+/// Index of the chosen solid. Sets its name and a note if there are several.
+std::size_t choose(const CadContent& content, const CadSolids& solids, const ImportOptions& options,
+                   double factor, const std::filesystem::path& path, const Job& job,
+                   ImportedBody& imported) {
+  if (solids.shapes.size() == 1 && options.solid.empty()) return 0;
+  FileBodies found = nameSolids(content, solids);
+  const std::size_t index = [&] {
+    if (const auto named = findBody(found, options.solid)) return *named;
+    // Only the message needs sizes, which may take seconds.
+    found = describeSolids(content, solids, ListedSurface::kNone, job);
+    place(found, factor, options.placement.up);
+    return chooseBody(found, options.solid);
+  }();
+  if (found.bodies.size() > 1) {
+    imported.name = projectName(found.bodies[index], path);
+    imported.notes.push_back(chosenNote(found, index));
+  }
+  return index;
+}
+
+/// Approximates and meshes in the unit of the file as it was read; `factor` turns lengths there
+/// into lengths of the placed body.
+ImportedBody convert(const CadContent& content, const ImportOptions& options,
+                     const std::filesystem::path& path, const Job& job) {
   ImportedBody imported;
-  imported.notes = solid.notes;
+  const double factor = options.placement.factor(content.unit);
+  const CadSolids solids = findSolids(content, factor, job);
+  const std::size_t index = choose(content, solids, options, factor, path, job, imported);
+  const CadSolid solid = closedSolid(solids, index, factor, job);
+  imported.notes.insert(imported.notes.end(), solid.notes.begin(), solid.notes.end());
   const double tolerance =
-      options.tolerance > 0.0 ? options.tolerance : kTolerance * diagonalOf(solid.shape);
-  const std::string reason = tryPatches(solid, tolerance, job, imported);
-  if (reason.empty()) return imported;
-  const double edgeLength =
-      options.edgeLength > 0.0 ? options.edgeLength : std::sqrt(areaOf(solid.shape) / kUsualNodes);
-  makeMesh(solid, edgeLength, reason, job, imported);
+      options.tolerance > 0.0 ? options.tolerance / factor : kTolerance * diagonalOf(solid.shape);
+  const std::string reason = tryPatches(solid, tolerance, factor, job, imported);
+  if (!reason.empty()) {
+    const double edgeLength = options.edgeLength > 0.0
+                                  ? options.edgeLength / factor
+                                  : std::sqrt(areaOf(solid.shape) / kUsualNodes);
+    makeMesh(solid, edgeLength, factor, reason, job, imported);
+  }
+  imported.deviation *= factor;
+  imported.body = placed(imported.body, factor, options.placement.up);
   return imported;
+}
+
+/// Runs `work`; errors begin with the file's name.
+auto withName(const std::filesystem::path& path, const auto& work) {
+  try {
+    return work();
+  } catch (const SeveralBodies& several) {
+    throw SeveralBodies(path.string() + ": ", several.found());
+  } catch (const ModelingError& error) {
+    throw ModelingError(path.string() + ": " + error.what(), error.kind());
+  }
 }
 
 }  // namespace
@@ -143,11 +185,18 @@ ImportedBody readCadBody(const std::filesystem::path& path, const std::string& t
                          const ImportOptions& options, const Job& job) {
   try {
     const CadContent content = readCad(path, text, job);
-    try {
-      return convert(content, options, job);
-    } catch (const ModelingError& error) {
-      throw ModelingError(path.string() + ": " + error.what(), error.kind());
-    }
+    return withName(path, [&] { return convert(content, options, path, job); });
+  } catch (...) {
+    rethrowAsModelingError(path.string());
+  }
+}
+
+FileBodies listCadBodies(const std::filesystem::path& path, const std::string& text,
+                         ListedSurface surface, const Job& job) {
+  try {
+    const CadContent content = readCad(path, text, job);
+    return withName(
+        path, [&] { return describeSolids(content, findSolids(content, 1.0, job), surface, job); });
   } catch (...) {
     rethrowAsModelingError(path.string());
   }

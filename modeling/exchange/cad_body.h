@@ -14,4 +14,8 @@ namespace palpa::modeling {
 ImportedBody readCadBody(const std::filesystem::path& path, const std::string& text,
                          const ImportOptions& options, const Job& job);
 
+/// The list of the solids of the file, in mm, likewise.
+FileBodies listCadBodies(const std::filesystem::path& path, const std::string& text,
+                         ListedSurface surface, const Job& job);
+
 }  // namespace palpa::modeling

@@ -6,6 +6,7 @@
 #include "modeling/error.h"
 #include "modeling/exchange/cad_body.h"
 #include "modeling/exchange/cad_read.h"
+#include "modeling/exchange/cad_request.h"
 #include "modeling/exchange/opencascade_session.h"
 #include "modeling/exchange/sandboxed_read.h"
 
@@ -14,7 +15,11 @@ namespace {
 
 constexpr double kMinSeconds = 10.0;  // more than any valid file of its size needs
 constexpr double kSecondsPerByte = 2e-5;
-constexpr double kSecondsForMesh = 300.0;  // in addition if an edge length is given
+constexpr double kSecondsForMesh = 300.0;  // in addition if the solid, or its picture, is meshed
+
+double secondsFor(const std::string& text) {
+  return kMinSeconds + kSecondsPerByte * static_cast<double>(text.size());
+}
 
 }  // namespace
 
@@ -26,6 +31,7 @@ void ImportOptions::validate() const {
   };
   check("edge_length_mm", edgeLength);
   check("tolerance_mm", tolerance);
+  placement.validate();
 }
 
 ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& options,
@@ -34,10 +40,24 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
   job.throwIfCancelled();
   const std::string text = readCadText(path);
   const OpenCascadeSession session;
-  const double seconds = kMinSeconds + kSecondsPerByte * static_cast<double>(text.size()) +
-                         (options.edgeLength > 0.0 ? kSecondsForMesh : 0.0);
-  readInSandbox(path, text, options, seconds, job);
+  readInSandbox(path, text, {false, ListedSurface::kNone, options},
+                secondsFor(text) + (options.edgeLength > 0.0 ? kSecondsForMesh : 0.0), job);
   return readCadBody(path, text, options, job);
+}
+
+FileBodies listCad(const std::filesystem::path& path, ListedSurface surface, const Job& job) {
+  job.throwIfCancelled();
+  const std::string text = readCadText(path);
+  job.report(Phase::kRead, 0.0);
+  const double seconds =
+      secondsFor(text) + (surface == ListedSurface::kCoarse ? kSecondsForMesh : 0.0);
+  const std::string list = readInSandbox(path, text, {true, surface, {}}, seconds, job);
+  job.report(Phase::kRead, 1.0);
+  try {
+    return fileBodiesFrom(list);
+  } catch (const ModelingError& error) {
+    throw ModelingError(path.string() + ": " + error.what());
+  }
 }
 
 }  // namespace palpa::modeling

@@ -6,10 +6,12 @@
 
 #include "base/job.h"
 #include "modeling/body/body.h"
+#include "modeling/exchange/file_bodies.h"
+#include "modeling/exchange/import_placement.h"
 
 namespace palpa::modeling {
 
-/// Accuracy of an import.
+/// Body, size, orientation and accuracy of an import.
 struct ImportOptions {
   /// Intended edge length of meshes of the body, in mm; 0: the length for about 600 nodes. A mesh
   /// body follows curved faces within 1/50 of it.
@@ -17,9 +19,12 @@ struct ImportOptions {
   /// Largest distance in mm between patches and surfaces other than plain B-splines (cylinders,
   /// cones, rational splines); 0: 1e-4 of the diagonal of the bounding box.
   double tolerance = 0.0;
+  /// Number from 1 or name of the body in listBodies(); empty: the only one.
+  std::string solid;
+  ImportPlacement placement;  ///< the lengths above refer to the placed body
 
   /// Throws ModelingError that names the field if a length is not finite, negative or above ten
-  /// kilometres.
+  /// kilometres, or the placement is out of range.
   void validate() const;
 };
 
@@ -31,9 +36,10 @@ struct ImportedBody {
   std::vector<std::string> notes;
   /// Largest distance found between the body and the surfaces of the file, mm.
   double deviation = 0.0;
+  std::string name;  ///< projectName() of the body if the file has several, otherwise empty
 };
 
-/// Reads the only solid of a STEP, IGES or BREP file, in mm, with the names of its faces.
+/// Reads a solid of a STEP, IGES or BREP file, in mm, with the names of its faces.
 ///
 /// The result is a NUBS solid if every face is one four-sided piece of a surface without a pole and
 /// the faces meet side to side with the same parameters (docs/exchange.md); files of exportCad()
@@ -45,9 +51,13 @@ struct ImportedBody {
 /// several threads run one after the other.
 ///
 /// Throws ModelingError that begins with the file's name if the file does not exist, is unreadable,
-/// damaged or larger than kMaxCadFile, needs longer than 10 s + 20 s per MiB, holds several solids,
-/// or has an open surface (the message names the place); Cancelled.
+/// damaged or larger than kMaxCadFile, needs longer than 10 s + 20 s per MiB, does not hold the
+/// chosen solid, or has an open surface (the message names the place); SeveralBodies; Cancelled.
 ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& options = {},
                        const Job& job = {});
+
+/// Solids of a CAD file, in mm, as listBodies() without a placement. The program palpa-read-cad
+/// reads the file, this process does not. Throws as importCad().
+FileBodies listCad(const std::filesystem::path& path, ListedSurface surface, const Job& job = {});
 
 }  // namespace palpa::modeling

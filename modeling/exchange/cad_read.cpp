@@ -9,7 +9,6 @@
 #include <Interface_Static.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
-#include <StepRepr_RepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -26,6 +25,7 @@
 #include "modeling/exchange/cad_text_check.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/opencascade_session.h"
+#include "modeling/exchange/step_names.h"
 
 namespace palpa::modeling {
 namespace {
@@ -71,14 +71,10 @@ CadContent readStep(const std::filesystem::path& path, const std::string& text, 
   const auto progress = makeProgress(job, Phase::kRead);
   reader.TransferRoots(progress->Start());
   job.throwIfCancelled();
-  CadContent content{reader.OneShape(), {}};
-  const auto& transfer = reader.WS()->TransferReader();
-  forEachFace(content.shape, [&](int, const TopoDS_Shape& face) {
-    const auto item =
-        Handle(StepRepr_RepresentationItem)::DownCast(transfer->EntityFromShapeResult(face, 1));
-    if (!item.IsNull() && !item->Name().IsNull() && item->Name()->Length() > 0)
-      content.faceNames.Bind(face, item->Name()->ToCString());
-  });
+  CadContent content{reader.OneShape(), {}, {}, stepLengthUnit(reader), true};
+  if (content.shape.IsNull()) return content;
+  content.solidNames = stepSolidNames(reader, content.shape);
+  content.faceNames = stepFaceNames(reader, content.shape);
   return content;
 }
 
@@ -92,15 +88,18 @@ CadContent readIges(const std::filesystem::path& path, const Job& job) {
   const auto progress = makeProgress(job, Phase::kRead);
   reader.TransferRoots(progress->Start());
   job.throwIfCancelled();
-  CadContent content{reader.OneShape(), {}};
   const auto model = reader.IGESModel();
+  CadContent content{reader.OneShape(), {}, {}, model->GlobalSection().UnitValue(), true};
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto entity = model->Entity(i);
     if (!entity->HasName()) continue;
-    const TopoDS_Shape face =
+    const TopoDS_Shape shape =
         TransferBRep::ShapeResult(reader.WS()->TransferReader()->TransientProcess(), entity);
-    if (!face.IsNull() && face.ShapeType() == TopAbs_FACE)
-      content.faceNames.Bind(face, entity->NameValue()->ToCString());
+    if (shape.IsNull()) continue;
+    if (shape.ShapeType() == TopAbs_FACE)
+      content.faceNames.Bind(shape, entity->NameValue()->ToCString());
+    if (shape.ShapeType() == TopAbs_SOLID)
+      content.solidNames.Bind(shape, entity->NameValue()->ToCString());
   }
   return content;
 }

@@ -11,13 +11,17 @@
 // Internal to modeling/exchange/: only .cpp files include this header.
 namespace palpa::modeling {
 
-/// Names of faces, independent of their orientation; faces without a name are absent.
-using FaceNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+/// Names of shapes, independent of their orientation; shapes without a name are absent.
+using ShapeNames = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+using FaceNames = ShapeNames;
 
 /// Content of a CAD file, in mm.
 struct CadContent {
   TopoDS_Shape shape;
   FaceNames faceNames;
+  ShapeNames solidNames;
+  double unit = 1.0;        ///< mm per unit of length of the file; 0: parts in different units
+  bool statesUnit = false;  ///< false for BREP files
 };
 
 /// The text of a CAD file after checkCadText().

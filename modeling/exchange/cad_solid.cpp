@@ -4,7 +4,9 @@
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepGProp.hxx>
+#include <BRepLib.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -19,19 +21,20 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shell.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/cad_text_check.h"
 #include "modeling/exchange/opencascade_session.h"
+#include "modeling/exchange/unique_names.h"
 
 namespace palpa::modeling {
 namespace {
 
 constexpr double kSewing = 1e-5;  // of the diagonal: largest gap between loose faces to close
+constexpr double kInside = 1e-6;  // mm: a point nearer to a surface is neither inside nor outside
 
 int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
   TopTools_IndexedMapOfShape map;
@@ -50,6 +53,13 @@ double diagonalOf(const TopoDS_Shape& shape) {
   return diagonal;
 }
 
+void checkFaceCount(int faces) {
+  if (faces > kMaxCadFaces)
+    throw ModelingError("has " + std::to_string(faces) + " faces; at most " +
+                            std::to_string(kMaxCadFaces) + " are read",
+                        ModelingError::Kind::kTooLarge);
+}
+
 /// Moves the names of replaced faces to their replacements.
 void followNames(const TopoDS_Shape& before, const auto& replacement, FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
@@ -66,26 +76,24 @@ void followNames(const TopoDS_Shape& before, const auto& replacement, FaceNames&
 }
 
 /// Joins loose faces along their borders.
-TopoDS_Shape sew(const TopoDS_Shape& shape, double tolerance, CadSolid& result, const Job& job) {
+TopoDS_Shape sew(const TopoDS_Shape& shape, double tolerance, FaceNames& names, const Job& job) {
   BRepBuilderAPI_Sewing sewing(tolerance);
   sewing.Add(shape);
   const auto progress = makeProgress(job, Phase::kSew);
   sewing.Perform(progress->Start());
   job.throwIfCancelled();
   followNames(
-      shape, [&](const TopoDS_Shape& face) { return sewing.ModifiedSubShape(face); },
-      result.faceNames);
+      shape, [&](const TopoDS_Shape& face) { return sewing.ModifiedSubShape(face); }, names);
   return sewing.SewedShape();
 }
 
-TopoDS_Shape repair(const TopoDS_Shape& shape, CadSolid& result, const Job& job) {
+TopoDS_Shape repair(const TopoDS_Shape& shape, FaceNames& names, const Job& job) {
   const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
   const auto progress = makeProgress(job, Phase::kRepair);
   fix->Perform(progress->Start());
   job.throwIfCancelled();
   followNames(
-      shape, [&](const TopoDS_Shape& face) { return fix->Context()->Apply(face); },
-      result.faceNames);
+      shape, [&](const TopoDS_Shape& face) { return fix->Context()->Apply(face); }, names);
   return fix->Shape();
 }
 
@@ -122,57 +130,118 @@ std::string openPlace(const TopoDS_Shape& shape) {
   return "";
 }
 
-/// A solid from the shells of a shape without solids, and from single closed faces.
-TopoDS_Shape solidFromShells(const TopoDS_Shape& shape) {
-  BRepBuilderAPI_MakeSolid maker;
+/// The shells of a shape, and its single faces without a shell as shells.
+std::vector<TopoDS_Shell> shellsOf(const TopoDS_Shape& shape) {
+  std::vector<TopoDS_Shell> result;
   for (TopExp_Explorer shells(shape, TopAbs_SHELL); shells.More(); shells.Next())
-    maker.Add(TopoDS::Shell(shells.Current()));
+    result.push_back(TopoDS::Shell(shells.Current()));
   const BRep_Builder builder;
   for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next()) {
     TopoDS_Shell shell;
     builder.MakeShell(shell);
     builder.Add(shell, faces.Current());
     shell.Closed(Standard_True);
-    maker.Add(shell);
+    result.push_back(shell);
   }
+  return result;
+}
+
+TopoDS_Solid solidFromShells(const std::vector<TopoDS_Shell>& shells) {
+  BRepBuilderAPI_MakeSolid maker;
+  for (const TopoDS_Shell& shell : shells) maker.Add(shell);
   if (!maker.IsDone()) throw ModelingError("its faces do not form a closed surface");
   return maker.Solid();
 }
 
+std::string sewingNote(double gap) {
+  return "Loose faces were sewn together; gaps up to " + shortNumberText(gap) + " mm were closed.";
+}
+
+/// Solids from closed shells: those inside an odd number of others are cavities of the innermost
+/// one around them.
+std::vector<TopoDS_Shape> solidsFromShells(const std::vector<TopoDS_Shell>& shells,
+                                           const Job& job) {
+  if (shells.size() == 1) return {solidFromShells(shells)};
+  std::vector<TopoDS_Solid> filled;
+  for (const TopoDS_Shell& shell : shells) {
+    filled.push_back(solidFromShells({shell}));
+    BRepLib::OrientClosedSolid(filled.back());
+  }
+  std::vector<std::vector<std::size_t>> around(shells.size());
+  for (std::size_t outer = 0; outer < shells.size(); ++outer) {
+    job.throwIfCancelled();
+    BRepClass3d_SolidClassifier classifier(filled[outer]);
+    for (std::size_t inner = 0; inner < shells.size(); ++inner) {
+      const TopExp_Explorer vertex(shells[inner], TopAbs_VERTEX);
+      if (inner == outer || !vertex.More()) continue;
+      classifier.Perform(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())), kInside);
+      if (classifier.State() == TopAbs_IN) around[inner].push_back(outer);
+    }
+  }
+  const BRep_Builder builder;
+  for (std::size_t inner = 0; inner < shells.size(); ++inner) {
+    if (around[inner].size() % 2 == 0) continue;
+    for (const std::size_t outer : around[inner])
+      if (around[outer].size() + 1 == around[inner].size()) {
+        const TopoDS_Shape shell = TopExp_Explorer(filled[inner], TopAbs_SHELL).Current();
+        builder.Add(filled[outer], shell.Reversed());
+      }
+  }
+  std::vector<TopoDS_Shape> bodies;
+  for (std::size_t i = 0; i < shells.size(); ++i)
+    if (around[i].size() % 2 == 0) bodies.push_back(filled[i]);
+  return bodies;
+}
+
 }  // namespace
 
-CadSolid findSolid(const CadContent& content, const Job& job) {
-  CadSolid result;
-  result.faceNames = content.faceNames;
+CadSolids findSolids(const CadContent& content, double factor, const Job& job) {
+  CadSolids found;
+  found.faceNames = content.faceNames;
   const int faces = countOf(content.shape, TopAbs_FACE);
   if (faces == 0) throw ModelingError("contains no faces; only solids can be imported");
-  if (faces > kMaxCadFaces)
-    throw ModelingError("has " + std::to_string(faces) + " faces; at most " +
-                            std::to_string(kMaxCadFaces) + " are read",
-                        ModelingError::Kind::kTooLarge);
-  const double diagonal = diagonalOf(content.shape);
-  const int solids = countOf(content.shape, TopAbs_SOLID);
-  if (solids > 1)
-    throw ModelingError("contains " + std::to_string(solids) +
-                        " solids, but a project has one body; export them into separate files");
-  TopoDS_Shape shape = content.shape;
-  if (solids == 1) {
-    shape = TopExp_Explorer(shape, TopAbs_SOLID).Current();
-    if (countOf(shape, TopAbs_FACE) < faces)
-      result.notes.push_back("Faces outside the solid were omitted.");
+  TopTools_IndexedMapOfShape solids;
+  TopExp::MapShapes(content.shape, TopAbs_SOLID, solids);
+  int inSolids = 0;
+  for (int i = 1; i <= solids.Extent(); ++i) {
+    found.shapes.push_back(solids(i));
+    const std::string* name = content.solidNames.Seek(solids(i));
+    found.names.push_back(name ? *name : "");
+    inSolids += countOf(solids(i), TopAbs_FACE);
   }
+  if (found.shapes.empty()) {
+    checkFaceCount(faces);
+    const double gap = kSewing * diagonalOf(content.shape);
+    const TopoDS_Shape sewn = sew(content.shape, gap, found.faceNames, job);
+    const std::string open = openPlace(sewn);
+    if (!open.empty()) throw ModelingError(open);
+    found.shapes = solidsFromShells(shellsOf(sewn), job);
+    found.names.resize(found.shapes.size());
+    found.notes.push_back(sewingNote(factor * gap));
+  } else if (inSolids < faces) {
+    found.notes.push_back("Faces outside the solid were omitted.");
+  }
+  return found;
+}
+
+CadSolid closedSolid(const CadSolids& solids, std::size_t index, double factor, const Job& job) {
+  CadSolid result;
+  result.faceNames = solids.faceNames;
+  result.notes = solids.notes;
+  TopoDS_Shape shape = solids.shapes.at(index);
+  checkFaceCount(countOf(shape, TopAbs_FACE));
+  const double diagonal = diagonalOf(shape);
   job.throwIfCancelled();
-  if (solids == 0 || !openPlace(shape).empty()) {
-    shape = sew(shape, kSewing * diagonal, result, job);
+  if (!openPlace(shape).empty()) {
+    shape = sew(shape, kSewing * diagonal, result.faceNames, job);
     const std::string open = openPlace(shape);
     if (!open.empty()) throw ModelingError(open);
-    shape = solidFromShells(shape);
-    result.notes.push_back("Loose faces were sewn together; gaps up to " +
-                           shortNumberText(kSewing * diagonal) + " mm were closed.");
+    shape = solidFromShells(shellsOf(shape));
+    result.notes.push_back(sewingNote(factor * kSewing * diagonal));
   }
   if (!BRepCheck_Analyzer(shape).IsValid()) {
-    shape = repair(shape, result, job);
-    if (countOf(shape, TopAbs_SOLID) == 0) shape = solidFromShells(shape);
+    shape = repair(shape, result.faceNames, job);
+    if (countOf(shape, TopAbs_SOLID) == 0) shape = solidFromShells(shellsOf(shape));
     const std::string open = openPlace(shape);
     if (!open.empty()) throw ModelingError(open);
     result.notes.push_back("OpenCASCADE found faults in the shape and repaired it.");
@@ -190,28 +259,12 @@ CadSolid findSolid(const CadContent& content, const Job& job) {
 std::vector<std::string> uniqueFaceNames(const TopoDS_Shape& shape, const FaceNames& names) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  std::map<std::string, int> uses;
+  std::vector<std::string> found;
   for (int i = 1; i <= faces.Extent(); ++i) {
-    if (const std::string* name = names.Seek(faces(i))) ++uses[*name];
+    const std::string* name = names.Seek(faces(i));
+    found.push_back(name ? *name : "");
   }
-  std::set<std::string> taken;
-  std::map<std::string, int> next;
-  std::vector<std::string> result;
-  for (int i = 1; i <= faces.Extent(); ++i) {
-    const std::string* found = names.Seek(faces(i));
-    const bool named = found != nullptr;
-    const std::string base = named ? *found : "face";
-    std::string name = base;
-    if (!named || uses[base] > 1) {
-      int number = named ? next[base] : i - 1;
-      do name = base + "_" + std::to_string(++number);
-      while (uses.count(name) || taken.count(name));
-      next[base] = number;
-    }
-    taken.insert(name);
-    result.push_back(name);
-  }
-  return result;
+  return uniqueNames(found, "face");
 }
 
 }  // namespace palpa::modeling

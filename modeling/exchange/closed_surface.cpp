@@ -297,4 +297,19 @@ ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job
   return surface;
 }
 
+void keepBody(ClosedSurface& surface, int body) {
+  if (surface.bodies.empty()) return;
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (surface.bodies[t] != body) continue;
+    surface.triangles[kept] = surface.triangles[t];
+    if (!surface.groups.empty()) surface.groups[kept] = surface.groups[t];
+    ++kept;
+  }
+  surface.triangles.resize(kept);
+  if (!surface.groups.empty()) surface.groups.resize(kept);
+  surface.bodies.clear();
+  dropUnusedPoints(surface);
+}
+
 }  // namespace palpa::modeling

@@ -11,6 +11,7 @@ struct ClosedSurface {
   std::vector<Eigen::Vector3d> positions;  ///< mm, each used by a triangle
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> groups;  ///< per triangle, as in the soup; empty if there is only one group
+  std::vector<int> bodies;  ///< per triangle, from makeBoundary(); empty if there is only one body
 };
 
 /// Joins the polygons of a soup: cuts them into triangles, merges vertices, orients the triangles
@@ -21,9 +22,13 @@ struct ClosedSurface {
 ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job);
 
 /// Removes triangles without area and orients the others so that their normals point out of the
-/// material (CGAL).
-/// Throws ModelingError (without the file's name) if the surface intersects itself or consists of
-/// several bodies; Cancelled, between the steps only.
+/// material (CGAL). Numbers the bodies in the order of their first triangles: closed surfaces with
+/// the cavities directly inside them.
+/// Throws ModelingError (without the file's name) if the surface intersects itself; Cancelled,
+/// between the steps only.
 void makeBoundary(ClosedSurface& surface, const Job& job);
+
+/// Keeps one of the bodies.
+void keepBody(ClosedSurface& surface, int body);
 
 }  // namespace palpa::modeling

@@ -67,6 +67,9 @@ static_assert([] {
 
 /// Selections of formats, for the functions below.
 using FormatFilter = bool (*)(const FileFormatInfo&);
+constexpr bool isProject(const FileFormatInfo& info) {
+  return info.kind == FileKind::kProject;
+}
 constexpr bool isCad(const FileFormatInfo& info) {
   return info.kind == FileKind::kCad;
 }

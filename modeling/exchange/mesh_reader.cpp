@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -92,52 +93,140 @@ std::string_view plainText(std::string_view bytes) {
   return bytes;
 }
 
-MeshBody bodyFrom(std::string_view bytes, FileFormat format, const MeshReadOptions& options,
-                  const Job& job) {
-  if (!std::isfinite(options.scale) || options.scale <= 0.0)
-    throw ModelingError("the scale " + numberText(options.scale) +
-                        " must be finite and greater than 0");
+/// The closed surfaces of a file and the names of their groups.
+struct ReadSurface {
+  ClosedSurface surface;
+  std::vector<std::string> groupNames;
+};
+
+ReadSurface surfaceFrom(std::string_view bytes, FileFormat format, double scale, const Job& job) {
+  if (!std::isfinite(scale) || scale <= 0.0)
+    throw ModelingError("the scale " + numberText(scale) + " must be finite and greater than 0");
   if (bytes.size() > kMaxMeshFile)
     throw ModelingError("has " + std::to_string(bytes.size()) + " bytes; at most " +
                             std::to_string(kMaxMeshFile) + " are read",
                         ModelingError::Kind::kTooLarge);
   job.report(Phase::kImport, 0.0);
   // The first 80 bytes of a binary STL file are arbitrary.
-  const PolygonSoup soup =
-      parseSoup(format == FileFormat::kStl ? bytes : plainText(bytes), format, job);
+  PolygonSoup soup = parseSoup(format == FileFormat::kStl ? bytes : plainText(bytes), format, job);
   job.report(Phase::kImport, 0.3);
-  ClosedSurface surface = closeSurface(soup, options.scale, job);
+  ReadSurface read{closeSurface(soup, scale, job), std::move(soup.groupNames)};
   job.report(Phase::kImport, 0.6);
-  makeBoundary(surface, job);
+  makeBoundary(read.surface, job);
   job.report(Phase::kImport, 0.9);
+  return read;
+}
+
+bool isOneGroup(const std::vector<int>& groups) {
+  return groups.empty() || std::equal(groups.begin() + 1, groups.end(), groups.begin());
+}
+
+/// The bodies, named after the group that contains all their triangles.
+FileBodies describe(const ReadSurface& read, ListedSurface listed) {
+  const ClosedSurface& surface = read.surface;
+  const auto bodyOf = [&](std::size_t t) { return surface.bodies.empty() ? 0 : surface.bodies[t]; };
+  std::size_t count = 1;
+  for (const int body : surface.bodies) count = std::max(count, static_cast<std::size_t>(body) + 1);
+  constexpr int kNoGroup = -1;
+  constexpr int kSeveralGroups = -2;
+  std::vector<int> groupOf(count, kNoGroup);
+  FileBodies found;
+  found.bodies.resize(count);
+  for (FileBody& body : found.bodies) {
+    body.low.setConstant(std::numeric_limits<double>::infinity());
+    body.high = -body.low;
+  }
+  const bool isCoarse = listed == ListedSurface::kCoarse;
+  std::vector<int> number(isCoarse ? surface.positions.size() : 0, -1);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    FileBody& body = found.bodies[bodyOf(t)];
+    ++body.triangles;
+    std::array<int, 3> corners = surface.triangles[t];
+    const auto& [a, b, c] = corners;
+    const auto& p = surface.positions;
+    body.volume += p[a].dot(p[b].cross(p[c])) / 6.0;
+    for (int& corner : corners) {
+      body.low = body.low.cwiseMin(p[corner]);
+      body.high = body.high.cwiseMax(p[corner]);
+      if (!isCoarse) continue;
+      if (number[corner] < 0) {
+        number[corner] = static_cast<int>(body.positions.size());
+        body.positions.push_back(p[corner]);
+      }
+      corner = number[corner];
+    }
+    if (isCoarse) body.surface.push_back(corners);
+    if (surface.groups.empty()) continue;
+    int& group = groupOf[bodyOf(t)];
+    if (group == kNoGroup) group = surface.groups[t];
+    if (group != surface.groups[t]) group = kSeveralGroups;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (groupOf[i] >= 0) found.bodies[i].name = faceName(read.groupNames[groupOf[i]]);
+  makeNamesUnique(found.bodies);
+  return found;
+}
+
+ChosenMesh chosenFrom(std::string_view bytes, FileFormat format, const MeshReadOptions& options,
+                      const Job& job) {
+  ReadSurface read = surfaceFrom(bytes, format, options.scale, job);
+  ClosedSurface& surface = read.surface;
+  FileBodies found;
+  std::size_t index = 0;
+  if (!surface.bodies.empty() || !options.solid.empty()) {
+    found = describe(read, ListedSurface::kNone);
+    place(found, 1.0, options.up);
+    index = chooseBody(found, options.solid);
+    keepBody(surface, static_cast<int>(index));
+  }
   MeshBody::Data data;
-  if (surface.groups.empty() ||
-      std::equal(surface.groups.begin() + 1, surface.groups.end(), surface.groups.begin()))
+  if (isOneGroup(surface.groups))
     nameBySharpEdges(surface, data);
   else
-    nameByGroups(surface, soup.groupNames, data);
+    nameByGroups(surface, read.groupNames, data);
   data.positions = std::move(surface.positions);
   data.triangles = std::move(surface.triangles);
   MeshBody body(std::move(data));
   job.report(Phase::kImport, 1.0);
-  return body;
+  return {std::move(body), std::move(found), index};
+}
+
+/// Runs `work`; errors begin with the source's name.
+auto withName(const std::string& sourceName, const auto& work) {
+  try {
+    return work();
+  } catch (const SeveralBodies& several) {
+    throw SeveralBodies(sourceName + ": ", several.found());
+  } catch (const ModelingError& error) {
+    throw ModelingError(sourceName + ": " + error.what(), error.kind());
+  }
 }
 
 }  // namespace
 
 MeshBody parseMesh(std::string_view bytes, FileFormat format, const std::string& sourceName,
                    const MeshReadOptions& options, const Job& job) {
-  try {
-    return bodyFrom(bytes, format, options, job);
-  } catch (const ModelingError& error) {
-    throw ModelingError(sourceName + ": " + error.what(), error.kind());
-  }
+  return withName(sourceName, [&] { return chosenFrom(bytes, format, options, job); }).body;
 }
 
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                       const Job& job) {
+  return chooseMesh(path, options, job).body;
+}
+
+ChosenMesh chooseMesh(const std::filesystem::path& path, const MeshReadOptions& options,
+                      const Job& job) {
   const FileFormat format = requireFormat(path, isReadableMesh);
-  return parseMesh(readTextFile(path, kMaxMeshFile), format, path.string(), options, job);
+  const std::string bytes = readTextFile(path, kMaxMeshFile);
+  return withName(path.string(), [&] { return chosenFrom(bytes, format, options, job); });
+}
+
+FileBodies listMeshFile(const std::filesystem::path& path, double scale, ListedSurface surface,
+                        const Job& job) {
+  const FileFormat format = requireFormat(path, isReadableMesh);
+  const std::string bytes = readTextFile(path, kMaxMeshFile);
+  return withName(path.string(),
+                  [&] { return describe(surfaceFrom(bytes, format, scale, job), surface); });
 }
 
 }  // namespace palpa::modeling

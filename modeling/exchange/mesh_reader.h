@@ -7,14 +7,19 @@
 
 #include "base/job.h"
 #include "modeling/body/mesh_body.h"
+#include "modeling/exchange/file_bodies.h"
 #include "modeling/exchange/file_format.h"
 
 namespace palpa::modeling {
 
 /// Options of readMeshFile().
 struct MeshReadOptions {
-  double scale =
-      1.0;  ///< mm per unit of the file, finite and > 0; mesh files do not state their unit
+  /// mm per unit of the file, finite and > 0; mesh files do not state their unit.
+  double scale = 1.0;
+  /// Number from 1 or name of the body in listMeshFile(); empty: the only one.
+  std::string solid{};
+  /// For the sizes in the message of SeveralBodies; the body itself is not rotated.
+  UpAxis up = UpAxis::kZ;
 };
 
 inline constexpr std::size_t kMaxMeshFile = 512U << 20U;  ///< bytes
@@ -33,12 +38,15 @@ inline constexpr int kMaxMeshShells = 200;  ///< closed surfaces: outer surface 
 ///   parts) or the solids of an STL text; otherwise the parts between sharp edges, "face_1" the
 ///   largest, where parts below a thousandth of the surface are joined to a neighbour.
 ///
+/// - Closed surfaces with the cavities directly inside them are bodies; one of several is chosen.
+///
 /// The result is always closed, free of self-intersections and in one piece.
 ///
 /// Throws ModelingError that begins with the file's name if the file does not exist, is unreadable
 /// or larger than kMaxMeshFile, has a syntax error (with its line or byte), counts that exceed its
 /// length, numbers that are not finite or indices out of range, or if its surface is faulty (with
-/// the number of places and the first of them); Cancelled.
+/// the number of places and the first of them), or the chosen body is not in it; SeveralBodies;
+/// Cancelled.
 /// Cost: about 6 s for a million triangles. Stops within a second when cancelled.
 MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options = {},
                       const Job& job = {});
@@ -46,5 +54,21 @@ MeshBody readMeshFile(const std::filesystem::path& path, const MeshReadOptions& 
 /// The same for a file's content; `sourceName` begins the messages.
 MeshBody parseMesh(std::string_view bytes, FileFormat format, const std::string& sourceName,
                    const MeshReadOptions& options = {}, const Job& job = {});
+
+/// A mesh body, and the bodies among which it was chosen.
+struct ChosenMesh {
+  MeshBody body;
+  FileBodies found;  ///< no bodies if the file has only one and none was chosen
+  std::size_t index = 0;
+};
+
+/// As readMeshFile().
+ChosenMesh chooseMesh(const std::filesystem::path& path, const MeshReadOptions& options,
+                      const Job& job = {});
+
+/// The bodies of a mesh file, named after the group that contains them; with `scale` as in
+/// MeshReadOptions. Throws as readMeshFile().
+FileBodies listMeshFile(const std::filesystem::path& path, double scale, ListedSurface surface,
+                        const Job& job = {});
 
 }  // namespace palpa::modeling

@@ -1,7 +1,7 @@
-// palpa-read-cad PARENT SECONDS NAME EDGE_LENGTH TOLERANCE: reads the CAD file NAME, with its
-// content on standard input, in a separate process. The exit status is 0, or kSandboxFailed plus
-// the kind of the error, whose message goes to standard output; or the program crashes. Started by
-// readInSandbox().
+// palpa-read-cad PARENT SECONDS NAME REQUEST: reads the CAD file NAME, with its content on standard
+// input, in a separate process. The exit status is 0, or kSandboxFailed plus the kind of the error,
+// whose message goes to standard output, or kSandboxSeveral; or the program crashes. A list of
+// bodies also goes to standard output. Started by readInSandbox().
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -24,7 +24,7 @@
 namespace {
 
 constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes in addition to the current memory
-constexpr int kArguments = 5;
+constexpr int kArguments = 4;
 
 void setLimits(double seconds) {
   long pages = 0;
@@ -68,13 +68,17 @@ int main(int count, char** arguments) {
   if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
   setLimits(std::atof(arguments[2]));
   const int output = keepOutput();
-  ImportOptions options;
-  options.edgeLength = std::atof(arguments[4]);
-  options.tolerance = std::atof(arguments[5]);
   try {
+    const CadRequest request = requestFrom(arguments[4]);
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
     const OpenCascadeSession session;
-    readCadBody(arguments[3], text, options, palpa::Job{});
+    if (request.lists)
+      tell(output, toText(listCadBodies(arguments[3], text, request.surface, palpa::Job{})));
+    else
+      readCadBody(arguments[3], text, request.options, palpa::Job{});
+  } catch (const SeveralBodies& several) {
+    tell(output, toText(several.found()));
+    std::_Exit(kSandboxSeveral);
   } catch (const ModelingError& error) {
     tell(output, error.what());
     std::_Exit(kSandboxFailed + static_cast<int>(error.kind()));

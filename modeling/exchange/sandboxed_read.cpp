@@ -143,8 +143,8 @@ class Child {
 
 }  // namespace
 
-void readInSandbox(const std::filesystem::path& path, const std::string& text,
-                   const ImportOptions& options, double seconds, const Job& job) {
+std::string readInSandbox(const std::filesystem::path& path, const std::string& text,
+                          const CadRequest& request, double seconds, const Job& job) {
   const std::string source = path.string();
   const std::filesystem::path program = findProgram(source);
   std::array<int, 2> ends{-1, -1};
@@ -153,10 +153,9 @@ void readInSandbox(const std::filesystem::path& path, const std::string& text,
     throw ModelingError(source + ": not enough memory or pipes for " + kProgram,
                         ModelingError::Kind::kIo);
   Descriptor output(ends[1]);
-  const pid_t process =
-      start({program.string(), std::to_string(::getpid()), numberText(seconds), source,
-             numberText(options.edgeLength), numberText(options.tolerance)},
-            input.number(), output.number());
+  const pid_t process = start(
+      {program.string(), std::to_string(::getpid()), numberText(seconds), source, toText(request)},
+      input.number(), output.number());
   output.close();
   Child child(process, ends[0]);
   if (process < 0)
@@ -169,9 +168,12 @@ void readInSandbox(const std::filesystem::path& path, const std::string& text,
                             " s for the file; it is damaged or too complicated",
                         ModelingError::Kind::kTooLarge);
   const int failed = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
+  if (failed == kSandboxSeveral)
+    throw SeveralBodies(source + ": ", fileBodiesFrom(child.message()));
   if (failed >= kSandboxFailed)
     throw ModelingError(child.message(), static_cast<ModelingError::Kind>(failed - kSandboxFailed));
   if (failed != 0) throw ModelingError(source + ": OpenCASCADE crashes on the file; it is damaged");
+  return child.message();
 }
 
 }  // namespace palpa::modeling

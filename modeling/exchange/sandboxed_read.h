@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "modeling/exchange/cad_import.h"
+#include "modeling/exchange/cad_request.h"
 
 // Internal to modeling/exchange/.
 namespace palpa::modeling {
@@ -12,17 +12,21 @@ namespace palpa::modeling {
 /// ModelingError, whose message it writes to its standard output. The status after success is 0.
 constexpr int kSandboxFailed = 100;
 
-/// Reads the CAD file `path` with the content `text` in the program palpa-read-cad and drops the
-/// result. OpenCASCADE's readers crash, hang or exhaust the memory on some damaged files, and no
-/// check in advance can find every case. Reading is deterministic: a file that the program reads
-/// can be read in this process.
+/// The same if SeveralBodies were found; the list of them goes to standard output.
+constexpr int kSandboxSeveral = 90;
+
+/// Reads the CAD file `path` with the content `text` in the program palpa-read-cad. Returns the
+/// list of the bodies as text if the request asks for one; otherwise drops the result.
+/// OpenCASCADE's readers crash, hang or exhaust the memory on some damaged files, and no check in
+/// advance can find every case. Reading is deterministic: a file that the program reads can be read
+/// in this process.
 ///
 /// The program is searched beside the running program and in ../libexec/palpa. Stopping the job
 /// stops it within 20 ms in any state.
 /// Throws the ModelingError of the reading; or ModelingError that begins with the file's name if
 /// the program crashed, used more than `seconds` of processor time, does not exist, or could not be
 /// started; Cancelled.
-void readInSandbox(const std::filesystem::path& path, const std::string& text,
-                   const ImportOptions& options, double seconds, const Job& job);
+std::string readInSandbox(const std::filesystem::path& path, const std::string& text,
+                          const CadRequest& request, double seconds, const Job& job);
 
 }  // namespace palpa::modeling

@@ -120,24 +120,22 @@ void refuseSelfIntersection(const Mesh& mesh) {
   }
 }
 
-/// Orients the normals out of the material: outwards on the outer surface, inwards in cavities.
-void orientOutwards(Mesh& mesh) {
+/// Orients the normals out of the material: outwards on the outer surfaces, inwards in cavities.
+/// Returns the number of bodies and sets the body of each face.
+std::size_t orientOutwards(Mesh& mesh, GroupMap& bodies) {
   pmp::orient_to_bound_a_volume(mesh);
+  bodies = mesh.add_property_map<Face, int>("f:body", 0).first;
   const auto part = mesh.add_property_map<Face, std::size_t>("f:part", 0).first;
-  std::vector<double> volumes(pmp::connected_components(mesh, part), 0.0);
-  const Kernel::Point_3 origin = mesh.point(*mesh.vertices().begin());
+  if (pmp::connected_components(mesh, part) == 1) return 1;
+  const auto volume = mesh.add_property_map<Face, std::size_t>("f:volume", 0).first;
+  std::vector<int> number(pmp::volume_connected_components(mesh, volume), -1);
+  int count = 0;
   for (const Face face : mesh.faces()) {
-    std::array<Kernel::Point_3, 3> p;
-    int k = 0;
-    for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-      p[k++] = mesh.point(vertex);
-    volumes[part[face]] += CGAL::volume(origin, p[0], p[1], p[2]);
+    int& body = number[volume[face]];
+    if (body < 0) body = count++;
+    bodies[face] = body;
   }
-  const auto bodies =
-      std::count_if(volumes.begin(), volumes.end(), [](double volume) { return volume > 0.0; });
-  if (bodies > 1)
-    throw ModelingError("contains " + std::to_string(bodies) +
-                        " separate bodies, but a project has one; keep one of them or unite them");
+  return static_cast<std::size_t>(count);
 }
 
 }  // namespace
@@ -151,8 +149,11 @@ void makeBoundary(ClosedSurface& surface, const Job& job) {
     job.throwIfCancelled();
     refuseSelfIntersection(mesh);
     job.throwIfCancelled();
-    orientOutwards(mesh);
+    GroupMap bodies;
+    const bool hasSeveral = orientOutwards(mesh, bodies) > 1;
     surface = fromMesh(mesh, groups, !surface.groups.empty());
+    if (hasSeveral)
+      for (const Face face : mesh.faces()) surface.bodies.push_back(bodies[face]);
   } catch (const CGAL::Failure_exception&) {
     throw ModelingError(
         "the surface is too irregular to distinguish inside and outside; repair it");

@@ -26,6 +26,7 @@ palpa_add_test(palpa_cli_tests
     cli_recording_test.cpp
     cli_section_test.cpp
     cli_simulation_test.cpp
+    cli_solids_test.cpp
     cli_usage_test.cpp
     cli_verify_test.cpp
   LIBRARIES palpa_cli_runner

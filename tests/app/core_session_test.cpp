@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "app/core/session/import_all.h"
 #include "core_projects.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
@@ -210,6 +211,17 @@ TEST_F(SessionTest, AnEditThatWasUndoneNeedsNoSnapshot) {
   session.undo();
   EXPECT_FALSE(session.autosaveIfDue(start + 2h));
   EXPECT_EQ(snapshots(), 0u);
+}
+
+TEST(ImportAll, LongNamesAreCutBetweenCharacters) {
+  modeling::FileBodies found;
+  found.bodies.resize(2);
+  found.bodies[0].name = "x";
+  for (int k = 0; k < 60; ++k) found.bodies[0].name += "é";  // two bytes each
+  found.bodies[1].name = std::string(120, 'a');
+  const auto files = projectFiles(found, "parts");
+  EXPECT_EQ(files[0], "parts/" + found.bodies[0].name.substr(0, 99) + ".json");
+  EXPECT_EQ(files[1], "parts/" + std::string(100, 'a') + ".json");
 }
 
 }  // namespace

@@ -241,7 +241,7 @@ TEST_F(ExactTouch, TheSplitterOfTheForcesPanelIsRemembered) {
 TEST_F(ExactTouch, TheAccuracyIsStatedAndTheMeshRefined) {
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
-  // Triangles of 5 mm are stated to reach some 25 per cent.
+  // Triangles of 5 mm are stated to reach some 35 per cent.
   modeling::MeshSettings mesh = editor().project().mesh;
   mesh.engine = modeling::Engine::kTriangles;
   mesh.edgeLength = 5;
@@ -268,7 +268,7 @@ TEST_F(ExactTouch, TheAccuracyIsStatedAndTheMeshRefined) {
   waitForModel();
   ASSERT_TRUE(QTest::qWaitFor([&] { return editor().rebuildStatus().accuracy != nullptr; }, 60000));
   QTest::qWait(100);
-  EXPECT_LT(editor().rebuildStatus().touchError, 0.125);
+  EXPECT_LT(editor().rebuildStatus().touchError, 0.15);
   keepPicture("accuracy-reached");
   editor().undo();
   EXPECT_EQ(editor().project().mesh.edgeLength, 5);

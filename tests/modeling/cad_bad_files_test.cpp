@@ -18,22 +18,13 @@ namespace palpa::modeling {
 namespace {
 
 using tests::Folder;
+using tests::says;
 
 const std::array<const char*, 3> kFormats{"body.step", "body.igs", "body.brep"};
 
 /// Message of the error; "accepted" if there is none.
 std::string errorOf(const std::filesystem::path& path) {
-  try {
-    importBody(path);
-  } catch (const ModelingError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-testing::AssertionResult says(const std::string& message, const std::string& words) {
-  if (message.find(words) != std::string::npos) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << "\"" << message << "\" does not say \"" << words << "\"";
+  return tests::errorOf([&] { importBody(path); });
 }
 
 TEST(CadBadFiles, AreRefusedWithTheirNameAndTheReason) {

@@ -75,6 +75,11 @@ void writeText(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
+testing::AssertionResult says(const std::string& message, const std::string& words) {
+  if (message.find(words) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "\"" << message << "\" does not say \"" << words << "\"";
+}
+
 double volumeOf(const TopoDS_Shape& shape) {
   GProp_GProps properties;
   BRepGProp::VolumeProperties(shape, properties, 1e-8);

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <TopoDS_Shape.hxx>
 #include <filesystem>
 #include <string>
+
+#include "modeling/error.h"
 
 namespace palpa::modeling::tests {
 
@@ -26,6 +30,19 @@ void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
 
 std::string readText(const std::filesystem::path& path);
 void writeText(const std::filesystem::path& path, const std::string& text);
+
+/// Message of the ModelingError that `work` throws; "accepted" if it throws none.
+template <class Work>
+std::string errorOf(const Work& work) {
+  try {
+    work();
+  } catch (const ModelingError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+testing::AssertionResult says(const std::string& message, const std::string& words);
 
 double volumeOf(const TopoDS_Shape& shape);
 double areaOf(const TopoDS_Shape& shape);

@@ -309,7 +309,7 @@ TEST(MeshReader, CrowdedEdgesAndVerticesAreNamed) {
 TEST(MeshReader, SurfacesThatCutThemselvesAreRefused) {
   expectRefused(cube(0.0, 1) + cube(0.5, 9), FileFormat::kObj,
                 {"intersects or touches itself", "mm"});
-  expectRefused(cube(0.0, 1) + cube(2.0, 9), FileFormat::kObj, {"2 separate bodies"});
+  expectRefused(cube(0.0, 1) + cube(2.0, 9), FileFormat::kObj, {"contains 2 solids"});
   std::string many;
   for (int i = 0; i < 201; ++i) many += cube(2.0 * i, 8 * i + 1);
   expectRefused(many, FileFormat::kObj, {"more than 200 closed surfaces"});

@@ -15,7 +15,8 @@ constexpr double kCavityPoissonRatio = 0.45;
 ImportedProject importProject(const std::filesystem::path& path,
                               const modeling::ImportOptions& options, const Job& job) {
   modeling::ImportedBody imported = modeling::importBody(path, options, job);
-  ImportedProject result{makeProject(std::move(imported.body), path.stem().string()),
+  const std::string name = imported.name.empty() ? path.stem().string() : imported.name;
+  ImportedProject result{makeProject(std::move(imported.body), name),
                          imported.deviation,
                          std::move(imported.notes),
                          {}};

@@ -19,10 +19,11 @@ struct ImportedProject {
   modeling::ProposedSupport held;  ///< the support of the project
 };
 
-/// A project with the body of a CAD or mesh file that can be touched at once: named after the file,
-/// with the default material, a suitable mesh, and the support of modeling::proposeSupport(). A
-/// body with a closed cavity gets a smaller Poisson's ratio than the default material, because the
-/// solver refuses cavities in nearly incompressible material. Throws as modeling::importBody().
+/// A project with the body of a CAD or mesh file that can be touched at once: named after the file
+/// (or after the body, if the file has several), with the default material, a suitable mesh, and
+/// the support of modeling::proposeSupport(). A body with a closed cavity gets a smaller Poisson's
+/// ratio than the default material, because the solver refuses cavities in nearly incompressible
+/// material. Throws as modeling::importBody().
 ImportedProject importProject(const std::filesystem::path& path,
                               const modeling::ImportOptions& options = {}, const Job& job = {});
 

@@ -4,6 +4,7 @@
 #include <QMessageBox>
 
 #include "app/core/session/new_project.h"
+#include "app/gui/actions/import_choice.h"
 #include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/export_dialog.h"
 #include "app/gui/dialogs/file_dialogs.h"
@@ -35,10 +36,6 @@ std::optional<modeling::FileFormat> formatToOpen(const QString& file) {
 
 QString patterns(modeling::FormatFilter accepts) {
   return QString::fromStdString(modeling::endingPatterns(accepts));
-}
-
-bool isProject(const modeling::FileFormatInfo& info) {
-  return info.kind == modeling::FileKind::kProject;
 }
 
 }  // namespace
@@ -87,7 +84,13 @@ void FileActions::addImportAndExport() {
   menus.add(menus.file,
             {"import", tr("&Import …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
              tr("Create a project from a CAD file or a mesh")},
-            this, [this] { importBody(); });
+            this, [this] { importBody(false); });
+  menus.add(menus.file,
+            {nullptr,
+             tr("Import with o&ptions …"),
+             {},
+             tr("Choose a solid, the unit, the scale and the upward direction of a file")},
+            this, [this] { importBody(true); });
   menus.add(menus.file,
             {"export", tr("&Export …"), QKeySequence(Qt::CTRL | Qt::Key_E),
              tr("Write the body to a CAD file or a mesh")},
@@ -145,8 +148,26 @@ bool FileActions::openFile(const QString& file) {
                  QString::fromStdString(modeling::endingsText(modeling::isReadable))));
     return false;
   }
-  const bool isOpen = isProject(infoOf(*format)) ? editor.open(file) : editor.importFile(file);
-  if (!isOpen) return false;
+  if (!modeling::isProject(infoOf(*format))) {
+    bool needsChoice = false;
+    if (!editor.importFile(file, {}, &needsChoice)) return needsChoice && importChosen(file);
+  } else if (!editor.open(file)) {
+    return false;
+  }
+  return remember(file);
+}
+
+bool FileActions::importChosen(const QString& file) {
+  const auto choice = askImportChoice(workspace_, file);
+  if (!choice) return false;
+  if (choice->takesAll) {
+    const QString project = importAllSolids(workspace_, file, *choice);
+    return !project.isEmpty() && openFile(project);
+  }
+  return workspace_.editor.importFile(file, choice->options) && remember(file);
+}
+
+bool FileActions::remember(const QString& file) {
   file_ = QFileInfo(file).absoluteFilePath();
   workspace_.settings.addRecentFile(file);
   return true;
@@ -179,17 +200,21 @@ void FileActions::open() {
       askFileToOpen(workspace_, tr("Open"),
                     tr("All readable files (%1);;Projects (%2);;Copies of before the last save "
                        "(%3);;CAD and meshes (%4);;All files (*)")
-                        .arg(patterns(modeling::isReadable), patterns(isProject),
-                             patterns(isProject).replace(' ', ".bak ") + ".bak",
+                        .arg(patterns(modeling::isReadable), patterns(modeling::isProject),
+                             patterns(modeling::isProject).replace(' ', ".bak ") + ".bak",
                              patterns(modeling::isImportable)));
   if (!file.isEmpty()) openFile(file);
 }
 
-void FileActions::importBody() {
+void FileActions::importBody(bool asks) {
   if (!mayDiscard()) return;
   const QString file = askFileToOpen(
       workspace_, tr("Import"), tr("CAD and meshes (%1)").arg(patterns(modeling::isImportable)));
-  if (!file.isEmpty()) openFile(file);
+  if (file.isEmpty()) return;
+  if (asks)
+    importChosen(file);
+  else
+    openFile(file);
 }
 
 void FileActions::showWelcome() {

@@ -16,7 +16,7 @@ class FileActions : public QObject {
   explicit FileActions(const Workspace& workspace);
 
   /// Opens a project or imports a body, by the ending of the name, and adds it to the recent files.
-  /// Does not ask.
+  /// Asks only which of several solids to import.
   bool openFile(const QString& file);
   /// Opens the first of several dropped files. Asks before edits would be lost.
   void openDropped(const QStringList& files);
@@ -39,7 +39,12 @@ class FileActions : public QObject {
   void fillRecentFiles(QMenu* menu);
   void fillExamples(QMenu* menu);
   void recover();
-  void importBody();
+  /// Asks for a file; with `asks` also for its solid, unit, scale and orientation.
+  void importBody(bool asks);
+  /// Asks which solid of a file to import and how; imports it, or all into project files.
+  bool importChosen(const QString& file);
+  /// Adds the open file to the recent ones; true.
+  bool remember(const QString& file);
   void exportBody();
   void savePicture();
 

@@ -119,6 +119,7 @@ bool Editor::openInBackground(
     const app::Session::Options options = sessionOptions();
     std::unique_ptr<app::Session> session;
     if (!runner_(title, [&](const Job& job) { session = make(job, options); })) return;
+    if (!session) return;
     adopt(std::move(session));
     isOpen = true;
   });
@@ -138,15 +139,22 @@ bool Editor::open(const QString& file) {
                           });
 }
 
-bool Editor::importFile(const QString& file) {
+bool Editor::importFile(const QString& file, const modeling::ImportOptions& options,
+                        bool* needsChoice) {
   const QFileInfo info(file);
   std::vector<std::string> notes;
   const bool isOpen = openInBackground(
       tr("Importing %1").arg(info.fileName()),
-      [&](const Job& job, const app::Session::Options& options) {
-        app::ImportedProject imported = app::importProject(file.toStdString(), {}, job);
-        notes = std::move(imported.notes);
-        return std::make_unique<app::Session>(std::move(imported.project), options);
+      [&](const Job& job, const app::Session::Options& session) -> std::unique_ptr<app::Session> {
+        try {
+          app::ImportedProject imported = app::importProject(file.toStdString(), options, job);
+          notes = std::move(imported.notes);
+          return std::make_unique<app::Session>(std::move(imported.project), session);
+        } catch (const modeling::SeveralBodies&) {
+          if (!needsChoice) throw;
+          *needsChoice = true;
+          return nullptr;
+        }
       });
   if (!isOpen) return false;
   QStringList told;

@@ -11,6 +11,10 @@
 #include "app/gui/document/export_body.h"
 #include "app/gui/document/selection.h"
 
+namespace palpa::modeling {
+struct ImportOptions;
+}
+
 namespace palpa::gui {
 
 class Measurements;
@@ -45,7 +49,10 @@ class Editor : public QObject {
   // then stays open.
   void start(modeling::Project project);
   bool open(const QString& file);
-  bool importFile(const QString& file);
+  /// With `needsChoice`, a file with several solids of which none is chosen sets it to true and is
+  /// no failure that is told.
+  bool importFile(const QString& file, const modeling::ImportOptions& options,
+                  bool* needsChoice = nullptr);
   /// Writes the body as a CAD file (solids only) or a triangle mesh, by the ending of the name.
   bool exportFile(const QString& file, ExportedSurface surface);
   /// Opens a snapshot of a crashed session and discards it after the new session has written one.
