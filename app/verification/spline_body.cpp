@@ -89,7 +89,9 @@ Vector3d SplineBody::displacement(const ElementPlace& place) const {
 }
 
 Vector3d SplineBody::traction(const ElementPlace& place) const {
-  return sumAt(surface, place, field.p.col(0), tractions.ofFunction[place.element]);
+  std::vector<double> basis;
+  surface.evaluateTractionBasis(place, basis);
+  return weightedSum(basis, tractions.ofFunction[place.element], field.p.col(0));
 }
 
 double SplineBody::displacementError(const ExactField& exact) const {

@@ -5,7 +5,7 @@
 
 #include "bem/contact/contact_simulation.h"
 
-// Geometry of ContactSimulation: positions of masks and their gaps to a ball.
+// Geometry of ContactSimulation: positions of masks.
 
 namespace palpa::bem {
 namespace {
@@ -29,14 +29,6 @@ constexpr double kOverlap = 1.7;
 constexpr double kFarthest = 0.6;
 /// Height above the surface, over a mask's radius, from which surface points are searched.
 constexpr double kLift = 0.2;
-/// Contact narrower than its mask. A mask of radius r on a half-space yields to the force F of a
-/// ball by c F / (E* r), c = 0.7665 (the mean under (1 - ρ^2 / r^2)^2); a contact circle of radius
-/// a yields by Hertz's a^2 / R with F = 4/3 E* a^3 / R. A mask that represents a circle x = a / r
-/// must therefore touch the ball after an approach of (x^2 - kNarrow x^3) r^2 / R with kNarrow = 4
-/// c / 3. This holds up to the larger x (kNarrowContact) at which the approach equals the mean gap
-/// r^2 / 8 R of a fully pressed mask. There other masks begin to press.
-constexpr double kNarrow = 1.022, kNarrowContact = 0.77466, kWideContact = 1;
-
 /// Points of a hexagonal lattice with spacing 1 around the origin, ring by ring.
 const std::array<Vector2d, kLattice>& lattice() {
   static const auto points = [] {
@@ -84,10 +76,11 @@ void ContactSimulation::placeMasks(Contact& contact) {
 /// to face.
 SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
   const Vector3d normal = surface_.normal(contact.point);
-  const double height = normal.dot(contact.reference - contact.point.position);
+  const Vector3d reference = contact.reference + contact.rolled;
+  const double height = normal.dot(reference - contact.point.position);
   const double wanted = kLift * surface_.narrowestMask(contact.point);
-  const Vector3d from = contact.reference + std::max(wanted - height, 0.0) * normal;
-  return surface_.foot(contact.reference, surface_.tree().nearest(from));
+  const Vector3d from = reference + std::max(wanted - height, 0.0) * normal;
+  return surface_.foot(reference, surface_.tree().nearest(from));
 }
 
 /// Mean curvature of the surface around a contact, 1/mm, from normals at a distance (mm); positive
@@ -117,8 +110,10 @@ void ContactSimulation::placeBall(Contact& contact) {
   const double depth =
       std::clamp(radius - (ball - contact.point.position).dot(normal), 0.0, 2 * radius);
   const double finest = surface_.maskSpacing(contact.point);
-  const double curvature = 1 / radius + meanCurvature(contact, finest);
-  const double reach = curvature * radius * radius > depth ? std::sqrt(depth / curvature) : radius;
+  contact.curvature = 1 / radius + meanCurvature(contact, finest);
+  const double reach = contact.curvature * radius * radius > depth
+                           ? touchedRadius(depth, contact.curvature, contact.farCompliance)
+                           : radius;
   const double spacing = std::max(finest, kMargin * reach / (kRings + 0.5));
   const Vector3d fromBall = contact.point.position - ball;
   const Vector2d beside(fromBall.dot(along), fromBall.dot(across));
@@ -142,46 +137,6 @@ void ContactSimulation::placeBall(Contact& contact) {
     else
       set_.clear(mask);
   }
-}
-
-/// Mean gap between a mask of the unloaded surface and a ball along the pressure direction `m`, mm:
-/// ∫ Φ [m . (x - c) - √(R^2 - t^2)] dΓ, where t is the distance across m of the displaced surface
-/// from the centre c. The mean displacement of the mask must close this gap. (The gap at the middle
-/// is smaller by the squared radius of the mask over 8 radii of curvature.)
-///
-/// A projected bump has tails with small weights of either sign. They would cause waves of the
-/// force while the ball slides; two measures prevent this. Where the ball is steeper than 45
-/// degrees, it is replaced by the paraboloid that touches it there. A contact narrower than its
-/// mask has the gap of a bump with exactly the mask's radius, by its ∫ Φ ρ^2 dΓ = r^2 / 4.
-double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vector3d& m) const {
-  const double radius = contact.tool.radius, square = radius * radius;
-  const Vector3d now = displacementOf(mask);
-  const auto gapAt = [&](const Vector3d& x) {
-    const Vector3d from = x - contact.value;
-    const double along = m.dot(from);
-    const double across = (from + now - (along + m.dot(now)) * m).squaredNorm();
-    const double height = across < square / 2
-                              ? std::sqrt(square - across)
-                              : (1.5 * square - across) / (std::numbers::sqrt2 * radius);
-    return along - height;
-  };
-  const ContactMask& on = set_.mask(mask);
-  double gap = 0, spread = 0;
-  for (std::size_t k = 0; k < on.points.size(); ++k) {
-    gap += on.pointWeights[k] * gapAt(on.points[k]);
-    spread += on.pointWeights[k] * (on.points[k] - on.point.position).squaredNorm();
-  }
-  if (mask != contact.firstMask) return gap;
-  // The contact is much narrower than its single mask.
-  const double middle = gapAt(surface_.smoothPosition(on.point));
-  const double all = gap - middle, approach = -middle - m.dot(contact.lifted);
-  if (approach <= 0 || all <= 0) return all > 0 ? middle : gap;
-  const double offset = all * on.radius * on.radius / (4 * spread);
-  const double part = std::sqrt(approach / (8 * offset));
-  if (part < kNarrowContact) return middle + 8 * offset * part * part * (1 - kNarrow * part);
-  // From here, gradual transition to the true mean over the mask, as for all other masks.
-  const double wide = std::min((part - kNarrowContact) / (kWideContact - kNarrowContact), 1.0);
-  return middle + offset + wide * (all - offset);
 }
 
 }  // namespace palpa::bem

@@ -18,8 +18,10 @@ constexpr double kSettled = 1e-6;
 }  // namespace
 
 ContactSimulation::ContactSimulation(const ContactSurface& surface, const GreensColumns& columns,
-                                     const BoundaryField& base)
-    : surface_(surface), set_(surface, columns, base) {}
+                                     const BoundaryField& base, const Material& material)
+    : surface_(surface),
+      planeModulus_(material.youngsModulus / (1 - material.poissonRatio * material.poissonRatio)),
+      set_(surface, columns, base) {}
 
 ContactSimulation::Id ContactSimulation::begin(const ContactTool& tool, const Vector3d& at,
                                                const Vector3d& value) {
@@ -242,25 +244,31 @@ void ContactSimulation::read(Contact& contact) {
                                              : Status::kSticking;
 }
 
-/// Updates the anchors of slipping masks, and the reference of the tool if its middle mask slips;
-/// returns the motion of the reference over the tool's radius.
+/// Updates the anchors of slipping masks, the rotation below a ball, and the reference of the tool
+/// if its middle mask slips; returns the motion of the place over the tool's radius.
 double ContactSimulation::slide(Contact& contact) {
   if (!contact.tool.presses()) return 0;
   const int middle = contact.firstMask;
+  double motion = 0;
+  if (contact.tool.kind == Kind::kBall && set_.isPlaced(middle) && set_.isReady(middle)) {
+    contact.farCompliance = farCompliance(middle, surface_.normal(contact.point));
+    motion = roll(contact);
+  }
   for (int mask = middle; mask < middle + contact.maskCount; ++mask) {
     Anchor& anchor = anchors_[mask];
     if (!anchor.isKnown || forces_.statuses[mask] != ContactStatus::kSticking)
       anchor.displacement = displacementOf(mask) - contact.value;
     anchor.isKnown = set_.isPlaced(mask) && set_.isReady(mask);
   }
-  if (forces_.statuses[middle] == ContactStatus::kSticking) return 0;
+  motion /= std::max(contact.tool.radius, 1e-12);
+  if (forces_.statuses[middle] == ContactStatus::kSticking) return motion;
   // Above the place below the tool, or the place that it would touch first.
   const Vector3d normal = surface_.normal(contact.point);
   const Vector3d moved = displacementOf(middle);
   const Vector3d next = contact.value - (moved - normal * normal.dot(moved));
-  const double motion = (next - contact.reference).norm();
+  motion += (next - contact.reference).norm() / std::max(contact.tool.radius, 1e-12);
   contact.reference = next;
-  return motion / std::max(contact.tool.radius, 1e-12);
+  return motion;
 }
 
 void ContactSimulation::tractions(std::vector<int>& nodes, std::vector<Vector3d>& values) const {

@@ -4,6 +4,7 @@
 
 #include "bem/contact/contact_compliance.h"
 #include "bem/contact/frictional_contact_solver.h"
+#include "bem/model/material.h"
 
 namespace palpa::bem {
 
@@ -57,9 +58,10 @@ struct ContactTool {
 /// displacement. Its masks lie around the surface point below the reference: one mask for kPush, up
 /// to ContactTool::kBallMasks on a hexagonal lattice for kBall, as dense as the mesh allows. While
 /// the middle mask sticks, the reference stays and the surface follows the tool; when it slips, the
-/// reference moves to the tool. For friction, each mask stores the displacement of its place
-/// relative to the tool at the first contact or at the last slip; a sticking mask keeps this
-/// displacement.
+/// reference moves to the tool. Where the body bends below a ball, the ball touches beside its
+/// reference: its masks follow the rotation of the surface. For friction, each mask stores the
+/// displacement of its place relative to the tool at the first contact or at the last slip; a
+/// sticking mask keeps this displacement.
 ///
 /// Not thread-safe. After the first few steps with equally many contacts step() allocates no
 /// memory.
@@ -67,9 +69,10 @@ class ContactSimulation {
  public:
   using Id = int;
 
-  /// `base`: the field without contacts. All three arguments must outlive the simulation.
+  /// `base`: the field without contacts; `material`: at the surface. The first three arguments must
+  /// outlive the simulation.
   ContactSimulation(const ContactSurface& surface, const GreensColumns& columns,
-                    const BoundaryField& base);
+                    const BoundaryField& base, const Material& material);
 
   /// Begins a contact at the surface point nearest to `at` (unloaded shape, mm). `value` is the
   /// displacement of the place (mm) for kGrab, the position of the tip (mm) for kPush, the position
@@ -135,6 +138,12 @@ class ContactSimulation {
     Eigen::Vector3d nextAcross = Eigen::Vector3d::UnitX();
     /// Displacement of the middle caused by everything except this contact's force, mm.
     Eigen::Vector3d lifted = Eigen::Vector3d::Zero();
+    double curvature = 0;  ///< of a ball and the surface together, 1/mm
+    /// Motion of the place that a ball touches because the surface turns below it, mm.
+    Eigen::Vector3d rolled = Eigen::Vector3d::Zero();
+    /// Compliance of the body as a whole at the contact, mm/N: of the middle mask along the normal,
+    /// minus the compliance of a half-space under the same mask. 0 before the first step.
+    double farCompliance = 0;
     int firstMask = 0, maskCount = 0;
   };
   const std::vector<Contact>& contacts() const { return contacts_; }
@@ -168,7 +177,12 @@ class ContactSimulation {
   void placeMasks(Contact& contact);
   SurfacePoint footOf(const Contact& contact) const;
   double meanCurvature(const Contact& contact, double distance) const;
+  double touchedRadius(double depth, double curvature, double farCompliance) const;
   void placeBall(Contact& contact);
+  double farCompliance(int mask, const Eigen::Vector3d& m) const;
+  double displacementBesideDip(const Contact& contact, int mask, const Eigen::Vector3d& n) const;
+  Eigen::Vector3d slopeBelow(const Contact& contact) const;
+  double roll(Contact& contact) const;
   void lift(Contact& contact) const;
   double gapToBall(const Contact& contact, int mask, const Eigen::Vector3d& m) const;
   void demand(const Contact& contact);
@@ -177,6 +191,7 @@ class ContactSimulation {
   Eigen::Vector3d displacementOf(int mask) const;
 
   const ContactSurface& surface_;
+  double planeModulus_;  // E / (1 - nu^2), MPa
   ContactCompliance set_;
   FrictionalContactSolver system_;
   std::vector<Contact> contacts_;

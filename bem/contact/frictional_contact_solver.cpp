@@ -72,6 +72,11 @@ void FrictionalContactSolver::solve(const Eigen::Ref<const Eigen::MatrixXd>& com
     start(problem, solution);
     solution.residual = residual(problem, solution);
     std::swap(solution.statuses, statuses_);
+    // Contacts at one place that carry no force satisfy the laws although they are soft.
+    if (solution.residual <= kTolerance) {
+      solution.softness = 0;
+      solution.converged = true;
+    }
     return;
   }
   solution.softness = 0;

@@ -18,7 +18,7 @@ class ContactElements {
     Eigen::MatrixX3d bumpPoints;
     Eigen::VectorXd bumpWeights;  ///< mm^2
     Eigen::MatrixXd project;      ///< [coefficient][point]
-    Eigen::MatrixXd mass;         ///< ∫ N_a N_b dΓ, mm^2
+    Eigen::MatrixXd mass;         ///< ∫ N_a N_b dΓ, mm^2: a of displacements, b of tractions
     /// Gauss points for the mean of smooth functions over a mask, and basis times weight at them.
     Eigen::Matrix3Xd points;
     Eigen::MatrixXd weightedBasis;  ///< [point][coefficient], mm^2

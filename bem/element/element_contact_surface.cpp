@@ -177,7 +177,7 @@ double ElementContactSurface::strainEnergy(const Eigen::VectorXd& u,
       const Vector3d traction = p.segment<3>(3 * element.slots[a]);
       if (traction.isZero(0)) continue;
       for (Index b = 0; b < size; ++b)
-        sum += element.mass(a, b) * traction.dot(u.segment<3>(3 * element.coefficients[b]));
+        sum += element.mass(b, a) * traction.dot(u.segment<3>(3 * element.coefficients[b]));
     }
   }
   return 0.5 * sum;

@@ -55,8 +55,8 @@ ElementInterior::ElementInterior(const ElementSurface& surface, const ElementQua
 void ElementInterior::addSources(int element, const ElementPoints& points, const VectorXd& u,
                                  const VectorXd& p, std::size_t first,
                                  InteriorSources& sources) const {
-  const Matrix3Xd displacements = gather(u, surface_.coefficients(element)),
-                  tractions = surface_.scaledTractions(element, p);
+  const Matrix3Xd displacements = surface_.displacementsOfTable(element, u),
+                  tractions = surface_.tractionsOfTable(element, p);
   VectorXd basis;
   for (int k = 0; k < points.used; ++k) {
     points.basisAt(k, basis);

@@ -101,8 +101,8 @@ std::optional<InteriorState> ElementResults::interiorState(const Eigen::VectorXd
   double solidAngle = 0;
   Eigen::VectorXd basis;
   for (int e = 0; e < surface_.elementCount(); ++e) {
-    const Matrix3Xd displacements = gather(u, surface_.coefficients(e)),
-                    tractions = surface_.scaledTractions(e, p);
+    const Matrix3Xd displacements = surface_.displacementsOfTable(e, u),
+                    tractions = surface_.tractionsOfTable(e, p);
     const ElementPoints& points = quadrature_.points(e, x, nullptr, *work);
     for (int k = 0; k < points.used; ++k) {
       const Vector3d y = points.positionOf(k), area = points.areaOf(k);

@@ -18,7 +18,11 @@ Vector3d weightedSum(const std::vector<double>& weights, const std::vector<int>&
   return total;
 }
 
-Eigen::Matrix3Xd ElementSurface::scaledTractions(int element, const VectorXd& p) const {
+Eigen::Matrix3Xd ElementSurface::displacementsOfTable(int element, const VectorXd& u) const {
+  return gather(u, coefficients(element));
+}
+
+Eigen::Matrix3Xd ElementSurface::tractionsOfTable(int element, const VectorXd& p) const {
   Eigen::Matrix3Xd tractions = gather(p, slots(element));
   const std::span<const double> factors = tractionFactors(element);
   for (std::size_t f = 0; f < factors.size(); ++f)

@@ -84,8 +84,11 @@ class ElementSurface {
   /// Factors of an element's traction coefficients in sums over quadrature points, whose
   /// ElementPoints::tractionArea() contains the rest of their functions; empty: all are 1.
   virtual std::span<const double> tractionFactors(int /*element*/) const { return {}; }
-  /// Traction coefficients of an element times their factors, one column per function.
-  Eigen::Matrix3Xd scaledTractions(int element, const Eigen::VectorXd& p) const;
+  /// Displacement and traction coefficients of an element, one column per function in the tables
+  /// of its quadrature points (ElementPoints): the functions of the element, except beside the
+  /// border of a support; tractions times their factors.
+  virtual Eigen::Matrix3Xd displacementsOfTable(int element, const Eigen::VectorXd& u) const;
+  virtual Eigen::Matrix3Xd tractionsOfTable(int element, const Eigen::VectorXd& p) const;
   virtual SurfaceTangents tangents(const ElementPlace& place) const = 0;
   /// Point of an element nearest to x (mm). Exact for points on or near the element; otherwise
   /// possibly a local minimum.

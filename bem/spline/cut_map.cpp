@@ -1,5 +1,6 @@
 #include "bem/spline/cut_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,8 +27,20 @@ double CutMap::node(int k) {
   return -std::cos(std::numbers::pi * k / (kPoints - 1));
 }
 
-CutMap::CutMap(int axis, double begin, double end, const Values& lower, const Values& upper)
-    : axis_(axis), begin_(begin), end_(end), lower_(polynomial(lower)), upper_(polynomial(upper)) {}
+CutMap::CutMap(int axis, double begin, double end, const Values& lower, const Values& upper,
+               Root root)
+    : axis_(axis),
+      root_(root),
+      begin_(begin),
+      end_(end),
+      lower_(polynomial(lower)),
+      upper_(polynomial(upper)) {}
+
+CutMap CutMap::withRoot(Root root) const {
+  CutMap map = *this;
+  map.root_ = root;
+  return map;
+}
 
 CutMap::Value CutMap::evaluate(const Values& polynomial, double x) {
   Value result{polynomial[kPoints - 1], 0};
@@ -40,7 +53,15 @@ CutMap::Value CutMap::evaluate(const Values& polynomial, double x) {
 
 CutMap::Image CutMap::at(double s, double t) const {
   // `along` runs along the interval, `across` between the graphs.
-  const double along = axis_ == 0 ? s : t, across = axis_ == 0 ? t : s;
+  const double along = axis_ == 0 ? s : t;
+  double across = axis_ == 0 ? t : s, stretch = 1;
+  if (root_ == Root::kLower) {
+    stretch = 2 * across;
+    across *= across;
+  } else if (root_ == Root::kUpper) {
+    stretch = 2 * (1 - across);
+    across *= 2 - across;
+  }
   const Value low = evaluate(lower_, 2 * along - 1), high = evaluate(upper_, 2 * along - 1);
   const double height = high.value - low.value;
   const double slope = 2 * (low.slope + across * (high.slope - low.slope));
@@ -48,10 +69,10 @@ CutMap::Image CutMap::at(double s, double t) const {
   Image image;
   if (axis_ == 0) {
     image.parameters = {first, second};
-    image.derivative << end_ - begin_, 0, slope, height;
+    image.derivative << end_ - begin_, 0, slope, height * stretch;
   } else {
     image.parameters = {second, first};
-    image.derivative << height, slope, 0, end_ - begin_;
+    image.derivative << height * stretch, slope, 0, end_ - begin_;
   }
   return image;
 }
@@ -62,13 +83,16 @@ std::optional<Eigen::Vector2d> CutMap::invert(double u, double v, double slack) 
   const double low = evaluate(lower_, 2 * along - 1).value;
   const double high = evaluate(upper_, 2 * along - 1).value;
   if (!(high > low)) return {};
-  const double across = ((axis_ == 0 ? v : u) - low) / (high - low);
+  double across = ((axis_ == 0 ? v : u) - low) / (high - low);
   if (across < -slack || across > 1 + slack) return {};
+  if (root_ == Root::kLower) across = std::sqrt(std::max(across, 0.0));
+  if (root_ == Root::kUpper) across = 1 - std::sqrt(std::max(1 - across, 0.0));
   return axis_ == 0 ? Eigen::Vector2d(along, across) : Eigen::Vector2d(across, along);
 }
 
 void CutMap::write(const ByteSink& sink) const {
   writeValue(sink, axis_);
+  writeValue(sink, root_);
   writeValue(sink, begin_);
   writeValue(sink, end_);
   writeValue(sink, lower_);

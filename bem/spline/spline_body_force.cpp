@@ -44,9 +44,10 @@ BodyForceWork bodyForceWork(const SplineSurface& surface, const SplineTractions&
   work.ofDisplacement = Eigen::VectorXd::Zero(3 * static_cast<Index>(surface.coefficientCount()));
   work.ofTraction = Eigen::VectorXd::Zero(3 * static_cast<Index>(tractions.slots.count()));
   work.constant = particularWork(moments, bulk);
-  std::vector<double> basis;
+  std::vector<double> basis, ofTractions;
   visitPoints(surface, [&](const ElementPlace& place, const SurfaceJet& jet, const Vector3d& area) {
     surface.evaluateBasis(place, basis);
+    surface.evaluateTractionBasis(place, ofTractions);
     const double size = area.norm();
     if (!(size > 0)) return;  // the metric is singular
     const ParticularState state = particularState(jet.position - centre, area / size, bulk);
@@ -56,7 +57,7 @@ BodyForceWork bodyForceWork(const SplineSurface& surface, const SplineTractions&
       work.ofDisplacement.segment<3>(3 * static_cast<Index>(functions[f])) -=
           size * basis[f] * state.traction;
       work.ofTraction.segment<3>(3 * static_cast<Index>(slots[f])) +=
-          size * basis[f] * state.displacement;
+          size * ofTractions[f] * state.displacement;
     }
   });
   return work;

@@ -16,8 +16,8 @@ class SplineContactElements final : public ContactElements {
 
  private:
   void connectCells(const SplineSurface& surface);
-  void fill(const SplineSurface& surface, const SplineTractions& tractions, int index,
-            const std::vector<double>& narrowest);
+  Eigen::VectorXd fill(const SplineSurface& surface, const SplineTractions& tractions, int index,
+                       const std::vector<double>& narrowest);
 };
 
 }  // namespace palpa::bem

@@ -44,7 +44,7 @@ SurfaceJet2 evaluate(const SplineSurface& surface, const SplineMesh::Point& at) 
   const Basis1d a(basis[0].polynomials(element.span[0]), at.parameters[0]);
   const Basis1d b(basis[1].polynomials(element.span[1]), at.parameters[1]);
   SurfaceJet2 jet;
-  const int* function = surface.functions(at.element).data();
+  const int* function = surface.net(at.element).data();
   for (int j = 0; j <= basis[1].degree(); ++j)
     for (int i = 0; i <= basis[0].degree(); ++i) {
       const Vector3d& point = surface.controlPoints()[*function++];

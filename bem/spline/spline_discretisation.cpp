@@ -98,7 +98,7 @@ Vector3d SplineDiscretisation::displacementAt(const SurfacePoint& place, const E
 Vector3d SplineDiscretisation::tractionAt(const SurfacePoint& place,
                                           const Eigen::VectorXd& p) const {
   const SplineMesh::Point at = splineMesh_.at(place);
-  return splineValue(surface_, at, tractions_.ofFunction[at.element], p);
+  return splineTraction(surface_, at, tractions_.ofFunction[at.element], p);
 }
 
 Vector3d SplineDiscretisation::displacementDefect(const SurfacePoint& place,

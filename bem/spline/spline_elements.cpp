@@ -2,11 +2,31 @@
 
 #include <limits>
 
+#include "bem/element/gather.h"
 #include "bem/spline/spline_nearest.h"
 #include "bem/spline/spline_projection.h"
 #include "bem/spline/spline_state.h"
 
 namespace palpa::bem {
+
+Eigen::Matrix3Xd SplineElements::displacementsOfTable(int element, const Eigen::VectorXd& u) const {
+  const Eigen::Matrix3Xd all = gather(u, surface_.functions(element));
+  const BorderFunctions* beside = surface_.borderFunctions(element);
+  return beside ? Eigen::Matrix3Xd(all * beside->displacementsOfTable()) : all;
+}
+
+Eigen::Matrix3Xd SplineElements::tractionsOfTable(int element, const Eigen::VectorXd& p) const {
+  const Eigen::Matrix3Xd all = gather(p, tractions_.ofFunction[element]);
+  const BorderFunctions* beside = surface_.borderFunctions(element);
+  return beside ? Eigen::Matrix3Xd(all * beside->tractionsOfTable()) : all;
+}
+
+void SplineElements::evaluateShares(const ElementPlace& place, std::vector<double>& shares) const {
+  if (surface_.borderFunctions(place.element))
+    surface_.evaluateShares(place, shares);
+  else
+    evaluateBasis(place, shares);
+}
 
 SurfaceTangents SplineElements::tangents(const ElementPlace& place) const {
   return splineTangents(surface_, {place.element, surface_.parameters(place).parameters});

@@ -25,6 +25,13 @@ class SplineElements final : public ElementSurface {
   void evaluateBasis(const ElementPlace& place, std::vector<double>& values) const override {
     surface_.evaluateBasis(place, values);
   }
+  void evaluateTractionBasis(const ElementPlace& place,
+                             std::vector<double>& values) const override {
+    surface_.evaluateTractionBasis(place, values);
+  }
+  Eigen::Matrix3Xd displacementsOfTable(int element, const Eigen::VectorXd& u) const override;
+  Eigen::Matrix3Xd tractionsOfTable(int element, const Eigen::VectorXd& p) const override;
+  void evaluateShares(const ElementPlace& place, std::vector<double>& shares) const override;
   SurfaceTangents tangents(const ElementPlace& place) const override;
   ElementFoot nearestOnElement(int element, const Eigen::Vector3d& x) const override;
   void samplePlaces(int element, std::vector<WeightedPlace>& places) const override;

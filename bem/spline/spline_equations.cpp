@@ -49,8 +49,7 @@ class Builder {
     for (std::size_t s = 0; s < extraSlots.size(); ++s) {
       const int equation = coefficients + static_cast<int>(s), slot = extraSlots[s];
       std::optional<CollocationPlace> point;
-      if (!surface_.isTorn(tractions_.slots.slots[slot].node))
-        point = shiftedCollocation(surface_, tractions_, slot);
+      if (!surface_.isTorn(tractions_.slots.slots[slot].node)) point = shiftedIntoPart(slot);
       isAveraged_[equation] = !point;
       if (point) collocate(equation, std::move(*point));
     }
@@ -65,6 +64,16 @@ class Builder {
   int equationOf(int element, std::size_t f) const {
     const int extra = ofExtraSlot_[tractions_.ofFunction[element][f]];
     return extra >= 0 ? extra : surface_.functions(element)[f];
+  }
+
+  /// None if the border of the part passes very near to the Greville point.
+  std::optional<CollocationPlace> shiftedIntoPart(int slot) const {
+    constexpr double kShift = 0.4, kLeast = 0.01;
+    std::optional<CollocationPlace> point = shiftedCollocation(surface_, tractions_, slot, kShift);
+    if (surface_.owners().empty()) return point;
+    for (double shift = kShift / 2; !point && shift > kLeast; shift /= 2)
+      point = shiftedCollocation(surface_, tractions_, slot, shift);
+    return point;
   }
 
   void collocate(int equation, CollocationPlace point) {

@@ -10,7 +10,7 @@ namespace palpa::bem {
 /// Equations for the unknowns: one per displacement coefficient, then one per extra traction slot
 /// (`extraSlots`: DegreesOfFreedom::extraSlots()).
 ///
-/// Most equations are collocation equations: one point of weight 1. Functions cut by the border of
+/// Most equations are collocation equations: one point of weight 1. Functions torn by the border of
 /// a support (SplineSurface::isTorn) keep pieces of arbitrary shape, for which no choice of single
 /// points is safe: with Greville points moved to the side of the piece, errors were up to a hundred
 /// times larger and condition numbers reached 1e13. Their equations are Galerkin equations, ∫ N_k r

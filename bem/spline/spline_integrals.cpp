@@ -51,6 +51,12 @@ SplineIntegrals::SplineIntegrals(const SplineSurface& surface, const SplineTract
         element.moments.row(c) =
             weighted * Eigen::Map<const Eigen::VectorXd>(points.position(c), points.used);
       element.moments.row(3) = weighted.rowwise().sum();
+      if (const BorderFunctions* beside = surface.borderFunctions(e)) {
+        const Eigen::MatrixXd ofTractions = beside->tractionsOfTable();
+        element.products =
+            ofTractions * element.products * beside->displacementsOfTable().transpose();
+        element.moments = element.moments * ofTractions.transpose();
+      }
     }
     pool.giveBack(std::move(work));
   });

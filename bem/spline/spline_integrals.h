@@ -30,8 +30,8 @@ class SplineIntegrals {
 
  private:
   struct Element {
-    Eigen::Matrix4Xd moments;  ///< per function: ∫ N (y, 1)
-    Eigen::MatrixXd products;  ///< ∫ N_a N_b
+    Eigen::Matrix4Xd moments;  ///< per function of the tractions: ∫ N (y, 1)
+    Eigen::MatrixXd products;  ///< ∫ N_a N_b, a of the tractions, b of the displacements
   };
 
   const SplineSurface& surface_;

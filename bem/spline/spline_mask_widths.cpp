@@ -49,9 +49,10 @@ SplineMaskWidths::SplineMaskWidths(const SplineSurface& surface)
                       const double reach = kReach * width;
                       samples_[place.element].list.push_back(
                           {jet.position, 1 / (reach * reach), area / (width * width), width});
-                      surface.evaluateBasis(place, basis);
+                      surface.evaluateNet(place.element, surface.parameters(place).parameters,
+                                          basis);
                       for (std::size_t f = 0; f < basis.size(); ++f) {
-                        const int j = surface.functions(place.element)[f];
+                        const int j = surface.net(place.element)[f];
                         ofFunctions_[j] += area * basis[f] * width;
                         areas[j] += area * basis[f];
                       }

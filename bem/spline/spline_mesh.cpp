@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bem/spline/spline_state.h"
+
 namespace palpa::bem {
 namespace {
 
@@ -36,19 +38,19 @@ SplineMesh::SplineMesh(const SplineSurface& surface, const SplineTractions& trac
       triangles_(std::move(triangles)) {
   std::vector<Eigen::Triplet<double>> ofNodes, ofSlots;
   std::vector<bool> hasNode(mesh.nodes.size(), false), hasSlot(meshSlots.slots.size(), false);
-  std::vector<double> basis;
+  std::vector<double> basis, ofTractions;
   for (int t = 0; t < mesh.triangleCount(); ++t)
     for (int corner = 0; corner < 3; ++corner) {
       const int node = mesh.triangles[t][corner], slot = meshSlots.ofCorner[t][corner];
       if (hasNode[node] && hasSlot[slot]) continue;
       const Point point = at(t, Vector3d::Unit(corner));
       surface.evaluateBasis(point.element, point.parameters, basis);
+      surface.evaluateTractionBasis(point.element, point.parameters, kMinWeight, ofTractions);
       for (std::size_t f = 0; f < basis.size(); ++f) {
-        if (basis[f] == 0) continue;
-        if (!hasNode[node])
+        if (!hasNode[node] && basis[f] != 0)
           ofNodes.emplace_back(node, surface.functions(point.element)[f], basis[f]);
-        if (!hasSlot[slot])
-          ofSlots.emplace_back(slot, tractions.ofFunction[point.element][f], basis[f]);
+        if (!hasSlot[slot] && ofTractions[f] != 0)
+          ofSlots.emplace_back(slot, tractions.ofFunction[point.element][f], ofTractions[f]);
       }
       hasNode[node] = hasSlot[slot] = true;
     }

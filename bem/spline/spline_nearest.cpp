@@ -51,10 +51,14 @@ ElementFoot nearestOnElement(const SplineSurface& surface, int index, const Vect
   const auto jetAt = [&](const Vector2d& local) {
     return surface.evaluate({index, local[0], local[1]});
   };
+  // Where the coordinate is the root of the distance, the iteration cannot leave the border.
+  constexpr double kFromBorder = 0.2;
+  const std::array<double, 3> starts{surface.isCut(index) ? kFromBorder : 0.0, 0.5,
+                                     surface.isCut(index) ? 1 - kFromBorder : 1.0};
   Vector2d at = lower;
   double distance = std::numeric_limits<double>::infinity();
-  for (const double s : {0.0, 0.5, 1.0})
-    for (const double t : {0.0, 0.5, 1.0}) {
+  for (const double s : starts)
+    for (const double t : starts) {
       const Vector2d local = lower + Vector2d(s, t).cwiseProduct(upper - lower);
       const double found = (jetAt(local).position - x).norm();
       if (found >= distance) continue;
@@ -92,12 +96,12 @@ CollocationPlace surfacePlaces(const SplineSurface& surface, const SplineMesh::P
 
   // Elements that meet at the point share the coefficient with the largest weight.
   std::vector<double> basis;
-  surface.evaluateBasis(own, basis);
+  surface.evaluateNet(own.element, at.parameters, basis);
   const auto heaviest = std::max_element(basis.begin(), basis.end()) - basis.begin();
-  const int wanted = surface.tornFrom(surface.functions(own.element)[heaviest]);
+  const int wanted = surface.tornFrom(surface.net(own.element)[heaviest]);
   const double slack = 1e-9 * surface.boundingSize();
   for (int e = 0; e < surface.elementCount(); ++e) {
-    const std::vector<int>& list = surface.functions(e);
+    const std::vector<int>& list = surface.net(e);
     if (std::none_of(list.begin(), list.end(),
                      [&](int k) { return surface.tornFrom(k) == wanted; }) ||
         std::any_of(point.places.begin(), point.places.end(),

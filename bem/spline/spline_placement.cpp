@@ -28,9 +28,10 @@ SplinePlacement::SplinePlacement(const SplineSurface& surface)
     const SplineElement& shape = surface.elements()[e];
     for (int d = 0; d < 2; ++d)
       element.direction[d] = surface.patches()[shape.patch].basis[d].polynomials(shape.span[d]);
-    element.functions = static_cast<int>(surface.functions(e).size());
-    element.controlPoints.reserve(static_cast<std::size_t>(3) * element.functions);
-    for (const int k : surface.functions(e))
+    element.functions = static_cast<int>(surface.net(e).size());
+    if (surface.isWeighted(e)) element.functions = surface.borderFunctions(e)->tableCount();
+    element.controlPoints.reserve(3 * surface.net(e).size());
+    for (const int k : surface.net(e))
       for (int c = 0; c < 3; ++c) element.controlPoints.push_back(surface.controlPoints()[k][c]);
   }
 }
@@ -72,15 +73,26 @@ void SplinePlacement::place(int index, ElementRule& rule, ElementPoints& points,
                        points.geometry.data(),
                        withBasis ? points.basis.data() : nullptr,
                        stride(index)});
+  if (surface_.isWeighted(index)) applyWeights(*surface_.borderFunctions(index), points, withBasis);
+}
+
+void SplinePlacement::applyWeights(const BorderFunctions& functions, ElementPoints& points,
+                                   bool withBasis) {
+  double* tractionArea = points.geometry.data() + static_cast<std::ptrdiff_t>(6) * points.count;
+  for (int k = 0; k < points.used; ++k) {
+    double* table = points.basis.data() + static_cast<std::ptrdiff_t>(k) * points.stride;
+    const Eigen::Vector3d x = points.positionOf(k);
+    tractionArea[k] /= withBasis ? functions.fillTable(x, table) : functions.weight(x);
+  }
 }
 
 void SplinePlacement::placeTensor(int index, const SplineCell& cell, int pointsPerDirection,
                                   ElementRule& rule, ElementPoints& points) const {
   rule.clear();
   addTensor(cell, pointsPerDirection, rule);
-  const bool isCut = surface_.isCut(index);
-  place(index, rule, points, isCut);
-  if (isCut) return;
+  const bool needsTable = surface_.isCut(index) || surface_.isWeighted(index);
+  place(index, rule, points, needsTable);
+  if (needsTable) return;
   points.perDirection = pointsPerDirection;
   for (int d = 0; d < 2; ++d) points.functions[d] = functionsAlong(index, d);
   const auto& direction = elements_[index].direction;

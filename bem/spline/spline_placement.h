@@ -27,7 +27,7 @@ class SplinePlacement {
   explicit SplinePlacement(const SplineSurface& surface);
 
   const SplineSurface& surface() const { return surface_; }
-  /// Number of functions that are nonzero on an element.
+  /// Number of functions in the tables of an element: of its net, or as BorderFunctions say.
   int functionCount(int element) const { return elements_[element].functions; }
   /// Distance between the values of consecutive points in ElementPoints::basis.
   int stride(int element) const { return roundUpToLanes(elements_[element].functions); }
@@ -43,7 +43,7 @@ class SplinePlacement {
   /// the patch and is padded.
   void place(int element, ElementRule& rule, ElementPoints& points) const;
   /// Places a tensor Gauss rule with at most kElementLanes points per direction, with separate
-  /// functions along u and v unless the element is cut. `rule` is scratch memory.
+  /// functions along u and v unless the element is cut or weighted. `rule` is scratch memory.
   void placeTensor(int element, const SplineCell& cell, int pointsPerDirection, ElementRule& rule,
                    ElementPoints& points) const;
   /// Positions and sizes of area vectors only, without the functions.
@@ -53,6 +53,7 @@ class SplinePlacement {
 
  private:
   void place(int element, ElementRule& rule, ElementPoints& points, bool withBasis) const;
+  static void applyWeights(const BorderFunctions& functions, ElementPoints& points, bool withBasis);
 
   struct Element {
     SpanPolynomials direction[2];

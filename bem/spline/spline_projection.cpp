@@ -15,9 +15,12 @@ using Eigen::Vector3d;
 constexpr int kPoints = 6;  ///< per direction: exact for products of two functions of degree 5
 constexpr int kMaxCells = 64;
 
-/// Solves ∫ N_a (Σ N_b x_b - f) dΓ = 0 for x.
-Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vector<int>>& unknowns,
-                        int count, const std::vector<int>& elements, const SplineFunction& function,
+using Evaluate = std::function<void(const ElementPlace&, std::vector<double>&)>;
+
+/// Solves ∫ N_a (Σ N_b x_b - f) dΓ = 0 for x, with the functions N that `evaluate` gives.
+Eigen::VectorXd project(const Evaluate& evaluate, const SplineSurface& surface,
+                        const std::vector<std::vector<int>>& unknowns, int count,
+                        const std::vector<int>& elements, const SplineFunction& function,
                         double featureLength) {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> basis;
@@ -28,7 +31,7 @@ Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vec
     ofElement.setZero(size, size);
     visitSplinePoints(surface, {e}, kPoints, INFINITY,
                       [&](const ElementPlace& place, const SurfaceJet&, double weight) {
-                        surface.evaluateBasis(place, basis);
+                        evaluate(place, basis);
                         const Eigen::Map<const Eigen::VectorXd> values(basis.data(), size);
                         ofElement.noalias() += weight * values * values.transpose();
                       });
@@ -41,7 +44,7 @@ Eigen::VectorXd project(const SplineSurface& surface, const std::vector<std::vec
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count, 3);
   visitSplinePoints(surface, elements, kPoints, featureLength / 8,
                     [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
-                      surface.evaluateBasis(place, basis);
+                      evaluate(place, basis);
                       const Vector3d value =
                           weight * function(jet.position, jet.areaVector().normalized());
                       const std::vector<int>& list = unknowns[place.element];
@@ -90,8 +93,11 @@ void visitSplinePoints(
 Eigen::VectorXd projectTraction(const SplineSurface& surface, const SplineTractions& tractions,
                                 const std::vector<int>& elements, const SplineFunction& traction,
                                 double featureLength) {
-  return project(surface, tractions.ofFunction, tractions.slots.count(), elements, traction,
-                 featureLength);
+  const auto evaluate = [&](const ElementPlace& place, std::vector<double>& values) {
+    surface.evaluateTractionBasis(place, values);
+  };
+  return project(evaluate, surface, tractions.ofFunction, tractions.slots.count(), elements,
+                 traction, featureLength);
 }
 
 Eigen::VectorXd projectDisplacement(const SplineSurface& surface, const SplineFunction& function) {
@@ -101,7 +107,10 @@ Eigen::VectorXd projectDisplacement(const SplineSurface& surface, const SplineFu
     unknowns.push_back(surface.functions(e));
     all.push_back(e);
   }
-  return project(surface, unknowns, surface.coefficientCount(), all, function, INFINITY);
+  const auto evaluate = [&](const ElementPlace& place, std::vector<double>& values) {
+    surface.evaluateBasis(place, values);
+  };
+  return project(evaluate, surface, unknowns, surface.coefficientCount(), all, function, INFINITY);
 }
 
 }  // namespace palpa::bem

@@ -12,6 +12,10 @@ using Eigen::Vector3d;
 
 namespace {
 
+/// Relative error allowed in the far integrals of elements with weights, over the error allowed
+/// elsewhere: roots converge slowly, and their errors have no effect on solutions at this size.
+constexpr double kOfWeighted = 10;
+
 /// Far more halvings than distances of 1e-6 element sizes need.
 constexpr int kMaxDepth = 40;
 
@@ -66,6 +70,7 @@ struct SplineQuadrature::Scratch final : Workspace {
   ElementRule outline;
   ElementPoints outlinePoints;
   std::vector<std::pair<SplineCell, int>> cells;
+  std::vector<KernelSums> ofTable;
 };
 
 std::unique_ptr<ElementQuadrature::Workspace> SplineQuadrature::makeWorkspace() const {
@@ -98,7 +103,7 @@ void SplineQuadrature::prepare(int index, Scratch& work) {
   element.whole = cellIn(index, cellOf(surface_.elements()[index]), work);
   divide(index, element.whole, work, element.parts);
   const int degree = placement_.degree(index);
-  const bool isCut = surface_.isCut(index);
+  const bool isCut = surface_.isCut(index) || surface_.isWeighted(index);
   for (int n = kMinPoints; n <= kMaxKept; ++n)
     placement_.placeTensor(index, element.whole.cell, n, work.rule, element.rules[n - kMinPoints]);
   std::vector<double> exact;
@@ -114,7 +119,8 @@ void SplineQuadrature::prepare(int index, Scratch& work) {
       if (n > kMaxKept)
         placement_.placeTensor(index, element.whole.cell, n, work.rule, work.points);
       const ElementPoints& points = n > kMaxKept ? work.points : element.rules[n - kMinPoints];
-      isEnough = largestDifference(moments(index, points), exact) <= accuracy_.error;
+      isEnough = largestDifference(moments(index, points), exact) <=
+                 (surface_.isWeighted(index) ? kOfWeighted : 1) * accuracy_.error;
     }
     element.ratio[n] = isEnough ? ratioFor(n, degree, accuracy_.error) : INFINITY;
   }
@@ -123,7 +129,8 @@ void SplineQuadrature::prepare(int index, Scratch& work) {
 std::vector<double> SplineQuadrature::moments(int index, const ElementPoints& points) const {
   const int functions = placement_.functionCount(index), inU = placement_.functionsAlong(index, 0),
             inV = placement_.functionsAlong(index, 1), n = points.perDirection;
-  std::vector<double> sums(static_cast<std::size_t>(3) * functions, 0);
+  const bool isWeighted = surface_.isWeighted(index);
+  std::vector<double> sums(static_cast<std::size_t>(isWeighted ? 4 : 3) * functions, 0);
   for (int p = 0; p < points.used; ++p)
     for (int f = 0; f < functions; ++f) {
       const double* basis = points.basis.data();
@@ -131,8 +138,27 @@ std::vector<double> SplineQuadrature::moments(int index, const ElementPoints& po
           n > 0 ? basis[(p % n) * inU + f % inU] * basis[n * inU + (p / n) * inV + f / inU]
                 : basis[p * placement_.stride(index) + f];
       for (int c = 0; c < 3; ++c) sums[3 * f + c] += value * points.area(c)[p];
+      if (isWeighted) sums[3 * functions + f] += value * points.tractionArea()[p];
     }
   return sums;
+}
+
+void SplineQuadrature::reduceSums(const BorderFunctions& functions,
+                                  const std::vector<KernelSums>& ofTable,
+                                  std::vector<KernelSums>& sums) {
+  using Sums = Eigen::Array<double, kKernelStride, 1>;
+  sums.assign(static_cast<std::size_t>(functions.count()), {});
+  for (int n = 0; n < functions.netCount(); ++n) {
+    const Eigen::Map<const Sums> from(ofTable[n].of);
+    for (int k = 0; k < functions.ownCount(); ++k)
+      if (const double weight = functions.own(k, n); weight != 0)
+        Eigen::Map<Sums>(sums[k].of) += weight * from;
+  }
+  for (int k = 0; k < functions.otherCount(); ++k) {
+    KernelSums& other = sums[functions.ownCount() + k];
+    other = ofTable[functions.netCount() + k];
+    std::fill_n(other.of, kKernelSumsU, 0.0);  // these functions carry no tractions
+  }
 }
 
 int SplineQuadrature::pointsFor(const Element& element, double ratio) const {
@@ -160,7 +186,7 @@ SplineQuadrature::Cell SplineQuadrature::cellIn(int element, const SplineCell& c
   for (const int j : {0, 2})
     for (const int i : {0, 2}) {
       result.radius = std::max(result.radius, (at(i, j) - result.center).norm());
-      result.cornerMetric[corner++] = points.tractionArea()[i + 3 * j];
+      result.cornerMetric[corner++] = points.areaOf(i + 3 * j).norm();
     }
   // The middle lines have a positive length even where an edge is collapsed.
   result.length = {(at(2, 1) - at(0, 1)).norm(), (at(1, 2) - at(1, 0)).norm()};
@@ -279,9 +305,15 @@ void SplineQuadrature::visitRules(int index, const Vector3d& x, const ElementPla
 
 void SplineQuadrature::integrate(int index, const Vector3d& x, const ElementPlace* inside,
                                  Workspace& work) const {
-  work.sums.assign(placement_.functionCount(index), {});
-  useRules(index, x, inside, static_cast<Scratch&>(work),
-           [&](const ElementPoints& at) { loops_.sumKernels(at.sumTask(x, work.sums.data())); });
+  auto& scratch = static_cast<Scratch&>(work);
+  const BorderFunctions* beside = surface_.borderFunctions(index);
+  std::vector<KernelSums>& sums = beside ? scratch.ofTable : work.sums;
+  sums.assign(
+      static_cast<std::size_t>(beside ? beside->tableCount() : placement_.functionCount(index)),
+      {});
+  useRules(index, x, inside, scratch,
+           [&](const ElementPoints& at) { loops_.sumKernels(at.sumTask(x, sums.data())); });
+  if (beside) reduceSums(*beside, sums, work.sums);
 }
 
 }  // namespace palpa::bem

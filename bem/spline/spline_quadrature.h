@@ -89,6 +89,8 @@ class SplineQuadrature final : public ElementQuadrature {
   /// distance.
   std::vector<double> moments(int element, const ElementPoints& points) const;
   int pointsFor(const Element& element, double ratio) const;
+  static void reduceSums(const BorderFunctions& functions, const std::vector<KernelSums>& ofTable,
+                         std::vector<KernelSums>& sums);
   Cell cellIn(int element, const SplineCell& cell, Scratch& work) const;
   /// Halves an elongated cell and quarters other cells.
   void divide(int element, const Cell& cell, Scratch& work, std::vector<Cell>& parts) const;

@@ -1,6 +1,7 @@
 #include "bem/spline/spline_surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -47,6 +48,9 @@ SplineSurface::SplineSurface(std::vector<Vector3d> controlPoints, std::vector<Sp
             list.push_back(patch.net[spanU.first + a + (spanV.first + b) * u.count()]);
       }
   }
+  sides_.assign(elements_.size(), kFree);
+  bordersOf_.assign(elements_.size(), -1);
+  cutBorders_ = std::make_shared<const std::vector<CutBorder>>();
   tornFrom_.resize(controlPoints_.size());
   std::iota(tornFrom_.begin(), tornFrom_.end(), 0);
   isTorn_.resize(controlPoints_.size(), false);
@@ -73,6 +77,28 @@ void SplineSurface::replaceElement(int element, const std::vector<SplineElement>
     elementsOfCell_[cell].push_back(elementCount());
     elements_.push_back(piece);
     functions_.push_back(list);
+    sides_.push_back(sides_[element]);
+    bordersOf_.push_back(bordersOf_[element]);
+  }
+}
+
+void SplineSurface::setBorders(std::vector<CutBorder> borders, std::vector<int> owners,
+                               std::vector<std::optional<ElementFunctions>> functions) {
+  std::vector<std::vector<int>> nets;
+  for (int e = 0; e < elementCount(); ++e) nets.push_back(net(e));
+  cutBorders_ = std::make_shared<const std::vector<CutBorder>>(std::move(borders));
+  owners_ = std::move(owners);
+  borderFunctions_.clear();
+  borderNet_.clear();
+  for (int e = 0; e < elementCount(); ++e) {
+    bordersOf_[e] = -1;
+    functions_[e] = nets[e];
+    if (!functions[e]) continue;
+    bordersOf_[e] = static_cast<int>(borderNet_.size());
+    borderNet_.push_back(nets[e]);
+    functions_[e] = std::move(functions[e]->coefficients);
+    borderFunctions_.push_back(std::move(functions[e]->functions));
+    borderFunctions_.back().borders = cutBorders_;
   }
 }
 
@@ -152,8 +178,67 @@ void SplineSurface::evaluateBasis(const ElementPlace& place, std::vector<double>
   evaluateBasis(place.element, parameters(place).parameters, values);
 }
 
+Vector3d SplineSurface::positionAt(int element, const Eigen::Vector2d& at) const {
+  std::vector<double> values;
+  evaluateNet(element, at, values);
+  return sumOfNet(element, values);
+}
+
+Vector3d SplineSurface::sumOfNet(int element, const std::vector<double>& values) const {
+  Vector3d position = Vector3d::Zero();
+  for (std::size_t f = 0; f < values.size(); ++f)
+    position += values[f] * controlPoints_[net(element)[f]];
+  return position;
+}
+
 void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at,
                                   std::vector<double>& values) const {
+  evaluateNet(index, at, values);
+  const BorderFunctions* beside = borderFunctions(index);
+  if (!beside) return;
+  std::vector<double> table = values;
+  table.resize(static_cast<std::size_t>(beside->tableCount()));
+  beside->fillTable(sumOfNet(index, values), table.data());
+  values.resize(functions_[index].size());
+  beside->reduce(table.data(), values.data());
+}
+
+void SplineSurface::evaluateTractionBasis(int index, const Eigen::Vector2d& at, double leastWeight,
+                                          std::vector<double>& values) const {
+  evaluateNet(index, at, values);
+  const BorderFunctions* beside = borderFunctions(index);
+  if (!beside) return;
+  const std::vector<double> net = values;
+  values.resize(functions_[index].size());
+  beside->tractionValues(sumOfNet(index, net), net.data(), leastWeight, values.data());
+}
+
+void SplineSurface::evaluateShares(const ElementPlace& place, std::vector<double>& shares) const {
+  const BorderFunctions* beside = borderFunctions(place.element);
+  if (!beside) {
+    evaluateBasis(place, shares);
+    return;
+  }
+  std::vector<double> values;
+  evaluateNet(place.element, parameters(place).parameters, values);
+  const std::vector<int>& list = functions_[place.element];
+  const auto own = list.begin() + beside->ownCount();
+  shares.assign(list.size(), 0);
+  double sum = 0;
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    const auto found = std::find(list.begin(), own, net(place.element)[f]);
+    if (found == own) continue;
+    shares[found - list.begin()] += values[f];
+    sum += values[f];
+  }
+  if (sum > 0)
+    for (double& share : shares) share /= sum;
+  else
+    std::fill_n(shares.begin(), beside->ownCount(), 1.0 / beside->ownCount());
+}
+
+void SplineSurface::evaluateNet(int index, const Eigen::Vector2d& at,
+                                std::vector<double>& values) const {
   const SplineElement& element = elements_[index];
   const auto& [u, v] = patches_[element.patch].basis;
   const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
@@ -162,7 +247,7 @@ void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at,
     for (int i = 0; i <= u.degree(); ++i) values.push_back(a.value[i] * b.value[j]);
 }
 
-void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at, BasisJet& jet) const {
+void SplineSurface::evaluateNet(int index, const Eigen::Vector2d& at, BasisJet& jet) const {
   const SplineElement& element = elements_[index];
   const auto& [u, v] = patches_[element.patch].basis;
   const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
@@ -175,13 +260,28 @@ void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at, BasisJet
     }
 }
 
+void SplineSurface::evaluateBasis(int index, const Eigen::Vector2d& at, BasisJet& jet) const {
+  evaluateNet(index, at, jet);
+  if (const BorderFunctions* beside = borderFunctions(index)) {
+    Vector3d du = Vector3d::Zero(), dv = Vector3d::Zero();
+    for (std::size_t f = 0; f < jet.values.size(); ++f) {
+      du += jet.du[f] * controlPoints_[net(index)[f]];
+      dv += jet.dv[f] * controlPoints_[net(index)[f]];
+    }
+    const Vector3d x = positionAt(index, at);
+    beside->jet(x, du, jet.values, jet.du);
+    beside->jet(x, dv, jet.values, jet.dv);
+    evaluateBasis(index, at, jet.values);
+  }
+}
+
 SurfaceJet SplineSurface::evaluate(const ElementPlace& place) const {
   const SplineElement& element = elements_[place.element];
   const auto& [u, v] = patches_[element.patch].basis;
   const auto [at, derivative] = parameters(place);
   const Basis1d a = basisAt(u, element.span[0], at[0]), b = basisAt(v, element.span[1], at[1]);
   SurfaceJet jet{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
-  const int* function = functions_[place.element].data();
+  const int* function = net(place.element).data();
   for (int j = 0; j <= v.degree(); ++j)
     for (int i = 0; i <= u.degree(); ++i) {
       const Vector3d& point = controlPoints_[*function++];
@@ -219,7 +319,8 @@ bool SplineSurface::isSameCut(int cut, const SplineSurface& other, int otherCut)
 std::optional<std::vector<int>> SplineSurface::movedElements(const SplineSurface& before) const {
   if (patches_ != before.patches_ || functions_ != before.functions_ ||
       tornFrom_ != before.tornFrom_ || isTorn_ != before.isTorn_ ||
-      barelyReaches_ != before.barelyReaches_)
+      barelyReaches_ != before.barelyReaches_ || sides_ != before.sides_ ||
+      owners_ != before.owners_)
     return std::nullopt;
   std::vector<int> moved;
   for (int e = 0; e < elementCount(); ++e) {
@@ -227,12 +328,16 @@ std::optional<std::vector<int>> SplineSurface::movedElements(const SplineSurface
     if (element.patch != old.patch || element.span != old.span || element.tag != old.tag ||
         (element.cut < 0) != (old.cut < 0))
       return std::nullopt;
-    const bool isSame =
-        element.lower == old.lower && element.upper == old.upper &&
-        isSameCut(element.cut, before, old.cut) &&
-        std::all_of(functions_[e].begin(), functions_[e].end(), [&](int coefficient) {
-          return controlPoints_[coefficient] == before.controlPoints_[coefficient];
-        });
+    const BorderFunctions *beside = borderFunctions(e), *besideOld = before.borderFunctions(e);
+    if ((beside == nullptr) != (besideOld == nullptr) ||
+        (beside && (net(e) != before.net(e) || !beside->hasSameFunctions(*besideOld))))
+      return std::nullopt;
+    const bool isSame = (!beside || beside->samples == besideOld->samples) &&
+                        element.lower == old.lower && element.upper == old.upper &&
+                        isSameCut(element.cut, before, old.cut) &&
+                        std::all_of(net(e).begin(), net(e).end(), [&](int coefficient) {
+                          return controlPoints_[coefficient] == before.controlPoints_[coefficient];
+                        });
     if (!isSame) moved.push_back(e);
   }
   return moved;
@@ -259,6 +364,10 @@ void SplineSurface::write(const ByteSink& sink) const {
     writeValue(sink, element.tag);
     writeValue(sink, element.cut);
     writeList(sink, functions_[e]);
+    if (const BorderFunctions* beside = borderFunctions(static_cast<int>(e))) {
+      writeList(sink, net(static_cast<int>(e)));
+      beside->write(sink);
+    }
   }
   writeCount(sink, cuts_.size());
   for (const Cut& cut : cuts_) {
@@ -267,6 +376,10 @@ void SplineSurface::write(const ByteSink& sink) const {
   }
   writeList(sink, tornFrom_);
   writeList(sink, std::vector<char>(isTorn_.begin(), isTorn_.end()));
+  if (!owners_.empty()) {
+    writeList(sink, sides_);
+    writeList(sink, owners_);
+  }
   writeCount(sink, barelyReaches_.size());
   for (const auto& mark : barelyReaches_) writeValue(sink, mark);
 }

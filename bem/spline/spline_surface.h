@@ -8,6 +8,7 @@
 
 #include "base/byte_stream.h"
 #include "bem/element/element_surface.h"
+#include "bem/spline/border_functions.h"
 #include "bem/spline/bspline_basis.h"
 #include "bem/spline/cut_map.h"
 
@@ -94,10 +95,25 @@ class SplineSurface {
     return barelyReaches_.contains({coefficient, tag, group});
   }
 
-  /// Coefficients of the functions that are nonzero on an element, (degree u + 1) (degree v + 1), u
-  /// fastest. Where an edge is collapsed, some appear twice.
+  /// Control points of an element, (degree u + 1) (degree v + 1), u fastest. Where an edge is
+  /// collapsed, some appear twice. Torn functions have the points of their coefficients.
+  const std::vector<int>& net(int element) const {
+    return borderFunctions(element) ? borderNet_[bordersOf_[element]] : functions_[element];
+  }
+  /// Coefficients of the functions that are nonzero on an element: its net's, except beside
+  /// a border with borderFunctions().
   const std::vector<int>& functions(int element) const { return functions_[element]; }
-  /// Values of these functions at a place.
+  /// Functions beside the border of a support; null elsewhere.
+  const BorderFunctions* borderFunctions(int element) const {
+    return bordersOf_[element] < 0 ? nullptr : &borderFunctions_[bordersOf_[element]];
+  }
+  /// True if the sums of an element's functions come from a table (BorderFunctions) with
+  /// weights.
+  bool isWeighted(int element) const {
+    const BorderFunctions* functions = borderFunctions(element);
+    return functions && functions->isWeighted;
+  }
+  /// Values of the functions at a place.
   void evaluateBasis(const ElementPlace& place, std::vector<double>& values) const;
   /// Values at the patch parameters, also outside the element: its polynomials are extrapolated.
   void evaluateBasis(int element, const Eigen::Vector2d& parameters,
@@ -107,6 +123,37 @@ class SplineSurface {
     std::vector<double> values, du, dv;
   };
   void evaluateBasis(int element, const Eigen::Vector2d& parameters, BasisJet& jet) const;
+  void evaluateNet(int element, const Eigen::Vector2d& parameters, BasisJet& jet) const;
+  /// Values of the B-splines of the element's net at the patch parameters.
+  void evaluateNet(int element, const Eigen::Vector2d& parameters,
+                   std::vector<double>& values) const;
+  /// Values of the functions that carry the tractions. In supports beside borders, where these are
+  /// unbounded, weights below `leastWeight` are replaced by it.
+  void evaluateTractionBasis(int element, const Eigen::Vector2d& parameters, double leastWeight,
+                             std::vector<double>& values) const;
+  void evaluateTractionBasis(const ElementPlace& place, std::vector<double>& values) const {
+    evaluateTractionBasis(place.element, parameters(place).parameters, 0, values);
+  }
+  /// Positive shares of the functions in a mean value around each coefficient; they sum to 1.
+  /// Beside a border only functions that belong to the element's side have one.
+  void evaluateShares(const ElementPlace& place, std::vector<double>& shares) const;
+  /// Position of the surface at parameters of the element's patch, mm.
+  Eigen::Vector3d positionAt(int element, const Eigen::Vector2d& parameters) const;
+
+  /// Side of borders on which an element lies: kFree, kFixedPatch or the index of a cutBorders().
+  static constexpr int kFree = -1, kFixedPatch = -2;
+  int side(int element) const { return sides_[element]; }
+  void setSide(int element, int side) { sides_[element] = side; }
+  /// Side to which the function of a coefficient belongs; empty without cutBorders().
+  const std::vector<int>& owners() const { return owners_; }
+  const std::vector<CutBorder>& cutBorders() const { return *cutBorders_; }
+  /// Replaces all functions beside borders. `functions`: per element; none: the net's.
+  struct ElementFunctions {
+    std::vector<int> coefficients;
+    BorderFunctions functions;
+  };
+  void setBorders(std::vector<CutBorder> borders, std::vector<int> owners,
+                  std::vector<std::optional<ElementFunctions>> functions);
 
   SurfaceJet evaluate(const ElementPlace& place) const;
   /// Unit outward normal; evaluated slightly inside the element where the derivatives are parallel.
@@ -120,6 +167,8 @@ class SplineSurface {
   void write(const ByteSink& sink) const;
 
  private:
+  Eigen::Vector3d sumOfNet(int element, const std::vector<double>& values) const;
+
   std::vector<Eigen::Vector3d> controlPoints_;
   std::vector<SplinePatch> patches_;
   std::vector<int> firstCell_;
@@ -139,6 +188,12 @@ class SplineSurface {
   std::vector<bool> isTorn_;
   std::set<std::array<int, 3>> barelyReaches_;  ///< coefficient, tag, smoothing group
   std::vector<std::vector<int>> functions_;
+  std::vector<int> sides_;
+  std::vector<int> owners_;
+  std::shared_ptr<const std::vector<CutBorder>> cutBorders_;
+  std::vector<int> bordersOf_;  ///< per element: index into the next two; -1: none
+  std::vector<BorderFunctions> borderFunctions_;
+  std::vector<std::vector<int>> borderNet_;
 };
 
 }  // namespace palpa::bem

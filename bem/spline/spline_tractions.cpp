@@ -1,6 +1,7 @@
 #include "bem/spline/spline_tractions.h"
 
 #include <map>
+#include <span>
 #include <tuple>
 
 namespace palpa::bem {
@@ -48,8 +49,14 @@ std::vector<ElementPlace> grevillePlaces(const SplineSurface& surface, const Spl
 
 SplineTractions::SplineTractions(const SplineSurface& surface) {
   std::map<std::tuple<int, int, int>, int> index;
+  // Functions of a support's displacements on free elements carry no tractions.
+  const auto carriersOf = [&](int e) {
+    const BorderFunctions* beside = surface.borderFunctions(e);
+    return std::span(surface.functions(e))
+        .first(beside ? beside->ownCount() : surface.functions(e).size());
+  };
   for (int e = 0; e < surface.elementCount(); ++e)
-    for (const int coefficient : surface.functions(e))
+    for (const int coefficient : carriersOf(e))
       index[{coefficient, surface.smoothingGroup(e), surface.elements()[e].tag}] = 0;
   slots.firstOfNode.assign(surface.controlPoints().size() + 1, 0);
   for (auto& [key, slot] : index) {
@@ -63,8 +70,10 @@ SplineTractions::SplineTractions(const SplineSurface& surface) {
 
   for (int e = 0; e < surface.elementCount(); ++e) {
     std::vector<int>& list = ofFunction.emplace_back();
-    for (const int coefficient : surface.functions(e))
+    for (const int coefficient : carriersOf(e))
       list.push_back(index[{coefficient, surface.smoothingGroup(e), surface.elements()[e].tag}]);
+    for (std::size_t f = list.size(); f < surface.functions(e).size(); ++f)
+      list.push_back(slots.firstOfNode[surface.functions(e)[f]]);
   }
   // The normal of a function is the surface normal at its Greville point. Functions whose point
   // lies in the part of another tag use their nearest element.

@@ -30,7 +30,8 @@ struct SplineTractions {
   explicit SplineTractions(const SplineSurface& surface);
 
   TractionSlots slots;
-  /// Slots of the functions of each element: [element][function].
+  /// Slots of the functions of each element: [element][function]. For functions that carry no
+  /// traction, any slot of their coefficient.
   std::vector<std::vector<int>> ofFunction;
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "bem/spline/border_extension.h"
 #include "bem/spline/spline_projection.h"
 
 namespace palpa::bem {
@@ -40,8 +41,9 @@ class Cutter {
     bool isInside;
   };
 
-  Cutter(const SplineSurface& surface, int element, const LevelFunction& level)
-      : surface_(surface), element_(element), level_(level) {}
+  /// `hasRoots`: the coordinate across the border is the root of the distance.
+  Cutter(const SplineSurface& surface, int element, const LevelFunction& level, bool hasRoots)
+      : surface_(surface), element_(element), level_(level), hasRoots_(hasRoots) {}
 
   std::vector<Piece> cut() {
     const SplineElement& e = surface_.elements()[element_];
@@ -127,8 +129,13 @@ class Cutter {
     if (changes == 1 && !isOneSided(rest)) return false;
     const bool lowerInside = level(axis, part.at(axis, 0.5), part.lower[1 - axis]) < 0;
     const double begin = part.lower[axis], end = part.upper[axis];
-    pieces_.push_back({part, CutMap(axis, begin, end, lower, border), lowerInside});
-    pieces_.push_back({part, CutMap(axis, begin, end, border, upper), !lowerInside});
+    using Root = CutMap::Root;
+    pieces_.push_back(
+        {part, CutMap(axis, begin, end, lower, border, hasRoots_ ? Root::kUpper : Root::kNone),
+         lowerInside});
+    pieces_.push_back(
+        {part, CutMap(axis, begin, end, border, upper, hasRoots_ ? Root::kLower : Root::kNone),
+         !lowerInside});
     if (changes == 1) pieces_.push_back({rest, {}, level(rest.at(0, 0.5), rest.at(1, 0.5)) < 0});
     return true;
   }
@@ -168,6 +175,7 @@ class Cutter {
   const SplineSurface& surface_;
   int element_;
   const LevelFunction& level_;
+  bool hasRoots_;
   std::vector<Piece> pieces_;
 };
 
@@ -201,7 +209,7 @@ Areas areasOf(const SplineSurface& surface, const std::vector<bool>& isInside) {
 /// Pieces of an element; none if the border of the part does not cut it. `isInside` receives
 /// whether the whole element is inside.
 std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
-                                    const SurfacePart& part, bool& isInside) {
+                                    const SurfacePart& part, bool hasRoots, bool& isInside) {
   const SurfacePart::OnPatch here = part.on(surface.elements()[element].patch);
   isInside = here.isWhole;
   if (!here.level) return {};
@@ -211,12 +219,12 @@ std::vector<Cutter::Piece> piecesOf(const SplineSurface& surface, int element,
           .position;
   // The element lies in the convex hull of its control points.
   double radius = 0;
-  for (const int point : surface.functions(element))
+  for (const int point : surface.net(element))
     radius = std::max(radius, (surface.controlPoints()[point] - middle).norm());
   const double level = here.level(middle);
   isInside = level < 0;
   if (std::abs(level) > radius) return {};
-  std::vector<Cutter::Piece> pieces = Cutter(surface, element, here.level).cut();
+  std::vector<Cutter::Piece> pieces = Cutter(surface, element, here.level, hasRoots).cut();
   if (pieces.size() > 1) return pieces;
   isInside = pieces.front().isInside;
   return {};
@@ -257,6 +265,55 @@ void tearAtBorder(SplineSurface& surface, const std::vector<bool>& isInside) {
   }
 }
 
+/// Gives elements along whose sides a border runs, uncut, the root of the distance as coordinate.
+void addRootsAlongSides(SplineSurface& surface, const LevelFunction& level) {
+  constexpr double kNear = 2 * kThinnest;  // of the element's extent across
+  const auto place = [](const SplineElement& e, int axis, double across, double along) {
+    std::array<double, 2> at{};
+    at[axis] = e.lower[axis] + across * (e.upper[axis] - e.lower[axis]);
+    at[1 - axis] = e.lower[1 - axis] + along * (e.upper[1 - axis] - e.lower[1 - axis]);
+    return at;
+  };
+  for (int index = 0; index < surface.elementCount(); ++index) {
+    SplineElement element = surface.elements()[index];
+    if (surface.isCut(index)) continue;
+    const auto levelAt = [&](int axis, double across, double along) {
+      const auto at = place(element, axis, across, along);
+      return std::abs(level(surface.evaluate({index, at[0], at[1]}).position));
+    };
+    for (const int axis : {0, 1})
+      for (const int side : {0, 1}) {
+        if (surface.isCut(index)) continue;
+        bool isAlong = true;
+        for (int k = 0; k < kSamples && isAlong; ++k) {
+          const double along = k / (kSamples - 1.0);
+          isAlong = levelAt(axis, side, along) < kNear * levelAt(axis, 1 - side, along);
+        }
+        if (!isAlong) continue;
+        CutMap::Values lower{}, upper{};
+        lower.fill(element.lower[axis]);
+        upper.fill(element.upper[axis]);
+        const CutMap map(1 - axis, element.lower[1 - axis], element.upper[1 - axis], lower, upper,
+                         side == 0 ? CutMap::Root::kLower : CutMap::Root::kUpper);
+        element.lower = {0, 0};
+        element.upper = {1, 1};
+        surface.replaceElement(index, {element}, {map});
+      }
+  }
+}
+
+/// Gives the elements beside the border of a part functions with roots.
+void addBorder(SplineSurface& surface, const SurfacePart& part, const std::vector<bool>& isInside) {
+  std::vector<LevelFunction> levels;
+  for (const CutBorder& border : surface.cutBorders()) levels.push_back(border.level);
+  if (part.level) levels.push_back(part.level);
+  const int side = part.level ? static_cast<int>(levels.size()) - 1 : SplineSurface::kFixedPatch;
+  for (int e = 0; e < surface.elementCount(); ++e)
+    if (isInside[e]) surface.setSide(e, side);
+  if (part.level) addRootsAlongSides(surface, part.level);
+  if (!levels.empty()) extendAtBorders(surface, levels);
+}
+
 }  // namespace
 
 SurfacePart::OnPatch SurfacePart::on(int patch) const {
@@ -275,7 +332,8 @@ SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
   std::vector<bool> isInside(surface.elements().size(), false);
   for (int e = 0; e < surface.elementCount(); ++e) {
     bool isWholeInside = false;
-    std::vector<Cutter::Piece> pieces = piecesOf(surface, e, part, isWholeInside);
+    std::vector<Cutter::Piece> pieces =
+        piecesOf(surface, e, part, tearing == Tearing::kRoots, isWholeInside);
     isInside[e] = isWholeInside;
     if (pieces.empty()) continue;
     isInside[e] = pieces.front().isInside;
@@ -302,12 +360,14 @@ SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
         result.setBarelyReaches(function, after, group);
   }
   if (tearing == Tearing::kTorn) tearAtBorder(result, isInside);
+  if (tearing == Tearing::kRoots) addBorder(result, part, isInside);
   return result;
 }
 
-SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag) {
+SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag,
+                       Tearing tearing) {
   return withPart(
-      surface, SurfacePart{{}, level}, [tag](int) { return tag; }, Tearing::kTorn);
+      surface, SurfacePart{{}, level}, [tag](int) { return tag; }, tearing);
 }
 
 }  // namespace palpa::bem

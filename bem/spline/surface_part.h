@@ -7,10 +7,6 @@
 
 namespace palpa::bem {
 
-/// Function of the position (mm): negative inside a part of the surface, positive outside, zero on
-/// the border. Like a distance it changes by at most 1 mm per mm.
-using LevelFunction = std::function<double(const Eigen::Vector3d&)>;
-
 /// Part of a surface: some whole patches, and the region of the other patches where a level
 /// function is negative; both without the exceptions.
 struct SurfacePart {
@@ -34,7 +30,8 @@ struct SurfacePart {
 
 /// Treatment of functions that the border of a part cuts.
 enum class Tearing {
-  kTorn,  ///< functions cut by the border get one coefficient per side
+  kRoots,  ///< weighted and extended functions beside the border, see BorderFunctions
+  kTorn,   ///< functions cut by the border get one coefficient per side
   kWhole
 };
 
@@ -43,7 +40,9 @@ enum class Tearing {
 /// part are cut along it into separate elements.
 ///
 /// The displacement is prescribed inside a support, and this must not affect the surface beyond the
-/// border within the width of a function. Functions cut by the border are therefore torn: each side
+/// border within the width of a function. Where the level is smooth, functions beside the border
+/// belong to one side each and have the root of the distance as a factor (kRoots; BorderFunctions).
+/// All supports of a surface must then be smooth. Otherwise functions are torn: each side
 /// gets its own coefficient (SplineSurface::tornFrom). A function with less than a thousandth of
 /// its area on one side is not torn; it belongs to the other side (SplineSurface::barelyReaches).
 /// Loads cut elements without tearing functions: tractions jump at their border, displacements do
@@ -55,6 +54,7 @@ enum class Tearing {
 SplineSurface withPart(const SplineSurface& surface, const SurfacePart& part,
                        const std::function<int(int)>& tagInside, Tearing tearing);
 /// Surface cut by a support with the tag `tag`, which lies where `level` is negative.
-SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag);
+SplineSurface withPart(const SplineSurface& surface, const LevelFunction& level, int tag,
+                       Tearing tearing = Tearing::kTorn);
 
 }  // namespace palpa::bem

@@ -12,11 +12,12 @@ modeling::Project projectOf(const PeerCase& body, modeling::Engine engine, doubl
   modeling::Project project = body.project;
   project.mesh = {};
   project.mesh.engine = engine;
-  if (engine == modeling::Engine::kTriangles) {
+  if (engine == modeling::Engine::kSplines)
+    project.mesh.accuracy = size;
+  else
     project.mesh.edgeLength = size;
-    return project;
-  }
-  project.mesh.accuracy = size;
+  // The same mesh as the other methods have.
+  if (engine == modeling::Engine::kTriangles) return project;
   modeling::Touch touch;
   touch.at = body.reference.at;
   touch.radius = body.reference.radius;

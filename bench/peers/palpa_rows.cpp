@@ -9,6 +9,7 @@
 #include "app/core/model/build_touch_model.h"
 #include "bem/contact/bilateral_contact_solver.h"
 #include "bem/model/traction_projection.h"
+#include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_projection.h"
 #include "bench/peers/case_mesh.h"
@@ -28,6 +29,10 @@ std::vector<int> firstNumbers(std::size_t count) {
   std::vector<int> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
+}
+
+const bem::QuadraticDiscretisation* asQuadratic(const app::BoundarySetup& setup) {
+  return dynamic_cast<const bem::QuadraticDiscretisation*>(setup.discretisation.get());
 }
 
 /// The exact field as boundary conditions of the engine's coefficients.
@@ -77,6 +82,18 @@ double kelvinError(const PeerCase& body, const app::TouchModel& model) {
                         surface.functions(place.element)),
                     weight);
         });
+    return error.relative();
+  }
+  if (const auto* quadratic = asQuadratic(setup)) {
+    const bem::QuadraticSurface& surface = quadratic->surface();
+    const Eigen::VectorXd u = field.u.col(0);
+    std::vector<double> basis;
+    for (int e = 0; e < surface.elementCount(); ++e)
+      surface.visitPoints(
+          e, 1, [&](const bem::ElementPlace& place, const bem::SurfaceJet& jet, double weight) {
+            surface.evaluateBasis(place, basis);
+            error.add(jet.position, bem::weightedSum(basis, surface.coefficients(e), u), weight);
+          });
     return error.relative();
   }
   const bem::BoundaryMesh& mesh = setup.mesh();
@@ -186,6 +203,10 @@ PeerRow measure(const PeerCase& body, modeling::Engine engine, double size) {
 
 PeerRow measureTriangles(const PeerCase& body, double size) {
   return measure(body, modeling::Engine::kTriangles, size);
+}
+
+PeerRow measureQuadratic(const PeerCase& body, double size) {
+  return measure(body, modeling::Engine::kQuadratic, size);
 }
 
 PeerRow measureSplines(const PeerCase& body, double size) {

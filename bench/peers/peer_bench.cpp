@@ -36,6 +36,7 @@ const std::vector<Method>& methods() {
   };
   static const std::vector<Method> all{
       {"Palpa, triangles", bench::measureTriangles, {}},
+      {"Palpa, quadratic", bench::measureQuadratic, {}},
       {"Palpa, splines", bench::measureSplines, {}},
       {"plain dense", bench::measurePlain, {}},
       {"tetrahedra, linear", finiteElements(false), {"tetgen"}},

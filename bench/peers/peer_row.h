@@ -32,6 +32,7 @@ struct PeerRow {
 // One method each: makes the body with edges of `size` mm (splines: for an accuracy of `size`) and
 // measures.
 PeerRow measureTriangles(const PeerCase& body, double size);
+PeerRow measureQuadratic(const PeerCase& body, double size);
 PeerRow measureSplines(const PeerCase& body, double size);
 /// Plain method: scalar assembly, LU factors in double precision by LAPACK, a full rebuild for
 /// every edit.

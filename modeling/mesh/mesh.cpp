@@ -119,9 +119,17 @@ bool refineAtFoci(MeshEditor& editor, const MeshSettings& settings,
   for (const MeshFocus& focus : foci) {
     if (focus.edgeLength >= settings.edgeLength) continue;
     hasAny = true;
+    const auto contains = [&](int triangle) {
+      const std::array<int, 3>& nodes = editor.mesh().triangles[triangle].nodes;
+      return isAtFocus(
+          focus, {editor.position(nodes[0]), editor.position(nodes[1]), editor.position(nodes[2])});
+    };
     refineTowards(
         editor,
-        [&](int a, int b) { return isAtFocus(focus, editor.position(a), editor.position(b)); },
+        [&](int a, int b) {
+          return isAtFocus(focus, editor.position(a), editor.position(b)) ||
+                 contains(editor.leftOf(a, b)) || contains(editor.leftOf(b, a));
+        },
         focus.edgeLength, settings.edgeLength);
   }
   return hasAny;

@@ -1,5 +1,6 @@
 #include "modeling/mesh/mesh_focus.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,6 +16,17 @@ bool isAtFocus(const MeshFocus& focus, const Vector3d& a, const Vector3d& b) {
   const double length = along.squaredNorm();
   const double t = length > 0 ? std::clamp((focus.center - a).dot(along) / length, 0.0, 1.0) : 0.0;
   return (a + t * along - focus.center).norm() <= focus.radius / 2;
+}
+
+bool isAtFocus(const MeshFocus& focus, const std::array<Vector3d, 3>& triangle) {
+  const Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d edge = triangle[(k + 1) % 3] - triangle[k];
+    if (normal.dot(edge.cross(focus.center - triangle[k])) < 0) return false;
+    longest = std::max(longest, edge.norm());
+  }
+  return std::abs(normal.dot(focus.center - triangle[0])) <= longest / 2;
 }
 
 double focusNodes(std::span<const MeshFocus> foci, double edgeLength, double areaPerNode) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <set>
 #include <sstream>
 
 #include "tests/app/cli_runner.h"
@@ -13,13 +12,6 @@ namespace palpa::cli_tests {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::set<std::string> exampleNames() {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(PALPA_PROJECTS))
-    if (entry.path().extension() == ".json") names.insert(entry.path().stem());
-  return names;
-}
 
 TEST(CliExamples, AreWhatTheirScriptsMake) {
   const Runner cli;
@@ -57,7 +49,7 @@ TEST_P(CliExample, IsSoundAndInEquilibriumWhenTouched) {
   EXPECT_LE(touched.at("relative_balance").get<double>(), most);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, CliExample, testing::ValuesIn(exampleNames()),
+INSTANTIATE_TEST_SUITE_P(All, CliExample, testing::ValuesIn(Runner::exampleNames()),
                          [](const auto& parameter) {
                            std::string name = parameter.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -65,6 +65,13 @@ std::string Runner::example(const std::string& name) {
   return "'" PALPA_PROJECTS "/" + name + "'";
 }
 
+std::set<std::string> Runner::exampleNames() {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(PALPA_PROJECTS))
+    if (entry.path().extension() == ".json") names.insert(entry.path().stem());
+  return names;
+}
+
 double norm(const Json& vector) {
   return std::hypot(vector.at(0).get<double>(), vector.at(1).get<double>(),
                     vector.at(2).get<double>());

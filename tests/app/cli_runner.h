@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 namespace palpa::cli_tests {
@@ -42,6 +43,8 @@ class Runner {
 
   /// Path of an example project.
   static std::string example(const std::string& name);
+  /// Names of all example projects, without the ending.
+  static std::set<std::string> exampleNames();
 
  private:
   std::filesystem::path folder_;

@@ -38,3 +38,8 @@ palpa_add_test(palpa_cli_render_tests
   SOURCES cli_render_test.cpp
   LIBRARIES palpa_cli_runner
   LABEL render)
+# The examples at several finenesses: half a minute to a minute each.
+palpa_add_test(palpa_cli_slow_tests
+  SOURCES cli_accuracy_slow_test.cpp
+  LIBRARIES palpa_cli_runner
+  LABEL slow)

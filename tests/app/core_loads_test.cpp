@@ -75,7 +75,7 @@ TEST_P(Loads, AHangingBarStretchesByItsWeight) {
     const double energy = kWeight * kWeight * volume * height * height / (6 * 0.1);
     EXPECT_NEAR(model->rest().energy, energy,
                 (isRound && !hasSplines() ? 0.03 : elements(5e-3) + (isRound ? 5e-4 : 0)) * energy);
-    EXPECT_LE(estimateError(*model, model->rest()), hasSplines() ? 1e-3 : 0.06);
+    EXPECT_LE(estimateError(*model, model->rest()), hasSplines() ? 1e-3 : 0.2);
   }
 }
 

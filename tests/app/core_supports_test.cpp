@@ -6,6 +6,7 @@
 #include "app/core/setup/support_conflict.h"
 #include "core_projects.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/shapes/make_primitive.h"
 
 namespace palpa::app {
 namespace {
@@ -158,6 +159,21 @@ TEST(Supports, EitherOfTwoMeetingPatchesCanLeaveAGap) {
           build(modeling::apply(resolution(*conflict, firstKeeps, project), project).project);
       EXPECT_GT(model->rest().supports[1].resultant.force.x(), 0) << firstKeeps;
     }
+  }
+}
+
+// Edges and corners inside a support have up to three unknown tractions at one node. With points at
+// the nodes the condition of this box was 1e6 to 4e8.
+TEST(Supports, AcrossSharpEdgesAreWellConditionedWithQuadraticTriangles) {
+  modeling::Primitive box;
+  box.shape = modeling::BoxShape{{40, 16, 30}};
+  Project project = test::clampedSphere(6);
+  project.body = modeling::makePrimitive(box);
+  project.supports[0].where = Region::below({-0.52, -0.13, -0.845}, -12);
+  project.mesh.engine = Engine::kQuadratic;
+  for (const double length : {5.0, 4.0, 3.5, 3.0}) {
+    project.mesh.edgeLength = length;
+    EXPECT_LE(build(project)->problem()->conditionEstimate(), 1e5) << length;
   }
 }
 

@@ -16,6 +16,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Kind = ContactTool::Kind;
 
+constexpr Material kSoft{0.1, 0.45};
+
 /// A surface that counts the searches of nearest points.
 class CountingSurface final : public ContactSurface {
  public:
@@ -75,8 +77,7 @@ struct Body {
     std::vector<SlotCondition> conditions;
     for (const auto& slot : slots->slots)
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-    problem =
-        makeDenseReferenceProblem(mesh, *slots, {conditions, {0.1, 0.45}, {}, Precision::kDouble});
+    problem = makeDenseReferenceProblem(mesh, *slots, {conditions, kSoft, {}, Precision::kDouble});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots->count())};
     surface = std::make_unique<CountingSurface>(mesh, *slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
@@ -89,7 +90,7 @@ struct Body {
 /// Forces of a ball that presses and slides, and of a push; before most steps the simulation is
 /// asked for missing columns, as in a replay (`asksFirst`).
 std::vector<Vector3d> slide(const Body& body, bool asksFirst) {
-  ContactSimulation simulation(*body.surface, *body.columns, body.base);
+  ContactSimulation simulation(*body.surface, *body.columns, body.base, kSoft);
   const auto ball = simulation.begin({Kind::kBall, 12, 0.3}, {0, 0, 25}, {0, 0, 36});
   const auto push = simulation.begin({Kind::kPush, 8, 0.3}, {25, 0, 0}, {24, 0, 0});
   std::vector<Vector3d> forces;
@@ -111,7 +112,7 @@ TEST(ContactPlacement, AStepUsesThePlacesOfTheQuestionForMissingColumns) {
   const Body body;
   EXPECT_EQ(slide(body, false), slide(body, true));  // bit for bit
   body.surface->takeCount();
-  ContactSimulation simulation(*body.surface, *body.columns, body.base);
+  ContactSimulation simulation(*body.surface, *body.columns, body.base, kSoft);
   simulation.begin({Kind::kBall, 12, 0.3}, {0, 0, 25}, {0, 0, 36});
   simulation.step();
   body.surface->takeCount();

@@ -16,6 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Kind = ContactTool::Kind;
+
+constexpr Material kSoft{0.1, 0.45};
 using Status = ContactSimulation::Status;
 
 /// Silicone-like sphere of radius 25 mm, fixed below z = -20 mm, with all its columns.
@@ -31,8 +33,7 @@ struct Sphere {
     std::vector<SlotCondition> conditions;
     for (const auto& slot : slots.slots)
       conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-    problem =
-        makeDenseReferenceProblem(mesh, slots, {conditions, {0.1, 0.45}, {}, Precision::kDouble});
+    problem = makeDenseReferenceProblem(mesh, slots, {conditions, kSoft, {}, Precision::kDouble});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
     surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
@@ -46,7 +47,7 @@ struct Sphere {
       mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -20 ? 1 : 0;
     return mesh;
   }
-  ContactSimulation simulation() const { return {*surface, *columns, base}; }
+  ContactSimulation simulation() const { return {*surface, *columns, base, kSoft}; }
 };
 
 const Sphere& sphere() {
@@ -230,7 +231,7 @@ TEST(ContactSimulation, AContactContinuesInAnotherSimulation) {
 TEST(ContactSimulation, AToolThatSlidesAheadOfItsColumnsKeepsItsForce) {
   GreensColumns few(sphere().problem);
   few.compute(makeContactMask(*sphere().surface, kTop, 8).nodes, Job{});
-  ContactSimulation simulation(*sphere().surface, few, sphere().base);
+  ContactSimulation simulation(*sphere().surface, few, sphere().base, kSoft);
   const auto id = simulation.begin({Kind::kPush, 8, 0}, kTop, {0, 0, 24});
   simulation.step(5);
   const double force = simulation.find(id)->force.norm();
@@ -253,7 +254,7 @@ TEST(ContactSimulation, AToolThatSlidesAheadOfItsColumnsKeepsItsForce) {
 
 TEST(ContactSimulation, WaitsForColumnsAndRefusesHeldPlaces) {
   GreensColumns none(sphere().problem);
-  ContactSimulation simulation(*sphere().surface, none, sphere().base);
+  ContactSimulation simulation(*sphere().surface, none, sphere().base, kSoft);
   const auto id = simulation.begin({Kind::kGrab, 8}, kTop, {0, 0, -1});
   const auto fixed = simulation.begin({Kind::kPush, 3}, {0, 0, -25}, {0, 0, -24});
   simulation.step();

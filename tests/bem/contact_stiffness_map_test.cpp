@@ -20,6 +20,8 @@ using Eigen::VectorXd;
 
 enum class Support { kFixed, kRoller };
 
+constexpr Material kMaterial{1.0, 0.3};
+
 /// Box of 20 x 20 x 10 mm with sharp edges whose bottom is fixed.
 struct Box {
   BoundaryMesh mesh;
@@ -44,7 +46,7 @@ struct Box {
                                                  : SlotCondition::kTraction);
     }
     problem =
-        makeDenseReferenceProblem(mesh, slots, {conditions, {1.0, 0.3}, {}, Precision::kDouble});
+        makeDenseReferenceProblem(mesh, slots, {conditions, kMaterial, {}, Precision::kDouble});
     base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
     surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
     columns = std::make_unique<GreensColumns>(problem);
@@ -118,12 +120,12 @@ TEST(StiffnessMap, EqualsAFingerWithoutFriction) {
   const int slot = box.slotNear({10, 10, 10}, Vector3d::UnitZ());
   const double wanted = 1 / map.compliances()[slot];
   const Vector3d at = box.mesh.nodes[box.slots.slots[slot].node];
-  ContactSimulation simulation(*box.surface, *box.columns, box.base);
+  ContactSimulation simulation(*box.surface, *box.columns, box.base, kMaterial);
   constexpr double kDepth = 1e-3;
   simulation.begin({ContactTool::Kind::kPush, kRadius, 0}, at, at - Vector3d(0, 0, kDepth));
   simulation.step(1);
   EXPECT_NEAR(simulation.contacts().front().force.norm() / kDepth, wanted, 1e-4 * wanted);
-  ContactSimulation grab(*box.surface, *box.columns, box.base);
+  ContactSimulation grab(*box.surface, *box.columns, box.base, kMaterial);
   grab.begin({ContactTool::Kind::kGrab, kRadius, 0}, at, {0, 0, -kDepth});
   grab.step(1);
   EXPECT_GE(-grab.contacts().front().force.z() / kDepth, wanted * (1 - 1e-6));

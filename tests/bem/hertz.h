@@ -31,4 +31,10 @@ struct HertzBody {
 void expectHertz(const HertzBody& body, const std::vector<double>& circles,
                  const std::function<double(double)>& tolerance, double exponentTolerance);
 
+/// Presses a rigid ball by each approach (mm) on a flat place with the normal +z of a body that
+/// yields as a whole much more than at the contact: a circle narrower than the masks. Expects the
+/// force F of approach = a^2 / R + C F with Hertz's F and the compliance C of the body as above.
+void expectHertzOnSoftBody(const HertzBody& body, const Eigen::Vector3d& top, double ball,
+                           const std::vector<double>& approaches, double tolerance);
+
 }  // namespace palpa::bem::test

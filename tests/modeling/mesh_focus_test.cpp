@@ -57,6 +57,20 @@ TEST_P(MeshFoci, OfCoarserLengthsChangeNothing) {
   EXPECT_EQ(mesh(body, settings, {}, {}, {&focus, 1}).positions, mesh(body, settings).positions);
 }
 
+// With edges of 20 mm no edge comes near a narrow focus.
+TEST_P(MeshFoci, InTheMiddleOfALargeTriangleAreFound) {
+  const MeshSettings settings = settingsOf(GetParam(), 15);
+  const Body body(makeSphere(40));
+  const SurfaceMesh coarse = mesh(body, settings);
+  for (std::size_t t = 0; t < coarse.triangles.size(); t += 5) {
+    const auto& nodes = coarse.triangles[t];
+    const Eigen::Vector3d middle =
+        coarse.positions[nodes[0]] + coarse.positions[nodes[1]] + coarse.positions[nodes[2]];
+    const MeshFocus focus{40 * middle.normalized(), 4, 1};
+    EXPECT_LE(longestNear(mesh(body, settings, {}, {}, {&focus, 1}), focus.center, 2), 2.4) << t;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, MeshFoci, testing::Values(Engine::kTriangles, Engine::kQuadratic),
                          [](const auto& engine) {
                            return engine.param == Engine::kTriangles ? "triangles" : "quadratic";

@@ -49,7 +49,10 @@ Vector3d SolvedSetup::u(const bem::ElementPlace& place) const {
 }
 
 Vector3d SolvedSetup::p(const bem::ElementPlace& place) const {
-  return at(setup, place, field.p, setup.splines->tractions().ofFunction[place.element]);
+  std::vector<double> basis;
+  surface().evaluateTractionBasis(place, basis);
+  return bem::weightedSum(basis, setup.splines->tractions().ofFunction[place.element],
+                          field.p.col(0));
 }
 
 Vector3d SolvedSetup::reaction(int support) const {

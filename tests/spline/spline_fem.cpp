@@ -64,7 +64,8 @@ SplineSurface fixedSphere(int controlPoints, const std::vector<double>& fraction
   modeling::Solid solid = modeling::makeSphere(25, controlPoints);
   for (const int d : {0, 1}) solid = withKnots(std::move(solid), "top", d, fractions);
   return withPart(
-      app::splineSurfaceOf(solid), [](const Vector3d& x) { return x.z() + 20; }, 1);
+      app::splineSurfaceOf(solid), [](const Vector3d& x) { return x.z() + 20; }, 1,
+      Tearing::kRoots);
 }
 
 SplineFunction bumpOf(const json& reference) {
@@ -120,7 +121,9 @@ FemSolution solveFem(const json& reference, const SplineSurface& surface,
   double energy = 0, area = 0;
   visitSplinePoints(surface, all, 5, loadRadius / 8,
                     [&](const ElementPlace& place, const SurfaceJet&, double weight) {
-                      const Vector3d p = at(place, field.p, tractions.ofFunction[place.element]);
+                      surface.evaluateTractionBasis(place, basis);
+                      const Vector3d p =
+                          weightedSum(basis, tractions.ofFunction[place.element], field.p);
                       const Vector3d u = at(place, field.u, surface.functions(place.element));
                       area += weight;
                       energy += weight * p.dot(u) / 2;

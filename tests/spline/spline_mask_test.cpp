@@ -68,7 +68,7 @@ MaskShape shapeOf(const SplineTouched& body, const ContactMask& mask) {
   double square = 0;
   visitSplinePoints(body.splines, all, 5, 3.0,
                     [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
-                      body.splines.evaluateBasis(place, basis);
+                      body.splines.evaluateTractionBasis(place, basis);
                       const double value = valueAt(place.element);
                       const double wanted = bump(jet.position) / total;
                       shape.integral += weight * value;
@@ -85,6 +85,9 @@ MaskShape shapeOf(const SplineTouched& body, const ContactMask& mask) {
 }
 
 TEST(SplineMask, IsTheBumpAsWellAsSplinesCan) {
+  // Coefficients of the place as a displacement: the control points, except beside the border.
+  const Eigen::VectorXd places =
+      projectDisplacement(sphere().splines, [](const Vector3d& x, const Vector3d&) { return x; });
   const auto workspace = sphere().surface().makeWorkspace();
   ContactMask mask;
   double least = INFINITY, most = 0;
@@ -99,14 +102,16 @@ TEST(SplineMask, IsTheBumpAsWellAsSplinesCan) {
       EXPECT_EQ(mask.radius, wider * narrowest);
       const MaskShape shape = shapeOf(sphere(), mask);
       error = std::max(error, shape.error);
-      height = std::max(height, std::abs(shape.height - 1));
-      spread = std::max(spread, std::abs(shape.spread - 1));
+      // Beside the border of the support, whose functions are extrapolated, 0.4 times as good.
+      const double part = point.position.z() + 20 < 2 * narrowest ? 0.4 : 1;
+      height = std::max(height, part * std::abs(shape.height - 1));
+      spread = std::max(spread, part * std::abs(shape.spread - 1));
       integral = std::max(integral, std::abs(shape.integral - 1));
       double measured = 0, weights = 0;
       Vector3d middle = Vector3d::Zero(), byMeasure = Vector3d::Zero();
       for (std::size_t k = 0; k < mask.measure.size(); ++k) {
         measured += mask.measure[k];
-        byMeasure += mask.measure[k] * sphere().splines.controlPoints()[mask.measureNodes[k]];
+        byMeasure += mask.measure[k] * places.segment<3>(3 * mask.measureNodes[k]);
       }
       for (std::size_t k = 0; k < mask.points.size(); ++k) {
         weights += mask.pointWeights[k];

@@ -100,7 +100,7 @@ Forces forces(const modeling::Body& shape, const Vector3d& normal, double below,
   std::vector<double> basis;
   visitSplinePoints(surface, setup.supports[0].elements, 5, INFINITY,
                     [&](const ElementPlace& place, const SurfaceJet&, double weight) {
-                      surface.evaluateBasis(place, basis);
+                      surface.evaluateTractionBasis(place, basis);
                       for (std::size_t f = 0; f < basis.size(); ++f)
                         result.support +=
                             weight * basis[f] *
@@ -118,7 +118,8 @@ TEST(SupportBorder, SupportsBearTheLoad) {
   const modeling::Body box = modeling::makeBox({40, 30, 20}), sphere = modeling::makeSphere(25, 9);
   for (const Precision precision : {Precision::kDouble, Precision::kMixed, Precision::kSingle}) {
     expectBalance(forces(box, {0.3, -0.2, 1}, 7, 20, 8, precision), 1e-3);
-    expectBalance(forces(sphere, {0, 0, 1}, -5, 25, 8, precision), 1e-3);
+    // Collocation does not balance forces exactly.
+    expectBalance(forces(sphere, {0, 0, 1}, -5, 25, 8, precision), 2e-3);
   }
   expectBalance(forces(box, {1, 0.2, 0.3}, -4, 20, 6, Precision::kDouble), 1e-3);
   // Along a line of knots: no element is cut, but functions reach across.

@@ -14,8 +14,9 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 void TouchedBody::finish(std::shared_ptr<const ReferenceProblem> problem,
-                         std::unique_ptr<ContactSurface> surface) {
+                         std::unique_ptr<ContactSurface> surface, const Material& material) {
   problem_ = std::move(problem);
+  material_ = material;
   surface_ = std::move(surface);
   columns_ = std::make_unique<GreensColumns>(problem_);
   base_ = {VectorXd::Zero(problem_->dofs().nodalCount()),
@@ -58,7 +59,8 @@ SplineSurface fixedSurface(const modeling::Solid& solid, FixedBelow fixedBelow) 
   SplineSurface surface = app::splineSurfaceOf(solid);
   if (fixedBelow)
     return withPart(
-        surface, [fixedBelow](const Vector3d& x) { return x.z() - *fixedBelow; }, 1);
+        surface, [fixedBelow](const Vector3d& x) { return x.z() - *fixedBelow; }, 1,
+        Tearing::kRoots);
   const int patch = lowestPatch(solid);
   for (int e = 0; e < surface.elementCount(); ++e)
     if (surface.elements()[e].patch == patch) surface.setTag(e, 1);
@@ -106,7 +108,7 @@ SplineTouched::SplineTouched(const modeling::Solid& solid, FixedBelow fixedBelow
       makeDenseReferenceProblem(splines, tractions, {conditions, material, {1e-5}, precision});
   auto surface = std::make_unique<SplineContactSurface>(*onMesh, problem->dofs());
   contacts = surface.get();
-  finish(problem, std::move(surface));
+  finish(problem, std::move(surface), material);
 }
 
 TriangleTouched::TriangleTouched(BoundaryMesh made, const Material& material, Precision precision)
@@ -117,7 +119,7 @@ TriangleTouched::TriangleTouched(BoundaryMesh made, const Material& material, Pr
   std::shared_ptr<const ReferenceProblem> problem =
       makeDenseReferenceProblem(mesh, slots, {conditions, material, {}, precision});
   auto surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
-  finish(problem, std::move(surface));
+  finish(problem, std::move(surface), material);
 }
 
 BoundaryMesh fittedMesh(const modeling::Solid& solid, FixedBelow fixedBelow, double edgeLength,

@@ -20,20 +20,21 @@ class TouchedBody {
   GreensColumns& columns() { return *columns_; }
   const BoundaryField& base() const { return base_; }
 
-  ContactSimulation simulation() const { return {*surface_, *columns_, base_}; }
+  ContactSimulation simulation() const { return {*surface_, *columns_, base_, material_}; }
   /// Computes the columns that are missing and lets tools slide into their places.
   void settle(ContactSimulation& simulation);
   void computeAll();
 
  protected:
   void finish(std::shared_ptr<const ReferenceProblem> problem,
-              std::unique_ptr<ContactSurface> surface);
+              std::unique_ptr<ContactSurface> surface, const Material& material);
 
  private:
   std::shared_ptr<const ReferenceProblem> problem_;
   std::unique_ptr<ContactSurface> surface_;
   std::unique_ptr<GreensColumns> columns_;
   BoundaryField base_;
+  Material material_;
 };
 
 /// Height z in mm below which a body is fixed; empty: its lowest patch is fixed.

@@ -27,7 +27,9 @@ class TouchableModel {
   /// The field without contacts.
   const bem::BoundaryField& base() const { return model_->rest().field; }
 
-  bem::ContactSimulation simulate() const { return {*surface_, *columns_, base()}; }
+  bem::ContactSimulation simulate() const {
+    return {*surface_, *columns_, base(), model_->setup().material};
+  }
 
  private:
   std::shared_ptr<const TouchModel> model_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/core/results/ball_error.h"
 #include "app/core/results/touch.h"
 #include "base/box_tree.h"
 #include "bem/base/error.h"
@@ -37,16 +38,20 @@ bool hasCutSplines(const BoundarySetup& setup) {
 /// residual sees only a part where flat triangles change the body, or splines are cut. Measured by
 /// bench/coverage (docs/verification.md).
 double coverFactor(const BoundarySetup& setup) {
-  const bool isPartly = setup.engine == modeling::Engine::kTriangles || hasCutSplines(setup);
-  return isPartly ? 3.5 : 1.5;
+  if (setup.engine == modeling::Engine::kTriangles) return 5;
+  if (setup.engine == modeling::Engine::kQuadratic) return 1.85;
+  return hasCutSplines(setup) ? 2.8 : 1.5;
 }
 
-/// Relative error of the force of a ball whose area of contact is covered by few pressure masks:
-/// proportional to their size.
-double contactAreaError(const TouchState::Contact& contact) {
-  constexpr double kOfOneMask = 0.06;
-  if (!contact.isBall() || contact.patch.empty()) return 0;
-  return kOfOneMask / std::sqrt(static_cast<double>(contact.patch.size()));
+/// A further factor where forces are given: a stiffness that is wrong as a whole moves all places,
+/// while a given displacement keeps the field at its place. Measured as coverFactor().
+constexpr double kWithGivenForces = 2;
+
+bool hasGivenForces(const BoundarySetup& setup, const TouchState& state) {
+  if (!setup.loads.empty() || setup.bulk().hasBodyForce()) return true;
+  return std::any_of(state.contacts.begin(), state.contacts.end(), [](const auto& contact) {
+    return contact.kind && modeling::infoOf(*contact.kind).isForce;
+  });
 }
 
 /// The error of one of several fields: the part that the functions can represent, dominated by the
@@ -196,16 +201,21 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
     error.add(place, sum);
   }
   StateError estimate;
-  const double factor = coverFactor(model.setup());
-  const bool isCut = hasCutSplines(model.setup());
+  const double factor =
+      coverFactor(model.setup()) * (hasGivenForces(model.setup(), state) ? kWithGivenForces : 1);
   estimate.field = factor * std::max(sum.relative(), state.relativeBalance);
+  double fromArea = 0;
   for (const TouchState::Contact& contact : state.contacts) {
-    double ofContact =
-        factor * std::max(errorAtContact(mesh, error, contact), state.relativeBalance);
-    // The residual at a contact does not show what is wrong at the supports.
-    if (isCut) ofContact = std::max(ofContact, estimate.field);
-    estimate.contacts.push_back(ofContact + contactAreaError(contact));
+    // The residual at a contact does not show what is wrong at the supports: a force has at least
+    // the error of the field.
+    const double ofContact =
+        std::max(factor * errorAtContact(mesh, error, contact), estimate.field);
+    const double ofArea = ballPressureError(model.setup(), contact);
+    fromArea = std::max(fromArea, ofArea);
+    estimate.contacts.push_back(ofContact + ofArea);
   }
+  // A wrong force moves the whole body wrongly.
+  estimate.field += fromArea;
   return estimate;
 }
 

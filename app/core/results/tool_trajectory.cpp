@@ -69,7 +69,7 @@ class ToolTrajectory {
       : tools_(tools),
         surface_(surface),
         columns_(columns),
-        simulation_(surface, columns_, model.rest().field),
+        simulation_(surface, columns_, model.rest().field, model.setup().material),
         job_(job) {
     columnsJob_ = job;
     columnsJob_.progress = nullptr;

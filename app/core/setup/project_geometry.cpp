@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/core/setup/support_borders.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/solid/surface_properties.h"
 
@@ -53,6 +54,7 @@ ProjectGeometry::ProjectGeometry(const modeling::Project& project)
 ProjectGeometry::ProjectGeometry(const modeling::Project& project, SplineRefinement refinement)
     : project_(project), regions_(modeling::meshRegions(project)) {
   const modeling::SurfaceEvaluator evaluator(solid());
+  refinement.hasRoots = haveRoots(project.supports, solid(), evaluator);
   patches_ = Patches{evaluator, groupsOf(solid(), evaluator), std::move(refinement)};
 }
 

@@ -24,8 +24,8 @@ constexpr double kAcross = 0.75;
 /// Maximum length of an element over the mean length of the design spans across it, until touches
 /// give way.
 constexpr double kMaxLengthRatio = 3;
-/// Coefficients that are doubled per element that a border cuts: the border cuts 4 functions along
-/// it, and some of them barely reach across.
+/// Coefficients that are doubled per element that a border cuts, if it tears functions: the border
+/// cuts 4 functions along it, and some of them barely reach across.
 constexpr double kDoubledPerElement = 2.6;
 /// Factor by which sizes grow until the budget is met, and how often at most (to 16 times the
 /// requested size).
@@ -67,7 +67,8 @@ class RefinementBuilder {
         surface_(surface),
         chains_(solid_, surface_),
         touches_(project, chains_, surface_),
-        borders_(bordersOf(project, solid_, surface_)) {
+        borders_(bordersOf(project, solid_, surface_)),
+        hasRoots_(haveRoots(project.supports, solid_, surface_)) {
     factors_.resize(solid_.patches().size(), 1.0);
     for (const auto& [name, factor] : project.mesh.patchFactors)
       if (const auto patch = solid_.findPatch(name)) factors_[*patch] = factor;
@@ -93,6 +94,7 @@ class RefinementBuilder {
     longest_ = kMaxLengthRatio * growth;
     SplineRefinement refinement;
     refinement.interior = sizes.interior;
+    refinement.hasRoots = hasRoots_;
     ends_.clear();
     for (int s = 0; s < chains_.count(); ++s) ends_.push_back(endsOf(chains_[s]));
     if (std::isfinite(sizes_.touch)) touches_.resolve(sizes_.touch, degrees_, ends_);
@@ -101,7 +103,7 @@ class RefinementBuilder {
       refinement.chains.push_back(refinedChain(s));
       rows.push_back(rowsOf(refinement.chains.back()));
     }
-    refinement.coefficients = coefficientsOf(rows) + kDoubledPerElement * cutElements();
+    refinement.coefficients = coefficientsOf(rows) + doubledCoefficients();
     return refinement;
   }
 
@@ -233,6 +235,7 @@ class RefinementBuilder {
     return count + static_cast<double>(vertices.size());
   }
 
+  double doubledCoefficients() const { return hasRoots_ ? 0 : kDoubledPerElement * cutElements(); }
   /// Approximate number of elements that borders of supports cut.
   double cutElements() const {
     std::set<std::array<std::ptrdiff_t, 3>> cut;
@@ -254,6 +257,7 @@ class RefinementBuilder {
   KnotChains chains_;
   TouchRefinement touches_;
   SupportBorders borders_;
+  bool hasRoots_;
   ElementSizes sizes_;
   double longest_ = kMaxLengthRatio;  ///< present value of kMaxLengthRatio
   std::vector<double> factors_;       ///< per patch

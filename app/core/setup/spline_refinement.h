@@ -43,7 +43,8 @@ struct SplineRefinement {
   /// Number of displacement coefficients: exact except for the coefficients that borders of
   /// supports double, which are estimated.
   double coefficients = 0;
-  double interior = 0;  ///< mm: element size that meets the budget
+  double interior = 0;    ///< mm: element size that meets the budget
+  bool hasRoots = false;  ///< haveRoots() of the project's supports
 };
 
 /// The analysis net of a project whose body is a solid; `surface` evaluates this solid. The

@@ -21,12 +21,14 @@ bem::SplineSurface taggedSurface(const ProjectGeometry& geometry, const modeling
                                  RegionTags& tags) {
   bem::SplineSurface surface = splineSurfaceOf(solid, geometry.smoothingGroups());
   const std::vector<modeling::MeshRegion>& regions = geometry.regions();
+  const bem::Tearing tearing =
+      geometry.refinement().hasRoots ? bem::Tearing::kRoots : bem::Tearing::kTorn;
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const auto region = static_cast<int>(r);
     surface = bem::withPart(
         surface, surfacePart(regions[r].where, solid),
         [&](int tag) { return tags.with(tag, region); },
-        r < geometry.project().supports.size() ? bem::Tearing::kTorn : bem::Tearing::kWhole);
+        r < geometry.project().supports.size() ? tearing : bem::Tearing::kWhole);
   }
   return surface;
 }

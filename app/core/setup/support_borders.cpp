@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "modeling/mesh/region_border.h"
+#include "modeling/solid/surface_properties.h"
 
 namespace palpa::app {
 namespace {
@@ -124,7 +126,58 @@ bem::LevelFunction levelOf(const std::vector<modeling::RegionPart>& parts) {
   };
 }
 
+/// True if the border of a half space crosses no sharp edge, and the surface beside it is steep.
+bool isRegular(const modeling::HalfSpace& half, const modeling::Solid& solid,
+               const modeling::SurfaceEvaluator& surface) {
+  constexpr int kPieces = 32;
+  constexpr double kBeside = 0.03;    ///< of the size of the body
+  constexpr double kMinSlope = 0.35;  ///< change of the distance per distance along the surface
+  const auto [low, high] = modeling::boundingBox(solid);
+  const double band = kBeside * (high - low).norm();
+  const Vector3d normal = half.normal.normalized();
+  const std::vector<int> groups =
+      modeling::smoothingGroups(solid, modeling::sharpEdges(solid, surface));
+  std::optional<int> cut;
+  for (int patch = 0; patch < surface.patchCount(); ++patch) {
+    const auto [uLow, uHigh] = surface.range(patch, 0);
+    const auto [vLow, vHigh] = surface.range(patch, 1);
+    bool isInside = false, isOutside = false;
+    for (int j = 0; j <= kPieces; ++j)
+      for (int i = 0; i <= kPieces; ++i) {
+        const double u = uLow + (uHigh - uLow) * i / kPieces;
+        const double v = vLow + (vHigh - vLow) * j / kPieces;
+        const double level = half.value(surface.position(patch, u, v)) / half.normal.norm();
+        (level < 0 ? isInside : isOutside) = true;
+        if (std::abs(level) > band) continue;
+        const double across = normal.dot(surface.normal(patch, u, v));
+        if (1 - across * across < kMinSlope * kMinSlope) return false;
+      }
+    if (!isInside || !isOutside) continue;
+    const int group = groups[static_cast<std::size_t>(patch)];
+    if (cut && *cut != group) return false;
+    cut = group;
+  }
+  return true;
+}
+
 }  // namespace
+
+bool haveRoots(std::span<const modeling::Support> supports, const modeling::Solid& solid,
+               const modeling::SurfaceEvaluator& surface) {
+  const auto isPatches = [](const modeling::RegionPart& part) {
+    return std::holds_alternative<modeling::PatchSet>(part);
+  };
+  return std::all_of(supports.begin(), supports.end(), [&](const modeling::Support& support) {
+    const auto& [parts, except] = support.where;
+    if (std::all_of(parts.begin(), parts.end(), isPatches) &&
+        std::all_of(except.begin(), except.end(), isPatches))
+      return true;
+    const auto* half =
+        parts.size() == 1 ? std::get_if<modeling::HalfSpace>(&parts.front()) : nullptr;
+    return half && except.empty() && support.kind == modeling::Support::Kind::kFixed &&
+           isRegular(*half, solid, surface);
+  });
+}
 
 bem::SurfacePart surfacePart(const modeling::Region& region, const modeling::Solid& solid) {
   return {modeling::namedPatches(region.parts, solid), levelOf(region.parts),

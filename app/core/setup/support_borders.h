@@ -6,6 +6,7 @@
 
 #include "bem/spline/surface_part.h"
 #include "modeling/body/region.h"
+#include "modeling/project/project.h"
 #include "modeling/solid/solid.h"
 #include "modeling/solid/surface_evaluator.h"
 
@@ -15,6 +16,14 @@ namespace palpa::app {
 /// A region as a part of the boundary elements' surface: named patches as a whole, half spaces and
 /// strokes by their distance (mm).
 bem::SurfacePart surfacePart(const modeling::Region& region, const modeling::Solid& solid);
+
+/// True if the spline functions beside the borders of all supports that cut patches have roots
+/// (bem::Tearing::kRoots): these are fixed half spaces whose border crosses no sharp edge of the
+/// solid, and beside it the surface is nowhere nearly parallel to the plane. Levels of strokes,
+/// unions and exceptions have kinks, under rollers tractions may be regular up to the border, and
+/// across sharp edges and on shallow slopes some bodies became nearly singular.
+bool haveRoots(std::span<const modeling::Support> supports, const modeling::Solid& solid,
+               const modeling::SurfaceEvaluator& surface);
 
 /// Borders of supports; tractions are singular there.
 struct SupportBorders {
