@@ -62,7 +62,6 @@ class ImportCommand : public Command {
     if (takesAll_) return importAll(context, options);
     ReadBody read = readBody(file_, options, context.job());
     if (!name_.empty()) read.project.name = name_;
-    if (options.edgeLength > 0) read.project.mesh.edgeLength = options.edgeLength;
     modeling::checkProject(read.project);
     if (!output_.isGiven()) {
       std::cout << modeling::toJson(read.project);

@@ -114,6 +114,23 @@ std::string toText(const app::TouchState::Contact& contact) {
   return text;
 }
 
+std::string percentText(double error) {
+  return error > 1 ? "more than 100 %" : format("about %.2g %%", 100 * error);
+}
+
+/// Parts that are only carried along may have wrong displacements where forces are right.
+std::string accuracyText(double largest, double ofForces) {
+  constexpr double kMuchSmaller = 0.5;
+  if (ofForces > 0 && ofForces < kMuchSmaller * largest)
+    return "accuracy   estimated errors: of forces " + percentText(ofForces) +
+           ", of displacements " + percentText(largest) + "\n";
+  if (largest > 1)
+    return "accuracy   the estimated error is " + percentText(largest) +
+           ": take smaller elements\n";
+  return "accuracy   displacements and forces are good to " + percentText(largest) +
+         " (estimated)\n";
+}
+
 const char* nameOf(modeling::Engine engine) {
   if (engine == modeling::Engine::kSplines) return "splines";
   return engine == modeling::Engine::kQuadratic ? "quadratic" : "triangles";
@@ -161,6 +178,8 @@ Json StateReport::json() const {
   report["elements"] = model.setup().discretisation->elementCount();
   report["coefficients"] = model.setup().discretisation->displacementCount();
   report["error_estimate"] = state.errorEstimate ? Json(*state.errorEstimate) : Json();
+  report["force_error_estimate"] =
+      state.forceErrorEstimate ? Json(*state.forceErrorEstimate) : Json();
   report["supports"] = Json::array();
   for (const auto& support : state.supports) {
     report["supports"].push_back(toJson(support.name, support.resultant));
@@ -223,15 +242,14 @@ std::string StateReport::text() const {
   for (const auto& load : model.setup().loads)
     text += toText("load", load.name, load.resultant, 0, 0);
   for (const auto& support : state.supports) {
-    text += toText("support", support.name, support.resultant, state.errorEstimate.value_or(0),
+    text += toText("support", support.name, support.resultant, state.forceErrorEstimate.value_or(0),
                    model.setup().mesh().boundingSize());
   }
   text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
                  100 * state.relativeBalance);
   // A body at rest has no error.
   if (state.errorEstimate && *state.errorEstimate > 0)
-    text += format("accuracy   displacements and forces are good to about %.2g %% (estimated)\n",
-                   100 * *state.errorEstimate);
+    text += accuracyText(*state.errorEstimate, state.forceErrorEstimate.value_or(0));
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";
   for (const app::FieldSample& sample : samples) {

@@ -45,6 +45,7 @@ TEST(TouchError, IsOfPlacesAwayFromSupports) {
 TEST(AccuracyAdvice, ARequestThatIsMetNeedsNothing) {
   modeling::Project project = test::clampedCylinder(8);
   project.mesh.accuracy = 0.05;
+  project.mesh.splineDensity = 1.5;
   const AccuracyAdvice advice = advise(project, *build(project));
   EXPECT_EQ(advice.limit, Limit::kNone);
   EXPECT_FALSE(advice.mesh);

@@ -90,6 +90,8 @@ struct TouchState {
   /// Estimated relative error of displacements and forces, the largest one (error_estimate.h);
   /// empty if it was not requested.
   std::optional<double> errorEstimate;
+  /// The same of forces alone: of contacts, or without these of the field.
+  std::optional<double> forceErrorEstimate{};
 };
 
 /// A project that is meshed, assembled, factorised and solved for its supports and loads, ready to

@@ -10,6 +10,7 @@
 #include "base/box_tree.h"
 #include "bem/base/error.h"
 #include "bem/model/surface_point.h"
+#include "bem/problem/interior_evaluator.h"
 #include "bem/spline/spline_discretisation.h"
 
 namespace palpa::app {
@@ -34,17 +35,21 @@ bool hasCutSplines(const BoundarySetup& setup) {
   return false;
 }
 
-/// Factor from the estimates to errors that cover the true ones of 95 % of random bodies: the
-/// residual sees only a part where flat triangles change the body, or splines are cut. Measured by
-/// bench/coverage (docs/verification.md).
-double coverFactor(const BoundarySetup& setup) {
-  if (setup.engine == modeling::Engine::kTriangles) return 5;
-  if (setup.engine == modeling::Engine::kQuadratic) return 1.85;
-  return hasCutSplines(setup) ? 2.8 : 1.5;
+/// Factors from the estimates to errors that cover the true ones of 95 % of random bodies, for the
+/// field and at contacts: the residual sees only a part where flat triangles change the body, or
+/// splines are cut; at contacts splines have less of it than elsewhere. Measured by bench/coverage
+/// (docs/verification.md) and with finer models of the examples (tests/app).
+struct CoverFactors {
+  double field, contact;
+};
+CoverFactors coverFactors(const BoundarySetup& setup) {
+  if (setup.engine == modeling::Engine::kTriangles) return {5, 5};
+  if (setup.engine == modeling::Engine::kQuadratic) return {1.85, 1.85};
+  return {hasCutSplines(setup) ? 2.8 : 1.5, 3.8};
 }
 
 /// A further factor where forces are given: a stiffness that is wrong as a whole moves all places,
-/// while a given displacement keeps the field at its place. Measured as coverFactor().
+/// while a given displacement keeps the field at its place. Measured as coverFactors().
 constexpr double kWithGivenForces = 2;
 
 bool hasGivenForces(const BoundarySetup& setup, const TouchState& state) {
@@ -69,22 +74,52 @@ class EstimatedError {
         p_(fields.p.col(column)),
         carried_(carried.u.col(column)) {}
 
-  /// Sums of squares over places.
-  struct Sum {
-    double error = 0, moved = 0;
-    double relative() const { return moved > 0 ? std::sqrt(error / moved) : 0; }
+  /// Squares of the error and of the displacement, mm^2, at a place or summed over places.
+  struct Squares {
+    double error = 0, moved = 0, weights = 0;
+    void add(const Squares& other, double weight = 1) {
+      error += weight * other.error;
+      moved += weight * other.moved;
+      weights += weight;
+    }
+    /// Over the displacement of the places, or a larger one, mm.
+    double relative(double displacement = 0) const {
+      const double over = std::max(moved, weights * displacement * displacement);
+      return over > 0 ? std::sqrt(error / over) : 0;
+    }
   };
-  void add(const bem::SurfacePoint& place, Sum& sum) const {
+  Squares at(const bem::SurfacePoint& place) const {
     const bem::Discretisation& on = *setup_.discretisation;
-    sum.error += (on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, bulk_))
-                     .squaredNorm();
-    sum.moved += on.interpolate(place, u_).squaredNorm();
+    return {(on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, bulk_))
+                .squaredNorm(),
+            on.interpolate(place, u_).squaredNorm()};
   }
 
  private:
   const BoundarySetup& setup_;
   const bem::Bulk bulk_;
   const Eigen::VectorXd u_, p_, carried_;
+};
+
+/// Strain energy per volume on the surface.
+class EnergyDensity {
+ public:
+  EnergyDensity(const BoundarySetup& setup, const bem::BoundaryField& field)
+      : setup_(setup),
+        stress_(
+            setup.discretisation->surfaceStress(field.u.col(0), field.p.col(0), setup.material)) {}
+
+  /// N/mm^2, at the middle of the place's triangle.
+  double at(const bem::SurfacePoint& place) const {
+    Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
+    for (const int slot : setup_.meshSlots().ofCorner[static_cast<std::size_t>(place.triangle)])
+      stress += stress_[static_cast<std::size_t>(slot)] / 3;
+    return 0.5 * stress.cwiseProduct(bem::strainOf(stress, setup_.material)).sum();
+  }
+
+ private:
+  const BoundarySetup& setup_;
+  std::vector<Eigen::Matrix3d> stress_;
 };
 
 bem::BoundaryField carriedError(const TouchModel& model, const bem::Bulk& bulk,
@@ -96,12 +131,12 @@ bem::BoundaryField carriedError(const TouchModel& model, const bem::Bulk& bulk,
 /// displacement of the contact; 0 for a contact that does not move.
 double errorAtContact(const bem::BoundaryMesh& mesh, const EstimatedError& error,
                       const TouchState::Contact& contact) {
-  EstimatedError::Sum sum;
+  EstimatedError::Squares sum;
   const double reach = contact.isBall() ? contact.patchRadius() : contact.radius;
   const Vector3d along = contact.normal.unitOrthogonal(), across = contact.normal.cross(along);
   for (const Vector3d& direction :
        std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
-    error.add(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction), sum);
+    sum.add(error.at(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction)));
   const double moved = contact.displacement.norm();
   return moved > kStill * mesh.boundingSize() ? std::sqrt(sum.error / 5) / moved : 0;
 }
@@ -174,6 +209,10 @@ double StateError::largest() const {
   return error;
 }
 
+double StateError::ofForces() const {
+  return contacts.empty() ? field : *std::max_element(contacts.begin(), contacts.end());
+}
+
 double estimateError(const TouchModel& model, const TouchState& state, const Job& job) {
   return estimateErrors(model, state, job).largest();
 }
@@ -181,6 +220,7 @@ double estimateError(const TouchModel& model, const TouchState& state, const Job
 void addErrors(const TouchModel& model, TouchState& state, const Job& job) {
   const StateError errors = estimateErrors(model, state, job);
   state.errorEstimate = errors.largest();
+  state.forceErrorEstimate = errors.ofForces();
   for (std::size_t k = 0; k < state.contacts.size(); ++k)
     state.contacts[k].errorEstimate = errors.contacts[k];
 }
@@ -193,23 +233,30 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   const bem::Bulk bulk = model.setup().bulk();
   const EstimatedError error(model.setup(), bulk, state.field,
                              carriedError(model, bulk, state.field, quiet), 0);
-  EstimatedError::Sum sum;
+  // Also weighted by the energy: the error of parts that are only carried along, like the pins of a
+  // chip that is pressed elsewhere, costs no energy and does not change a force.
+  EstimatedError::Squares sum, strained;
+  const EnergyDensity energy(model.setup(), state.field);
   std::vector<int> all(static_cast<std::size_t>(mesh.triangleCount()));
   std::iota(all.begin(), all.end(), 0);
   for (const bem::SurfacePoint& place : spread(mesh, all, samples)) {
     job.throwIfCancelled();
-    error.add(place, sum);
+    const EstimatedError::Squares here = error.at(place);
+    sum.add(here);
+    strained.add(here, energy.at(place));
   }
   StateError estimate;
-  const double factor =
-      coverFactor(model.setup()) * (hasGivenForces(model.setup(), state) ? kWithGivenForces : 1);
-  estimate.field = factor * std::max(sum.relative(), state.relativeBalance);
+  const CoverFactors factors = coverFactors(model.setup());
+  const double ofForces = hasGivenForces(model.setup(), state) ? kWithGivenForces : 1;
+  estimate.field = ofForces * factors.field * std::max(sum.relative(), state.relativeBalance);
   double fromArea = 0;
   for (const TouchState::Contact& contact : state.contacts) {
-    // The residual at a contact does not show what is wrong at the supports: a force has at least
-    // the error of the field.
+    // The residual at a contact does not show what is wrong with the body as a whole: a force has
+    // at least the error of the field where the body is strained.
     const double ofContact =
-        std::max(factor * errorAtContact(mesh, error, contact), estimate.field);
+        ofForces * factors.contact *
+        std::max({errorAtContact(mesh, error, contact),
+                  strained.relative(contact.displacement.norm()), state.relativeBalance});
     const double ofArea = ballPressureError(model.setup(), contact);
     fromArea = std::max(fromArea, ofArea);
     estimate.contacts.push_back(ofContact + ofArea);
@@ -251,7 +298,7 @@ TouchError estimateTouchError(const TouchModel& model, const Job& job) {
   }
   TouchError error;
   if (count == 0) return error;
-  const double factor = coverFactor(setup);
+  const double factor = coverFactors(setup).contact;
   const bem::Bulk bulk(setup.material);
   const bem::BoundaryField carried = carriedError(model, bulk, fields, quiet);
   for (Eigen::Index k = 0; k < count; ++k) {

@@ -20,6 +20,9 @@ struct StateError {
   std::vector<double> contacts;
 
   double largest() const;
+  /// Largest one of the contacts; of the field if there are none: then forces are reactions to
+  /// loads.
+  double ofForces() const;
 };
 
 /// Estimates the errors of a state from `samples` places all over the surface and five at each

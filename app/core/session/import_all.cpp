@@ -77,7 +77,6 @@ std::vector<SavedBody> importAll(const std::filesystem::path& path,
     options.solid = std::to_string(i + 1);
     try {
       ImportedProject imported = importProject(path, options, job);
-      if (options.edgeLength > 0.0) imported.project.mesh.edgeLength = options.edgeLength;
       modeling::checkProject(imported.project);
       modeling::writeProject(imported.project, files[i]);
     } catch (const modeling::ModelingError& error) {

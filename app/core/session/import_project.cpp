@@ -23,6 +23,7 @@ ImportedProject importProject(const std::filesystem::path& path,
   modeling::Project& project = result.project;
   result.held = modeling::proposeSupport(project.body);
   project.supports = {result.held.support};
+  if (options.edgeLength > 0) project.mesh.edgeLength = options.edgeLength;
   if (modeling::closedSurfaceCount(project.body) > 1) {
     result.notes.push_back(
         "The body has a closed cavity, so the Poisson's ratio of its material is " +

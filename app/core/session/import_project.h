@@ -20,10 +20,10 @@ struct ImportedProject {
 };
 
 /// A project with the body of a CAD or mesh file that can be touched at once: named after the file
-/// (or after the body, if the file has several), with the default material, a suitable mesh, and
-/// the support of modeling::proposeSupport(). A body with a closed cavity gets a smaller Poisson's
-/// ratio than the default material, because the solver refuses cavities in nearly incompressible
-/// material. Throws as modeling::importBody().
+/// (or after the body, if the file has several), with the default material, the edge length of the
+/// options or a suitable one, and the support of modeling::proposeSupport(). A body with a closed
+/// cavity gets a smaller Poisson's ratio than the default material, because the solver refuses
+/// cavities in nearly incompressible material. Throws as modeling::importBody().
 ImportedProject importProject(const std::filesystem::path& path,
                               const modeling::ImportOptions& options = {}, const Job& job = {});
 
