@@ -139,7 +139,10 @@ double ContactSimulation::roll(Contact& contact) const {
         contact.rolled + contact.tool.radius * std::max(contact.curvature, 0.0) / sum * middle;
     next = bySlope * fromSlope + (1 - bySlope) * fromForces;
   }
-  const Vector3d motion = kRollShare * (next - contact.rolled);
+  Vector3d motion = kRollShare * (next - contact.rolled);
+  // Beside an edge, neither the curvature nor the slope is reliable.
+  const double most = set_.mask(contact.firstMask).radius;
+  if (motion.norm() > most) motion *= most / motion.norm();
   contact.rolled += motion;
   return motion.norm();
 }

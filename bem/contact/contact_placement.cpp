@@ -84,7 +84,8 @@ SurfacePoint ContactSimulation::footOf(const Contact& contact) const {
 }
 
 /// Mean curvature of the surface around a contact, 1/mm, from normals at a distance (mm); positive
-/// where the surface is convex.
+/// where the surface is convex. At most the curvature of a ball of this radius: an edge has no
+/// curvature.
 double ContactSimulation::meanCurvature(const Contact& contact, double distance) const {
   const Vector3d normal = surface_.normal(contact.point);
   const Vector3d across = normal.cross(contact.across);
@@ -96,7 +97,7 @@ double ContactSimulation::meanCurvature(const Contact& contact, double distance)
     const double apart = (point.position - contact.point.position).dot(direction);
     if (apart > 0) sum += (surface_.normal(point) - normal).dot(direction) / apart;
   }
-  return sum / 4;
+  return std::min(sum / 4, 1 / distance);
 }
 
 /// Places the masks of a ball. The contact lies within the region in which the surface without the

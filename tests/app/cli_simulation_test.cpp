@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "tests/app/cli_runner.h"
@@ -332,6 +333,19 @@ TEST_F(CliSimulation, OptionsWithoutMeaningAreUsageErrors) {
     EXPECT_EQ(outcome.err.rfind("palpa-cli: ", 0), 0u) << outcome.err;
   }
   EXPECT_EQ(cli_.run("touch p.json --at 0,0,60 --displace 0,0,1").exitCode, 3);
+}
+
+/// A large ball beside a sharp edge: its contact once ran away over the edge, because the curvature
+/// that normals on both sides of an edge seem to show is huge.
+TEST_F(CliSimulation, ABallBesideAnEdgeStaysWhereItTouches) {
+  const std::string file =
+      std::filesystem::absolute("data/projects/touches/ball_beside_edge.json").string();
+  for (const char* accuracy : {"0.01", "0.009"}) {
+    const Json report = cli_.runJson("touch " + file + " --engine splines --accuracy " + accuracy);
+    const Json& contact = report.at("contacts")[0];
+    EXPECT_NEAR(contact.at("normal_force_N").get<double>(), 0.44, 0.05);
+    EXPECT_NEAR(contact.at("at_mm")[2].get<double>(), 53.3, 1);
+  }
 }
 
 }  // namespace
