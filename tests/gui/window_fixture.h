@@ -65,8 +65,8 @@ class WindowTest : public testing::Test {
 };
 
 /// Runs `act` on the modal dialog of type T opened by `open`. Fails if no dialog opens, if `act`
-/// leaves it open, or if another dialog stays open for half a minute; then closes the dialogs, so that
-/// `open` returns.
+/// leaves it open, or if another dialog stays open for half a minute; then closes the dialogs, so
+/// that `open` returns.
 template <class T>
 void withDialog(const std::function<void()>& open, const std::function<void(T&)>& act) {
   constexpr int kPatience = 30000;  // ms; a busy machine reads a file in 10 s
