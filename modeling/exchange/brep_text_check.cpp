@@ -30,19 +30,20 @@ void checkBrepText(const std::string& text, const std::string& source) {
   std::size_t at = text.substr(0, 4096).find("CASCADE Topology V");
   if (at == std::string::npos)
     throw ModelingError(source +
-                        ": is not a BREP file; CASCADE Topology is missing at its beginning");
+                        ": is not a BREP file; CASCADE Topology is missing at its beginning: "
+                        "export it again, or correct its ending");
   long shapes = 0;
   for (const std::string_view heading : kHeadings) {
     const std::size_t found = text.find("\n" + std::string(heading) + " ", at);
     if (found == std::string::npos)
       throw ModelingError(source + ": the file is damaged or cut off: the section " +
-                          std::string(heading) + " is missing");
+                          std::string(heading) + " is missing; export it again");
     at = found + 1 + heading.size();
     shapes = countAt(text, at);
     const long lines = std::count(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), '\n');
     if (shapes < 0 || shapes > lines)
       throw ModelingError(source + ": the file is damaged: the section " + std::string(heading) +
-                          " cannot have the number of entries that it states");
+                          " cannot have the number of entries that it states; export it again");
   }
   std::size_t end = at;
   long ends = 0;
@@ -52,7 +53,7 @@ void checkBrepText(const std::string& text, const std::string& source) {
   }
   if (ends < shapes || text.find_first_of("+-", end) == std::string::npos)
     throw ModelingError(source + ": the file is cut off: it has " + std::to_string(ends) + " of " +
-                        std::to_string(shapes) + " shapes");
+                        std::to_string(shapes) + " shapes; export it again");
 }
 
 }  // namespace palpa::modeling

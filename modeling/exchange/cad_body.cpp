@@ -124,6 +124,14 @@ void makeMesh(const CadSolid& solid, double edgeLength, double factor, const std
                              shortNumberText(factor * result.deviation) + " mm.");
 }
 
+/// Name and note of one of several solids.
+void describeChoice(const FileBodies& found, std::size_t index, const std::filesystem::path& path,
+                    ImportedBody& imported) {
+  if (found.bodies.size() == 1) return;
+  imported.name = projectName(found.bodies[index], path);
+  imported.notes.push_back(chosenNote(found, index));
+}
+
 /// Index of the chosen solid. Sets its name and a note if there are several.
 std::size_t choose(const CadContent& content, const CadSolids& solids, const ImportOptions& options,
                    double factor, const std::filesystem::path& path, const Job& job,
@@ -137,21 +145,14 @@ std::size_t choose(const CadContent& content, const CadSolids& solids, const Imp
     place(found, factor, options.placement.up);
     return chooseBody(found, options.solid);
   }();
-  if (found.bodies.size() > 1) {
-    imported.name = projectName(found.bodies[index], path);
-    imported.notes.push_back(chosenNote(found, index));
-  }
+  describeChoice(found, index, path, imported);
   return index;
 }
 
 /// Approximates and meshes in the unit of the file as it was read; `factor` turns lengths there
 /// into lengths of the placed body.
-ImportedBody convert(const CadContent& content, const ImportOptions& options,
-                     const std::filesystem::path& path, const Job& job) {
-  ImportedBody imported;
-  const double factor = options.placement.factor(content.unit);
-  const CadSolids solids = findSolids(content, factor, job);
-  const std::size_t index = choose(content, solids, options, factor, path, job, imported);
+void convert(const CadSolids& solids, std::size_t index, const ImportOptions& options,
+             double factor, const Job& job, ImportedBody& imported) {
   const CadSolid solid = closedSolid(solids, index, factor, job);
   imported.notes.insert(imported.notes.end(), solid.notes.begin(), solid.notes.end());
   const double tolerance =
@@ -165,6 +166,15 @@ ImportedBody convert(const CadContent& content, const ImportOptions& options,
   }
   imported.deviation *= factor;
   imported.body = placed(imported.body, factor, options.placement.up);
+}
+
+ImportedBody convertChosen(const CadContent& content, const ImportOptions& options,
+                           const std::filesystem::path& path, const Job& job) {
+  ImportedBody imported;
+  const double factor = options.placement.factor(content.unit);
+  const CadSolids solids = findSolids(content, factor, job);
+  const std::size_t index = choose(content, solids, options, factor, path, job, imported);
+  convert(solids, index, options, factor, job, imported);
   return imported;
 }
 
@@ -179,13 +189,49 @@ auto withName(const std::filesystem::path& path, const auto& work) {
   }
 }
 
+/// The body that `work` returns, or the problem of one solid.
+BodyOutcome outcomeOf(const std::filesystem::path& path, const auto& work) {
+  try {
+    try {
+      return {withName(path, work), ""};
+    } catch (...) {
+      rethrowAsModelingError(path.string());
+    }
+  } catch (const ModelingError& error) {
+    return {std::nullopt, error.what()};
+  }
+}
+
 }  // namespace
 
 ImportedBody readCadBody(const std::filesystem::path& path, const std::string& text,
                          const ImportOptions& options, const Job& job) {
   try {
     const CadContent content = readCad(path, text, job);
-    return withName(path, [&] { return convert(content, options, path, job); });
+    return withName(path, [&] { return convertChosen(content, options, path, job); });
+  } catch (...) {
+    rethrowAsModelingError(path.string());
+  }
+}
+
+void readCadBodies(const std::filesystem::path& path, const std::string& text,
+                   const ImportOptions& options, const std::function<bool(std::size_t)>& wants,
+                   const TakeBody& take, const Job& job) {
+  try {
+    const CadContent content = readCad(path, text, job);
+    const double factor = withName(path, [&] { return options.placement.factor(content.unit); });
+    const CadSolids solids = withName(path, [&] { return findSolids(content, factor, job); });
+    const FileBodies found = nameSolids(content, solids);
+    for (std::size_t i = 0; i < solids.shapes.size(); ++i) {
+      if (!wants(i)) continue;
+      BodyOutcome outcome = outcomeOf(path, [&] {
+        ImportedBody imported;
+        describeChoice(found, i, path, imported);
+        convert(solids, i, options, factor, job, imported);
+        return imported;
+      });
+      take(i, std::move(outcome));
+    }
   } catch (...) {
     rethrowAsModelingError(path.string());
   }

@@ -21,6 +21,10 @@ double secondsFor(const std::string& text) {
   return kMinSeconds + kSecondsPerByte * static_cast<double>(text.size());
 }
 
+double importSeconds(const std::string& text, const ImportOptions& options) {
+  return secondsFor(text) + (options.edgeLength > 0.0 ? kSecondsForMesh : 0.0);
+}
+
 }  // namespace
 
 void ImportOptions::validate() const {
@@ -40,9 +44,31 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
   job.throwIfCancelled();
   const std::string text = readCadText(path);
   const OpenCascadeSession session;
-  readInSandbox(path, text, {false, ListedSurface::kNone, options},
-                secondsFor(text) + (options.edgeLength > 0.0 ? kSecondsForMesh : 0.0), job);
+  readInSandbox(path, text, {.options = options}, importSeconds(text, options), job);
   return readCadBody(path, text, options, job);
+}
+
+void importCadBodies(const std::filesystem::path& path, std::size_t count,
+                     const ImportOptions& options, const TakeBody& take, const Job& job) {
+  options.validate();
+  job.throwIfCancelled();
+  const std::string text = readCadText(path);
+  const OpenCascadeSession session;
+  const std::vector<std::string> problems =
+      readAllInSandbox(path, text, count, options, importSeconds(text, options), job);
+  std::size_t next = 0;
+  const auto refuseBefore = [&](std::size_t end) {
+    for (; next < end; ++next) take(next, {std::nullopt, problems[next]});
+  };
+  const auto wants = [&](std::size_t index) { return index < count && problems[index].empty(); };
+  const auto takeNext = [&](std::size_t index, BodyOutcome outcome) {
+    refuseBefore(index);
+    take(index, std::move(outcome));
+    ++next;
+    job.report(Phase::kImport, static_cast<double>(next) / static_cast<double>(count));
+  };
+  readCadBodies(path, text, options, wants, takeNext, job);
+  while (next < count && !problems[next].empty()) refuseBefore(next + 1);
 }
 
 FileBodies listCad(const std::filesystem::path& path, ListedSurface surface, const Job& job) {
@@ -51,7 +77,8 @@ FileBodies listCad(const std::filesystem::path& path, ListedSurface surface, con
   job.report(Phase::kRead, 0.0);
   const double seconds =
       secondsFor(text) + (surface == ListedSurface::kCoarse ? kSecondsForMesh : 0.0);
-  const std::string list = readInSandbox(path, text, {true, surface, {}}, seconds, job);
+  const std::string list =
+      readInSandbox(path, text, {.lists = true, .surface = surface}, seconds, job);
   job.report(Phase::kRead, 1.0);
   try {
     return fileBodiesFrom(list);

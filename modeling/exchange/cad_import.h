@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +42,15 @@ struct ImportedBody {
   std::string name;  ///< projectName() of the body if the file has several, otherwise empty
 };
 
+/// One of several bodies of a file.
+struct BodyOutcome {
+  std::optional<ImportedBody> imported;
+  std::string problem;  ///< why the body cannot be imported; empty if it was
+};
+
+/// Receives the bodies of a file one after the other, by their index from 0.
+using TakeBody = std::function<void(std::size_t index, BodyOutcome outcome)>;
+
 /// Reads a solid of a STEP, IGES or BREP file, in mm, with the names of its faces.
 ///
 /// The result is a NUBS solid if every face is one four-sided piece of a surface without a pole and
@@ -55,6 +67,13 @@ struct ImportedBody {
 /// chosen solid, or has an open surface (the message names the place); SeveralBodies; Cancelled.
 ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& options = {},
                        const Job& job = {});
+
+/// Imports all of the `count` solids of a CAD file as importCad() does with one, and passes the
+/// outcome of each in the order of the file to `take`. The file is read twice, as for one solid. If
+/// OpenCASCADE crashes at a solid, that solid alone is refused, and the program palpa-read-cad
+/// starts again behind it. Throws as importCad() if the file cannot be read.
+void importCadBodies(const std::filesystem::path& path, std::size_t count,
+                     const ImportOptions& options, const TakeBody& take, const Job& job = {});
 
 /// Solids of a CAD file, in mm, as listBodies() without a placement. The program palpa-read-cad
 /// reads the file, this process does not. Throws as importCad().

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/exchange/opencascade_session.h"
 
@@ -40,14 +41,14 @@ class Joiner {
     TopLoc_Location location;
     const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
     if (mesh.IsNull() || mesh->NbTriangles() == 0)
-      throw ModelingError("OpenCASCADE cannot triangulate the face \"" + names_[index] + "\"");
+      throw ModelingError("OpenCASCADE cannot triangulate " + faceText(face, index));
     vertexOfNode_.assign(static_cast<std::size_t>(mesh->NbNodes()) + 1, -1);
     collapsed_.assign(vertexOfNode_.size(), -1);
     const auto position = [&](int node) {
       return toEigen(mesh->Node(node).Transformed(location.Transformation()));
     };
     for (TopExp_Explorer e(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); e.More(); e.Next())
-      addEdge(TopoDS::Edge(e.Current()), mesh, location, position);
+      addEdge(TopoDS::Edge(e.Current()), mesh, location, position, faceText(face, index));
     for (int node = 1; node <= mesh->NbNodes(); ++node) {
       int& vertex = vertexOfNode_[node];
       if (vertex < 0) vertex = addPoint(position(node));
@@ -74,6 +75,15 @@ class Joiner {
   }
 
  private:
+  std::string faceText(const TopoDS_Face& face, int index) const {
+    const TopExp_Explorer vertex(face, TopAbs_VERTEX);
+    const std::string place =
+        vertex.More()
+            ? " near " + placeText(toEigen(BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()))))
+            : "";
+    return "the face \"" + names_[index] + "\"" + place;
+  }
+
   int addPoint(const Vector3d& p) {
     data_.positions.push_back(p);
     return static_cast<int>(data_.positions.size()) - 1;
@@ -91,10 +101,11 @@ class Joiner {
 
   /// Vertices at the nodes of an edge: its two ends, and the inner nodes in order.
   void addEdge(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & mesh,
-               const TopLoc_Location& location, const auto& position) {
+               const TopLoc_Location& location, const auto& position, const std::string& face) {
     const Handle(Poly_PolygonOnTriangulation) polygon =
         BRep_Tool::PolygonOnTriangulation(edge, mesh, location);
-    if (polygon.IsNull()) throw ModelingError("OpenCASCADE left an edge without triangles");
+    if (polygon.IsNull())
+      throw ModelingError("OpenCASCADE left an edge without triangles at " + face);
     const int count = polygon->NbNodes();
     std::vector<int>& row = entryOf(edge, edges_, rowOfEdge_);
     if (row.empty()) {
@@ -112,7 +123,7 @@ class Joiner {
       }
     }
     if (static_cast<int>(row.size()) != count)
-      throw ModelingError("OpenCASCADE divided an edge differently on its two sides");
+      throw ModelingError("OpenCASCADE divided an edge differently on its two sides at " + face);
     for (int i = 1; i <= count; ++i) vertexOfNode_[polygon->Node(i)] = row[i - 1];
     if (!BRep_Tool::Degenerated(edge) || !mesh->HasUVNodes()) return;
     const gp_XY along =
@@ -223,7 +234,9 @@ MeshResult makeMeshBody(const TopoDS_Solid& shape, const std::vector<std::string
       fault = error.what();
     }
   }
-  if (!best) throw ModelingError("no closed triangulation was found: " + fault);
+  if (!best)
+    throw ModelingError("no closed triangulation was found: " + fault +
+                        "; repair this face, or export the part as STL");
   return *best;
 }
 

@@ -35,24 +35,26 @@ std::string readText(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path, code))
     throw ModelingError(path.string() + ": there is no such file", ModelingError::Kind::kNotFound);
   if (!std::filesystem::is_regular_file(path, code))
-    throw ModelingError(path.string() + ": is not a file", ModelingError::Kind::kIo);
+    throw ModelingError(path.string() + ": is not a file; give the name of a file",
+                        ModelingError::Kind::kIo);
   const auto size = std::filesystem::file_size(path, code);
   if (!code && size > kMaxCadFile)
     throw ModelingError(path.string() + ": has " + std::to_string(size >> 20) + " MiB; at most " +
-                            std::to_string(kMaxCadFile >> 20) + " MiB are read",
+                            std::to_string(kMaxCadFile >> 20) + " MiB are read: simplify the part",
                         ModelingError::Kind::kTooLarge);
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   if (!file.is_open() || file.bad())
-    throw ModelingError(path.string() + ": cannot be read", ModelingError::Kind::kIo);
+    throw ModelingError(path.string() + ": cannot be read; check its permissions",
+                        ModelingError::Kind::kIo);
   return text.str();
 }
 
 [[noreturn]] void failReading(const std::filesystem::path& path) {
   throw ModelingError(path.string() +
                       ": OpenCASCADE cannot read the file; it is damaged, or its ending does not "
-                      "match its format");
+                      "match its format: export it again");
 }
 
 void forEachFace(const TopoDS_Shape& shape, const auto& action) {
@@ -149,7 +151,8 @@ std::string readCadText(const std::filesystem::path& path) {
 CadContent readCad(const std::filesystem::path& path, const std::string& text, const Job& job) {
   job.report(Phase::kRead, 0.0);
   CadContent content = readContent(path, text, job);
-  if (content.shape.IsNull()) throw ModelingError(path.string() + ": contains no readable shape");
+  if (content.shape.IsNull())
+    throw ModelingError(path.string() + ": contains no readable shape; export the part as a solid");
   job.report(Phase::kRead, 1.0);
   return content;
 }

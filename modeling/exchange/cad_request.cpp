@@ -57,6 +57,7 @@ FileBody bodyFrom(const Json& json) {
 std::string toText(const CadRequest& request) {
   const ImportOptions& options = request.options;
   return textOf({{"lists", request.lists},
+                 {"all_from", request.allFrom ? Json(*request.allFrom) : Json()},
                  {"surface", request.surface == ListedSurface::kCoarse},
                  {"edge_length", options.edgeLength},
                  {"tolerance", options.tolerance},
@@ -70,6 +71,7 @@ CadRequest requestFrom(const std::string& text) try {
   const Json json = Json::parse(text);
   CadRequest request;
   request.lists = json.at("lists");
+  if (!json.at("all_from").is_null()) request.allFrom = json.at("all_from").get<std::size_t>();
   if (json.at("surface").get<bool>()) request.surface = ListedSurface::kCoarse;
   request.options.edgeLength = json.at("edge_length");
   request.options.tolerance = json.at("tolerance");
@@ -78,6 +80,31 @@ CadRequest requestFrom(const std::string& text) try {
   request.options.placement.scale = json.at("scale");
   request.options.placement.up = static_cast<UpAxis>(json.at("up").get<int>());
   return request;
+} catch (const std::exception& error) {
+  failParsing(error);
+}
+
+std::string beginText(std::size_t index) {
+  return textOf(Json::array({index})) + "\n";
+}
+
+std::string endText(std::size_t index, const std::string& problem) {
+  return textOf(Json::array({index, problem})) + "\n";
+}
+
+SolidsRead solidsReadFrom(const std::string& text) try {
+  SolidsRead read;
+  for (std::size_t at = 0, end; at < text.size() && text[at] == '['; at = end + 1) {
+    end = text.find('\n', at);
+    if (end == std::string::npos) break;  // the program ended while it wrote this line
+    const Json line = Json::parse(text.substr(at, end - at));
+    read.unfinished.reset();
+    if (line.size() == 1)
+      read.unfinished = line.at(0).get<std::size_t>();
+    else
+      read.ended.emplace_back(line.at(0).get<std::size_t>(), line.at(1).get<std::string>());
+  }
+  return read;
 } catch (const std::exception& error) {
   failParsing(error);
 }

@@ -33,7 +33,8 @@
 namespace palpa::modeling {
 namespace {
 
-constexpr double kSewing = 1e-5;  // of the diagonal: largest gap between loose faces to close
+constexpr double kSewing = 1e-5;     // of the diagonal: largest gap between loose faces to close
+constexpr double kNoVolume = 1e-14;  // of the cube of the diagonal
 constexpr double kInside = 1e-6;  // mm: a point nearer to a surface is neither inside nor outside
 
 int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
@@ -45,18 +46,19 @@ int countOf(const TopoDS_Shape& shape, TopAbs_ShapeEnum type) {
 double diagonalOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::AddClose(shape, box);
-  if (box.IsVoid()) throw ModelingError("contains no surface");
+  if (box.IsVoid()) throw ModelingError("contains no surface; export the part as a solid");
   const double diagonal = std::sqrt(box.SquareExtent());
   if (!std::isfinite(diagonal) || diagonal > 2e7 || diagonal < 1e-6)
-    throw ModelingError("the shape has a size of " + numberText(diagonal) +
-                        " mm; expected 0.000001 mm … 10 km");
+    throw ModelingError(
+        "the shape has a size of " + shortNumberText(diagonal) +
+        " mm; expected 0.000001 mm … 20 km: correct the unit in the program that made the file");
   return diagonal;
 }
 
 void checkFaceCount(int faces) {
   if (faces > kMaxCadFaces)
     throw ModelingError("has " + std::to_string(faces) + " faces; at most " +
-                            std::to_string(kMaxCadFaces) + " are read",
+                            std::to_string(kMaxCadFaces) + " are read: simplify the part",
                         ModelingError::Kind::kTooLarge);
 }
 
@@ -101,6 +103,12 @@ std::string pointText(const gp_Pnt& p) {
   return placeText({p.X(), p.Y(), p.Z()});
 }
 
+/// A vertex of a shape; the origin if it has none.
+gp_Pnt vertexOf(const TopoDS_Shape& shape) {
+  const TopExp_Explorer vertex(shape, TopAbs_VERTEX);
+  return vertex.More() ? BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current())) : gp_Pnt();
+}
+
 /// The reason why the faces do not enclose a body; empty if they do.
 std::string openPlace(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape faces;
@@ -120,7 +128,7 @@ std::string openPlace(const TopoDS_Shape& shape) {
     double first, last;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
     const std::string place =
-        curve.IsNull() ? "" : " near " + pointText(curve->Value(0.5 * (first + last)));
+        " near " + pointText(curve.IsNull() ? vertexOf(edge) : curve->Value(0.5 * (first + last)));
     return uses < 2 ? "the surface is not closed: an edge" + place +
                           " belongs to one face only; close the surface"
                     : "an edge" + place + " belongs to " + std::to_string(uses) +
@@ -149,7 +157,8 @@ std::vector<TopoDS_Shell> shellsOf(const TopoDS_Shape& shape) {
 TopoDS_Solid solidFromShells(const std::vector<TopoDS_Shell>& shells) {
   BRepBuilderAPI_MakeSolid maker;
   for (const TopoDS_Shell& shell : shells) maker.Add(shell);
-  if (!maker.IsDone()) throw ModelingError("its faces do not form a closed surface");
+  if (!maker.IsDone())
+    throw ModelingError("its faces do not form a closed surface; close the surface");
   return maker.Solid();
 }
 
@@ -199,7 +208,7 @@ CadSolids findSolids(const CadContent& content, double factor, const Job& job) {
   CadSolids found;
   found.faceNames = content.faceNames;
   const int faces = countOf(content.shape, TopAbs_FACE);
-  if (faces == 0) throw ModelingError("contains no faces; only solids can be imported");
+  if (faces == 0) throw ModelingError("contains no faces; export the part as a solid");
   TopTools_IndexedMapOfShape solids;
   TopExp::MapShapes(content.shape, TopAbs_SOLID, solids);
   int inSolids = 0;
@@ -250,8 +259,9 @@ CadSolid closedSolid(const CadSolids& solids, std::size_t index, double factor, 
   result.shape = TopoDS::Solid(TopExp_Explorer(shape, TopAbs_SOLID).Current());
   GProp_GProps properties;
   BRepGProp::VolumeProperties(result.shape, properties);
-  if (!std::isfinite(properties.Mass()) || properties.Mass() == 0.0)
-    throw ModelingError("the solid encloses no volume");
+  if (!(std::abs(properties.Mass()) > kNoVolume * std::pow(diagonal, 3)))
+    throw ModelingError("the solid near " + pointText(vertexOf(result.shape)) +
+                        " encloses no volume; give it a thickness");
   if (properties.Mass() < 0.0) result.shape.Reverse();
   return result;
 }

@@ -183,8 +183,9 @@ void orient(ClosedSurface& surface) {
   for (std::size_t seed = 0; seed < reached.size(); ++seed) {
     if (reached[seed]) continue;
     if (++parts > kMaxMeshShells)
-      throw ModelingError("consists of more than " + std::to_string(kMaxMeshShells) +
-                          " closed surfaces; a project has one body with its cavities");
+      throw ModelingError(
+          "consists of more than " + std::to_string(kMaxMeshShells) +
+          " closed surfaces; a project has one body with its cavities: export one body");
     reached[seed] = true;
     open.push_back(static_cast<int>(seed));
     while (!open.empty()) {
@@ -209,7 +210,7 @@ void orient(ClosedSurface& surface) {
           throw ModelingError(
               "the surface has one side only (like a Klein bottle); inside and "
               "outside cannot be distinguished at the edge " +
-              edgeText(surface, {a, b}));
+              edgeText(surface, {a, b}) + "; repair the surface there");
         }
       }
     }
@@ -281,7 +282,8 @@ ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job
   cutPolygons(soup, surface, job);
   job.throwIfCancelled();
   joinCorners(surface, firstAtSamePlace(surface.positions));
-  if (surface.triangles.empty()) throw ModelingError("all of its triangles are without extent");
+  if (surface.triangles.empty())
+    throw ModelingError("all of its triangles are without extent; export a closed surface");
   job.throwIfCancelled();
   WrongEdges wrong = wrongEdges(surface);
   if (!wrong.open.empty()) {
@@ -289,7 +291,8 @@ ClosedSurface closeSurface(const PolygonSoup& soup, double scale, const Job& job
     wrong = wrongEdges(surface);
   }
   checkEdges(surface, wrong);
-  if (surface.triangles.empty()) throw ModelingError("all of its triangles are without extent");
+  if (surface.triangles.empty())
+    throw ModelingError("all of its triangles are without extent; export a closed surface");
   dropUnusedPoints(surface);
   job.throwIfCancelled();
   orient(surface);

@@ -14,7 +14,8 @@ namespace {
 constexpr std::string_view kSections = "SGDPT";
 
 [[noreturn]] void fail(const std::string& source, std::size_t line, const std::string& what) {
-  throw ModelingError(source + ": line " + std::to_string(line) + ": " + what);
+  throw ModelingError(source + ": line " + std::to_string(line) + ": " + what +
+                      "; export the file again");
 }
 
 int numberIn(std::string_view columns) {

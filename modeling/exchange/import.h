@@ -10,4 +10,11 @@ namespace palpa::modeling {
 ImportedBody importBody(const std::filesystem::path& path, const ImportOptions& options = {},
                         const Job& job = {});
 
+/// Imports all bodies of a file whose listBodies() are `count`, and passes the outcome of each in
+/// the order of the list to `take`. The file is read as often as for one body; `options.solid` has
+/// no meaning. A body that cannot be imported does not stop the others. Throws ModelingError as
+/// importBody() if the file cannot be read; Cancelled.
+void importBodies(const std::filesystem::path& path, std::size_t count,
+                  const ImportOptions& options, const TakeBody& take, const Job& job = {});
+
 }  // namespace palpa::modeling

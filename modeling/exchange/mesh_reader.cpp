@@ -68,7 +68,7 @@ void nameByGroups(const ClosedSurface& surface, const std::vector<std::string>& 
   }
   if (data.faceNames.size() > static_cast<std::size_t>(kMaxMeshFaces))
     throw ModelingError("has " + std::to_string(data.faceNames.size()) + " groups; at most " +
-                            std::to_string(kMaxMeshFaces) + " can become faces",
+                            std::to_string(kMaxMeshFaces) + " can become faces: unite some of them",
                         ModelingError::Kind::kTooLarge);
   for (int group : surface.groups) data.faceOfTriangle.push_back(faceOfGroup[group]);
 }
@@ -104,7 +104,8 @@ ReadSurface surfaceFrom(std::string_view bytes, FileFormat format, double scale,
     throw ModelingError("the scale " + numberText(scale) + " must be finite and greater than 0");
   if (bytes.size() > kMaxMeshFile)
     throw ModelingError("has " + std::to_string(bytes.size()) + " bytes; at most " +
-                            std::to_string(kMaxMeshFile) + " are read",
+                            std::to_string(kMaxMeshFile) +
+                            " are read: reduce the number of triangles",
                         ModelingError::Kind::kTooLarge);
   job.report(Phase::kImport, 0.0);
   // The first 80 bytes of a binary STL file are arbitrary.
@@ -167,6 +168,17 @@ FileBodies describe(const ReadSurface& read, ListedSurface listed) {
   return found;
 }
 
+MeshBody bodyFrom(ClosedSurface surface, const std::vector<std::string>& groupNames) {
+  MeshBody::Data data;
+  if (isOneGroup(surface.groups))
+    nameBySharpEdges(surface, data);
+  else
+    nameByGroups(surface, groupNames, data);
+  data.positions = std::move(surface.positions);
+  data.triangles = std::move(surface.triangles);
+  return MeshBody(std::move(data));
+}
+
 ChosenMesh chosenFrom(std::string_view bytes, FileFormat format, const MeshReadOptions& options,
                       const Job& job) {
   ReadSurface read = surfaceFrom(bytes, format, options.scale, job);
@@ -179,14 +191,7 @@ ChosenMesh chosenFrom(std::string_view bytes, FileFormat format, const MeshReadO
     index = chooseBody(found, options.solid);
     keepBody(surface, static_cast<int>(index));
   }
-  MeshBody::Data data;
-  if (isOneGroup(surface.groups))
-    nameBySharpEdges(surface, data);
-  else
-    nameByGroups(surface, read.groupNames, data);
-  data.positions = std::move(surface.positions);
-  data.triangles = std::move(surface.triangles);
-  MeshBody body(std::move(data));
+  MeshBody body = bodyFrom(std::move(surface), read.groupNames);
   job.report(Phase::kImport, 1.0);
   return {std::move(body), std::move(found), index};
 }
@@ -219,6 +224,28 @@ ChosenMesh chooseMesh(const std::filesystem::path& path, const MeshReadOptions& 
   const FileFormat format = requireFormat(path, isReadableMesh);
   const std::string bytes = readTextFile(path, kMaxMeshFile);
   return withName(path.string(), [&] { return chosenFrom(bytes, format, options, job); });
+}
+
+void readMeshBodies(const std::filesystem::path& path, const MeshReadOptions& options,
+                    const TakeMesh& take, const Job& job) {
+  const FileFormat format = requireFormat(path, isReadableMesh);
+  const std::string bytes = readTextFile(path, kMaxMeshFile);
+  const ReadSurface read =
+      withName(path.string(), [&] { return surfaceFrom(bytes, format, options.scale, job); });
+  const FileBodies found = describe(read, ListedSurface::kNone);
+  for (std::size_t i = 0; i < found.bodies.size(); ++i) {
+    job.throwIfCancelled();
+    std::optional<ChosenMesh> chosen;
+    std::string problem;
+    try {
+      ClosedSurface surface = read.surface;
+      keepBody(surface, static_cast<int>(i));
+      chosen.emplace(ChosenMesh{bodyFrom(std::move(surface), read.groupNames), found, i});
+    } catch (const ModelingError& error) {
+      problem = path.string() + ": " + error.what();
+    }
+    take(i, std::move(chosen), problem);
+  }
 }
 
 FileBodies listMeshFile(const std::filesystem::path& path, double scale, ListedSurface surface,

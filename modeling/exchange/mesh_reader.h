@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -65,6 +67,14 @@ struct ChosenMesh {
 /// As readMeshFile().
 ChosenMesh chooseMesh(const std::filesystem::path& path, const MeshReadOptions& options,
                       const Job& job = {});
+
+/// Reads the `count` bodies of a mesh file, which is read once, as readMeshFile() does with one,
+/// and passes the body or the problem of each to `take`; `options.solid` has no meaning. Throws as
+/// readMeshFile() if the file cannot be read.
+using TakeMesh = std::function<void(std::size_t index, std::optional<ChosenMesh> chosen,
+                                    const std::string& problem)>;
+void readMeshBodies(const std::filesystem::path& path, const MeshReadOptions& options,
+                    const TakeMesh& take, const Job& job = {});
 
 /// The bodies of a mesh file, named after the group that contains them; with `scale` as in
 /// MeshReadOptions. Throws as readMeshFile().

@@ -65,8 +65,8 @@ class ObjText {
     } else if (keyword == "usemtl") {
       groupings_[2].enter(cursor_.restOfLine());
     } else if (isFreeForm(keyword)) {
-      cursor_.fail("curves and free-form surfaces (" + excerpt(keyword) +
-                   ") are not supported; export the surface as polygons");
+      cursor_.fail("curves and free-form surfaces (" + excerpt(keyword) + ") are not supported",
+                   "export the surface as polygons");
     } else if (!isIgnored(keyword)) {
       cursor_.fail(excerpt(keyword) + " is not a statement of an OBJ file");
     }

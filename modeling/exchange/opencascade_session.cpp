@@ -57,15 +57,16 @@ void rethrowAsModelingError(const std::string& where) {
   try {
     throw;
   } catch (const Standard_OutOfMemory&) {
-    throw ModelingError(where + ": there is not enough memory for this",
+    throw ModelingError(where + ": there is not enough memory for this; close other programs",
                         ModelingError::Kind::kTooLarge);
   } catch (const std::bad_alloc&) {
-    throw ModelingError(where + ": there is not enough memory for this",
+    throw ModelingError(where + ": there is not enough memory for this; close other programs",
                         ModelingError::Kind::kTooLarge);
   } catch (const Standard_Failure& failure) {
     const std::string text = failure.GetMessageString();
     throw ModelingError(where + ": OpenCASCADE failed (" + failure.DynamicType()->Name() +
-                        (text.empty() ? "" : ": " + text) + ")");
+                        (text.empty() ? "" : ": " + text) +
+                        "); export the file again, or in another format");
   }
 }
 

@@ -71,10 +71,11 @@ void checkCounts(const PlyHeader& header) {
     const std::size_t size = leastSize(element, header.encoding);
     if (size == 0) continue;
     if (element.count > left / size)
-      throw ModelingError("declares " + std::to_string(element.count) + " elements " +
-                          excerpt(element.name) + ", which need " + std::to_string(size) +
-                          " bytes each, but only " + std::to_string(header.body.size()) +
-                          " bytes follow the header; the file is cut off or wrong");
+      throw ModelingError(
+          "declares " + std::to_string(element.count) + " elements " + excerpt(element.name) +
+          ", which need " + std::to_string(size) + " bytes each, but only " +
+          std::to_string(header.body.size()) +
+          " bytes follow the header; the file is cut off or wrong: export it again");
     left -= element.count * size;
   }
 }
@@ -102,7 +103,9 @@ std::size_t sizeOf(Type type) {
 PlyHeader parsePlyHeader(std::string_view bytes) {
   TextCursor cursor(bytes);
   if (!cursor.nextLine() || cursor.word() != "ply")
-    throw ModelingError("is not a PLY file: it does not begin with \"ply\"");
+    throw ModelingError(
+        "is not a PLY file: it does not begin with \"ply\"; export it again, or correct its "
+        "ending");
   PlyHeader header{};
   bool hasFormat = false;
   while (cursor.nextLine()) {
@@ -129,7 +132,7 @@ PlyHeader parsePlyHeader(std::string_view bytes) {
       cursor.fail(excerpt(keyword) + " is not a statement of a PLY header");
     }
   }
-  throw ModelingError("the PLY header has no end");
+  throw ModelingError("the PLY header has no end; export the file again");
 }
 
 }  // namespace palpa::modeling

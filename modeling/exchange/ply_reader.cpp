@@ -39,8 +39,10 @@ class Values {
 
   [[noreturn]] void fail(const std::string& what) const {
     if (encoding_ == PlyHeader::Encoding::kText)
-      throw ModelingError("line " + std::to_string(lines_ + text_.line()) + ": " + what);
-    throw ModelingError(what + ", " + std::to_string(rest_.size()) + " bytes before the end");
+      throw ModelingError("line " + std::to_string(lines_ + text_.line()) + ": " + what +
+                          "; export the file again");
+    throw ModelingError(what + ", " + std::to_string(rest_.size()) +
+                        " bytes before the end; export the file again");
   }
 
  private:
@@ -60,7 +62,8 @@ class Values {
       return one.number();
     } catch (const ModelingError& error) {
       const std::string_view message = error.what();
-      fail(std::string(message.substr(message.find(": ") + 2)));
+      const std::size_t begin = message.find(": ") + 2;
+      fail(std::string(message.substr(begin, message.rfind("; ") - begin)));  // without the remedy
     }
   }
 
@@ -146,7 +149,8 @@ class PlyBody {
         }
     }
     if (!found[0] || !found[1] || !found[2])
-      throw ModelingError("the element vertex has no properties x, y and z");
+      throw ModelingError(
+          "the element vertex has no properties x, y and z; export the points with them");
     soup_.points.push_back(point);
   }
 
@@ -190,7 +194,8 @@ class PlyBody {
       for (int corner : soup_.polygon(i))
         if (corner >= count)
           throw ModelingError("face " + std::to_string(i) + ": there is no vertex " +
-                              std::to_string(corner) + "; the file has " + std::to_string(count));
+                              std::to_string(corner) + "; the file has " + std::to_string(count) +
+                              ": export it again");
   }
 
   const PlyHeader& header_;

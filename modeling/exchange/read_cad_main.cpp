@@ -1,7 +1,8 @@
 // palpa-read-cad PARENT SECONDS NAME REQUEST: reads the CAD file NAME, with its content on standard
 // input, in a separate process. The exit status is 0, or kSandboxFailed plus the kind of the error,
 // whose message goes to standard output, or kSandboxSeveral; or the program crashes. A list of
-// bodies also goes to standard output. Started by readInSandbox().
+// bodies and the outcome of each of several solids also go to standard output. Started by
+// readInSandbox() and readAllInSandbox().
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -26,6 +27,18 @@ namespace {
 constexpr rlim_t kMemory = rlim_t{8} << 30;  // bytes in addition to the current memory
 constexpr int kArguments = 4;
 
+/// Limits the processor time to `seconds` from now on.
+void limitTime(double seconds) {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  const auto whole = static_cast<rlim_t>(std::ceil(seconds)) +
+                     static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
+  rlimit time{};
+  ::getrlimit(RLIMIT_CPU, &time);  // the hard limit may not be raised again
+  time.rlim_cur = std::min(whole, time.rlim_max);
+  ::setrlimit(RLIMIT_CPU, &time);
+}
+
 void setLimits(double seconds) {
   long pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -34,9 +47,7 @@ void setLimits(double seconds) {
   ::getrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = std::min(limit.rlim_max, bytes + kMemory);
   ::setrlimit(RLIMIT_AS, &limit);
-  const auto whole = static_cast<rlim_t>(std::ceil(seconds));
-  const rlimit time{whole, whole + 1};
-  ::setrlimit(RLIMIT_CPU, &time);
+  limitTime(seconds);
   const rlimit noCore{0, 0};
   ::setrlimit(RLIMIT_CORE, &noCore);
 }
@@ -58,6 +69,22 @@ void tell(int output, std::string_view message) {
   }
 }
 
+/// Each solid gets the whole processor time.
+void readAll(int output, const char* path, const std::string& text,
+             const palpa::modeling::CadRequest& request, double seconds) {
+  using namespace palpa::modeling;
+  const auto wants = [&](std::size_t index) {
+    if (index < *request.allFrom) return false;
+    limitTime(seconds);
+    tell(output, beginText(index));
+    return true;
+  };
+  const auto take = [&](std::size_t index, const BodyOutcome& outcome) {
+    tell(output, endText(index, outcome.problem));
+  };
+  readCadBodies(path, text, request.options, wants, take, palpa::Job{});
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -66,7 +93,8 @@ int main(int count, char** arguments) {
   // Ends with its parent, also if the parent has already ended.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
-  setLimits(std::atof(arguments[2]));
+  const double seconds = std::atof(arguments[2]);
+  setLimits(seconds);
   const int output = keepOutput();
   try {
     const CadRequest request = requestFrom(arguments[4]);
@@ -74,6 +102,8 @@ int main(int count, char** arguments) {
     const OpenCascadeSession session;
     if (request.lists)
       tell(output, toText(listCadBodies(arguments[3], text, request.surface, palpa::Job{})));
+    else if (request.allFrom)
+      readAll(output, arguments[3], text, request, seconds);
     else
       readCadBody(arguments[3], text, request.options, palpa::Job{});
   } catch (const SeveralBodies& several) {

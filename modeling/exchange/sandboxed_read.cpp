@@ -109,18 +109,22 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Returns false if the time limit is exceeded.
+  /// Returns false if the child is silent for `seconds`.
   bool listen(double seconds, const Job& job) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    const std::chrono::duration<double> allowed(seconds);
+    auto end = now() + allowed;
     std::array<char, 4096> buffer;
-    while (std::chrono::steady_clock::now() < end) {
+    while (now() < end) {
       job.throwIfCancelled();
       pollfd waiting{pipe_, POLLIN, 0};
       constexpr int kMilliseconds = 10;
       if (::poll(&waiting, 1, kMilliseconds) <= 0) continue;
       const ssize_t count = ::read(pipe_, buffer.data(), buffer.size());
       if (count == 0) return true;
-      if (count > 0) message_.append(buffer.data(), static_cast<std::size_t>(count));
+      if (count < 0) continue;
+      message_.append(buffer.data(), static_cast<std::size_t>(count));
+      end = now() + allowed;
     }
     return false;
   }
@@ -141,17 +145,22 @@ class Child {
   std::string message_;
 };
 
-}  // namespace
+/// How a run of the program ended.
+struct Ended {
+  bool inTime = true;
+  int status = 0;  // exit status; EXIT_FAILURE after a crash
+  std::string message;
+};
 
-std::string readInSandbox(const std::filesystem::path& path, const std::string& text,
-                          const CadRequest& request, double seconds, const Job& job) {
-  const std::string source = path.string();
+Ended runProgram(const std::string& source, const std::string& text, const CadRequest& request,
+                 double seconds, const Job& job) {
   const std::filesystem::path program = findProgram(source);
   std::array<int, 2> ends{-1, -1};
   const Descriptor input(fileInMemory(text));
   if (input.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw ModelingError(source + ": not enough memory or pipes for " + kProgram,
-                        ModelingError::Kind::kIo);
+    throw ModelingError(
+        source + ": not enough memory or pipes for " + kProgram + "; close other programs",
+        ModelingError::Kind::kIo);
   Descriptor output(ends[1]);
   const pid_t process = start(
       {program.string(), std::to_string(::getpid()), numberText(seconds), source, toText(request)},
@@ -159,21 +168,67 @@ std::string readInSandbox(const std::filesystem::path& path, const std::string& 
   output.close();
   Child child(process, ends[0]);
   if (process < 0)
-    throw ModelingError(source + ": " + program.string() + " could not be started",
+    throw ModelingError(source + ": " + program.string() +
+                            " could not be started; close other programs, or install Palpa again",
                         ModelingError::Kind::kIo);
-  const bool ended = child.listen(kPatience * seconds, job);
-  const int status = ended ? child.waitForEnd() : 0;
-  if (!ended || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU))
-    throw ModelingError(source + ": OpenCASCADE needs longer than " + shortNumberText(seconds) +
-                            " s for the file; it is damaged or too complicated",
-                        ModelingError::Kind::kTooLarge);
-  const int failed = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
-  if (failed == kSandboxSeveral)
-    throw SeveralBodies(source + ": ", fileBodiesFrom(child.message()));
-  if (failed >= kSandboxFailed)
-    throw ModelingError(child.message(), static_cast<ModelingError::Kind>(failed - kSandboxFailed));
-  if (failed != 0) throw ModelingError(source + ": OpenCASCADE crashes on the file; it is damaged");
-  return child.message();
+  Ended ended;
+  ended.inTime = child.listen(kPatience * seconds, job);
+  const int status = ended.inTime ? child.waitForEnd() : 0;
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) ended.inTime = false;
+  ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
+  ended.message = child.message();
+  return ended;
+}
+
+/// The error of a run without an answer: it took too long, or it crashed.
+ModelingError failureOf(const std::string& source, const Ended& ended, double seconds) {
+  if (!ended.inTime)
+    return ModelingError(source + ": OpenCASCADE needs longer than " + shortNumberText(seconds) +
+                             " s for the file; it is damaged or too complicated: simplify the "
+                             "part, or export it in another format",
+                         ModelingError::Kind::kTooLarge);
+  return ModelingError(source +
+                       ": OpenCASCADE crashes on the file; it is damaged: export it again, or in "
+                       "another format");
+}
+
+}  // namespace
+
+std::string readInSandbox(const std::filesystem::path& path, const std::string& text,
+                          const CadRequest& request, double seconds, const Job& job) {
+  const std::string source = path.string();
+  const Ended ended = runProgram(source, text, request, seconds, job);
+  if (ended.inTime && ended.status == kSandboxSeveral)
+    throw SeveralBodies(source + ": ", fileBodiesFrom(ended.message));
+  if (ended.inTime && ended.status >= kSandboxFailed)
+    throw ModelingError(ended.message,
+                        static_cast<ModelingError::Kind>(ended.status - kSandboxFailed));
+  if (!ended.inTime || ended.status != 0) throw failureOf(source, ended, seconds);
+  return ended.message;
+}
+
+std::vector<std::string> readAllInSandbox(const std::filesystem::path& path,
+                                          const std::string& text, std::size_t count,
+                                          const ImportOptions& options, double seconds,
+                                          const Job& job) {
+  const std::string source = path.string();
+  std::vector<std::string> problems(count);
+  for (std::size_t first = 0; first < count;) {
+    const Ended ended =
+        runProgram(source, text, {.allFrom = first, .options = options}, seconds, job);
+    const SolidsRead read = solidsReadFrom(ended.message);
+    for (const auto& [index, problem] : read.ended)
+      if (index < count) problems[index] = problem;
+    if (ended.inTime && ended.status == 0) break;
+    if (ended.inTime && ended.status >= kSandboxFailed)
+      throw ModelingError(ended.message,
+                          static_cast<ModelingError::Kind>(ended.status - kSandboxFailed));
+    const ModelingError failure = failureOf(source, ended, seconds);
+    if (!read.unfinished || *read.unfinished >= count) throw failure;
+    problems[*read.unfinished] = failure.what();
+    first = *read.unfinished + 1;
+  }
+  return problems;
 }
 
 }  // namespace palpa::modeling

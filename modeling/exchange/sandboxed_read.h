@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "modeling/exchange/cad_request.h"
 
@@ -28,5 +29,13 @@ constexpr int kSandboxSeveral = 90;
 /// started; Cancelled.
 std::string readInSandbox(const std::filesystem::path& path, const std::string& text,
                           const CadRequest& request, double seconds, const Job& job);
+
+/// Reads each of `count` solids of the file likewise, all in one run of the program unless it
+/// crashes at one of them or needs longer than `seconds` of processor time for it; then it starts
+/// again with the next one. Returns the problem of each solid, empty for those that can be read.
+std::vector<std::string> readAllInSandbox(const std::filesystem::path& path,
+                                          const std::string& text, std::size_t count,
+                                          const ImportOptions& options, double seconds,
+                                          const Job& job);
 
 }  // namespace palpa::modeling

@@ -24,14 +24,16 @@ class StepScanner {
   void scan() {
     skipSpace();
     if (text_.compare(at_, 12, "ISO-10303-21") != 0)
-      throw ModelingError(source_ + ": is not a STEP file; it does not begin with ISO-10303-21");
+      throw ModelingError(source_ +
+                          ": is not a STEP file; it does not begin with ISO-10303-21: export it "
+                          "again, or correct its ending");
     bool ended = false;
     for (skipSpace(); at_ < text_.size() && !ended; skipSpace()) ended = readStatement();
     if (!ended) fail("the file is cut off: END-ISO-10303-21 is missing at its end");
     checkReferences();
     if (faces_ > kMaxCadFaces)
       throw ModelingError(source_ + ": has " + std::to_string(faces_) + " faces; at most " +
-                              std::to_string(kMaxCadFaces) + " are read",
+                              std::to_string(kMaxCadFaces) + " are read: simplify the part",
                           ModelingError::Kind::kTooLarge);
   }
 
@@ -44,7 +46,8 @@ class StepScanner {
   };
 
   [[noreturn]] void fail(const std::string& what, std::size_t line = 0) const {
-    throw ModelingError(source_ + ": line " + std::to_string(line ? line : line_) + ": " + what);
+    throw ModelingError(source_ + ": line " + std::to_string(line ? line : line_) + ": " + what +
+                        "; export the file again");
   }
 
   char get() {

@@ -34,10 +34,10 @@ std::size_t binarySize(std::string_view bytes) {
 PolygonSoup parseBinary(std::string_view bytes, const Job& job) {
   const auto count = at<std::uint32_t>(bytes, kHeader - sizeof(std::uint32_t));
   if (binarySize(bytes) > bytes.size())
-    throw ModelingError("declares " + std::to_string(count) + " triangles, which need " +
-                        std::to_string(binarySize(bytes)) + " bytes, but has " +
-                        std::to_string(bytes.size()) +
-                        "; it is cut off or not a binary STL file (a text begins with \"solid\")");
+    throw ModelingError(
+        "declares " + std::to_string(count) + " triangles, which need " +
+        std::to_string(binarySize(bytes)) + " bytes, but has " + std::to_string(bytes.size()) +
+        "; it is cut off or not a binary STL file (a text begins with \"solid\"): export it again");
   PolygonSoup soup;
   for (std::size_t t = 0; t < count; ++t) {
     if (t % 65536 == 0) job.throwIfCancelled();
@@ -48,7 +48,7 @@ PolygonSoup parseBinary(std::string_view bytes, const Job& job) {
         point[static_cast<int>(axis)] = at<float>(bytes, offset + sizeof(float) * axis);
       if (!point.allFinite())
         throw ModelingError("triangle " + std::to_string(t + 1) +
-                            ": a coordinate is not a finite number");
+                            ": a coordinate is not a finite number; export the file again");
       soup.corners.push_back(static_cast<int>(soup.points.size()));
       soup.points.push_back(point);
     }
@@ -124,8 +124,9 @@ PolygonSoup parseStl(std::string_view bytes, const Job& job) {
   const bool fits = bytes.size() >= kHeader && binarySize(bytes) == bytes.size();
   if (isText && !fits) return TextStl(bytes, job).parse();
   if (bytes.size() < kHeader)
-    throw ModelingError("is not an STL file: it has " + std::to_string(bytes.size()) +
-                        " bytes and does not begin with \"solid\"");
+    throw ModelingError(
+        "is not an STL file: it has " + std::to_string(bytes.size()) +
+        " bytes and does not begin with \"solid\"; export it again, or correct its ending");
   return parseBinary(bytes, job);
 }
 

@@ -40,7 +40,8 @@ Mesh toMesh(const ClosedSurface& surface, GroupMap& groups) {
     const Face face = mesh.add_face(vertex(0), vertex(1), vertex(2));
     if (face == Mesh::null_face())
       throw ModelingError("parts of the surface touch near " +
-                          placeText(surface.positions[surface.triangles[t][0]]));
+                          placeText(surface.positions[surface.triangles[t][0]]) +
+                          "; separate them or join them along a face");
     groups[face] = surface.groups.empty() ? 0 : surface.groups[t];
   }
   return mesh;
@@ -89,7 +90,7 @@ void removeFlatTriangles(Mesh& mesh, GroupMap& groups) {
         throw ModelingError("triangles without area near " + placeText(centre(mesh, face)) +
                             " cannot be removed; repair the surface");
       if (mesh.number_of_faces() == 0)
-        throw ModelingError("all triangles are without area; there is no body");
+        throw ModelingError("all triangles are without area; export a closed surface");
       fillGroups(mesh, groups);
       return;
     }

@@ -71,8 +71,8 @@ long long TextCursor::integer() {
   return static_cast<long long>(value);
 }
 
-void TextCursor::fail(const std::string& what) const {
-  throw ModelingError("line " + std::to_string(line_) + ": " + what);
+void TextCursor::fail(const std::string& what, const std::string& remedy) const {
+  throw ModelingError("line " + std::to_string(line_) + ": " + what + "; " + remedy);
 }
 
 }  // namespace palpa::modeling

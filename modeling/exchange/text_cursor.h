@@ -26,8 +26,9 @@ class TextCursor {
   double number();
   /// The next word as an integer, at most 2^32 - 1 in magnitude. Throws as number().
   long long integer();
-  /// Throws ModelingError that begins with the line.
-  [[noreturn]] void fail(const std::string& what) const;
+  /// Throws ModelingError that begins with the line and ends with the remedy.
+  [[noreturn]] void fail(const std::string& what,
+                         const std::string& remedy = "export the file again") const;
 
  private:
   std::string_view rest_;

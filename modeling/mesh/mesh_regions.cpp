@@ -40,9 +40,10 @@ std::vector<RegionBorder> distinctBorders(std::span<const MeshRegion> regions) {
         if (std::find(result.begin(), result.end(), border) == result.end())
           result.push_back(std::move(border));
   if (result.size() > kMaxBorders)
-    throw ModelingError("the regions have " + std::to_string(result.size()) +
-                            " different half spaces and paintings; at most 64 are possible",
-                        ModelingError::Kind::kTooLarge);
+    throw ModelingError(
+        "the regions have " + std::to_string(result.size()) +
+            " different half spaces and paintings; at most 64 are possible: combine some",
+        ModelingError::Kind::kTooLarge);
   return result;
 }
 

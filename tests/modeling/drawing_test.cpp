@@ -306,7 +306,7 @@ TEST(Dxf, AFileOfADraughtingProgram) {
 
 TEST(Dxf, ErrorsNameTheLine) {
   EXPECT_EQ(dxfRefusal(dxf("  0\nCIRCLE\n 10\n0\n 20\nx\n 40\n1\n")),
-            "a.dxf: line 10: expected a number, found \"x\"");
+            "a.dxf: line 10: expected a number, found \"x\"; export the file again");
   EXPECT_EQ(dxfRefusal(dxf("  0\nCIRCLE\n 10\n0\n 20\n0\n")),
             "a.dxf: line 6: CIRCLE: the value with group code 40 is missing");
   EXPECT_NE(dxfRefusal(dxf("  0\nCIRCLE\n 10\n0\n 20\n0\n 40\nnan\n")).find("line 12: "),

@@ -107,6 +107,24 @@ double expectTheCut(const Body& body, const Samples& samples, double h, const Ha
   return measureQuality(*result).smallestAngle;
 }
 
+TEST(Cuts, TooManyHalfSpacesAreRefused) {
+  std::vector<MeshRegion> regions;
+  for (int i = 0; i < 65; ++i)
+    regions.push_back(
+        {"r" + std::to_string(i), Region{{HalfSpace{Vector3d::UnitZ(), 0.1 * i}}}, true});
+  MeshSettings settings;
+  settings.edgeLength = 5.0;
+  try {
+    mesh(makeBox({20, 20, 20}), settings, regions);
+    FAIL() << "accepted";
+  } catch (const ModelingError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the regions have 65 different half spaces and paintings; at most 64 are possible: "
+        "combine some");
+  }
+}
+
 TEST(Cuts, Random) {
   for (const Body& body : bodies()) {
     int below15 = 0;

@@ -246,6 +246,20 @@ TEST(ProjectErrors, CheckHowSplineElementsAreChosen) {
   settings = {};
   settings.elementLength = -1.0;
   EXPECT_THROW(settings.validate(), ModelingError);
+  const auto message = [](const MeshSettings& wrong) -> std::string {
+    try {
+      wrong.validate();
+    } catch (const ModelingError& refused) {
+      return refused.what();
+    }
+    return "no error";
+  };
+  settings = {};
+  settings.refinementLevels = -1;
+  EXPECT_EQ(message(settings).rfind("mesh.refinement.levels: -1 is outside 0 … ", 0), 0U);
+  settings = {};
+  settings.featureFraction = 1.5;
+  EXPECT_EQ(message(settings), "mesh.feature_fraction: 1.5 is outside 0 … 1");
 }
 
 TEST(ProjectErrors, CheckMeshBodiesAndEdges) {

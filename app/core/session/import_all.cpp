@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "modeling/error.h"
+#include "modeling/exchange/import.h"
 #include "modeling/project/project_file.h"
 
 namespace palpa::app {
@@ -74,17 +75,23 @@ std::vector<SavedBody> importAll(const std::filesystem::path& path,
   for (std::size_t i = 0; i < found.bodies.size(); ++i) {
     makeFolder(files.at(i).parent_path());
     saved.push_back({files[i], ""});
-    options.solid = std::to_string(i + 1);
+  }
+  options.solid.clear();
+  const auto take = [&](std::size_t i, modeling::BodyOutcome outcome) {
+    saved[i].problem = std::move(outcome.problem);
+    if (!outcome.imported) return;
     try {
-      ImportedProject imported = importProject(path, options, job);
+      const ImportedProject imported =
+          makeImportedProject(std::move(*outcome.imported), path, options);
       modeling::checkProject(imported.project);
       modeling::writeProject(imported.project, files[i]);
     } catch (const modeling::ModelingError& error) {
-      saved.back().problem = error.what();
+      saved[i].problem = error.what();
     } catch (const FileError& error) {
-      saved.back().problem = error.what();
+      saved[i].problem = error.what();
     }
-  }
+  };
+  modeling::importBodies(path, found.bodies.size(), options, take, job);
   return saved;
 }
 

@@ -23,9 +23,10 @@ bool isFilePattern(const std::string& target);
 std::vector<std::filesystem::path> projectFiles(const modeling::FileBodies& found,
                                                 const std::string& target);
 
-/// Imports every body of `found`, the list of the file `path`, and writes a project file for each;
-/// makes the folders. `options.solid` has no meaning. A body that cannot be imported does not stop
-/// the others. Throws FileError if a folder cannot be made; Cancelled, then the files written so
+/// Imports every body of `found`, the list of the file `path`, which is read once more for all of
+/// them, and writes a project file for each; makes the folders. `options.solid` has no meaning. A
+/// body that cannot be imported does not stop the others. Throws FileError if a folder cannot be
+/// made, ModelingError if the file cannot be read any more; Cancelled, then the files written so
 /// far remain.
 std::vector<SavedBody> importAll(const std::filesystem::path& path,
                                  const modeling::FileBodies& found, modeling::ImportOptions options,

@@ -14,7 +14,12 @@ constexpr double kCavityPoissonRatio = 0.45;
 
 ImportedProject importProject(const std::filesystem::path& path,
                               const modeling::ImportOptions& options, const Job& job) {
-  modeling::ImportedBody imported = modeling::importBody(path, options, job);
+  return makeImportedProject(modeling::importBody(path, options, job), path, options);
+}
+
+ImportedProject makeImportedProject(modeling::ImportedBody imported,
+                                    const std::filesystem::path& path,
+                                    const modeling::ImportOptions& options) {
   const std::string name = imported.name.empty() ? path.stem().string() : imported.name;
   ImportedProject result{makeProject(std::move(imported.body), name),
                          imported.deviation,

@@ -19,6 +19,11 @@ struct ImportedProject {
   modeling::ProposedSupport held;  ///< the support of the project
 };
 
+/// importProject() with a body that was read already from the file `path`.
+ImportedProject makeImportedProject(modeling::ImportedBody imported,
+                                    const std::filesystem::path& path,
+                                    const modeling::ImportOptions& options);
+
 /// A project with the body of a CAD or mesh file that can be touched at once: named after the file
 /// (or after the body, if the file has several), with the default material, the edge length of the
 /// options or a suitable one, and the support of modeling::proposeSupport(). A body with a closed

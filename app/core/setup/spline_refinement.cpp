@@ -137,7 +137,7 @@ class RefinementBuilder {
           "spline elements of " + numberText(sizes_.interior) +
               " mm are too small for this body: a patch would get about " + estimateText(total) +
               " in one direction; at most " + countText(modeling::kMaxNetRows / 4.0) +
-              " are possible",
+              " are possible: take longer elements",
           modeling::ModelingError::Kind::kTooLarge);
     return elementCounts(need);
   }
