@@ -2,6 +2,7 @@
 // Gmsh: prints a line of CSV (--header: the names of its columns). The exit status is 3 with a
 // reason on standard error if the part is left out. Called by scripts/compare-calculix.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <deque>
 #include <map>
@@ -116,13 +117,14 @@ void compare(const std::string& file, double size, int maxNodes, int maxReferenc
                     " nodes");
     fine = solve(gmsh, part, 1 / kRatio, size);
   });
+  std::string name = std::filesystem::path(file).stem();
+  std::replace(name.begin(), name.end(), ',', '.');  // a field of a table
   const Vector3d difference = part.force - fine.grab.force;
   std::printf("%s,%d,%s,%d,%.1f,\"%s\",%.4g,%.4g,%.4g,%.6g,%.3g,%d,%d,%.6g,%.6g,%.3g,%.0f,%.2g\n",
-              std::filesystem::path(file).stem().c_str(), part.faces, part.engine.c_str(),
-              part.nodes, part.seconds, part.support.c_str(), part.radius, part.wishedRadius,
-              part.displacement.norm(), palpa, part.error * palpa, coarse.nodes, fine.nodes,
-              coarse.grab.force.norm(), fine.grab.force.norm(), difference.norm(), seconds,
-              part.volume / fine.volume - 1);
+              name.c_str(), part.faces, part.engine.c_str(), part.nodes, part.seconds,
+              part.support.c_str(), part.radius, part.wishedRadius, part.displacement.norm(), palpa,
+              part.error * palpa, coarse.nodes, fine.nodes, coarse.grab.force.norm(),
+              fine.grab.force.norm(), difference.norm(), seconds, part.volume / fine.volume - 1);
 }
 
 }  // namespace
