@@ -124,6 +124,15 @@ MatrixXd DenseReferenceProblem<Stored, Factor>::correction(const MatrixXd& r,
   return step.template cast<double>() * scale.asDiagonal();
 }
 
+template <class Stored, class Factor>
+MatrixXd DenseReferenceProblem<Stored, Factor>::transposedCorrection(const MatrixXd& r) const {
+  const Eigen::RowVectorXd scale = r.colwise().template lpNorm<Eigen::Infinity>().cwiseMax(1e-300);
+  Eigen::Matrix<Factor, Eigen::Dynamic, Eigen::Dynamic> step =
+      (r * scale.cwiseInverse().asDiagonal()).template cast<Factor>();
+  factors_.solveTransposedInPlace(step);
+  return step.template cast<double>() * scale.asDiagonal();
+}
+
 template void addProduct(const LargeMatrix<double>&, const MatrixXd&, MatrixXd&, const Job&);
 template void addProduct(const LargeMatrix<float>&, const MatrixXd&, MatrixXd&, const Job&);
 template class DenseReferenceProblem<double, double>;

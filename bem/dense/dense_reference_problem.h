@@ -30,6 +30,8 @@ class DenseReferenceProblem final : public ReferenceProblem {
 
   Eigen::MatrixXd residual(const BoundaryField& field, const Job& job) const override;
   Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
+  /// Solves A0^T w = r with the factors, without refinement: 1e-4 in single precision.
+  Eigen::MatrixXd transposedCorrection(const Eigen::MatrixXd& r) const;
   double conditionEstimate(const Job& job) const override {
     return factors_.conditionEstimate(job);
   }

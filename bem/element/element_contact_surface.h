@@ -17,11 +17,13 @@ class ElementContactSurface : public ContactSurface {
 
   double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
 
+  /// Precomputed data of the elements.
+  virtual const ContactElements& elements() const = 0;
+
  protected:
   using ContactSurface::ContactSurface;
 
  private:
-  virtual const ContactElements& elements() const = 0;
   virtual int elementAt(const SurfacePoint& point) const = 0;
 
   class Workspace;

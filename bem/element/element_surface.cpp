@@ -1,12 +1,12 @@
 #include "bem/element/element_surface.h"
 
 #include "bem/element/gather.h"
+#include "bem/model/surface_gradient.h"
 #include "bem/triangle/results.h"
 
 namespace palpa::bem {
 
 using Eigen::Index;
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -41,16 +41,7 @@ SurfaceState ElementSurface::state(const ElementPlace& place, const VectorXd& u,
                                         slots(place.element), p);
   const Eigen::Matrix<double, 3, 2> along = gather(u, functions) * at.slopes.transpose();
   state.stress = surfaceStress(at.frame, along, traction, material);
-
-  // Normal derivatives: p_a = G (u_a,n + u_n,a) and p_n = 2 G [e_nn + nu / (1 - 2 nu) e_kk].
-  const double nu = material.poissonRatio, shear = material.shear();
-  const Vector3d inFrame = at.frame.transpose() * traction;
-  Matrix3d local;
-  local.leftCols<2>() = at.frame.transpose() * along;
-  for (int a = 0; a < 2; ++a) local(a, 2) = inFrame[a] / shear - local(2, a);
-  local(2, 2) =
-      ((1 - 2 * nu) * inFrame[2] / (2 * shear) - nu * (local(0, 0) + local(1, 1))) / (1 - nu);
-  state.gradient = at.frame * local * at.frame.transpose();
+  state.gradient = surfaceGradient(at.frame, along, traction, material);
   return state;
 }
 

@@ -220,6 +220,13 @@ void LuFactorisation<Scalar>::solveInPlace(
 }
 
 template <class Scalar>
+void LuFactorisation<Scalar>::solveTransposedInPlace(
+    Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides) const {
+  getrs('T', static_cast<lapack_int>(size()), static_cast<lapack_int>(rightHandSides.cols()),
+        matrix_.data(), pivots_.data(), rightHandSides.data());
+}
+
+template <class Scalar>
 double LuFactorisation<Scalar>::conditionEstimate(const Job& job) const {
   const auto n = static_cast<lapack_int>(size());
   // Aligned to pages: the order in which OpenBLAS sums magnitudes depends on the address.

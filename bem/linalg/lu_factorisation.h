@@ -28,6 +28,10 @@ class LuFactorisation {
   void solveInPlace(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides,
                     const Job& job = {}) const;
 
+  /// The same with the transposed matrix.
+  void solveTransposedInPlace(
+      Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& rightHandSides) const;
+
   /// LAPACK's estimate of the condition number in the 1-norm. Costs about five solutions. Throws
   /// Cancelled.
   double conditionEstimate(const Job& job = {}) const;

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/core/design/contact_stiffness.h"
+#include "app/core/design/design_surface.h"
+#include "app/core/design/material_points.h"
+#include "bem/gradient/residual_shape.h"
+#include "modeling/project/project.h"
+
+namespace palpa::app {
+
+/// Stiffness of a touch and its derivative by the control points.
+struct StiffnessGradient {
+  std::string name;           ///< of the touch
+  double stiffness = 0;       ///< N/mm
+  Eigen::Matrix3Xd gradient;  ///< N/mm per mm: one column per control point, in their order
+};
+
+/// Gradients of stiffnesses by the control points of a model's solid (docs/theory.md, "Gradients by
+/// the shape"). Supports on patches and the centres of masks move along with the material; half
+/// spaces stay in space, as do the radii of masks and the directions of touches. Immutable; const
+/// use from several threads is safe.
+class StiffnessGradients {
+ public:
+  /// `project`: of `model`, which must outlive this object. Throws ModelingError for a mesh body;
+  /// SolverError (kBadCondition) if a support is a roller, a stroke or a half space with
+  /// exceptions, whose motion is not known; Cancelled.
+  StiffnessGradients(const modeling::Project& project, const TouchModel& model,
+                     const Job& job = {});
+
+  /// Costs two to four assemblies of the operators per touch.
+  StiffnessGradient of(const StiffnessRule& rule, const Job& job = {}) const;
+  Eigen::Matrix3Xd gradient(const ContactStiffness& stiffness, const Job& job = {}) const;
+
+  /// Boundary form of the same gradient, from the traces of the fields alone (Eshelby's tensor): a
+  /// few milliseconds. Beside the borders of supports, where the energy is unbounded, it is wrong
+  /// by as much as the gradient itself; elsewhere it shows where material makes the body stiffer.
+  Eigen::Matrix3Xd boundaryForm(const ContactStiffness& stiffness, const Job& job = {}) const;
+
+  const DesignSurface& surface() const { return surface_; }
+  const bem::ContactSurface& contactSurface() const { return *contactSurface_; }
+
+ private:
+  struct Fields {
+    std::vector<bem::SampledState> load, adjoint;
+  };
+  Fields fieldsOf(const ContactStiffness& stiffness, const Job& job) const;
+  /// Derivative by the projected masks (bem::maskDerivative()); empty for flat triangles.
+  std::optional<Eigen::Matrix3Xd> ofMasks(const ContactStiffness& stiffness,
+                                          const Eigen::VectorXd& lambda) const;
+  /// Adds the derivative by the motion of the bumps to the density; returns the part of their
+  /// centres. `ofLoad`: how the traction of the load is counted.
+  Eigen::Matrix3Xd addMasks(const ContactStiffness& stiffness, const Fields& fields,
+                            bem::MaskReference ofLoad, bem::ShapeDensity& density) const;
+
+  const TouchModel& model_;
+  DesignSurface surface_;
+  std::unique_ptr<bem::ContactSurface> contactSurface_;
+  std::unique_ptr<bem::ResidualShape> shape_;
+  MaterialPoints points_;
+};
+
+}  // namespace palpa::app
