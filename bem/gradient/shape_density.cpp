@@ -20,12 +20,11 @@ void addEnergyDensity(const FieldSampler& sampler, const std::vector<SampledStat
 
 // With s = |x - c|²/r² the mask is Φ = b / B, b = (1 - s)², B = ∫ b dΓ. The measure Φ dΓ changes by
 // [ḃ + b div V - b Ḃ / B] / B with ḃ = -4 (1 - s) (x - c)·(V(x) - V(c)) / r², and the work of h =
-// force·u by ∫ (h - H) (ḃ + b div V) dΓ / B, H = ∫ b h dΓ / B. Counted from Φ, the term h b div V
-// / B is absent.
+// force·u by ∫ (h - H) (ḃ + b div V) dΓ / B, H = ∫ b h dΓ / B.
 Vector3d addMaskDensity(const FieldSampler& sampler, const ContactMask& mask,
                         const Eigen::VectorXd& support, const Vector3d& force,
                         const std::vector<SampledState>& states, double factor,
-                        MaskReference reference, ShapeDensity& density) {
+                        ShapeDensity& density) {
   const double inverse = 1 / (mask.radius * mask.radius);
   const Vector3d& centre = mask.point.position;
   const auto height = [&](int q) {
@@ -44,13 +43,11 @@ Vector3d addMaskDensity(const FieldSampler& sampler, const ContactMask& mask,
     const double h = height(q);
     if (h <= 0) continue;
     const SampledPoint& point = sampler.points()[q];
-    const double share = factor * point.weight / total;
-    const double work = share * (force.dot(states[q].displacement) - mean);
+    const double work = factor * point.weight / total * (force.dot(states[q].displacement) - mean);
     const Vector3d pull = -4 * h * inverse * work * (point.position - centre);
     density.value.col(q) += pull;
     ofCentre -= pull;
-    const double ofArea = reference == MaskReference::kMeasure ? work : -share * mean;
-    density.slope.middleCols<2>(2 * q) += ofArea * h * h * point.frame.leftCols<2>();
+    density.slope.middleCols<2>(2 * q) += work * h * h * point.frame.leftCols<2>();
   }
   return ofCentre;
 }

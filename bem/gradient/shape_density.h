@@ -29,11 +29,6 @@ struct ShapeDensity {
 void addEnergyDensity(const FieldSampler& sampler, const std::vector<SampledState>& a,
                       const std::vector<SampledState>& b, double factor, ShapeDensity& density);
 
-/// What the change of a mask is counted from: Φ dΓ that stays with the material, as for the mean of
-/// a displacement; or Φ that stays with the material, as for a traction with fixed coefficients,
-/// whose area is counted elsewhere.
-enum class MaskReference { kMeasure, kDensity };
-
 /// Adds `factor` times the derivative of the work ∫ Φ force·u dΓ of a mask by its own motion, u
 /// staying with the material: its centre moves along with the material and its radius stays.
 /// `states`: of u. `support`: where the mask has traction, as tractionValues(). Returns the
@@ -41,6 +36,6 @@ enum class MaskReference { kMeasure, kDensity };
 Eigen::Vector3d addMaskDensity(const FieldSampler& sampler, const ContactMask& mask,
                                const Eigen::VectorXd& support, const Eigen::Vector3d& force,
                                const std::vector<SampledState>& states, double factor,
-                               MaskReference reference, ShapeDensity& density);
+                               ShapeDensity& density);
 
 }  // namespace palpa::bem

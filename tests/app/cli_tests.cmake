@@ -20,6 +20,7 @@ palpa_add_test(palpa_cli_tests
     cli_edit_test.cpp
     cli_examples_test.cpp
     cli_exchange_test.cpp
+    cli_gradient_test.cpp
     cli_measure_test.cpp
     cli_place_test.cpp
     cli_project_test.cpp

@@ -79,6 +79,14 @@ TEST(StiffnessGradient, EqualsCentralDifferencesWithSplines) {
   EXPECT_LT(errorOf(Case(example("box", modeling::Engine::kSplines)), 5e-5, 3), 0.01);
 }
 
+TEST(StiffnessGradient, EqualsCentralDifferencesWithFlatTriangles) {
+  EXPECT_LT(errorOf(Case(example("box", modeling::Engine::kTriangles)), 1e-3, 3), 0.05);
+}
+
+TEST(StiffnessGradient, EqualsCentralDifferencesWithQuadraticTriangles) {
+  EXPECT_LT(errorOf(Case(example("box", modeling::Engine::kQuadratic)), 1e-3, 2), 0.05);
+}
+
 TEST(StiffnessGradient, OfASphereOnAPlaneEqualsCentralDifferences) {
   EXPECT_LT(errorOf(Case(example("sphere", modeling::Engine::kSplines)), 5e-5, 2), 0.02);
 }

@@ -4,6 +4,7 @@
 
 #include "bem/base/error.h"
 #include "bem/dense/transposed_solution.h"
+#include "bem/gradient/flat_mask_derivative.h"
 #include "bem/gradient/moving_elements.h"
 #include "modeling/editing/nearest_on_patches.h"
 
@@ -76,7 +77,6 @@ StiffnessGradients::Fields StiffnessGradients::fieldsOf(const ContactStiffness& 
 }
 
 Matrix3Xd StiffnessGradients::addMasks(const ContactStiffness& stiffness, const Fields& fields,
-                                       bem::MaskReference ofLoad,
                                        bem::ShapeDensity& density) const {
   const bem::FieldSampler& sampler = surface_.sampler;
   const modeling::Solid& solid = surface_.basis.solid();
@@ -97,18 +97,17 @@ Matrix3Xd StiffnessGradients::addMasks(const ContactStiffness& stiffness, const 
                    adjoint = stiffness.adjointForces.col(static_cast<Index>(m));
     Vector3d ofCentre = Vector3d::Zero();
     if (!load.isZero(0))
-      ofCentre += addMaskDensity(sampler, mask, support, load, fields.adjoint, -1, ofLoad, density);
+      ofCentre += addMaskDensity(sampler, mask, support, load, fields.adjoint, -1, density);
     if (!adjoint.isZero(0))
-      ofCentre += addMaskDensity(sampler, mask, support, adjoint, fields.load, -1,
-                                 bem::MaskReference::kMeasure, density);
+      ofCentre += addMaskDensity(sampler, mask, support, adjoint, fields.load, -1, density);
     for (const auto& [point, weight] : nearest.of(mask.point.position))
       ofCentres.col(point) += weight * ofCentre;
   }
   return ofCentres;
 }
 
-std::optional<Matrix3Xd> StiffnessGradients::ofMasks(const ContactStiffness& stiffness,
-                                                     const Eigen::VectorXd& lambda) const {
+Matrix3Xd StiffnessGradients::ofMasks(const ContactStiffness& stiffness,
+                                      const Eigen::VectorXd& lambda) const {
   const Eigen::VectorXd bySlots = bem::transposedTractions(*model_.problem(), lambda);
   const modeling::Solid& solid = surface_.basis.solid();
   const std::vector<int>& firstSlot = model_.setup().discretisation->slots().firstOfNode;
@@ -116,14 +115,19 @@ std::optional<Matrix3Xd> StiffnessGradients::ofMasks(const ContactStiffness& sti
   Matrix3Xd result = Matrix3Xd::Zero(3, static_cast<Index>(solid.controlPoints().size()));
   for (std::size_t m = 0; m < stiffness.masks.size(); ++m) {
     const bem::ContactMask& mask = stiffness.masks[m];
-    const auto below = makeMaskSurface(model_, *contactSurface_, mask);
-    if (!below) return std::nullopt;
     bem::MaskWork work{Eigen::VectorXd::Zero(static_cast<Index>(mask.nodes.size())),
                        stiffness.adjointForces.col(static_cast<Index>(m))};
     for (std::size_t k = 0; k < mask.nodes.size(); ++k)
       for (int slot = firstSlot[mask.nodes[k]]; slot < firstSlot[mask.nodes[k] + 1]; ++slot)
         work.ofTraction[static_cast<Index>(k)] +=
             stiffness.loadForces.col(static_cast<Index>(m)).dot(bySlots.segment<3>(3 * slot));
+    const auto below = makeMaskSurface(model_, *contactSurface_, mask);
+    if (!below) {
+      result -= points_.byControlPoints(bem::flatMaskDerivative(contactSurface_->mesh(),
+                                                                contactSurface_->meshSlots(), mask,
+                                                                work, stiffness.load.u.col(0)));
+      continue;
+    }
     Vector3d ofCentre;
     const bem::ShapeDensity density = bem::maskDerivative(below->blocks, mask, work, below->shares,
                                                           stiffness.load.u.col(0), ofCentre);
@@ -149,12 +153,7 @@ Matrix3Xd StiffnessGradients::gradient(const ContactStiffness& stiffness, const 
       bem::solveTransposed(*model_.problem(), bem::derivativeByUnknowns(dofs, psi));
   const Matrix3Xd byPoints =
       shape_->derivative(lambda, stiffness.load.u.col(0), stiffness.load.p.col(0), job);
-  const Matrix3Xd ofShape = -points_.byControlPoints(byPoints);
-  if (const auto masks = ofMasks(stiffness, lambda)) return ofShape + *masks;
-  bem::ShapeDensity density(surface_.sampler.pointCount());
-  const Matrix3Xd ofCentres =
-      addMasks(stiffness, fieldsOf(stiffness, job), bem::MaskReference::kDensity, density);
-  return ofShape + surface_.basis.gradient(density) + ofCentres;
+  return ofMasks(stiffness, lambda) - points_.byControlPoints(byPoints);
 }
 
 Matrix3Xd StiffnessGradients::boundaryForm(const ContactStiffness& stiffness,
@@ -162,7 +161,7 @@ Matrix3Xd StiffnessGradients::boundaryForm(const ContactStiffness& stiffness,
   const Fields fields = fieldsOf(stiffness, job);
   bem::ShapeDensity density(surface_.sampler.pointCount());
   addEnergyDensity(surface_.sampler, fields.load, fields.adjoint, 1, density);
-  const Matrix3Xd ofCentres = addMasks(stiffness, fields, bem::MaskReference::kMeasure, density);
+  const Matrix3Xd ofCentres = addMasks(stiffness, fields, density);
   return surface_.basis.gradient(density) + ofCentres;
 }
 

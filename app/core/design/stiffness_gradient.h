@@ -44,13 +44,12 @@ class StiffnessGradients {
     std::vector<bem::SampledState> load, adjoint;
   };
   Fields fieldsOf(const ContactStiffness& stiffness, const Job& job) const;
-  /// Derivative by the projected masks (bem::maskDerivative()); empty for flat triangles.
-  std::optional<Eigen::Matrix3Xd> ofMasks(const ContactStiffness& stiffness,
-                                          const Eigen::VectorXd& lambda) const;
+  /// Derivative by the projected masks (bem::maskDerivative()).
+  Eigen::Matrix3Xd ofMasks(const ContactStiffness& stiffness, const Eigen::VectorXd& lambda) const;
   /// Adds the derivative by the motion of the bumps to the density; returns the part of their
-  /// centres. `ofLoad`: how the traction of the load is counted.
+  /// centres.
   Eigen::Matrix3Xd addMasks(const ContactStiffness& stiffness, const Fields& fields,
-                            bem::MaskReference ofLoad, bem::ShapeDensity& density) const;
+                            bem::ShapeDensity& density) const;
 
   const TouchModel& model_;
   DesignSurface surface_;
