@@ -79,8 +79,7 @@ std::unique_ptr<ReferenceProblem> makeQuadratic(const QuadraticDiscretisation& o
   inputs.material.validate();
   on.checkSolvable(inputs.conditions, inputs.material);
   DegreesOfFreedom dofs = on.degreesOfFreedom(inputs.conditions, inputs.material);
-  const WeightedEquations equations =
-      quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs.extraSlots());
+  const WeightedEquations equations = quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs);
   return make(
       inputs.precision, std::move(dofs),
       [&](auto scalar) {

@@ -90,18 +90,26 @@ std::optional<Motion> motion(std::optional<std::vector<int>> elements,
                              const WeightedEquations& equations) {
   const auto &weights = equations.weights, &weightsBefore = equationsBefore.weights;
   if (!elements || weights.rows() != weightsBefore.rows() ||
-      weights.cols() != weightsBefore.cols() || weights.nonZeros() != weightsBefore.nonZeros())
+      weights.cols() != weightsBefore.cols() || weights.nonZeros() != weightsBefore.nonZeros() ||
+      equations.averaged.size() != equationsBefore.averaged.size())
     return std::nullopt;
   Motion motion;
   motion.isOwnRow.assign(weights.rows(), false);
   const std::vector<int> place = placesIn(*elements, surface.elementCount());
+  std::vector<bool> isNode(equations.points.size(), false);
+  for (const AveragedElement& averaged : equations.averaged) {
+    for (const int node : averaged.nodes) isNode[node] = true;
+    if (place[averaged.element] >= 0)
+      for (const int equation : averaged.equations) motion.isOwnRow[equation] = true;
+  }
   for (Eigen::Index p = 0; p < weights.cols(); ++p) {
     const CollocationPlace& point = equations.points[p];
-    // A point on the border of the moved part does not move, but its free term may change.
+    // A point on the border of the moved part does not move, but its free term may change. The
+    // nodes of averaged elements only stand for points inside of them.
     const bool hasMoved =
-        point.position != equationsBefore.points[p].position ||
-        std::any_of(point.places.begin(), point.places.end(),
-                    [&](const ElementPlace& at) { return place[at.element] >= 0; });
+        !isNode[p] && (point.position != equationsBefore.points[p].position ||
+                       std::any_of(point.places.begin(), point.places.end(),
+                                   [&](const ElementPlace& at) { return place[at.element] >= 0; }));
     Eigen::SparseMatrix<double>::InnerIterator w(weights, p), old(weightsBefore, p);
     for (; w && old; ++w, ++old) {
       if (w.row() != old.row()) return std::nullopt;
@@ -283,7 +291,7 @@ std::unique_ptr<ReferenceProblem> updateQuadratic(
   DegreesOfFreedom dofs = after.degreesOfFreedom(inputs.conditions, inputs.material);
   if (!isAlike(base->dofs(), dofs)) return nullptr;
   const auto equationsOn = [&](const QuadraticDiscretisation& on) {
-    return quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs.extraSlots());
+    return quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs);
   };
   auto elements = movedElements(before, after);
   if (!elements) return nullptr;

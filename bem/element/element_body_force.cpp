@@ -39,17 +39,19 @@ Vector3d ElementBodyForce::at(const CollocationPlace& x, ElementQuadrature::Work
 
 Eigen::VectorXd ElementBodyForce::term(const WeightedEquations& equations, const Job& job) const {
   constexpr std::ptrdiff_t kPerTask = 8;
-  const auto count = static_cast<std::ptrdiff_t>(equations.points.size());
-  Eigen::MatrixX3d atPoints(count, 3);
+  // Not interpolated between nodes, so that fields that the functions can represent are exact.
+  const WeightedEquations pointwise = atPoints(equations);
+  const auto count = static_cast<std::ptrdiff_t>(pointwise.points.size());
+  Eigen::MatrixX3d values(count, 3);
   ScratchPool<std::unique_ptr<ElementQuadrature::Workspace>> pool(
       [this] { return quadrature_.makeWorkspace(); });
   parallelFor((count + kPerTask - 1) / kPerTask, job, [&](std::ptrdiff_t task) {
     std::unique_ptr<ElementQuadrature::Workspace> work = pool.take();
     for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k)
-      atPoints.row(k) = at(equations.points[static_cast<std::size_t>(k)], *work).transpose();
+      values.row(k) = at(pointwise.points[static_cast<std::size_t>(k)], *work).transpose();
     pool.giveBack(std::move(work));
   });
-  const Eigen::MatrixX3d ofEquations = equations.weights * atPoints;
+  const Eigen::MatrixX3d ofEquations = pointwise.weights * values;
   return Eigen::Map<const Eigen::VectorXd>(ofEquations.data(), ofEquations.size());
 }
 

@@ -8,16 +8,41 @@
 
 namespace palpa::bem {
 
+/// An element over which the residual is averaged with weights. Near elements are integrated at the
+/// points of a rule. The kernels of the others vary smoothly over the element, and are integrated
+/// at its nodes and interpolated.
+struct AveragedElement {
+  int element;
+  std::vector<CollocationPlace> points;
+  std::vector<int> equations;  ///< those with weights here
+  Eigen::MatrixXd weights;     ///< (equation, point)
+  std::vector<int> nodes;      ///< indices of WeightedEquations::points
+  Eigen::MatrixXd
+      interpolated;       ///< (node, point): values at the points are interpolated with these
+  std::vector<int> near;  ///< elements, ascending
+};
+
 /// Equations of the boundary integral equation: each is a weighted mean of its residual at points
 /// of the surface, one point for collocation.
 struct WeightedEquations {
   std::vector<CollocationPlace> points;
   Eigen::SparseMatrix<double> weights;  ///< (equation, point); the weights of a row sum to 1
+  /// The weights of their nodes are for far elements only. Such points are of no collocation.
+  std::vector<AveragedElement> averaged;
   /// True if every equation has exactly one point.
-  bool isCollocation() const { return weights.nonZeros() == weights.rows(); }
+  bool isCollocation() const { return averaged.empty() && weights.nonZeros() == weights.rows(); }
   /// The given equations alone, with the points that they need.
   WeightedEquations only(std::span<const int> equations) const;
 };
+
+/// Adds the weights of averaged elements for their far elements: `averaged` of the equations is
+/// set, `weights` (equation, point) are the weights of the other points, which may be repeated.
+/// `equationCount`: number of all equations.
+void setWeights(WeightedEquations& equations, Eigen::Index equationCount,
+                std::vector<Eigen::Triplet<double>> weights);
+
+/// The same equations with all means taken over points: nothing is interpolated between nodes.
+WeightedEquations atPoints(const WeightedEquations& equations);
 
 /// One equation per point.
 WeightedEquations collocationEquations(std::vector<CollocationPlace> points);

@@ -46,11 +46,33 @@ void ElementRows::integrateOver(std::span<const int> elements, const Collocation
   for (const int e : elements) add(e, point, nullptr, sums);
 }
 
-void ElementRows::subtractTranslation(const CollocationPlace& point, Sums& sums) const {
+void ElementRows::integrateOutside(std::span<const int> leftOut,
+                                   const std::optional<std::span<const int>>& elements,
+                                   const CollocationPlace& point, Sums& sums,
+                                   const Job& job) const {
+  clear(sums);
+  auto next = leftOut.begin();
+  const auto addUnlessLeftOut = [&](int e) {
+    if (e % 64 == 0) job.throwIfCancelled();
+    next = std::find_if(next, leftOut.end(), [e](int left) { return left >= e; });
+    if (next == leftOut.end() || *next != e) add(e, point, nullptr, sums);
+  };
+  if (elements)
+    std::for_each(elements->begin(), elements->end(), addUnlessLeftOut);
+  else
+    for (int e = 0; e < surface_.elementCount(); ++e) addUnlessLeftOut(e);
+  setTotal(sums);
+}
+
+void ElementRows::setTotal(Sums& sums) const {
   std::fill(std::begin(sums.total), std::end(sums.total), 0);
   for (int j = 0; j < surface_.coefficientCount(); ++j)
     for (int k = 0; k < kSumsT; ++k)
       sums.total[k] += sums.T[static_cast<std::size_t>(kSumsT) * j + k];
+}
+
+void ElementRows::subtractTranslation(const CollocationPlace& point, Sums& sums) const {
+  setTotal(sums);
   const ElementPlace& place = point.places.front();
   surface_.evaluateBasis(place, sums.basis);
   const std::vector<int>& coefficients = surface_.coefficients(place.element);

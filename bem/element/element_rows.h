@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,7 @@ class ElementRows {
   /// Sums of a point; reusable for other points.
   struct Sums {
     std::vector<double> T, U;  ///< [coefficient][sum], plus kSumsPadding numbers
-    double total[kSumsT];      ///< sum of T before N_j(x) is subtracted
+    double total[kSumsT];      ///< sum of T before N_j(x) is subtracted; not of integrateOver()
     std::unique_ptr<ElementQuadrature::Workspace> quadrature;
     std::vector<double> basis;
   };
@@ -35,6 +36,13 @@ class ElementRows {
   /// without subtraction. Throws Cancelled if the job was stopped.
   void integrateOver(std::span<const int> elements, const CollocationPlace& point, Sums& sums,
                      const Job& job) const;
+
+  /// Computes the sums ∫ T N_j and ∫ U N_s, without subtraction, over all elements, or an
+  /// ascending list of elements, except `leftOut` (ascending), which hold all elements with the
+  /// point. Throws Cancelled if the job was stopped.
+  void integrateOutside(std::span<const int> leftOut,
+                        const std::optional<std::span<const int>>& elements,
+                        const CollocationPlace& point, Sums& sums, const Job& job) const;
 
   const KelvinConstants& constants() const { return constants_; }
 
@@ -49,6 +57,7 @@ class ElementRows {
 
  private:
   void clear(Sums& sums) const;
+  void setTotal(Sums& sums) const;
   void add(int element, const CollocationPlace& point, const ElementPlace* inside,
            Sums& sums) const;
   void subtractTranslation(const CollocationPlace& point, Sums& sums) const;

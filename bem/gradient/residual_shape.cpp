@@ -18,50 +18,6 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The equations with all averages as sums over points: the far elements of an averaged element,
-/// which the assembly interpolates, are integrated at its points, too.
-template <class Equations>
-WeightedEquations atPoints(Equations equations) {
-  if constexpr (requires { equations.averaged; }) {
-    std::vector<Eigen::Triplet<double>> weights;
-    WeightedEquations result;
-    std::vector<bool> isNode(equations.points.size(), false);
-    for (const auto& element : equations.averaged)
-      for (const int node : element.nodes) isNode[node] = true;
-    const auto add = [&](const CollocationPlace& point) {
-      result.points.push_back(point);
-      return static_cast<int>(result.points.size()) - 1;
-    };
-    for (std::size_t k = 0; k < equations.points.size(); ++k) {
-      if (isNode[k]) continue;
-      const int point = add(equations.points[k]);
-      for (Eigen::SparseMatrix<double>::InnerIterator it(equations.weights, static_cast<Index>(k));
-           it; ++it)
-        weights.emplace_back(static_cast<int>(it.row()), point, it.value());
-    }
-    for (const auto& element : equations.averaged)
-      for (std::size_t q = 0; q < element.points.size(); ++q) {
-        const int point = add(element.points[q]);
-        for (std::size_t k = 0; k < element.equations.size(); ++k)
-          weights.emplace_back(element.equations[k], point,
-                               element.weights(static_cast<Index>(k), static_cast<Index>(q)));
-      }
-    result.weights.resize(equations.weights.rows(), static_cast<Index>(result.points.size()));
-    result.weights.setFromTriplets(weights.begin(), weights.end());
-    return result;
-  } else {
-    return equations;
-  }
-}
-
-template <class Dofs>
-WeightedEquations equationsOf(const QuadraticDiscretisation& on, const Dofs& dofs) {
-  if constexpr (requires { quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs); })
-    return quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs);
-  else
-    return quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs.extraSlots());
-}
-
 class SplineShape final : public ResidualShape {
  public:
   SplineShape(const SplineDiscretisation& on, const DegreesOfFreedom& dofs,
@@ -95,7 +51,7 @@ class QuadraticShape final : public ResidualShape {
         material_(material),
         quadrature_(on.surface(), tolerance),
         motion_(on.surface()),
-        equations_(atPoints(equationsOf(on, dofs))) {}
+        equations_(atPoints(quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs))) {}
 
   Matrix3Xd derivative(const VectorXd& lambda, const VectorXd& u, const VectorXd& p,
                        const Job& job) const override {

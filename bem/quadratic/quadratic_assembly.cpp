@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bem/base/triangle_rule.h"
 #include "bem/model/collocation.h"
 #include "bem/quadratic/quadratic_quadrature.h"
 
@@ -12,6 +13,7 @@ namespace palpa::bem {
 namespace {
 
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 /// Collocation point of a node on the border of a support, where the metric of its elements is
 /// singular: in an element of the support, at a quarter of the way from the border edge to the next
@@ -48,10 +50,134 @@ CollocationPlace besideBorder(const QuadraticSurface& surface, int node,
 /// some tractions on both faces of a sharp edge in a support nearly cancel at all points.
 constexpr double kShift = 0.2;
 
+/// True for the nodes whose equations are averaged: those where all displacements are unknown, not
+/// on the border of a support, where the metric is singular.
+std::vector<bool> averagedNodes(const QuadraticSurface& surface, const DegreesOfFreedom& dofs) {
+  std::vector<bool> isAveraged(static_cast<std::size_t>(surface.coefficientCount()));
+  for (int node = 0; node < surface.coefficientCount(); ++node)
+    isAveraged[node] = dofs.isFree(node) && !surface.isOnBorder(node);
+  return isAveraged;
+}
+
+/// Centre and radius of a ball about an element, mm.
+struct Ball {
+  Vector3d centre;
+  double radius;
+};
+Ball ballAbout(const QuadraticSurface& surface, int element) {
+  constexpr double kBulge = 1.05;  // the nodes are not quite the farthest points
+  Ball ball{surface.evaluate({element, 1.0 / 3, 1.0 / 3}).position, 0};
+  for (const int node : surface.coefficients(element))
+    ball.radius = std::max(ball.radius, kBulge * (surface.nodes()[node] - ball.centre).norm());
+  return ball;
+}
+
+/// Distance over the radius of an element from which Kelvin's kernels are interpolated over it:
+/// forces on a chip change by 1e-5 of themselves, those on one with thin pins by 1e-3.
+constexpr double kFar = 6;
+
+std::vector<int> nearElements(const std::vector<Ball>& balls, int element) {
+  std::vector<int> near;
+  const Ball& own = balls[element];
+  for (std::size_t e = 0; e < balls.size(); ++e) {
+    const double reach = (1 + kFar) * own.radius + balls[e].radius;
+    if ((balls[e].centre - own.centre).squaredNorm() < reach * reach)
+      near.push_back(static_cast<int>(e));
+  }
+  return near;
+}
+
+/// (node, point): values of the polynomials of degree two that are 1 at one node of an element, at
+/// local coordinates. Positions are such polynomials in geometric coordinates.
+Eigen::MatrixXd interpolation(const QuadraticSurface& surface, int element,
+                              const std::vector<CollocationPlace>& points) {
+  const BorderCoordinates& coordinates = surface.coordinates(element);
+  const auto powers = [&](const ElementPlace& place) {
+    const Vector2d at = coordinates.geometric({place.u, place.v});
+    return Eigen::Vector<double, 6>(1, at[0], at[1], at[0] * at[0], at[0] * at[1], at[1] * at[1]);
+  };
+  Eigen::Matrix<double, 6, 6> ofNodes;
+  for (int f = 0; f < 6; ++f)
+    ofNodes.col(f) = powers(surface.placeOf(surface.coefficients(element)[f], element));
+  Eigen::MatrixXd ofPoints(6, static_cast<Eigen::Index>(points.size()));
+  for (Eigen::Index q = 0; q < ofPoints.cols(); ++q)
+    ofPoints.col(q) = powers(points[q].places.front());
+  return ofNodes.partialPivLu().solve(ofPoints);
+}
+
+/// The equations of an element's nodes, with weights that are the hat functions of the nodes among
+/// the quarters of the elements times the area; without near elements and nodes.
+AveragedElement averagedOver(const QuadraticSurface& surface, int element,
+                             const std::vector<bool>& isAveraged) {
+  AveragedElement averaged;
+  averaged.element = element;
+  const std::vector<int>& nodes = surface.coefficients(element);
+  std::vector<std::size_t> functions;
+  for (std::size_t f = 0; f < nodes.size(); ++f)
+    if (isAveraged[nodes[f]]) functions.push_back(f);
+  for (const std::size_t f : functions) averaged.equations.push_back(nodes[f]);
+  averaged.weights.resize(static_cast<Eigen::Index>(functions.size()),
+                          static_cast<Eigen::Index>(triangleRule7().size()));
+  std::vector<double> shares;
+  for (const TrianglePoint& point : triangleRule7()) {
+    const ElementPlace place{element, point.barycentric[1], point.barycentric[2]};
+    const SurfaceJet jet = surface.evaluate(place);
+    surface.evaluateShares(place, shares);
+    for (std::size_t k = 0; k < functions.size(); ++k)
+      averaged.weights(static_cast<Eigen::Index>(k),
+                       static_cast<Eigen::Index>(averaged.points.size())) =
+          point.weight * jet.areaVector().norm() * shares[functions[k]];
+    averaged.points.push_back({jet.position, {place}});
+  }
+  averaged.interpolated = interpolation(surface, element, averaged.points);
+  return averaged;
+}
+
+/// Replaces the collocation points of some nodes by the mean of the residual around them, weighted
+/// with their hat functions. These reproduce rigid motions, so that sums of the residual over parts
+/// of the body vanish: in a thin part, which hangs on the body by a small cross-section, the
+/// balance of forces and moments decides how it moves. (With 3 points per element instead of 7 the
+/// equations are nearly dependent.)
+WeightedEquations averaged(const QuadraticSurface& surface, std::vector<CollocationPlace> points,
+                           const std::vector<bool>& isAveraged) {
+  WeightedEquations equations;
+  std::vector<Eigen::Triplet<double>> weights;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (k >= isAveraged.size() || !isAveraged[k]) {
+      weights.emplace_back(static_cast<int>(k), static_cast<int>(equations.points.size()), 1);
+      equations.points.push_back(std::move(points[k]));
+    }
+  std::vector<Ball> balls;
+  for (int e = 0; e < surface.elementCount(); ++e) balls.push_back(ballAbout(surface, e));
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(surface.coefficientCount());
+  std::vector<int> pointOfNode(static_cast<std::size_t>(surface.coefficientCount()), -1);
+  for (int e = 0; e < surface.elementCount(); ++e) {
+    AveragedElement element = averagedOver(surface, e, isAveraged);
+    if (element.equations.empty()) continue;
+    element.near = nearElements(balls, e);
+    for (const int node : surface.coefficients(e)) {
+      if (pointOfNode[node] < 0) {
+        pointOfNode[node] = static_cast<int>(equations.points.size());
+        equations.points.push_back(surface.collocationAt(node));
+      }
+      element.nodes.push_back(pointOfNode[node]);
+    }
+    for (std::size_t k = 0; k < element.equations.size(); ++k)
+      sums[element.equations[k]] += element.weights.row(static_cast<Eigen::Index>(k)).sum();
+    equations.averaged.push_back(std::move(element));
+  }
+  for (AveragedElement& element : equations.averaged)
+    for (std::size_t k = 0; k < element.equations.size(); ++k)
+      element.weights.row(static_cast<Eigen::Index>(k)) /= sums[element.equations[k]];
+  setWeights(equations, static_cast<Eigen::Index>(points.size()), std::move(weights));
+  return equations;
+}
+
 }  // namespace
 
 WeightedEquations quadraticEquations(const QuadraticSurface& surface, const BoundaryMesh& mesh,
-                                     const TractionSlots& slots, std::span<const int> extraSlots) {
+                                     const TractionSlots& slots, const DegreesOfFreedom& dofs) {
+  const std::vector<int>& extraSlots = dofs.extraSlots();
   const auto insideFace = [&](int slot) {
     const CollocationPoint onMesh = shiftedCollocation(mesh, slots, slot, kShift);
     return surface.placesAt(QuadraticSurface::place(onMesh.triangle, onMesh.weights));
@@ -74,7 +200,7 @@ WeightedEquations quadraticEquations(const QuadraticSurface& surface, const Boun
       points.push_back(surface.collocationAt(node));
   }
   for (const int slot : extraSlots) points.push_back(insideFace(slot));
-  return collocationEquations(std::move(points));
+  return averaged(surface, std::move(points), averagedNodes(surface, dofs));
 }
 
 template <class Scalar>

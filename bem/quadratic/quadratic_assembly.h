@@ -6,11 +6,12 @@
 
 namespace palpa::bem {
 
-/// Equations for the unknowns: collocation at the nodes, then at one point per extra traction slot
-/// (`extraSlots`: DegreesOfFreedom::extraSlots()) inside the slot's part of the surface. `mesh` and
-/// `slots`: of the surface.
+/// Equations for the unknowns. First one per node: at free nodes the mean of the residual around
+/// the node, at others collocation. Then collocation at one point per extra traction slot inside
+/// the slot's part of the surface. `mesh` and `slots`: of the surface; `dofs`: of its
+/// discretisation.
 WeightedEquations quadraticEquations(const QuadraticSurface& surface, const BoundaryMesh& mesh,
-                                     const TractionSlots& slots, std::span<const int> extraSlots);
+                                     const TractionSlots& slots, const DegreesOfFreedom& dofs);
 
 /// Boundary operators in the coefficients of quadratic triangles, see element_assembly.h.
 template <class Scalar>

@@ -171,8 +171,7 @@ VolumeMoments QuadraticDiscretisation::volumeMoments() const {
 
 VectorXd QuadraticDiscretisation::bodyForceTerm(const DegreesOfFreedom& dofs, const Bulk& bulk,
                                                 const Job& job) const {
-  return results().bodyForceTerm(quadraticEquations(surface_, mesh(), slots_, dofs.extraSlots()),
-                                 bulk, job);
+  return results().bodyForceTerm(quadraticEquations(surface_, mesh(), slots_, dofs), bulk, job);
 }
 
 BodyForceWork QuadraticDiscretisation::bodyForceWork(const Bulk& bulk) const {

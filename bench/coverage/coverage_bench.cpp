@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/error_estimate.h"
@@ -124,8 +125,10 @@ const std::vector<Variant>& variants(std::uint64_t number) {
   return all[number % 2];
 }
 
-/// `action`: of the cases that are run; empty: all.
-json run(std::uint64_t number, double truthNodes, const std::string& action) {
+/// `action`: of the cases that are run, `onlyEngine`: beginning of the names of variants; empty:
+/// all.
+json run(std::uint64_t number, double truthNodes, const std::string& action,
+         const std::string& onlyEngine) {
   json result{{"number", number}};
   try {
     RandomCase random = randomCase(number);
@@ -152,6 +155,7 @@ json run(std::uint64_t number, double truthNodes, const std::string& action) {
     const Solution truth = solve(project, places, false);
     result["truth"] = {{"unknowns", truth.unknowns}, {"seconds", truth.seconds}};
     for (const Variant& variant : variants(number)) {
+      if (!std::string_view(variant.name).starts_with(onlyEngine)) continue;
       try {
         set(variant.engine, variant.nodes, variant.accuracy);
         const Solution solution = solve(project, places, true);
@@ -265,7 +269,7 @@ int main(int argc, char** argv) {
   CLI::App options("Stated against true errors of displacements and forces over random bodies.");
   std::uint64_t first = 1, count = 10;
   double truthNodes = 3500;
-  std::string file, project, action;
+  std::string file, project, action, engine;
   bool isSummary = false, isCheck = false;
   options.add_option("--first", first, "number of the first case");
   options.add_option("--cases", count, "how many");
@@ -274,6 +278,7 @@ int main(int argc, char** argv) {
   options.add_option("-o", file, "one line of JSON per case; cases that it holds are left out");
   options.add_option("--project", project, "only write the first case as a project file");
   options.add_option("--action", action, "only cases with grab, force, ball or bump");
+  options.add_option("--engine", engine, "only quadratic, splines or triangles");
   options.add_flag("--summary", isSummary, "only print the table of the file");
   options.add_flag("--check", isCheck,
                    "exit with 1 unless the stated errors cover enough of the true ones");
@@ -292,7 +297,7 @@ int main(int argc, char** argv) {
   }
   for (std::uint64_t number = first; !isSummary && number < first + count; ++number) {
     if (results.contains(number)) continue;
-    const nlohmann::json result = run(number, truthNodes, action);
+    const nlohmann::json result = run(number, truthNodes, action, engine);
     if (result.is_null()) continue;
     results[number] = result;
     if (!file.empty()) std::ofstream(file, std::ios::app) << result.dump() << '\n';

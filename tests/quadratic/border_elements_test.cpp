@@ -173,8 +173,11 @@ TEST(BorderElements, AreFoundByContacts) {
 TEST(BorderElements, IntegrateWithTheTolerance) {
   const auto sphere = quadratic(heldSphere(4, -15), onSphere(25), {1});
   const QuadraticSurface& surface = sphere->surface();
-  const WeightedEquations equations =
-      quadraticEquations(surface, sphere->mesh(), sphere->slots(), {});
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : sphere->slots().slots)
+    conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+  const WeightedEquations equations = quadraticEquations(
+      surface, sphere->mesh(), sphere->slots(), sphere->degreesOfFreedom(conditions, {0.1, 0.3}));
   for (const double tolerance : {1e-4, 1e-6}) {
     const QuadraticQuadrature rough(surface, tolerance), fine(surface, 1e-3 * tolerance);
     const auto workRough = rough.makeWorkspace(), workFine = fine.makeWorkspace();

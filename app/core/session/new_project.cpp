@@ -9,8 +9,11 @@
 namespace palpa::app {
 
 double suitableEdgeLength(const modeling::Body& body) {
+  // Quadratic triangles, the default for mesh bodies, need half the nodes of flat ones; the
+  // features of parts from CAD files add more.
+  const double nodes = std::holds_alternative<modeling::MeshBody>(body) ? 300 : 600;
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", std::sqrt(1.05 * modeling::area(body) / 600));
+  std::snprintf(text, sizeof text, "%.2g", std::sqrt(1.05 * modeling::area(body) / nodes));
   return std::strtod(text, nullptr);
 }
 

@@ -6,8 +6,9 @@
 
 namespace palpa::app {
 
-/// An edge length (mm, two digits) that gives about 600 nodes: the model is built in a fraction of
-/// a second, and its results are within a few per cent of converged ones for simple bodies.
+/// An edge length (mm, two digits) that gives about 600 nodes, 300 for mesh bodies: the model is
+/// built in a fraction of a second, and its results are within a few per cent of converged ones for
+/// simple bodies.
 double suitableEdgeLength(const modeling::Body& body);
 
 /// Material of a new body: a silicone of 0.2 MPa.
