@@ -12,7 +12,7 @@
 #include "base/scratch_pool.h"
 #include "bem/element/averaged_rows.h"
 #include "bem/element/element_rows.h"
-#include "bem/model/element_part.h"
+#include "bem/element/equation_sums.h"
 
 namespace palpa::bem {
 namespace {
@@ -80,18 +80,20 @@ struct Columns {
   std::span<const int> coefficients, slots;
 };
 
-/// Rows of points, ordered as [i * count + point]. `integrate`(index, sums): computes the sums of a
-/// point.
+template <class Scalar>
+BoundaryOperators<Scalar> operatorsFor(std::size_t points, const Columns& columns) {
+  const auto triple = [](std::size_t some) { return 3 * static_cast<Eigen::Index>(some); };
+  return {LargeMatrix<Scalar>(triple(points), triple(columns.coefficients.size())),
+          LargeMatrix<Scalar>(triple(points), triple(columns.slots.size()))};
+}
+
+/// Computes the first 3 `count` rows of `result`, the rows of points, ordered as [i * count +
+/// point]. `integrate`(index, sums): computes the sums of a point.
 template <class Scalar, class Integrate>
-BoundaryOperators<Scalar> rowsOf(const KelvinConstants& constants, const Columns& columns,
-                                 std::size_t count, std::optional<Phase> phase, const Job& job,
-                                 const Integrate& integrate) {
+void computeRows(const KelvinConstants& constants, const Columns& columns, std::size_t count,
+                 std::optional<Phase> phase, const Job& job, const Integrate& integrate,
+                 BoundaryOperators<Scalar>& result) {
   const auto m = static_cast<std::ptrdiff_t>(count);
-  const auto triple = [](std::span<const int> some) {
-    return 3 * static_cast<Eigen::Index>(some.size());
-  };
-  BoundaryOperators<Scalar> result{LargeMatrix<Scalar>(3 * m, triple(columns.coefficients)),
-                                   LargeMatrix<Scalar>(3 * m, triple(columns.slots))};
   const KelvinSumLoops loops = kelvinSumLoopsForThisProcessor();
   ScratchPool<Scratch> pool([] { return Scratch{}; });
   parallelFor((m + kPointsPerTask - 1) / kPointsPerTask, job, phase, [&](std::ptrdiff_t task) {
@@ -107,79 +109,32 @@ BoundaryOperators<Scalar> rowsOf(const KelvinConstants& constants, const Columns
     copyRows(loops.makeBlocksU, constants, scratch.U, begin, end, m, columns.slots, result.G);
     pool.giveBack(std::move(scratch));
   });
-  return result;
 }
 
 /// Number of points whose rows are stored at once before they are added to the rows of equations:
-/// small enough for a few MiB, but for many columns at least large enough to keep all threads busy.
-/// No columns (an empty part) is a valid number.
+/// about 100 MiB, because each batch reads and writes most of the rows of the equations; for many
+/// columns at least enough to keep all threads busy. No columns (an empty part) is a valid number.
 std::size_t pointsAtOnce(Eigen::Index columns) {
-  constexpr Eigen::Index kNumbers = 4'000'000, kMinRows = 128;
+  constexpr Eigen::Index kNumbers = 24'000'000, kMinRows = 128;
   return static_cast<std::size_t>(
       std::max(kNumbers / std::max<Eigen::Index>(3 * columns, 1), kMinRows));
 }
 
-/// Consecutive points whose weights are few equations' or nearly the same, such as all points of an
-/// element.
-struct PointGroup {
-  Eigen::Index first, count;
-  std::vector<Eigen::Index> equations;
-  Eigen::MatrixXd weights;  ///< (equation, point)
-};
-
-/// Groups of the points first … first + count - 1; PointGroup::first is relative to `first`.
-std::vector<PointGroup> groupsOf(const Eigen::SparseMatrix<double>& weights, Eigen::Index first,
-                                 Eigen::Index count) {
-  constexpr std::size_t kEquationsAtMost = 40;
-  std::vector<PointGroup> groups;
-  std::vector<Eigen::Index> equations, both;
-  for (Eigen::Index k = 0; k < count; ++k) {
-    equations.clear();
-    for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + k); w; ++w)
-      equations.push_back(w.row());
-    if (groups.empty()) groups.push_back({k, 0, equations, {}});
-    both.clear();
-    std::set_union(groups.back().equations.begin(), groups.back().equations.end(),
-                   equations.begin(), equations.end(), std::back_inserter(both));
-    if (both.size() >
-        std::max({kEquationsAtMost, equations.size(), groups.back().equations.size()}))
-      groups.push_back({k, 0, equations, {}});
-    else
-      groups.back().equations = both;
-    ++groups.back().count;
-  }
-  for (PointGroup& group : groups) {
-    group.weights.setZero(static_cast<Eigen::Index>(group.equations.size()), group.count);
-    for (Eigen::Index k = 0; k < group.count; ++k)
-      for (Eigen::SparseMatrix<double>::InnerIterator w(weights, first + group.first + k); w; ++w)
-        group.weights(std::lower_bound(group.equations.begin(), group.equations.end(), w.row()) -
-                          group.equations.begin(),
-                      k) = w.value();
-  }
-  return groups;
-}
-
-constexpr Eigen::Index kColumnsPerTask = 64;
-
-/// Adds the weighted rows of points to the rows of the equations, for some columns.
+/// Adds the rows of points to the rows of their equations.
 template <class Scalar>
-void addWeighted(const LargeMatrix<Scalar>& ofPoints, const std::vector<PointGroup>& groups,
-                 Eigen::Index firstColumn, LargeMatrix<Scalar>& ofEquations) {
-  const Eigen::Index points = ofPoints.rows() / 3, equations = ofEquations.rows() / 3,
-                     columns = std::min(kColumnsPerTask, ofPoints.cols() - firstColumn);
-  auto to = ofEquations.view();
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> weights, sums;
-  for (const PointGroup& group : groups) {
-    weights = group.weights.cast<Scalar>();
-    for (int i = 0; i < 3; ++i) {
-      sums.noalias() = weights * ofPoints.view().block(i * points + group.first, firstColumn,
-                                                       group.count, columns);
-      for (Eigen::Index column = 0; column < columns; ++column)
-        for (std::size_t e = 0; e < group.equations.size(); ++e)
-          to(i * equations + group.equations[e], firstColumn + column) +=
-              sums(static_cast<Eigen::Index>(e), column);
-    }
-  }
+void addWeighted(const BoundaryOperators<Scalar>& ofPoints, const PointWeights<Scalar>& weights,
+                 const Job& job, BoundaryOperators<Scalar>& ofEquations) {
+  constexpr Eigen::Index kColumns = PointWeights<Scalar>::kColumns;
+  const auto tasksOf = [](const LargeMatrix<Scalar>& matrix) {
+    return (matrix.cols() + kColumns - 1) / kColumns;
+  };
+  const Eigen::Index tasksOfH = tasksOf(ofEquations.H);
+  parallelFor(tasksOfH + tasksOf(ofEquations.G), job, [&](std::ptrdiff_t task) {
+    if (task < tasksOfH)
+      weights.add(ofPoints.H, task * kColumns, ofEquations.H);
+    else
+      weights.add(ofPoints.G, (task - tasksOfH) * kColumns, ofEquations.G);
+  });
 }
 
 /// Adds what averaged elements have near to their equations.
@@ -187,47 +142,29 @@ template <class Scalar>
 void addNear(const AveragedRows& rows, const WeightedEquations& equations, const Columns& columns,
              const std::vector<AveragedRows::Total>& totals, std::optional<Phase> phase,
              const Job& job, BoundaryOperators<Scalar>& result) {
+  constexpr std::ptrdiff_t kAtOnce = 128;
   const auto count = static_cast<std::ptrdiff_t>(equations.averaged.size());
-  // All elements of a batch are added to one column by the same task, in their order: the result
-  // does not depend on the number of threads.
-  constexpr std::ptrdiff_t kAtOnce = 128, kTasks = 32;
-  const auto placesOf = [](std::span<const int> some) {
-    return placesIn(some, some.empty() ? 0 : some.back() + 1);
-  };
-  const std::vector<int> columnsH = placesOf(columns.coefficients),
-                         columnsG = placesOf(columns.slots);
-  const Eigen::Index rowCount = equations.weights.rows();
-  const auto add = [&](const std::vector<int>& of, const Eigen::MatrixXd& blocks,
-                       const std::vector<int>& functions, const std::vector<int>& places,
-                       std::ptrdiff_t task, LargeMatrix<Scalar>& matrix) {
-    for (std::size_t f = 0; f < functions.size(); ++f) {
-      if (functions[f] % kTasks != task) continue;
-      for (int c = 0; c < 3; ++c) {
-        Scalar* column = matrix.data() + (3 * places[functions[f]] + c) * matrix.rows();
-        for (std::size_t e = 0; e < of.size(); ++e)
-          for (int i = 0; i < 3; ++i)
-            column[i * rowCount + of[e]] += static_cast<Scalar>(
-                blocks(static_cast<Eigen::Index>(3 * e) + i, static_cast<Eigen::Index>(3 * f) + c));
-      }
-    }
-  };
+  BlockScatter<Scalar> toH(columns.coefficients, equations.weights.rows()),
+      toG(columns.slots, equations.weights.rows());
   ScratchPool<AveragedRows::Scratch> pool([&] { return rows.makeScratch(); });
-  std::vector<AveragedRows::Blocks> blocks;
+  std::vector<AveragedRows::Blocks> blocks(kAtOnce);
+  std::vector<typename BlockScatter<Scalar>::Part> partsH, partsG;
   for (std::ptrdiff_t first = 0; first < count; first += kAtOnce) {
     const std::ptrdiff_t some = std::min(kAtOnce, count - first);
-    blocks.resize(static_cast<std::size_t>(some));
     parallelFor(some, partOfJob(job, first, some, count), phase, [&](std::ptrdiff_t k) {
       AveragedRows::Scratch scratch = pool.take();
       blocks[k] = rows.blocks(equations.averaged[first + k], totals, scratch);
       pool.giveBack(std::move(scratch));
     });
-    parallelFor(kTasks, job, [&](std::ptrdiff_t task) {
-      for (std::ptrdiff_t k = 0; k < some; ++k) {
-        const std::vector<int>& of = equations.averaged[first + k].equations;
-        add(of, blocks[k].H, blocks[k].coefficients, columnsH, task, result.H);
-        add(of, blocks[k].G, blocks[k].slots, columnsG, task, result.G);
-      }
-    });
+    partsH.clear();
+    partsG.clear();
+    for (std::ptrdiff_t k = 0; k < some; ++k) {
+      const std::vector<int>& of = equations.averaged[first + k].equations;
+      partsH.push_back({&of, &blocks[k].coefficients, &blocks[k].H});
+      partsG.push_back({&of, &blocks[k].slots, &blocks[k].G});
+    }
+    toH.add(partsH, job, result.H);
+    toG.add(partsG, job, result.G);
   }
 }
 
@@ -240,8 +177,9 @@ BoundaryOperators<Scalar> rowsOf(const ElementSurface& surface, const ElementQua
   const ElementRows rows(surface, quadrature, material);
   const AveragedRows averaged(surface, quadrature, rows.constants(), equations, columns.elements);
   std::vector<AveragedRows::Total> totals(equations.points.size());
-  const auto rowsOfPoints = [&](std::size_t first, std::size_t count, const Job& ofSome) {
-    return rowsOf<Scalar>(
+  const auto computeRowsOfPoints = [&](std::size_t first, std::size_t count, const Job& ofSome,
+                                       BoundaryOperators<Scalar>& to) {
+    computeRows(
         rows.constants(), columns, count, phase, ofSome,
         [&, first](std::size_t k, ElementRows::Sums& sums) {
           const CollocationPlace& point = equations.points[first + k];
@@ -253,32 +191,26 @@ BoundaryOperators<Scalar> rowsOf(const ElementSurface& surface, const ElementQua
           } else {
             rows.integrate(point, sums, job);
           }
-        });
+        },
+        to);
   };
   const std::size_t points = equations.points.size();
-  if (equations.isCollocation()) return rowsOfPoints(0, points, job);
-  const Eigen::Index count = 3 * equations.weights.rows();
-  BoundaryOperators<Scalar> result{
-      LargeMatrix<Scalar>(count, 3 * static_cast<Eigen::Index>(columns.coefficients.size())),
-      LargeMatrix<Scalar>(count, 3 * static_cast<Eigen::Index>(columns.slots.size()))};
-  const auto tasksOf = [](const LargeMatrix<Scalar>& matrix) {
-    return (matrix.cols() + kColumnsPerTask - 1) / kColumnsPerTask;
-  };
+  if (equations.isCollocation()) {
+    auto result = operatorsFor<Scalar>(points, columns);
+    computeRowsOfPoints(0, points, job, result);
+    return result;
+  }
+  auto result = operatorsFor<Scalar>(static_cast<std::size_t>(equations.weights.rows()), columns);
   // Measured: an averaged element takes as long as two points.
   const std::size_t all = points + 2 * equations.averaged.size();
-  const std::size_t atOnce = pointsAtOnce(result.H.cols() + result.G.cols());
+  const std::size_t atOnce = std::min(points, pointsAtOnce(result.H.cols() + result.G.cols()));
+  auto ofPoints = operatorsFor<Scalar>(atOnce, columns);
   for (std::size_t first = 0; first < points; first += atOnce) {
     const std::size_t some = std::min(atOnce, points - first);
-    const auto ofPoints = rowsOfPoints(first, some, partOfJob(job, first, some, all));
-    const std::vector<PointGroup> groups = groupsOf(
-        equations.weights, static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(some));
-    parallelFor(tasksOf(result.H) + tasksOf(result.G), job, [&](std::ptrdiff_t task) {
-      const Eigen::Index ofG = task - tasksOf(result.H);
-      if (ofG < 0)
-        addWeighted(ofPoints.H, groups, task * kColumnsPerTask, result.H);
-      else
-        addWeighted(ofPoints.G, groups, ofG * kColumnsPerTask, result.G);
-    });
+    computeRowsOfPoints(first, some, partOfJob(job, first, some, all), ofPoints);
+    const PointWeights<Scalar> weights(equations.weights, static_cast<Eigen::Index>(first),
+                                       static_cast<Eigen::Index>(some));
+    addWeighted(ofPoints, weights, job, result);
   }
   addNear(averaged, equations, columns, totals, phase, partOfJob(job, points, all - points, all),
           result);

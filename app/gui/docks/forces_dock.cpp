@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/core/results/ball_error.h"
 #include "app/core/results/error_estimate.h"
 #include "app/gui/docks/accuracy_panel.h"
 #include "app/gui/document/accuracy_words.h"
@@ -138,8 +139,7 @@ ForceTable::Row ForcesDock::rowOf(const app::TouchSnapshot::Contact& contact) {
   ForceTable::Row row;
   row.contact = contact.id;
   row.curve = numberOf(contact.id) - 1;
-  // The live forces have about the error of a fingertip on this model.
-  const double error = errorOfForces();
+  const double error = errorOf(contact);
   const bool isGiven = contact.tool.kind == bem::ContactTool::Kind::kForce;
   const double ofForce = isGiven ? 0 : error;
   const auto digits = [error](double value) {
@@ -173,8 +173,29 @@ ForceTable::Row ForcesDock::rowOf(const QString& name, const QString& verb,
           verb + ": " + vectorText(vector, unit, error)};
 }
 
-double ForcesDock::errorOfForces() const {
-  return editor_.rebuildStatus().touchError;
+double ForcesDock::errorOf(const app::TouchSnapshot::Contact& contact) const {
+  // The live forces have about the error of a fingertip on this model.
+  const double ofFingertip = editor_.rebuildStatus().touchError;
+  const app::DrawnBody* drawn = simulation_.drawn();
+  const auto masks = simulation_.snapshot().pressed(contact);
+  if (!(ofFingertip > 0) || !drawn || contact.tool.kind != bem::ContactTool::Kind::kBall ||
+      masks.empty() || !hasForce(contact))
+    return ofFingertip;
+  const app::BoundarySetup& setup = drawn->model().setup();
+  const auto widest = std::max_element(
+      masks.begin(), masks.end(), [](const auto& a, const auto& b) { return a.radius < b.radius; });
+  return ofFingertip +
+         app::ballPressureError(
+             setup, {contact.point.position, setup.mesh().normal(contact.point.triangle),
+                     contact.tool.radius, widest->radius, contact.force.norm(),
+                     contact.deflection.norm()});
+}
+
+double ForcesDock::errorOfReactions() const {
+  double error = editor_.rebuildStatus().touchError;
+  for (const auto& contact : simulation_.snapshot().touched())
+    error = std::max(error, errorOf(contact));
+  return error;
 }
 
 void ForcesDock::showForces() {
@@ -210,7 +231,7 @@ void ForcesDock::showForces() {
     for (const auto& support : state->supports)
       rows.push_back(rowOf(tr("Support %1").arg(QString::fromStdString(support.name)),
                            tr("holds with"), support.resultant.force, Quantity::kForce,
-                           errorOfForces()));
+                           errorOfReactions()));
     words = tr("Energy %L1 mJ · balance %2")
                 .arg(state->energy < kNoEnergy ? 0.0 : state->energy, 0, 'g', kForceDigits)
                 .arg(percentText(state->relativeBalance));

@@ -35,8 +35,9 @@ class ForcesDock : public QDockWidget {
   /// relative, 0 for given numbers.
   ForceTable::Row rowOf(const QString& name, const QString& verb, const Eigen::Vector3d& vector,
                         Quantity quantity, double error = 0) const;
-  /// Relative; 0 while it is unknown.
-  double errorOfForces() const;
+  /// Relative errors; 0 while they are unknown.
+  double errorOf(const app::TouchSnapshot::Contact& contact) const;
+  double errorOfReactions() const;
   /// Limits of the shown forces and hints, each after a line break.
   QString notes() const;
   /// Number of a contact: constant while the contact or its curve is visible. Numbers restart
