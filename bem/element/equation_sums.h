@@ -34,7 +34,7 @@ class PointWeights {
 template <class Scalar>
 class BlockScatter {
  public:
-  /// `functions`: those of the columns, ascending; `equationCount`: a third of the rows.
+  /// `functions`: of the columns, ascending; `equationCount`: a third of the rows.
   BlockScatter(std::span<const int> functions, Eigen::Index equationCount);
 
   struct Part {
