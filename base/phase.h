@@ -26,11 +26,12 @@ enum class Phase {
   kTouch,
   kReplay,
   kErrorEstimate,
+  kSearch,
 };
 
 /// The phase's name in output for users: "assemble".
 constexpr std::string_view nameOf(Phase phase) {
-  constexpr std::array<std::string_view, 18> kNames{"import",      "read",
+  constexpr std::array<std::string_view, 19> kNames{"import",      "read",
                                                     "sew",         "repair",
                                                     "triangulate", "export",
                                                     "mesh",        "check",
@@ -38,8 +39,9 @@ constexpr std::string_view nameOf(Phase phase) {
                                                     "factorise",   "solve",
                                                     "update",      "Green's function",
                                                     "stiffness",   "touch",
-                                                    "replay",      "estimate errors"};
-  static_assert(kNames.size() == static_cast<std::size_t>(Phase::kErrorEstimate) + 1);
+                                                    "replay",      "estimate errors",
+                                                    "find a shape"};
+  static_assert(kNames.size() == static_cast<std::size_t>(Phase::kSearch) + 1);
   return kNames[static_cast<std::size_t>(phase)];
 }
 

@@ -14,6 +14,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeSolveCommand());
   commands.push_back(makeTouchCommand());
   commands.push_back(makeGradientCommand());
+  commands.push_back(makeOptimiseCommand());
   commands.push_back(makeCompareCommand());
   commands.push_back(makeSectionCommand());
   commands.push_back(makeRenderCommand());

@@ -16,6 +16,7 @@ std::unique_ptr<Command> makeMeshCommand();
 std::unique_ptr<Command> makeSolveCommand();
 std::unique_ptr<Command> makeTouchCommand();
 std::unique_ptr<Command> makeGradientCommand();
+std::unique_ptr<Command> makeOptimiseCommand();
 std::unique_ptr<Command> makeCompareCommand();
 std::unique_ptr<Command> makeSectionCommand();
 std::unique_ptr<Command> makeRenderCommand();

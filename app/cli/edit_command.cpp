@@ -28,6 +28,7 @@ std::vector<std::string> changedParts(const modeling::Change& change) {
   add(change.loads, "loads");
   add(change.touches, "touches");
   add(change.measurements, "measurements");
+  add(change.design, "design");
   add(change.mesh, "mesh");
   return parts;
 }

@@ -214,6 +214,14 @@ class InfoCommand : public Command {
       report["measurements"].push_back({{"name", measurement.name}, {"kind", kind}});
       text += "measured   " + measurement.name + ": " + kind + "\n";
     }
+    if (project.design) {
+      report["design"] = modeling::jsonOf(*project.design);
+      for (const modeling::DesignTarget& target : project.design->targets)
+        text += "target     " + target.touch +
+                format(target.kind == modeling::DesignTarget::Kind::kForce ? ": %.6g N\n"
+                                                                           : ": %.6g N/mm\n",
+                       target.value);
+    }
     text += format("mesh       edge length %.6g mm, about %s nodes\n", project.mesh.edgeLength,
                    estimateText(nodes).c_str());
     context.print(report, text);

@@ -110,7 +110,7 @@ class TouchCommand : public Command {
   Json preparation(const ReadBody& read, const modeling::Project& project) const {
     Json json;
     if (input_.isImported()) json["import"] = cli::toJson(read);
-    if (read.held) json["proposed_support"] = toJson(*read.held);
+    if (read.held) json["proposed_support"] = cli::toJson(*read.held);
     if (touch_.isPlaced()) json["place"] = placeJson(project.touches.front());
     return json;
   }

@@ -70,7 +70,15 @@ std::string typeText(const ordered_json& schema) {
               ("`" + schema["enum"][i].get<std::string>() + "`");
     return text;
   }
-  if (!schema.at("type").is_string()) return "object or list";
+  if (!schema.at("type").is_string()) {
+    std::string text;
+    for (const std::string type : schema["type"])
+      text += (text.empty() ? "" : " or ") + std::string(type == "array"     ? "list"
+                                                         : type == "integer" ? "whole number"
+                                                         : type == "string"  ? "text"
+                                                                             : type);
+    return text;
+  }
   const std::string type = schema["type"];
   if (type == "array") {
     const ordered_json& items = schema.at("items");
@@ -89,6 +97,7 @@ std::string typeText(const ordered_json& schema) {
 
 /// The unit at the end of a key, as in edge_length_mm.
 std::string unitOf(const std::string& key) {
+  if (key.ends_with("_N_per_mm")) return "N/mm";
   for (const char* unit : {"mm", "MPa", "N"})
     if (key == unit || key.ends_with("_" + std::string(unit))) return unit;
   return "";

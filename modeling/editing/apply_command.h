@@ -39,6 +39,7 @@ Edited applyTo(const SetMeasurement& command, const Project& project);
 Edited applyTo(const RemoveMeasurement& command, const Project& project);
 Edited applyTo(const SetMaterial& command, const Project& project);
 Edited applyTo(const SetMesh& command, const Project& project);
+Edited applyTo(const SetDesign& command, const Project& project);
 Edited applyTo(const RenameProject& command, const Project& project);
 Edited applyTo(const RenamePatch& command, const Project& project);
 

@@ -65,6 +65,7 @@ Change compare(const Project& before, const Project& after) {
   change.loads = before.loads != after.loads;
   change.touches = before.touches != after.touches;
   change.measurements = before.measurements != after.measurements;
+  change.design = before.design != after.design;
   change.mesh = before.mesh != after.mesh;
   change.view = before.view != after.view;
   return change;

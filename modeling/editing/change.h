@@ -22,13 +22,14 @@ struct Change {
   bool loads = false;
   bool touches = false;
   bool measurements = false;
+  bool design = false;
   bool mesh = false;
   bool view = false;
 
   bool body() const { return topology || edges || patchNames || !movedPoints.empty(); }
   bool any() const {
     return body() || primitive || name || material || supports || loads || touches ||
-           measurements || mesh || view;
+           measurements || design || mesh || view;
   }
 };
 

@@ -7,18 +7,13 @@
 #include <variant>
 #include <vector>
 
-#include "modeling/editing/point_selection.h"
+#include "modeling/project/point_selection.h"
 #include "modeling/project/project.h"
+#include "modeling/solid/mirror_plane.h"
 
 // Commands that change a project, as plain data. The window, scripts (docs/editing.md) and tests
 // use the same commands.
 namespace palpa::modeling {
-
-/// A plane through a point (mm); the normal need not have length 1.
-struct MirrorPlane {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
-};
 
 /// Effect of a motion on control points beyond the selected ones.
 struct Reach {
@@ -195,6 +190,10 @@ struct SetMaterial {
 struct SetMesh {
   MeshSettings mesh;
 };
+/// Replaces the settings of the search for a shape; none removes them.
+struct SetDesign {
+  std::optional<Design> design;
+};
 struct RenameProject {
   std::string name;
 };
@@ -210,7 +209,7 @@ using Command =
                  ElevateDegree, TransformSolid, MakePrimitive, SetEdge, AddSupport, SetSupport,
                  RemoveSupport, TakeOverlap, AddLoad, SetLoad, RemoveLoad, AddTouch, SetTouch,
                  RemoveTouch, AddMeasurement, SetMeasurement, RemoveMeasurement, SetMaterial,
-                 SetMesh, RenameProject, RenamePatch>;
+                 SetMesh, SetDesign, RenameProject, RenamePatch>;
 
 /// Result of a command.
 struct Edited {

@@ -68,6 +68,9 @@ struct Label {
   }
   std::string operator()(const SetMaterial&) const { return "Change material"; }
   std::string operator()(const SetMesh&) const { return "Change mesh settings"; }
+  std::string operator()(const SetDesign& c) const {
+    return c.design ? "Change design" : "Remove design";
+  }
   std::string operator()(const RenameProject&) const { return "Rename project"; }
   std::string operator()(const RenamePatch& c) const { return "Rename patch " + quoted(c.patch); }
 };

@@ -14,6 +14,6 @@ inline constexpr std::array<std::string_view, std::variant_size_v<Command>> kCom
     "add_support",     "set_support",     "remove_support",     "take_overlap",   "add_load",
     "set_load",        "remove_load",     "add_touch",          "set_touch",      "remove_touch",
     "add_measurement", "set_measurement", "remove_measurement", "set_material",   "set_mesh",
-    "rename_project",  "rename_patch"};
+    "set_design",      "rename_project",  "rename_patch"};
 
 }  // namespace palpa::modeling

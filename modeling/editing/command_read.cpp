@@ -25,57 +25,6 @@ std::optional<Eigen::Vector3d> vectorIf(const json& object, const char* key) {
   return vectorFrom(object[key]);
 }
 
-PointSelection selectionFrom(const json& value);
-
-std::vector<PointSelection> selectionsFrom(const json& list) {
-  std::vector<PointSelection> selections;
-  for (const json& one : list) selections.push_back(selectionFrom(one));
-  return selections;
-}
-
-PointSelection::Part partFrom(const json& value) {
-  const auto only = value.items().begin();
-  const std::string& key = only.key();
-  const json& what = only.value();
-  if (key == "patches") return PatchPoints{what};
-  if (key == "edge") return SidePoints{what["patch"], sideFrom(what["side"])};
-  if (key == "net") {
-    NetPoints part{what["patch"], {}};
-    for (int direction = 0; direction < 2; ++direction)
-      if (const json& row = what["row"][direction]; row.is_number()) part.at[direction] = row;
-    return part;
-  }
-  if (key == "half_space")
-    return SlabPoints{vectorFrom(what["normal"]), numberIf(what, "above_mm"),
-                      numberIf(what, "below_mm")};
-  if (key == "box_mm") return BoxPoints{vectorFrom(what[0]), vectorFrom(what[1])};
-  if (key == "sphere_mm") return BallPoints{vectorFrom(what["center"]), what["radius"]};
-  if (key == "all_of") return AllOf{selectionsFrom(what)};
-  return NoneOf{selectionsFrom(what)};
-}
-
-/// Reads a list of numbers, one part, or a list of both, where the numbers are one part of the
-/// union.
-PointSelection selectionFrom(const json& value) {
-  PointSelection selection;
-  if (value.is_object()) return {{partFrom(value)}};
-  PointIndices indices;
-  for (const json& one : value) {
-    if (one.is_number())
-      indices.indices.push_back(one);
-    else if (one.is_array())
-      selection.parts.push_back(PointIndices{one});
-    else
-      selection.parts.push_back(partFrom(one));
-  }
-  if (!indices.indices.empty()) selection.parts.insert(selection.parts.begin(), indices);
-  return selection;
-}
-
-MirrorPlane planeFrom(const json& value) {
-  return {vectorFrom(value["point_mm"]), vectorFrom(value["normal"])};
-}
-
 Reach reachFrom(const json& value) {
   Reach reach{numberIf(value, "falloff_mm"), std::nullopt};
   if (value.contains("mirror")) reach.mirror = planeFrom(value["mirror"]);
@@ -178,6 +127,9 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
     [](const json& v) -> Command { return RemoveMeasurement{v["name"]}; },
     [](const json& v) -> Command { return SetMaterial{materialFrom(v["material"])}; },
     [](const json& v) -> Command { return SetMesh{meshFrom(v["mesh"])}; },
+    [](const json& v) -> Command {
+      return v.contains("design") ? SetDesign{designFrom(v["design"])} : SetDesign{};
+    },
     [](const json& v) -> Command { return RenameProject{v["name"]}; },
     [](const json& v) -> Command {
       return RenamePatch{v["patch"], v["name"]};

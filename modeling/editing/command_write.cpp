@@ -9,12 +9,6 @@ namespace {
 
 using modeling::jsonOf;
 
-Json jsonOf(const PointSelection& selection);
-
-Json jsonOf(const MirrorPlane& plane) {
-  return {{"point_mm", jsonOf(plane.point)}, {"normal", jsonOf(plane.normal)}};
-}
-
 Json jsonOf(double value) {
   return value;
 }
@@ -22,48 +16,6 @@ Json jsonOf(double value) {
 template <class T>
 void addIf(Json& object, const char* key, const std::optional<T>& value) {
   if (value) object[key] = jsonOf(*value);
-}
-
-struct PartJson {
-  Json operator()(const PointIndices& part) const { return part.indices; }
-  Json operator()(const PatchPoints& part) const { return {{"patches", part.patches}}; }
-  Json operator()(const SidePoints& part) const {
-    return {{"edge", {{"patch", part.patch}, {"side", sideKey(part.side)}}}};
-  }
-  Json operator()(const NetPoints& part) const {
-    Json row = Json::array();
-    for (const std::optional<int>& at : part.at) row.push_back(at ? Json(*at) : Json("all"));
-    return {{"net", {{"patch", part.patch}, {"row", std::move(row)}}}};
-  }
-  Json operator()(const SlabPoints& part) const {
-    Json slab{{"normal", jsonOf(part.normal)}};
-    addIf(slab, "above_mm", part.above);
-    addIf(slab, "below_mm", part.below);
-    return {{"half_space", std::move(slab)}};
-  }
-  Json operator()(const BoxPoints& part) const {
-    return {{"box_mm", jsonOfEach(std::array{part.low, part.high})}};
-  }
-  Json operator()(const BallPoints& part) const {
-    return {{"sphere_mm", {{"center", jsonOf(part.center)}, {"radius", part.radius}}}};
-  }
-  Json operator()(const AllOf& part) const { return {{"all_of", list(part)}}; }
-  Json operator()(const NoneOf& part) const { return {{"none_of", list(part)}}; }
-
-  template <class Selections>
-  static Json list(const Selections& part) {
-    Json list = Json::array();
-    for (const PointSelection& one : part.selections) list.push_back(jsonOf(one));
-    return list;
-  }
-};
-
-/// A single part directly, several parts as a list.
-Json jsonOf(const PointSelection& selection) {
-  if (selection.parts.size() == 1) return std::visit(PartJson(), selection.parts.front());
-  Json parts = Json::array();
-  for (const auto& part : selection.parts) parts.push_back(std::visit(PartJson(), part));
-  return parts;
 }
 
 void add(Json& object, const Reach& reach) {
@@ -196,6 +148,9 @@ void add(Json& object, const SetMaterial& c) {
 }
 void add(Json& object, const SetMesh& c) {
   object["mesh"] = jsonOf(c.mesh);
+}
+void add(Json& object, const SetDesign& c) {
+  if (c.design) object["design"] = jsonOf(*c.design);
 }
 void add(Json& object, const RenamePatch& c) {
   object["patch"] = c.patch;

@@ -5,8 +5,8 @@
 
 #include "base/text.h"
 #include "modeling/editing/apply_command.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 
 namespace palpa::modeling {
 namespace {
@@ -131,6 +131,23 @@ void transform(MeasuredPlace& place, const AffineMap& map) {
   if (place.side) place.side = exchanged(*place.side);
 }
 
+/// Points selected by position are selected by number afterwards, as boxes cannot turn; so are all
+/// points of a mirrored body, whose nets exchange u and v.
+void transform(Design& design, const Solid& before, const AffineMap& map) {
+  if (design.along == Design::Along::kDirection) design.direction = map.turn * design.direction;
+  for (MirrorPlane& plane : design.mirrors) {
+    plane.point = map(plane.point);
+    plane.normal = map.linear.inverse().transpose() * plane.normal;
+  }
+  if (!design.points) return;
+  if (map.linear.determinant() > 0.0 && !selectsByPosition(*design.points)) return;
+  try {
+    design.points = PointSelection::of(selectPoints(*design.points, before));
+  } catch (const ModelingError&) {
+    return;  // it selects nothing before and after
+  }
+}
+
 void transformConditions(Project& project, const AffineMap& map) {
   const Matrix3d inverse = map.linear.inverse();
   for (Support& support : project.supports) {
@@ -166,6 +183,8 @@ Edited applyTo(const TransformSolid& command, const Project& project) {
   Edited result = withBody(
       project, std::visit([&](const auto& body) { return transformed(body, map); }, project.body));
   transformConditions(result.project, map);
+  if (const auto* solid = std::get_if<Solid>(&project.body); solid && result.project.design)
+    transform(*result.project.design, *solid, map);
   return result;
 }
 

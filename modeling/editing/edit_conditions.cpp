@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "modeling/editing/apply_command.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 
 namespace palpa::modeling {
 namespace {
@@ -96,10 +96,18 @@ Edited applyTo(const AddTouch& command, const Project& project) {
   return added(project, &Project::touches, command.touch);
 }
 Edited applyTo(const SetTouch& command, const Project& project) {
-  return replaced(project, &Project::touches, command.name, command.touch, "touch");
+  Edited result = replaced(project, &Project::touches, command.name, command.touch, "touch");
+  if (result.project.design)
+    for (DesignTarget& target : result.project.design->targets)
+      if (target.touch == command.name) target.touch = command.touch.name;
+  return result;
 }
 Edited applyTo(const RemoveTouch& command, const Project& project) {
-  return removed(project, &Project::touches, command.name, "touch");
+  Edited result = removed(project, &Project::touches, command.name, "touch");
+  if (result.project.design)
+    std::erase_if(result.project.design->targets,
+                  [&](const DesignTarget& target) { return target.touch == command.name; });
+  return result;
 }
 
 Edited applyTo(const AddMeasurement& command, const Project& project) {
@@ -122,6 +130,12 @@ Edited applyTo(const SetMaterial& command, const Project& project) {
 Edited applyTo(const SetMesh& command, const Project& project) {
   Edited result{project, 0.0};
   result.project.mesh = command.mesh;
+  return result;
+}
+
+Edited applyTo(const SetDesign& command, const Project& project) {
+  Edited result{project, 0.0};
+  result.project.design = command.design;
   return result;
 }
 
@@ -149,6 +163,8 @@ Edited applyTo(const RenamePatch& command, const Project& project) {
     for (MeasuredPlace& place : measurement.places)
       for (std::string* name : {&place.patch, &place.other})
         if (*name == from) *name = to;
+  if (result.project.design && result.project.design->points)
+    renamePatch(*result.project.design->points, from, to);
   auto factor = result.project.mesh.patchFactors.extract(from);
   if (!factor.empty()) {
     factor.key() = to;

@@ -2,8 +2,8 @@
 
 #include "base/text.h"
 #include "modeling/editing/apply_command.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 #include "modeling/solid/knot_operations.h"
 #include "modeling/solid/tangent_continuity.h"
 

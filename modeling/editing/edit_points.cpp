@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "modeling/editing/apply_command.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/editing/point_motion.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 #include "modeling/solid/control_normals.h"
 
 namespace palpa::modeling {

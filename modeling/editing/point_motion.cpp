@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 #include "modeling/solid/surface_properties.h"
 #include "modeling/solid/tangent_continuity.h"
 

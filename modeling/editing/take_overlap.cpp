@@ -2,8 +2,8 @@
 #include <map>
 
 #include "modeling/editing/apply_command.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 #include "modeling/solid/edge_curve.h"
 
 namespace palpa::modeling {

@@ -21,6 +21,11 @@ Support supportFrom(const nlohmann::json& value);
 Load loadFrom(const nlohmann::json& value);
 Touch touchFrom(const nlohmann::json& value);
 Measurement measurementFrom(const nlohmann::json& value);
+Design designFrom(const nlohmann::json& value);
+/// Reads a list of numbers, one part, or a list of both, where the numbers are one part of the
+/// union.
+PointSelection selectionFrom(const nlohmann::json& value);
+MirrorPlane planeFrom(const nlohmann::json& value);
 MeshSettings meshFrom(const nlohmann::json& value);
 
 /// degree and control_points may be absent: 3 and the shape's default.
@@ -41,6 +46,10 @@ Json jsonOf(const Support& support);
 Json jsonOf(const Load& load);
 Json jsonOf(const Touch& touch);
 Json jsonOf(const Measurement& measurement);
+Json jsonOf(const Design& design);
+/// A single part directly, several parts as a list.
+Json jsonOf(const PointSelection& selection);
+Json jsonOf(const MirrorPlane& plane);
 Json jsonOf(const MeshSettings& mesh);
 Json jsonOf(const Primitive& primitive);
 

@@ -133,6 +133,11 @@ void checkProject(const Project& project) {
     checkName(project.measurements[i].name, path, names);
     checkMeasurement(project.measurements[i], path);
   }
+  if (project.design) {
+    std::vector<std::string> touches;
+    for (const Touch& touch : project.touches) touches.push_back(touch.name);
+    checkDesign(*project.design, touches, "design");
+  }
   project.mesh.validate("mesh");
   for (const auto& [patch, factor] : project.mesh.patchFactors)
     if (!surface.names.contains(patch))

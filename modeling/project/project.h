@@ -9,6 +9,7 @@
 #include "modeling/body/body.h"
 #include "modeling/body/region.h"
 #include "modeling/mesh/mesh_settings.h"
+#include "modeling/project/design.h"
 #include "modeling/project/measurement.h"
 #include "modeling/project/touch_kind.h"
 #include "modeling/shapes/primitive.h"
@@ -123,6 +124,7 @@ struct Project {
   std::vector<Load> loads;
   std::vector<Touch> touches;
   std::vector<Measurement> measurements{};
+  std::optional<Design> design{};  ///< what it should feel like, for the search for a shape
   MeshSettings mesh;
   /// View of the project in the window: a JSON object as text that only the window interprets,
   /// empty for none. Loading and saving preserve it, including the order of its keys.

@@ -71,6 +71,7 @@ Project projectFrom(const json& document) {
     project.touches.push_back(touchFrom(one));
   for (const json& one : document.value("measurements", json::array()))
     project.measurements.push_back(measurementFrom(one));
+  if (document.contains("design")) project.design = designFrom(document["design"]);
   project.mesh = meshFrom(document["mesh"]);
   return project;
 }

@@ -21,7 +21,9 @@ const std::set<std::string> kOpen{"",
                                   "supports",
                                   "loads",
                                   "touches",
-                                  "measurements"};
+                                  "measurements",
+                                  "design",
+                                  "design.targets"};
 
 }  // namespace
 
@@ -39,6 +41,7 @@ std::string toJson(const Project& project) {
   object["loads"] = jsonOfEach(project.loads);
   object["touches"] = jsonOfEach(project.touches);
   if (!project.measurements.empty()) object["measurements"] = jsonOfEach(project.measurements);
+  if (project.design) object["design"] = jsonOf(*project.design);
   object["mesh"] = jsonOf(project.mesh);
   std::string text = jsonText(object, kOpen);
   // The view is kept byte by byte, as the last value.

@@ -19,6 +19,9 @@ Project project() {
                    {"finger", Bump{}}};
   project.touches.emplace_back();
   project.measurements.push_back({"height", MeasurementKind::kDistance, {{}, {}}});
+  project.design.emplace().targets.push_back({"poke"});
+  project.design->points = PointSelection::of({1});
+  project.design->mirrors.emplace_back();
   return project;
 }
 
@@ -97,6 +100,28 @@ TEST(Change, EveryFieldOfAMeasurementCounts) {
        [](Project& p) { p.measurements[0].places[0].side = Side::kUMax; },
        [](Project& p) { p.measurements[0].places[0].at = Eigen::Vector2d(0.5, 0.25); },
        [](Project& p) { p.measurements[0].places[0].at = Eigen::Vector3d(1, 2, 3); }});
+}
+
+TEST(Change, EveryFieldOfADesignCounts) {
+  expectEach(
+      &Change::design,
+      {[](Project& p) { p.design.reset(); }, [](Project& p) { p.design->targets.clear(); },
+       [](Project& p) { p.design->targets[0].touch = "x"; },
+       [](Project& p) { p.design->targets[0].kind = DesignTarget::Kind::kForce; },
+       [](Project& p) { p.design->targets[0].value = 2; },
+       [](Project& p) { p.design->targets[0].depth = 2; },
+       [](Project& p) { p.design->targets[0].weight = 2; },
+       [](Project& p) { p.design->points = PointSelection::of({2}); },
+       [](Project& p) { p.design->points.reset(); },
+       [](Project& p) { p.design->along = Design::Along::kAny; },
+       [](Project& p) { p.design->direction.x() = 1; },
+       [](Project& p) { p.design->largestMovement = 1; },
+       [](Project& p) { p.design->mirrors.pop_back(); },
+       [](Project& p) { p.design->mirrors[0].normal.y() = 1; },
+       [](Project& p) { p.design->volume = Design::Volume::kKept; },
+       [](Project& p) { p.design->smallestThickness = 1; },
+       [](Project& p) { p.design->smoothness = 2; }, [](Project& p) { p.design->tolerance = 0.01; },
+       [](Project& p) { p.design->steps = 5; }});
 }
 
 TEST(Change, EveryFieldOfTheMaterialCounts) {

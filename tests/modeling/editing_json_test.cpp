@@ -31,6 +31,10 @@ std::vector<Command> oneOfEach() {
   mesh.accuracy = 0.003;
   mesh.splineDensity = 1.25;
   mesh.elementLength = 1.5;
+  Design design;
+  design.targets = {{"poke", DesignTarget::Kind::kForce, 1.0 / 3.0, 2.0}};
+  design.points = some;
+  design.mirrors = {*reach.mirror};
   return {MovePoints{some, MoveBy{{1, 2, 3}}, reach},
           MovePoints{PointSelection::of({1}), MoveTo{{{1, 2, 0.1}}}, {}},
           MovePoints{PointSelection::of({1}), MoveAlongNormal{-0.7}, {}},
@@ -71,6 +75,8 @@ std::vector<Command> oneOfEach() {
           AddLoad{{"weight", Gravity{}}},
           SetLoad{"weight", {"moon", Gravity{{0, 0, -1.625}}}},
           SetMesh{mesh},
+          SetDesign{design},
+          SetDesign{},
           RenameProject{"a \"new\" name"},
           RenamePatch{"top", "lid"}};
 }

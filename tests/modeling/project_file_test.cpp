@@ -57,6 +57,20 @@ Project example() {
                            MeasurementKind::kAngle,
                            {{What::kFace, "a", Eigen::Vector3d(1, 2, 1.0 / 3.0)},
                             {What::kEdge, "a", Eigen::Vector3d(1, 2, 3), {}, "b"}}}};
+  Design& design = project.design.emplace();
+  design.targets = {{"poke", DesignTarget::Kind::kStiffness, 1.0 / 3.0},
+                    {"slide", DesignTarget::Kind::kForce, 0.7, 1.5, 2.0}};
+  design.points = PointSelection{{AllOf{{PointSelection{{PatchPoints{{"top"}}}},
+                                         PointSelection{{NoneOf{{PointSelection::of({3, 1})}}}}}}}};
+  design.along = Design::Along::kDirection;
+  design.direction = {0, 1.0 / 3.0, 1};
+  design.largestMovement = 2.5;
+  design.mirrors = {{{0, 0, 1.0 / 3.0}, {1, 0, 0}}};
+  design.volume = Design::Volume::kNotLarger;
+  design.smallestThickness = 1.0 / 3.0;
+  design.smoothness = 0.3;
+  design.tolerance = 0.01;
+  design.steps = 7;
   project.mesh.edgeLength = 4.0;
   project.mesh.refinementLevels = 2;
   project.mesh.refineAtSharpEdges = project.mesh.refineAtBorders = true;
@@ -102,6 +116,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
   EXPECT_EQ(after.loads, before.loads);
   EXPECT_EQ(after.touches, before.touches);
   EXPECT_EQ(after.measurements, before.measurements);
+  EXPECT_EQ(after.design, before.design);
   EXPECT_EQ(after.mesh, before.mesh);
   EXPECT_EQ(after.primitive, before.primitive);
   const auto smooth = [](const Project& project) {

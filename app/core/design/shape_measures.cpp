@@ -1,5 +1,8 @@
 #include "app/core/design/shape_measures.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "modeling/editing/nearest_on_patches.h"
 #include "modeling/error.h"
 #include "modeling/measure/measured_body.h"
@@ -38,36 +41,51 @@ std::optional<ShapeMeasure> massOf(const DesignSurface& surface,
   return mass;
 }
 
-std::optional<ShapeMeasure> smallestThickness(const modeling::Solid& solid) {
+std::vector<WallThickness> wallThicknesses(const modeling::Solid& solid,
+                                           const std::vector<int>& patches, const Job& job) {
   constexpr int kPerDirection = 6;
   const modeling::MeasuredBody body{modeling::Body(solid)};
-  std::optional<modeling::MeasuredValue> thinnest;
-  for (const modeling::Patch& patch : solid.patches())
+  std::vector<WallThickness> walls;
+  for (const int patch : patches)
     for (int i = 0; i < kPerDirection; ++i)
       for (int j = 0; j < kPerDirection; ++j) {
+        job.throwIfCancelled();
         modeling::Measurement measurement;
         measurement.kind = modeling::MeasurementKind::kThickness;
         modeling::MeasuredPlace place;
-        place.patch = patch.name;
+        place.patch = solid.patches()[static_cast<std::size_t>(patch)].name;
         place.at = Eigen::Vector2d((i + 0.5) / kPerDirection, (j + 0.5) / kPerDirection);
         measurement.places.push_back(place);
         try {
           const modeling::MeasuredValue value = body.measure(measurement);
-          if (!thinnest || value.value < thinnest->value) thinnest = value;
+          walls.push_back(
+              {patch, i * kPerDirection + j, value.value, {value.points[0], value.points[1]}});
         } catch (const modeling::ModelingError&) {
           continue;  // no surface lies opposite
         }
       }
-  if (!thinnest) return std::nullopt;
-  ShapeMeasure result{
-      thinnest->value,
-      Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(solid.controlPoints().size()))};
-  const Vector3d along = (thinnest->points[1] - thinnest->points[0]).normalized();
+  return walls;
+}
+
+Eigen::Matrix3Xd WallThickness::gradient(const modeling::Solid& solid) const {
+  Eigen::Matrix3Xd result =
+      Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(solid.controlPoints().size()));
+  const Vector3d along = (ends[1] - ends[0]).normalized();
   modeling::NearestOnPatches nearest(solid);
-  for (int end = 0; end < 2; ++end)
-    for (const auto& [point, weight] : nearest.of(thinnest->points[end]))
-      result.gradient.col(point) += (end == 0 ? -weight : weight) * along;
+  for (std::size_t end = 0; end < 2; ++end)
+    for (const auto& [point, weight] : nearest.of(ends[end]))
+      result.col(point) += (end == 0 ? -weight : weight) * along;
   return result;
+}
+
+std::optional<ShapeMeasure> smallestThickness(const modeling::Solid& solid) {
+  std::vector<int> patches(solid.patches().size());
+  std::iota(patches.begin(), patches.end(), 0);
+  const std::vector<WallThickness> walls = wallThicknesses(solid, patches);
+  if (walls.empty()) return std::nullopt;
+  const auto thinnest = std::min_element(
+      walls.begin(), walls.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  return ShapeMeasure{thinnest->value, thinnest->gradient(solid)};
 }
 
 }  // namespace palpa::app

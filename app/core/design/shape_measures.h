@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
 #include "app/core/design/design_surface.h"
+#include "base/job.h"
 #include "modeling/project/project.h"
 
 namespace palpa::app {
@@ -20,6 +23,21 @@ ShapeMeasure areaOf(const DesignSurface& surface);
 /// Mass, kg, and its derivative, kg/mm; none for a material without a density.
 std::optional<ShapeMeasure> massOf(const DesignSurface& surface,
                                    const modeling::Material& material);
+/// Thickness of a wall at a place of a patch.
+struct WallThickness {
+  int patch = 0, place = 0;               ///< place: number within the patch
+  double value = 0;                       ///< mm
+  std::array<Eigen::Vector3d, 2> ends{};  ///< mm
+
+  /// Derivative by the control points of the solid, one column each.
+  Eigen::Matrix3Xd gradient(const modeling::Solid& solid) const;
+};
+
+/// Wall thicknesses at places all over the given patches; places without an opposite one are left
+/// out. Costs about a millisecond per place. Throws Cancelled.
+std::vector<WallThickness> wallThicknesses(const modeling::Solid& solid,
+                                           const std::vector<int>& patches, const Job& job = {});
+
 /// Smallest wall thickness at places all over the patches, mm, and its derivative: both ends move
 /// with the material. Where several places are equally thin, it belongs to one of them. Costs about
 /// a millisecond per place. None if no place has an opposite one.

@@ -1,12 +1,12 @@
-#include "modeling/editing/point_selection.h"
+#include "modeling/project/point_selection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/text.h"
-#include "modeling/editing/field_check.h"
 #include "modeling/error.h"
+#include "modeling/project/field_check.h"
 #include "modeling/solid/solid_check.h"
 
 namespace palpa::modeling {

@@ -1,4 +1,4 @@
-#include "modeling/editing/field_check.h"
+#include "modeling/project/field_check.h"
 
 #include <cmath>
 

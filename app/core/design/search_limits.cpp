@@ -1,0 +1,75 @@
+#include "app/core/design/search_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.h"
+
+namespace palpa::app {
+namespace {
+
+using Kind = ShapeLimit::Kind;
+
+/// Variables nearer than this to a bound are at it.
+constexpr double kAtBound = 1e-6;
+/// A target whose logarithm all variables together change by less hardly depends on the points.
+constexpr double kNoInfluence = 0.01;
+
+std::string countText(long count, long of) {
+  return std::to_string(count) + " of " + std::to_string(of);
+}
+
+}  // namespace
+
+std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& design,
+                                   const DesignSpace& space, const std::string& refusal,
+                                   bool hasStepsLeft) {
+  std::vector<ShapeLimit> limits;
+  rows.problem.radius = 2;  // none
+  const StepSolution solution = solveStep(rows.problem);
+  bool isMissed = false;
+  for (std::size_t i = 0; i < rows.targets; ++i) {
+    const StepProblem::Row& row = rows.problem.rows[i];
+    isMissed = isMissed || std::abs(row.goal - solution.values[i]) > design.tolerance;
+    if (row.slope.cwiseAbs().sum() < kNoInfluence)
+      limits.push_back({Kind::kPoints, "the points that may move hardly change the touch \"" +
+                                           design.targets[i].touch +
+                                           "\"; select points near it, or below it"});
+  }
+  if (isMissed) {
+    const long atBound = (solution.x.cwiseAbs().array() > 1 - kAtBound).count();
+    if (atBound > 0)
+      limits.push_back({Kind::kMovement, "the largest movement of " + numberText(space.limit()) +
+                                             " mm: " + countText(atBound, solution.x.size()) +
+                                             " variables of the shape reach it"});
+    if (rows.hasVolume && std::abs(solution.pressure[rows.targets]) > 0)
+      limits.push_back({Kind::kVolume, design.volume == modeling::Design::Volume::kKept
+                                           ? "the volume, which is kept"
+                                           : "the volume, which may not grow"});
+    const std::size_t firstWall = rows.targets + (rows.hasVolume ? 1 : 0);
+    long thin = 0;
+    std::string patch;
+    for (std::size_t k = 0; k < rows.walls.size(); ++k)
+      if (solution.pressure[firstWall + k] > 0) {
+        ++thin;
+        patch = space.solid().patches()[static_cast<std::size_t>(rows.walls[k].patch)].name;
+      }
+    if (thin > 0)
+      limits.push_back({Kind::kThickness, "the smallest thickness of " +
+                                              numberText(*design.smallestThickness) +
+                                              " mm, for example at the patch \"" + patch + "\""});
+  }
+  if (!refusal.empty())
+    limits.push_back({Kind::kFolding, "shapes further on cannot be computed: " + refusal});
+  if (!hasStepsLeft)
+    limits.push_back({Kind::kSteps, "the number of steps (" + std::to_string(design.steps) +
+                                        "): more steps may come nearer"});
+  if (limits.empty())
+    limits.push_back({Kind::kTargets, rows.targets > 1
+                                          ? "the targets contradict each other for the points that "
+                                            "may move"
+                                          : "no small change of the shape comes nearer"});
+  return limits;
+}
+
+}  // namespace palpa::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/core/design/search_state.h"
+#include "app/core/design/shape_search.h"
+#include "app/core/design/step_problem.h"
+
+namespace palpa::app {
+
+/// Rows of the subproblem at a shape, in this order: targets (logarithms of the values), the volume
+/// if it is limited, then walls that a step could make too thin.
+struct SearchRows {
+  StepProblem problem;  ///< in parts of DesignSpace::limit()
+  std::size_t targets = 0;
+  bool hasVolume = false;
+  std::vector<WallThickness> walls;
+};
+
+/// Why the search ended: what refused the last steps, and what the subproblem without a trust
+/// region runs into. Never empty. `refusal`: message of the last shape that could not be computed.
+std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& design,
+                                   const DesignSpace& space, const std::string& refusal,
+                                   bool hasStepsLeft);
+
+}  // namespace palpa::app
