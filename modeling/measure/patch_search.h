@@ -8,7 +8,7 @@
 
 #include "modeling/solid/solid.h"
 
-// Nearest points, rays and curvatures on the patches of a solid. Internal to modeling/measure.
+// Nearest points, rays and curvatures on the patches of a solid.
 namespace palpa::modeling {
 
 /// Position (mm) and derivatives of a patch, mm per unit of the parameters.

@@ -22,8 +22,7 @@ std::string countText(long count, long of) {
 }  // namespace
 
 std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& design,
-                                   const DesignSpace& space, const std::string& refusal,
-                                   bool hasStepsLeft) {
+                                   const DesignSpace& space, const SearchTroubles& troubles) {
   std::vector<ShapeLimit> limits;
   rows.problem.radius = 2;  // none
   const StepSolution solution = solveStep(rows.problem);
@@ -59,9 +58,14 @@ std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& desi
                                               numberText(*design.smallestThickness) +
                                               " mm, for example at the patch \"" + patch + "\""});
   }
-  if (!refusal.empty())
-    limits.push_back({Kind::kFolding, "shapes further on cannot be computed: " + refusal});
-  if (!hasStepsLeft)
+  if (troubles.jump > 0)
+    limits.push_back({Kind::kElements, "the computed values jump by " +
+                                           numberText(std::round(1000 * troubles.jump) / 10) +
+                                           " % where other elements are chosen; ask for more "
+                                           "accuracy or a fixed element length"});
+  if (!troubles.refusal.empty())
+    limits.push_back({Kind::kFolding, "shapes further on cannot be computed: " + troubles.refusal});
+  if (!troubles.hasStepsLeft)
     limits.push_back({Kind::kSteps, "the number of steps (" + std::to_string(design.steps) +
                                         "): more steps may come nearer"});
   if (limits.empty())

@@ -18,10 +18,16 @@ struct SearchRows {
   std::vector<WallThickness> walls;
 };
 
-/// Why the search ended: what refused the last steps, and what the subproblem without a trust
-/// region runs into. Never empty. `refusal`: message of the last shape that could not be computed.
+/// What the last steps ran into.
+struct SearchTroubles {
+  std::string refusal;  ///< message of the last shape that could not be computed; empty for none
+  double jump = 0;      ///< relative, of a computed value in a small step; 0 for none
+  bool hasStepsLeft = true;
+};
+
+/// Why the search ended: what the last steps ran into, and what the subproblem without a trust
+/// region runs into. Never empty.
 std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& design,
-                                   const DesignSpace& space, const std::string& refusal,
-                                   bool hasStepsLeft);
+                                   const DesignSpace& space, const SearchTroubles& troubles);
 
 }  // namespace palpa::app

@@ -6,6 +6,7 @@
 #include "modeling/editing/nearest_on_patches.h"
 #include "modeling/error.h"
 #include "modeling/measure/measured_body.h"
+#include "modeling/measure/patch_search.h"
 
 namespace palpa::app {
 
@@ -41,10 +42,35 @@ std::optional<ShapeMeasure> massOf(const DesignSurface& surface,
   return mass;
 }
 
+namespace {
+
+bool areNeighbours(const modeling::Solid& solid, int a, int b) {
+  return std::any_of(solid.edges().begin(), solid.edges().end(),
+                     [&](const modeling::SolidEdge& edge) {
+                       return (edge.uses[0].patch == a && edge.uses[1].patch == b) ||
+                              (edge.uses[0].patch == b && edge.uses[1].patch == a);
+                     });
+}
+
+/// True if the surface at the far end faces away from the near end: within 60°, on a neighbouring
+/// patch within 25°, because beside an edge the ray may leave through the other face of the edge,
+/// which is no wall.
+bool isOpposite(const modeling::Solid& solid, const modeling::PatchSearch& search, int patch,
+                const modeling::MeasuredValue& wall) {
+  constexpr double kFacing = 0.5, kNeighbourFacing = 0.9;
+  const modeling::PatchPoint end = search.nearest(wall.points[1]);
+  const modeling::PatchJet jet = search.jet(end.patch, end.uv);
+  return jet.u.cross(jet.v).normalized().dot((wall.points[1] - wall.points[0]).normalized()) >
+         (areNeighbours(solid, patch, end.patch) ? kNeighbourFacing : kFacing);
+}
+
+}  // namespace
+
 std::vector<WallThickness> wallThicknesses(const modeling::Solid& solid,
                                            const std::vector<int>& patches, const Job& job) {
   constexpr int kPerDirection = 6;
   const modeling::MeasuredBody body{modeling::Body(solid)};
+  const modeling::PatchSearch search(solid);
   std::vector<WallThickness> walls;
   for (const int patch : patches)
     for (int i = 0; i < kPerDirection; ++i)
@@ -58,6 +84,7 @@ std::vector<WallThickness> wallThicknesses(const modeling::Solid& solid,
         measurement.places.push_back(place);
         try {
           const modeling::MeasuredValue value = body.measure(measurement);
+          if (!isOpposite(solid, search, patch, value)) continue;
           walls.push_back(
               {patch, i * kPerDirection + j, value.value, {value.points[0], value.points[1]}});
         } catch (const modeling::ModelingError&) {

@@ -33,8 +33,9 @@ struct WallThickness {
   Eigen::Matrix3Xd gradient(const modeling::Solid& solid) const;
 };
 
-/// Wall thicknesses at places all over the given patches; places without an opposite one are left
-/// out. Costs about a millisecond per place. Throws Cancelled.
+/// Wall thicknesses at places all over the given patches; places without an opposite surface, which
+/// faces away from them within 60° (25° on a neighbouring patch), are left out. Costs about a
+/// millisecond per place. Throws Cancelled.
 std::vector<WallThickness> wallThicknesses(const modeling::Solid& solid,
                                            const std::vector<int>& patches, const Job& job = {});
 

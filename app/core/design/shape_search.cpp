@@ -36,6 +36,8 @@ constexpr double kLimitTolerance = 1e-3;
 /// Thicknesses aim higher by this part, so that the curvature of their change does not violate
 /// them.
 constexpr double kThicknessMargin = 2e-3;
+/// Steps shorter than this (in parts of the limit) should do what the rows promise.
+constexpr double kSmallStep = 0.1;
 constexpr double kFirstRadius = 0.5, kMinRadius = 1e-3;
 constexpr int kMaxWalls = 60;
 
@@ -68,7 +70,7 @@ class Search {
     record(current, true);
     SearchState best = current;
     bool isReached = isMet(current);
-    std::string refusal;
+    SearchTroubles troubles;
     double radius = kFirstRadius;
     int slow = 0;
     SearchRows rows;
@@ -81,7 +83,7 @@ class Search {
         const double before = progressOf(current), expected = expectedProgress(rows, step);
         const double length = (step.x - rows.problem.present).cwiseAbs().maxCoeff();
         if (before - expected < 1e-3 * std::min(before, kVolumeShare)) break;
-        std::optional<SearchState> next = tryShape(step.x, refusal);
+        std::optional<SearchState> next = tryShape(step.x, troubles.refusal);
         if (!next) {
           radius = length / 4;
           continue;
@@ -89,11 +91,13 @@ class Search {
         const double gain = (before - progressOf(*next)) / (before - expected);
         isAccepted = gain > 0.1 || (!isReached && isMet(*next));
         record(*next, isAccepted);
+        if (!isAccepted && length < kSmallStep)
+          troubles.jump = std::max(troubles.jump, jumpAt(*next, rows, step));
         if (gain < 0.5) radius = std::max(length, kMinRadius) * (gain < 0.1 ? 0.25 : 0.5);
         if (gain > 0.75 && length > 0.9 * radius) radius = std::min(2 * radius, 2.0);
         if (!isAccepted) continue;
         slow = before - progressOf(*next) < 0.02 * before ? slow + 1 : 0;
-        refusal.clear();
+        troubles.refusal.clear();
         current = std::move(*next);
       }
       if (!isAccepted) break;
@@ -101,7 +105,7 @@ class Search {
       isReached = isReached || isMet(current);
       if (slow >= 3 || shapes_ >= design_.steps) break;
     }
-    return resultOf(best, rows, refusal);
+    return resultOf(best, rows, troubles);
   }
 
  private:
@@ -150,6 +154,19 @@ class Search {
       progress.violation = std::max(
           progress.violation, rows.problem.rows[k].goal / (1 + kThicknessMargin) - step.values[k]);
     return combined(progress);
+  }
+
+  /// Largest part by which a target misses what a small step promised, if that is more than the
+  /// step itself: there the values jump.
+  double jumpAt(const SearchState& state, const SearchRows& rows, const StepSolution& step) const {
+    double jump = 0;
+    for (std::size_t i = 0; i < rows.targets; ++i) {
+      const double missed = std::abs(miss(state.values, i) - step.values[i]);
+      if (missed > design_.tolerance &&
+          missed > std::abs(step.values[i] - rows.problem.rows[i].value))
+        jump = std::max(jump, missed);
+    }
+    return jump;
   }
 
   bool keepsLimits(const SearchState& state) const { return violationOf(state) <= kLimitTolerance; }
@@ -267,11 +284,11 @@ class Search {
     job_.report(Phase::kSearch, static_cast<double>(shape) / (design_.steps + 1));
   }
 
-  ShapeResult resultOf(SearchState& best, const SearchRows& rows, const std::string& refusal) {
+  ShapeResult resultOf(SearchState& best, const SearchRows& rows, SearchTroubles troubles) {
     ShapeResult result;
     result.isReached = isMet(best);
-    if (!result.isReached)
-      result.limits = findLimits(rows, design_, space_, refusal, shapes_ < design_.steps);
+    troubles.hasStepsLeft = shapes_ < design_.steps;
+    if (!result.isReached) result.limits = findLimits(rows, design_, space_, troubles);
     for (const ShapeStep& step : steps_)
       if (step.isAccepted && step.values == best.values) result.final = step;
     const auto& from = space_.solid().controlPoints();
@@ -308,6 +325,8 @@ const char* nameOf(ShapeLimit::Kind kind) {
       return "volume";
     case ShapeLimit::Kind::kFolding:
       return "folding";
+    case ShapeLimit::Kind::kElements:
+      return "elements";
     case ShapeLimit::Kind::kSteps:
       return "steps";
     case ShapeLimit::Kind::kPoints:

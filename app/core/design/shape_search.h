@@ -31,6 +31,7 @@ struct ShapeLimit {
     kThickness,  ///< the smallest thickness
     kVolume,     ///< the volume
     kFolding,    ///< shapes further on fold or cannot be solved
+    kElements,   ///< the computed values jump where other elements are chosen
     kSteps,      ///< the number of steps
     kPoints,     ///< the points that may move hardly matter
     kTargets     ///< the targets contradict each other
