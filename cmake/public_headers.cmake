@@ -40,6 +40,8 @@ set(palpa_public_headers
   modeling/mesh/mesh_settings.h
   modeling/mesh/region_border.h
   modeling/mesh/surface_mesh.h
+  modeling/project/design.h
+  modeling/project/point_selection.h
   modeling/project/project.h
   modeling/project/project_file.h
   modeling/project/measurement.h
@@ -47,5 +49,6 @@ set(palpa_public_headers
   modeling/shapes/make_primitive.h
   modeling/shapes/primitive.h
   modeling/solid/edge_curve.h
+  modeling/solid/mirror_plane.h
   modeling/solid/solid.h
   modeling/solid/surface_evaluator.h)

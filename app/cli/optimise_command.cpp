@@ -59,7 +59,7 @@ class OptimiseCommand : public Command {
     return "Find a shape with the stiffnesses or forces that touches should have";
   }
   std::string example() const override {
-    return "palpa-cli optimise projects/box.json --target \"press the top=1.5\" -o stiffer.json\n"
+    return "palpa-cli optimise projects/box.json --target \"press the top=1.25\" -o stiffer.json\n"
            "  palpa-cli optimise ball.json --target \"poke=2N@1.5mm\" --move top --mirror x "
            "--largest-movement 3 -o ball-2n.json\n"
            "  palpa-cli optimise projects/design/two-stiffness-pad.json -o pad.json   (targets of "
