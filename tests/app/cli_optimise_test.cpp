@@ -103,11 +103,12 @@ TEST(CliOptimise, ReadsForcesDepthsAndPoints) {
     moved += from[i] != to[i];
   }
   EXPECT_GT(moved, 0);
-  for (const Json& patch : before["solid"]["patches"])
-    if (patch["name"] == "side_ymax")
-      for (const Json& row : patch["net"])
-        for (const Json& index : row)
-          EXPECT_EQ(from[index.get<std::size_t>()], to[index.get<std::size_t>()]);
+  for (const Json& patch : before["solid"]["patches"]) {
+    if (patch["name"] != "side_ymax") continue;
+    for (const Json& row : patch["net"])
+      for (const Json& index : row)
+        EXPECT_EQ(from[index.get<std::size_t>()], to[index.get<std::size_t>()]);
+  }
 }
 
 TEST(CliOptimise, AnInterruptLeavesNothing) {

@@ -132,6 +132,7 @@ TEST_F(ProjectFile, KeepsEveryValue) {
 TEST_F(ProjectFile, AGrabWithAForceIsTheForceItWasCalledAtFirst) {
   Project project = example();
   project.touches = {{"pull", {25, 0, 0}, TouchKind::kForce, {0.5, 0, 0}, 4.0}};
+  project.design.reset();
   project.loads.clear();  // one of them is of the kind "force", too
   const std::string text = toJson(project);
   std::string old = text;
@@ -175,6 +176,7 @@ TEST_F(ProjectFile, AcceptsAFileWithoutOptionalParts) {
   project.supports.clear();
   project.loads.clear();
   project.touches.clear();
+  project.design.reset();
   project.view.clear();
   std::string text = toJson(project);
   for (const char* part : {"  \"supports\": [],\n", "  \"loads\": [],\n", "  \"touches\": [],\n"})
