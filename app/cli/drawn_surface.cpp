@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/design/surface_gradient.h"
 #include "app/core/results/body_section.h"
 #include "app/core/results/stiffness_colours.h"
 #include "app/view/scene/colour_map.h"
@@ -40,6 +41,21 @@ ScalarField stiffnessField(const app::TouchModel& model, const app::DrawnBody& d
   colours.cap(field.values);
   field.range = colours.range;
   field.isCapped = colours.isCapped;
+  return field;
+}
+
+ScalarField gradientField(const app::TouchModel& model, const app::DrawnBody& drawn,
+                          const app::StiffnessGradient& gradient) {
+  ScalarField field = describe(app::SurfaceQuantity::kStiffnessGradient);
+  field.name += ": " + gradient.name;
+  const app::SurfaceGradient onSurface(app::makeDesignSurface(model), drawn);
+  field.values = onSurface.values(gradient.gradient);
+  const double end = app::surfaceGradientEnd(field.values);
+  const auto [low, high] = std::minmax_element(field.values.begin(), field.values.end());
+  field.extremes = {*low, *high};
+  field.isCapped = *high > end || *low < -end;
+  for (double& value : field.values) value = std::clamp(value, -end, end);
+  field.range = {-end, end};
   return field;
 }
 
@@ -125,6 +141,8 @@ void addSurface(const std::shared_ptr<const app::TouchModel>& model, const app::
       view::regionOfTriangles(mesh.triangles, drawn.isSupported(), mesh.positions.size());
   if (options.field == app::SurfaceQuantity::kStiffness)
     picture.field = stiffnessField(*model, drawn, options.compliances);
+  else if (options.field == app::SurfaceQuantity::kStiffnessGradient)
+    picture.field = gradientField(*model, drawn, *options.gradient);
   else if (options.field != app::SurfaceQuantity::kNone)
     picture.field = fieldOf(options.field, drawn.values(options.field, state.field));
   if (options.section) addSection(shared, state, options, picture);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <map>
 
@@ -14,10 +15,12 @@
 #include "app/cli/text.h"
 #include "app/cli/touch_options.h"
 #include "app/cli/values.h"
+#include "app/core/design/stiffness_gradient.h"
 #include "app/core/live/stiffness_worker.h"
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
 #include "app/view/files/display.h"
+#include "modeling/error.h"
 
 namespace palpa::cli {
 namespace {
@@ -97,12 +100,19 @@ class RenderCommand : public Command {
     options
         .add_option("--field", field_,
                     "Colours: displacement (default), normal-traction, von-mises, stiffness (under "
-                    "a fingertip), none")
+                    "a fingertip), stiffness-gradient (where added material makes a touch "
+                    "stiffer), none")
         ->type_name("NAME");
     options
         .add_option("--fingertip", fingertip_,
                     "Radius of the fingertip of --field stiffness, mm (default: as for touches)")
         ->type_name("LENGTH");
+    options.add_flag("--gradient", options_.showGradient,
+                     "Arrows at the control points: pulled along them, they make a touch stiffer");
+    options
+        .add_option("--gradient-of", gradientOf_,
+                    "Name of that touch, also of --field stiffness-gradient (default: the first)")
+        ->type_name("TOUCH");
     options
         .add_option("--view", view_,
                     "Direction of view: front, back, left, right, top, bottom, or x,y,z from the "
@@ -134,6 +144,8 @@ class RenderCommand : public Command {
     PictureOptions pictureOptions = readPictureOptions();
     const view::PictureSize size = size_.empty() ? view::PictureSize{} : parseSize(size_);
     const modeling::Project project = touch_.touched(input_.read(context));
+    const bool hasGradient = needsGradient(pictureOptions);
+    if (hasGradient) requireGradient(project);
     view::requireDisplay();
 
     const auto model = app::buildTouchModel(project, {}, context.job());
@@ -143,6 +155,7 @@ class RenderCommand : public Command {
       pictureOptions.compliances = app::stiffnessMap(model, radius, context.job());
       context.progress.clear();
     }
+    if (hasGradient) addGradient(project, *model, pictureOptions, context);
     if (!recording_.empty()) {
       drawRecording(project, model, pictureOptions, size, context);
       return;
@@ -153,6 +166,36 @@ class RenderCommand : public Command {
   }
 
  private:
+  static bool needsGradient(const PictureOptions& options) {
+    return options.showGradient || options.field == app::SurfaceQuantity::kStiffnessGradient;
+  }
+
+  /// Throws ModelingError if the project has no gradient or no such touch.
+  void requireGradient(const modeling::Project& project) const {
+    if (const std::string obstacle = app::gradientObstacle(project); !obstacle.empty())
+      throw modeling::ModelingError(input_.file() + ": " + obstacle);
+    std::vector<std::string> names;
+    for (const modeling::Touch& touch : project.touches) names.push_back(touch.name);
+    if (names.empty())
+      throw modeling::ModelingError(input_.file() +
+                                    ": the project has no touches, so there is no gradient of a "
+                                    "stiffness; record one, or touch with --at");
+    if (!gradientOf_.empty() && std::find(names.begin(), names.end(), gradientOf_) == names.end())
+      throw UsageError("--gradient-of: there is no touch '" + gradientOf_ + "'" +
+                       didYouMean(gradientOf_, names));
+  }
+
+  void addGradient(const modeling::Project& project, const app::TouchModel& model,
+                   PictureOptions& options, const Context& context) const {
+    const app::TouchState state = app::playTouches(model, project.touches, 0, context.job());
+    const auto contact = std::find_if(
+        state.contacts.begin(), state.contacts.end(),
+        [this](const auto& each) { return gradientOf_.empty() || each.name == gradientOf_; });
+    options.gradient = app::StiffnessGradients(project, model, context.job())
+                           .of(app::stiffnessRuleOf(*contact), context.job());
+    context.progress.clear();
+  }
+
   void validateRecording() const {
     if (recording_.empty()) {
       if (!atTime_.empty() || !frames_.empty() || !rate_.empty())
@@ -221,7 +264,8 @@ class RenderCommand : public Command {
     if (!field) {
       throw UsageError("--field: there is no field '" + field_ + "'" +
                        didYouMean(field_, fieldNames()) +
-                       "; known are displacement, normal-traction, von-mises, stiffness, none");
+                       "; known are displacement, normal-traction, von-mises, stiffness, "
+                       "stiffness-gradient, none");
     }
     options.field = *field;
     if (!fingertip_.empty()) {
@@ -229,6 +273,13 @@ class RenderCommand : public Command {
         throw UsageError("--fingertip has a meaning with --field stiffness alone");
       parsePositive("--fingertip", fingertip_);
     }
+    if (!gradientOf_.empty() && !needsGradient(options))
+      throw UsageError("--gradient-of has a meaning with --gradient or --field stiffness-gradient");
+    if (needsGradient(options) && !recording_.empty())
+      throw UsageError(
+          "--gradient and --field stiffness-gradient need touches at rest; leave out --recording");
+    if (needsGradient(options) && touch_.isNode())
+      throw UsageError("a single node has no gradient of its stiffness; touch a place with --at");
     options.section = section_.plane();
     options.showUndeformed = !noGhost_ && !options.section;
     if (!range_.empty()) options.range = parseRange(range_, options.field);
@@ -258,6 +309,7 @@ class RenderCommand : public Command {
   std::string rate_;
   std::string field_ = "displacement";
   std::string fingertip_;
+  std::string gradientOf_;
   std::string view_;
   std::string size_;
   std::string scale_;

@@ -9,6 +9,7 @@
 #include "app/cli/drawn_surface.h"
 #include "app/cli/text.h"
 #include "app/view/scene/arrows.h"
+#include "app/view/scene/gradient_arrows.h"
 #include "app/view/scene/ticks.h"
 #include "bem/model/surface_point.h"
 
@@ -166,6 +167,26 @@ Vector3d bestDirection(const app::TouchModel& model, const view::Picture& pictur
   return best;
 }
 
+/// Arrows at the control points, displaced as the nearest points of the surface.
+void addGradient(const app::StiffnessGradient& gradient, const app::TouchModel& model,
+                 const app::TouchState& state, const PictureOptions& options,
+                 view::Picture& picture) {
+  std::vector<Vector3d> places = std::get<modeling::Solid>(model.body()).controlPoints();
+  for (const int point : view::pointsWithArrows(gradient.gradient)) {
+    Vector3d& place = places[static_cast<std::size_t>(point)];
+    const bem::SurfacePoint nearest = bem::nearestSurfacePoint(model.setup().mesh(), place);
+    place += options.displacementScale *
+             model.setup().discretisation->interpolate(nearest, state.field.u.col(0));
+  }
+  picture.gradient.arrows = view::gradientArrows(gradient.gradient, places, view::threeDigits);
+  picture.gradient.legend = {
+      format("stiffness of \"%s\": %.4g N/mm; pull a control point along its arrow: stiffer, by up "
+             "to %s N/mm "
+             "per mm",
+             gradient.name.c_str(), gradient.stiffness,
+             view::threeDigits(picture.gradient.arrows.fullForce).c_str())};
+}
+
 std::vector<std::string> captions(const modeling::Project& project, const app::TouchModel& model,
                                   double scale) {
   const modeling::Material& material = project.material;
@@ -202,6 +223,8 @@ view::Picture makePicture(const modeling::Project& project,
   dropNegligible(picture.arrows.arrows, std::max(0.01 * largest, 2 * state.balance));
   picture.arrows.fullForce = largest;
   picture.arrows.minShare = kMinShare;
+
+  if (options.showGradient) addGradient(*options.gradient, model, state, options, picture);
 
   picture.dimensions = dimensionsOf(project, model, state, options.displacementScale);
 

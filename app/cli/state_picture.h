@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/core/design/stiffness_gradient.h"
 #include "app/core/results/drawn_body.h"
 #include "app/view/viewport/picture.h"
 #include "modeling/mesh/plane_section.h"
@@ -16,6 +17,9 @@ namespace palpa::cli {
 struct PictureOptions {
   app::SurfaceQuantity field = app::SurfaceQuantity::kDisplacement;
   std::vector<double> compliances;  ///< app::stiffnessMap(), for kStiffness
+  /// Of one touch, by the control points: for arrows (`showGradient`) and kStiffnessGradient.
+  std::optional<app::StiffnessGradient> gradient;
+  bool showGradient = false;
   /// Ends of the colours, in the unit of the field; none: from the values.
   std::optional<std::array<double, 2>> range;
   std::optional<modeling::Plane> section;  ///< cuts the body

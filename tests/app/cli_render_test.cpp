@@ -61,6 +61,24 @@ TEST_F(CliRender, RefusesWhatItCannotDo) {
   EXPECT_EQ(draw("-o no/such/folder/a.png").exitCode, 3);
 }
 
+TEST_F(CliRender, DrawsTheGradientOfAStiffness) {
+  const std::string box = "render " + Runner::example("box.json") + " --size 320x240 -o a.png ";
+  const auto drawn = [&](const std::string& arguments) {
+    const Outcome outcome = cli_.run(box + arguments, PALPA_WITH_DISPLAY);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    return cli_.read("a.png");
+  };
+  const std::string plain = drawn("--field none"), first = drawn("--field none --gradient");
+  EXPECT_NE(first, plain);
+  EXPECT_EQ(drawn("--field none --gradient --gradient-of \"press the top\""), first);
+  EXPECT_NE(drawn("--field none --gradient --gradient-of \"pull the corner region\""), first);
+  EXPECT_NE(drawn("--field stiffness-gradient"), plain);
+  for (const char* wrong : {"--gradient --gradient-of nobody", "--gradient-of \"press the top\"",
+                            "--gradient --recording r.json --at-time 0"})
+    EXPECT_EQ(cli_.run(box + wrong, PALPA_WITH_DISPLAY).exitCode, 2) << wrong;
+  EXPECT_EQ(draw("--gradient -o a.png").exitCode, 3) << "a project without touches";
+}
+
 TEST_F(CliRender, DrawsARecording) {
   const std::string recording =
       " --recording " PALPA_PROJECTS "/../tests/data/recordings/sphere-hand.json --size 240x180 ";

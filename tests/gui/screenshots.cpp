@@ -13,6 +13,7 @@
 #include "app/gui/base/appearance.h"
 #include "app/gui/base/application.h"
 #include "app/gui/dialogs/primitive_kinds.h"
+#include "app/gui/document/touch_gradient.h"
 #include "modeling/shapes/make_primitive.h"
 #include "tests/gui/films.h"
 #include "tests/gui/photographer.h"
@@ -86,6 +87,31 @@ void measureCylinder(Photographer& p) {
   p.key(Qt::Key_S);
 }
 
+/// The box is pulled: gradient of its stiffness; then a point is dragged along its arrow.
+void pullBox(Photographer& p) {
+  p.open("box");
+  p.action("Gradient arrows")->trigger();
+  p.action("Stiffness gradient")->trigger();
+  TouchGradient& gradient = p.editor().gradient();
+  const auto isKnown = [&] {
+    return gradient.known() && !gradient.isOutdated() && !gradient.isUpdating();
+  };
+  p.grab(p.middle() + QPoint(60, -110), QPoint(50, -60));
+  (void)QTest::qWaitFor(isKnown, 60000);
+  p.shoot("simulate-gradient");
+  p.action("Displacement |u|")->trigger();
+  p.letGo();
+  const QPoint point = p.pointNear(p.middle() + QPoint(60, -130));
+  p.click(point);
+  p.key(Qt::Key_G);
+  p.key(Qt::Key_K);
+  p.key(Qt::Key_3);
+  (void)QTest::qWaitFor(isKnown, 60000);
+  p.shoot("drag-gradient");
+  p.key(Qt::Key_Escape);
+  p.action("Gradient arrows")->trigger();
+}
+
 void photograph(const QString& folder) {
   Photographer photographer(folder);
   Photographer& p = photographer;
@@ -142,6 +168,7 @@ void photograph(const QString& folder) {
   p.letGo();
   p.theme(Theme::kLight);
 
+  pullBox(p);
   measureCylinder(p);
   compareFingers(p);
 

@@ -16,6 +16,7 @@
 #include "app/view/layers/surface_shader.h"
 #include "app/view/scene/arrows.h"
 #include "app/view/scene/colour_map.h"
+#include "app/view/scene/gradient_arrows.h"
 
 // The geometry of arrows, labels, rings and colours during a simulation; nothing is drawn.
 namespace palpa::view {
@@ -72,6 +73,26 @@ TEST(LiveArrows, MomentsHaveOneLengthAndDoNotScaleForces) {
   live.arrows[1].force.setZero();
   EXPECT_EQ(placeArrows(live, 20).size(), 1);
   EXPECT_EQ(largestForce({}), 1);
+}
+
+TEST(GradientArrows, HideSmallGradientsAndLabelTheLargest) {
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, 6);
+  gradient.row(2) << 0.5 * kMinGradientShare, 1, -0.8, 0.3, 2 * kMinGradientShare, 0;
+  const std::vector<Vector3d> places(6, Vector3d(1, 2, 3));
+  const auto label = [](double value) { return std::to_string(value).substr(0, 3); };
+  EXPECT_EQ(pointsWithArrows(gradient), (std::vector<int>{1, 2, 3, 4}));
+  const LiveArrows arrows = gradientArrows(gradient, places, label);
+  EXPECT_EQ(arrows.fullForce, 1);
+  ASSERT_EQ(arrows.arrows.size(), 4u);
+  EXPECT_EQ(arrows.arrows[0].label, "1.0");
+  EXPECT_EQ(arrows.arrows[1].label, "0.8");
+  EXPECT_EQ(arrows.arrows[2].label, "0.3");
+  EXPECT_EQ(arrows.arrows[3].label, "");
+  EXPECT_EQ(arrows.arrows[1].force, Vector3d(0, 0, -0.8));
+  // Nothing to pull: no arrows, and a scale that can be drawn.
+  EXPECT_TRUE(pointsWithArrows(Eigen::Matrix3Xd::Zero(3, 4)).empty());
+  EXPECT_TRUE(gradientArrows(Eigen::Matrix3Xd(3, 0), {}, label).arrows.empty());
+  EXPECT_GT(gradientArrows(Eigen::Matrix3Xd::Zero(3, 6), places, label).fullForce, 0);
 }
 
 TEST(VolumeCentre, IsTheCentroidOfATetrahedron) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "app/view/scene/gradient_arrows.h"
+#include "app/view/scene/ticks.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/render/pressed_body.h"
 
@@ -226,6 +228,41 @@ void stiffness(Viewport& viewport) {
   viewport.fit();
 }
 
+/// Arrows at the control points of a pulled sphere, over diverging colours: towards the pull and
+/// against it.
+void gradient(Viewport& viewport) {
+  const Pressed sphere = pulledSphere();
+  const Vector3d at = onSphere(-0.85, -0.6, 0.25);
+  sphere.show(viewport);
+  ScalarField field = sphere.traction();
+  field.name = "Stiffness gradient: Grab 1";
+  field.unit = "N/mm per cm³";
+  field.range = {{-0.05, 0.05}};
+  field.isCapped = true;
+  viewport.setField(field);
+  const std::vector<Vector3d> points = modeling::makeSphere(kRadius).controlPoints();
+  Eigen::Matrix3Xd values(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    values.col(static_cast<Eigen::Index>(k)) =
+        0.03 * std::exp(-(points[k] - at).norm() / 14) * points[k].normalized();
+  viewport.setGradient(
+      {view::gradientArrows(values, points, view::threeDigits),
+       false,
+       {"Stiffness gradient of Grab 1",
+        "Pull a control point along its arrow: stiffer, by up to 0.03 N/mm per mm"}});
+}
+
+void outdatedGradient(Viewport& viewport) {
+  gradient(viewport);
+  const std::vector<Vector3d> points = modeling::makeSphere(kRadius).controlPoints();
+  Eigen::Matrix3Xd values(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    values.col(static_cast<Eigen::Index>(k)) = points[k] + Vector3d(0, 0, 15);
+  viewport.setGradient({view::gradientArrows(values, points, [](double) { return ""; }),
+                        true,
+                        {"Stiffness gradient of Grab 1: of before, updating …"}});
+}
+
 std::function<void(Viewport&)> dark(std::function<void(Viewport&)> light) {
   return [light = std::move(light)](Viewport& viewport) {
     light(viewport);
@@ -256,6 +293,8 @@ std::map<std::string, ViewportCase> simulateCases() {
       {"simulate_wire", {wire}},
       {"simulate_updated", {updated}},
       {"simulate_tiny_numbers", {tinyNumbers}},
+      {"simulate_gradient", {gradient}},
+      {"simulate_dark_gradient_outdated", {dark(outdatedGradient)}},
       {"simulate_dark_stiffness", {dark(stiffness), 480, 400}},
   };
 }

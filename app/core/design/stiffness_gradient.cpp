@@ -20,7 +20,8 @@ constexpr double kTolerance = 1e-4;
 /// How far from the border of a half space points of splines slide, over the size of the body.
 constexpr double kSlideWidth = 0.15;
 
-void checkSupports(const modeling::Project& project) {
+/// As gradientObstacle(), of the supports alone.
+std::string supportObstacle(const modeling::Project& project) {
   for (const modeling::Support& support : project.supports) {
     const bool isPlain =
         support.where.except.empty() &&
@@ -28,11 +29,16 @@ void checkSupports(const modeling::Project& project) {
           return std::holds_alternative<modeling::Stroke>(part);
         });
     if (support.kind != modeling::Support::Kind::kFixed || !isPlain)
-      throw bem::SolverError(bem::SolverError::Kind::kBadCondition,
-                             "support \"" + support.name +
-                                 "\": gradients know fixed patches and half spaces only; replace "
-                                 "rollers, strokes and exceptions");
+      return "support \"" + support.name +
+             "\": gradients know fixed patches and half spaces only; replace rollers, strokes and "
+             "exceptions";
   }
+  return {};
+}
+
+void checkSupports(const modeling::Project& project) {
+  const std::string obstacle = supportObstacle(project);
+  if (!obstacle.empty()) throw bem::SolverError(bem::SolverError::Kind::kBadCondition, obstacle);
 }
 
 std::vector<modeling::SurfaceParameter> placesOf(const bem::ResidualShape& shape,
@@ -51,6 +57,12 @@ double slideWidth(const bem::ResidualShape& shape, const modeling::Project& proj
 }
 
 }  // namespace
+
+std::string gradientObstacle(const modeling::Project& project) {
+  if (!std::holds_alternative<modeling::Solid>(project.body))
+    return "a mesh body has no control points that a gradient could move; use a solid of patches";
+  return supportObstacle(project);
+}
 
 StiffnessGradients::StiffnessGradients(const modeling::Project& project, const TouchModel& model,
                                        const Job& job)

@@ -15,6 +15,10 @@ struct StiffnessGradient {
   Eigen::Matrix3Xd gradient;  ///< N/mm per mm: one column per control point, in their order
 };
 
+/// Why a project has no gradients of stiffness, as a sentence for users: a mesh body, or supports
+/// whose motion is not known. Empty if it has.
+std::string gradientObstacle(const modeling::Project& project);
+
 /// Gradients of stiffnesses by the control points of a model's solid (docs/theory.md, "Gradients by
 /// the shape"). Supports on patches and the centres of masks move along with the material; half
 /// spaces stay in space, as do the radii of masks and the directions of touches. Immutable; const
@@ -23,7 +27,7 @@ class StiffnessGradients {
  public:
   /// `project`: of `model`, which must outlive this object. Throws ModelingError for a mesh body;
   /// SolverError (kBadCondition) if a support is a roller, a stroke or a half space with
-  /// exceptions, whose motion is not known; Cancelled.
+  /// exceptions, whose motion is not known (gradientObstacle()); Cancelled.
   StiffnessGradients(const modeling::Project& project, const TouchModel& model,
                      const Job& job = {});
 

@@ -86,6 +86,7 @@ double sectionValue(SurfaceQuantity quantity, const bem::InteriorState& state,
       return bem::vonMises(state.stress);
     case SurfaceQuantity::kNone:
     case SurfaceQuantity::kStiffness:
+    case SurfaceQuantity::kStiffnessGradient:
       break;
   }
   return 0;

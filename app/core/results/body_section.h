@@ -78,12 +78,13 @@ class SectionField {
 };
 
 /// The number that colours show at a point of a section, mm or MPa. kNormalTraction: the normal
-/// stress across the plane. Not for kNone and kStiffness, which have no values inside the body.
+/// stress across the plane. Only for quantities of a field: the others have no values inside the
+/// body.
 double sectionValue(SurfaceQuantity quantity, const bem::InteriorState& state,
                     const modeling::Plane& plane);
 /// True if sectionValue() is defined.
 constexpr bool hasSectionValues(SurfaceQuantity quantity) {
-  return quantity != SurfaceQuantity::kNone && quantity != SurfaceQuantity::kStiffness;
+  return isOfField(quantity);
 }
 
 }  // namespace palpa::app

@@ -179,7 +179,7 @@ std::vector<double> DrawnBody::displacementSizes(const Eigen::Ref<const VectorXd
 
 std::vector<double> DrawnBody::values(SurfaceQuantity quantity,
                                       const bem::BoundaryField& field) const {
-  if (quantity == SurfaceQuantity::kNone || quantity == SurfaceQuantity::kStiffness) return {};
+  if (!isOfField(quantity)) return {};
   if (quantity == SurfaceQuantity::kDisplacement) return displacementSizes(field.u.col(0));
   const BoundarySetup& setup = model_->setup();
   const bem::Discretisation& on = *setup.discretisation;

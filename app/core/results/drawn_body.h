@@ -42,7 +42,7 @@ class DrawnBody {
   /// Lengths of displacements().
   std::vector<double> displacementSizes(const Eigen::Ref<const Eigen::VectorXd>& u) const;
 
-  /// One number per point; empty for kNone, and for kStiffness, which is no property of a field.
+  /// One number per point; empty unless isOfField().
   /// Stresses take a few microseconds per node.
   std::vector<double> values(SurfaceQuantity quantity, const bem::BoundaryField& field) const;
 

@@ -45,6 +45,12 @@ const std::array<QuantityInfo, kQuantityCount>& quantities() {
 }
 
 Unit shownUnit(const QString& programUnit, const ShownUnits& units) {
+  if (const qsizetype per = programUnit.indexOf(" per "); per >= 0) {
+    const QString below = programUnit.mid(per + 5);
+    const Unit above = shownUnit(programUnit.left(per), units), found = shownUnit(below, units);
+    if (found.symbol.isEmpty()) return {above.symbol + " per " + below, above.factor};
+    return {above.symbol + " per " + found.symbol, above.factor / found.factor};
+  }
   Unit result;
   const QStringList parts = programUnit.split('/');
   for (const QString& part : parts)

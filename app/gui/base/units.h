@@ -48,7 +48,8 @@ struct ShownUnits {
   bool operator==(const ShownUnits&) const = default;
 };
 
-/// Chosen unit for a unit of the program, as in "mm" or "N/mm"; no symbol for "".
+/// Chosen unit for a unit of the program, as in "mm", "N/mm" or "N/mm per mm"; a part behind "per"
+/// without a choice stays, as "cm³". No symbol for "".
 Unit shownUnit(const QString& programUnit, const ShownUnits& units);
 
 /// "12.5 mm": up to `digits` significant digits, without trailing zeros.

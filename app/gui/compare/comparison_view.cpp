@@ -30,7 +30,7 @@ double largestOf(const std::vector<double>& values) {
 }
 
 bool hasValues(SurfaceQuantity quantity) {
-  return quantity != SurfaceQuantity::kNone && quantity != SurfaceQuantity::kStiffness;
+  return app::isOfField(quantity);
 }
 
 }  // namespace
@@ -85,9 +85,9 @@ ComparisonView::Shown ComparisonView::drawable() {
     return Shown::kA;
   }
   if (!result_->comparison || result_->drawnA != simulation_.sharedDrawn()) return Shown::kA;
-  if (simulation_.quantity() == SurfaceQuantity::kStiffness) {
+  if (simulation_.quantity() != SurfaceQuantity::kNone && !app::isOfField(simulation_.quantity())) {
     note_ =
-        tr("The stiffness map belongs to A alone: choose another field in Simulate > Colour "
+        tr("Stiffness belongs to A alone: choose another field in Simulate > Colour "
            "by.");
     return Shown::kA;
   }

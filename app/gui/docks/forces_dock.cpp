@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "app/core/results/ball_error.h"
 #include "app/core/results/error_estimate.h"
@@ -91,7 +92,6 @@ ForcesDock::ForcesDock(Simulation& simulation, Editor& editor, Settings& setting
   });
   connect(&simulation, &Simulation::activeChanged, this, [this, showSoon] {
     history_.clear();
-    numbers_.clear();
     showSoon();
   });
   connect(&simulation, &Simulation::bodyChanged, this,
@@ -99,13 +99,6 @@ ForcesDock::ForcesDock(Simulation& simulation, Editor& editor, Settings& setting
   connect(&simulation, &Simulation::waitingChanged, this, showSoon);
   connect(&settings, &Settings::changed, this, showSoon);
   showForces();
-}
-
-int ForcesDock::numberOf(app::TouchId contact) {
-  if (const auto known = numbers_.find(contact); known != numbers_.end()) return known->second;
-  int highest = 0;
-  for (const auto& [id, number] : numbers_) highest = std::max(highest, number);
-  return numbers_[contact] = highest + 1;
 }
 
 void ForcesDock::showPlot() {
@@ -121,11 +114,14 @@ void ForcesDock::showPlot() {
     }
   std::vector<view::ForcePlot::Curve> shownCurves;
   for (auto& [id, curve] : curves) {
-    curve.number = numberOf(id) - 1;
-    curve.name = std::to_string(numberOf(id));
+    curve.number = simulation_.numberOf(id) - 1;
+    curve.name = std::to_string(simulation_.numberOf(id));
     shownCurves.push_back(std::move(curve));
   }
-  std::erase_if(numbers_, [&](const auto& known) { return !curves.contains(known.first); });
+  std::set<app::TouchId> kept;
+  for (const auto& [id, curve] : curves) kept.insert(id);
+  for (const auto& contact : simulation_.snapshot().touched()) kept.insert(contact.id);
+  simulation_.keepNumbers(kept);
   const double end = std::max(samples.back().time, ForceHistory::kSeconds / 3);
   plot_->setCurves(shownCurves, std::max(0.0, end - ForceHistory::kSeconds), end,
                    unit.symbol.toStdString());
@@ -138,7 +134,7 @@ ForceTable::Row ForcesDock::rowOf(const app::TouchSnapshot::Contact& contact) {
   const double stiffness = contact.stiffness * length.factor / force.factor;
   ForceTable::Row row;
   row.contact = contact.id;
-  row.curve = numberOf(contact.id) - 1;
+  row.curve = simulation_.numberOf(contact.id) - 1;
   const double error = errorOf(contact);
   const bool isGiven = contact.tool.kind == bem::ContactTool::Kind::kForce;
   const double ofForce = isGiven ? 0 : error;
@@ -147,7 +143,7 @@ ForceTable::Row ForcesDock::rowOf(const app::TouchSnapshot::Contact& contact) {
   };
   const double deflection = contact.deflection.norm();
   row.cells = {
-      tr("%1 %2").arg(kindText(contact.tool.kind)).arg(numberOf(contact.id)),
+      tr("%1 %2").arg(kindText(contact.tool.kind)).arg(simulation_.numberOf(contact.id)),
       isLoaded ? forceWithError(contact.force.norm(), force, ofForce) : tr("–"),
       isLoaded ? shown(deflection, Quantity::kLength, units, digits(deflection)) : QString(),
       isLoaded && stiffness > 0 ? tr("%L1 %2/%3")
@@ -213,7 +209,7 @@ void ForcesDock::showForces() {
   for (const auto& contact : simulation_.snapshot().touched()) {
     rows.push_back(rowOf(contact));
     if (hasForce(contact) && app::isNearSupport(setup, contact.point.position, contact.tool.radius))
-      nearSupport << QString::number(numberOf(contact.id));
+      nearSupport << QString::number(simulation_.numberOf(contact.id));
   }
   accuracy_->setNote(nearSupport.isEmpty()
                          ? QString()

@@ -40,9 +40,6 @@ class ForcesDock : public QDockWidget {
   double errorOfReactions() const;
   /// Limits of the shown forces and hints, each after a line break.
   QString notes() const;
-  /// Number of a contact: constant while the contact or its curve is visible. Numbers restart
-  /// with 1.
-  int numberOf(app::TouchId contact);
 
   Simulation& simulation_;
   const Editor& editor_;
@@ -52,7 +49,6 @@ class ForcesDock : public QDockWidget {
   PlotWidget* plot_;
   AccuracyPanel* accuracy_;
   ForceHistory history_;
-  std::map<app::TouchId, int> numbers_;
   double bodySize_ = 0;  // mm, the diagonal of the drawn body's box
   QTimer soon_;
 };

@@ -8,6 +8,7 @@
 #include "app/core/system/destroy_in_background.h"
 #include "app/gui/document/measurements.h"
 #include "app/gui/document/named_items.h"
+#include "app/gui/document/touch_gradient.h"
 #include "modeling/error.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/project/project_file.h"
@@ -32,7 +33,10 @@ modeling::Project firstProject() {
 }  // namespace
 
 Editor::Editor(Settings& settings, QObject* parent)
-    : QObject(parent), settings_(settings), measurements_(new Measurements(*this)) {
+    : QObject(parent),
+      settings_(settings),
+      measurements_(new Measurements(*this)),
+      gradient_(new TouchGradient(*this)) {
   rebuildTimer_.setSingleShot(true);
   rebuildTimer_.setInterval(kRebuildInterval);
   connect(&rebuildTimer_, &QTimer::timeout, this, &Editor::rebuildChanged);

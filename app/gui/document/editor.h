@@ -18,6 +18,7 @@ struct ImportOptions;
 namespace palpa::gui {
 
 class Measurements;
+class TouchGradient;
 
 /// The open project for the parts of the window: session, selection, and signals for all changes.
 /// Functions do not throw; errors are emitted as `refused`.
@@ -38,6 +39,7 @@ class Editor : public QObject {
   const modeling::Solid* solid() const { return std::get_if<modeling::Solid>(&project().body); }
   const Settings& settings() const { return settings_; }
   Measurements& measurements() { return *measurements_; }
+  TouchGradient& gradient() { return *gradient_; }
   const app::Session& session() const { return *session_; }
   app::RebuildStatus rebuildStatus() const { return session_->pipeline().status(); }
   std::shared_ptr<const app::TouchModel> model() const { return session_->pipeline().model(); }
@@ -121,6 +123,7 @@ class Editor : public QObject {
   Runner runner_;
   std::unique_ptr<app::Session> session_;
   Measurements* measurements_;  // owned by this object
+  TouchGradient* gradient_;     // owned by this object
   Selection selection_;
   QTimer rebuildTimer_;
   QTimer autosaveTimer_;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/gui/dialogs/colour_range_dialog.h"
+#include "app/gui/document/touch_gradient.h"
 #include "app/gui/simulate/deformed_export.h"
 #include "app/gui/simulate/exact_touch_tool.h"
 #include "app/gui/simulate/sample_tool.h"
@@ -54,6 +55,7 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
   addPictures();
   addColourRange();
   addSection();
+  addGradient();
   recording_ = new RecordingActions(workspace, simulation);
   onlySimulating_.push_back(
       workspace.menus.add(workspace.menus.simulate,
@@ -151,6 +153,7 @@ void SimulateActions::addPictures() {
           if (on) simulation_.setQuantity(quantity);
         });
     group->addAction(action);
+    if (info.quantity == app::SurfaceQuantity::kStiffnessGradient) gradientColours_ = action;
   }
   menus.addToggle(menus.simulate,
                   {nullptr, tr("&Undeformed shape"), {}, tr("Show the undeformed shape as lines")},
@@ -189,6 +192,35 @@ void SimulateActions::addSection() {
                    workspace_.settings.setExtremesShown(on);
                  })
       ->setChecked(workspace_.settings.areExtremesShown());
+}
+
+void SimulateActions::addGradient() {
+  Editor& editor = workspace_.editor;
+  gradientArrows_ = workspace_.menus.addToggle(
+      workspace_.menus.view,
+      {"gradient",
+       tr("Gradient arrows"),
+       {},
+       tr("Arrows at the control points: pulled along them, they make the last touch stiffer")},
+      false, this, [this, &editor](bool on) {
+        editor.gradient().setArrowsShown(on);
+        updateGradient();
+      });
+  // The menu shows tool tips.
+  gradientColours_->setStatusTip(
+      tr("Where added material makes the touch stiffer (red) or softer (blue)"));
+  connect(&editor, &Editor::projectChanged, this, [this](const modeling::Change& change) {
+    if (change.supports || change.topology) updateGradient();
+  });
+  connect(&editor, &Editor::projectReplaced, this, &SimulateActions::updateGradient);
+  updateGradient();
+}
+
+void SimulateActions::updateGradient() {
+  const QString obstacle = workspace_.editor.gradient().obstacle();
+  // What is shown can be hidden; the legend states the obstacle.
+  setPossible(gradientArrows_, gradientArrows_->isChecked() ? QString() : obstacle);
+  setPossible(gradientColours_, gradientColours_->isChecked() ? QString() : obstacle);
 }
 
 void SimulateActions::addColourRange() {

@@ -25,6 +25,9 @@ class SimulateActions : public QObject {
   void addTools();
   void addPictures();
   void addSection();
+  void addGradient();
+  /// Greys out the gradient where the project has none; the tool tip says why.
+  void updateGradient();
   void addColourRange();
   void chooseRange();
   void show(bool isActive);
@@ -38,6 +41,8 @@ class SimulateActions : public QObject {
   SimulateOptions options_;
   ProjectTouches touches_;
   QAction* play_ = nullptr;
+  QAction* gradientArrows_ = nullptr;
+  QAction* gradientColours_ = nullptr;
   std::vector<QAction*> rangeModes_;
   QAction* model_ = nullptr;
   QAction* simulate_ = nullptr;

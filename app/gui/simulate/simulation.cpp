@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/core/design/surface_gradient.h"
 #include "app/core/system/destroy_in_background.h"
 #include "app/core/system/priority.h"
 
@@ -72,7 +73,9 @@ void Simulation::setActive(bool active) {
     field_.reset();
     drawnNumber_ = wantedNumber_ = lastStep_ = 0;
     snapshot_ = {};
+    gradient_.clear();
   }
+  numbers_.clear();
   Q_EMIT activeChanged(active);
 }
 
@@ -100,6 +103,17 @@ void Simulation::end(app::TouchId id) {
 
 void Simulation::endAll() {
   for (const auto& contact : snapshot_.touched()) end(contact.id);
+}
+
+int Simulation::numberOf(app::TouchId contact) {
+  if (const auto known = numbers_.find(contact); known != numbers_.end()) return known->second;
+  int highest = 0;
+  for (const auto& [id, number] : numbers_) highest = std::max(highest, number);
+  return numbers_[contact] = highest + 1;
+}
+
+void Simulation::keepNumbers(const std::set<app::TouchId>& contacts) {
+  std::erase_if(numbers_, [&](const auto& known) { return !contacts.contains(known.first); });
 }
 
 void Simulation::setQuantity(app::SurfaceQuantity quantity) {
@@ -139,6 +153,24 @@ void Simulation::computeStiffness() {
     stiffness_.start(field_->model(), drawn_);
   else
     stiffness_.clear();
+}
+
+void Simulation::setGradientColours(std::vector<double> values, const QString& touch,
+                                    bool isOutdated) {
+  QString name = tr(app::infoOf(app::SurfaceQuantity::kStiffnessGradient).label);
+  if (!touch.isEmpty()) name += ": " + touch;
+  if (isOutdated) name += tr(" (updating …)");
+  if (values == gradient_ && name == gradientName_) return;
+  gradientName_ = name;
+  gradient_ = std::move(values);
+  gradientEnd_ = app::surfaceGradientEnd(gradient_);
+  isGradientCapped_ = false;
+  for (double& value : gradient_) {
+    isGradientCapped_ = isGradientCapped_ || std::abs(value) > gradientEnd_;
+    value = std::clamp(value, -gradientEnd_, gradientEnd_);
+  }
+  isDirty_ = true;
+  if (isActive() && quantity_ == app::SurfaceQuantity::kStiffnessGradient) Q_EMIT picturesChanged();
 }
 
 void Simulation::setScale(double scale) {
@@ -236,6 +268,7 @@ void Simulation::adopt(std::uint64_t number, std::shared_ptr<const app::DrawnBod
   drawn_ = std::move(drawn);
   drawnNumber_ = number;
   range_.restart();
+  gradient_.clear();  // of the former points
   snapshot_ = incoming_;
   computeStiffness();
   evaluate();
@@ -257,6 +290,10 @@ void Simulation::evaluate() {
     // No colour where the stiffness is unknown.
     values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
   }
+  if (quantity_ == app::SurfaceQuantity::kStiffnessGradient) {
+    values_ = gradient_;
+    values_.resize(drawn_->mesh().positions.size(), std::numeric_limits<double>::quiet_NaN());
+  }
   updateRange();
 }
 
@@ -272,6 +309,10 @@ void Simulation::updateRange() {
   if (values_.empty()) return;
   if (quantity_ == app::SurfaceQuantity::kStiffness) {
     range_.setEnds(stiffness_.colours().range);
+    return;
+  }
+  if (quantity_ == app::SurfaceQuantity::kStiffnessGradient) {
+    range_.setEnds({-gradientEnd_, gradientEnd_});
     return;
   }
   double largest = 0;

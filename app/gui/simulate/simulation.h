@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -47,6 +48,11 @@ class Simulation : public QObject {
   /// Pointer position on the unloaded shape, mm: columns near it are computed first.
   void expect(const Eigen::Vector3d& at) { loop_->expect(at); }
 
+  /// Number of a contact in texts, from 1 on; constant until keepNumbers() drops it.
+  int numberOf(app::TouchId contact);
+  /// Numbers of other contacts become free: those without a visible curve.
+  void keepNumbers(const std::set<app::TouchId>& contacts);
+
   // Display.
   void setQuantity(app::SurfaceQuantity quantity);
   app::SurfaceQuantity quantity() const { return quantity_; }
@@ -56,6 +62,13 @@ class Simulation : public QObject {
   double stiffnessReady() const { return stiffness_.ready(); }
   /// Colours of the stiffness.
   const app::StiffnessColours& stiffnessColours() const { return stiffness_.colours(); }
+  /// Colours of the stiffness gradient: one number per point of drawn(), N/mm per cm³, or empty
+  /// while unknown; the touch they belong to; true if that touch has moved since.
+  void setGradientColours(std::vector<double> values, const QString& touch, bool isOutdated);
+  /// Name of the colours of the stiffness gradient.
+  const QString& gradientName() const { return gradientName_; }
+  /// True if it exceeds the range of its colours.
+  bool isGradientCapped() const { return isGradientCapped_; }
   /// Factor of the drawn displacements, 0 … 1000; forces do not depend on it.
   void setScale(double scale);
   double scale() const { return scale_; }
@@ -146,6 +159,11 @@ class Simulation : public QObject {
   app::SurfaceQuantity quantity_ = app::SurfaceQuantity::kDisplacement;
   double scale_ = 1;
   ShownStiffness stiffness_;
+  std::vector<double> gradient_;  // colours of the stiffness gradient, within gradientEnd_
+  double gradientEnd_ = 1;
+  bool isGradientCapped_ = false;
+  QString gradientName_;
+  std::map<app::TouchId, int> numbers_;
   WorkerThread maker_{app::lowerThreadPriority};  // of drawn bodies
 };
 

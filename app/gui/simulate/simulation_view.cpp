@@ -84,6 +84,10 @@ view::ScalarField SimulationView::fieldLooks() const {
     if (ready < 1) name = tr("%1, %2 %").arg(name).arg(std::floor(100 * ready));
     field.isCapped = simulation_.stiffnessColours().isCapped;
   }
+  if (info.quantity == SurfaceQuantity::kStiffnessGradient) {
+    name = simulation_.gradientName();
+    field.isCapped = simulation_.isGradientCapped();
+  }
   field.name = name.toStdString();
   field.unit = fieldUnit().symbol.toStdString();
   if (info.isSigned) field.colours = view::ScalarField::Colours::kDiverging;

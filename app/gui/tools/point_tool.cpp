@@ -3,11 +3,13 @@
 #include <Eigen/Geometry>
 
 #include "app/gui/document/point_groups.h"
+#include "app/gui/document/touch_gradient.h"
 #include "app/gui/tools/motion_geometry.h"
 
 namespace palpa::gui {
 namespace {
 
+using Eigen::Vector3d;
 using view::GizmoAxis;
 
 constexpr double kWheelFactor = 1.15;  // of the falloff, per notch
@@ -27,6 +29,10 @@ PointTool::PointTool(const Workspace& workspace, PointOptions& options)
   connect(&workspace.editor, &Editor::projectReplaced, this, outside);
   connect(&workspace.editor, &Editor::projectChanged, this, outside);
   connect(&workspace.editor, &Editor::selectionChanged, this, outside);
+  // A rebuild confirms or corrects the predicted stiffness.
+  connect(&workspace.editor.gradient(), &TouchGradient::changed, this, [this] {
+    if (isActive_ && motion_ && !isApplying_) draw();
+  });
   connect(&options, &PointOptions::changed, this, [this] {
     if (!isActive_ || isApplying_) return;
     if (motion_) {
@@ -167,6 +173,10 @@ void PointTool::begin(GizmoAxis axis, const Eigen::Vector2d& pixel, bool isByKey
   motion.place =
       pressedPoint_ && axis == GizmoAxis::kAll && !isByKeys ? *pressedPoint_ : motion.centre;
   motion.normal = meanNormal(points, solid);
+  const TouchGradient& gradient = workspace_.editor.gradient();
+  motion.gradient = gradient.directionOf(points).value_or(Vector3d(Vector3d::Zero()));
+  if (const auto stiffness = gradient.stiffness(); stiffness && gradient.areArrowsShown())
+    motion.stiffness = stiffness->value;
   motion.from = motion.pixel = pixel;
   motion.points = modeling::PointSelection::of({points.begin(), points.end()});
   motion.reach = options_.reach(solid);
@@ -190,6 +200,11 @@ void PointTool::constrain(GizmoAxis axis) {
   if (!allows(axis)) return;
   if (axis == GizmoAxis::kNormal && motion_->normal.isZero()) {
     Q_EMIT workspace_.editor.said(tr("The normals of the selected points cancel each other"));
+    return;
+  }
+  if (axis == GizmoAxis::kGradient && motion_->gradient.isZero()) {
+    Q_EMIT workspace_.editor.said(
+        tr("One point with an arrow moves along it: show the arrows with View > Gradient arrows"));
     return;
   }
   motion_->axis = motion_->axis == axis ? GizmoAxis::kAll : axis;

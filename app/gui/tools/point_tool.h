@@ -13,9 +13,9 @@ namespace palpa::gui {
 
 /// Base of the tools that change control points: selection, and one motion at a time. A drag of the
 /// selection or of a handle begins a motion, or a key G, X, Y, Z. During a motion X, Y, Z and N
-/// restrict it to an axis or the normal (the same key again removes the restriction), digits set
-/// its size, and the wheel changes the falloff. Enter, a click or a release confirms, Escape or the
-/// right button cancels. A motion is one undo step.
+/// restrict it to an axis or the normal, and K to the gradient of a touch's stiffness (the same key
+/// again removes the restriction), digits set its size, and the wheel changes the falloff. Enter, a
+/// click or a release confirms, Escape or the right button cancels. A motion is one undo step.
 class PointTool : public Tool {
  public:
   PointTool(const Workspace& workspace, PointOptions& options);
@@ -44,7 +44,10 @@ class PointTool : public Tool {
     Eigen::Vector3d centre;  ///< mean of the points at the start
     Eigen::Vector3d place;   ///< dragged place: a point or the centre
     Eigen::Vector3d normal;  ///< mean outward normal at the start; zero: none
-    Eigen::Vector2d from;    ///< pointer at the start; now: pixel
+    /// Unit, at the start: makes the touch of TouchGradient stiffer; zero: none.
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    std::optional<double> stiffness{};  ///< of that touch at the start, N/mm
+    Eigen::Vector2d from;               ///< pointer at the start; now: pixel
     Eigen::Vector2d pixel;
     double turned = 0;  ///< angle of the pointer's path around the centre, degrees
     modeling::PointSelection points;
@@ -70,7 +73,8 @@ class PointTool : public Tool {
   /// Label beside the points: "x 5 mm".
   virtual QString describe(const Motion& motion) const = 0;
 
-  /// Direction of the axis; towards the eye for kAll, the normal for kNormal.
+  /// Direction of the axis; towards the eye for kAll, the normal for kNormal, the gradient for
+  /// kGradient.
   Eigen::Vector3d directionOf(const Motion& motion) const;
   /// Unit vectors to the right and up on the screen.
   std::array<Eigen::Vector3d, 2> screenAxes() const;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/gui/document/gradient_words.h"
 #include "app/gui/document/point_groups.h"
 #include "app/gui/tools/motion_geometry.h"
 #include "app/gui/tools/point_tool.h"
@@ -45,6 +46,8 @@ Eigen::Vector3d PointTool::directionOf(const Motion& motion) const {
       return Eigen::Vector3d::UnitZ();
     case GizmoAxis::kNormal:
       return motion.normal;
+    case GizmoAxis::kGradient:
+      return motion.gradient;
     default:
       break;
   }
@@ -62,6 +65,8 @@ QString PointTool::axisName(const Motion& motion) const {
       return "z";
     case GizmoAxis::kNormal:
       return tr("normal");
+    case GizmoAxis::kGradient:
+      return tr("gradient");
     default:
       return {};
   }
@@ -124,6 +129,10 @@ void PointTool::drawMotion(ToolDrawing& drawing) const {
   QString text = describe(*motion_);
   if (!motion_->typed.isEmpty())
     text = (axisName(*motion_) + " " + motion_->typed + "_  =  " + text).trimmed();
+  if (const auto stiffness = workspace_.editor.gradient().stiffness();
+      stiffness && motion_->stiffness)
+    text += "\n" + changedStiffnessText(workspace_.editor.gradient().name(), *stiffness,
+                                        *motion_->stiffness, units());
   drawing.labels.push_back({centre, text.toStdString()});
 }
 

@@ -20,6 +20,8 @@ std::optional<GizmoAxis> axisOfKey(int key) {
       return GizmoAxis::kZ;
     case Qt::Key_N:
       return GizmoAxis::kNormal;
+    case Qt::Key_K:
+      return GizmoAxis::kGradient;
     default:
       return std::nullopt;
   }
@@ -96,6 +98,7 @@ KeyHelp PointTool::keyHelp() const {
   return {tr("Moving, rotating and scaling points"),
           {{tr("Begin without a drag"), tr("G, or X, Y, Z")},
            {tr("Restrict to an axis or the normal; again: free"), tr("X, Y, Z, N")},
+           {tr("Restrict to the arrow of the stiffness gradient; again: free"), tr("K")},
            {tr("Exact length, angle or factor"), tr("Digits, Backspace")},
            {tr("Snap to points, edges and the grid; round angles and factors"), tr("Ctrl")},
            {tr("Radius of the falloff"), tr("Wheel")},

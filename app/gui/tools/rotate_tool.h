@@ -14,7 +14,7 @@ class RotateTool : public PointTool {
 
  protected:
   view::GizmoKind kind() const override { return view::GizmoKind::kRotate; }
-  bool allows(view::GizmoAxis) const override { return true; }
+  bool allows(view::GizmoAxis axis) const override { return axis != view::GizmoAxis::kGradient; }
   Amount neutral() const override { return Amount::Zero(); }
   std::optional<Amount> pointed(const Motion& motion, bool snap) const override;
   std::optional<Amount> entered(const Motion& motion, const QString& text) const override;

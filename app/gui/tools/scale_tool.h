@@ -14,7 +14,9 @@ class ScaleTool : public PointTool {
 
  protected:
   view::GizmoKind kind() const override { return view::GizmoKind::kScale; }
-  bool allows(view::GizmoAxis axis) const override { return axis != view::GizmoAxis::kNormal; }
+  bool allows(view::GizmoAxis axis) const override {
+    return axis != view::GizmoAxis::kNormal && axis != view::GizmoAxis::kGradient;
+  }
   Amount neutral() const override { return Amount::Ones(); }
   std::optional<Amount> pointed(const Motion& motion, bool snap) const override;
   std::optional<Amount> entered(const Motion& motion, const QString& text) const override;

@@ -37,8 +37,9 @@ std::optional<SelectTool::Amount> SelectTool::pointed(const Motion& motion, bool
   if (!snap) return along(motion, direction, distance);
   if (motion.target)
     return along(motion, direction, direction.dot(motion.target->at - motion.place));
-  // Along normals there is no grid: the distance is rounded.
-  const double start = motion.axis == GizmoAxis::kNormal ? 0 : direction.dot(motion.place);
+  // Along normals and gradients there is no grid: the distance is rounded.
+  const bool hasGrid = motion.axis != GizmoAxis::kNormal && motion.axis != GizmoAxis::kGradient;
+  const double start = hasGrid ? direction.dot(motion.place) : 0;
   return along(motion, direction, snapped(start + distance, step) - start);
 }
 
@@ -88,8 +89,8 @@ QString SelectTool::describe(const Motion& motion) const {
 QString SelectTool::hint() const {
   if (isMoving())
     return tr(
-        "Moving: X, Y, Z or N restricts it to an axis or the normal; digits set the distance; "
-        "Ctrl snaps; Enter confirms, Escape cancels");
+        "Moving: X, Y, Z, N or K restricts it to an axis, the normal or the arrow of the stiffness "
+        "gradient; digits set the distance; Ctrl snaps; Enter confirms, Escape cancels");
   return tr(
       "Click or box to select, Shift adds, Ctrl removes; drag or press G to move; arrow keys "
       "nudge");

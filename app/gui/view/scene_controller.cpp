@@ -5,6 +5,7 @@
 
 #include "app/gui/document/named_items.h"
 #include "app/gui/document/point_groups.h"
+#include "app/gui/document/touch_gradient.h"
 #include "app/gui/view/condition_marks.h"
 
 namespace palpa::gui {
@@ -41,6 +42,7 @@ SceneController::SceneController(Editor& editor, const Settings& settings, Viewp
     if (extent_ != Extent::kNothing) showLoads();  // labels contain units
   });
   connect(&editor, &Editor::rebuildChanged, this, &SceneController::showConflict);
+  connect(&editor.gradient(), &TouchGradient::changed, this, &SceneController::showSelection);
   showProject();
   widget_.viewport().fit();
 }
@@ -220,6 +222,8 @@ void SceneController::showSelection() {
     gizmo = view::Gizmo{meanOf(moved, *solid), std::nullopt, axis_, *gizmoKind_};
     const Eigen::Vector3d normal = meanNormal(moved, *solid);
     if (*gizmoKind_ != view::GizmoKind::kScale && !normal.isZero()) gizmo->normal = normal;
+    if (*gizmoKind_ == view::GizmoKind::kMove)
+      gizmo->gradient = editor_.gradient().directionOf(moved);
   }
   widget_.viewport().setGizmo(gizmo);
   if (markedPatches_ != editor_.selection().patches) {

@@ -69,6 +69,7 @@ MainWindow::MainWindow()
       pictures_(new SimulationView(editor_, simulation_, settings_, scene_, *viewport_)),
       section_(new SectionView(simulation_, settings_, *viewport_)),
       samples_(new Samples(simulation_, *section_, settings_, *viewport_)),
+      gradientView_(new GradientView(editor_, simulation_, settings_, *viewport_)),
       comparisonView_(
           new ComparisonView(comparison_, simulation_, *pictures_, settings_, *viewport_)),
       warnings_(editor_, *viewport_),

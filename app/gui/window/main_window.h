@@ -11,6 +11,7 @@
 #include "app/gui/compare/comparison_actions.h"
 #include "app/gui/compare/comparison_view.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/simulate/gradient_view.h"
 #include "app/gui/simulate/samples.h"
 #include "app/gui/simulate/section_view.h"
 #include "app/gui/simulate/simulation_view.h"
@@ -42,6 +43,7 @@ class MainWindow : public QMainWindow {
   Simulation& simulation() { return simulation_; }
   SectionView& section() { return *section_; }
   Samples& samples() { return *samples_; }
+  GradientView& gradientView() { return *gradientView_; }
   VariantComparison& comparison() { return comparison_; }
   ComparisonView& comparisonView() { return *comparisonView_; }
   ComparisonActions& comparisonActions() { return *comparisonActions_; }
@@ -81,6 +83,7 @@ class MainWindow : public QMainWindow {
   SimulationView* pictures_;
   SectionView* section_;
   Samples* samples_;
+  GradientView* gradientView_;
   ComparisonView* comparisonView_;
   GeometryWarnings warnings_;
   Menus menus_;

@@ -82,8 +82,8 @@ Ticks ColourBar::setTexts(double height) {
   numbers_.set(ticks.labels, {size, false, theme_.text});
   std::vector<std::string> extremes;
   if (field_->extremes) {
-    // Beyond a capped range the largest value is not known.
-    if (!field_->isCapped)
+    // Beyond the end of a stiffness map the largest value is not known.
+    if (!field_->isCapped || field_->colours == ScalarField::Colours::kDiverging)
       extremes.push_back("max  " + threeDigits((*field_->extremes)[1] / factor));
     extremes.push_back("min  " + threeDigits((*field_->extremes)[0] / factor));
   }

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kMaxLoadLength = 0.17;  // of the body's diagonal
 constexpr double kMinLoadShare = 0.25;
+constexpr double kFullGradientLength = 0.18;
+constexpr double kGradientSlimness = 0.6;
+constexpr double kOutdated = 0.3;  // opacity
 constexpr double kFaint = 0.22;
 constexpr double kStrong = 0.9;
 constexpr double kFontSize = 13;  // logical pixels
@@ -35,6 +38,19 @@ vtkSmartPointer<vtkActor> makeActor(vtkPolyData* surface, double opacity) {
   property->BackfaceCullingOn();
   actor->VisibilityOff();
   return actor;
+}
+
+// Reactions take the quiet colour of text, applied forces a strong one.
+Colour colourOf(ForceArrow::Role role, const ViewportTheme& theme) {
+  switch (role) {
+    case ForceArrow::Role::kApplied:
+      return kAppliedForceColour;
+    case ForceArrow::Role::kGradient:
+      return kGradientColour;
+    case ForceArrow::Role::kReaction:
+      break;
+  }
+  return mixed(theme.text, theme.body, 0.25);
 }
 
 }  // namespace
@@ -62,6 +78,16 @@ void ForceArrows::set(const LiveArrows& arrows, double bodyDiagonal, const Viewp
   show(arrows, kFullArrowLength * bodyDiagonal, bodyDiagonal, theme, pixelRatio);
 }
 
+void ForceArrows::set(const GradientDrawing& gradient, double bodyDiagonal,
+                      const ViewportTheme& theme, double pixelRatio) {
+  slimness_ = kGradientSlimness;
+  const double share = gradient.isOutdated ? kOutdated : 1;
+  blendInOrder(solid_);
+  solid_->GetProperty()->SetOpacity(share);
+  faint_->GetProperty()->SetOpacity(share * kFaint);
+  show(gradient.arrows, kFullGradientLength * bodyDiagonal, bodyDiagonal, theme, pixelRatio);
+}
+
 void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiagonal,
                        const ViewportTheme& theme, double pixelRatio) {
   theme_ = theme;
@@ -75,11 +101,7 @@ void ForceArrows::show(const LiveArrows& arrows, double longest, double bodyDiag
     ends_.push_back(placed.tail);
     ends_.push_back(placed.tip);
     if (placed.arrow->kind == ForceArrow::Kind::kMoment) addTurn(placed);
-    // Reactions take the quiet colour of text, applied forces a strong one.
-    const Colour colour = placed.arrow->role == ForceArrow::Role::kApplied
-                              ? kAppliedForceColour
-                              : mixed(theme.text, theme.body, 0.25);
-    labels_.push_back({placed.freeEnd(), placed.heldEnd(), colour});
+    labels_.push_back({placed.freeEnd(), placed.heldEnd(), colourOf(placed.arrow->role, theme)});
     labels_.back().isHeldAtTip = placed.arrow->anchor == ForceArrow::Anchor::kTip;
     labels_.back().kind = placed.arrow->kind;
     words.push_back(placed.arrow->label);
@@ -126,7 +148,7 @@ void ForceArrows::fitToView(const Turntable& camera) {
                                            thickness, label.frame));
     else
       (label.kind == Kind::kWeight ? weights : solids)
-          .push_back(SolidArrow::of(tail, tip, thickness, label.frame));
+          .push_back(SolidArrow::of(tail, tip, slimness_ * thickness, label.frame));
   }
   mesh_.set(solids);
   weights_.set(weights);

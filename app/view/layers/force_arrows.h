@@ -34,6 +34,10 @@ class ForceArrows {
   /// The full force kFullArrowLength · `bodyDiagonal` long.
   void set(const LiveArrows& arrows, double bodyDiagonal, const ViewportTheme& theme,
            double pixelRatio);
+  /// Gradients: the largest kFullGradientLength · `bodyDiagonal` long; thin, and translucent if
+  /// outdated.
+  void set(const GradientDrawing& gradient, double bodyDiagonal, const ViewportTheme& theme,
+           double pixelRatio);
   void setVisible(bool visible);
   /// Places the labels beside the boxes of `taken` and adds their own; to be called before drawing,
   /// between clear() and finish() of `shapes`.
@@ -69,6 +73,7 @@ class ForceArrows {
   std::vector<Eigen::Vector3d> ends_;
   ViewportTheme theme_ = ViewportTheme::light();
   double bodyDiagonal_ = 1;
+  double slimness_ = 1;   ///< thickness over the thickness of force arrows
   double thickness_ = 1;  ///< diagonal that suits the thickness of the drawn arrows
   bool visible_ = true;
   double pixelRatio_ = 1;

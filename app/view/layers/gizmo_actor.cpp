@@ -99,6 +99,7 @@ vtkSmartPointer<vtkActor> makeMiddleBox(vtkRenderer* renderer) {
 
 const Colour& colourOf(GizmoAxis axis) {
   if (axis == GizmoAxis::kAll) return kOuterRingColour;
+  if (axis == GizmoAxis::kGradient) return kGradientColour;
   return axis == GizmoAxis::kNormal ? kNormalColour
                                     : kAxisColours[static_cast<std::size_t>(axis) - 1];
 }

@@ -24,7 +24,7 @@ class GizmoActor {
               FlatShapes& shapes);
 
  private:
-  using Handles = std::array<vtkSmartPointer<vtkActor>, 4>;  // x, y, z, normal
+  using Handles = std::array<vtkSmartPointer<vtkActor>, 5>;  // x, y, z, normal, gradient
 
   Handles arrows_, boxes_;
   vtkSmartPointer<vtkActor> middle_, middleBox_;

@@ -42,6 +42,9 @@ std::vector<Axis> axesOf(const Gizmo& gizmo) {
   if (gizmo.normal && gizmo.normal->norm() > 0) {
     axes.push_back({GizmoAxis::kNormal, gizmo.normal->normalized()});
   }
+  if (gizmo.gradient && gizmo.gradient->norm() > 0) {
+    axes.push_back({GizmoAxis::kGradient, gizmo.gradient->normalized()});
+  }
   return axes;
 }
 

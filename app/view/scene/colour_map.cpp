@@ -66,6 +66,14 @@ Ticks fieldTicks(const ScalarField& field, int wanted) {
   }
   ticks.values.push_back(high);
   ticks.labels.push_back("≥ " + shortNumber(high / std::pow(10.0, ticks.exponent)));
+  if (field.colours != ScalarField::Colours::kDiverging) return ticks;
+  while (!ticks.values.empty() && share(ticks.values.front()) < 0.6 / wanted) {
+    ticks.values.erase(ticks.values.begin());
+    ticks.labels.erase(ticks.labels.begin());
+  }
+  ticks.values.insert(ticks.values.begin(), low);
+  ticks.labels.insert(ticks.labels.begin(),
+                      "≤ " + shortNumber(low / std::pow(10.0, ticks.exponent)));
   return ticks;
 }
 

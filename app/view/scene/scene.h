@@ -55,7 +55,8 @@ struct ScalarField {
   /// Equal ratios are equally far apart in the colours. All values and the range are above zero;
   /// the colours are sequential.
   bool isLogarithmic = false;
-  /// Values above the range exist and are drawn like its end: the colour bar says so.
+  /// Values above the range (with diverging colours: on both sides of it) exist and are drawn like
+  /// its end: the colour bar says so.
   bool isCapped = false;
   /// Smallest and largest value, written below the colour bar; nothing if absent.
   std::optional<std::array<double, 2>> extremes{};
@@ -130,7 +131,7 @@ struct SurfaceHit {
 
 /// The handles of the gizmo; kNone: the pointer is on none of them. kAll, in the middle: freely
 /// parallel to the screen, about the direction of view, or alike in all directions.
-enum class GizmoAxis : std::uint8_t { kNone, kX, kY, kZ, kNormal, kAll };
+enum class GizmoAxis : std::uint8_t { kNone, kX, kY, kZ, kNormal, kGradient, kAll };
 
 enum class GizmoKind : std::uint8_t { kMove, kRotate, kScale };
 
@@ -141,6 +142,8 @@ struct Gizmo {
   std::optional<Eigen::Vector3d> normal;  ///< unit; a fourth handle along it
   GizmoAxis highlighted = GizmoAxis::kNone;
   GizmoKind kind = GizmoKind::kMove;
+  /// Unit; a further handle along the gradient of a stiffness.
+  std::optional<Eigen::Vector3d> gradient{};
 };
 
 /// A recorded touch: a dot on the surface and an arrow along its displacement or force.
@@ -161,8 +164,12 @@ struct ForceArrow {
   enum class Anchor { kTail, kTip };
   Anchor anchor = Anchor::kTail;
 
-  /// Applied forces are drawn in a strong colour, reactions in a quiet one.
-  enum class Role { kApplied, kReaction };
+  /// Applied forces are drawn in a strong colour, reactions in a quiet one, gradients in cyan.
+  enum class Role {
+    kApplied,
+    kReaction,
+    kGradient,  ///< no force: a motion that makes a touch stiffer
+  };
   Role role = Role::kApplied;
 
   std::string label;  ///< written beside the free end, e.g. "0.134 N"; may be empty
@@ -186,6 +193,13 @@ struct LiveArrows {
   double fullForce = 1;
   /// An arrow is at least this share of the full length long; 0: a vanishing force has no arrow.
   double minShare = 0;
+};
+
+/// Arrows at control points along the gradient of a stiffness, with a legend.
+struct GradientDrawing {
+  LiveArrows arrows;                ///< fullForce: the largest gradient, N/mm per mm
+  bool isOutdated = false;          ///< drawn faintly: belongs to another touch or shape
+  std::vector<std::string> legend;  ///< lines above the caption; may be empty
 };
 
 /// A ring around a contact, on the deformed surface.

@@ -28,5 +28,6 @@ inline constexpr Colour kNormalColour{0.72, 0.34, 0.86};
 inline constexpr Colour kHighlightColour{1.00, 0.76, 0.12};
 inline constexpr Colour kComparedColour{0.94, 0.43, 0.05};  ///< of the other variant
 inline constexpr Colour kAppliedForceColour{0.85, 0.07, 0.22};
+inline constexpr Colour kGradientColour{0.00, 0.58, 0.66};  ///< of arrows along a gradient
 
 }  // namespace palpa::view

@@ -60,6 +60,7 @@ Viewport::Parts::Parts(vtkRenderWindow* renderWindow, double ratio)
       arrows(scene, shineThrough, overlay),
       rings(scene, shineThrough),
       liveArrows(scene, shineThrough, overlay),
+      gradientArrows(scene, shineThrough, overlay),
       tool(scene, overlay),
       touchLayer(overlay),
       sampleLayer(overlay),
@@ -116,6 +117,10 @@ void Viewport::Parts::remakeLiveArrows() {
   liveArrows.set(liveForces, restDiagonal, theme, pixelRatio);
 }
 
+void Viewport::Parts::remakeGradientArrows() {
+  gradientArrows.set(gradient, restDiagonal, theme, pixelRatio);
+}
+
 void Viewport::Parts::applyField() {
   colourBar.set(field, theme, pixelRatio);
   ghostLines.setTheme(theme, field ? std::optional(field->colours) : std::nullopt);
@@ -124,7 +129,9 @@ void Viewport::Parts::applyField() {
 
 void Viewport::Parts::remakeCaption() {
   const SupportColours colours = supportColours(theme, field.has_value());
-  captionLayer.set(caption, theme, colours.ground, colours.stroke, pixelRatio);
+  Caption all = caption;
+  all.lines.insert(all.lines.begin(), gradient.legend.begin(), gradient.legend.end());
+  captionLayer.set(all, theme, colours.ground, colours.stroke, pixelRatio);
 }
 
 void Viewport::Parts::remakeWarnings() {
@@ -159,6 +166,7 @@ void Viewport::Parts::applyTheme() {
   ghostSide.setTheme(theme);
   remakeArrows();
   remakeLiveArrows();
+  remakeGradientArrows();
   applyField();
   remakeWarnings();
   remakeTouches();
@@ -173,6 +181,7 @@ void Viewport::Parts::applyCamera() {
   all.add(netBounds);
   for (const Eigen::Vector3d& point : arrows.ends()) all.add(point);
   for (const Eigen::Vector3d& point : liveArrows.ends()) all.add(point);
+  for (const Eigen::Vector3d& point : gradientArrows.ends()) all.add(point);
   if (standIn)
     for (const Eigen::Vector3d& point : standIn->positions) all.add(point);
   for (const Bounds& part :
@@ -225,6 +234,7 @@ void Viewport::Parts::updateOverlay() {
   captionLayer.update(camera, taken, shapes);
   arrows.update(camera, taken, shapes);
   liveArrows.update(camera, taken, shapes);
+  gradientArrows.update(camera, taken, shapes);
   const std::optional<Gizmo> shown = shownGizmo(pixelRatio);
   // From a gizmo that was moved into the picture to its place.
   if (shown && shown->at != gizmo->at)

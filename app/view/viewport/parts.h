@@ -43,6 +43,7 @@ struct Viewport::Parts {
   void syncBounds();
   void remakeArrows();
   void remakeLiveArrows();
+  void remakeGradientArrows();
   /// After the field, except its values, or the theme has changed.
   void applyField();
   void remakeCaption();
@@ -95,6 +96,7 @@ struct Viewport::Parts {
   std::vector<Dimension> dimensions;
   std::vector<ForceArrow> forces;
   LiveArrows liveForces;
+  GradientDrawing gradient;
   double restDiagonal;               ///< of the body before it moved: sizes do not follow its shape
   std::optional<ScalarField> field;  ///< without values
   std::vector<WarningMarker> warnings;
@@ -119,6 +121,7 @@ struct Viewport::Parts {
   ForceArrows arrows;
   ContactRings rings;
   ForceArrows liveArrows;
+  ForceArrows gradientArrows;
   ToolLayer tool;
   TouchLayer touchLayer;
   SampleLayer sampleLayer;

@@ -66,6 +66,7 @@ void show(const Picture& picture, Viewport& viewport) {
     room.insert(room.end(), ghost.positions.begin(), ghost.positions.end());
   }
   viewport.setLiveArrows(picture.arrows);
+  viewport.setGradient(picture.gradient);
   viewport.setContactRings(picture.rings);
   viewport.setBalls(picture.balls);
   viewport.setCaption(picture.caption);

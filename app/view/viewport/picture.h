@@ -24,6 +24,7 @@ struct Picture {
   std::vector<Dimension> dimensions;
   bool hasGhost = false;  ///< the body at rest is shown as a ghost
   LiveArrows arrows;
+  GradientDrawing gradient;
   std::vector<ContactRing> rings;
   std::vector<Ball> balls;
   Caption caption;

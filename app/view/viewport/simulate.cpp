@@ -156,6 +156,15 @@ void Viewport::setLiveArrows(const LiveArrows& arrows) {
   parts_->remakeLiveArrows();
 }
 
+void Viewport::setGradient(const GradientDrawing& gradient) {
+  require(gradient.arrows.fullForce > 0 && std::isfinite(gradient.arrows.fullForce),
+          "the largest gradient is positive");
+  const bool isSameLegend = gradient.legend == parts_->gradient.legend;
+  parts_->gradient = gradient;
+  parts_->remakeGradientArrows();
+  if (!isSameLegend) parts_->remakeCaption();
+}
+
 void Viewport::setContactRings(const std::vector<ContactRing>& rings) {
   parts_->rings.set(rings);
 }

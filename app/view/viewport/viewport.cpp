@@ -72,6 +72,7 @@ void Viewport::setPixelRatio(double ratio) {
   parts_->viewCube.setTheme(parts_->theme, ratio);
   parts_->remakeArrows();
   parts_->remakeLiveArrows();
+  parts_->remakeGradientArrows();
   parts_->applyField();
   parts_->remakeWarnings();
   parts_->remakeTouches();
@@ -164,6 +165,7 @@ void Viewport::setBody(const ViewportBody& body) {
   parts_->restDiagonal = parts_->bodyDiagonal();
   parts_->remakeArrows();
   parts_->remakeLiveArrows();
+  parts_->remakeGradientArrows();
   parts_->applyField();
 }
 
@@ -303,8 +305,8 @@ void Viewport::setCamera(const CameraView& view) {
 void Viewport::frame(const CameraView& view, const std::vector<Eigen::Vector3d>& room) {
   parts_->syncSize();
   std::vector<Eigen::Vector3d> points = parts_->shownPoints();
-  const std::vector<Eigen::Vector3d>& ends = parts_->liveArrows.ends();
-  points.insert(points.end(), ends.begin(), ends.end());
+  for (const ForceArrows* arrows : {&parts_->liveArrows, &parts_->gradientArrows})
+    points.insert(points.end(), arrows->ends().begin(), arrows->ends().end());
   points.insert(points.end(), room.begin(), room.end());
   for (const Ball& ball : parts_->balls.balls())
     for (const double side : {-ball.radius, ball.radius})

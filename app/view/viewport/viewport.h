@@ -133,6 +133,9 @@ class Viewport {
   /// Sizes follow the body of setBody(), not its movement. setRegionsVisible() does not hide them;
   /// fit() ignores them.
   void setLiveArrows(const LiveArrows& arrows);
+  /// Arrows at control points, and a legend above the lines of the caption. Sizes follow the body
+  /// as above.
+  void setGradient(const GradientDrawing& gradient);
   void setContactRings(const std::vector<ContactRing>& rings);
   void setBalls(const std::vector<Ball>& balls);
   /// Title and caption lines around the body; fit() and frame() leave room for them.
