@@ -101,7 +101,8 @@ void pullBox(Photographer& p) {
   p.shoot("simulate-gradient");
   p.action("Displacement |u|")->trigger();
   p.letGo();
-  const QPoint point = p.pointNear(p.middle() + QPoint(60, -130));
+  (void)QTest::qWaitFor([&] { return gradient.stiffness().has_value(); }, 60000);
+  const QPoint point = p.pointNear(p.middle() + QPoint(-8, 61));
   p.click(point);
   p.key(Qt::Key_G);
   p.key(Qt::Key_K);

@@ -14,6 +14,7 @@ namespace {
 
 /// Of the limits of isSameTouch(): the stiffness at rest then has the digits of the Forces panel.
 constexpr double kAtRest = 0.01;
+constexpr std::chrono::milliseconds kRest{300};  // without motion: the touch is at rest
 
 const std::vector<Eigen::Vector3d>& pointsOfModel(const app::TouchModel& model) {
   return std::get<modeling::Solid>(model.body()).controlPoints();
@@ -120,14 +121,15 @@ void TouchGradient::follow(app::StiffnessRule rule, std::shared_ptr<const app::D
   // Otherwise the touch is still on the former model, whose solid is known.
   if (present_.model && present_.model.get() == &drawn->model()) ruleSolid_ = present_.solid;
   const bool isOther = !rule_ || rule_->name != rule.name;
+  if (isOther || !app::isSameTouch(*rule_, rule, kAtRest))
+    moved_ = std::chrono::steady_clock::now();
   const bool isSame = !isOther && drawn == drawn_ && app::isSameTouch(*rule_, rule);
   const bool wasOutdated = isOutdated();
   rule_ = std::move(rule);
-  if (isSame && wasOutdated == isOutdated()) return;
   if (drawn_ != drawn) release(drawn_);
   drawn_ = std::move(drawn);
   update();
-  Q_EMIT changed();
+  if (!isSame || wasOutdated != isOutdated()) Q_EMIT changed();
 }
 
 void TouchGradient::leaveView() {
@@ -144,8 +146,9 @@ void TouchGradient::leaveView() {
 bool TouchGradient::isUpToDate() const {
   if (!known_ || known_->model != present_.model) return false;
   if (hasColours_ && drawn_ && known_->drawn != drawn_) return false;
-  // During a touch the gradient may lag a little behind.
-  return app::isSameTouch(*rule_, known_->rule, drawn_ ? 1 : kAtRest) &&
+  // While the touch moves the gradient may lag a little behind.
+  const bool isMoving = drawn_ && std::chrono::steady_clock::now() - moved_ < kRest;
+  return app::isSameTouch(*rule_, known_->rule, isMoving ? 1 : kAtRest) &&
          rule_->name == known_->rule.name;
 }
 
@@ -210,7 +213,7 @@ void TouchGradient::receive(const app::GradientWorker::Result& result) {
 }
 
 std::optional<TouchGradient::Stiffness> TouchGradient::stiffness() const {
-  if (!known_ || !rule_) return std::nullopt;
+  if (!known_ || !rule_ || !app::isSameTouch(*rule_, known_->rule, kAtRest)) return std::nullopt;
   const Measured from = measured_.value_or(Measured{known_->model, known_->stiffness});
   if (from.model == present_.model) return Stiffness{from.stiffness, false};
   if (!editor_.solid()) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <set>
@@ -66,6 +67,7 @@ class TouchGradient : public QObject {
     double value = 0;          ///< N/mm
     bool isPredicted = false;  ///< by the gradient, until a model of this shape is ready
   };
+  /// None until it is known for the place and direction at which the touch came to rest.
   std::optional<Stiffness> stiffness() const;
   /// Unit direction in which the one point of `points` makes the touch stiffer; none for several
   /// points, and where no arrow is drawn.
@@ -106,6 +108,7 @@ class TouchGradient : public QObject {
   Present present_;
   std::optional<app::StiffnessRule> rule_;
   std::shared_ptr<const modeling::Solid> ruleSolid_;  // that the rule is on
+  std::chrono::steady_clock::time_point moved_;       // when the touch moved last
   std::shared_ptr<const app::DrawnBody> drawn_;       // null outside Simulate mode
   std::optional<Known> known_;
   std::optional<Measured> measured_;
