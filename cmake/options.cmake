@@ -2,6 +2,7 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
+option(PALPA_PYTHON "Build the Python package palpa (docs/python.md)" ON)
 set(PALPA_SANITIZE "" CACHE STRING "Sanitizers to build with, as in -fsanitize=…; empty for none")
 
 add_library(palpa_options INTERFACE)
@@ -27,3 +28,14 @@ endif()
 # Headers of other projects must not break our warnings-as-errors build.
 get_target_property(eigen_include Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 target_include_directories(palpa_options SYSTEM INTERFACE $<BUILD_INTERFACE:${eigen_include}>)
+
+# palpa_position_independent(TARGET…): libraries that the Python module contains, and users of their precompiled header.
+# Symbols of the module are not replaced at run time, so the compiler may inline as it does in programs.
+function(palpa_position_independent)
+  if(PALPA_PYTHON)
+    foreach(target IN LISTS ARGN)
+      set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+      target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+    endforeach()
+  endif()
+endfunction()

@@ -65,18 +65,11 @@ class NewCommand : public Command {
     const ShapeOptions::Result chosen = shapeOptions_.primitive(shape_);
     const modeling::Primitive& primitive = chosen.primitive;
     const modeling::MadeSolid made = modeling::makeMeasuredPrimitive(primitive);
-    modeling::Project project;
-    project.name = projectName_.empty() ? shape_ : projectName_;
-    project.body = made.solid;
-    project.primitive = primitive;
-    modeling::Support base;
-    base.name = "base";
-    base.where = baseOf(primitive, made.solid);
-    project.supports = {base};
+    modeling::Project project =
+        app::makeProject(primitive, made.solid, projectName_.empty() ? shape_ : projectName_);
     setMaterial(project.material);
     if (!density_.empty()) project.material.densityKgPerM3 = parsePositive("--density", density_);
-    project.mesh.edgeLength = edgeLength_.empty() ? app::suitableEdgeLength(project.body)
-                                                  : parsePositive("--edge-length", edgeLength_);
+    if (!edgeLength_.empty()) project.mesh.edgeLength = parsePositive("--edge-length", edgeLength_);
     modeling::checkProject(project);
     if (!output_.isGiven()) {
       std::cout << modeling::toJson(project);
@@ -103,7 +96,6 @@ class NewCommand : public Command {
       }
       return;
     }
-    material = app::defaultMaterial();
     if (youngsModulus_.empty() && shoreA_.empty() && poissonRatio_.empty()) return;
     material.name = "custom";
     material.densityKgPerM3.reset();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include "app/cli/errors.h"
@@ -12,7 +11,6 @@
 #include "app/cli/values.h"
 #include "modeling/exchange/profile_import.h"
 #include "modeling/project/profile_file.h"
-#include "modeling/solid/surface_evaluator.h"
 
 namespace palpa::cli {
 namespace {
@@ -105,9 +103,6 @@ constexpr Option kOptions[] = {
     {"--control-points", "N", "Control points per direction and patch (default: the shape's)"},
 };
 
-/// Where a body of this kind is fixed.
-enum class Base { kBottomPatches, kLowestTenth };
-
 constexpr const char* kDrawingOptions[] = {"--layer", "--curve", "--fit-tolerance",
                                            "--smooth-bends"};
 
@@ -136,7 +131,6 @@ modeling::ProfileCurve profileFrom(const Values& values, bool mustBeClosed,
 struct Kind {
   const char* name;
   std::vector<const char*> options;  ///< beside --degree and --control-points
-  Base base;
   std::function<Shape(const Values&, std::optional<double>& drawingDeviation)> shape;
 };
 
@@ -145,60 +139,50 @@ const std::vector<Kind>& kinds() {
   static const std::vector<Kind> table{
       {"sphere",
        {"--radius"},
-       Base::kLowestTenth,
        [](const Values& v, auto&) { return SphereShape{v.length("--radius", 25)}; }},
       {"ellipsoid",
        {"--radii"},
-       Base::kLowestTenth,
        [](const Values& v, auto&) {
          return EllipsoidShape{v.lengths("--radii", {30, 20, 15})};
        }},
       {"box",
        {"--size"},
-       Base::kBottomPatches,
        [](const Values& v, auto&) {
          return BoxShape{v.lengths("--size", {40, 30, 20})};
        }},
       {"cylinder",
        {"--radius", "--height"},
-       Base::kBottomPatches,
        [](const Values& v, auto&) {
          return CylinderShape{v.length("--radius", 20), v.length("--height", 60)};
        }},
       {"cone",
        {"--bottom-radius", "--top-radius", "--height"},
-       Base::kBottomPatches,
        [](const Values& v, auto&) {
          return ConeShape{v.length("--bottom-radius", 20), v.lengthOrZero("--top-radius", 10),
                           v.length("--height", 30)};
        }},
       {"capsule",
        {"--radius", "--length"},
-       Base::kLowestTenth,
        [](const Values& v, auto&) {
          return CapsuleShape{v.length("--radius", 10), v.length("--length", 30)};
        }},
       {"torus",
        {"--major-radius", "--minor-radius"},
-       Base::kLowestTenth,
        [](const Values& v, auto&) {
          return TorusShape{v.length("--major-radius", 25), v.length("--minor-radius", 8)};
        }},
       {"revolve",
        {"--profile", "--layer", "--curve", "--fit-tolerance", "--smooth-bends"},
-       Base::kLowestTenth,
        [](const Values& v, auto& deviation) {
          return RevolveShape{profileFrom(v, false, deviation)};
        }},
       {"extrude",
        {"--profile", "--layer", "--curve", "--fit-tolerance", "--smooth-bends", "--height"},
-       Base::kBottomPatches,
        [](const Values& v, auto& deviation) {
          return ExtrudeShape{profileFrom(v, true, deviation), v.length("--height", 20)};
        }},
       {"loft",
        {"--profile"},
-       Base::kBottomPatches,
        [](const Values& v, auto&) {
          const std::string file = v.file("--profile");
          if (isDrawingFile(file))
@@ -218,30 +202,6 @@ const Kind& kindNamed(const std::string& name) {
   const std::string suggestion = didYouMean(name, known);
   throw UsageError("there is no shape '" + name + "'" +
                    (suggestion.empty() ? "; known are " + shapeNames() : suggestion));
-}
-
-/// The lowest tenth of the body's height, the limit rounded to three digits.
-modeling::Region lowestTenth(const modeling::Solid& solid) {
-  constexpr int kSamples = 16;
-  const modeling::SurfaceEvaluator surface(solid);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (int patch = 0; patch < surface.patchCount(); ++patch)
-    for (int i = 0; i <= kSamples; ++i)
-      for (int j = 0; j <= kSamples; ++j) {
-        const auto [uLow, uHigh] = surface.range(patch, 0);
-        const auto [vLow, vHigh] = surface.range(patch, 1);
-        const double z = surface
-                             .position(patch, uLow + (uHigh - uLow) * i / kSamples,
-                                       vLow + (vHigh - vLow) * j / kSamples)
-                             .z();
-        low = std::min(low, z);
-        high = std::max(high, z);
-      }
-  const double limit = low + 0.1 * (high - low);
-  // Relative to the height: far from z = 0, three digits of the limit itself could miss the body.
-  const double unit = std::pow(10.0, std::floor(std::log10(high - low)) - 2.0);
-  return modeling::Region::below(Eigen::Vector3d::UnitZ(),
-                                 std::stod(format("%.10g", std::round(limit / unit) * unit)));
 }
 
 }  // namespace
@@ -270,15 +230,6 @@ ShapeOptions::Result ShapeOptions::primitive(const std::string& shape) const {
   result.primitive = {kind.shape(values, result.drawingDeviation),
                       values.wholeNumber("--degree", 3), values.wholeNumber("--control-points", 0)};
   return result;
-}
-
-modeling::Region baseOf(const modeling::Primitive& primitive, const modeling::Solid& solid) {
-  if (kindNamed(modeling::shapeName(primitive)).base == Base::kLowestTenth)
-    return lowestTenth(solid);
-  std::vector<std::string> names;
-  for (const modeling::Patch& patch : solid.patches())
-    if (patch.name.rfind("bottom", 0) == 0) names.push_back(patch.name);
-  return modeling::Region::ofPatches(names);
 }
 
 }  // namespace palpa::cli

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "modeling/body/region.h"
 #include "modeling/shapes/make_primitive.h"
 
 // The shapes of `palpa-cli new` and their options.
@@ -33,9 +32,5 @@ class ShapeOptions {
  private:
   std::map<std::string, std::string> values_;
 };
-
-/// The region where a new body of this shape is fixed: its flat base, or the lowest tenth of a
-/// round body.
-modeling::Region baseOf(const modeling::Primitive& primitive, const modeling::Solid& solid);
 
 }  // namespace palpa::cli

@@ -18,4 +18,9 @@ modeling::Material defaultMaterial();
 /// suitable mesh.
 modeling::Project makeProject(modeling::Body body, const std::string& name);
 
+/// A project with the solid of a primitive: default material, its flat base or, if it is round, its
+/// lowest tenth fixed, a suitable mesh. `solid`: made from the primitive.
+modeling::Project makeProject(const modeling::Primitive& primitive, modeling::Solid solid,
+                              const std::string& name);
+
 }  // namespace palpa::app
