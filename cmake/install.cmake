@@ -1,5 +1,5 @@
-# What is installed where, and the packages made of it: palpa (programs, documentation) and libpalpa-dev (libraries
-# for other programs).
+# What is installed where, and the packages made of it: palpa (programs, documentation), libpalpa-dev (libraries for
+# other programs) and python3-palpa.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME palpa)
@@ -29,6 +29,16 @@ install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN tools EXCLUDE)
 install(DIRECTORY projects DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.json)
+
+# The Python package, where the interpreter looks for it below /usr and /usr/local. Its palpa-read-cad lies beside the
+# module, so that it needs neither the programs nor their libraries.
+if(TARGET palpa_python)
+  set(palpa_python_site lib/python${palpa_python_version}/dist-packages/palpa)
+  install(DIRECTORY app/python/palpa/ DESTINATION ${palpa_python_site} COMPONENT python
+    FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+  install(TARGETS palpa_python LIBRARY DESTINATION ${palpa_python_site} COMPONENT python)
+  install(TARGETS palpa-read-cad RUNTIME DESTINATION ${palpa_python_site} COMPONENT python)
+endif()
 
 # Libraries, for find_package(palpa), and their public headers.
 include(cmake/public_headers.cmake)
@@ -70,4 +80,16 @@ set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "libeigen3-dev, libexpat1-dev, nlohmann-json3-dev, liblapacke-dev, libopenblas-pthread-dev, libgmp-dev, libmpfr-dev, libocct-data-exchange-dev, libocct-modeling-algorithms-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "boundary elements and NUBS solids of Palpa
  Static libraries, headers and a CMake package for programs that use the boundary element core or the modeller of Palpa.")
+if(TARGET palpa_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  # The module fits one version of the interpreter.
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-palpa)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${palpa_python_version}), python3 (<< ${palpa_python_next_version}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-h5py, python3-matplotlib")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "touch elastic solids from Python
+ Solids of spline patches, their boundary element models, forces and fields of touches as numpy arrays: the package palpa.")
+endif()
 include(CPack)

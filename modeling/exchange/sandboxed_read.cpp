@@ -1,5 +1,6 @@
 #include "modeling/exchange/sandboxed_read.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -24,9 +25,16 @@ namespace {
 constexpr double kPatience = 20.0;  // largest elapsed time, of the allowed processor time
 constexpr const char* kProgram = "palpa-read-cad";
 
+/// Folder of the file that contains this code: the Python module, or a program.
+std::filesystem::path folderOfThisCode() {
+  Dl_info info{};
+  if (::dladdr(reinterpret_cast<const void*>(&folderOfThisCode), &info) == 0) return {};
+  return std::filesystem::path(info.dli_fname).parent_path();
+}
+
 std::filesystem::path findProgram(const std::string& source) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const auto& folder : {here, here.parent_path() / "libexec" / "palpa"})
+  for (const auto& folder : {here, here.parent_path() / "libexec" / "palpa", folderOfThisCode()})
     if (::access((folder / kProgram).c_str(), X_OK) == 0) return folder / kProgram;
   throw ModelingError(source + ": the program " + kProgram + " is missing in " + here.string() +
                           "; install Palpa again",

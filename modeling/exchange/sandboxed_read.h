@@ -22,8 +22,8 @@ constexpr int kSandboxSeveral = 90;
 /// advance can find every case. Reading is deterministic: a file that the program reads can be read
 /// in this process.
 ///
-/// The program is searched beside the running program and in ../libexec/palpa. Stopping the job
-/// stops it within 20 ms in any state.
+/// The program is searched beside the running program, in ../libexec/palpa and beside the Python
+/// module that contains this code. Stopping the job stops it within 20 ms in any state.
 /// Throws the ModelingError of the reading; or ModelingError that begins with the file's name if
 /// the program crashed, used more than `seconds` of processor time, does not exist, or could not be
 /// started; Cancelled.

@@ -1,4 +1,4 @@
-# cmake -DBUILD=… -DSOURCE=… -DWORK=… -P install_test.cmake: installs into an empty folder, runs the installed program
+# cmake -DBUILD=… -DSOURCE=… -DWORK=… -DPYTHON=… -P install_test.cmake: installs into an empty folder, runs the installed program
 # from there, compiles each installed header alone, and builds and runs a program that uses the installed libraries.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -20,6 +20,15 @@ foreach(file bin/palpa libexec/palpa/palpa-read-cad share/man/man1/palpa-cli.1 s
     message(FATAL_ERROR "not installed: ${file}")
   endif()
 endforeach()
+# So does the Python package, with a CAD reader beside it.
+if(PYTHON)
+  file(GLOB site ${WORK}/prefix/lib/python3*/dist-packages)
+  set(ENV{PYTHONPATH} ${site})
+  file(WRITE ${WORK}/touch.py "import palpa\nassert palpa.__file__.startswith('${WORK}')\n"
+    "palpa.box().export('${WORK}/python.step')\nassert palpa.read_step('${WORK}/python.step').is_solid\n")
+  run(${PYTHON} ${WORK}/touch.py)
+  unset(ENV{PYTHONPATH})
+endif()
 # CAD files are read with the help of a program that is found from the installed one.
 run(${WORK}/prefix/bin/palpa-cli export ${SOURCE}/projects/box.json -o ${WORK}/box.step)
 run(${WORK}/prefix/bin/palpa-cli import ${WORK}/box.step -o ${WORK}/box.json)
