@@ -1,5 +1,7 @@
 #include "app/python/state.h"
 
+#include <pybind11/stl.h>
+
 #include <algorithm>
 
 #include "app/core/live/touch_table.h"
@@ -70,20 +72,17 @@ py::dict State::numbers() const {
 }
 
 py::tuple State::errors() {
-  if (!hasErrors_) {
-    // On a copy: other Python threads may read the state meanwhile.
-    app::TouchState state = computed<app::TouchState>(py::none(), 0, [this](const Job& job) {
+  // Only the errors are kept: other Python threads may read the state meanwhile.
+  if (!errors_)
+    errors_ = computed<Errors>(py::none(), 0, [this](const Job& job) {
       app::TouchState copy = state_;
       app::addErrors(model_->model(), copy, job);
-      return copy;
+      Errors errors{copy.errorEstimate.value_or(0), copy.forceErrorEstimate.value_or(0), {}};
+      for (const auto& contact : copy.contacts)
+        errors.contacts.push_back(contact.errorEstimate.value_or(0));
+      return errors;
     });
-    state_ = std::move(state);
-    hasErrors_ = true;
-  }
-  py::list ofContacts;
-  for (const auto& contact : state_.contacts) ofContacts.append(contact.errorEstimate.value_or(0));
-  return py::make_tuple(state_.errorEstimate.value_or(0), state_.forceErrorEstimate.value_or(0),
-                        ofContacts);
+  return py::make_tuple(errors_->largest, errors_->forces, errors_->contacts);
 }
 
 py::array_t<double> State::displacements() const {

@@ -3,8 +3,10 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/core/results/error_estimate.h"
 #include "app/python/model.h"
@@ -41,9 +43,13 @@ class State {
   void save(const std::string& path) const;
 
  private:
-  std::shared_ptr<Model> model_;
-  app::TouchState state_;
-  bool hasErrors_ = false;
+  struct Errors {
+    double largest = 0, forces = 0;
+    std::vector<double> contacts;
+  };
+  const std::shared_ptr<Model> model_;
+  const app::TouchState state_;
+  std::optional<Errors> errors_;  // only with the interpreter's lock
 };
 
 /// Adds the class to the module.

@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import os
 import pathlib
 import re
 import subprocess
@@ -56,7 +57,7 @@ def test_the_stub_names_what_the_module_has():
 
 
 def test_mypy_accepts_the_package():
-    command = [sys.executable, "-m", "mypy", "--strict", "--no-incremental", str(PACKAGE)]
+    command = [sys.executable, "-m", "mypy", "--strict", f"--cache-dir={os.devnull}", str(PACKAGE)]
     outcome = subprocess.run(command, capture_output=True, text=True)
     assert outcome.returncode == 0, outcome.stdout + outcome.stderr
 
@@ -64,7 +65,7 @@ def test_mypy_accepts_the_package():
 def test_mypy_finds_wrong_calls(tmp_path):
     script = tmp_path / "wrong.py"
     script.write_text("import palpa\nmodel = palpa.sphere('wide').build()\nmodel.touch()\n")
-    command = [sys.executable, "-m", "mypy", "--no-incremental", str(script)]
+    command = [sys.executable, "-m", "mypy", f"--cache-dir={os.devnull}", str(script)]
     outcome = subprocess.run(command, capture_output=True, text=True, env={"MYPYPATH": str(PACKAGE.parent)})
     assert "wrong.py:2" in outcome.stdout and "wrong.py:3" in outcome.stdout, outcome.stdout
 

@@ -51,7 +51,7 @@ Eigen::MatrixXd maskCompliance(const TouchableModel& model, std::span<const Eige
     throw bem::SolverError(bem::SolverError::Kind::kTooLarge,
                            "there are " + std::to_string(places.size()) +
                                " places; a block of the compliance has at most " +
-                               std::to_string(kMaxCompliancePlaces));
+                               std::to_string(kMaxCompliancePlaces) + "; ask for several blocks");
   const std::vector<bem::ContactMask> masks = masksAt(model.surface(), places, radius);
   Job quiet = job;
   quiet.progress = nullptr;

@@ -13,6 +13,7 @@
 #include "base/scratch_pool.h"
 #include "bem/base/error.h"
 #include "bem/contact/contact_compliance.h"
+#include "bem/contact/contact_mask.h"
 
 namespace palpa::app {
 namespace {
@@ -63,15 +64,21 @@ class Batch {
 
  private:
   /// Names the touch by its number, because touches of a batch have no names.
-  static std::string nameOf(Index index) { return "touch " + std::to_string(index); }
-
   void touch(Index index, bem::ContactCompliance& compliance) {
+    try {
+      evaluate(index, compliance);
+    } catch (const bem::SolverError& error) {
+      throw bem::SolverError(error.kind(), "touch " + std::to_string(index) + ": " + error.what());
+    }
+  }
+
+  void evaluate(Index index, bem::ContactCompliance& compliance) {
     const modeling::Touch& touch = touches_[static_cast<std::size_t>(index)];
     const bem::ContactSurface& surface = model_.surface();
     const bem::SurfacePoint place = surface.nearest(touch.at);
     const double size = surface.mesh().boundingSize();
     // The exact check looks at every triangle.
-    if (place.distance > 0.02 * size) checkNearSurface(surface.mesh(), touch.at, nameOf(index));
+    if (place.distance > 0.02 * size) checkNearSurface(surface.mesh(), touch.at, "the place");
     result_.places.col(index) = place.position;
     result_.normals.col(index) = surface.normal(place);
     const bem::ContactTool tool{contactKindOf(touch.kind),
@@ -87,8 +94,7 @@ class Batch {
   void hold(Index index, const modeling::Touch& touch, const bem::SurfacePoint& place,
             double radius, bem::ContactCompliance& compliance) {
     if (!compliance.place(0, place, radius))
-      throw bem::SolverError(bem::SolverError::Kind::kBadCondition,
-                             nameOf(index) + ": a support fixes the place; touch a free place");
+      bem::makeContactMask(model_.surface(), place.position, radius);  // throws
     while (!compliance.missing().empty()) {
       model_.columns()->computeAround(compliance.missing(), model_.surface().places(), quiet_);
       compliance.forgetMissing();
@@ -114,7 +120,8 @@ class Batch {
   /// A push or a ball.
   void press(Index index, const modeling::Touch& touch, const bem::ContactTool& tool) {
     const MovingTool moving{tool, touch.at, touch.vector};
-    const ToolsAtRest rest = follow(index, moving);
+    const ToolsAtRest rest = moveTools(model_.model(), model_.surface(), *model_.columns(), {},
+                                       {&moving, 1}, model_.base(), steps_, quiet_);
     const bem::ContactSimulation::Contact& contact = rest.contacts.front();
     const auto k = static_cast<std::size_t>(index);
     result_.forces.col(index) = contact.force;
@@ -123,15 +130,6 @@ class Batch {
     result_.stiffness[index] = contact.stiffness;
     result_.statuses[k] = contact.status;
     result_.patches[k] = contact.patch;
-  }
-
-  ToolsAtRest follow(Index index, const MovingTool& tool) const {
-    try {
-      return moveTools(model_.model(), model_.surface(), *model_.columns(), {}, {&tool, 1},
-                       model_.base(), steps_, quiet_);
-    } catch (const bem::SolverError& error) {
-      throw bem::SolverError(error.kind(), nameOf(index) + ": " + error.what());
-    }
   }
 
   const TouchableModel& model_;
