@@ -7,6 +7,7 @@
 #include "app/core/live/touch_table.h"
 #include "app/core/results/field_sample.h"
 #include "app/python/run_work.h"
+#include "base/parallel.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
 
@@ -131,6 +132,33 @@ py::tuple State::sample(const Numbers& points) const {
   return py::make_tuple(rowsOf(nearest), rowsOf(displacements), rowsOf(tractions));
 }
 
+py::tuple State::inside(const Numbers& points) const {
+  const std::vector<Eigen::Vector3d> places = vectorsOf(points, "points");
+  std::vector<bem::InteriorState> states(places.size());
+  runWork(py::none(), 0, [&](const Job& job) {
+    const app::BoundarySetup& setup = model_->model().setup();
+    const Eigen::VectorXd u = state_.field.u.col(0), p = state_.field.p.col(0);
+    parallelFor(static_cast<std::ptrdiff_t>(places.size()), job, [&](std::ptrdiff_t k) {
+      const auto index = static_cast<std::size_t>(k);
+      const auto found = setup.discretisation->interiorState(u, p, setup.bulk(), places[index]);
+      if (!found)
+        throw ArgumentError("points: the point " + std::to_string(k) +
+                            " is not inside the body; use sample() on the surface");
+      states[index] = *found;
+    });
+  });
+  const auto count = static_cast<py::ssize_t>(states.size());
+  py::array_t<double> displacements({count, py::ssize_t{3}});
+  py::array_t<double> stresses({count, py::ssize_t{3}, py::ssize_t{3}});
+  double* u = displacements.mutable_data();
+  double* stress = stresses.mutable_data();
+  for (const bem::InteriorState& state : states) {
+    u = std::copy_n(state.displacement.data(), 3, u);
+    stress = std::copy_n(state.stress.data(), 9, stress);
+  }
+  return py::make_tuple(displacements, stresses);
+}
+
 void State::save(const std::string& path) const {
   const modeling::FileFormat format = modeling::requireFormat(path, modeling::isWritableMesh);
   const app::BoundarySetup& setup = model_->model().setup();
@@ -164,6 +192,7 @@ void bindState(py::module_& module) {
       .def("tractions", &State::tractions)
       .def("stresses", &State::stresses)
       .def("sample", &State::sample, py::arg("points"))
+      .def("inside", &State::inside, py::arg("points"))
       .def("save", &State::save, py::arg("path"));
 }
 

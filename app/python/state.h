@@ -39,6 +39,8 @@ class State {
   pybind11::array_t<double> stresses() const;
   /// (places on the surface, displacements, tractions) for points, one row each.
   pybind11::tuple sample(const Numbers& points) const;
+  /// (displacements in mm, Cauchy's stresses in MPa) at points inside the body, one row each.
+  pybind11::tuple inside(const Numbers& points) const;
   /// The deformed mesh, or the mesh with its fields, depending on the file's ending.
   void save(const std::string& path) const;
 

@@ -115,6 +115,25 @@ def test_fields_have_the_shapes_of_the_mesh(ball, tmp_path):
     assert palpa.open(tmp_path / "touched.stl").volume < palpa.sphere(25).volume
 
 
+def test_uniform_compression_inside():
+    # E = 2 MPa, nu = 0.3, sigma_zz = -0.1 MPa between guides on three sides.
+    project = palpa.box((10, 10, 20))
+    project.material = palpa.Material(2.0, 0.3)
+    low = np.min(project.control_points, axis=0)
+    project.supports = [
+        palpa.Support(name, palpa.patches(name), "roller") for name in ("bottom", "side_xmin", "side_ymin")
+    ]
+    project.loads = [palpa.Pressure("press", palpa.patches("top"), 0.1)]
+    state = project.build(accuracy=0.01).solve()
+    points = low + np.array([(2, 3, 5), (5, 5, 10), (7, 2, 16)])
+    displacements, stresses = state.inside(points)
+    assert stresses == pytest.approx(np.tile(np.diag([0, 0, -0.1]), (3, 1, 1)), abs=1e-4)
+    expected = (points - low) * (0.3 * 0.05, 0.3 * 0.05, -0.05)
+    assert displacements == pytest.approx(expected, abs=1e-4)
+    with pytest.raises(palpa.InputError, match="point 1 is not inside"):
+        state.inside([points[0], (0, 0, 90)])
+
+
 def test_several_touches_at_once(ball):
     touches = [
         palpa.Touch("press", (0, 0, 25), displace=(0, 0, -1), radius=6),

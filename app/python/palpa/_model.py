@@ -159,6 +159,11 @@ class State:
         _, displacements, tractions = self._core.sample(vectors(points, "points"))
         return displacements, tractions
 
+    def inside(self, points: ArrayLike) -> Tuple[Floats, Floats]:
+        """Displacements (mm), (n, 3), and Cauchy's stresses (MPa), (n, 3, 3), at points (n, 3) inside the
+        body, such as markers in a gel. Raises InputError for points outside of it."""
+        return self._core.inside(vectors(points, "points"))
+
     def save(self, path: Path) -> None:
         """Writes the mesh with displacement_mm and traction_MPa (.vtp, for ParaView), or the deformed
         surface (.stl, .obj, .ply)."""
