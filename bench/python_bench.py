@@ -82,7 +82,7 @@ def main():
     print(f"{os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
 
     project = palpa.sphere(25)
-    model = project.build(edge_length=3.05)
+    model = project.build(edge_length=2.8)
     random = np.random.default_rng(0)
     normals = random.normal(size=(20_000, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
