@@ -186,6 +186,8 @@ class Batch {
                                        {&moving, 1}, model_.base(), steps_, quiet_);
     const bem::ContactSimulation::Contact& contact = rest.contacts.front();
     const auto k = static_cast<std::size_t>(index);
+    result_.places.col(index) = contact.point.position;
+    result_.normals.col(index) = model_.surface().normal(contact.point);
     result_.forces.col(index) = contact.force;
     result_.displacements.col(index) = contact.displacement;
     result_.deflections.col(index) = contact.deflection;

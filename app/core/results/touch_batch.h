@@ -12,7 +12,8 @@ namespace palpa::app {
 /// Results of touches that act one at a time. One column, or one entry, per touch.
 struct TouchBatch {
   using Status = bem::ContactSimulation::Status;
-  Eigen::Matrix3Xd places;         ///< mm, nearest points of the unloaded surface
+  /// mm, nearest points of the unloaded surface; of pushes and balls where they have slid to.
+  Eigen::Matrix3Xd places;
   Eigen::Matrix3Xd normals;        ///< outward, unit, there
   Eigen::Matrix3Xd forces;         ///< N, on the body
   Eigen::Matrix3Xd displacements;  ///< mm, of the place, from all causes

@@ -221,7 +221,7 @@ class Batch:
 
     @cached_property
     def at(self) -> Floats:
-        """Places on the unloaded surface, mm, (n, 3)."""
+        """Places on the unloaded surface, mm, (n, 3); of pushes and balls where they have slid to."""
         return self._core.places()
 
     @cached_property
