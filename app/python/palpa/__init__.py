@@ -9,12 +9,13 @@ vectors are numpy arrays with the coordinates last: one point has the shape (3,)
     >>> touch = model.touch(at=(0, 0, 25), displace=(0, 0, -2), radius=8)
     >>> touch.force, touch.error
 
-Every result equals the one of palpa-cli bit for bit, because both use the same libraries.
+Results agree with palpa-cli bit for bit, because both use the same libraries.
 """
 
+from ._batch import Batch, Sensor, Sweep
 from ._core import Cancelled, Error, InputError, SolveError
 from ._core import version as __version__
-from ._model import Batch, Contact, Model, Resultant, Sensor, State, Sweep
+from ._model import Model
 from ._parts import (
     Bump,
     Force,
@@ -46,6 +47,7 @@ from ._shapes import (
     sphere,
     torus,
 )
+from ._state import Contact, Resultant, State
 
 __all__ = [
     "Batch",
