@@ -19,6 +19,13 @@ std::string countText(long count, long of) {
   return std::to_string(count) + " of " + std::to_string(of);
 }
 
+ShapeLimit thicknessLimit(const modeling::Design& design, const DesignSpace& space, int patch) {
+  return {Kind::kThickness, "the smallest thickness of " + numberText(*design.smallestThickness) +
+                                " mm, for example at the patch \"" +
+                                space.solid().patches()[static_cast<std::size_t>(patch)].name +
+                                "\""};
+}
+
 }  // namespace
 
 std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& design,
@@ -46,18 +53,16 @@ std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& desi
                                            ? "the volume, which is kept"
                                            : "the volume, which may not grow"});
     const std::size_t firstWall = rows.targets + (rows.hasVolume ? 1 : 0);
-    long thin = 0;
-    std::string patch;
+    int thin = -1;
     for (std::size_t k = 0; k < rows.walls.size(); ++k)
-      if (solution.pressure[firstWall + k] > 0) {
-        ++thin;
-        patch = space.solid().patches()[static_cast<std::size_t>(rows.walls[k].patch)].name;
-      }
-    if (thin > 0)
-      limits.push_back({Kind::kThickness, "the smallest thickness of " +
-                                              numberText(*design.smallestThickness) +
-                                              " mm, for example at the patch \"" + patch + "\""});
+      if (solution.pressure[firstWall + k] > 0) thin = rows.walls[k].patch;
+    if (thin >= 0) limits.push_back(thicknessLimit(design, space, thin));
   }
+  const bool isThin = std::any_of(limits.begin(), limits.end(), [](const ShapeLimit& limit) {
+    return limit.kind == Kind::kThickness;
+  });
+  if (troubles.thinPatch >= 0 && !isThin)
+    limits.push_back(thicknessLimit(design, space, troubles.thinPatch));
   if (troubles.jump > 0)
     limits.push_back({Kind::kElements, "the computed values jump by " +
                                            numberText(std::round(1000 * troubles.jump) / 10) +

@@ -22,6 +22,7 @@ struct SearchRows {
 struct SearchTroubles {
   std::string refusal;  ///< message of the last shape that could not be computed; empty for none
   double jump = 0;      ///< relative, of a computed value in a small step; 0 for none
+  int thinPatch = -1;   ///< patch with a wall that a small step made too thin; -1 for none
   bool hasStepsLeft = true;
 };
 

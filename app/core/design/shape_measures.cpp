@@ -45,16 +45,16 @@ std::optional<ShapeMeasure> massOf(const DesignSurface& surface,
 namespace {
 
 bool areNeighbours(const modeling::Solid& solid, int a, int b) {
-  return std::any_of(solid.edges().begin(), solid.edges().end(),
-                     [&](const modeling::SolidEdge& edge) {
-                       return (edge.uses[0].patch == a && edge.uses[1].patch == b) ||
-                              (edge.uses[0].patch == b && edge.uses[1].patch == a);
-                     });
+  return a == b || std::any_of(solid.edges().begin(), solid.edges().end(),
+                               [&](const modeling::SolidEdge& edge) {
+                                 return (edge.uses[0].patch == a && edge.uses[1].patch == b) ||
+                                        (edge.uses[0].patch == b && edge.uses[1].patch == a);
+                               });
 }
 
-/// True if the surface at the far end faces away from the near end: within 60°, on a neighbouring
-/// patch within 25°, because beside an edge the ray may leave through the other face of the edge,
-/// which is no wall.
+/// True if the surface at the far end faces away from the near end: within 60°, on the same or
+/// a neighbouring patch within 25°, because beside an edge or a dent the ray may leave through the
+/// surface there, which is no wall.
 bool isOpposite(const modeling::Solid& solid, const modeling::PatchSearch& search, int patch,
                 const modeling::MeasuredValue& wall) {
   constexpr double kFacing = 0.5, kNeighbourFacing = 0.9;

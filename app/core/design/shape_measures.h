@@ -34,8 +34,8 @@ struct WallThickness {
 };
 
 /// Wall thicknesses at places all over the given patches; places without an opposite surface, which
-/// faces away from them within 60° (25° on a neighbouring patch), are left out. Costs about a
-/// millisecond per place. Throws Cancelled.
+/// faces away from them within 60° (25° on the same or a neighbouring patch), are left out. Costs
+/// about a millisecond per place. Throws Cancelled.
 std::vector<WallThickness> wallThicknesses(const modeling::Solid& solid,
                                            const std::vector<int>& patches, const Job& job = {});
 

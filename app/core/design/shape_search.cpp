@@ -91,8 +91,12 @@ class Search {
         const double gain = (before - progressOf(*next)) / (before - expected);
         isAccepted = gain > 0.1 || (!isReached && isMet(*next));
         record(*next, isAccepted);
-        if (!isAccepted && length < kSmallStep)
+        if (!isAccepted && length < kSmallStep) {
           troubles.jump = std::max(troubles.jump, jumpAt(*next, rows, step));
+          for (const WallThickness& wall : next->walls)
+            if (wall.value < (1 - kLimitTolerance) * evaluator_.leastThickness(wall))
+              troubles.thinPatch = wall.patch;
+        }
         if (gain < 0.5) radius = std::max(length, kMinRadius) * (gain < 0.1 ? 0.25 : 0.5);
         if (gain > 0.75 && length > 0.9 * radius) radius = std::min(2 * radius, 2.0);
         if (!isAccepted) continue;
