@@ -1,6 +1,7 @@
 #include "app/cli/design_options.h"
 
 #include <string_view>
+#include <variant>
 
 #include "app/cli/errors.h"
 #include "app/cli/values.h"
@@ -70,6 +71,14 @@ modeling::MirrorPlane mirrorFrom(const std::string& text) {
       equals == std::string::npos ? 0 : parseNumber("--mirror", text.substr(equals + 1));
   const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis[0] - 'x');
   return {offset * normal, normal};
+}
+
+/// Patches that supports fix as a whole.
+void addFixedPatches(const modeling::Project& project, std::vector<std::string>& patches) {
+  for (const modeling::Support& support : project.supports)
+    for (const modeling::RegionPart& part : support.where.parts)
+      if (const auto* set = std::get_if<modeling::PatchSet>(&part))
+        patches.insert(patches.end(), set->patches.begin(), set->patches.end());
 }
 
 }  // namespace
@@ -147,8 +156,10 @@ Design DesignOptions::design(const modeling::Project& project) const {
     design.points = std::move(points);
   }
   if (!stay_.empty()) {
+    std::vector<std::string> stay = stay_;
+    if (!design.points) addFixedPatches(project, stay);
     const modeling::PointSelection others{
-        {modeling::NoneOf{{modeling::PointSelection{{modeling::PatchPoints{stay_}}}}}}};
+        {modeling::NoneOf{{modeling::PointSelection{{modeling::PatchPoints{stay}}}}}}};
     design.points =
         design.points
             ? modeling::PointSelection{{modeling::AllOf{{*std::move(design.points), others}}}}

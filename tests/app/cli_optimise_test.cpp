@@ -111,6 +111,25 @@ TEST(CliOptimise, ReadsForcesDepthsAndPoints) {
   }
 }
 
+TEST(CliOptimise, FixedPatchesStayWhenOthersMustStay) {
+  const Runner cli;
+  cli.run("optimise " + kBox +
+          " --target \"press the top=2\" --stay side_xmin --max-steps 1 --nearest -o out.json");
+  const Json box = Json::parse(cli.read(kBox)), after = cli.readJson("out.json");
+  const Json &from = box["solid"]["control_points_mm"], &to = after["solid"]["control_points_mm"];
+  int moved = 0;
+  for (const Json& patch : box["solid"]["patches"])
+    for (const Json& row : patch["net"])
+      for (const Json& index : row) {
+        const auto k = index.get<std::size_t>();
+        moved += from[k] != to[k];
+        if (patch["name"] == "bottom" || patch["name"] == "side_xmin") {
+          EXPECT_EQ(from[k], to[k]) << patch["name"];
+        }
+      }
+  EXPECT_GT(moved, 0);
+}
+
 TEST(CliOptimise, AnInterruptLeavesNothing) {
   const Runner cli;
   const std::string out = cli.path("out.json").string();
