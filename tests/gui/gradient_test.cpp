@@ -250,6 +250,32 @@ TEST_F(StiffnessGradients, TheHandleOfTheGizmoFollowsTheArrow) {
   EXPECT_FALSE(editor().session().document().canUndo());
 }
 
+TEST_F(StiffnessGradients, EveryKindOfTouchHasTheStiffnessOfTheTouchLoop) {
+  enter(kBox);
+  action("Gradient arrows")->trigger();
+  for (const char* tool : {"Ball", "Push", "Force"}) {
+    action(tool)->trigger();
+    const QPoint at = onTop();
+    QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+    for (int i = 0; i < 6; ++i) {
+      QWheelEvent event(at, view().mapToGlobal(at), {}, {0, 120}, Qt::LeftButton, {},
+                        Qt::NoScrollPhase, false);
+      QApplication::sendEvent(&view(), &event);
+      QTest::qWait(30);
+    }
+    const auto isExact = [&] {
+      const auto touched = simulation().snapshot().touched();
+      return !touched.empty() && gradient().known() && !gradient().isOutdated() &&
+             gradient().name().startsWith(tool) &&
+             std::abs(gradient().known()->stiffness / touched.front().stiffness - 1) < 1e-3;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(isExact, 30000)) << tool;
+    EXPECT_FALSE(drawing().arrows.arrows.empty()) << tool;
+    QTest::mouseRelease(&view(), Qt::LeftButton, {}, at);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 5000));
+  }
+}
+
 TEST_F(StiffnessGradients, AnEditDuringTheTouchGetsItsOwnGradient) {
   enter(kBox);
   action("Gradient arrows")->trigger();
