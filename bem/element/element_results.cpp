@@ -134,13 +134,16 @@ Eigen::VectorXd ElementResults::bodyForceTerm(const WeightedEquations& equations
 }
 
 BoundaryField estimatedError(const ElementResults& results, const ReferenceProblem& problem,
-                             const BoundaryField& field, const Bulk& bulk, const Job& job) {
+                             const BoundaryField& field, const Bulk& bulk,
+                             const std::function<double(int)>& share, const Job& job) {
   const Eigen::MatrixXd average = results.averageResidual(field, bulk, job);
   const DegreesOfFreedom& dofs = problem.dofs();
   const Index points = dofs.count() / 3;
   Eigen::MatrixXd residual = Eigen::MatrixXd::Zero(dofs.count(), average.cols());
-  for (Index k = 0; k < dofs.nodeCount(); ++k)
-    for (int c = 0; c < 3; ++c) residual.row(c * points + k) = average.row(3 * k + c);
+  for (int k = 0; k < dofs.nodeCount(); ++k) {
+    const double part = share(k);
+    for (int c = 0; c < 3; ++c) residual.row(c * points + k) = part * average.row(3 * k + c);
+  }
   return dofs.expand(problem.correction(residual), Eigen::MatrixXd());
 }
 

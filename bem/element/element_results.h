@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "bem/element/element_equations.h"
@@ -56,8 +57,9 @@ class ElementResults {
 };
 
 /// Error estimate, see Discretisation::estimatedError(): solves A0 v = r̄ with the averaged
-/// residuals in the rows of the functions' collocation points.
+/// residuals in the rows of the functions' equations, times `share`(function).
 BoundaryField estimatedError(const ElementResults& results, const ReferenceProblem& problem,
-                             const BoundaryField& field, const Bulk& bulk, const Job& job);
+                             const BoundaryField& field, const Bulk& bulk,
+                             const std::function<double(int)>& share, const Job& job);
 
 }  // namespace palpa::bem

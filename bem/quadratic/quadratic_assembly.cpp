@@ -50,15 +50,6 @@ CollocationPlace besideBorder(const QuadraticSurface& surface, int node,
 /// some tractions on both faces of a sharp edge in a support nearly cancel at all points.
 constexpr double kShift = 0.2;
 
-/// True for the nodes whose equations are averaged: those where all displacements are unknown, not
-/// on the border of a support, where the metric is singular.
-std::vector<bool> averagedNodes(const QuadraticSurface& surface, const DegreesOfFreedom& dofs) {
-  std::vector<bool> isAveraged(static_cast<std::size_t>(surface.coefficientCount()));
-  for (int node = 0; node < surface.coefficientCount(); ++node)
-    isAveraged[node] = dofs.isFree(node) && !surface.isOnBorder(node);
-  return isAveraged;
-}
-
 /// Centre and radius of a ball about an element, mm.
 struct Ball {
   Vector3d centre;
@@ -174,6 +165,13 @@ WeightedEquations averaged(const QuadraticSurface& surface, std::vector<Collocat
 }
 
 }  // namespace
+
+std::vector<bool> averagedNodes(const QuadraticSurface& surface, const DegreesOfFreedom& dofs) {
+  std::vector<bool> isAveraged(static_cast<std::size_t>(surface.coefficientCount()));
+  for (int node = 0; node < surface.coefficientCount(); ++node)
+    isAveraged[node] = dofs.isFree(node) && !surface.isOnBorder(node);
+  return isAveraged;
+}
 
 WeightedEquations quadraticEquations(const QuadraticSurface& surface, const BoundaryMesh& mesh,
                                      const TractionSlots& slots, const DegreesOfFreedom& dofs) {

@@ -6,9 +6,13 @@
 
 namespace palpa::bem {
 
-/// Equations for the unknowns. First one per node: at free nodes the mean of the residual around
-/// the node, at others collocation. Then collocation at one point per extra traction slot inside
-/// the slot's part of the surface. `mesh` and `slots`: of the surface; `dofs`: of its
+/// True for the nodes whose equations are averaged: those where all displacements are unknown, not
+/// on the border of a support, where the metric is singular.
+std::vector<bool> averagedNodes(const QuadraticSurface& surface, const DegreesOfFreedom& dofs);
+
+/// Equations for the unknowns. First one per node: at averagedNodes() the mean of the residual
+/// around the node, at others collocation. Then collocation at one point per extra traction slot
+/// inside the slot's part of the surface. `mesh` and `slots`: of the surface; `dofs`: of its
 /// discretisation.
 WeightedEquations quadraticEquations(const QuadraticSurface& surface, const BoundaryMesh& mesh,
                                      const TractionSlots& slots, const DegreesOfFreedom& dofs);

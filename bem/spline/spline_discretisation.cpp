@@ -111,7 +111,8 @@ Vector3d SplineDiscretisation::displacementDefect(const SurfacePoint& place,
 BoundaryField SplineDiscretisation::estimatedError(const ReferenceProblem& problem,
                                                    const BoundaryField& field, const Bulk& bulk,
                                                    const Job& job) const {
-  return bem::estimatedError(results(), problem, field, bulk, job);
+  return bem::estimatedError(
+      results(), problem, field, bulk, [](int) { return 1.0; }, job);
 }
 
 std::optional<InteriorState> SplineDiscretisation::interiorState(const Eigen::VectorXd& u,

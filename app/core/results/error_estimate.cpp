@@ -48,13 +48,6 @@ CoverFactors coverFactors(const BoundarySetup& setup) {
   return {hasCutSplines(setup) ? 2.8 : 1.5, 3.8};
 }
 
-/// Share of the part of the error that the functions can represent. The equations of quadratic
-/// triangles average the residual; bem::Discretisation::estimatedError() averages it again with a
-/// rougher rule, whose error is about five times theirs. Measured on thin parts (docs/exchange.md).
-double shareOfRepresentable(const BoundarySetup& setup) {
-  return setup.engine == modeling::Engine::kQuadratic ? 0.2 : 1;
-}
-
 /// A further factor where forces are given: a stiffness that is wrong as a whole moves all places,
 /// while a given displacement keeps the field at its place. Measured as coverFactors().
 constexpr double kWithGivenForces = 2;
@@ -79,7 +72,7 @@ class EstimatedError {
         bulk_(bulk),
         u_(fields.u.col(column)),
         p_(fields.p.col(column)),
-        carried_(shareOfRepresentable(setup) * carried.u.col(column)) {}
+        carried_(carried.u.col(column)) {}
 
   /// Squares of the error and of the displacement, mm^2, at a place or summed over places.
   struct Squares {
