@@ -108,7 +108,9 @@ TEST(SplineBodyForce, ResidualEnergyAndInnerStateAreExactOnABox) {
       EXPECT_GE(without.norm(), 1e-2 * largest) << "the residual contains the weight";
     }
     const VectorXd estimate =
-        estimatedError(results, *body.problem, body.field, bulk, Job{}).u.col(0);
+        estimatedError(
+            results, *body.problem, body.field, bulk, [](int) { return 1.0; }, Job{})
+            .u.col(0);
     EXPECT_LE(estimate.lpNorm<Eigen::Infinity>(), 1e-5 * largest);
     const std::vector<Vector3d> points{{0, 0, 10}, {-12, 9, 15}, {15, -10, 0.1}};
     const SplineQuadrature quadrature(body.surface, ElementInterior::kTolerance, {});
