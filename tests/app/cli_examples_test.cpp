@@ -19,15 +19,16 @@ TEST(CliExamples, AreWhatTheirScriptsMake) {
                               "/../scripts/make-projects " + cli.path(".").string();
   ASSERT_EQ(std::system(command.c_str()), 0);
   int made = 0;
-  for (const auto& entry : fs::directory_iterator(cli.path("."))) {
-    const std::string name = entry.path().filename();
+  for (const auto& entry : fs::recursive_directory_iterator(cli.path("."))) {
+    if (entry.is_directory()) continue;
+    const std::string name = fs::relative(entry.path(), cli.path("."));
     std::ifstream committed(fs::path(PALPA_PROJECTS) / name);
     std::ostringstream text;
     text << committed.rdbuf();
     EXPECT_TRUE(cli.read(name) == text.str()) << name << ": run scripts/make-projects";
     ++made;
   }
-  EXPECT_EQ(made, 5);
+  EXPECT_EQ(made, 8);
 }
 
 class CliExample : public testing::TestWithParam<std::string> {
