@@ -80,6 +80,7 @@ struct Columns {
   std::span<const int> coefficients, slots;
 };
 
+/// Zero operators with three rows per point (or equation).
 template <class Scalar>
 BoundaryOperators<Scalar> operatorsFor(std::size_t points, const Columns& columns) {
   const auto triple = [](std::size_t some) { return 3 * static_cast<Eigen::Index>(some); };

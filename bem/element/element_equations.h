@@ -12,11 +12,11 @@ namespace palpa::bem {
 /// points of a rule. The kernels of the others vary smoothly over the element, and are integrated
 /// at its nodes and interpolated.
 struct AveragedElement {
-  int element;
-  std::vector<CollocationPlace> points;
-  std::vector<int> equations;  ///< those with weights here
-  Eigen::MatrixXd weights;     ///< (equation, point)
-  std::vector<int> nodes;      ///< indices of WeightedEquations::points
+  int element;                           ///< index in the surface
+  std::vector<CollocationPlace> points;  ///< of the rule, mm
+  std::vector<int> equations;            ///< those with weights here
+  Eigen::MatrixXd weights;               ///< (equation, point)
+  std::vector<int> nodes;                ///< indices of WeightedEquations::points
   Eigen::MatrixXd
       interpolated;       ///< (node, point): values at the points are interpolated with these
   std::vector<int> near;  ///< elements, ascending
@@ -27,7 +27,8 @@ struct AveragedElement {
 struct WeightedEquations {
   std::vector<CollocationPlace> points;
   Eigen::SparseMatrix<double> weights;  ///< (equation, point); the weights of a row sum to 1
-  /// The weights of their nodes are for far elements only. Such points are of no collocation.
+  /// Their nodes are points, too, whose weights hold for far elements only. No such point is also a
+  /// collocation point.
   std::vector<AveragedElement> averaged;
   /// True if every equation has exactly one point.
   bool isCollocation() const { return averaged.empty() && weights.nonZeros() == weights.rows(); }
