@@ -5,21 +5,33 @@
 
 namespace palpa::cli {
 
-namespace {
-
-std::string simplificationText(const modeling::MeshSimplification& simplification) {
-  const auto& [below, moved, vanishedFaces] = simplification;
+std::string toText(const modeling::MeshSimplification& simplification) {
+  const auto& [below, moved, vanishedFaces, cutPins, filledHoles] = simplification;
   if (!(below > 0)) return "";
-  const std::string faces = vanishedFaces > 0
-                                ? " (" + countText(vanishedFaces) +
-                                      (vanishedFaces == 1 ? " face" : " faces") + " vanished)"
-                                : "";
+  std::string changes;
+  const auto add = [&](int count, const char* one, const char* several, const char* what) {
+    if (count > 0)
+      changes += (changes.empty() ? " (" : ", ") + countText(count) + ' ' +
+                 (count == 1 ? one : several) + ' ' + what;
+  };
+  add(vanishedFaces, "face", "faces", "vanished");
+  add(cutPins, "pin", "pins", "cut off");
+  add(filledHoles, "hole", "holes", "filled");
+  if (!changes.empty()) changes += ')';
   return format(
       "simplified features below %.3g mm are meshed over%s; the surface moved by up to %.3g mm\n",
-      below, faces.c_str(), moved);
+      below, changes.c_str(), moved);
 }
 
-}  // namespace
+void addTo(Json& report, const modeling::MeshSimplification& simplification) {
+  const auto& [below, moved, vanishedFaces, cutPins, filledHoles] = simplification;
+  if (below > 0)
+    report["simplified"] = {{"features_below_mm", below},
+                            {"moved_mm", moved},
+                            {"vanished_faces", vanishedFaces},
+                            {"cut_pins", cutPins},
+                            {"filled_holes", filledHoles}};
+}
 
 Json toJson(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& quality) {
   Json report{{"nodes", mesh.positions.size()},
@@ -30,9 +42,7 @@ Json toJson(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& qual
                 {"shortest_edge_mm", quality.shortestEdge},
                 {"mean_edge_mm", quality.meanEdge},
                 {"longest_edge_mm", quality.longestEdge}}}};
-  if (const auto& [below, moved, vanishedFaces] = mesh.simplification; below > 0)
-    report["simplified"] = {
-        {"features_below_mm", below}, {"moved_mm", moved}, {"vanished_faces", vanishedFaces}};
+  addTo(report, mesh.simplification);
   return report;
 }
 
@@ -43,7 +53,7 @@ std::string toText(const modeling::SurfaceMesh& mesh, const modeling::MeshQualit
                 quality.longestEdge, quality.meanEdge) +
          format("quality    smallest angle %.1f°, largest aspect %.2f\n", quality.smallestAngle,
                 quality.largestAspect) +
-         simplificationText(mesh.simplification);
+         toText(mesh.simplification);
 }
 
 }  // namespace palpa::cli

@@ -7,6 +7,11 @@
 
 namespace palpa::cli {
 
+/// What a mesh of a mesh body leaves out, as a line; empty if it leaves out nothing.
+std::string toText(const modeling::MeshSimplification& simplification);
+/// The same as the entry "simplified".
+void addTo(Json& report, const modeling::MeshSimplification& simplification);
+
 /// Counts and quality of a mesh: nodes, triangles, smallest angle, edge lengths, features meshed
 /// over.
 Json toJson(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& quality);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/mesh_report.h"
 #include "app/cli/text.h"
 #include "app/core/live/touch_table.h"
 #include "app/core/system/memory.h"
@@ -174,6 +175,7 @@ Json StateReport::json() const {
   const app::BuildReport& build = model.report();
   const LargestDisplacement largest = largestDisplacement(model, state);
   Json report{{"nodes", build.nodes}, {"triangles", build.triangles}};
+  addTo(report, model.surface().simplification);
   report["engine"] = nameOf(model.setup().engine);
   report["elements"] = model.setup().discretisation->elementCount();
   report["coefficients"] = model.setup().discretisation->displacementCount();
@@ -226,7 +228,7 @@ Json StateReport::json() const {
 std::string StateReport::text() const {
   const app::BuildReport& build = model.report();
   const LargestDisplacement largest = largestDisplacement(model, state);
-  std::string text = engineText(model);
+  std::string text = engineText(model) + toText(model.surface().simplification);
   if (!build.notice.empty()) text += "note       " + build.notice + "\n";
   if (state.contacts.empty() && model.setup().loads.empty() && state.energy == 0)
     text += "note       no load acts and nothing is touched, so nothing moves\n";

@@ -108,6 +108,24 @@ LengthAt fractionOfLength(const MeshSettings& settings, const std::vector<Region
   };
 }
 
+/// `fraction` of the edge length, 0 at foci and in and near strokes: pins and holes farther away
+/// matter less to a touch than the sizes of triangles there, which grow slowly with the distance.
+LengthAt partSize(const MeshSettings& settings, const std::vector<RegionBorder>& borders,
+                  std::span<const MeshFocus> foci, double fraction) {
+  constexpr double kReach = 2;  // radii of a focus
+  return [=, foci = std::vector<MeshFocus>(foci.begin(), foci.end())](const Vector3d& x) {
+    const bool isUsed =
+        std::any_of(foci.begin(), foci.end(),
+                    [&](const MeshFocus& focus) {
+                      return (x - focus.center).norm() < kReach * focus.radius;
+                    }) ||
+        std::any_of(borders.begin(), borders.end(), [&](const RegionBorder& border) {
+          return border.isPainted() && border.value(x) < settings.edgeLength;
+        });
+    return isUsed ? 0 : fraction * settings.edgeLength;
+  };
+}
+
 /// Calls `visit(a, b, length)` with the ends and the wanted length of every edge on the border of a
 /// stroke that is thin enough to need shorter edges than `edgeLength`.
 template <class Visit>
@@ -201,12 +219,15 @@ std::shared_ptr<const MeshBodySurface> make(const MeshBody& body, const MeshSett
   made->smallest = fractionOfLength(settings, borders, foci,
                                     std::max(kOfSmallest * settings.featureFraction, kMinFraction));
   const LengthAt feature = fractionOfLength(settings, borders, foci, fraction);
-  SimplifiedSurface bent = withoutSmallFeatures(body, feature, named, job);
+  // Smaller features that stay after all are no reason to keep pins and holes.
+  const double ofParts = fraction > 0 ? settings.featureFraction : 0;
+  SimplifiedSurface bent =
+      withoutSmallFeatures(body, feature, partSize(settings, borders, foci, ofParts), named, job);
   if (bent.isNeeded) {
     made->simplified = bent;
     made->below = fraction * settings.edgeLength;
   } else {
-    made->simplified = {body.positions(), body.triangles(), body.faceOfTriangle()};
+    made->simplified = {{body.positions(), body.triangles(), body.faceOfTriangle()}};
   }
   made->surface = taggedSurface(made->simplified, named, settings.edgeLength);
   for (std::size_t k = 0; k < borders.size(); ++k)

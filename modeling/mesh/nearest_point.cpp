@@ -80,6 +80,22 @@ int NearestOnTriangles::nearestTriangle(const Vector3d& point) const {
   return tree_->indices[static_cast<std::size_t>(found - tree_->elements.begin())];
 }
 
+double NearestOnTriangles::distanceAlong(const Vector3d& from, const Vector3d& direction,
+                                         int skipped) const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (!tree_) return kNone;
+  const auto& indices = tree_->indices;
+  const auto& elements = tree_->elements;
+  const Kernel::Ray_3 ray(toPoint(from),
+                          Kernel::Vector_3(direction.x(), direction.y(), direction.z()));
+  const auto hit = tree_->tree.first_intersection(ray, [&](const auto& element) {
+    return indices[static_cast<std::size_t>(element - elements.begin())] == skipped;
+  });
+  if (!hit) return kNone;
+  if (const Point* point = boost::get<Point>(&hit->first)) return (toVector(*point) - from).norm();
+  return kNone;  // along the triangle
+}
+
 NearestOnSegments::NearestOnSegments(const std::vector<std::array<Vector3d, 2>>& segments) {
   auto tree = std::make_shared<Tree>();
   for (const auto& [a, b] : segments)

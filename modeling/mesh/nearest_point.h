@@ -16,6 +16,10 @@ class NearestOnTriangles {
   Eigen::Vector3d nearest(const Eigen::Vector3d& point) const;
   /// Index of the triangle with that point; -1 for an empty set.
   int nearestTriangle(const Eigen::Vector3d& point) const;
+  /// Distance from a point along a unit direction to the first triangle other than `skipped`;
+  /// infinite without one.
+  double distanceAlong(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
+                       int skipped) const;
 
  private:
   struct Tree;

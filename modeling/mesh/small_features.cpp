@@ -48,20 +48,20 @@ const double kSharpCosine = std::cos(kSharpEdgeDegrees * std::numbers::pi / 180.
 /// A surface in work: CGAL's mesh with the smallest length of features per vertex.
 class WorkSurface {
  public:
-  WorkSurface(const MeshBody& body, const std::vector<double>& lengths,
+  WorkSurface(const FacedTriangles& body, const std::vector<double>& lengths,
               const std::set<int>& keptFaces)
       : lengths_(mesh_.add_property_map<Vertex, double>("v:length", 0).first),
         faces_(mesh_.add_property_map<Face, int>("f:face", -1).first),
         fixed_(mesh_.add_property_map<Edge, bool>("e:fixed", false).first) {
-    for (std::size_t i = 0; i < body.positions().size(); ++i) {
-      const Vector3d& p = body.positions()[i];
+    for (std::size_t i = 0; i < body.positions.size(); ++i) {
+      const Vector3d& p = body.positions[i];
       lengths_[mesh_.add_vertex({p.x(), p.y(), p.z()})] = lengths[i];
     }
-    for (std::size_t t = 0; t < body.triangles().size(); ++t) {
+    for (std::size_t t = 0; t < body.triangles.size(); ++t) {
       const auto vertex = [&](int k) {
-        return Vertex(static_cast<Mesh::size_type>(body.triangles()[t][k]));
+        return Vertex(static_cast<Mesh::size_type>(body.triangles[t][k]));
       };
-      faces_[mesh_.add_face(vertex(0), vertex(1), vertex(2))] = body.faceOfTriangle()[t];
+      faces_[mesh_.add_face(vertex(0), vertex(1), vertex(2))] = body.faceOfTriangle[t];
     }
     for (const Edge edge : mesh_.edges()) {
       const int one = faces_[mesh_.face(mesh_.halfedge(edge, 0))];
@@ -234,19 +234,49 @@ class WorkSurface {
   Fixed fixed_;
 };
 
+NearestOnTriangles treeOf(const std::vector<Vector3d>& positions,
+                          const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<std::array<Vector3d, 3>> corners;
+  for (const auto& [a, b, c] : triangles)
+    corners.push_back({positions[a], positions[b], positions[c]});
+  return NearestOnTriangles(corners);
+}
+
+/// Lengths that keep the thickness of walls: collapsed edges across their rims would make them
+/// knives.
+void keepWalls(const FacedTriangles& body, std::vector<double>& lengths) {
+  constexpr double kOfThickness = 0.8, kTowardsCorner = 0.8;
+  const auto& p = body.positions;
+  const NearestOnTriangles walls = treeOf(p, body.triangles);
+  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+    const auto& triangle = body.triangles[t];
+    const Vector3d middle = (p[triangle[0]] + p[triangle[1]] + p[triangle[2]]) / 3;
+    const Vector3d inward =
+        (p[triangle[2]] - p[triangle[0]]).cross(p[triangle[1]] - p[triangle[0]]).normalized();
+    const auto thickness = [&](const Vector3d& x) {
+      return walls.distanceAlong(x, inward, static_cast<int>(t));
+    };
+    const double atMiddle = thickness(middle);
+    for (const int corner : triangle) {
+      const double atCorner = thickness(middle + kTowardsCorner * (p[corner] - middle));
+      lengths[corner] = std::min(lengths[corner], kOfThickness * std::min(atMiddle, atCorner));
+    }
+  }
+}
+
 /// The smallest lengths at the vertices, also of the edges there: less on curved surfaces whose
 /// radius is not small itself.
-std::vector<double> lengthsOf(const MeshBody& body, const LengthAt& smallest) {
+std::vector<double> lengthsOf(const FacedTriangles& body, const LengthAt& smallest) {
   constexpr double kMaxSamples = 32;
   std::vector<double> atVertices;
-  for (const Vector3d& p : body.positions()) atVertices.push_back(smallest(p));
+  for (const Vector3d& p : body.positions) atVertices.push_back(smallest(p));
   std::vector<double> lengths = atVertices;
-  for (const auto& triangle : body.triangles())
+  for (const auto& triangle : body.triangles)
     for (int k = 0; k < 3; ++k) {
       const int from = triangle[k], to = triangle[(k + 1) % 3];
       if (from > to) continue;
-      const Vector3d& a = body.positions()[from];
-      const Vector3d along = body.positions()[to] - a;
+      const Vector3d& a = body.positions[from];
+      const Vector3d along = body.positions[to] - a;
       const double count = std::min(
           std::floor(along.norm() / std::min(atVertices[from], atVertices[to])), kMaxSamples);
       for (int i = 1; i < count; ++i) {
@@ -255,34 +285,26 @@ std::vector<double> lengthsOf(const MeshBody& body, const LengthAt& smallest) {
       }
     }
   std::vector<double> result = lengths;
-  const auto& p = body.positions();
-  const auto neighbours = triangleNeighbours(body.triangles());
+  const auto& p = body.positions;
+  const auto neighbours = triangleNeighbours(body.triangles);
   const auto areaVector = [&](int t) {
-    const auto& [a, b, c] = body.triangles()[t];
+    const auto& [a, b, c] = body.triangles[t];
     return Vector3d((p[b] - p[a]).cross(p[c] - p[a]));
   };
-  for (std::size_t t = 0; t < body.triangles().size(); ++t)
+  for (std::size_t t = 0; t < body.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int other = neighbours[t][k];
       if (other < static_cast<int>(t)) continue;
       const Vector3d one = areaVector(static_cast<int>(t)), two = areaVector(other);
       const double cosine = one.normalized().dot(two.normalized());
       if (cosine < kSharpCosine || cosine > 1 - kFlat) continue;
-      const int a = body.triangles()[t][k], b = body.triangles()[t][(k + 1) % 3];
+      const int a = body.triangles[t][k], b = body.triangles[t][(k + 1) % 3];
       const double width = (one.norm() + two.norm()) / (2 * (p[a] - p[b]).norm());
       const double radius = width / std::acos(cosine);
       for (const int end : {a, b})
         if (radius >= lengths[end]) result[end] = std::min(result[end], kOfRadius * radius);
     }
   return result;
-}
-
-NearestOnTriangles treeOf(const std::vector<Vector3d>& positions,
-                          const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<std::array<Vector3d, 3>> corners;
-  for (const auto& [a, b, c] : triangles)
-    corners.push_back({positions[a], positions[b], positions[c]});
-  return NearestOnTriangles(corners);
 }
 
 /// Largest distance of the vertices and middles of triangles and edges of one surface from another.
@@ -303,7 +325,8 @@ double distance(const std::vector<Vector3d>& positions,
 
 /// Keeps all features near crossings, or, if `farther`, near the triangles that cross.
 void keepAt(const std::vector<TriangleCrossing>& crossings, bool farther,
-            const SimplifiedSurface& surface, const MeshBody& body, std::vector<double>& lengths) {
+            const SimplifiedSurface& surface, const FacedTriangles& body,
+            std::vector<double>& lengths) {
   constexpr double kNear = 3;  // smallest lengths
   std::vector<std::array<Vector3d, 2>> places;
   for (const TriangleCrossing& crossing : crossings)
@@ -316,7 +339,7 @@ void keepAt(const std::vector<TriangleCrossing>& crossings, bool farther,
       }
   const NearestOnSegments near(places);
   for (std::size_t i = 0; i < lengths.size(); ++i)
-    if (near.distance(body.positions()[i]) < kNear * lengths[i]) lengths[i] = 0;
+    if (near.distance(body.positions[i]) < kNear * lengths[i]) lengths[i] = 0;
 }
 
 /// Number of parts between sharp edges.
@@ -328,10 +351,10 @@ int smoothParts(const std::vector<Vector3d>& positions,
 }
 
 /// True if edges are too short to belong to a fine triangulation of a smooth surface.
-bool hasTinyEdges(const MeshBody& body, const LengthAt& smallest) {
+bool hasTinyEdges(const FacedTriangles& body, const LengthAt& smallest) {
   constexpr double kTiny = 0.03;  // of the smallest length
-  const auto& p = body.positions();
-  return std::any_of(body.triangles().begin(), body.triangles().end(), [&](const auto& triangle) {
+  const auto& p = body.positions;
+  return std::any_of(body.triangles.begin(), body.triangles.end(), [&](const auto& triangle) {
     for (int k = 0; k < 3; ++k) {
       const Vector3d& a = p[triangle[k]];
       if ((p[triangle[(k + 1) % 3]] - a).norm() < kTiny * smallest(a)) return true;
@@ -341,37 +364,44 @@ bool hasTinyEdges(const MeshBody& body, const LengthAt& smallest) {
 }
 
 SimplifiedSurface unchanged(const MeshBody& body) {
-  return {body.positions(), body.triangles(), body.faceOfTriangle()};
+  return {{body.positions(), body.triangles(), body.faceOfTriangle()}};
 }
 
 }  // namespace
 
 SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& smallest,
-                                       const std::set<int>& keptFaces, const Job& job) {
+                                       const LengthAt& thinnest, const std::set<int>& keptFaces,
+                                       const Job& job) {
   constexpr int kAttempts = 5;
   constexpr std::size_t kMaxCrossings = 1000;
   double limit = 0;
   for (const Vector3d& x : body.positions()) limit = std::max(limit, smallest(x));
   if (limit == 0) return unchanged(body);
-  std::vector<double> lengths = lengthsOf(body, smallest);
+  const auto [plain, pins, holes] = withoutSmallParts(
+      {body.positions(), body.triangles(), body.faceOfTriangle()}, thinnest, keptFaces, job);
+  std::vector<double> lengths = lengthsOf(plain, smallest);
+  keepWalls(plain, lengths);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     job.throwIfCancelled();
-    WorkSurface work(body, lengths, keptFaces);
+    WorkSurface work(plain, lengths, keptFaces);
     work.simplify(job);
     SimplifiedSurface surface = work.result();
     const auto crossings =
         triangleCrossings(surface.positions, surface.triangles, kMaxCrossings, job);
     if (!crossings.empty()) {
-      keepAt(crossings, attempt >= 2, surface, body, lengths);
+      keepAt(crossings, attempt >= 2, surface, plain, lengths);
       continue;
     }
-    const NearestOnTriangles before = treeOf(body.positions(), body.triangles());
+    surface.cutPins = pins;
+    surface.filledHoles = holes;
+    const NearestOnTriangles before = treeOf(plain.positions, plain.triangles);
     const NearestOnTriangles after = treeOf(surface.positions, surface.triangles);
-    surface.moved = std::max(distance(body.positions(), body.triangles(), after),
+    surface.moved = std::max(distance(plain.positions, plain.triangles, after),
                              distance(surface.positions, surface.triangles, before));
-    surface.isNeeded = hasTinyEdges(body, smallest) || surface.moved > kUnmoved * limit ||
+    surface.isNeeded = pins + holes > 0 || hasTinyEdges(plain, smallest) ||
+                       surface.moved > kUnmoved * limit ||
                        smoothParts(surface.positions, surface.triangles) !=
-                           smoothParts(body.positions(), body.triangles());
+                           smoothParts(plain.positions, plain.triangles);
     const std::set<int> left(surface.faceOfTriangle.begin(), surface.faceOfTriangle.end());
     surface.vanishedFaces = static_cast<int>(body.faceNames().size() - left.size());
     return surface;

@@ -13,8 +13,10 @@ namespace palpa::modeling {
 /// What a mesh left out of a body.
 struct MeshSimplification {
   double below = 0;       ///< mm: smaller features were meshed over; 0: none
-  double moved = 0;       ///< mm, the largest distance of the surface from the body's
+  double moved = 0;       ///< mm, the largest distance of the surface from the rest of the body's
   int vanishedFaces = 0;  ///< of the body
+  int cutPins = 0;        ///< thin pins that are missing
+  int filledHoles = 0;    ///< narrow holes that are missing
 };
 
 /// Closed, oriented triangle mesh of a body's surface.

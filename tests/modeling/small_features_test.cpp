@@ -18,6 +18,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kHeight = 20;
+const LengthAt kTwo = [](const Vector3d&) { return 2.0; };
 
 /// Prism along z over an outline whose points all see (20, 15); sides are "side 1", "side 2", …
 MeshBody prism(const std::vector<Vector2d>& outline) {
@@ -132,8 +133,7 @@ TEST(SmallFeatures, MiddleNodesStayOnTheSimplifiedSurface) {
 
 TEST(SmallFeatures, CurvedSurfacesStayRound) {
   const MeshBody body = test::icosphere(10, 5);
-  const SimplifiedSurface sphere =
-      withoutSmallFeatures(body, [](const Vector3d&) { return 2.0; }, {});
+  const SimplifiedSurface sphere = withoutSmallFeatures(body, kTwo, kTwo, {});
   EXPECT_FALSE(sphere.isNeeded);
   EXPECT_LT(sphere.positions.size(), body.positions().size());
   for (const Vector3d& x : sphere.positions) EXPECT_NEAR(x.norm(), 10, 0.3);
@@ -144,9 +144,7 @@ TEST(SmallFeatures, CanBeCancelled) {
   stop.request_stop();
   Job job;
   job.stop = stop.get_token();
-  EXPECT_THROW(withoutSmallFeatures(
-                   groovedBlock(), [](const Vector3d&) { return 1.0; }, {}, job),
-               Cancelled);
+  EXPECT_THROW(withoutSmallFeatures(groovedBlock(), kTwo, kTwo, {}, job), Cancelled);
 }
 
 }  // namespace

@@ -148,10 +148,18 @@ void addSmallFeatures(PropertyPage& page, const ChangeMesh& change) {
   page.addSlowFact(tr("Meshed over"), "simplification", [&page, &editor] {
     const auto model = editor.model();
     if (!model) return QString("…");
-    const auto& [below, moved, vanishedFaces] = model->surface().simplification;
+    const auto& [below, moved, vanishedFaces, cutPins, filledHoles] =
+        model->surface().simplification;
     if (below == 0) return tr("nothing");
-    return tr("features below %1; the surface moved by up to %2")
-        .arg(page.shownLength(below), page.shownLength(moved));
+    QString text = tr("features below %1; the surface moved by up to %2")
+                       .arg(page.shownLength(below), page.shownLength(moved));
+    if (cutPins > 0)
+      text +=
+          cutPins == 1 ? tr("; one thin pin cut off") : tr("; %1 thin pins cut off").arg(cutPins);
+    if (filledHoles > 0)
+      text += filledHoles == 1 ? tr("; one narrow hole filled")
+                               : tr("; %1 narrow holes filled").arg(filledHoles);
+    return text;
   });
 }
 
