@@ -6,6 +6,7 @@
 #include <QSplitter>
 #include <QTreeWidget>
 
+#include "app/core/results/ball_error.h"
 #include "app/core/results/touch.h"
 #include "app/gui/docks/forces_dock.h"
 #include "app/gui/simulate/sweep_dialog.h"
@@ -223,6 +224,64 @@ TEST_F(ExactTouch, RowsOfTheForcesPanelFitTogether) {
   EXPECT_GE(list->viewport()->height(),
             3 * 2 * list->visualItemRect(list->topLevelItem(0)).height() - 2);
   keepPicture("forces-two-contacts");
+}
+
+/// "4.72 ± 0.05 N" as numbers; `place`: of the last digit of the error. Zeros without an error.
+struct ForceText {
+  explicit ForceText(const QString& text) {
+    const QStringList parts = text.split(' ');
+    if (parts.size() != 4 || parts[1] != QString("±")) return;
+    force = parts[0].toDouble();
+    error = parts[2].toDouble();
+    place = std::pow(10.0, -static_cast<int>(parts[2].section('.', 1).size()));
+  }
+  double force = 0, error = 0, place = 0;
+};
+
+TEST_F(ExactTouch, TheForceOfAPressingBallIsStatedWithTheErrorOfItsPressure) {
+  enter();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return editor().rebuildStatus().touchError > 0; }, 60000));
+  const double ofFingertip = editor().rebuildStatus().touchError;
+  typePlace({0, 0, 25});
+  // Without friction the force does not depend on how fast the ball came.
+  type(find<QuantityEdit>("exactFriction"), "0");
+  const app::BoundarySetup& setup = editor().model()->setup();
+  for (const auto& [radius, depth] : {std::pair(6.0, 0.3), std::pair(20.0, 3.0)}) {
+    type(find<QuantityEdit>("exactRadius"), QString::number(radius));
+    type(find<QuantityEdit>("exactDepth"), QString::number(depth));
+    button("exactApply").click();
+    const modeling::Touch ball{"b",    {0, 0, 25}, modeling::TouchKind::kBall, {0, 0, -depth},
+                               radius, 0.0};
+    const app::TouchState::Contact contact = exact(ball).contacts[0];
+    ASSERT_TRUE(waitForForce(contact.force)) << depth;
+    const double ofPressure = app::ballPressureError(setup, contact);
+    EXPECT_GT(ofPressure, 0.02);
+    const double force = contact.force.norm(), error = (ofFingertip + ofPressure) * force;
+    ForceText shown{""};
+    const auto isShown = [&] {
+      shown = ForceText(forces().text(0, 1));
+      return std::abs(shown.force - force) < 0.01 * force + shown.place &&
+             shown.error > 0.98 * error && shown.error < 1.02 * error + shown.place;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(isShown, 10000))
+        << forces().text(0, 1).toStdString() << " for " << force << " ± " << error;
+    // The rounded error of a fingertip would be smaller.
+    EXPECT_GT(0.98 * error, 1.02 * ofFingertip * force + shown.place);
+    keepPicture(QString("forces-ball-%1").arg(radius));
+    // The next one begins at the surface without this one.
+    view().setFocus();
+    QTest::keyClick(&view(), Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 10000));
+  }
+  // A grab has the error of a fingertip alone.
+  choose("exactKind", "Grab");
+  type(find<QuantityEdit>("exactDepth"), "3");
+  button("exactApply").click();
+  const auto isAlone = [&] {
+    const ForceText shown(forces().text(0, 1));
+    return shown.error > 0 && shown.error < 1.02 * ofFingertip * shown.force + 2 * shown.place;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(isAlone, 20000)) << forces().text(0, 1).toStdString();
 }
 
 TEST_F(ExactTouch, TheSplitterOfTheForcesPanelIsRemembered) {
