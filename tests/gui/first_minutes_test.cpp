@@ -1,6 +1,11 @@
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
@@ -49,6 +54,36 @@ TEST_F(FirstMinutes, NoKeyMeansTwoThings) {
     }
     EXPECT_GT(owners.size(), 30u);
   }
+}
+
+TEST_F(FirstMinutes, WordsAreThoseOfOtherPrograms) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  waitForModel();
+  action("Simulate")->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->simulation().drawn() != nullptr; }, 20000));
+  QStringList texts;
+  const auto add = [&texts](QString text) { texts << text.remove('&'); };
+  for (const QMenu* menu : window_->findChildren<QMenu*>()) add(menu->title());
+  for (const QAction* each : window_->findChildren<QAction*>()) add(each->text());
+  for (const auto* button : window_->findChildren<QAbstractButton*>()) add(button->text());
+  for (const auto* label : window_->findChildren<QLabel*>()) add(label->text());
+  for (const auto* box : window_->findChildren<QComboBox*>())
+    for (int k = 0; k < box->count(); ++k) add(box->itemText(k));
+  for (const char* wanted : {"Release all", "Orbit left", "Orbit and zoom", "Stiffness"})
+    EXPECT_TRUE(texts.contains(wanted)) << wanted;
+  // What the first versions said instead.
+  const QRegularExpression former("^Make\\b|^Turn\\b|\\blet go\\b|\\bwish|under a fingertip|×10\\^",
+                                  QRegularExpression::CaseInsensitiveOption);
+  EXPECT_EQ(texts.filter(former).join(" | ").toStdString(), "");
+  // With the shapes of "New …", too.
+  withDialog<QDialog>([&] { action("New")->trigger(); },
+                      [](QDialog& dialog) {
+                        QStringList buttons;
+                        for (const auto* button : dialog.findChildren<QAbstractButton*>())
+                          buttons << button->text().remove('&');
+                        EXPECT_TRUE(buttons.contains("Create")) << buttons.join(", ").toStdString();
+                        dialog.reject();
+                      });
 }
 
 TEST_F(FirstMinutes, OpenByTheirLettersWhateverThePanelsShow) {

@@ -1,6 +1,8 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QSignalSpy>
+#include <QStatusBar>
 
 #include "modeling/project/project_file.h"
 #include "tests/gui/window_fixture.h"
@@ -51,6 +53,23 @@ TEST_F(Opening, TrimmedFacesBecomeAMeshBodyWithWords) {
   EXPECT_TRUE(all.contains("mesh body")) << all.toStdString();
   EXPECT_TRUE(all.contains("no control points")) << all.toStdString();
   keepPicture("mesh-body");
+}
+
+TEST_F(Opening, AnImportIsSaidOnce) {
+  QSignalSpy said(&editor(), &Editor::said);
+  ASSERT_TRUE(window_->openFile(PALPA_TEST_DATA "/cad/bored_cylinder.step"));
+  waitForModel();
+  QTest::qWait(100);
+  QString all = window_->messages().messages().join('\n') + window_->statusBar()->currentMessage();
+  for (const QString& sentence : {QString("became a mesh body"), QString("no control points")})
+    EXPECT_EQ(all.count(sentence), 1) << all.toStdString();
+  EXPECT_LE(said.count(), 1);
+  // Opened again, it is said again, once.
+  ASSERT_TRUE(window_->openFile(kSphere));
+  ASSERT_TRUE(window_->openFile(PALPA_TEST_DATA "/cad/bored_cylinder.step"));
+  QTest::qWait(100);
+  all = window_->messages().messages().join('\n') + window_->statusBar()->currentMessage();
+  EXPECT_EQ(all.count("became a mesh body"), 1) << all.toStdString();
 }
 
 TEST_F(Opening, ASolidMayFollowAMeshBodyWhileNothingOfThemIsShown) {
