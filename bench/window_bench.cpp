@@ -30,6 +30,7 @@
 #include "bench/heartbeat.h"
 #include "bench/latency_table.h"
 #include "bench/window_driver.h"
+#include "bench/window_export.h"
 #include "bench/window_frames.h"
 #include "modeling/shapes/primitives.h"
 
@@ -233,10 +234,13 @@ class Bench {
   std::vector<Row> rows_;
 };
 
+/// Projects of a folder and of its folder "design".
 std::vector<std::filesystem::path> projectsIn(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  for (const auto& each : {folder, folder / "design"})
+    if (each == folder || std::filesystem::is_directory(each))
+      for (const auto& entry : std::filesystem::directory_iterator(each))
+        if (entry.path().extension() == ".json") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -259,6 +263,10 @@ int main(int argc, char** argv) {
                      "only a touch of the sphere with the view drawn, for so many seconds with a "
                      "histogram of the time from input to force");
   bool frames = false;
+  bool exports = false;
+  options.add_flag("--exports", exports,
+                   "only the time to export the forces of a recorded touch of each project, "
+                   "beside the time that was recorded");
   int rounds = 3;
   std::string against, framesOf, only;
   std::vector<int> windowSize;
@@ -269,7 +277,7 @@ int main(int argc, char** argv) {
   options.add_option("--against", against,
                      "with --frames: another build of this program, measured in alternation");
   options.add_option("--rounds", rounds, "with --frames: how often each is measured");
-  options.add_option("--only", only, "with --frames: projects whose names contain this");
+  options.add_option("--only", only, "projects whose names contain this");
   options.add_option("--frames-of", framesOf, "for the measurement in a separate process")
       ->group("");
   options.add_option("--window", windowSize, "with --frames-of: width and height")
@@ -301,10 +309,16 @@ int main(int argc, char** argv) {
       return 0;
     }
     auto files = projectsIn(folder);
+    std::erase_if(files, [&](const auto& file) {
+      return file.stem().string().find(only) == std::string::npos;
+    });
+    if (exports) {
+      WindowDriver driver;
+      for (const auto& file : files)
+        bench::printExports(bench::measureExports(driver, file, seconds));
+      return 0;
+    }
     if (frames) {
-      std::erase_if(files, [&](const auto& file) {
-        return file.stem().string().find(only) == std::string::npos;
-      });
       bench::compareFrames(files, seconds, rounds, against);
       return 0;
     }

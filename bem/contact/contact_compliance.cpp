@@ -1,6 +1,7 @@
 #include "bem/contact/contact_compliance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palpa::bem {
@@ -82,10 +83,12 @@ void ContactCompliance::collectRows(bool onlyChanged) {
     for (const int node : masks_[k].mask.measureNodes) {
       if (rowStamp_[node] == stamp_) continue;
       rowStamp_[node] = stamp_;
-      rowOfNode_[node] = static_cast<int>(rows_.size());
       rows_.push_back(node);
     }
   }
+  // Neighbours in memory follow each other, so that respond() reads each line of the cache once.
+  std::sort(rows_.begin(), rows_.end());
+  for (std::size_t i = 0; i < rows_.size(); ++i) rowOfNode_[rows_[i]] = static_cast<int>(i);
 }
 
 void ContactCompliance::respond(int index) {
@@ -94,17 +97,35 @@ void ContactCompliance::respond(int index) {
   const auto rowCount = static_cast<Index>(rows_.size());
   if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
   response_.topRows(3 * rowCount).setZero();
-  for (std::size_t k = 0; k < mask.nodes.size(); ++k) {
-    const auto weight = static_cast<float>(mask.traction[k] / dofs.tractionScale());
-    for (int axis = 0; axis < 3; ++axis) {
-      const float* column = columns_.column(mask.nodes[k], axis);
-      float* sum = response_.col(axis).data();
-      for (Index i = 0; i < rowCount; ++i) {
-        const float* from = column + 3 * rows_[i];
-        sum[3 * i] += weight * from[0];
-        sum[3 * i + 1] += weight * from[1];
-        sum[3 * i + 2] += weight * from[2];
+  // The sums of a row stay in registers while the columns of some nodes are added. Four numbers are
+  // read at a time; the fourth belongs to the next row and is dropped, but the last row has none.
+  constexpr std::size_t kNodes = 16;
+  std::array<std::array<const float*, 3>, kNodes> columns;
+  std::array<float, kNodes> weights;
+  const int lastRow = static_cast<int>(columns_.rows() / 3) - 1;
+  for (std::size_t first = 0; first < mask.nodes.size(); first += kNodes) {
+    const std::size_t count = std::min(kNodes, mask.nodes.size() - first);
+    for (std::size_t k = 0; k < count; ++k) {
+      weights[k] = static_cast<float>(mask.traction[first + k] / dofs.tractionScale());
+      for (int axis = 0; axis < 3; ++axis)
+        columns[k][axis] = columns_.column(mask.nodes[first + k], axis);
+    }
+    for (Index i = 0; i < rowCount; ++i) {
+      const Index row = 3 * static_cast<Index>(rows_[i]);
+      std::array<Eigen::Vector4f, 3> sums;
+      for (int axis = 0; axis < 3; ++axis) sums[axis] << response_.col(axis).segment<3>(3 * i), 0;
+      if (rows_[i] == lastRow) {
+        for (std::size_t k = 0; k < count; ++k)
+          for (int axis = 0; axis < 3; ++axis)
+            sums[axis].head<3>() +=
+                weights[k] * Eigen::Map<const Eigen::Vector3f>(columns[k][axis] + row);
+      } else {
+        for (std::size_t k = 0; k < count; ++k)
+          for (int axis = 0; axis < 3; ++axis)
+            sums[axis] += weights[k] * Eigen::Map<const Eigen::Vector4f>(columns[k][axis] + row);
       }
+      for (int axis = 0; axis < 3; ++axis)
+        response_.col(axis).segment<3>(3 * i) = sums[axis].head<3>();
     }
   }
   // At fixed nodes the unknowns in the fixed directions are tractions; the displacements are zero.
