@@ -3,8 +3,11 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QSplitter>
 #include <QTreeWidget>
+#include <cmath>
+#include <utility>
 
 #include "app/core/results/ball_error.h"
 #include "app/core/results/touch.h"
