@@ -14,15 +14,10 @@ using Eigen::Vector3d;
 
 // In logical pixels.
 constexpr double kFontSize = 13;
-constexpr double kOffset = 30;      // of a dimension line from the measured points
-constexpr double kGap = 4;          // between a measured point and its extension line
-constexpr double kOvershoot = 5;    // of extension lines beyond the dimension line
-constexpr double kArrow = 10;       // length of an arrow head
-constexpr double kHalfArrow = 3.2;  // half of its width
-constexpr double kTail = 16;        // of arrows that point from outside at a short distance
-constexpr double kLine = 1.5;
-constexpr double kHalo = 2.0;  // on each side of a line
-constexpr double kDot = 3.2;
+constexpr double kOffset = 30;    // of a dimension line from the measured points
+constexpr double kGap = 4;        // between a measured point and its extension line
+constexpr double kOvershoot = 5;  // of extension lines beyond the dimension line
+constexpr double kTail = 16;      // of arrows that point from outside at a short distance
 constexpr double kFromEdge = 6;
 constexpr double kMinArc = 34;  // radius of the arc of an angle
 constexpr double kLeader = 26;  // of a radius, outside the body
@@ -53,51 +48,10 @@ std::optional<std::array<Vector2d, 2>> clipped(const Vector2d& a, const Vector2d
 
 }  // namespace
 
-/// Draws in the colour of one dimension, with a halo that parts it from any ground.
-struct DimensionLayer::Pen {
+/// What the parts of a dimension are laid out in, device pixels.
+struct DimensionLayer::Frame {
   const Turntable& camera;
-  FlatShapes& shapes;
-  Vector2d centre, picture;
-  Colour colour, halo;
-  double unit;  // device pixels per logical pixel
-
-  void line(const Vector2d& a, const Vector2d& b, double width = kLine) const {
-    if (!a.allFinite() || !b.allFinite()) return;
-    shapes.addLine(a, b, (width + 2 * kHalo) * unit, halo, 0.75);
-    later.push_back({a, b, width});
-  }
-  /// Head with its tip at `tip`, pointing along `way`.
-  void arrow(const Vector2d& tip, const Vector2d& way) const {
-    if (!tip.allFinite() || !(way.norm() > 0)) return;
-    const Vector2d ahead = way.normalized(), side = across(ahead);
-    const auto corners = [&](double grow) {
-      return std::vector<Vector2d>{
-          tip + grow * ahead,
-          tip - (kArrow * unit + grow) * ahead + (kHalfArrow * unit + grow) * side,
-          tip - (kArrow * unit + grow) * ahead - (kHalfArrow * unit + grow) * side};
-    };
-    shapes.addPolygon(corners(kHalo * unit), halo, 0.75);
-    heads.push_back(corners(0));
-  }
-  void dot(const Vector2d& at) const {
-    if (!at.allFinite()) return;
-    shapes.addDisc(at, (kDot + kHalo) * unit, halo, 0.75);
-    dots.push_back(at);
-  }
-  /// Draws the colours over all halos.
-  void finish() const {
-    for (const auto& [a, b, width] : later) shapes.addLine(a, b, width * unit, colour);
-    for (const auto& head : heads) shapes.addPolygon(head, colour);
-    for (const Vector2d& at : dots) shapes.addDisc(at, kDot * unit, colour);
-  }
-
-  struct Stroke {
-    Vector2d a, b;
-    double width;
-  };
-  mutable std::vector<Stroke> later;
-  mutable std::vector<std::vector<Vector2d>> heads;
-  mutable std::vector<Vector2d> dots;
+  Vector2d centre, picture;  // the middle of the body, and the size of the picture
 };
 
 void DimensionLayer::set(const std::vector<Dimension>& dimensions, const ViewportTheme& theme,
@@ -112,20 +66,21 @@ void DimensionLayer::set(const std::vector<Dimension>& dimensions, const Viewpor
 }
 
 std::optional<DimensionLayer::PlateWish> DimensionLayer::drawLinear(const Dimension& dimension,
-                                                                    const Pen& pen) const {
-  const Vector2d a = pen.camera.toPixel(dimension.points[0]);
-  const Vector2d b = pen.camera.toPixel(dimension.points[1]);
+                                                                    const Frame& frame,
+                                                                    DimensionPen& pen) const {
+  const Vector2d a = frame.camera.toPixel(dimension.points[0]);
+  const Vector2d b = frame.camera.toPixel(dimension.points[1]);
   if (!a.allFinite() || !b.allFinite()) return std::nullopt;
-  const double unit = pen.unit, length = (b - a).norm();
+  const double unit = pen.unit(), length = (b - a).norm();
   pen.dot(a);
   pen.dot(b);
   if (length < kShort * unit) return PlateWish{a, {1, -1}, true};
   const Vector2d way = (b - a) / length;
   // Away from the middle of the body, unless that side of the picture ends there.
   Vector2d side = across(way);
-  if (side.dot(0.5 * (a + b) - pen.centre) < 0) side = -side;
+  if (side.dot(0.5 * (a + b) - frame.centre) < 0) side = -side;
   const auto seen = [&](const Vector2d& by) {
-    const auto part = clipped(a + by, b + by, pen.picture, kFromEdge * unit);
+    const auto part = clipped(a + by, b + by, frame.picture, kFromEdge * unit);
     return part ? ((*part)[1] - (*part)[0]).norm() : 0.0;
   };
   const Vector2d wished = kOffset * unit * side;
@@ -134,10 +89,10 @@ std::optional<DimensionLayer::PlateWish> DimensionLayer::drawLinear(const Dimens
   for (const Vector2d& end : {a, b})
     pen.line(end + kGap * unit * side, end + by + kOvershoot * unit * side, 1);
   const Vector2d from = a + by, to = b + by;
-  const bool isShort = length < 2.6 * kArrow * unit;
+  const bool isShort = length < 2.6 * DimensionPen::kArrow * unit;
   if (isShort) {
-    pen.line(from - kTail * unit * way, from, kLine);
-    pen.line(to, to + kTail * unit * way, kLine);
+    pen.line(from - kTail * unit * way, from);
+    pen.line(to, to + kTail * unit * way);
     pen.arrow(from, way);
     pen.arrow(to, -way);
   } else {
@@ -145,27 +100,29 @@ std::optional<DimensionLayer::PlateWish> DimensionLayer::drawLinear(const Dimens
     pen.arrow(from, -way);
     pen.arrow(to, way);
   }
-  const auto part = clipped(from, to, pen.picture, kFromEdge * unit);
+  const auto part = clipped(from, to, frame.picture, kFromEdge * unit);
   if (!part) return std::nullopt;
-  if (isShort) return PlateWish{0.5 * (from + to) + kHalfArrow * unit * side, side, true};
+  if (isShort)
+    return PlateWish{0.5 * (from + to) + DimensionPen::kHalfArrow * unit * side, side, true};
   return PlateWish{0.5 * ((*part)[0] + (*part)[1]), (*part)[1] - (*part)[0], false};
 }
 
 std::optional<DimensionLayer::PlateWish> DimensionLayer::drawAngle(const Dimension& dimension,
-                                                                   const Pen& pen) const {
+                                                                   const Frame& frame,
+                                                                   DimensionPen& pen) const {
   const Vector3d corner = dimension.points[0];
   const Vector3d first = dimension.points[1] - corner, second = dimension.points[2] - corner;
-  const Vector2d at = pen.camera.toPixel(corner);
+  const Vector2d at = frame.camera.toPixel(corner);
   if (!(first.norm() > 0) || !(second.norm() > 0) || !at.allFinite()) return std::nullopt;
-  const double scale = pen.camera.pixelsPerLength(pen.camera.depth(corner));
+  const double scale = frame.camera.pixelsPerLength(frame.camera.depth(corner));
   const double radius =
-      std::max(0.7 * std::min(first.norm(), second.norm()), kMinArc * pen.unit / scale);
+      std::max(0.7 * std::min(first.norm(), second.norm()), kMinArc * pen.unit() / scale);
   const Vector3d u = first.normalized();
   Vector3d v = second - second.dot(u) * u;
   const double angle = std::atan2(v.norm(), second.dot(u));
   v = v.norm() > 1e-12 * second.norm() ? Vector3d(v.normalized()) : u.unitOrthogonal();
   const auto point = [&](double turn, double r) {
-    return pen.camera.toPixel(corner + r * (std::cos(turn) * u + std::sin(turn) * v));
+    return frame.camera.toPixel(corner + r * (std::cos(turn) * u + std::sin(turn) * v));
   };
   for (const double turn : {0.0, angle}) pen.line(at, point(turn, 1.12 * radius), 1);
   std::vector<Vector2d> arc;
@@ -175,13 +132,13 @@ std::optional<DimensionLayer::PlateWish> DimensionLayer::drawAngle(const Dimensi
     if (k > 0) length += (arc[k] - arc[k - 1]).norm();
   }
   for (int k = 1; k <= kArcPieces; ++k) pen.line(arc[k - 1], arc[k]);
-  if (length > 2.6 * kArrow * pen.unit) {
+  if (length > 2.6 * DimensionPen::kArrow * pen.unit()) {
     // An arrow follows the chord that is as long as its head.
     const auto chord = [&](bool atEnd) {
       const Vector2d tip = atEnd ? arc.back() : arc.front();
       for (int k = 1; k <= kArcPieces; ++k) {
         const Vector2d& other = arc[atEnd ? kArcPieces - k : k];
-        if ((tip - other).norm() >= kArrow * pen.unit) return Vector2d(tip - other);
+        if ((tip - other).norm() >= DimensionPen::kArrow * pen.unit()) return Vector2d(tip - other);
       }
       return Vector2d(Vector2d::Zero());
     };
@@ -195,41 +152,43 @@ std::optional<DimensionLayer::PlateWish> DimensionLayer::drawAngle(const Dimensi
 }
 
 std::optional<DimensionLayer::PlateWish> DimensionLayer::drawRadius(const Dimension& dimension,
-                                                                    const Pen& pen) const {
-  const Vector2d place = pen.camera.toPixel(dimension.points[0]);
+                                                                    const Frame& frame,
+                                                                    DimensionPen& pen) const {
+  const Vector2d place = frame.camera.toPixel(dimension.points[0]);
   if (!place.allFinite()) return std::nullopt;
-  const Vector2d centre = pen.camera.toPixel(dimension.points[1]);
+  const Vector2d centre = frame.camera.toPixel(dimension.points[1]);
   Vector2d way = place - (centre.allFinite() ? centre : place);
   const double length = way.norm();
-  if (length < kShort * pen.unit) {
+  if (length < kShort * pen.unit()) {
     pen.dot(place);
     return PlateWish{place, {1, -1}, true};
   }
   way /= length;
-  const Vector2d free = place + kLeader * pen.unit * way;
-  const double reach = (pen.picture.norm()) * 2;  // a centre far away needs no longer line
+  const Vector2d free = place + kLeader * pen.unit() * way;
+  const double reach = (frame.picture.norm()) * 2;  // a centre far away needs no longer line
   pen.line(place - std::min(length, reach) * way, free);
   if (length < reach) pen.dot(centre);
-  pen.arrow(place, length > 1.5 * kArrow * pen.unit ? way : -way);
+  pen.arrow(place, length > 1.5 * DimensionPen::kArrow * pen.unit() ? way : -way);
   return PlateWish{free, way, true};
 }
 
 std::optional<DimensionLayer::PlateWish> DimensionLayer::drawCurve(const Dimension& dimension,
-                                                                   const Pen& pen) const {
+                                                                   const Frame& frame,
+                                                                   DimensionPen& pen) const {
   std::vector<Vector2d> line;
-  for (const Vector3d& point : dimension.points) line.push_back(pen.camera.toPixel(point));
+  for (const Vector3d& point : dimension.points) line.push_back(frame.camera.toPixel(point));
   std::vector<Vector2d> seen;
   for (std::size_t k = 0; k < line.size(); ++k) {
-    if (k > 0) pen.line(line[k - 1], line[k], 2 * kLine);
+    if (k > 0) pen.line(line[k - 1], line[k], 2 * DimensionPen::kLine);
     const bool isIn = line[k].allFinite() && (line[k].array() >= 0).all() &&
-                      (line[k].array() <= pen.picture.array()).all();
+                      (line[k].array() <= frame.picture.array()).all();
     if (isIn) seen.push_back(line[k]);
   }
   pen.dot(line.front());
   pen.dot(line.back());
   if (seen.empty()) return std::nullopt;
   const Vector2d mid = seen[seen.size() / 2];
-  const Vector2d out = mid - pen.centre;
+  const Vector2d out = mid - frame.centre;
   return PlateWish{mid, out.norm() > 1 ? out : Vector2d(1, -1), true};
 }
 
@@ -278,6 +237,7 @@ void DimensionLayer::update(const Turntable& camera, const Vector3d& centre,
   const Vector2d picture(camera.width(), camera.height());
   Vector2d middle = camera.toPixel(centre);
   if (!middle.allFinite()) middle = 0.5 * picture;
+  const Frame frame{camera, middle, picture};
   plates_.assign(dimensions_.size(), {Vector2d::Zero(), Vector2d::Zero()});
   for (std::size_t i = 0; i < dimensions_.size(); ++i) {
     const Dimension& dimension = dimensions_[i];
@@ -288,21 +248,20 @@ void DimensionLayer::update(const Turntable& camera, const Vector3d& centre,
     const Colour colour = dimension.state == Dimension::State::kSelected  ? theme_.selected
                           : dimension.state == Dimension::State::kPreview ? theme_.preview
                                                                           : theme_.text;
-    const Pen pen{camera,      shapes, middle, picture, colour, theme_.backgroundBottom,
-                  pixelRatio_, {},     {},     {}};
+    DimensionPen pen(shapes, colour, theme_.backgroundBottom, pixelRatio_);
     std::optional<PlateWish> wish;
     const std::size_t count = dimension.points.size();
     if (dimension.kind == Dimension::Kind::kCurve && count > 1)
-      wish = drawCurve(dimension, pen);
+      wish = drawCurve(dimension, frame, pen);
     else if (dimension.kind == Dimension::Kind::kAngle && count > 2)
-      wish = drawAngle(dimension, pen);
+      wish = drawAngle(dimension, frame, pen);
     else if (dimension.kind == Dimension::Kind::kRadius && count > 1)
-      wish = drawRadius(dimension, pen);
+      wish = drawRadius(dimension, frame, pen);
     else if (count > 1)
-      wish = drawLinear(dimension, pen);
+      wish = drawLinear(dimension, frame, pen);
     else if (const Vector2d at = camera.toPixel(dimension.points[0]); at.allFinite()) {
       pen.dot(at);
-      wish = PlateWish{at + 2 * kDot * pixelRatio_ * Vector2d(1, -1), {1, -1}, true};
+      wish = PlateWish{at + 2 * DimensionPen::kDot * pixelRatio_ * Vector2d(1, -1), {1, -1}, true};
     }
     pen.finish();
     if (!wish || texts_.extent(i).isZero()) {

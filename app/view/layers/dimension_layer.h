@@ -7,6 +7,7 @@
 
 #include "app/view/camera/turntable.h"
 #include "app/view/layers/arrow_labels.h"
+#include "app/view/layers/dimension_pen.h"
 #include "app/view/layers/flat_shapes.h"
 #include "app/view/layers/text_pool.h"
 #include "app/view/scene/scene.h"
@@ -31,16 +32,20 @@ class DimensionLayer {
   std::optional<int> at(const Eigen::Vector2d& pixel) const;
 
  private:
-  struct Pen;
+  struct Frame;
   /// A dimension line ends at `mid`; the plate lies there, or moved along `way` or across it.
   struct PlateWish {
     Eigen::Vector2d mid, way;
     bool isBeside = false;  ///< beside `mid` in the direction of `way`, not on it
   };
-  std::optional<PlateWish> drawLinear(const Dimension& dimension, const Pen& pen) const;
-  std::optional<PlateWish> drawAngle(const Dimension& dimension, const Pen& pen) const;
-  std::optional<PlateWish> drawRadius(const Dimension& dimension, const Pen& pen) const;
-  std::optional<PlateWish> drawCurve(const Dimension& dimension, const Pen& pen) const;
+  std::optional<PlateWish> drawLinear(const Dimension& dimension, const Frame& frame,
+                                      DimensionPen& pen) const;
+  std::optional<PlateWish> drawAngle(const Dimension& dimension, const Frame& frame,
+                                     DimensionPen& pen) const;
+  std::optional<PlateWish> drawRadius(const Dimension& dimension, const Frame& frame,
+                                      DimensionPen& pen) const;
+  std::optional<PlateWish> drawCurve(const Dimension& dimension, const Frame& frame,
+                                     DimensionPen& pen) const;
   PixelBox placePlate(std::size_t index, const PlateWish& wish, const Eigen::Vector2d& picture,
                       const std::vector<PixelBox>& taken) const;
 
