@@ -251,7 +251,7 @@ bool Interrupter::run(Situation situation, const QString& target, Interruption i
   enter(situation);
   const Clock::time_point since = Clock::now();
   const fs::file_time_type filesSince = fs::file_time_type::clock::now();
-  const bool wasModified = editor().session().isModified();
+  isModified_ = editor().session().isModified();
   const std::string before = modeling::toJson(editor().project());
   interruption_ = interruption;
   depth_ = depth;
@@ -278,7 +278,7 @@ bool Interrupter::run(Situation situation, const QString& target, Interruption i
   QTest::qWait(2 * kAttendEvery);
   if (!failure_.isEmpty()) campaign_.fail((name + ": " + failure_).toStdString());
   const bool isLost = isReplaced_ || !window_->isVisible();
-  campaign_.require(!(wasModified && isLost) || isAsked_ || isSaved_,
+  campaign_.require(!(isModified_ && isLost) || isAsked_ || isSaved_,
                     name.toStdString() + ": edits were lost without a question");
   campaign_.require(!QApplication::overrideCursor(),
                     name.toStdString() + ": the busy pointer stays");
@@ -337,6 +337,8 @@ void Interrupter::interrupt(QWidget* dialog) {
       if (dialog) dialog->close();
       return;
     case Interruption::kCloseWindow:
+      // Undo may have led back to the saved state.
+      if (!isReplaced_) isModified_ = editor().session().isModified();
       window_->close();
       return;
   }

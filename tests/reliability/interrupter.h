@@ -86,7 +86,8 @@ class Interrupter {
   Interruption interruption_{};
   int depth_ = 0, answered_ = 0, tries_ = 0;
   bool isInterrupted_ = false, isAttending_ = false;
-  bool isAsked_ = false;  // whether unsaved edits are to be kept
+  bool isModified_ = false;  // before the case, or when the window is closed
+  bool isAsked_ = false;     // whether unsaved edits are to be kept
   bool isSaved_ = false, isReplaced_ = false;
   QPointer<QWidget> dialog_;  // that is being answered
   Clock::time_point dialogSince_;
