@@ -27,7 +27,7 @@ std::vector<Triangle> flatEnd(const std::vector<Vector3d>& positions, const Loop
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(found));
   std::vector<Triangle> triangles;
   for (const auto& [a, b, c] : found) triangles.push_back({loop[a], loop[b], loop[c]});
-  // The triangles of the end run along the chain like those of the part.
+  // The end runs along the chain in the direction of the part.
   const auto runs = [&](int from, int to) {
     return std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
       for (int k = 0; k < 3; ++k)
