@@ -15,6 +15,9 @@ struct SearchRows {
   StepProblem problem;  ///< in parts of DesignSpace::limit()
   std::size_t targets = 0;
   bool hasVolume = false;
+  /// Volume over the volume at the start, and its slope by the variables in parts of their limit.
+  double volume = 1;
+  Eigen::VectorXd volumeSlope{};
   std::vector<WallThickness> walls;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/results/touch.h"
+#include "app/core/design/target_values.h"
 #include "modeling/editing/nearest_on_patches.h"
 #include "modeling/error.h"
 #include "modeling/solid/surface_properties.h"
@@ -15,26 +15,11 @@ using Eigen::Vector3d;
 /// Motions of a touch below this part of a millimetre are rounding.
 constexpr double kUnmoved = 1e-9;
 
-const modeling::Touch& touchNamed(const modeling::Project& project, const std::string& name) {
-  return *std::find_if(project.touches.begin(), project.touches.end(),
-                       [&](const modeling::Touch& touch) { return touch.name == name; });
-}
-
 }  // namespace
 
 ShapeEvaluator::ShapeEvaluator(const modeling::Project& project, const modeling::Design& design,
                                const DesignSpace& space, const BuildOptions& options)
     : project_(project), design_(design), space_(space), options_(options) {
-  for (const modeling::DesignTarget& target : design.targets) {
-    Play play;
-    if (target.depth && *target.depth != touchNamed(project, target.touch).vector.norm())
-      play = {target.touch, target.depth};
-    const auto known = std::find_if(plays_.begin(), plays_.end(), [&](const Play& each) {
-      return each.touch == play.touch && each.depth == play.depth;
-    });
-    playOf_.push_back(static_cast<std::size_t>(known - plays_.begin()));
-    if (known == plays_.end()) plays_.push_back(play);
-  }
   const modeling::Solid& solid = space.solid();
   std::vector<char> moves(solid.controlPoints().size(), 0);
   for (int point : space.points()) moves[static_cast<std::size_t>(point)] = 1;
@@ -82,27 +67,6 @@ void ShapeEvaluator::move(const DesignSpace::Moved& moved, SearchState& state) c
     state.project = modeling::apply(command, state.project).project;
 }
 
-void ShapeEvaluator::evaluateTargets(SearchState& state, const Job& job) const {
-  std::vector<TouchState> played;
-  for (const Play& play : plays_) {
-    std::vector<modeling::Touch> touches = state.project.touches;
-    if (play.depth)
-      for (modeling::Touch& touch : touches)
-        if (touch.name == play.touch) touch.vector *= *play.depth / touch.vector.norm();
-    played.push_back(playTouches(*state.model, touches, 0, job));
-  }
-  for (std::size_t i = 0; i < design_.targets.size(); ++i) {
-    const modeling::DesignTarget& target = design_.targets[i];
-    const std::vector<TouchState::Contact>& contacts = played[playOf_[i]].contacts;
-    const auto contact = std::find_if(contacts.begin(), contacts.end(),
-                                      [&](const auto& each) { return each.name == target.touch; });
-    state.rules.push_back(stiffnessRuleOf(*contact));
-    state.values.push_back(target.kind == modeling::DesignTarget::Kind::kStiffness
-                               ? contact->stiffness
-                               : contact->force.norm());
-  }
-}
-
 SearchState ShapeEvaluator::at(const Eigen::VectorXd& y, const Job& job) const {
   SearchState state;
   const DesignSpace::Moved moved = space_.moved(y);
@@ -114,7 +78,11 @@ SearchState ShapeEvaluator::at(const Eigen::VectorXd& y, const Job& job) const {
     state.walls =
         wallThicknesses(std::get<modeling::Solid>(state.project.body), movingPatches_, job);
   state.model = buildTouchModel(state.project, options_, job);
-  evaluateTargets(state, job);
+  for (const TargetValue& target :
+       targetValues(state.project, *state.model, design_.targets, job)) {
+    state.rules.push_back(stiffnessRuleOf(target.contact));
+    state.values.push_back(target.value);
+  }
   return state;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "app/core/design/contact_stiffness.h"
@@ -41,20 +40,12 @@ class ShapeEvaluator {
   void learnThicknesses(const SearchState& start);
 
  private:
-  /// Touches to be played together: of the project, one of them at another depth.
-  struct Play {
-    std::string touch;
-    std::optional<double> depth;
-  };
   void move(const DesignSpace::Moved& moved, SearchState& state) const;
-  void evaluateTargets(SearchState& state, const Job& job) const;
 
   const modeling::Project& project_;
   const modeling::Design& design_;
   const DesignSpace& space_;
   const BuildOptions& options_;
-  std::vector<Play> plays_;
-  std::vector<std::size_t> playOf_;  ///< per target
   std::vector<int> movingPatches_;
   std::vector<WallThickness> firstWalls_;
 };
