@@ -113,6 +113,18 @@ void pullBox(Photographer& p) {
   p.action("Gradient arrows")->trigger();
 }
 
+/// The pad with two stiffnesses: the found shape as a ghost, with its numbers.
+void findPad(Photographer& p) {
+  p.open("design/two-stiffness-pad");
+  p.action("Find a shape")->trigger();
+  QTest::qWait(500);
+  p.find<QPushButton>("findShape")->click();
+  const ShapeFinder& finder = p.window().shapeFinder();
+  (void)QTest::qWaitFor([&] { return !finder.isSearching(); }, 120000);
+  p.shoot("find-shape");
+  p.find<QPushButton>("searchDiscard")->click();
+}
+
 void photograph(const QString& folder) {
   Photographer photographer(folder);
   Photographer& p = photographer;
@@ -172,6 +184,7 @@ void photograph(const QString& folder) {
   pullBox(p);
   measureCylinder(p);
   compareFingers(p);
+  findPad(p);
 
   // A point is pulled through the opposite side: signs mark the self-intersection.
   p.open("sphere");

@@ -26,6 +26,7 @@
 #include <array>
 
 #include "app/gui/base/background_job.h"
+#include "app/gui/widgets/quantity_edit.h"
 
 namespace palpa::reliability {
 namespace {
@@ -144,6 +145,7 @@ void WindowUser::act() {
       return useWidget(*window_);
     case 17:
       if (oneIn(random_, 5)) return dropFile();
+      if (oneIn(random_, 2)) return search();
       return move();
     case 18:
       if (oneIn(random_, 5)) return resize();
@@ -310,6 +312,35 @@ void WindowUser::dropFile() {
   data.setUrls({QUrl::fromLocalFile(name)});
   QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(window_.get(), &event);
+}
+
+void WindowUser::search() {
+  using State = gui::ShapeFinder::State;
+  gui::ShapeFinder& finder = window_->shapeFinder();
+  const auto click = [&](const char* name) {
+    auto* button = window_->findChild<QPushButton*>(name);
+    if (!button || !button->isEnabled()) return;
+    note("search", name);
+    button->click();
+  };
+  if (finder.state() == State::kIdle) {
+    const auto& design = window_->editor().project().design;
+    if (!design || design->targets.empty() || oneIn(random_, 6)) click("addTarget");
+    if (auto* value = window_->findChild<gui::QuantityEdit*>("targetValue")) {
+      const QString wanted = QString::number(value->value() * pickReal(random_, 0.7, 1.4), 'g', 4);
+      note("search", "wanted " + wanted);
+      value->setFocus();
+      value->selectAll();
+      QTest::keyClicks(value, wanted);
+      QTest::keyClick(value, Qt::Key_Return);
+    }
+    click("findShape");
+  } else if (finder.state() == State::kSearching) {
+    // Mostly it goes on, while other actions edit the project.
+    if (oneIn(random_, 3)) click("searchStop");
+  } else if (finder.state() == State::kFound) {
+    click(oneIn(random_, 3) ? "searchDiscard" : "searchAccept");
+  }
 }
 
 void WindowUser::resize() {

@@ -52,6 +52,8 @@ class WindowUser {
   void use(QWidget& widget);
   void useItem(QAbstractItemView& items);
   void dropFile();
+  /// Begins, stops, accepts or discards a search for a shape.
+  void search();
   void resize();
 
   // Dialogs and popups block act() until they are closed; timers call these functions meanwhile.

@@ -5,24 +5,15 @@
 #include <QMenu>
 #include <array>
 
+#include "app/gui/widgets/curve_swatch.h"
 #include "app/gui/widgets/faint_text.h"
-#include "app/view/charts/force_plot.h"
 
 namespace palpa::gui {
 namespace {
 
 constexpr int kColumns = 4;
 constexpr int kContactRole = Qt::UserRole, kCurveRole = Qt::UserRole + 1;
-constexpr int kSwatch = 10;  // px, colour sample of a curve
 constexpr int kMinRows = 3;  // of contacts, with two lines each
-
-/// Square in the colour of a curve.
-QIcon swatch(int curve) {
-  const auto [red, green, blue] = view::ForcePlot::colour(curve);
-  QPixmap square(kSwatch, kSwatch);
-  square.fill(QColor(red, green, blue));
-  return square;
-}
 
 app::TouchId contactOf(const QTreeWidgetItem& item) {
   return item.data(0, kContactRole).toULongLong();
@@ -55,7 +46,7 @@ ForceTable::ForceTable(Simulation& simulation, QWidget* parent)
   header()->setMinimumSectionSize(20);
   for (int column = 1; column < kColumns; ++column)
     headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-  setIconSize({kSwatch, kSwatch});
+  setIconSize({kCurveSwatch, kCurveSwatch});
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setContextMenuPolicy(Qt::CustomContextMenu);
   setToolTip(tr("Delete ends the selected contact"));
@@ -94,7 +85,7 @@ void ForceTable::fillRow(int row, const Row& filled) {
   item->child(0)->setHidden(filled.details.isEmpty());
   if (item->data(0, kCurveRole) != filled.curve) {
     item->setData(0, kCurveRole, filled.curve);
-    item->setIcon(0, filled.curve < 0 ? QIcon() : swatch(filled.curve));
+    item->setIcon(0, filled.curve < 0 ? QIcon() : curveSwatch(filled.curve));
   }
   item->setData(0, kContactRole, QVariant::fromValue<qulonglong>(filled.contact));
   item->setFlags(filled.contact ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::ItemIsEnabled);

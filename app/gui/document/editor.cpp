@@ -233,6 +233,19 @@ bool Editor::perform(const modeling::Command& command, modeling::Merge merge) {
   return attempt([&] { changed(session_->perform(command, merge).change); });
 }
 
+bool Editor::performAll(const QString& label, const std::vector<modeling::Command>& commands) {
+  return attempt([&] {
+    session_->beginGroup(label.toStdString());
+    try {
+      for (const modeling::Command& command : commands) changed(session_->perform(command).change);
+    } catch (...) {
+      cancelGroup();
+      throw;
+    }
+    endGroup();
+  });
+}
+
 void Editor::editView(const std::string& view) {
   session_->editView(view);
   Q_EMIT fileChanged();

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "app/core/session/session.h"
 #include "app/gui/base/settings.h"
@@ -70,6 +71,8 @@ class Editor : public QObject {
 
   // Edits.
   bool perform(const modeling::Command& command, modeling::Merge merge = modeling::Merge::kNo);
+  /// Performs commands as one step of undo with this label; if one is refused, none is performed.
+  bool performAll(const QString& label, const std::vector<modeling::Command>& commands);
   /// Call after the last merged command of a motion: starts the rebuild without waiting for more.
   void endMotion() { session_->endMotion(); }
   void undo();

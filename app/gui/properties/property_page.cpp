@@ -148,13 +148,14 @@ QuantityEdit* PropertyPage::addQuantity(const QString& label, const QString& nam
   return edit;
 }
 
-void PropertyPage::addVector(const QString& label, const QString& name, Quantity quantity,
-                             Get<Eigen::Vector3d> get, Set<Eigen::Vector3d> put) {
+VectorEdit* PropertyPage::addVector(const QString& label, const QString& name, Quantity quantity,
+                                    Get<Eigen::Vector3d> get, Set<Eigen::Vector3d> put) {
   auto* edit = new VectorEdit(quantity, workspace_.settings, this);
   addField(label, name, edit, true);
   shows_.push_back([edit, get] { edit->setValue(get()); });
   connect(edit, &VectorEdit::edited, this,
           [this, edit, put](const Eigen::Vector3d& value) { set(edit, put, value); });
+  return edit;
 }
 
 void PropertyPage::addText(const QString& label, const QString& name, Get<QString> get,
@@ -189,14 +190,15 @@ QSpinBox* PropertyPage::addCount(const QString& label, const QString& name, int 
   return box;
 }
 
-void PropertyPage::addChoice(const QString& label, const QString& name, const QStringList& choices,
-                             Get<int> get, Set<int> put) {
+QComboBox* PropertyPage::addChoice(const QString& label, const QString& name,
+                                   const QStringList& choices, Get<int> get, Set<int> put) {
   auto* box = new QComboBox(this);
   box->addItems(choices);
   shrinkable(*box);
   addField(label, name, box);
   shows_.push_back([box, get] { box->setCurrentIndex(get()); });
   connect(box, &QComboBox::activated, this, [this, box, put](int value) { set(box, put, value); });
+  return box;
 }
 
 void PropertyPage::addCheck(const QString& text, const QString& name, Get<bool> get,
@@ -217,9 +219,17 @@ QLabel* PropertyPage::makeFact(const QString& label, const QString& name) {
   return fact;
 }
 
-void PropertyPage::addFact(const QString& label, const QString& name, Get<QString> get) {
+void PropertyPage::explain(QWidget* field, const QString& tip) {
+  // A field with a refused text shows the reason; otherwise Qt shows the tip of its cell.
+  QWidget* cell = form_->indexOf(field) >= 0 ? field : field->parentWidget();
+  cell->setToolTip(tip);
+  if (QWidget* label = form_->labelForField(cell)) label->setToolTip(tip);
+}
+
+QLabel* PropertyPage::addFact(const QString& label, const QString& name, Get<QString> get) {
   QLabel* fact = makeFact(label, name);
   shows_.push_back([fact, get] { fact->setText(get()); });
+  return fact;
 }
 
 void PropertyPage::addSlowFact(const QString& label, const QString& name, Get<QString> get) {

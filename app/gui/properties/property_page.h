@@ -15,6 +15,8 @@
 
 namespace palpa::gui {
 
+class VectorEdit;
+
 /// Allows a box to be narrower than its longest choice.
 void shrinkable(QComboBox& box);
 
@@ -52,16 +54,18 @@ class PropertyPage : public QWidget {
   void addSection(const QString& title, const QString& name = {});
   QuantityEdit* addQuantity(const QString& label, const QString& name, Quantity quantity,
                             Get<double> get, Set<double> set);
-  void addVector(const QString& label, const QString& name, Quantity quantity,
-                 Get<Eigen::Vector3d> get, Set<Eigen::Vector3d> set);
+  VectorEdit* addVector(const QString& label, const QString& name, Quantity quantity,
+                        Get<Eigen::Vector3d> get, Set<Eigen::Vector3d> set);
   void addText(const QString& label, const QString& name, Get<QString> get, Set<QString> set);
   QSpinBox* addCount(const QString& label, const QString& name, int least, int most, Get<int> get,
                      Set<int> set);
-  void addChoice(const QString& label, const QString& name, const QStringList& choices,
-                 Get<int> get, Set<int> set);
+  QComboBox* addChoice(const QString& label, const QString& name, const QStringList& choices,
+                       Get<int> get, Set<int> set);
   void addCheck(const QString& text, const QString& name, Get<bool> get, Set<bool> set);
+  /// Tool tip of a row: shown at the label and the field.
+  void explain(QWidget* field, const QString& tip);
   /// Adds a read-only value.
-  void addFact(const QString& label, const QString& name, Get<QString> get);
+  QLabel* addFact(const QString& label, const QString& name, Get<QString> get);
   /// The same for a value that takes milliseconds.
   void addSlowFact(const QString& label, const QString& name, Get<QString> get);
   void addNote(const QString& text);

@@ -34,6 +34,14 @@ void PlotWidget::setHorizontalTitle(const QString& title) {
   if (plot_) plot_->setHorizontalTitle(title.toStdString());
 }
 
+void PlotWidget::setFitted(bool isFitted) {
+  if (plot_) plot_->setFitted(isFitted);
+}
+
+void PlotWidget::setCounting(bool isCounting) {
+  if (plot_) plot_->setCounting(isCounting);
+}
+
 void PlotWidget::setLegendShown(bool shown) {
   if (plot_) plot_->setLegendShown(shown);
 }

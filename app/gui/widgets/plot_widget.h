@@ -18,8 +18,10 @@ class PlotWidget : public QWidget {
 
   /// Text shown while there are no curves.
   void setPlaceholder(const QString& words);
-  /// As ForcePlot::setHorizontalTitle() and setLegendShown().
+  /// As the functions of ForcePlot.
   void setHorizontalTitle(const QString& title);
+  void setFitted(bool isFitted);
+  void setCounting(bool isCounting);
   void setLegendShown(bool shown);
   /// As ForcePlot::setCurves(). Curves with fewer than two points are not drawn.
   void setCurves(const std::vector<view::ForcePlot::Curve>& curves, double begin, double end,

@@ -32,6 +32,7 @@
 #include "app/gui/docks/properties_dock.h"
 #include "app/gui/docks/rebuild_dock.h"
 #include "app/gui/docks/samples_dock.h"
+#include "app/gui/docks/targets_dock.h"
 #include "app/gui/document/accuracy_words.h"
 #include "app/gui/document/rebuild_words.h"
 #include "app/gui/simulate/displaced_dimensions.h"
@@ -56,7 +57,7 @@ constexpr int kCloseRetryDelay = 50;  // ms until a busy window tries to close a
 constexpr int kSavedTime = 5000;      // ms
 constexpr int kRoom = 8;              // px beside texts of the status bar
 constexpr int kRateInterval = 250;    // ms between two updates of the rate
-constexpr int kLayoutVersion = 3;     // of saveState(); other versions are not restored
+constexpr int kLayoutVersion = 4;     // of saveState(); other versions are not restored
 
 }  // namespace
 
@@ -64,6 +65,7 @@ MainWindow::MainWindow()
     : editor_(settings_),
       simulation_(editor_),
       comparison_(editor_, simulation_, settings_, nullptr),
+      finder_(new ShapeFinder(editor_)),
       viewport_(new ViewportWidget(this)),
       scene_(editor_, settings_, *viewport_),
       pictures_(new SimulationView(editor_, simulation_, settings_, scene_, *viewport_)),
@@ -72,6 +74,7 @@ MainWindow::MainWindow()
       gradientView_(new GradientView(editor_, simulation_, settings_, *viewport_)),
       comparisonView_(
           new ComparisonView(comparison_, simulation_, *pictures_, settings_, *viewport_)),
+      foundShape_(new FoundShapeView(*finder_, comparison_, *viewport_)),
       warnings_(editor_, *viewport_),
       menus_(*this),
       tools_(menus_, *viewport_),
@@ -143,6 +146,17 @@ void MainWindow::addDocks() {
   auto* comparison = docks_.add(
       new ComparisonDock(workspace_, comparison_, *comparisonView_, *comparisonActions_, this),
       kUpper);
+  auto* targets = docks_.add(new TargetsDock(workspace_, *finder_, this), kLower);
+  menus_.conditions->addSeparator();
+  menus_.add(menus_.conditions,
+             {"find-shape",
+              tr("&Find a shape …"),
+              {},
+              tr("Say what touches should feel like, and search for such a shape")},
+             this, [targets] {
+               bringToFront(*targets);
+               targets->takeKeys();
+             });
   connect(comparisonActions_, &ComparisonActions::begun, comparison,
           [comparison] { bringToFront(*comparison); });
   connect(&simulation_, &Simulation::activeChanged, this, [this, model, forces](bool active) {
@@ -218,6 +232,10 @@ void MainWindow::addStatusBar() {
   const auto enterDensity = [this] { editMaterial(workspace_, true); };
   new FailureNotice(editor_, simulation_, *messages_, {paintSupport, enterDensity}, this);
   connect(viewport_, &ViewportWidget::escaped, this, [this] {
+    if (finder_->state() == ShapeFinder::State::kSearching) {
+      finder_->cancel();
+      return;
+    }
     const bool wasError = messages_->hasErrors();
     messages_->clear();
     if (!wasError) editor_.select({});

@@ -10,7 +10,9 @@
 #include "app/gui/base/settings.h"
 #include "app/gui/compare/comparison_actions.h"
 #include "app/gui/compare/comparison_view.h"
+#include "app/gui/compare/found_shape_view.h"
 #include "app/gui/document/editor.h"
+#include "app/gui/document/shape_finder.h"
 #include "app/gui/simulate/gradient_view.h"
 #include "app/gui/simulate/samples.h"
 #include "app/gui/simulate/section_view.h"
@@ -47,6 +49,8 @@ class MainWindow : public QMainWindow {
   VariantComparison& comparison() { return comparison_; }
   ComparisonView& comparisonView() { return *comparisonView_; }
   ComparisonActions& comparisonActions() { return *comparisonActions_; }
+  ShapeFinder& shapeFinder() { return *finder_; }
+  const FoundShapeView& foundShapeView() const { return *foundShape_; }
   FileActions& files() { return *files_; }
 
   /// Opens a project or imports a body, by the ending of the name.
@@ -78,6 +82,7 @@ class MainWindow : public QMainWindow {
   Editor editor_;
   Simulation simulation_;
   VariantComparison comparison_;
+  ShapeFinder* finder_;  // owned by the editor
   ViewportWidget* viewport_;
   SceneController scene_;
   SimulationView* pictures_;
@@ -85,6 +90,7 @@ class MainWindow : public QMainWindow {
   Samples* samples_;
   GradientView* gradientView_;
   ComparisonView* comparisonView_;
+  FoundShapeView* foundShape_;
   GeometryWarnings warnings_;
   Menus menus_;
   ToolBox tools_;

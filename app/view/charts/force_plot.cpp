@@ -20,7 +20,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "app/view/scene/ticks.h"
 
@@ -28,16 +30,33 @@ namespace palpa::view {
 namespace {
 
 constexpr double kFontSize = 11;  // logical pixels
-constexpr double kLineWidth = 1.8;
+constexpr double kLineWidth = 1.8, kDashWidth = 1.3;
 constexpr double kHeadroom = 1.08;
-constexpr double kTickSpacing = 34;  // logical pixels between two numbers, about
-constexpr double kLegendLine = 17;   // logical pixels
-constexpr double kMinForce = 1e-9;   // below it all curves are zero
+constexpr double kTickSpacing = 34;     // logical pixels between two numbers, about
+constexpr double kLegendLine = 17;      // logical pixels
+constexpr double kCountSpacing = 32;    // logical pixels between two whole numbers, about
+constexpr double kFittedMargin = 0.12;  // of the range of the values
+constexpr double kMinForce = 1e-9;      // below it all curves are zero
 
 /// Okabe and Ito's, which colour-blind people can tell apart; the dark blue last, which a dark
 /// background swallows.
 constexpr std::array<std::array<unsigned char, 3>, 6> kColours{
     {{213, 94, 0}, {86, 180, 233}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {0, 114, 178}}};
+
+/// Whole numbers, as many as there is space for.
+void setCounts(vtkAxis& axis, double begin, double end, double width) {
+  const double most = std::max(2.0, width / kCountSpacing);
+  double step = 1;
+  for (const double factor : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0})  // 1, 2, 5, 10, 20, 50, 100
+    if ((end - begin) / step > most) step *= factor;
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (double at = std::ceil(begin / step) * step; at <= end; at += step) {
+    positions->InsertNextValue(at);
+    labels->InsertNextValue(std::to_string(std::lround(at)));
+  }
+  axis.SetCustomTickPositions(positions, labels);
+}
 
 }  // namespace
 
@@ -48,7 +67,7 @@ struct ForcePlot::Parts {
   vtkNew<vtkChartXY> chart;
   ViewportTheme theme = ViewportTheme::light();
   double ratio = 1;
-  bool hasLegend = false;
+  bool hasLegend = false, isFitted = false, isCounting = false;
 
   void updateLooks() {
     renderer->SetBackground(theme.backgroundTop.data());
@@ -80,6 +99,14 @@ std::array<unsigned char, 3> ForcePlot::colour(int number) {
 
 void ForcePlot::setLegendShown(bool shown) {
   parts_->hasLegend = shown;
+}
+
+void ForcePlot::setFitted(bool isFitted) {
+  parts_->isFitted = isFitted;
+}
+
+void ForcePlot::setCounting(bool isCounting) {
+  parts_->isCounting = isCounting;
 }
 
 void ForcePlot::setHorizontalTitle(const std::string& title) {
@@ -127,7 +154,7 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
   vtkChartXY* chart = parts_->chart;
   chart->ClearPlots();
   chart->SetShowLegend(parts_->hasLegend);
-  double largest = 0;
+  double largest = 0, smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];
     if (curve.times.size() != curve.forces.size())
@@ -141,6 +168,7 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
       times->InsertNextValue(static_cast<float>(curve.times[k]));
       forces->InsertNextValue(static_cast<float>(curve.forces[k]));
       largest = std::max(largest, curve.forces[k]);
+      smallest = std::min(smallest, curve.forces[k]);
     }
     table->AddColumn(times);
     table->AddColumn(forces);
@@ -148,10 +176,15 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
     plot->SetInputData(table, 0, 1);
     const auto [r, g, b] = colour(curve.number);
     plot->SetColor(r, g, b, 255);
-    plot->SetWidth(static_cast<float>(kLineWidth * parts_->ratio));
+    plot->SetWidth(static_cast<float>((curve.isDashed ? kDashWidth : kLineWidth) * parts_->ratio));
+    if (curve.isDashed) plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
   }
   vtkAxis* bottom = chart->GetAxis(vtkAxis::BOTTOM);
   bottom->SetRange(begin, end);
+  if (parts_->isCounting) {
+    const double width = std::max(1, parts_->window->GetSize()[0]) / parts_->ratio;
+    setCounts(*bottom, begin, end, width);
+  }
   vtkAxis* left = chart->GetAxis(vtkAxis::LEFT);
   if (largest < kMinForce) largest = 1;  // nothing: an axis of nanonewtons would only puzzle
   // Round numbers, and at least two of them, however small the plot is.
@@ -161,8 +194,14 @@ void ForcePlot::setCurves(const std::vector<Curve>& curves, double begin, double
     const double legend = kLegendLine * static_cast<double>(curves.size() + 1);
     top *= height / std::max(0.3 * height, height - legend);
   }
-  left->SetRange(0, top);
-  const Ticks ticks = niceTicks(0, top, std::clamp(static_cast<int>(height / kTickSpacing), 2, 8));
+  double base = 0;
+  if (parts_->isFitted && smallest < largest) {
+    base = smallest - kFittedMargin * (largest - smallest);
+    top = largest + kFittedMargin * (largest - smallest);
+  }
+  left->SetRange(base, top);
+  const Ticks ticks =
+      niceTicks(base, top, std::clamp(static_cast<int>(height / kTickSpacing), 2, 8));
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
   for (std::size_t k = 0; k < ticks.values.size(); ++k) {

@@ -25,6 +25,7 @@ class ForcePlot {
     int number = 0;              ///< gives the colour, see colour()
     std::vector<double> times;   ///< s, ascending
     std::vector<double> forces;  ///< one per time, in `unit` of setCurves()
+    bool isDashed = false;       ///< for a wanted value
   };
   /// Of curves with this number: red, green, blue; number 6 has the colour of 0.
   static std::array<unsigned char, 3> colour(int number);
@@ -32,6 +33,10 @@ class ForcePlot {
   void setLegendShown(bool shown);
   /// Of the horizontal axis; "time, s" at first.
   void setHorizontalTitle(const std::string& title);
+  /// The vertical axis encloses the values instead of beginning at zero.
+  void setFitted(bool isFitted);
+  /// The horizontal axis counts: its numbers are whole.
+  void setCounting(bool isCounting);
   /// Shows the times from `begin` to `end`. Throws std::invalid_argument for arrays of unequal
   /// lengths.
   void setCurves(const std::vector<Curve>& curves, double begin, double end,
