@@ -333,6 +333,35 @@ TEST_F(Targets, AnImpossibleTargetNamesWhatLimitsIt) {
   EXPECT_EQ(text(), before);
 }
 
+TEST_F(Targets, AreReachedByTheKeyboardAlone) {
+  open(kBox);
+  const auto press = [](Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); };
+  ASSERT_TRUE(button("addTarget").hasFocus());
+  press(Qt::Key_Space);
+  ASSERT_EQ(design().targets.size(), 1u);
+  ASSERT_TRUE(find<QuantityEdit>("targetValue")->hasFocus());
+  QTest::keyClicks(QApplication::focusWidget(), "1.25");
+  press(Qt::Key_Tab);  // applies the entry
+  EXPECT_EQ(design().targets[0].value, 1.25);
+  EXPECT_TRUE(find<QuantityEdit>("targetWeight")->hasFocus());
+  QStringList passed;
+  for (int i = 0; i < 40 && !button("findShape").hasFocus(); ++i) {
+    passed << QApplication::focusWidget()->objectName();
+    press(Qt::Key_Tab);
+  }
+  ASSERT_TRUE(button("findShape").hasFocus()) << passed.join(' ').toStdString();
+  // In the order in which they stand.
+  EXPECT_LT(passed.indexOf("largestMovement"), passed.indexOf("designVolume"));
+  EXPECT_LT(passed.indexOf("designVolume"), passed.indexOf("designSteps"));
+  EXPECT_GE(passed.indexOf("largestMovement"), 0);
+  press(Qt::Key_Space);
+  ASSERT_TRUE(finder().isSearching());
+  EXPECT_TRUE(button("searchStop").hasFocus());
+  press(Qt::Key_Escape);
+  ASSERT_TRUE(waitForState(State::kIdle));
+  EXPECT_TRUE(message().contains("stopped")) << message().toStdString();
+}
+
 TEST_F(Targets, OfTheExampleAreMetTogether) {
   open(kPad);
   ASSERT_EQ(table().topLevelItemCount(), 2);

@@ -14,6 +14,7 @@
 #include "modeling/error.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/modeling/child_process.h"
+#include "tests/reliability/search_user.h"
 #include "tests/reliability/touch_user.h"
 
 namespace palpa::reliability {
@@ -50,6 +51,7 @@ class Window {
         random_(seed),
         file_(folder / "storm.json"),
         session_(startProject(engine), options(folder)),
+        searches_(campaign, session_, random_()),
         stiffness_([this](app::StiffnessWorker::Result result) {
           campaign_.require(result.ready >= 0 && result.ready <= 1, "stiffness: part ready");
         }) {
@@ -67,6 +69,7 @@ class Window {
   long edits() const { return edits_; }
   long updates() const { return updates_; }
   long models() const { return models_; }
+  const SearchUser& searches() const { return searches_; }
 
   /// One random action of a user, then the window's reaction.
   void act() {
@@ -297,7 +300,7 @@ class Window {
   }
 
   void doSomething() {
-    switch (pick(random_, 0, 15)) {
+    switch (pick(random_, 0, 17)) {
       case 0:
       case 1:
       case 2:
@@ -324,6 +327,9 @@ class Window {
         return draw();
       case 13:
         return colour();
+      case 14:
+      case 15:
+        return searches_.act();
       default:
         // Long enough that builds and updates come to their end now and then.
         pipeline().waitUntilSettled(std::chrono::milliseconds(oneIn(random_, 2) ? 5000 : 300));
@@ -376,6 +382,7 @@ class Window {
   std::atomic<std::uint64_t> updatedRevision_{0};
   std::atomic<long> updates_{0};
   app::Session session_;
+  SearchUser searches_;
   app::TouchLoop loop_;
   app::StiffnessWorker stiffness_;
   std::jthread drawer_;
@@ -387,6 +394,7 @@ class Window {
 
 struct Sums {
   std::atomic<long> edits{0}, models{0}, updates{0}, touches{0}, moves{0}, snapshots{0};
+  long searches = 0, found = 0, accepted = 0;
 };
 
 void touch(Campaign& campaign, app::TouchLoop& loop, const std::stop_token& stop,
@@ -454,6 +462,9 @@ void round(Campaign& campaign, Random& random, int actions, Sums& sums) {
   sums.edits += window.edits();
   sums.models += window.models();
   sums.updates += window.updates();
+  sums.searches += window.searches().begun();
+  sums.found += window.searches().found();
+  sums.accepted += window.searches().accepted();
 }
 
 }  // namespace
@@ -470,6 +481,9 @@ int main(int argc, char** argv) {
   campaign.figure("edits", static_cast<double>(sums.edits));
   campaign.figure("models", static_cast<double>(sums.models));
   campaign.figure("of them updates", static_cast<double>(sums.updates));
+  campaign.figure("searches", static_cast<double>(sums.searches));
+  campaign.figure("found shapes", static_cast<double>(sums.found));
+  campaign.figure("accepted", static_cast<double>(sums.accepted));
   campaign.figure("touches", static_cast<double>(sums.touches));
   campaign.figure("moves", static_cast<double>(sums.moves));
   return campaign.end();

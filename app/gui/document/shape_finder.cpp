@@ -165,13 +165,15 @@ void ShapeFinder::projectChanged(const modeling::Change& change) {
 
 bool ShapeFinder::accept() {
   if (state_ != State::kFound || isOutdated_) return false;
-  const std::vector<modeling::Command> commands = result_->commands;
-  // Before the edits, which would outdate the result.
-  forgetResult();
+  // The edits must not outdate the result.
   state_ = State::kIdle;
-  const bool done = editor_.performAll(tr("Find a shape"), commands);
+  const bool isDone = editor_.performAll(tr("Find a shape"), result_->commands);
+  if (isDone)
+    forgetResult();
+  else
+    state_ = State::kFound;
   Q_EMIT changed();
-  return done;
+  return isDone;
 }
 
 void ShapeFinder::discard() {
