@@ -116,6 +116,7 @@ void pullBox(Photographer& p) {
 /// The pad with two stiffnesses: the found shape as a ghost, with its numbers.
 void findPad(Photographer& p) {
   p.open("design/two-stiffness-pad");
+  p.action("Reset layout")->trigger();
   p.action("Find a shape")->trigger();
   QTest::qWait(500);
   p.find<QPushButton>("findShape")->click();
@@ -123,6 +124,7 @@ void findPad(Photographer& p) {
   (void)QTest::qWaitFor([&] { return !finder.isSearching(); }, 120000);
   p.shoot("find-shape");
   p.find<QPushButton>("searchDiscard")->click();
+  p.action("Reset layout")->trigger();
 }
 
 void photograph(const QString& folder) {
