@@ -265,6 +265,12 @@ TEST_F(Targets, EscapeAndTheButtonStopASearchAtAnyStep) {
   click("findShape");
   QTest::keyClick(&view(), Qt::Key_Escape);  // before the first shape
   ASSERT_TRUE(waitForState(State::kIdle));
+  // Also if the thread has not begun yet.
+  for (int i = 0; i < 20; ++i) {
+    finder().start();
+    finder().cancel();
+    ASSERT_TRUE(waitForState(State::kIdle)) << i;
+  }
   EXPECT_TRUE(message().contains("stopped")) << message().toStdString();
   click("findShape");
   ASSERT_TRUE(waitForStep());

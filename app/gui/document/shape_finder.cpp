@@ -127,9 +127,17 @@ void ShapeFinder::cancel() {
 
 void ShapeFinder::stop(const QString& why) {
   if (state_ != State::kSearching) return;
-  worker_.cancel();
   message_ = why;
   state_ = State::kStopping;
+  // A search that the thread has not begun yet is dropped without a report: this one comes always.
+  worker_.replace([this, number = number_](const std::stop_token&) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, number] {
+          if (number == number_ && state_ == State::kStopping) finish(std::nullopt, {});
+        },
+        Qt::QueuedConnection);
+  });
   Q_EMIT changed();
 }
 
