@@ -4,10 +4,12 @@
 #include <chrono>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "base/error.h"
 #include "modeling/editing/change.h"
 #include "modeling/project/project_file.h"
+#include "modeling/solid/isoparametric_line.h"
 
 namespace palpa::reliability {
 namespace {
@@ -39,17 +41,22 @@ void SearchUser::act() {
     begin();
   } else if (running_.wait_for(0s) == std::future_status::ready) {
     take();
-  } else if (oneIn(random_, 3)) {
+  } else if (oneIn(random_, 4)) {
     stop_.request_stop();
     if (campaign_.require(running_.wait_for(kPatience) == std::future_status::ready,
                           "a stopped search for a shape does not end"))
       running_.get();
+  } else if (oneIn(random_, 2)) {
+    // The user waits for the shape: no edit makes it unfit from now on.
+    if (campaign_.require(running_.wait_for(kPatience) == std::future_status::ready,
+                          "a search for a shape does not end"))
+      take();
   }
 }
 
 void SearchUser::begin() {
+  if (session_.project().touches.empty()) addTouch();
   const modeling::Project& project = session_.project();
-  if (project.touches.empty()) return;
   modeling::Design design;
   for (const modeling::Touch& touch : project.touches)
     design.targets.push_back(
@@ -64,6 +71,24 @@ void SearchUser::begin() {
         return search(*project, design, stop);
       });
   ++begun_;
+}
+
+void SearchUser::addTouch() {
+  const auto* solid = std::get_if<modeling::Solid>(&session_.project().body);
+  if (!solid) return;
+  // In the middle of a patch (of all but the first, which is held), towards the body.
+  const int patch = pick(random_, 1, static_cast<int>(solid->patches().size()) - 1);
+  const auto& knots = solid->patches()[static_cast<std::size_t>(patch)].knots;
+  const Eigen::Vector3d at =
+      modeling::surfacePoint(*solid, patch, (knots[0].front() + knots[0].back()) / 2,
+                             (knots[1].front() + knots[1].back()) / 2);
+  modeling::Touch touch;
+  touch.name = "search " + std::to_string(begun_);
+  touch.at = at;
+  touch.radius = 6;
+  touch.kind = modeling::TouchKind::kGrab;
+  touch.vector = -at.stableNormalized();
+  session_.perform(modeling::AddTouch{touch});
 }
 
 void SearchUser::take() {

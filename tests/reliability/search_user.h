@@ -31,6 +31,7 @@ class SearchUser {
  private:
   using Result = std::optional<app::ShapeResult>;  ///< none if stopped or impossible
   void begin();
+  void addTouch();
   void take();
   void accept(const app::ShapeResult& result);
 
