@@ -117,6 +117,22 @@ TEST_F(ExactTouch, IsAppliedKeptAndStoredByNumbers) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return simulation().snapshot().contactCount == 0; }, 10000));
 }
 
+TEST_F(ExactTouch, AppliedAgainItBeginsAtTheUndeformedSurface) {
+  enter();
+  typePlace({0, 0, 25});
+  type(find<QuantityEdit>("exactRadius"), "6");
+  type(find<QuantityEdit>("exactFriction"), "0");
+  for (const double depth : {2.0, 1.0, 1.0}) {
+    type(find<QuantityEdit>("exactDepth"), QString::number(depth));
+    button("exactApply").click();
+    const modeling::Touch ball{"b", {0, 0, 25}, modeling::TouchKind::kBall, {0, 0, -depth}, 6.0, 0};
+    const Eigen::Vector3d force = exact(ball).contacts[0].force;
+    QTest::qWait(1500);  // the whole motion
+    EXPECT_TRUE(waitForForce(force)) << depth << ": " << forces().text(0, 1).toStdString();
+    EXPECT_EQ(simulation().snapshot().contactCount, 1);
+  }
+}
+
 TEST_F(ExactTouch, APlaceFarFromTheSurfaceIsRefused) {
   enter();
   QSignalSpy refused(&editor(), &Editor::refused);

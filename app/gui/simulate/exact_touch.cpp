@@ -1,5 +1,7 @@
 #include "app/gui/simulate/exact_touch.h"
 
+#include <utility>
+
 #include "app/core/results/field_sample.h"
 #include "app/core/results/touch.h"
 #include "app/gui/document/named_items.h"
@@ -16,10 +18,15 @@ constexpr double kDepthShare = 0.1;
 ExactTouch::ExactTouch(const Workspace& workspace, Simulation& simulation, SimulateOptions& options)
     : workspace_(workspace), simulation_(simulation), options_(options), motion_(simulation, this) {
   connect(&simulation, &Simulation::bodyChanged, this, &ExactTouch::changed);
-  connect(&simulation, &Simulation::leaving, this, [this] { applied_ = 0; });
+  connect(&simulation, &Simulation::leaving, this, [this] { applied_ = leaving_ = 0; });
+  connect(&simulation, &Simulation::framed, this, [this] {
+    if (leaving_ == 0 || simulation_.snapshot().find(leaving_)) return;
+    leaving_ = 0;
+    begin();
+  });
   connect(&options, &SimulateOptions::changed, this, &ExactTouch::changed);
   connect(&workspace.editor, &Editor::projectReplaced, this, [this] {
-    applied_ = 0;
+    applied_ = leaving_ = 0;
     place_.reset();
     depth_.reset();
     force_.reset();
@@ -123,27 +130,45 @@ bool ExactTouch::checkPlace() const {
 }
 
 bool ExactTouch::isApplied() const {
-  return applied_ != 0 && !simulation_.hasEnded(applied_);
+  return leaving_ != 0 || (applied_ != 0 && !simulation_.hasEnded(applied_));
 }
 
 bool ExactTouch::apply() {
   if (!isComplete() || !checkPlace()) return false;
-  release();
+  if (leaving_ != 0) return true;  // begins with the present numbers
+  const app::TouchId former = applied_;
+  isKeptLater_ = false;
+  // A tool presses from where it first meets the surface, which is not yet the drawn one.
+  if (release() && simulation_.snapshot().find(former)) {
+    leaving_ = former;
+    Q_EMIT changed();
+    return true;
+  }
+  return begin();
+}
+
+bool ExactTouch::begin() {
+  if (!isComplete()) return false;
   applied_ = motion_.begin(touch()).value_or(0);
+  const bool hasBegun = applied_ != 0;
+  if (std::exchange(isKeptLater_, false)) applied_ = 0;
   Q_EMIT changed();
-  return applied_ != 0;
+  return hasBegun;
 }
 
 void ExactTouch::keep() {
   if (!isApplied() && !apply()) return;
-  applied_ = 0;
+  if (leaving_ != 0)
+    isKeptLater_ = true;
+  else
+    applied_ = 0;
   Q_EMIT changed();
 }
 
 bool ExactTouch::release() {
   if (!isApplied()) return false;
-  simulation_.end(applied_);
-  applied_ = 0;
+  if (leaving_ == 0) simulation_.end(applied_);
+  applied_ = leaving_ = 0;
   Q_EMIT changed();
   return true;
 }

@@ -61,6 +61,7 @@ class ExactTouch : public QObject {
 
  private:
   bool checkPlace() const;
+  bool begin();
 
   Workspace workspace_;
   Simulation& simulation_;
@@ -72,6 +73,10 @@ class ExactTouch : public QObject {
   Eigen::Vector3d vector_{0, 0, -1};
   std::optional<double> depth_, force_;
   app::TouchId applied_ = 0;
+  /// Contact that has ended and still deforms the drawn body; applied_ begins without it. Zero:
+  /// none.
+  app::TouchId leaving_ = 0;
+  bool isKeptLater_ = false;  ///< keep() while a contact is leaving
 };
 
 }  // namespace palpa::gui
