@@ -46,6 +46,8 @@ void writeBody(const modeling::Project& project, const std::string& path, bool r
       return modeling::exportCad(project.body, path, project.name, job);
     case modeling::FileKind::kMesh:
       return writeMeshOf(project, path, remesh, job);
+    case modeling::FileKind::kPage:  // not accepted above
+      return;
   }
 }
 

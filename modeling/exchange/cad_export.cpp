@@ -110,6 +110,7 @@ bool write(FileFormat format, const ShapeOfSolid& made, const Solid& solid, cons
     case FileFormat::kObj:
     case FileFormat::kPly:
     case FileFormat::kVtp:
+    case FileFormat::kPage:
       break;
   }
   throw std::invalid_argument("exportCad: no CAD format");

@@ -134,6 +134,7 @@ CadContent readContent(const std::filesystem::path& path, const std::string& tex
     case FileFormat::kObj:
     case FileFormat::kPly:
     case FileFormat::kVtp:
+    case FileFormat::kPage:
       break;
   }
   throw std::invalid_argument("readCad: no CAD format");

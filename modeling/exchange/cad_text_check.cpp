@@ -21,6 +21,7 @@ void checkCadText(const std::string& text, FileFormat format, const std::string&
     case FileFormat::kObj:
     case FileFormat::kPly:
     case FileFormat::kVtp:
+    case FileFormat::kPage:
       break;
   }
   throw std::invalid_argument("checkCadText: no CAD format");

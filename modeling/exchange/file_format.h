@@ -8,7 +8,7 @@
 
 namespace palpa::modeling {
 
-/// Formats of files with a body. kVtp stays the last, so that a format without a row in
+/// Formats of files with a body. kPage stays the last, so that a format without a row in
 /// kFileFormats does not compile. Written lengths are in mm; lengths of CAD files are converted to
 /// mm from the unit of the file (BREP files have no unit: mm).
 enum class FileFormat {
@@ -18,11 +18,12 @@ enum class FileFormat {
   kBrep,  ///< text format of OpenCASCADE
   kStl,   ///< binary when written
   kObj,
-  kPly,  ///< binary when written
-  kVtp,  ///< ParaView's XML file of polygons with data
+  kPly,   ///< binary when written
+  kVtp,   ///< ParaView's XML file of polygons with data
+  kPage,  ///< a page for browsers that answers to touches, from a solved model
 };
 
-enum class FileKind { kProject, kCad, kMesh };
+enum class FileKind { kProject, kCad, kMesh, kPage };
 
 /// Names, endings and abilities of a format.
 struct FileFormatInfo {
@@ -35,7 +36,7 @@ struct FileFormatInfo {
   bool canWrite = true;
 };
 
-inline constexpr std::array<FileFormatInfo, 1 + static_cast<std::size_t>(FileFormat::kVtp)>
+inline constexpr std::array<FileFormatInfo, 1 + static_cast<std::size_t>(FileFormat::kPage)>
     kFileFormats{{
         {FileFormat::kProject,
          FileKind::kProject,
@@ -53,6 +54,12 @@ inline constexpr std::array<FileFormatInfo, 1 + static_cast<std::size_t>(FileFor
         {FileFormat::kObj, FileKind::kMesh, "OBJ", "triangles, for rendering", {".obj"}},
         {FileFormat::kPly, FileKind::kMesh, "PLY", "triangles", {".ply"}},
         {FileFormat::kVtp, FileKind::kMesh, "VTP", "triangles, for ParaView", {".vtp"}, false},
+        {FileFormat::kPage,
+         FileKind::kPage,
+         "Touchable page",
+         "to touch in a browser",
+         {".html"},
+         false},
     }};
 
 constexpr const FileFormatInfo& infoOf(FileFormat format) {
@@ -82,8 +89,16 @@ constexpr bool isImportable(const FileFormatInfo& info) {
 constexpr bool isReadableMesh(const FileFormatInfo& info) {
   return info.canRead && info.kind == FileKind::kMesh;
 }
+constexpr bool isPage(const FileFormatInfo& info) {
+  return info.kind == FileKind::kPage;
+}
+/// Writable from a project alone, without a solved model.
 constexpr bool isWritable(const FileFormatInfo& info) {
-  return info.canWrite;
+  return info.canWrite && !isPage(info);
+}
+/// What an export writes: a body without its supports, loads and touches, or a page of a model.
+constexpr bool isExported(const FileFormatInfo& info) {
+  return info.canWrite && info.kind != FileKind::kProject;
 }
 constexpr bool isWritableMesh(const FileFormatInfo& info) {
   return info.canWrite && info.kind == FileKind::kMesh;

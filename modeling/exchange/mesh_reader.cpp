@@ -34,6 +34,7 @@ PolygonSoup parseSoup(std::string_view bytes, FileFormat format, const Job& job)
     case FileFormat::kIges:
     case FileFormat::kBrep:
     case FileFormat::kVtp:
+    case FileFormat::kPage:
       break;
   }
   throw std::invalid_argument("parseMesh: not a readable mesh format");

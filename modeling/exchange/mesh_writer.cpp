@@ -132,6 +132,7 @@ std::string bytesOf(const MeshFile& mesh, FileFormat format) {
     case FileFormat::kStep:
     case FileFormat::kIges:
     case FileFormat::kBrep:
+    case FileFormat::kPage:
       break;
   }
   throw std::invalid_argument("writeMesh: not a mesh format");

@@ -30,6 +30,10 @@ double loadedRadius(const Touch& touch) {
 
 }  // namespace
 
+double edgeLengthPerTouchRadius(Engine engine) {
+  return engine == Engine::kSplines ? 0 : shareOfRadius(engine);
+}
+
 std::vector<MeshFocus> meshFoci(const Project& project) {
   const Engine engine = engineOf(project);
   std::vector<MeshFocus> foci;

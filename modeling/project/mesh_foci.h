@@ -13,4 +13,8 @@ namespace palpa::modeling {
 /// project_geometry.h (app/core).
 std::vector<MeshFocus> meshFoci(const Project& project);
 
+/// Longest distance of adjacent nodes of triangles over the radius of a touch that they carry; 0
+/// for splines.
+double edgeLengthPerTouchRadius(Engine engine);
+
 }  // namespace palpa::modeling

@@ -23,6 +23,7 @@ palpa_add_test(palpa_cli_tests
     cli_gradient_test.cpp
     cli_measure_test.cpp
     cli_optimise_test.cpp
+    cli_page_test.cpp
     cli_place_test.cpp
     cli_project_test.cpp
     cli_recording_test.cpp

@@ -61,6 +61,7 @@ void writeForeign(const TopoDS_Shape& shape, const std::filesystem::path& path,
     case FileFormat::kObj:
     case FileFormat::kPly:
     case FileFormat::kVtp:
+    case FileFormat::kPage:
       throw std::invalid_argument("writeForeign: no CAD format");
   }
 }

@@ -93,7 +93,7 @@ void FileActions::addImportAndExport() {
             this, [this] { importBody(true); });
   menus.add(menus.file,
             {"export", tr("&Export …"), QKeySequence(Qt::CTRL | Qt::Key_E),
-             tr("Write the body to a CAD file or a mesh")},
+             tr("Write the body to a CAD file, a mesh, or a page to touch in a browser")},
             this, [this] { exportBody(); });
   menus.add(menus.file, {nullptr, tr("Save &picture …"), {}, tr("Write the view to a PNG file")},
             this, [this] { savePicture(); });
@@ -271,7 +271,7 @@ void FileActions::exportBody() {
   ExportDialog dialog(workspace_.editor.project(), &workspace_.window);
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = askFileToWrite(workspace_, tr("Export"), dialog.filter(), dialog.ending());
-  if (!file.isEmpty()) workspace_.editor.exportFile(file, dialog.surface());
+  if (!file.isEmpty()) workspace_.editor.exportFile(file, dialog.surface(), dialog.page());
 }
 
 void FileActions::savePicture() {

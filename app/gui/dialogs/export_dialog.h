@@ -2,13 +2,17 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QFormLayout>
+#include <QSpinBox>
 
+#include "app/core/page/touch_page.h"
 #include "app/gui/document/export_body.h"
 #include "modeling/exchange/file_format.h"
 
 namespace palpa::gui {
 
-/// Choice of the format and, for triangle meshes, of the triangles. For mesh bodies the CAD formats
+/// Choice of the format and, for triangle meshes, of the triangles, or for a page that can be
+/// touched, of the number of touch places and the size. For mesh bodies the CAD formats
 /// are disabled, and a note states the reason.
 class ExportDialog : public QDialog {
   Q_OBJECT
@@ -23,6 +27,7 @@ class ExportDialog : public QDialog {
   /// Filter for file dialogs: "STEP (*.step)".
   QString filter() const;
   ExportedSurface surface() const;
+  app::TouchPageSettings page() const;
 
  private:
   const modeling::FileFormatInfo& format() const;
@@ -30,6 +35,9 @@ class ExportDialog : public QDialog {
 
   QComboBox* format_;
   QComboBox* surface_;
+  QSpinBox* places_;
+  QSpinBox* size_;
+  QFormLayout* form_;
 };
 
 }  // namespace palpa::gui

@@ -175,12 +175,13 @@ bool Editor::importFile(const QString& file, const modeling::ImportOptions& opti
   return true;
 }
 
-bool Editor::exportFile(const QString& file, ExportedSurface surface) {
+bool Editor::exportFile(const QString& file, ExportedSurface surface,
+                        const app::TouchPageSettings& page) {
   bool isWritten = false;
   attempt([&] {
     const modeling::Project copy = project();
     isWritten = runner_(tr("Exporting %1").arg(QFileInfo(file).fileName()), [&](const Job& job) {
-      exportBody(copy, file.toStdString(), surface, job);
+      exportBody(copy, file.toStdString(), surface, job, page);
     });
   });
   if (isWritten) Q_EMIT said(tr("Exported to %1").arg(file));

@@ -57,7 +57,8 @@ class Editor : public QObject {
   bool importFile(const QString& file, const modeling::ImportOptions& options,
                   bool* needsChoice = nullptr);
   /// Writes the body as a CAD file (solids only) or a triangle mesh, by the ending of the name.
-  bool exportFile(const QString& file, ExportedSurface surface);
+  bool exportFile(const QString& file, ExportedSurface surface,
+                  const app::TouchPageSettings& page = {});
   /// Opens a snapshot of a crashed session and discards it after the new session has written one.
   bool recover(const modeling::Snapshot& snapshot);
   /// Saves to fileName(); false without a name.

@@ -1,8 +1,12 @@
 #include "app/gui/document/export_body.h"
 
+#include <QCoreApplication>
 #include <array>
 #include <map>
+#include <string>
 
+#include "app/core/page/touch_page_file.h"
+#include "base/atomic_file.h"
 #include "modeling/exchange/cad_export.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
@@ -34,12 +38,19 @@ modeling::MeshFile welded(const modeling::DisplayMesh& drawn) {
 }  // namespace
 
 void exportBody(const modeling::Project& project, const std::filesystem::path& path,
-                ExportedSurface surface, const Job& job) {
-  switch (infoOf(modeling::requireFormat(path, modeling::isWritable)).kind) {
+                ExportedSurface surface, const Job& job, const app::TouchPageSettings& page) {
+  constexpr auto kAll = [](const modeling::FileFormatInfo& info) { return info.canWrite; };
+  switch (infoOf(modeling::requireFormat(path, kAll)).kind) {
     case modeling::FileKind::kProject:
       return modeling::writeProject(project, path);
     case modeling::FileKind::kCad:
       return modeling::exportCad(project.body, path, project.name, job);
+    case modeling::FileKind::kPage: {
+      const std::string version = QCoreApplication::applicationVersion().toStdString();
+      const std::string text = app::touchPageText(app::makeTouchPage(project, version, page, job));
+      job.throwIfCancelled();
+      return replaceFile(text, path);
+    }
     case modeling::FileKind::kMesh:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/core/page/touch_page.h"
 #include "base/job.h"
 #include "modeling/project/project.h"
 
@@ -14,10 +15,11 @@ enum class ExportedSurface {
   kOwnTriangles,  ///< the imported triangles of a mesh body
 };
 
-/// Writes a project, the solid of a project as CAD file, or the triangles of its body, depending on
-/// the file's ending. `surface` applies to triangles only; kOwnTriangles means kModelMesh for a
-/// solid. Throws ModelingError, Cancelled.
+/// Writes a project, the solid of a project as CAD file, the triangles of its body, or a page that
+/// can be touched (`page`), depending on the file's ending. `surface` applies to triangles only;
+/// kOwnTriangles means kModelMesh for a solid. Throws ModelingError, SolverError, FileError,
+/// Cancelled.
 void exportBody(const modeling::Project& project, const std::filesystem::path& path,
-                ExportedSurface surface, const Job& job);
+                ExportedSurface surface, const Job& job, const app::TouchPageSettings& page = {});
 
 }  // namespace palpa::gui

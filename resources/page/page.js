@@ -1,0 +1,375 @@
+// The page: touches by mouse, finger and keyboard, and what is shown of them.
+
+const element = (id) => document.getElementById(id);
+
+class Page {
+  constructor(model) {
+    this.model = model;
+    this.touches = [];          // {point, displacement or depth, force, error, pointer}
+    this.pointers = new Map();  // of the pointers on the background: [x, y]
+    this.history = [];          // [seconds, force, error]
+    this.canvas = element("view");
+    try {
+      this.view = new View(this.canvas, model);
+    } catch (error) {
+      element("notice").textContent = error.message;
+      element("notice").hidden = false;
+    }
+    this.describe();
+    this.listen();
+    this.update();
+  }
+
+  describe() {
+    const {data} = this.model, errors = data.errors;
+    element("name").textContent = data.name || "A body to touch";
+    document.title = (data.name || "A body") + " – Palpa";
+    const facts = {
+      "Material": `${data.material.name}: E ${shortNumber(data.material.youngs_modulus_MPa)} MPa, ν ${data.material.poisson_ratio}`,
+      "Mesh": `${data.model.nodes} nodes, ${data.model.triangles} triangles; drawn with ${this.model.vertexCount} vertices`,
+      "Touch": `radius ${shortNumber(data.radius_mm)} mm${data.widest_mask_mm > 1.02 * data.radius_mm ? ` (where the mesh is coarse up to ${shortNumber(data.widest_mask_mm)} mm)` : ""}, ${this.model.placeCount} places with their displacements`,
+      "Error of the model": `${percent(errors.model)} of a force (estimate)`,
+      "Error of this page": `${percent(errors.typical_force)} of the force of one touch at most places, ${percent(errors.force)} at ` +
+          `the worst. Of the displacement that one touch causes at another, over its own: ${percent(errors.coupling)}, nearer than two ` +
+          `radii ${percent(errors.coupling_near)}; of drawn displacements at their worst vertex ${percent(errors.typical_field)}, beside supports ${percent(errors.field)}. Twice the largest of ` +
+          `${errors.samples} places, against full solutions`,
+      "Deformation": "true to scale; linear elasticity, small strain",
+      "Written by": data.program
+    };
+    for (const [name, words] of Object.entries(facts)) {
+      const dt = document.createElement("dt"), dd = document.createElement("dd");
+      dt.textContent = name;
+      dd.textContent = words;
+      element("facts").append(dt, dd);
+    }
+    if (this.view) this.view.most = this.model.radius / 2;
+    this.showDepth();
+  }
+
+  listen() {
+    const canvas = this.canvas;
+    canvas.addEventListener("pointerdown", (event) => this.down(event));
+    canvas.addEventListener("pointermove", (event) => this.move(event));
+    for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (event) => this.up(event));
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      this.changeView(() => this.view.zoomBy(Math.exp(-0.0015 * event.deltaY), ...this.pixelOf(event)));
+    }, {passive: false});
+    canvas.addEventListener("keydown", (event) => this.key(event));
+    element("release").addEventListener("click", () => this.releaseAll());
+    element("home").addEventListener("click", () => this.changeView(() => this.view.home()));
+    element("depth").addEventListener("input", () => {
+      this.showDepth();
+      for (const touch of this.touches) if (touch.depth !== undefined) touch.depth = this.depth();
+      this.update();
+    });
+    for (const radio of document.querySelectorAll("input[name=kind]")) radio.addEventListener("change", () => this.showDepth());
+    window.addEventListener("resize", () => this.update());
+    window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.update());
+  }
+
+  kind() {
+    return document.querySelector("input[name=kind]:checked").value;
+  }
+
+  // mm, of a press: up to the radius of the touch.
+  depth() {
+    return element("depth").value * this.model.radius;
+  }
+
+  showDepth() {
+    element("depthText").textContent = shortNumber(this.depth()) + " mm";
+    element("depthRow").hidden = this.kind() !== "press";
+    element("depthRow").style.display = this.kind() === "press" ? "" : "none";
+  }
+
+  // Pixels from the middle of the canvas, y upwards.
+  pixelOf(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return [event.clientX - box.left - box.width / 2, box.top + box.height / 2 - event.clientY];
+  }
+
+  changeView(change) {
+    if (!this.view) return;
+    change();
+    this.update();
+  }
+
+  // Begins a touch under a pixel; null beside the body and on supports.
+  touchAt(x, y) {
+    const found = this.view && this.view.pick(x, y, this.kind() === "press");
+    if (!found) return null;
+    if (!this.model.touchable[found.triangle]) {
+      this.say("A support holds the body here.");
+      return null;
+    }
+    if (!element("hold").checked) this.touches = this.touches.filter((touch) => touch.pointer !== null);
+    const point = this.model.prepare(found);
+    const touch = {point, pointer: null, force: [0, 0, 0], error: 0};
+    if (this.kind() === "press") {
+      touch.depth = this.depth();
+    } else {
+      touch.start = this.model.displacementAt(point, this.touches);
+      touch.displacement = touch.start;
+    }
+    this.touches.push(touch);
+    return touch;
+  }
+
+  down(event) {
+    this.canvas.focus({preventScroll: true});
+    this.canvas.setPointerCapture(event.pointerId);
+    const pixel = this.pixelOf(event);
+    const touch = event.button === 0 && this.pointers.size === 0 ? this.touchAt(...pixel) : null;
+    if (touch) {
+      touch.pointer = event.pointerId;
+      touch.from = pixel;
+      this.update();
+    } else {
+      this.pointers.set(event.pointerId, pixel);
+    }
+    event.preventDefault();
+  }
+
+  move(event) {
+    const pixel = this.pixelOf(event);
+    const touch = this.touches.find((each) => each.pointer === event.pointerId);
+    if (touch) {
+      this.moveTouch(touch, pixel);
+      this.update();
+    } else if (this.pointers.has(event.pointerId)) {
+      this.moveView(event.pointerId, pixel, event.shiftKey || (event.buttons & 4) !== 0);
+    }
+  }
+
+  moveTouch(touch, pixel) {
+    if (touch.depth === undefined) {
+      const [right, top] = this.view.axes(), scale = 1 / this.view.pixelsPerLength();
+      const by = add(times(right, (pixel[0] - touch.from[0]) * scale), times(top, (pixel[1] - touch.from[1]) * scale));
+      touch.displacement = add(touch.start, by);
+    } else {
+      const found = this.view.pick(...pixel, true);
+      if (found && this.model.touchable[found.triangle]) touch.point = this.model.prepare(found);
+    }
+  }
+
+  // One pointer turns (with Shift: shifts) the view, two zoom and shift it.
+  moveView(pointer, pixel, shifts) {
+    const before = this.pointers.get(pointer);
+    const other = [...this.pointers].find(([id]) => id !== pointer);
+    this.pointers.set(pointer, pixel);
+    this.changeView(() => {
+      const [dx, dy] = [pixel[0] - before[0], pixel[1] - before[1]];
+      if (other) {
+        const to = other[1], distance = (a) => Math.max(10, Math.hypot(a[0] - to[0], a[1] - to[1]));
+        this.view.zoomBy(distance(pixel) / distance(before), to[0], to[1]);
+        this.view.shift = add([...this.view.shift, 0], [dx / 2, dy / 2, 0]).slice(0, 2);
+      } else if (shifts) {
+        this.view.shift = [this.view.shift[0] + dx, this.view.shift[1] + dy];
+      } else {
+        this.view.turnBy(dx, dy);
+      }
+    });
+  }
+
+  up(event) {
+    this.pointers.delete(event.pointerId);
+    const touch = this.touches.find((each) => each.pointer === event.pointerId);
+    if (!touch) return;
+    touch.pointer = null;
+    if (!element("hold").checked) this.touches = this.touches.filter((each) => each !== touch);
+    this.update();
+  }
+
+  releaseAll() {
+    this.touches = [];
+    this.keyTouch = null;
+    this.update();
+    this.say("All touches are released.");
+  }
+
+  key(event) {
+    if (!this.view || event.ctrlKey || event.altKey || event.metaKey) return;
+    const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+    const touch = this.touches.includes(this.keyTouch) ? this.keyTouch : null;
+    if (arrows[event.key]) {
+      const [x, y] = arrows[event.key];
+      if (touch) this.moveByKey(touch, x, y, 0);
+      else this.view.turnBy(10 * x, 10 * y);
+    } else if (touch && (event.key === "PageDown" || event.key === "PageUp")) {
+      this.moveByKey(touch, 0, 0, event.key === "PageDown" ? 1 : -1);
+    } else if (event.key === "Enter" || event.key === " ") {
+      this.touchByKey();
+    } else if (event.key === "Escape") {
+      this.releaseAll();
+    } else if (event.key === "+" || event.key === "=" || event.key === "-") {
+      this.view.zoomBy(event.key === "-" ? 1 / 1.15 : 1.15);
+    } else if (event.key === "Home") {
+      this.view.home();
+    } else {
+      return;
+    }
+    event.preventDefault();
+    this.update();
+  }
+
+  touchByKey() {
+    this.keyTouch = this.touchAt(0, 0);
+    if (!this.keyTouch) this.say("The middle of the view is beside the body or on a support.");
+  }
+
+  // Steps of a grab: a twentieth of the radius along the window, or along the normal into the body. A press goes to
+  // another place, a fifth of the radius away, or deeper.
+  moveByKey(touch, x, y, inwards) {
+    const step = this.model.radius / 20, [right, top] = this.view.axes();
+    const along = add(times(right, x), times(top, y));
+    if (touch.depth === undefined) {
+      touch.displacement = add(touch.displacement, add(times(along, step), times(touch.point.normal, -inwards * step)));
+    } else if (inwards !== 0) {
+      touch.depth = Math.min(this.model.radius, Math.max(0, touch.depth + inwards * step));
+    } else {
+      const found = this.model.nearest(add(touch.point.position, times(along, 4 * step)));
+      if (found) touch.point = this.model.prepare(found);
+    }
+  }
+
+  // Computes and draws once before the next frame.
+  update() {
+    if (this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      this.compute();
+      this.show();
+      // The plot moves on while there is a force in it.
+      if (this.history.some((each) => each[1] > 0)) this.update();
+    });
+  }
+
+  compute() {
+    this.model.solve(this.touches);
+    const u = this.model.deform(this.touches);
+    if (!this.view) return;
+    this.view.setShape(u);
+    // The colours keep their range while the displacements fit, and grow with them.
+    const least = this.model.radius / 100;
+    if (this.view.largest > this.view.most || this.view.largest < this.view.most / 6)
+      this.view.most = Math.max(least, roundedUp(this.view.largest));
+    this.view.draw();
+  }
+
+  show() {
+    const forces = this.touches.map((touch) => lengthOf(touch.force));
+    const first = this.touches[this.touches.length - 1];
+    element("total").textContent = first ? `${withError(lengthOf(first.force), first.error)} N` : "touch the body";
+    this.remember(forces.length ? forces[forces.length - 1] : 0);
+    this.showTable();
+    if (this.view) element("most").textContent = shortNumber(this.view.most) + " mm";
+    this.plot();
+    if (first) this.sayLater(element("total").textContent.replace("±", "plus or minus").replace(" N", " newtons"));
+  }
+
+  showTable() {
+    const table = element("touches"), body = table.tBodies[0];
+    table.hidden = this.touches.length === 0;
+    while (body.rows.length > this.touches.length) body.deleteRow(-1);
+    while (body.rows.length < this.touches.length) {
+      const row = body.insertRow();
+      for (let k = 0; k < 4; ++k) row.insertCell();
+    }
+    this.touches.forEach((touch, k) => {
+      const size = lengthOf(touch.force), decimals = decimalsFor(size, touch.error);
+      const moved = lengthOf(this.model.displacementAt(touch.point, this.touches));
+      const cells = [String(k + 1), withError(size, touch.error), touch.force.map((x) => withDecimals(x, decimals)).join(", "), shortNumber(moved)];
+      cells.forEach((words, c) => { body.rows[k].cells[c].textContent = words; });
+    });
+  }
+
+  remember(force) {
+    const now = performance.now() / 1000;
+    this.history.push([now, force]);
+    while (this.history.length && this.history[0][0] < now - 10) this.history.shift();
+  }
+
+  plot() {
+    const canvas = element("plot"), dense = window.devicePixelRatio || 1;
+    const width = canvas.clientWidth, height = canvas.clientHeight;
+    canvas.width = width * dense;
+    canvas.height = height * dense;
+    const pen = canvas.getContext("2d"), style = getComputedStyle(document.documentElement);
+    const colour = (name) => style.getPropertyValue(name);
+    pen.scale(dense, dense);
+    const most = roundedUp(Math.max(1e-9, ...this.history.map((each) => each[1])));
+    const left = 4, bottom = height - 16, top = 14;
+    pen.strokeStyle = colour("--line");
+    pen.strokeRect(left + 0.5, top + 0.5, width - left - 5, bottom - top);
+    pen.fillStyle = colour("--faint");
+    pen.font = "12px system-ui, sans-serif";
+    pen.fillText(most > 1e-9 ? shortNumber(most) + " N" : "N", left, 11);
+    pen.fillText("10 s ago", left, height - 3);
+    pen.textAlign = "right";
+    pen.fillText("now", width - 5, height - 3);
+    const now = performance.now() / 1000;
+    pen.strokeStyle = colour("--accent");
+    pen.lineWidth = 2;
+    pen.beginPath();
+    for (const [time, force] of this.history)
+      pen.lineTo(width - 5 - (width - left - 5) * (now - time) / 10, bottom - (bottom - top) * force / most);
+    pen.stroke();
+  }
+
+  say(words) {
+    clearTimeout(this.speech);
+    this.speech = null;
+    element("spoken").textContent = words;
+  }
+
+  // For screen readers: the force when it has been the same for a second.
+  sayLater(words) {
+    if (words === this.toSay) return;
+    this.toSay = words;
+    clearTimeout(this.speech);
+    this.speech = setTimeout(() => { element("spoken").textContent = words; }, 1000);
+  }
+}
+
+// Smallest 1, 2 or 5 times a power of ten that is not below a number.
+function roundedUp(least) {
+  if (!(least > 0)) return 0;
+  const power = Math.pow(10, Math.floor(Math.log10(least)));
+  return [1, 2, 5, 10].find((factor) => factor * power >= least * (1 - 1e-9)) * power;
+}
+
+// For tests: page.html#selftest=JSON computes lists of simultaneous touches [{"at": [x, y, z], "displacement": [x, y, z]}]
+// and writes the forces into an element; "frames" in the list also draws so many frames and measures them.
+function selfTest(page, text) {
+  const model = page.model;
+  const request = JSON.parse(text);
+  const results = request.touches.map((touches) => {
+    const all = touches.map(({at, displacement}) => ({point: model.prepare(model.nearest(at)), displacement}));
+    model.solve(all);
+    return all.map(({point, force, error, pageError}) => ({at: point.position, force_N: force, error_N: error, page_error_N: pageError}));
+  });
+  const answer = {webgl: Boolean(page.view), results};
+  if (request.frames && page.view) {
+    page.canvas.style.height = page.canvas.clientHeight + "px";
+    const from = performance.now();
+    for (let k = 0; k < request.frames; ++k) {
+      const angle = 0.1 * k, r = model.size;
+      const at = add(model.middle, [r * Math.cos(angle), r * Math.sin(angle), 0.3 * r]);
+      page.touches = [{point: model.prepare(model.nearest(at)), depth: model.radius / 2, pointer: 0}];
+      page.compute();
+      page.show();
+      page.view.gl.readPixels(0, 0, 1, 1, page.view.gl.RGBA, page.view.gl.UNSIGNED_BYTE, new Uint8Array(4));
+    }
+    answer.frame_ms = (performance.now() - from) / request.frames;
+    answer.canvas = [page.canvas.width, page.canvas.height];
+  }
+  const out = document.createElement("pre");
+  out.id = "selftest";
+  out.textContent = JSON.stringify(answer);
+  document.body.append(out);
+}
+
+const page = new Page(new Model(JSON.parse(element("data").textContent), element("bytes").textContent));
+if (location.hash.startsWith("#selftest=")) selfTest(page, decodeURIComponent(location.hash.slice(10)));
