@@ -53,13 +53,11 @@ Json toJson(const app::TouchPage& page, double bytes) {
             {"places", page.places.size()},
             {"vertices", page.positions.size()},
             {"radius_mm", page.radius},
-            {"widest_mask_mm", page.widestMask},
             {"errors",
              {{"model", page.errors.model},
               {"force", page.errors.force},
               {"typical_force", page.errors.typicalForce},
               {"coupling", page.errors.coupling},
-              {"coupling_near", page.errors.couplingNear},
               {"field", page.errors.field},
               {"typical_field", page.errors.typicalField},
               {"samples", page.errors.samples}}}};
@@ -75,11 +73,12 @@ std::string toText(const app::TouchPage& page, double bytes) {
   text += format(
       "errors     of the force of a touch: %.2g %% by the model (estimate), %.2g %% by the page "
       "(worst place %.2g %%);\n"
-      "           of displacements at other touches %.2g %% of the touch's (below two radii %.2g "
-      "%%), of drawn ones %.2g %% "
-      "(worst %.2g %%)\n",
-      100 * errors.model, 100 * errors.typicalForce, 100 * errors.force, 100 * errors.coupling,
-      100 * errors.couplingNear, 100 * errors.typicalField, 100 * errors.field);
+      "           of displacements at other touches, within two radii %.2g %% of the touch's, "
+      "within four %.2g %%, beyond %.2g %%;\n"
+      "           of drawn displacements %.2g %% (worst %.2g %%)\n",
+      100 * errors.model, 100 * errors.typicalForce, 100 * errors.force, 100 * errors.coupling[0],
+      100 * errors.coupling[1], 100 * errors.coupling[2], 100 * errors.typicalField,
+      100 * errors.field);
   if (!page.notice.empty()) text += "note       " + page.notice + "\n";
   return text;
 }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli/command.h"
-#include "app/core/page/touch_page.h"
+#include "app/core/page/make_touch_page.h"
 
 namespace palpa::cli {
 

@@ -9,6 +9,10 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const lengthOf = (a) => Math.hypot(a[0], a[1], a[2]);
 const unit = (a) => times(a, 1 / (lengthOf(a) || 1));
 
+// Products of a matrix of nine numbers, row by row, with a vector, and of its transpose with one.
+const product = (m, a) => [dot(m.slice(0, 3), a), dot(m.slice(3, 6), a), dot(m.slice(6, 9), a)];
+const transposedProduct = (m, a) => [0, 1, 2].map((k) => m[k] * a[0] + m[k + 3] * a[1] + m[k + 6] * a[2]);
+
 // Arrays of numbers from the text of base 64. They are stored in little-endian order, as all browsers have it.
 function readBlocks(data, text) {
   const characters = atob(text);
@@ -31,11 +35,6 @@ class Model {
     this.triangleCount = this.triangles.length / 3;
     this.placeCount = this.places.length;
     this.radius = data.radius_mm;
-    const nu = data.material.poisson_ratio;
-    const shear = data.material.youngs_modulus_MPa / (2 * (1 + nu));
-    // Factors of the kernel across the surface (less in the direction of the normal).
-    this.kernelAcross = (1 - nu / 2) / (2 * Math.PI * shear);
-    this.kernelLess = nu / 2 / (2 * Math.PI * shear);
     this.displacement = new Float32Array(this.positions.length);
     this.nodeDisplacement = new Float32Array(3 * data.node_count);
     // Middle and radius of the body, for the view.
@@ -65,60 +64,79 @@ class Model {
     return result;
   }
 
-  // A point with what every computation there needs.
-  prepare(point) {
-    const places = new Map();
-    const each = this.weights.length / this.vertexCount;
+  // The forces at the places that replace a unit force at a point: nine numbers for each place.
+  placesAt(point) {
+    const places = new Map(), each = this.weightPlaces.length / this.vertexCount;
     for (let k = 0; k < 3; ++k) {
-      const v = this.triangles[3 * point.triangle + k];
+      const v = this.triangles[3 * point.triangle + k], scale = point.weights[k] * this.weightScales[v];
+      if (scale === 0) continue;
       for (let i = each * v; i < each * (v + 1); ++i) {
-        const weight = point.weights[k] * this.weights[i];
-        if (weight !== 0) places.set(this.weightPlaces[i], (places.get(this.weightPlaces[i]) || 0) + weight);
+        const place = this.weightPlaces[i];
+        if (!places.has(place)) places.set(place, new Array(9).fill(0));
+        const sum = places.get(place);
+        for (let c = 0; c < 9; ++c) sum[c] += scale * this.weights[9 * i + c];
       }
     }
-    // A bubble over the triangle gives the compliance its known value at the middle.
-    const bubble = 27 * point.weights[0] * point.weights[1] * point.weights[2];
-    const s = this.at(this.own, {triangle: point.triangle, weights: point.weights.map((w) => w - bubble / 3)}, 6)
-        .map((x, k) => x + bubble * this.ownAtMiddles[6 * point.triangle + k]);
+    return [...places];
+  }
+
+  // Compliance of a touch: quadratic between the corners and edges, with a bubble that has the known value at the middle.
+  ownAt(point) {
+    const [t, w] = [point.triangle, point.weights], bubble = 27 * w[0] * w[1] * w[2], s = new Array(6).fill(0);
+    for (let c = 0; c < 6; ++c) {
+      s[c] = bubble * this.ownAtMiddles[6 * t + c];
+      for (let k = 0; k < 3; ++k) {
+        s[c] += (w[k] * (2 * w[k] - 1) + bubble / 9) * this.own[6 * this.triangles[3 * t + k] + c];
+        s[c] += 4 * (w[(k + 1) % 3] * w[(k + 2) % 3] - bubble / 9) * this.ownAtEdges[6 * this.edges[3 * t + k] + c];
+      }
+    }
+    return [s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2]];
+  }
+
+  // A point with what every computation there needs.
+  prepare(point) {
     return {
       triangle: point.triangle,
       weights: point.weights,
       position: this.at(this.positions, point),
       normal: unit(this.at(this.normals, point)),
       loaded: this.at(this.meanLoaded, point),
-      own: [s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2]],
-      places: [...places]
+      own: this.ownAt(point),
+      places: this.placesAt(point)
     };
   }
 
-  // Compliance between two different points, mm/N: displacement of the mask at a per force on the mask at b; nine
-  // numbers, row by row. Between the places, only what remains without the kernel is interpolated.
-  coupling(a, b) {
-    const core = this.radius / 2.408;
-    const distance = Math.hypot(lengthOf(subtract(a.position, b.position)), core);
-    const result = new Array(9).fill(0);
-    const rows = 3 * this.placeCount;
-    for (let row = 0; row < 3; ++row) {
-      for (let column = 0; column < 3; ++column) {
-        let sum = ((row === column ? this.kernelAcross : 0) -
-                   this.kernelLess * 0.5 * (a.normal[row] * a.normal[column] + b.normal[row] * b.normal[column])) / distance;
-        for (const [j, weightB] of b.places) {
-          const from = (3 * j + column) * rows + row, scale = this.couplingScales[3 * j + column] * weightB;
-          for (const [i, weightA] of a.places) sum += weightA * scale * this.couplings[from + 3 * i];
+  // Displacement of the mask at a (mm) by a force (N) on the mask at b, another point.
+  displacementBy(a, b, force) {
+    const rows = 3 * this.placeCount, moved = new Array(3).fill(0);
+    const atB = b.places.map(([j, w]) => [j, product(w, force)]);
+    for (const [i, weightA] of a.places) {
+      const here = [0, 0, 0];
+      for (const [j, f] of atB) {
+        for (let axis = 0; axis < 3; ++axis) {
+          const column = 3 * j + axis, from = column * rows + 3 * i, factor = this.couplingScales[column] * f[axis];
+          here[0] += factor * this.couplings[from];
+          here[1] += factor * this.couplings[from + 1];
+          here[2] += factor * this.couplings[from + 2];
         }
-        result[3 * row + column] = sum;
       }
+      const there = transposedProduct(weightA, here);
+      for (let k = 0; k < 3; ++k) moved[k] += there[k];
     }
-    return result;
+    return moved;
+  }
+
+  // Compliance between two different points, mm/N: nine numbers, row by row.
+  coupling(a, b) {
+    const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((f) => this.displacementBy(a, b, f));
+    return [0, 1, 2].flatMap((row) => columns.map((column) => column[row]));
   }
 
   // Displacement of the mask at a point that other touches with known forces cause, with the loads.
   displacementAt(point, others) {
     let sum = point.loaded;
-    for (const other of others) {
-      const c = other.point === point ? point.own : this.coupling(point, other.point);
-      for (let row = 0; row < 3; ++row) sum = sum.map((x, k) => k === row ? x + dot(c.slice(3 * row, 3 * row + 3), other.force) : x);
-    }
+    for (const other of others)
+      sum = add(sum, other.point === point ? product(point.own, other.force) : this.displacementBy(point, other.point, other.force));
     return sum;
   }
 
@@ -168,52 +186,51 @@ class Model {
     }
   }
 
-  // Errors of the forces: of the model and of the compliance of the touch itself in proportion; the error of the
-  // displacement that other touches cause here, through the inverse. Norms are means over the three directions.
+  // Errors of the forces: the model's own in proportion; of this page, what is wrong with the displacement of a touch by
+  // its own force and by the others, through the inverse.
   setErrors(active, unknowns, inverse) {
     const errors = this.data.errors;
-    const wrong = active.map((touch) => {
-      let sum = 0;
-      for (const other of active) {
-        if (other === touch) continue;
-        const isNear = lengthOf(subtract(touch.point.position, other.point.position)) < 2 * this.radius;
-        sum += (isNear ? errors.coupling_near : errors.coupling) * lengthOf(other.force);
-      }
-      return sum * Math.hypot(...touch.point.own) / Math.sqrt(3);
-    });
-    active.forEach((touch) => {
-      let fromOthers = 0;
-      active.forEach((other, j) => {
-        let square = 0;
-        unknowns.forEach((a, i) => {
-          unknowns.forEach((b, k) => {
-            if (a.touch === touch && b.touch === other) square += inverse[i][k] * inverse[i][k];
-          });
-        });
-        fromOthers += Math.sqrt(square / 3) * wrong[j];
+    const ofTouch = active.map((touch) => unknowns.map((each, k) => each.touch === touch ? k : -1).filter((k) => k >= 0));
+    const fromOthers = active.map((touch) => active.reduce((sum, other) => other === touch ? sum : sum +
+      errors.coupling[this.couplingClass(touch.point, other.point)] * Math.sqrt(Math.hypot(...touch.point.own) * Math.hypot(...other.point.own)) *
+      lengthOf(other.force), 0));
+    active.forEach((touch, b) => {
+      touch.pageError = 0;
+      active.forEach((other, a) => {
+        const block = ofTouch[b].map((i) => ofTouch[a].map((k) => inverse[i][k]));
+        // The own displacement is in proportion to the force: compliance along the unknowns.
+        const own = block.map((row) => [0, 1, 2].map((c) => row.reduce((sum, x, k) =>
+          sum + x * transposedProduct(other.point.own, unknowns[ofTouch[a][k]].along)[c], 0)));
+        touch.pageError += largestFactor(own) * this.forceErrors[other.point.triangle] * lengthOf(other.force);
+        touch.pageError += largestFactor(block) * fromOthers[a];
       });
-      touch.pageError = this.forceErrors[touch.point.triangle] * lengthOf(touch.force) + fromOthers;
       touch.error = errors.model * lengthOf(touch.force) + touch.pageError;
     });
   }
 
-  // Displacements of all vertices, mm, in this.displacement: the loads, what remains of the Green's functions at the
-  // nodes, and the kernel at the touches themselves.
+  // The class of coupling errors: by the distance in radii.
+  couplingClass(a, b) {
+    const distance = lengthOf(subtract(a.position, b.position)) / this.radius;
+    return this.data.errors.coupling_radii.filter((each) => distance >= each).length;
+  }
+
+  // Displacements of all vertices, mm, in this.displacement: the loads, and the fields of the touches at the nodes.
   deform(touches) {
     const u = this.displacement, atNodes = this.nodeDisplacement, length = atNodes.length;
     u.set(this.loaded);
+    const forces = new Map();  // at the places
+    for (const {point, force} of touches)
+      if (lengthOf(force) > 0)
+        for (const [j, weight] of point.places) forces.set(j, add(forces.get(j) || [0, 0, 0], product(weight, force)));
+    if (forces.size === 0) return u;
     atNodes.fill(0);
-    const pressed = touches.filter((touch) => lengthOf(touch.force) > 0);
-    for (const {point, force} of pressed) {
-      for (const [j, weight] of point.places) {
-        for (let axis = 0; axis < 3; ++axis) {
-          const column = 3 * j + axis, factor = weight * force[axis] * this.fieldScales[column];
-          const numbers = this.fields.subarray(column * length, (column + 1) * length);
-          for (let k = 0; k < length; ++k) atNodes[k] += factor * numbers[k];
-        }
+    for (const [j, force] of forces) {
+      for (let axis = 0; axis < 3; ++axis) {
+        const column = 3 * j + axis, factor = force[axis] * this.fieldScales[column];
+        const numbers = this.fields.subarray(column * length, (column + 1) * length);
+        for (let k = 0; k < length; ++k) atNodes[k] += factor * numbers[k];
       }
     }
-    if (pressed.length === 0) return u;
     for (let k = 0; k < u.length; k += 3) {
       for (let i = k; i < k + 3; ++i) {
         const node = 3 * this.nodes[i], weight = this.nodeWeights[i];
@@ -222,26 +239,7 @@ class Model {
         u[k + 2] += weight * atNodes[node + 2];
       }
     }
-    const core = this.radius / 3.2;
-    for (const {point, force} of pressed) this.addKernel(point.position, point.normal, force, core * core);
-    // A support holds these vertices, which the interpolation does not know exactly.
-    for (let v = 0; v < this.vertexCount; ++v)
-      if (this.held[v]) for (let k = 3 * v; k < 3 * v + 3; ++k) u[k] = this.loaded[k];
     return u;
-  }
-
-  addKernel(from, normal, force, core2) {
-    const along = dot(force, normal), u = this.displacement, p = this.positions;
-    const x = this.kernelAcross * force[0] - this.kernelLess * along * normal[0];
-    const y = this.kernelAcross * force[1] - this.kernelLess * along * normal[1];
-    const z = this.kernelAcross * force[2] - this.kernelLess * along * normal[2];
-    for (let k = 0; k < u.length; k += 3) {
-      const dx = p[k] - from[0], dy = p[k + 1] - from[1], dz = p[k + 2] - from[2];
-      const size = 1 / Math.sqrt(dx * dx + dy * dy + dz * dz + core2);
-      u[k] += size * x;
-      u[k + 1] += size * y;
-      u[k + 2] += size * z;
-    }
   }
 
   // The point of the touchable surface nearest to a place (mm), at rest.
@@ -278,6 +276,12 @@ function nearestInTriangle(p, a, b, c) {
   }
   const sum = va + vb + vc;
   return [va / sum, vb / sum, vc / sum];
+}
+
+// A bound of the factor by which a matrix (rows of numbers) stretches a vector: the root of its norms by rows and columns.
+function largestFactor(rows) {
+  const sums = (lines) => Math.max(...lines.map((line) => line.reduce((sum, x) => sum + Math.abs(x), 0)));
+  return Math.sqrt(sums(rows) * sums(rows[0].map((_, c) => rows.map((row) => row[c]))));
 }
 
 // Inverse of a small matrix by Gauss-Jordan elimination with pivots.

@@ -27,12 +27,13 @@ class Page {
     const facts = {
       "Material": `${data.material.name}: E ${shortNumber(data.material.youngs_modulus_MPa)} MPa, ν ${data.material.poisson_ratio}`,
       "Mesh": `${data.model.nodes} nodes, ${data.model.triangles} triangles; drawn with ${this.model.vertexCount} vertices`,
-      "Touch": `radius ${shortNumber(data.radius_mm)} mm${data.widest_mask_mm > 1.02 * data.radius_mm ? ` (where the mesh is coarse up to ${shortNumber(data.widest_mask_mm)} mm)` : ""}, ${this.model.placeCount} places with their displacements`,
+      "Touch": `radius ${shortNumber(data.radius_mm)} mm, ${this.model.placeCount} places with their displacements`,
       "Error of the model": `${percent(errors.model)} of a force (estimate)`,
       "Error of this page": `${percent(errors.typical_force)} of the force of one touch at most places, ${percent(errors.force)} at ` +
-          `the worst. Of the displacement that one touch causes at another, over its own: ${percent(errors.coupling)}, nearer than two ` +
-          `radii ${percent(errors.coupling_near)}; of drawn displacements at their worst vertex ${percent(errors.typical_field)}, beside supports ${percent(errors.field)}. Twice the largest of ` +
-          `${errors.samples} places, against full solutions`,
+          `the worst. Of the displacement that one touch causes at another, over its own: ${percent(errors.coupling[0])} nearer than two ` +
+          `radii, ${percent(errors.coupling[1])} nearer than four, ${percent(errors.coupling[2])} beyond. Of drawn displacements at ` +
+          `their worst vertex ${percent(errors.typical_field)}, beside supports ${percent(errors.field)}. One and a half times the ` +
+          `largest of ${errors.samples} random places, against full solutions`,
       "Deformation": "true to scale; linear elasticity, small strain",
       "Written by": data.program
     };

@@ -1,8 +1,6 @@
 #include "app/core/page/touch_page.h"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace palpa::app {
 
@@ -54,72 +52,72 @@ Matrix3d TouchPage::symmetric(const std::array<float, 6>& numbers) {
 
 Matrix3d TouchPage::ownCompliance(const Point& point) const {
   const auto triangle = static_cast<std::size_t>(point.triangle);
-  const double bubble = 27 * point.weights.prod();
+  const Vector3d& w = point.weights;
+  const double bubble = 27 * w.prod();
+  // The quadratic functions have the values -1/9 (corners) and 4/9 (edges) at the middle.
   Matrix3d sum = bubble * symmetric(ownAtMiddles[triangle]);
-  for (std::size_t k = 0; k < 3; ++k)
-    sum += (point.weights[static_cast<Index>(k)] - bubble / 3) *
-           symmetric(own[triangles[triangle][k]]);
+  for (Index k = 0; k < 3; ++k) {
+    const auto corner = static_cast<std::size_t>(k);
+    sum += (w[k] * (2 * w[k] - 1) + bubble / 9) * symmetric(own[triangles[triangle][corner]]);
+    sum += 4 * (w[(k + 1) % 3] * w[(k + 2) % 3] - bubble / 9) *
+           symmetric(ownAtEdges[edges[triangle][corner]]);
+  }
   return sum;
 }
 
-Matrix3d TouchPage::kernel(const Vector3d& normal, double distance, double core) const {
-  const double nu = material.poissonRatio;
-  const double size = 1 / (2 * std::numbers::pi * material.shear() * std::hypot(distance, core));
-  return size * ((1 - nu / 2) * Matrix3d::Identity() - nu / 2 * normal * normal.transpose());
-}
-
-Matrix3d TouchPage::meanKernel(const Vector3d& a, const Vector3d& normalA, const Vector3d& b,
-                               const Vector3d& normalB) const {
-  const double distance = (a - b).norm();
-  return 0.5 *
-         (kernel(normalA, distance, coreOfMeans()) + kernel(normalB, distance, coreOfMeans()));
-}
-
-std::vector<std::pair<int, double>> TouchPage::placesAt(const Point& point) const {
-  std::vector<std::pair<int, double>> result;
+std::map<int, Matrix3d> TouchPage::placesAt(const Point& point) const {
+  std::map<int, Matrix3d> result;
   const auto& corners = triangles[static_cast<std::size_t>(point.triangle)];
   for (std::size_t k = 0; k < 3; ++k) {
     const PlaceWeights& from = weights[corners[k]];
-    for (std::size_t i = 0; i < PlaceWeights::kCount; ++i) {
-      const double weight = point.weights[static_cast<Index>(k)] * from.weights[i];
-      if (weight == 0) continue;
-      const auto found = std::find_if(result.begin(), result.end(), [&](const auto& each) {
-        return each.first == from.places[i];
-      });
-      if (found == result.end())
-        result.emplace_back(from.places[i], weight);
-      else
-        found->second += weight;
-    }
+    for (std::size_t i = 0; i < PlaceWeights::kCount; ++i)
+      result.try_emplace(from.places[i], Matrix3d::Zero()).first->second +=
+          point.weights[static_cast<Index>(k)] * from.at(i);
   }
   return result;
 }
 
 Matrix3d TouchPage::couplingOf(const Point& a, const Point& b) const {
-  Matrix3d sum = meanKernel(positionOf(a), normalOf(a), positionOf(b), normalOf(b));
-  const auto atA = placesAt(a), atB = placesAt(b);
-  for (const auto& [j, weightB] : atB)
-    for (const auto& [i, weightA] : atA)
+  Matrix3d sum = Matrix3d::Zero();
+  const auto atB = placesAt(b);
+  for (const auto& [i, weightA] : placesAt(a)) {
+    Matrix3d moved = Matrix3d::Zero();  // of the place i, by the force at b
+    for (const auto& [j, weightB] : atB) {
+      Matrix3d block;
       for (Index column = 0; column < 3; ++column)
         for (Index row = 0; row < 3; ++row)
-          sum(row, column) +=
-              weightA * weightB *
+          block(row, column) =
               coupling.at(3 * static_cast<Index>(i) + row, 3 * static_cast<Index>(j) + column);
+      moved += block * weightB;
+    }
+    sum += weightA.transpose() * moved;
+  }
   return sum;
 }
 
-Matrix3d TouchPage::fieldAt(std::size_t vertex, const Point& point) const {
-  if (isHeld[vertex]) return Matrix3d::Zero();
-  const Vector3d at = positions[vertex].cast<double>();
-  Matrix3d sum = kernel(normalOf(point), (at - positionOf(point)).norm(), coreAtPoints());
+Eigen::MatrixX3d TouchPage::fieldOf(const Point& point) const {
+  Eigen::MatrixX3d atNodes = Eigen::MatrixX3d::Zero(3 * static_cast<Index>(nodeCount), 3);
   for (const auto& [j, weight] : placesAt(point))
+    for (Index axis = 0; axis < 3; ++axis) {
+      const Index column = 3 * static_cast<Index>(j) + axis;
+      const auto numbers = Eigen::Map<const Eigen::Matrix<std::int16_t, Eigen::Dynamic, 1>>(
+          fields.numbers.data() + column * fields.rows, fields.rows);
+      const double scale = fields.scales[static_cast<std::size_t>(column)];
+      atNodes += numbers.cast<double>() * (scale * weight.row(axis));
+    }
+  Eigen::MatrixX3d field = Eigen::MatrixX3d::Zero(3 * static_cast<Index>(positions.size()), 3);
+  for (std::size_t v = 0; v < positions.size(); ++v)
     for (std::size_t k = 0; k < 3; ++k)
-      for (Index column = 0; column < 3; ++column)
-        for (Index row = 0; row < 3; ++row)
-          sum(row, column) += weight * nodeWeights[vertex][k] *
-                              fields.at(3 * static_cast<Index>(nodes[vertex][k]) + row,
-                                        3 * static_cast<Index>(j) + column);
-  return sum;
+      field.middleRows<3>(3 * static_cast<Index>(v)) +=
+          nodeWeights[v][k] * atNodes.middleRows<3>(3 * static_cast<Index>(nodes[v][k]));
+  return field;
+}
+
+std::size_t TouchPage::couplingClass(const Vector3d& a, const Vector3d& b) const {
+  const double distance = (a - b).norm() / radius;
+  std::size_t found = 0;
+  while (found < kCouplingDistances.size() && distance >= kCouplingDistances[found]) ++found;
+  return found;
 }
 
 std::vector<Vector3d> TouchPage::forces(std::span<const Point> points,

@@ -54,22 +54,26 @@ Blocks blocksOf(const TouchPage& page) {
   blocks.add("loaded", "f32", numbersOf(page.loaded), 3 * vertices);
   blocks.add("meanLoaded", "f32", numbersOf(page.meanLoaded), 3 * vertices);
   blocks.add("own", "f32", numbersOf(page.own), 6 * vertices);
+  blocks.add("ownAtEdges", "f32", numbersOf(page.ownAtEdges), 6 * page.ownAtEdges.size());
   blocks.add("ownAtMiddles", "f32", numbersOf(page.ownAtMiddles), 6 * page.triangles.size());
   blocks.add("forceErrors", "f32", page.forceErrors.data(), page.forceErrors.size());
   blocks.add("triangles", "u16", numbersOf(page.triangles), 3 * page.triangles.size());
+  blocks.add("edges", "u16", numbersOf(page.edges), 3 * page.edges.size());
   blocks.add("touchable", "u8", page.isTouchable.data(), page.isTouchable.size());
   blocks.add("places", "u16", page.places.data(), page.places.size());
-  std::vector<std::uint16_t> numbers;
-  std::vector<float> weights;
+  std::vector<std::uint16_t> weightPlaces;
+  std::vector<std::int16_t> weights;
+  std::vector<float> weightScales;
   for (const PlaceWeights& each : page.weights) {
-    numbers.insert(numbers.end(), each.places.begin(), each.places.end());
-    weights.insert(weights.end(), each.weights.begin(), each.weights.end());
+    weightPlaces.insert(weightPlaces.end(), each.places.begin(), each.places.end());
+    weights.insert(weights.end(), each.numbers.begin(), each.numbers.end());
+    weightScales.push_back(each.scale);
   }
-  blocks.add("weightPlaces", "u16", numbers.data(), numbers.size());
-  blocks.add("weights", "f32", weights.data(), weights.size());
+  blocks.add("weightPlaces", "u16", weightPlaces.data(), weightPlaces.size());
+  blocks.add("weights", "i16", weights.data(), weights.size());
+  blocks.add("weightScales", "f32", weightScales.data(), weightScales.size());
   blocks.add("nodes", "u16", numbersOf(page.nodes), 3 * vertices);
   blocks.add("nodeWeights", "f32", numbersOf(page.nodeWeights), 3 * vertices);
-  blocks.add("held", "u8", page.isHeld.data(), vertices);
   blocks.add("couplingScales", "f32", page.coupling.scales.data(), page.coupling.scales.size());
   blocks.add("couplings", "i16", page.coupling.numbers.data(), page.coupling.numbers.size());
   blocks.add("fieldScales", "f32", page.fields.scales.data(), page.fields.scales.size());
@@ -123,14 +127,13 @@ std::string touchPageText(const TouchPage& page) {
                     {"youngs_modulus_MPa", page.material.youngsModulus},
                     {"poisson_ratio", page.material.poissonRatio}}},
                   {"radius_mm", page.radius},
-                  {"widest_mask_mm", page.widestMask},
                   {"model", {{"nodes", page.modelNodes}, {"triangles", page.modelTriangles}}},
                   {"errors",
                    {{"model", page.errors.model},
                     {"force", page.errors.force},
                     {"typical_force", page.errors.typicalForce},
                     {"coupling", page.errors.coupling},
-                    {"coupling_near", page.errors.couplingNear},
+                    {"coupling_radii", TouchPage::kCouplingDistances},
                     {"field", page.errors.field},
                     {"typical_field", page.errors.typicalField},
                     {"samples", page.errors.samples}}},

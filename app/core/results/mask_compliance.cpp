@@ -6,7 +6,6 @@
 
 #include "app/core/results/field_sample.h"
 #include "bem/base/error.h"
-#include "bem/contact/contact_mask.h"
 
 namespace palpa::app {
 namespace {
@@ -28,7 +27,8 @@ std::vector<bem::ContactMask> masksAt(const bem::ContactSurface& surface,
   return masks;
 }
 
-/// Fields of unit forces along x, y and z on each of some masks.
+}  // namespace
+
 bem::BoundaryField unitFields(const TouchableModel& model, std::span<const bem::ContactMask> masks,
                               const Job& job) {
   const auto columns = 3 * static_cast<Index>(masks.size());
@@ -42,8 +42,6 @@ bem::BoundaryField unitFields(const TouchableModel& model, std::span<const bem::
             masks[m].traction[k] * Matrix3d::Identity();
   return model.model().problem()->solveField(known, bem::ReferenceProblem::Effort::kRefined, job);
 }
-
-}  // namespace
 
 Eigen::MatrixXd maskCompliance(const TouchableModel& model, std::span<const Eigen::Vector3d> places,
                                double radius, const Job& job) {

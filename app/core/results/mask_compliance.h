@@ -5,6 +5,8 @@
 
 #include "app/core/live/touchable_model.h"
 #include "base/job.h"
+#include "bem/contact/contact_mask.h"
+#include "bem/model/boundary_conditions.h"
 
 namespace palpa::app {
 
@@ -19,6 +21,11 @@ namespace palpa::app {
 /// support, kTooLarge above kMaxCompliancePlaces; Cancelled.
 Eigen::MatrixXd maskCompliance(const TouchableModel& model, std::span<const Eigen::Vector3d> places,
                                double radius, const Job& job = {});
+
+/// Displacement and traction coefficients for unit forces along x, y, z on each of some masks: three
+/// columns for each, solved with refinement. Throws Cancelled.
+bem::BoundaryField unitFields(const TouchableModel& model, std::span<const bem::ContactMask> masks,
+                              const Job& job);
 
 inline constexpr std::size_t kMaxCompliancePlaces = 5000;
 

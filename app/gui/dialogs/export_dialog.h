@@ -5,7 +5,7 @@
 #include <QFormLayout>
 #include <QSpinBox>
 
-#include "app/core/page/touch_page.h"
+#include "app/core/page/make_touch_page.h"
 #include "app/gui/document/export_body.h"
 #include "modeling/exchange/file_format.h"
 

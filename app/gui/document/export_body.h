@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/core/page/touch_page.h"
+#include "app/core/page/make_touch_page.h"
 #include "base/job.h"
 #include "modeling/project/project.h"
 

@@ -1,0 +1,180 @@
+#include "app/core/page/page_errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace palpa::app {
+
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Places at which forces of one touch, of pairs of touches, and whole fields are compared: tens of
+/// microseconds, a millisecond and tens of milliseconds each.
+constexpr std::size_t kForceSamples = 1000, kCouplingSamples = 150, kFieldSamples = 32;
+/// From the largest error of the samples to the stated one, because samples miss the worst place.
+constexpr double kMargin = 1.5;
+/// Below this the error comes from the single precision of the Green's columns and of the file.
+constexpr double kMinDeviation = 2e-4;
+
+double largest(const Matrix3d& matrix) { return matrix.jacobiSvd().singularValues()[0]; }
+
+void raise(double& most, double value) { most = std::max(most, value); }
+
+/// Relative error of forces of all unit displacements: f_page - f = (S_page^-1 S - 1) f.
+double forceError(const Matrix3d& ofPage, const Matrix3d& exact) {
+  return largest(ofPage.ldlt().solve(exact) - Matrix3d::Identity());
+}
+
+struct Sample {
+  TouchPage::Point at;
+  bem::SurfacePoint place;
+  Matrix3d own;
+};
+
+class Measurement {
+ public:
+  Measurement(TouchPage& page, const PageSurface& surface, PageSolutions& solutions,
+              double from, const Job& job)
+      : page_(page), surface_(surface), solutions_(solutions), from_(from), job_(job) {
+    for (std::size_t t = 0; t < page.triangles.size(); ++t)
+      if (page.isTouchable[t]) touchable_.push_back(static_cast<int>(t));
+  }
+
+  void run() {
+    chooseSamples();
+    findDeviations();
+    measureForces();
+    report(0.3);
+    measureCouplings();
+    report(0.5);
+    measureFields();
+  }
+
+ private:
+  void report(double fraction) const {
+    job_.report(Phase::kTouch, from_ + (1 - from_) * fraction);
+  }
+
+  /// Random places: every triangle is as probable as every other, so that small triangles, which
+  /// are where much changes, have as many samples.
+  void chooseSamples() {
+    std::mt19937 generator(11);
+    std::exponential_distribution<double> uniform;  // its shares are uniform in a triangle
+    for (std::size_t k = 0; k < kForceSamples && !touchable_.empty(); ++k) {
+      job_.throwIfCancelled();
+      TouchPage::Point point{touchable_[generator() % touchable_.size()]};
+      for (double& weight : point.weights) weight = uniform(generator);
+      point.weights /= point.weights.sum();
+      const bem::SurfacePoint place = surface_.at(point);
+      if (const auto own = solutions_.own(place))
+        samples_.push_back({point, place, own->compliance});
+    }
+  }
+
+  /// How far the compliance in the middle of a triangle is from the quadratic function through
+  /// corners and edges: the largest one of the triangles around.
+  void findDeviations() {
+    std::vector<double> around(page_.positions.size(), kMinDeviation);
+    for (const int t : touchable_) {
+      const auto triangle = static_cast<std::size_t>(t);
+      Matrix3d middle = Matrix3d::Zero();
+      for (std::size_t k = 0; k < 3; ++k)
+        middle += (4 * TouchPage::symmetric(page_.ownAtEdges[page_.edges[triangle][k]]) -
+                   TouchPage::symmetric(page_.own[page_.triangles[triangle][k]])) /
+                  9;
+      const double here = forceError(middle, TouchPage::symmetric(page_.ownAtMiddles[triangle]));
+      for (const std::uint16_t corner : page_.triangles[triangle]) raise(around[corner], here);
+    }
+    deviations_.assign(page_.triangles.size(), kMinDeviation);
+    for (const int t : touchable_)
+      for (const std::uint16_t corner : page_.triangles[static_cast<std::size_t>(t)])
+        raise(deviations_[static_cast<std::size_t>(t)], around[corner]);
+  }
+
+  void measureForces() {
+    double factor = 0;
+    for (const Sample& sample : samples_)
+      raise(factor, forceError(page_.ownCompliance(sample.at), sample.own) /
+                        deviations_[static_cast<std::size_t>(sample.at.triangle)]);
+    page_.forceErrors.assign(page_.triangles.size(), 0);
+    std::vector<double> stated;
+    for (const int t : touchable_) {
+      stated.push_back(kMargin * factor * deviations_[static_cast<std::size_t>(t)]);
+      page_.forceErrors[static_cast<std::size_t>(t)] = static_cast<float>(stated.back());
+    }
+    std::sort(stated.begin(), stated.end());
+    page_.errors.samples = static_cast<int>(samples_.size());
+    if (stated.empty()) return;
+    page_.errors.force = stated.back();
+    page_.errors.typicalForce = stated[stated.size() / 2];
+  }
+
+  /// Pairs that overlap are one touch.
+  void measureCouplings() {
+    const std::size_t count = std::min(kCouplingSamples, samples_.size());
+    std::vector<bem::SurfacePoint> places;
+    for (std::size_t k = 0; k < count; ++k) places.push_back(samples_[k].place);
+    const Eigen::MatrixXd exact = solutions_.between(places);
+    for (std::size_t a = 0; a < count; ++a) {
+      job_.throwIfCancelled();
+      for (std::size_t b = 0; b < a; ++b) {
+        const Vector3d &atA = places[a].position, &atB = places[b].position;
+        if ((atA - atB).norm() < page_.radius) continue;
+        const Matrix3d block =
+            exact.block<3, 3>(3 * static_cast<Index>(a), 3 * static_cast<Index>(b));
+        raise(page_.errors.coupling[page_.couplingClass(atA, atB)],
+              kMargin * largest(page_.couplingOf(samples_[a].at, samples_[b].at) - block) /
+                  std::sqrt(TouchPage::sizeOf(samples_[a].own) *
+                            TouchPage::sizeOf(samples_[b].own)));
+      }
+    }
+  }
+
+  void measureFields() {
+    const std::size_t count = std::min(kFieldSamples, samples_.size());
+    std::vector<bem::ContactMask> masks;
+    for (std::size_t k = 0; k < count; ++k) masks.push_back(solutions_.mask(samples_[k].place));
+    std::vector<double> errors;
+    solutions_.forEach(
+        masks,
+        [&](std::size_t k, const Eigen::MatrixXd& u) {
+          Eigen::MatrixX3d wrong = page_.fieldOf(samples_[k].at);
+          for (Index axis = 0; axis < 3; ++axis)
+            wrong.col(axis) -= surface_.vertexField(u.col(axis));
+          double worst = 0;
+          for (Index row = 0; row < wrong.rows(); row += 3)
+            raise(worst, largest(wrong.middleRows<3>(row)));
+          errors.push_back(worst / largest(samples_[k].own));
+        },
+        [&](double fraction) { report(0.5 + 0.5 * fraction); }, job_);
+    if (errors.empty()) return;
+    std::sort(errors.begin(), errors.end());
+    page_.errors.typicalField = errors[errors.size() / 2];
+    page_.errors.field = kMargin * errors.back();
+  }
+
+  TouchPage& page_;
+  const PageSurface& surface_;
+  PageSolutions& solutions_;
+  double from_;
+  const Job& job_;
+  std::vector<int> touchable_;      // triangles
+  std::vector<double> deviations_;  // per triangle
+  std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+void measurePageErrors(TouchPage& page, const PageSurface& surface, PageSolutions& solutions,
+                       double from, const Job& job) {
+  Measurement(page, surface, solutions, from, job).run();
+}
+
+}  // namespace palpa::app
