@@ -204,8 +204,13 @@ class Model {
         touch.pageError += largestFactor(own) * this.forceErrors[other.point.triangle] * lengthOf(other.force);
         touch.pageError += largestFactor(block) * fromOthers[a];
       });
-      touch.error = errors.model * lengthOf(touch.force) + touch.pageError;
+      touch.error = this.modelError(touch.point) * lengthOf(touch.force) + touch.pageError;
     });
+  }
+
+  // Relative error of the force of a touch by the model that the page is made of.
+  modelError(point) {
+    return this.nearSupport[point.triangle] ? this.data.errors.model_near_supports : this.data.errors.model;
   }
 
   // The class of coupling errors: by the distance in radii.

@@ -28,7 +28,7 @@ class Page {
       "Material": `${data.material.name}: E ${shortNumber(data.material.youngs_modulus_MPa)} MPa, ν ${data.material.poisson_ratio}`,
       "Mesh": `${data.model.nodes} nodes, ${data.model.triangles} triangles; drawn with ${this.model.vertexCount} vertices`,
       "Touch": `radius ${shortNumber(data.radius_mm)} mm, ${this.model.placeCount} places with their displacements`,
-      "Error of the model": `${percent(errors.model)} of a force (estimate)`,
+      "Error of the model": `${percent(errors.model)} of a force, beside supports ${percent(errors.model_near_supports)} (estimates)`,
       "Error of this page": `${percent(errors.typical_force)} of the force of one touch at most places, ${percent(errors.force)} at ` +
           `the worst. Of the displacement that one touch causes at another, over its own: ${percent(errors.coupling[0])} nearer than two ` +
           `radii, ${percent(errors.coupling[1])} nearer than four, ${percent(errors.coupling[2])} beyond. Of drawn displacements at ` +

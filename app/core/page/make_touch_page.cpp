@@ -14,7 +14,6 @@
 #include "app/core/page/page_project.h"
 #include "app/core/page/page_solutions.h"
 #include "app/core/page/page_surface.h"
-#include "app/core/results/error_estimate.h"
 #include "base/count_text.h"
 #include "base/text.h"
 #include "bem/base/error.h"
@@ -55,8 +54,7 @@ class PageMaker {
     findOwn(surface, solutions);
     choosePlaces();
     solvePlaces(surface, solutions);
-    measurePageErrors(page_, surface, solutions, kPlacesEnd, job_);
-    page_.errors.model = estimateTouchError(model_.model(), job_).relative;
+    measurePageErrors(page_, model_.model(), surface, solutions, kPlacesEnd, job_);
     return std::move(page_);
   }
 
@@ -236,7 +234,7 @@ double pageBytes(double nodes, double vertices, double triangles, double places)
   constexpr double kOwnText = 60e3;  // script, style and words of the page
   constexpr double kWeights = PlaceWeights::kCount * (2 + 9 * 2) + 4;
   constexpr double kVertex = 4 * 12 + 6 * 4 + kWeights + 3 * 6;
-  constexpr double kTriangle = 2 * 3 * 2 + 6 * 4 + 1.5 * 6 * 4 + 4 + 1;
+  constexpr double kTriangle = 2 * 3 * 2 + 6 * 4 + 1.5 * 6 * 4 + 4 + 2;
   const double binary = vertices * kVertex + triangles * kTriangle +
                         2 * (9 * nodes * places + 9 * places * places) + 24 * places;
   return kOwnText + binary * 4 / 3;

@@ -1,11 +1,14 @@
 #include "app/core/page/page_errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <random>
 #include <vector>
+
+#include "app/core/results/error_estimate.h"
 
 namespace palpa::app {
 
@@ -18,6 +21,8 @@ namespace {
 /// Places at which forces of one touch, of pairs of touches, and whole fields are compared: tens of
 /// microseconds, a millisecond and tens of milliseconds each.
 constexpr std::size_t kForceSamples = 1000, kCouplingSamples = 150, kFieldSamples = 32;
+/// Places beside supports, and others, at which the error of the model is estimated.
+constexpr std::size_t kModelSamples = 16;
 /// From the largest error of the samples to the stated one, because samples miss the worst place.
 constexpr double kMargin = 1.5;
 /// Below this the error comes from the single precision of the Green's columns and of the file.
@@ -40,9 +45,9 @@ struct Sample {
 
 class Measurement {
  public:
-  Measurement(TouchPage& page, const PageSurface& surface, PageSolutions& solutions,
-              double from, const Job& job)
-      : page_(page), surface_(surface), solutions_(solutions), from_(from), job_(job) {
+  Measurement(TouchPage& page, const TouchModel& model, const PageSurface& surface,
+              PageSolutions& solutions, double from, const Job& job)
+      : page_(page), model_(model), surface_(surface), solutions_(solutions), from_(from), job_(job) {
     for (std::size_t t = 0; t < page.triangles.size(); ++t)
       if (page.isTouchable[t]) touchable_.push_back(static_cast<int>(t));
   }
@@ -55,6 +60,7 @@ class Measurement {
     measureCouplings();
     report(0.5);
     measureFields();
+    estimateModel();
   }
 
  private:
@@ -160,7 +166,32 @@ class Measurement {
     page_.errors.field = kMargin * errors.back();
   }
 
+  /// The estimate varies over the body, and is largest beside supports.
+  void estimateModel() {
+    const BoundarySetup& setup = model_.setup();
+    page_.isNearSupport.assign(page_.triangles.size(), 0);
+    for (const int t : touchable_) {
+      job_.throwIfCancelled();
+      page_.isNearSupport[static_cast<std::size_t>(t)] =
+          isNearSupport(setup, page_.positionOf({t}), page_.radius);
+    }
+    std::vector<Vector3d> places;
+    std::array<std::size_t, 2> counts{};
+    for (const Sample& sample : samples_) {
+      const bool isNear = page_.isNearSupport[static_cast<std::size_t>(sample.at.triangle)];
+      if (counts[isNear]++ < kModelSamples) places.push_back(sample.place.position);
+    }
+    for (std::size_t k = 0; const PressError& error :
+                            estimatePressErrors(model_, places, page_.radius, job_)) {
+      const bool isNear = isNearSupport(setup, places[k++], page_.radius);
+      raise(isNear ? page_.errors.modelNearSupports : page_.errors.model, error.relative);
+    }
+    raise(page_.errors.modelNearSupports, page_.errors.model);
+    job_.report(Phase::kErrorEstimate, 1);
+  }
+
   TouchPage& page_;
+  const TouchModel& model_;
   const PageSurface& surface_;
   PageSolutions& solutions_;
   double from_;
@@ -172,9 +203,9 @@ class Measurement {
 
 }  // namespace
 
-void measurePageErrors(TouchPage& page, const PageSurface& surface, PageSolutions& solutions,
-                       double from, const Job& job) {
-  Measurement(page, surface, solutions, from, job).run();
+void measurePageErrors(TouchPage& page, const TouchModel& model, const PageSurface& surface,
+                       PageSolutions& solutions, double from, const Job& job) {
+  Measurement(page, model, surface, solutions, from, job).run();
 }
 
 }  // namespace palpa::app

@@ -39,7 +39,9 @@ struct TouchPage {
   };
   /// Errors, relative. Measured with full solutions at random places, except for the model's own.
   struct Errors {
-    double model = 0;  ///< estimateTouchError(): discretisation of the solid
+    /// estimatePressErrors(), discretisation of the solid: at places farther than a radius from
+    /// supports, and nearer.
+    double model = 0, modelNearSupports = 0;
     double force = 0;  ///< of the force of one touch, by this page: the largest of forceErrors
     double typicalForce = 0;  ///< their median
     /// Of the displacement that one touch causes at another, over the geometric mean of ownSize()
@@ -72,6 +74,7 @@ struct TouchPage {
   std::vector<std::array<float, 6>> own, ownAtEdges, ownAtMiddles;
   /// Per triangle: relative error of the force of a touch in it, by interpolation and rounding.
   std::vector<float> forceErrors;
+  std::vector<std::uint8_t> isNearSupport;  ///< per triangle: isNearSupport() of its middle
   std::vector<std::uint16_t> places;  ///< vertices of the touch places
   std::vector<PlaceWeights> weights;  ///< per vertex
   QuantisedColumns coupling;          ///< 3 N x 3 N, mm/N: of masks to masks

@@ -59,6 +59,7 @@ Blocks blocksOf(const TouchPage& page) {
   blocks.add("forceErrors", "f32", page.forceErrors.data(), page.forceErrors.size());
   blocks.add("triangles", "u16", numbersOf(page.triangles), 3 * page.triangles.size());
   blocks.add("edges", "u16", numbersOf(page.edges), 3 * page.edges.size());
+  blocks.add("nearSupport", "u8", page.isNearSupport.data(), page.isNearSupport.size());
   blocks.add("touchable", "u8", page.isTouchable.data(), page.isTouchable.size());
   blocks.add("places", "u16", page.places.data(), page.places.size());
   std::vector<std::uint16_t> weightPlaces;
@@ -130,6 +131,7 @@ std::string touchPageText(const TouchPage& page) {
                   {"model", {{"nodes", page.modelNodes}, {"triangles", page.modelTriangles}}},
                   {"errors",
                    {{"model", page.errors.model},
+                    {"model_near_supports", page.errors.modelNearSupports},
                     {"force", page.errors.force},
                     {"typical_force", page.errors.typicalForce},
                     {"coupling", page.errors.coupling},

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "app/core/results/ball_error.h"
 #include "app/core/results/touch.h"
@@ -266,22 +267,27 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   return estimate;
 }
 
-TouchError estimateTouchError(const TouchModel& model, const Job& job) {
+std::vector<PressError> estimatePressErrors(const TouchModel& model,
+                                            std::span<const Vector3d> places, double radius,
+                                            const Job& job) {
   const BoundarySetup& setup = model.setup();
-  const double radius = defaultTouchRadius(setup.mesh());
   Job quiet = job;
   quiet.progress = nullptr;
   std::vector<TouchState> presses;
-  for (const bem::SurfacePoint& place :
-       spread(setup.mesh(), awayFromSupports(setup, radius), kPresses)) {
+  std::vector<PressError> errors(places.size());
+  std::vector<std::size_t> pressed;
+  for (std::size_t k = 0; k < places.size(); ++k) {
     job.throwIfCancelled();
     modeling::Touch press;
     press.name = "press";
-    press.at = place.position;
+    press.at = places[k];
     press.radius = radius;
-    press.vector = -kDepth * radius * setup.mesh().normal(place.triangle);
+    press.vector =
+        -kDepth * radius *
+        setup.mesh().normal(bem::nearestSurfacePoint(setup.mesh(), places[k]).triangle);
     try {
       presses.push_back(playTouches(model, std::span(&press, 1), 0, quiet));
+      pressed.push_back(k);
     } catch (const bem::SolverError&) {
       // No place is free.
     }
@@ -296,18 +302,31 @@ TouchError estimateTouchError(const TouchModel& model, const Job& job) {
     fields.u.col(k) = presses[static_cast<std::size_t>(k)].field.u - rest.u;
     fields.p.col(k) = presses[static_cast<std::size_t>(k)].field.p - rest.p;
   }
-  TouchError error;
-  if (count == 0) return error;
+  if (count == 0) return errors;
   const double factor = coverFactors(setup).contact;
   const bem::Bulk bulk(setup.material);
   const bem::BoundaryField carried = carriedError(model, bulk, fields, quiet);
   for (Eigen::Index k = 0; k < count; ++k) {
     job.throwIfCancelled();
     const TouchState::Contact& press = presses[static_cast<std::size_t>(k)].contacts.front();
-    error.relative =
-        std::max(error.relative,
-                 factor * errorAtContact(setup.mesh(),
-                                         EstimatedError(setup, bulk, fields, carried, k), press));
+    PressError& error = errors[pressed[static_cast<std::size_t>(k)]];
+    error.relative = factor * errorAtContact(setup.mesh(),
+                                             EstimatedError(setup, bulk, fields, carried, k), press);
+    error.radius = press.radius;
+  }
+  return errors;
+}
+
+TouchError estimateTouchError(const TouchModel& model, const Job& job) {
+  const BoundarySetup& setup = model.setup();
+  const double radius = defaultTouchRadius(setup.mesh());
+  std::vector<Vector3d> places;
+  for (const bem::SurfacePoint& place :
+       spread(setup.mesh(), awayFromSupports(setup, radius), kPresses))
+    places.push_back(place.position);
+  TouchError error;
+  for (const PressError& press : estimatePressErrors(model, places, radius, job)) {
+    error.relative = std::max(error.relative, press.relative);
     error.widening = std::max(error.widening, press.radius / radius);
   }
   return error;

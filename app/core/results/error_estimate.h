@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Dense>
+#include <span>
 #include <vector>
 
 #include "app/core/model/touch_model.h"
@@ -39,6 +41,20 @@ double estimateError(const TouchModel& model, const TouchState& state, const Job
 /// True if a support is nearer to a place than `radius` (mm): forces of contacts there are less
 /// accurate than estimateTouchError().
 bool isNearSupport(const BoundarySetup& setup, const Eigen::Vector3d& place, double radius);
+
+/// Estimated error of the force under a rigid mask that presses the body; 0 where supports hold the
+/// whole place.
+struct PressError {
+  double relative = 0;
+  double radius = 0;  ///< of the mask, mm: larger than wanted where the mesh cannot represent it
+};
+
+/// Errors of presses with masks of `radius` (mm), one at a time, at places on the surface. Do not
+/// depend on loads. Costs a few times as much as the assembly, and a solution per place. Throws
+/// Cancelled.
+std::vector<PressError> estimatePressErrors(const TouchModel& model,
+                                            std::span<const Eigen::Vector3d> places, double radius,
+                                            const Job& job);
 
 /// Estimated error of touches anywhere on a model.
 struct TouchError {
