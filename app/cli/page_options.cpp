@@ -55,7 +55,7 @@ Json toJson(const app::TouchPage& page, double bytes) {
             {"radius_mm", page.radius},
             {"errors",
              {{"model", page.errors.model},
-              {"model_near_supports", page.errors.modelNearSupports},
+              {"typical_model", page.errors.typicalModel},
               {"force", page.errors.force},
               {"typical_force", page.errors.typicalForce},
               {"coupling", page.errors.coupling},
@@ -72,12 +72,12 @@ std::string toText(const app::TouchPage& page, double bytes) {
              page.places.size(), page.radius, page.positions.size());
   const app::TouchPage::Errors& errors = page.errors;
   text += format(
-      "errors     of the force of a touch: by the model (estimate) %.2g %%, beside supports %.2g "
-      "%%; by the page %.2g %%, at the worst place %.2g %%;\n"
+      "errors     of the force of a touch: by the model (estimate) %.2g %%, at the worst "
+      "place %.2g %%; by the page %.2g %%, at the worst place %.2g %%;\n"
       "           of displacements at other touches, within two radii %.2g %% of the touch's, "
       "within four %.2g %%, beyond %.2g %%;\n"
       "           of drawn displacements %.2g %% (worst %.2g %%)\n",
-      100 * errors.model, 100 * errors.modelNearSupports, 100 * errors.typicalForce, 100 * errors.force, 100 * errors.coupling[0],
+      100 * errors.typicalModel, 100 * errors.model, 100 * errors.typicalForce, 100 * errors.force, 100 * errors.coupling[0],
       100 * errors.coupling[1], 100 * errors.coupling[2], 100 * errors.typicalField,
       100 * errors.field);
   if (!page.notice.empty()) text += "note       " + page.notice + "\n";

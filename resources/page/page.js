@@ -7,7 +7,7 @@ class Page {
     this.model = model;
     this.touches = [];          // {point, displacement or depth, force, error, pointer}
     this.pointers = new Map();  // of the pointers on the background: [x, y]
-    this.history = [];          // [seconds, force, error]
+    this.readout = new Readout(model);
     this.canvas = element("view");
     try {
       this.view = new View(this.canvas, model);
@@ -15,36 +15,10 @@ class Page {
       element("notice").textContent = error.message;
       element("notice").hidden = false;
     }
-    this.describe();
+    if (this.view) this.view.most = model.radius / 2;
+    this.showDepth();
     this.listen();
     this.update();
-  }
-
-  describe() {
-    const {data} = this.model, errors = data.errors;
-    element("name").textContent = data.name || "A body to touch";
-    document.title = (data.name || "A body") + " – Palpa";
-    const facts = {
-      "Material": `${data.material.name}: E ${shortNumber(data.material.youngs_modulus_MPa)} MPa, ν ${data.material.poisson_ratio}`,
-      "Mesh": `${data.model.nodes} nodes, ${data.model.triangles} triangles; drawn with ${this.model.vertexCount} vertices`,
-      "Touch": `radius ${shortNumber(data.radius_mm)} mm, ${this.model.placeCount} places with their displacements`,
-      "Error of the model": `${percent(errors.model)} of a force, beside supports ${percent(errors.model_near_supports)} (estimates)`,
-      "Error of this page": `${percent(errors.typical_force)} of the force of one touch at most places, ${percent(errors.force)} at ` +
-          `the worst. Of the displacement that one touch causes at another, over its own: ${percent(errors.coupling[0])} nearer than two ` +
-          `radii, ${percent(errors.coupling[1])} nearer than four, ${percent(errors.coupling[2])} beyond. Of drawn displacements at ` +
-          `their worst vertex ${percent(errors.typical_field)}, beside supports ${percent(errors.field)}. One and a half times the ` +
-          `largest of ${errors.samples} random places, against full solutions`,
-      "Deformation": "true to scale; linear elasticity, small strain",
-      "Written by": data.program
-    };
-    for (const [name, words] of Object.entries(facts)) {
-      const dt = document.createElement("dt"), dd = document.createElement("dd");
-      dt.textContent = name;
-      dd.textContent = words;
-      element("facts").append(dt, dd);
-    }
-    if (this.view) this.view.most = this.model.radius / 2;
-    this.showDepth();
   }
 
   listen() {
@@ -101,7 +75,7 @@ class Page {
     const found = this.view && this.view.pick(x, y, this.kind() === "press");
     if (!found) return null;
     if (!this.model.touchable[found.triangle]) {
-      this.say("A support holds the body here.");
+      this.readout.say("A support holds the body here.");
       return null;
     }
     if (!element("hold").checked) this.touches = this.touches.filter((touch) => touch.pointer !== null);
@@ -186,7 +160,7 @@ class Page {
     this.touches = [];
     this.keyTouch = null;
     this.update();
-    this.say("All touches are released.");
+    this.readout.say("All touches are released.");
   }
 
   key(event) {
@@ -216,7 +190,7 @@ class Page {
 
   touchByKey() {
     this.keyTouch = this.touchAt(0, 0);
-    if (!this.keyTouch) this.say("The middle of the view is beside the body or on a support.");
+    if (!this.keyTouch) this.readout.say("The middle of the view is beside the body or on a support.");
   }
 
   // Steps of a grab: a twentieth of the radius along the window, or along the normal into the body. A press goes to
@@ -241,9 +215,9 @@ class Page {
     requestAnimationFrame(() => {
       this.isWaiting = false;
       this.compute();
-      this.show();
+      this.readout.show(this.touches, this.view ? this.view.most : 0);
       // The plot moves on while there is a force in it.
-      if (this.history.some((each) => each[1] > 0)) this.update();
+      if (this.readout.history.some((each) => each[1] > 0)) this.update();
     });
   }
 
@@ -258,118 +232,6 @@ class Page {
       this.view.most = Math.max(least, roundedUp(this.view.largest));
     this.view.draw();
   }
-
-  show() {
-    const forces = this.touches.map((touch) => lengthOf(touch.force));
-    const first = this.touches[this.touches.length - 1];
-    element("total").textContent = first ? `${withError(lengthOf(first.force), first.error)} N` : "touch the body";
-    this.remember(forces.length ? forces[forces.length - 1] : 0);
-    this.showTable();
-    if (this.view) element("most").textContent = shortNumber(this.view.most) + " mm";
-    this.plot();
-    if (first) this.sayLater(element("total").textContent.replace("±", "plus or minus").replace(" N", " newtons"));
-  }
-
-  showTable() {
-    const table = element("touches"), body = table.tBodies[0];
-    table.hidden = this.touches.length === 0;
-    while (body.rows.length > this.touches.length) body.deleteRow(-1);
-    while (body.rows.length < this.touches.length) {
-      const row = body.insertRow();
-      for (let k = 0; k < 4; ++k) row.insertCell();
-    }
-    this.touches.forEach((touch, k) => {
-      const size = lengthOf(touch.force), decimals = decimalsFor(size, touch.error);
-      const moved = lengthOf(this.model.displacementAt(touch.point, this.touches));
-      const cells = [String(k + 1), withError(size, touch.error), touch.force.map((x) => withDecimals(x, decimals)).join(", "), shortNumber(moved)];
-      cells.forEach((words, c) => { body.rows[k].cells[c].textContent = words; });
-    });
-  }
-
-  remember(force) {
-    const now = performance.now() / 1000;
-    this.history.push([now, force]);
-    while (this.history.length && this.history[0][0] < now - 10) this.history.shift();
-  }
-
-  plot() {
-    const canvas = element("plot"), dense = window.devicePixelRatio || 1;
-    const width = canvas.clientWidth, height = canvas.clientHeight;
-    canvas.width = width * dense;
-    canvas.height = height * dense;
-    const pen = canvas.getContext("2d"), style = getComputedStyle(document.documentElement);
-    const colour = (name) => style.getPropertyValue(name);
-    pen.scale(dense, dense);
-    const most = roundedUp(Math.max(1e-9, ...this.history.map((each) => each[1])));
-    const left = 4, bottom = height - 16, top = 14;
-    pen.strokeStyle = colour("--line");
-    pen.strokeRect(left + 0.5, top + 0.5, width - left - 5, bottom - top);
-    pen.fillStyle = colour("--faint");
-    pen.font = "12px system-ui, sans-serif";
-    pen.fillText(most > 1e-9 ? shortNumber(most) + " N" : "N", left, 11);
-    pen.fillText("10 s ago", left, height - 3);
-    pen.textAlign = "right";
-    pen.fillText("now", width - 5, height - 3);
-    const now = performance.now() / 1000;
-    pen.strokeStyle = colour("--accent");
-    pen.lineWidth = 2;
-    pen.beginPath();
-    for (const [time, force] of this.history)
-      pen.lineTo(width - 5 - (width - left - 5) * (now - time) / 10, bottom - (bottom - top) * force / most);
-    pen.stroke();
-  }
-
-  say(words) {
-    clearTimeout(this.speech);
-    this.speech = null;
-    element("spoken").textContent = words;
-  }
-
-  // For screen readers: the force when it has been the same for a second.
-  sayLater(words) {
-    if (words === this.toSay) return;
-    this.toSay = words;
-    clearTimeout(this.speech);
-    this.speech = setTimeout(() => { element("spoken").textContent = words; }, 1000);
-  }
-}
-
-// Smallest 1, 2 or 5 times a power of ten that is not below a number.
-function roundedUp(least) {
-  if (!(least > 0)) return 0;
-  const power = Math.pow(10, Math.floor(Math.log10(least)));
-  return [1, 2, 5, 10].find((factor) => factor * power >= least * (1 - 1e-9)) * power;
-}
-
-// For tests: page.html#selftest=JSON computes lists of simultaneous touches [{"at": [x, y, z], "displacement": [x, y, z]}]
-// and writes the forces into an element; "frames" in the list also draws so many frames and measures them.
-function selfTest(page, text) {
-  const model = page.model;
-  const request = JSON.parse(text);
-  const results = request.touches.map((touches) => {
-    const all = touches.map(({at, displacement}) => ({point: model.prepare(model.nearest(at)), displacement}));
-    model.solve(all);
-    return all.map(({point, force, error, pageError}) => ({at: point.position, force_N: force, error_N: error, page_error_N: pageError}));
-  });
-  const answer = {webgl: Boolean(page.view), results};
-  if (request.frames && page.view) {
-    page.canvas.style.height = page.canvas.clientHeight + "px";
-    const from = performance.now();
-    for (let k = 0; k < request.frames; ++k) {
-      const angle = 0.1 * k, r = model.size;
-      const at = add(model.middle, [r * Math.cos(angle), r * Math.sin(angle), 0.3 * r]);
-      page.touches = [{point: model.prepare(model.nearest(at)), depth: model.radius / 2, pointer: 0}];
-      page.compute();
-      page.show();
-      page.view.gl.readPixels(0, 0, 1, 1, page.view.gl.RGBA, page.view.gl.UNSIGNED_BYTE, new Uint8Array(4));
-    }
-    answer.frame_ms = (performance.now() - from) / request.frames;
-    answer.canvas = [page.canvas.width, page.canvas.height];
-  }
-  const out = document.createElement("pre");
-  out.id = "selftest";
-  out.textContent = JSON.stringify(answer);
-  document.body.append(out);
 }
 
 const page = new Page(new Model(JSON.parse(element("data").textContent), element("bytes").textContent));

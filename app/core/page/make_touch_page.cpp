@@ -234,7 +234,7 @@ double pageBytes(double nodes, double vertices, double triangles, double places)
   constexpr double kOwnText = 60e3;  // script, style and words of the page
   constexpr double kWeights = PlaceWeights::kCount * (2 + 9 * 2) + 4;
   constexpr double kVertex = 4 * 12 + 6 * 4 + kWeights + 3 * 6;
-  constexpr double kTriangle = 2 * 3 * 2 + 6 * 4 + 1.5 * 6 * 4 + 4 + 2;
+  constexpr double kTriangle = 2 * 3 * 2 + 6 * 4 + 1.5 * 6 * 4 + 2 * 4 + 1;
   const double binary = vertices * kVertex + triangles * kTriangle +
                         2 * (9 * nodes * places + 9 * places * places) + 24 * places;
   return kOwnText + binary * 4 / 3;

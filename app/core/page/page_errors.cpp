@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "app/core/results/error_estimate.h"
@@ -22,7 +23,9 @@ namespace {
 /// microseconds, a millisecond and tens of milliseconds each.
 constexpr std::size_t kForceSamples = 1000, kCouplingSamples = 150, kFieldSamples = 32;
 /// Places beside supports, and others, at which the error of the model is estimated.
-constexpr std::size_t kModelSamples = 16;
+constexpr std::size_t kModelSamples = 32;
+/// Of these, the ones that count for a triangle.
+constexpr std::size_t kModelNeighbours = 3;
 /// From the largest error of the samples to the stated one, because samples miss the worst place.
 constexpr double kMargin = 1.5;
 /// Below this the error comes from the single precision of the Green's columns and of the file.
@@ -166,28 +169,50 @@ class Measurement {
     page_.errors.field = kMargin * errors.back();
   }
 
-  /// The estimate varies over the body, and is largest beside supports.
+  /// The estimate varies over the body, and is largest beside supports and edges: every triangle
+  /// has the largest one of the nearest samples; triangles
+  /// beside supports and others are kept apart.
   void estimateModel() {
-    const BoundarySetup& setup = model_.setup();
-    page_.isNearSupport.assign(page_.triangles.size(), 0);
-    for (const int t : touchable_) {
-      job_.throwIfCancelled();
-      page_.isNearSupport[static_cast<std::size_t>(t)] =
-          isNearSupport(setup, page_.positionOf({t}), page_.radius);
-    }
     std::vector<Vector3d> places;
+    std::vector<OrientedPoint> points;
+    std::vector<bool> isNear;
     std::array<std::size_t, 2> counts{};
     for (const Sample& sample : samples_) {
-      const bool isNear = page_.isNearSupport[static_cast<std::size_t>(sample.at.triangle)];
-      if (counts[isNear]++ < kModelSamples) places.push_back(sample.place.position);
+      const bool isHere = isBesideSupport(sample.at);
+      if (counts[isHere]++ >= kModelSamples) continue;
+      places.push_back(sample.place.position);
+      points.push_back({page_.positionOf(sample.at), page_.normalOf(sample.at)});
+      isNear.push_back(isHere);
     }
-    for (std::size_t k = 0; const PressError& error :
-                            estimatePressErrors(model_, places, page_.radius, job_)) {
-      const bool isNear = isNearSupport(setup, places[k++], page_.radius);
-      raise(isNear ? page_.errors.modelNearSupports : page_.errors.model, error.relative);
+    const std::vector<PressError> errors =
+        estimatePressErrors(model_, places, page_.radius, job_);
+    page_.modelErrors.assign(page_.triangles.size(), 0);
+    std::vector<double> stated;
+    for (const int t : touchable_) {
+      job_.throwIfCancelled();
+      const OrientedPoint here{page_.positionOf({t}), page_.normalOf({t})};
+      const bool isHere = isBesideSupport({t});
+      std::vector<std::pair<double, double>> near;  // distance, error
+      for (std::size_t k = 0; k < points.size(); ++k)
+        if (isNear[k] == isHere)
+          near.emplace_back(orientedDistance(here, points[k], page_.radius), errors[k].relative);
+      const std::size_t count = std::min(kModelNeighbours, near.size());
+      std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count),
+                        near.end());
+      double error = 0;
+      for (std::size_t k = 0; k < count; ++k) raise(error, near[k].second);
+      page_.modelErrors[static_cast<std::size_t>(t)] = static_cast<float>(error);
+      stated.push_back(error);
     }
-    raise(page_.errors.modelNearSupports, page_.errors.model);
+    std::sort(stated.begin(), stated.end());
+    if (stated.empty()) return;
+    page_.errors.model = stated.back();
+    page_.errors.typicalModel = stated[stated.size() / 2];
     job_.report(Phase::kErrorEstimate, 1);
+  }
+
+  bool isBesideSupport(const TouchPage::Point& point) const {
+    return isNearSupport(model_.setup(), page_.positionOf(point), page_.radius);
   }
 
   TouchPage& page_;

@@ -39,9 +39,9 @@ struct TouchPage {
   };
   /// Errors, relative. Measured with full solutions at random places, except for the model's own.
   struct Errors {
-    /// estimatePressErrors(), discretisation of the solid: at places farther than a radius from
-    /// supports, and nearer.
-    double model = 0, modelNearSupports = 0;
+    /// Of the force of one touch by the discretisation of the solid: the largest of modelErrors, and
+    /// their median.
+    double model = 0, typicalModel = 0;
     double force = 0;  ///< of the force of one touch, by this page: the largest of forceErrors
     double typicalForce = 0;  ///< their median
     /// Of the displacement that one touch causes at another, over the geometric mean of ownSize()
@@ -74,7 +74,9 @@ struct TouchPage {
   std::vector<std::array<float, 6>> own, ownAtEdges, ownAtMiddles;
   /// Per triangle: relative error of the force of a touch in it, by interpolation and rounding.
   std::vector<float> forceErrors;
-  std::vector<std::uint8_t> isNearSupport;  ///< per triangle: isNearSupport() of its middle
+  /// Per triangle: the same by the discretisation of the solid, from estimatePressErrors() at the
+  /// samples nearby.
+  std::vector<float> modelErrors;
   std::vector<std::uint16_t> places;  ///< vertices of the touch places
   std::vector<PlaceWeights> weights;  ///< per vertex
   QuantisedColumns coupling;          ///< 3 N x 3 N, mm/N: of masks to masks

@@ -12,8 +12,11 @@ namespace palpa::app {
 extern const char* const kPageHtml;
 extern const char* const kPageStyle;
 extern const char* const kPageNumbers;
+extern const char* const kPageAlgebra;
 extern const char* const kPageModel;
 extern const char* const kPageView;
+extern const char* const kPageReadout;
+extern const char* const kPageSelfTest;
 extern const char* const kPageScript;
 
 namespace {
@@ -59,7 +62,7 @@ Blocks blocksOf(const TouchPage& page) {
   blocks.add("forceErrors", "f32", page.forceErrors.data(), page.forceErrors.size());
   blocks.add("triangles", "u16", numbersOf(page.triangles), 3 * page.triangles.size());
   blocks.add("edges", "u16", numbersOf(page.edges), 3 * page.edges.size());
-  blocks.add("nearSupport", "u8", page.isNearSupport.data(), page.isNearSupport.size());
+  blocks.add("modelErrors", "f32", page.modelErrors.data(), page.modelErrors.size());
   blocks.add("touchable", "u8", page.isTouchable.data(), page.isTouchable.size());
   blocks.add("places", "u16", page.places.data(), page.places.size());
   std::vector<std::uint16_t> weightPlaces;
@@ -131,7 +134,7 @@ std::string touchPageText(const TouchPage& page) {
                   {"model", {{"nodes", page.modelNodes}, {"triangles", page.modelTriangles}}},
                   {"errors",
                    {{"model", page.errors.model},
-                    {"model_near_supports", page.errors.modelNearSupports},
+                    {"typical_model", page.errors.typicalModel},
                     {"force", page.errors.force},
                     {"typical_force", page.errors.typicalForce},
                     {"coupling", page.errors.coupling},
@@ -144,8 +147,11 @@ std::string touchPageText(const TouchPage& page) {
   std::string text = kPageHtml;
   replace(text, "/*style*/", kPageStyle);
   replace(text, "/*numbers*/", kPageNumbers);
+  replace(text, "/*algebra*/", kPageAlgebra);
   replace(text, "/*model*/", kPageModel);
   replace(text, "/*view*/", kPageView);
+  replace(text, "/*readout*/", kPageReadout);
+  replace(text, "/*selftest*/", kPageSelfTest);
   replace(text, "/*script*/", kPageScript);
   replace(text, "/*data*/", forHtml(data));
   replace(text, "/*bytes*/", base64(blocks.bytes()));
