@@ -77,9 +77,9 @@ std::string toText(const app::TouchPage& page, double bytes) {
       "           of displacements at other touches, within two radii %.2g %% of the touch's, "
       "within four %.2g %%, beyond %.2g %%;\n"
       "           of drawn displacements %.2g %% (worst %.2g %%)\n",
-      100 * errors.typicalModel, 100 * errors.model, 100 * errors.typicalForce, 100 * errors.force, 100 * errors.coupling[0],
-      100 * errors.coupling[1], 100 * errors.coupling[2], 100 * errors.typicalField,
-      100 * errors.field);
+      100 * errors.typicalModel, 100 * errors.model, 100 * errors.typicalForce, 100 * errors.force,
+      100 * errors.coupling[0], 100 * errors.coupling[1], 100 * errors.coupling[2],
+      100 * errors.typicalField, 100 * errors.field);
   if (!page.notice.empty()) text += "note       " + page.notice + "\n";
   return text;
 }

@@ -104,8 +104,7 @@ class PageMaker {
     page_.radius = settings_.radius;
     for (std::size_t v = 0; v < page_.positions.size(); ++v)
       if (isUsed_[v])
-        page_.radius =
-            std::max(page_.radius, model_.surface().narrowestMask(surface.atVertex(v)));
+        page_.radius = std::max(page_.radius, model_.surface().narrowestMask(surface.atVertex(v)));
   }
 
   static std::array<float, 6> numbersOf(const Matrix3d& s) {
@@ -144,8 +143,7 @@ class PageMaker {
       if (own) page_.ownAtMiddles[t] = numbersOf(own->compliance);
       job_.throwIfCancelled();
     }
-    if (std::find(page_.isTouchable.begin(), page_.isTouchable.end(), 1) ==
-        page_.isTouchable.end())
+    if (std::find(page_.isTouchable.begin(), page_.isTouchable.end(), 1) == page_.isTouchable.end())
       badSetting(
           "supports cover the whole surface, so that nothing is left to touch; free a part of it");
     job_.report(Phase::kTouch, kOwnEnd);

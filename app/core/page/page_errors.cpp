@@ -31,9 +31,13 @@ constexpr double kMargin = 1.5;
 /// Below this the error comes from the single precision of the Green's columns and of the file.
 constexpr double kMinDeviation = 2e-4;
 
-double largest(const Matrix3d& matrix) { return matrix.jacobiSvd().singularValues()[0]; }
+double largest(const Matrix3d& matrix) {
+  return matrix.jacobiSvd().singularValues()[0];
+}
 
-void raise(double& most, double value) { most = std::max(most, value); }
+void raise(double& most, double value) {
+  most = std::max(most, value);
+}
 
 /// Relative error of forces of all unit displacements: f_page - f = (S_page^-1 S - 1) f.
 double forceError(const Matrix3d& ofPage, const Matrix3d& exact) {
@@ -50,7 +54,12 @@ class Measurement {
  public:
   Measurement(TouchPage& page, const TouchModel& model, const PageSurface& surface,
               PageSolutions& solutions, double from, const Job& job)
-      : page_(page), model_(model), surface_(surface), solutions_(solutions), from_(from), job_(job) {
+      : page_(page),
+        model_(model),
+        surface_(surface),
+        solutions_(solutions),
+        from_(from),
+        job_(job) {
     for (std::size_t t = 0; t < page.triangles.size(); ++t)
       if (page.isTouchable[t]) touchable_.push_back(static_cast<int>(t));
   }
@@ -67,9 +76,7 @@ class Measurement {
   }
 
  private:
-  void report(double fraction) const {
-    job_.report(Phase::kTouch, from_ + (1 - from_) * fraction);
-  }
+  void report(double fraction) const { job_.report(Phase::kTouch, from_ + (1 - from_) * fraction); }
 
   /// Random places: every triangle is as probable as every other, so that small triangles, which
   /// are where much changes, have as many samples.
@@ -138,10 +145,10 @@ class Measurement {
         if ((atA - atB).norm() < page_.radius) continue;
         const Matrix3d block =
             exact.block<3, 3>(3 * static_cast<Index>(a), 3 * static_cast<Index>(b));
-        raise(page_.errors.coupling[page_.couplingClass(atA, atB)],
-              kMargin * largest(page_.couplingOf(samples_[a].at, samples_[b].at) - block) /
-                  std::sqrt(TouchPage::sizeOf(samples_[a].own) *
-                            TouchPage::sizeOf(samples_[b].own)));
+        raise(
+            page_.errors.coupling[page_.couplingClass(atA, atB)],
+            kMargin * largest(page_.couplingOf(samples_[a].at, samples_[b].at) - block) /
+                std::sqrt(TouchPage::sizeOf(samples_[a].own) * TouchPage::sizeOf(samples_[b].own)));
       }
     }
   }
@@ -184,8 +191,7 @@ class Measurement {
       points.push_back({page_.positionOf(sample.at), page_.normalOf(sample.at)});
       isNear.push_back(isHere);
     }
-    const std::vector<PressError> errors =
-        estimatePressErrors(model_, places, page_.radius, job_);
+    const std::vector<PressError> errors = estimatePressErrors(model_, places, page_.radius, job_);
     page_.modelErrors.assign(page_.triangles.size(), 0);
     std::vector<double> stated;
     for (const int t : touchable_) {

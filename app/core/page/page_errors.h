@@ -12,7 +12,8 @@
 namespace palpa::app {
 
 /// Compares a page that is complete but for its errors with full solutions at random places that
-/// its tables do not contain, and sets `errors` with the model's own, `forceErrors` and `modelErrors`.
+/// its tables do not contain, and sets `errors` with the model's own, `forceErrors` and
+/// `modelErrors`.
 ///
 /// The error of the force of one touch is known in every triangle: it is taken to be proportional
 /// to how far the compliance in the middle is from the quadratic function through corners and

@@ -48,10 +48,10 @@ bem::ContactMask PageSolutions::mask(const bem::SurfacePoint& point) const {
   return mask;
 }
 
-void PageSolutions::forEach(
-    std::span<const bem::ContactMask> masks,
-    const std::function<void(std::size_t k, const Eigen::MatrixXd& u)>& use,
-    const std::function<void(double fraction)>& report, const Job& job) const {
+void PageSolutions::forEach(std::span<const bem::ContactMask> masks,
+                            const std::function<void(std::size_t k, const Eigen::MatrixXd& u)>& use,
+                            const std::function<void(double fraction)>& report,
+                            const Job& job) const {
   Job quiet = job;
   quiet.progress = nullptr;
   for (std::size_t first = 0; first < masks.size(); first += kBlock) {

@@ -39,8 +39,8 @@ struct TouchPage {
   };
   /// Errors, relative. Measured with full solutions at random places, except for the model's own.
   struct Errors {
-    /// Of the force of one touch by the discretisation of the solid: the largest of modelErrors, and
-    /// their median.
+    /// Of the force of one touch by the discretisation of the solid: the largest of modelErrors,
+    /// and their median.
     double model = 0, typicalModel = 0;
     double force = 0;  ///< of the force of one touch, by this page: the largest of forceErrors
     double typicalForce = 0;  ///< their median

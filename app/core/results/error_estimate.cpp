@@ -282,9 +282,8 @@ std::vector<PressError> estimatePressErrors(const TouchModel& model,
     press.name = "press";
     press.at = places[k];
     press.radius = radius;
-    press.vector =
-        -kDepth * radius *
-        setup.mesh().normal(bem::nearestSurfacePoint(setup.mesh(), places[k]).triangle);
+    press.vector = -kDepth * radius *
+                   setup.mesh().normal(bem::nearestSurfacePoint(setup.mesh(), places[k]).triangle);
     try {
       presses.push_back(playTouches(model, std::span(&press, 1), 0, quiet));
       pressed.push_back(k);
@@ -310,8 +309,9 @@ std::vector<PressError> estimatePressErrors(const TouchModel& model,
     job.throwIfCancelled();
     const TouchState::Contact& press = presses[static_cast<std::size_t>(k)].contacts.front();
     PressError& error = errors[pressed[static_cast<std::size_t>(k)]];
-    error.relative = factor * errorAtContact(setup.mesh(),
-                                             EstimatedError(setup, bulk, fields, carried, k), press);
+    error.relative =
+        factor *
+        errorAtContact(setup.mesh(), EstimatedError(setup, bulk, fields, carried, k), press);
     error.radius = press.radius;
   }
   return errors;

@@ -22,8 +22,8 @@ namespace palpa::app {
 Eigen::MatrixXd maskCompliance(const TouchableModel& model, std::span<const Eigen::Vector3d> places,
                                double radius, const Job& job = {});
 
-/// Displacement and traction coefficients for unit forces along x, y, z on each of some masks: three
-/// columns for each, solved with refinement. Throws Cancelled.
+/// Displacement and traction coefficients for unit forces along x, y, z on each of some masks:
+/// three columns for each, solved with refinement. Throws Cancelled.
 bem::BoundaryField unitFields(const TouchableModel& model, std::span<const bem::ContactMask> masks,
                               const Job& job);
 
