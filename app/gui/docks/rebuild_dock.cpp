@@ -28,9 +28,10 @@ QString warningText(const app::BuildReport& report) {
   if (!report.notice.empty()) lines << QString::fromStdString(report.notice);
   if (!report.warnings->empty()) {
     lines << QString::fromStdString(report.warnings->front().message);
-    if (report.warnings->size() > 1)
-      lines << RebuildDock::tr("%Ln more warning(s) are marked in the view", nullptr,
-                               static_cast<int>(report.warnings->size()) - 1);
+    if (const std::size_t more = report.warnings->size() - 1; more == 1)
+      lines << RebuildDock::tr("one more warning is marked in the view");
+    else if (more > 1)
+      lines << RebuildDock::tr("%1 more warnings are marked in the view").arg(more);
   }
   for (QString& line : lines) line[0] = line[0].toUpper();
   return lines.join(". ") + (lines.isEmpty() ? "" : ".");

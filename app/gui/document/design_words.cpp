@@ -28,8 +28,9 @@ QString partsText(const PointSelection& selection);
 
 QString partText(const PointSelection::Part& part) {
   return std::visit(Overloaded{[](const modeling::PointIndices& one) {
-                                 return tr("%n point(s) by number", nullptr,
-                                           static_cast<int>(one.indices.size()));
+                                 return one.indices.size() == 1
+                                            ? tr("a point by number")
+                                            : tr("%1 points by number").arg(one.indices.size());
                                },
                                [](const modeling::PatchPoints& one) {
                                  return tr("patches %1").arg(namesText(one.patches));

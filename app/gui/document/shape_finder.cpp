@@ -120,9 +120,11 @@ void ShapeFinder::start() {
 }
 
 void ShapeFinder::cancel() {
-  stop(steps_.empty() ? tr("The search was stopped; the project is as it was.")
-                      : tr("The search was stopped after %Ln step(s); the project is as it was.",
-                           nullptr, steps_.back().number));
+  const int count = steps_.empty() ? 0 : steps_.back().number;
+  stop(count == 0 ? tr("The search was stopped; the project is as it was.")
+       : count == 1
+           ? tr("The search was stopped after one step; the project is as it was.")
+           : tr("The search was stopped after %1 steps; the project is as it was.").arg(count));
 }
 
 void ShapeFinder::stop(const QString& why) {

@@ -204,8 +204,10 @@ void addMirrorRows(PropertyPage& page) {
   const auto& planes = designOf(editor.project()).mirrors;
   const auto slanting = std::count_if(planes.begin(), planes.end(), isSlanting);
   if (slanting == 0) return;
-  page.addNote(tr("%n slanting mirror plane(s) from the project file also count.", nullptr,
-                  static_cast<int>(slanting)));
+  page.addNote(
+      slanting == 1
+          ? tr("A slanting mirror plane from the project file also counts.")
+          : tr("%1 slanting mirror planes from the project file also count.").arg(slanting));
   page.addButton(tr("Remove slanting planes"), "removeSlanting", "delete", [&editor] {
     editDesign(editor, [](Design& design) { std::erase_if(design.mirrors, isSlanting); });
   });
