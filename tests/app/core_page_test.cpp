@@ -7,6 +7,7 @@
 #include <random>
 
 #include "app/core/model/build_touch_model.h"
+#include "app/core/page/make_touch_page.h"
 #include "app/core/page/page_project.h"
 #include "app/core/page/touch_page_file.h"
 #include "app/core/results/touch.h"
@@ -104,11 +105,16 @@ TEST(Page, ForcesOfTwoTouchesAreNearFullSolutions) {
     const std::array touches{grab(page, at[0], to[0]), grab(page, at[1], to[1])};
     const TouchState exact = playTouches(*model, touches);
     const auto found = page.forces(at, to);
+    const std::array size{TouchPage::sizeOf(page.ownCompliance(at[0])),
+                          TouchPage::sizeOf(page.ownCompliance(at[1]))};
+    const double moved =
+        page.errors.coupling[page.couplingClass(page.positionOf(at[0]), page.positionOf(at[1]))] *
+        std::sqrt(size[0] * size[1]);
     // What one touch moves the other, over the compliance there; twice for the inverse.
     for (std::size_t k = 0; k < 2; ++k) {
       const double own = page.forceErrors[static_cast<std::size_t>(at[k].triangle)];
       const double stated = own * exact.contacts[k].force.norm() +
-                            2 * page.errors.coupling * exact.contacts[1 - k].force.norm();
+                            2 * moved / size[k] * exact.contacts[1 - k].force.norm();
       EXPECT_LT((found[k] - exact.contacts[k].force).norm(),
                 stated + 0.02 * exact.contacts[k].force.norm());
     }
@@ -125,46 +131,74 @@ TEST(Page, DisplacementsFollowTheTouch) {
     const modeling::Touch touch = grab(page, at, to);
     const TouchState exact = playTouches(*model, std::span(&touch, 1));
     const bem::Discretisation& on = *model->setup().discretisation;
+    const Eigen::VectorXd moved = page.fieldOf(at) * force;
     double worst = 0;
     for (std::size_t v = 0; v < page.positions.size(); v += 7) {
       const auto place =
           bem::nearestSurfacePoint(model->setup().mesh(), page.positions[v].cast<double>());
-      const Vector3d moved = page.fieldAt(v, at) * force + page.loaded[v].cast<double>();
-      worst = std::max(worst, (moved - on.interpolate(place, exact.field.u.col(0))).norm());
+      const Vector3d found =
+          moved.segment<3>(3 * static_cast<Eigen::Index>(v)) + page.loaded[v].cast<double>();
+      worst = std::max(worst, (found - on.interpolate(place, exact.field.u.col(0))).norm());
     }
     EXPECT_LT(worst, page.errors.field * to.norm() + 0.02 * to.norm());
   }
 }
 
-TEST(Page, PlacesAreSpreadAndWeightsInterpolate) {
+std::vector<OrientedPoint> flatPlaces(int count) {
   std::vector<OrientedPoint> points;
   for (int y = 0; y < 20; ++y)
     for (int x = 0; x < 20; ++x)
       points.push_back({Vector3d(x + 0.3 * std::sin(3.0 * y), y, 0), Vector3d::UnitZ()});
-  const std::vector<int> chosen = spreadPlaces(points, 50, 1);
-  ASSERT_EQ(chosen.size(), 50U);
   std::vector<OrientedPoint> places;
-  for (const int k : chosen) places.push_back(points[static_cast<std::size_t>(k)]);
+  for (const int k : spreadPlaces(points, count, 1))
+    places.push_back(points[static_cast<std::size_t>(k)]);
+  return places;
+}
+
+TEST(Page, PlacesAreSpread) {
+  const std::vector<OrientedPoint> places = flatPlaces(50);
+  ASSERT_EQ(places.size(), 50U);
   double closest = std::numeric_limits<double>::infinity();
   for (std::size_t a = 0; a < places.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       closest = std::min(closest, (places[a].position - places[b].position).norm());
   // 400 mm² for 50 places: 2.8 mm apart on a grid.
   EXPECT_GT(closest, 1.9);
-  const auto linear = [](const Vector3d& at) { return 3 + 0.5 * at.x() - 0.2 * at.y(); };
-  for (const OrientedPoint& point : points) {
-    const PlaceWeights weights = weightsAt(point, places, 1);
-    double sum = 0, value = 0;
-    for (std::size_t k = 0; k < PlaceWeights::kCount; ++k) {
-      sum += weights.weights[k];
-      value += weights.weights[k] * linear(places[weights.places[k]].position);
-    }
-    EXPECT_NEAR(sum, 1, 1e-6);
-    EXPECT_NEAR(value, linear(point.position), 0.15);
+}
+
+/// A compliance that falls with the distance like the one of a solid, mm/N.
+Matrix3d kernel(const Vector3d& a, const Vector3d& b) {
+  return Matrix3d(Vector3d(1, 1.2, 1.5).asDiagonal()) / (2 + (a - b).norm());
+}
+
+TEST(Page, WeightsReplaceAForceAtAPoint) {
+  const std::vector<OrientedPoint> places = flatPlaces(50);
+  const auto count = static_cast<Eigen::Index>(places.size());
+  Eigen::MatrixXd between(3 * count, 3 * count);
+  for (Eigen::Index a = 0; a < count; ++a)
+    for (Eigen::Index b = 0; b < count; ++b)
+      between.block<3, 3>(3 * a, 3 * b) = kernel(places[static_cast<std::size_t>(a)].position,
+                                                 places[static_cast<std::size_t>(b)].position);
+  const auto weightsOf = [&](const OrientedPoint& point) {
+    Eigen::MatrixXd toPoint(3, 3 * count);
+    for (Eigen::Index b = 0; b < count; ++b)
+      toPoint.middleCols<3>(3 * b) =
+          kernel(point.position, places[static_cast<std::size_t>(b)].position);
+    return placeWeights(point, places, 1, between, toPoint);
+  };
+  const OrientedPoint point{{9.3, 8.1, 0}, Vector3d::UnitZ()};
+  const PlaceWeights weights = weightsOf(point);
+  for (std::size_t far = 0; far < places.size(); ++far) {
+    const Vector3d& at = places[far].position;
+    if ((at - point.position).norm() < 9) continue;
+    Matrix3d replaced = Matrix3d::Zero();
+    for (std::size_t k = 0; k < PlaceWeights::kCount; ++k)
+      replaced += kernel(at, places[weights.places[k]].position) * weights.at(k);
+    EXPECT_LT((replaced - kernel(at, point.position)).norm(), 0.01 * kernel(at, at).norm());
   }
-  const PlaceWeights own = weightsAt(places[3], places, 1);
-  EXPECT_EQ(own.places[0], 3);
-  EXPECT_EQ(own.weights[0], 1);
+  const PlaceWeights own = weightsOf(places[3]);
+  for (std::size_t k = 0; k < PlaceWeights::kCount; ++k)
+    EXPECT_LT((own.at(k) - (own.places[k] == 3 ? 1.0 : 0.0) * Matrix3d::Identity()).norm(), 1e-3);
 }
 
 TEST(Page, TwoSidesOfAThinPlateAreFarFromEachOther) {
