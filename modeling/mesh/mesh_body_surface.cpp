@@ -112,7 +112,7 @@ LengthAt fractionOfLength(const MeshSettings& settings, const std::vector<Region
 /// matter less to a touch than the sizes of triangles there, which grow slowly with the distance.
 LengthAt partSize(const MeshSettings& settings, const std::vector<RegionBorder>& borders,
                   std::span<const MeshFocus> foci, double fraction) {
-  constexpr double kReach = 2;  // radii of a focus
+  constexpr double kReach = 1.25;  // radii of a focus
   return [=, foci = std::vector<MeshFocus>(foci.begin(), foci.end())](const Vector3d& x) {
     const bool isUsed =
         std::any_of(foci.begin(), foci.end(),
