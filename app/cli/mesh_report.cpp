@@ -6,31 +6,29 @@
 namespace palpa::cli {
 
 std::string toText(const modeling::MeshSimplification& simplification) {
-  const auto& [below, moved, vanishedFaces, cutPins, filledHoles] = simplification;
+  const auto& [below, moved, vanishedFaces, partsBelow, cutPins, filledHoles] = simplification;
   if (!(below > 0)) return "";
-  std::string changes;
-  const auto add = [&](int count, const char* one, const char* several, const char* what) {
-    if (count > 0)
-      changes += (changes.empty() ? " (" : ", ") + countText(count) + ' ' +
-                 (count == 1 ? one : several) + ' ' + what;
+  const auto count = [](int number, const char* noun, const char* what) {
+    return countText(number) + ' ' + noun + (number == 1 ? " " : "s ") + what;
   };
-  add(vanishedFaces, "face", "faces", "vanished");
-  add(cutPins, "pin", "pins", "cut off");
-  add(filledHoles, "hole", "holes", "filled");
-  if (!changes.empty()) changes += ')';
-  return format(
-      "simplified features below %.3g mm are meshed over%s; the surface moved by up to %.3g mm\n",
-      below, changes.c_str(), moved);
+  std::string text = format("simplified features below %.3g mm are meshed over", below);
+  if (vanishedFaces > 0) text += " (" + count(vanishedFaces, "face", "vanished") + ')';
+  if (cutPins + filledHoles > 0) {
+    text += "; ";
+    if (cutPins > 0) text += count(cutPins, "pin", "cut off");
+    if (cutPins > 0 && filledHoles > 0) text += " and ";
+    if (filledHoles > 0) text += count(filledHoles, "hole", "filled");
+    text += format(", all below %.3g mm", partsBelow);
+  }
+  return text + format("; the surface moved by up to %.3g mm\n", moved);
 }
 
 void addTo(Json& report, const modeling::MeshSimplification& simplification) {
-  const auto& [below, moved, vanishedFaces, cutPins, filledHoles] = simplification;
+  const auto& [below, moved, vanishedFaces, partsBelow, cutPins, filledHoles] = simplification;
   if (below > 0)
-    report["simplified"] = {{"features_below_mm", below},
-                            {"moved_mm", moved},
-                            {"vanished_faces", vanishedFaces},
-                            {"cut_pins", cutPins},
-                            {"filled_holes", filledHoles}};
+    report["simplified"] = {
+        {"features_below_mm", below},   {"moved_mm", moved},   {"vanished_faces", vanishedFaces},
+        {"parts_below_mm", partsBelow}, {"cut_pins", cutPins}, {"filled_holes", filledHoles}};
 }
 
 Json toJson(const modeling::SurfaceMesh& mesh, const modeling::MeshQuality& quality) {

@@ -3,6 +3,7 @@
 #include "app/cli/errors.h"
 #include "app/cli/text.h"
 #include "app/cli/values.h"
+#include "app/core/page/touch_page_file.h"
 
 namespace palpa::cli {
 
@@ -53,15 +54,7 @@ Json toJson(const app::TouchPage& page, double bytes) {
             {"places", page.places.size()},
             {"vertices", page.positions.size()},
             {"radius_mm", page.radius},
-            {"errors",
-             {{"model", page.errors.model},
-              {"typical_model", page.errors.typicalModel},
-              {"force", page.errors.force},
-              {"typical_force", page.errors.typicalForce},
-              {"coupling", page.errors.coupling},
-              {"field", page.errors.field},
-              {"typical_field", page.errors.typicalField},
-              {"samples", page.errors.samples}}}};
+            {"errors", app::toJson(page.errors)}};
   if (!page.notice.empty()) json["notice"] = page.notice;
   return json;
 }

@@ -1,8 +1,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "bem/base/error.h"
 #include "bem/model/boundary_conditions.h"
 
@@ -63,17 +63,12 @@ std::vector<RigidMotion> sparseBasis(Eigen::MatrixXd basis) {
 
 /// Number of closed pieces of the surface.
 int componentCount(const BoundaryMesh& mesh) {
-  std::vector<int> parent(mesh.nodes.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int node) {
-    while (parent[node] != node) node = parent[node] = parent[parent[node]];
-    return node;
-  };
-  for (const auto& t : mesh.triangles)
-    for (int k = 0; k < 3; ++k) parent[root(t[k])] = root(t[(k + 1) % 3]);
-  int count = 0;
-  for (int k = 0; k < mesh.nodeCount(); ++k) count += parent[k] == k ? 1 : 0;
-  return count;
+  DisjointSets nodes(mesh.nodes.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    nodes.join(a, b);
+    nodes.join(b, c);
+  }
+  return nodes.count();
 }
 
 }  // namespace

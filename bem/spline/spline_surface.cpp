@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/disjoint_sets.h"
+
 namespace palpa::bem {
 
 using Eigen::Vector3d;
@@ -155,22 +157,13 @@ double SplineSurface::boundingSize() const {
 }
 
 int SplineSurface::closedSurfaceCount() const {
-  std::vector<int> parent(controlPoints_.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int point) {
-    while (parent[point] != point) point = parent[point] = parent[parent[point]];
-    return point;
-  };
+  DisjointSets points(controlPoints_.size());
   // The nets do not contain the second coefficients of torn functions.
   int count = 0;
   for (int k = 0; k < coefficientCount(); ++k) count += tornFrom_[k] == k ? 1 : 0;
   for (const SplinePatch& patch : patches_)
-    for (const int point : patch.net) {
-      const int a = root(point), b = root(patch.net.front());
-      if (a == b) continue;
-      parent[a] = b;
-      --count;
-    }
+    for (const int point : patch.net)
+      if (points.join(point, patch.net.front())) --count;
   return count;
 }
 

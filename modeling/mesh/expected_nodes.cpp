@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/mesh_body_surface.h"
 
@@ -89,12 +89,7 @@ class Estimate {
         list.push_back(std::minmax(a, b));
         for (const int end : {a, b}) ends[end].push_back(known->second);
       }
-    std::vector<int> parent(list.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    const auto root = [&](int i) {
-      while (parent[i] != i) i = parent[i] = parent[parent[i]];
-      return i;
-    };
+    DisjointSets sets(list.size());
     std::vector<double> turns(surface_.positions.size(), 0);
     std::vector<bool> isCorner(surface_.positions.size(), false);
     for (std::size_t v = 0; v < ends.size(); ++v) {
@@ -114,11 +109,11 @@ class Estimate {
       if (isCorner[v])
         ++corners_;
       else
-        parent[root(ends[v][0])] = root(ends[v][1]);
+        sets.join(ends[v][0], ends[v][1]);
     }
     std::vector<int> number(list.size(), -1);
     for (std::size_t e = 0; e < list.size(); ++e) {
-      int& line = number[root(static_cast<int>(e))];
+      int& line = number[sets.rootOf(static_cast<int>(e))];
       if (line < 0) {
         line = static_cast<int>(lines_.size());
         lines_.emplace_back();
@@ -132,7 +127,7 @@ class Estimate {
     }
     for (auto& of : lineOf_)
       for (int& edge : of)
-        if (edge >= 0) edge = number[root(edge)];
+        if (edge >= 0) edge = number[sets.rootOf(edge)];
   }
 
   /// Expected number of nodes inside each part with one tag.

@@ -193,8 +193,9 @@ Attempt tryMesh(const MeshBody& body, const MeshSettings& settings,
     mesh.trianglesOfRegion.push_back(
         trianglesOf(region, body, mesh.patchOfTriangle, mesh.bordersOfTriangle, mesh.borders));
   if (made->below > 0)
-    mesh.simplification = {made->below, made->simplified.moved, made->simplified.vanishedFaces,
-                           made->simplified.cutPins, made->simplified.filledHoles};
+    mesh.simplification = {
+        made->below,      made->simplified.moved,   made->simplified.vanishedFaces,
+        made->partsBelow, made->simplified.cutPins, made->simplified.filledHoles};
   attempt.crossings = crossings;
   attempt.hasSlivers = hasSlivers(mesh);
   return attempt;

@@ -226,6 +226,7 @@ std::shared_ptr<const MeshBodySurface> make(const MeshBody& body, const MeshSett
   if (bent.isNeeded) {
     made->simplified = bent;
     made->below = fraction * settings.edgeLength;
+    made->partsBelow = ofParts * settings.edgeLength;
   } else {
     made->simplified = {{body.positions(), body.triangles(), body.faceOfTriangle()}};
   }

@@ -21,6 +21,7 @@ struct MeshBodySurface {
 
   SimplifiedSurface simplified;
   double below = 0;  ///< mm, the smallest size of features away from strokes and foci; 0: all kept
+  double partsBelow = 0;  ///< mm, the same of pins and holes
   /// The simplified surface, cut at the borders of all regions. Only faces named in a region have
   /// their number in the tags, all others have kOtherFace: the mesh need not follow their borders.
   TaggedSurface surface;

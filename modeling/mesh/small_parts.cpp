@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -10,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/disjoint_sets.h"
+#include "modeling/body/closed_surfaces.h"
 #include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/part_removal.h"
 
@@ -26,22 +29,6 @@ constexpr double kMaxExtent = 2;            // of chains, in smallest lengths
 constexpr double kMaxAreaPerLength = 5;     // of parts, in smallest lengths: a square pin has 4
 constexpr double kMaxShareOfVolume = 0.05;  // of one part
 constexpr std::size_t kMaxLoops = 2;        // of a hole: a through hole has two
-
-/// Disjoint sets of numbers.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) { parent_[std::max(find(i), find(j))] = std::min(find(i), find(j)); }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// Closed chains of directed edges; none if a vertex is on two of them.
 std::optional<std::vector<std::vector<int>>> loopsOf(const std::map<int, int>& next,
@@ -81,20 +68,22 @@ class Search {
 
   /// Small parts that do not touch each other.
   std::vector<SurfacePart> find() const {
-    Sets sets = partsBetweenChains();
+    DisjointSets sets = partsBetweenChains();
+    // Of a thick pin with a thin tip only the tip is small.
+    std::vector<SurfacePart> single;
+    if (kind_ == Kind::kPin) single = collect(sets);
+    joinSmallNeighbours(sets);
     std::vector<SurfacePart> found;
     std::vector<bool> isFound(surface_.triangles.size(), false);
-    // Of a thick pin with a thin tip only the tip is small.
-    const std::vector<SurfacePart> single =
-        kind_ == Kind::kPin ? collect(sets) : std::vector<SurfacePart>{};
-    joinSmallNeighbours(sets);
-    std::vector<SurfacePart> joined = collect(sets);
-    for (std::vector<SurfacePart> parts : {std::move(joined), single})
+    const auto take = [&](std::vector<SurfacePart> parts) {
       for (SurfacePart& part : parts) {
         if (isFound[part.triangles.front()] || !isSmall(part)) continue;
         for (const int t : part.triangles) isFound[t] = true;
         found.push_back(std::move(part));
       }
+    };
+    take(collect(sets));
+    take(std::move(single));
     return found;
   }
 
@@ -117,8 +106,8 @@ class Search {
     return kind_ == Kind::kPin ? convex < 0 : convex > 0;
   }
 
-  Sets partsBetweenChains() const {
-    Sets sets(surface_.triangles.size());
+  DisjointSets partsBetweenChains() const {
+    DisjointSets sets(surface_.triangles.size());
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k)
         if (neighbours_[t][k] > static_cast<int>(t) && !isChain(static_cast<int>(t), k))
@@ -127,7 +116,7 @@ class Search {
   }
 
   /// Makes adjacent parts with small chains only one part, as a hole with its chamfer.
-  void joinSmallNeighbours(Sets& sets) const {
+  void joinSmallNeighbours(DisjointSets& sets) const {
     const std::vector<SurfacePart> parts = collect(sets);
     const auto largest = std::max_element(parts.begin(), parts.end(),
                                           [&](const SurfacePart& one, const SurfacePart& other) {
@@ -143,17 +132,17 @@ class Search {
   }
 
   /// Parts with chains that are closed and pass each vertex once.
-  std::vector<SurfacePart> collect(Sets& sets) const {
+  std::vector<SurfacePart> collect(DisjointSets& sets) const {
     std::map<int, std::vector<int>> members;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t)
-      members[sets.find(static_cast<int>(t))].push_back(static_cast<int>(t));
+      members[sets.rootOf(static_cast<int>(t))].push_back(static_cast<int>(t));
     std::vector<SurfacePart> parts;
     for (auto& [root, triangles] : members) {
       std::map<int, int> next;
       std::size_t edges = 0;
       for (const int t : triangles)
         for (int k = 0; k < 3; ++k)
-          if (sets.find(neighbours_[t][k]) != root) {
+          if (sets.rootOf(neighbours_[t][k]) != root) {
             next[surface_.triangles[t][k]] = surface_.triangles[t][(k + 1) % 3];
             ++edges;
           }
@@ -241,18 +230,6 @@ class Search {
   double volume_ = 0;
 };
 
-/// Number of closed surfaces.
-int shellCount(const std::vector<Triangle>& triangles) {
-  Sets sets(triangles.size());
-  const auto neighbours = triangleNeighbours(triangles);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (const int other : neighbours[t]) sets.join(static_cast<int>(t), other);
-  int count = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (sets.find(static_cast<int>(t)) == static_cast<int>(t)) ++count;
-  return count;
-}
-
 /// Removes the parts from the surface, or none of them if that would leave a cavity: narrow holes
 /// may lead into wide ones. Returns the number of removed parts.
 int removeParts(const std::vector<SurfacePart>& parts, const std::set<int>& keptFaces,
@@ -262,7 +239,7 @@ int removeParts(const std::vector<SurfacePart>& parts, const std::set<int>& kept
   int count = 0;
   for (const SurfacePart& part : parts) count += removal.remove(part) ? 1 : 0;
   FacedTriangles left = removal.result();
-  if (shellCount(left.triangles) > shellCount(surface.triangles)) return 0;
+  if (closedSurfaceCount(left.triangles) > closedSurfaceCount(surface.triangles)) return 0;
   surface = std::move(left);
   return count;
 }
@@ -278,15 +255,12 @@ WithoutSmallParts withoutSmallParts(FacedTriangles surface, const LengthAt& smal
     for (const Kind kind : {Kind::kPin, Kind::kHole}) {
       job.throwIfCancelled();
       std::vector<SurfacePart> parts = Search(result.surface, smallest, keptFaces, kind).find();
-      const auto through =
-          std::stable_partition(parts.begin(), parts.end(),
-                                [](const SurfacePart& part) { return part.loops.size() == 1; });
-      int& count = kind == Kind::kPin ? result.pins : result.holes;
-      const int removed = removeParts(parts, keptFaces, result.surface);
-      count += removed;
-      if (removed > 0 || through == parts.begin()) continue;
-      parts.erase(through, parts.end());
-      count += removeParts(parts, keptFaces, result.surface);
+      const auto isBlind = [](const SurfacePart& part) { return part.loops.size() == 1; };
+      int removed = removeParts(parts, keptFaces, result.surface);
+      // Blind holes alone cannot leave a cavity.
+      if (removed == 0 && std::erase_if(parts, std::not_fn(isBlind)) > 0)
+        removed = removeParts(parts, keptFaces, result.surface);
+      (kind == Kind::kPin ? result.pins : result.holes) += removed;
     }
     if (result.pins + result.holes == before) break;
   }

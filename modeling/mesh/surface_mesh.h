@@ -15,8 +15,9 @@ struct MeshSimplification {
   double below = 0;       ///< mm: smaller features were meshed over; 0: none
   double moved = 0;       ///< mm, the largest distance of the surface from the rest of the body's
   int vanishedFaces = 0;  ///< of the body
-  int cutPins = 0;        ///< thin pins that are missing
-  int filledHoles = 0;    ///< narrow holes that are missing
+  double partsBelow = 0;  ///< mm: thinner pins and narrower holes may be missing
+  int cutPins = 0;        ///< pins that are missing
+  int filledHoles = 0;    ///< holes that are missing
 };
 
 /// Closed, oriented triangle mesh of a body's surface.

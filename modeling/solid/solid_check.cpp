@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/disjoint_sets.h"
 #include "base/text.h"
 #include "modeling/error.h"
 #include "modeling/solid/basis.h"
@@ -219,17 +220,12 @@ void checkVertexFans(const std::vector<Patch>& patches, const std::vector<SolidE
     const int index = static_cast<int>(side);
     return end == isForward(side) ? (index + 1) % 4 : index;
   };
-  std::vector<int> parent(patches.size() * 4);
-  for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<int>(i);
-  const auto root = [&](int i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets corners(patches.size() * 4);
   for (const SolidEdge& edge : edges)
     for (bool end : {false, true}) {
       const int a = edge.uses[0].patch * 4 + cornerAtEnd(edge.uses[0].side, end);
       const int b = edge.uses[1].patch * 4 + cornerAtEnd(edge.uses[1].side, end != edge.reversed);
-      parent[root(a)] = root(b);
+      corners.join(a, b);
     }
   std::map<int, int> groupOfVertex;
   for (std::size_t p = 0; p < patches.size(); ++p)
@@ -237,7 +233,7 @@ void checkVertexFans(const std::vector<Patch>& patches, const std::vector<SolidE
       const std::vector<int> indices = sideIndices(patches[p], side);
       for (bool end : {false, true}) {
         const int vertex = end ? indices.back() : indices.front();
-        const int group = root(static_cast<int>(p) * 4 + cornerAtEnd(side, end));
+        const int group = corners.rootOf(static_cast<int>(p) * 4 + cornerAtEnd(side, end));
         const auto [found, added] = groupOfVertex.emplace(vertex, group);
         if (!added && found->second != group)
           throw ModelingError("solid.control_points_mm[" + std::to_string(vertex) +

@@ -15,7 +15,7 @@ class Page {
       element("notice").textContent = error.message;
       element("notice").hidden = false;
     }
-    if (this.view) this.view.most = model.radius / 2;
+    if (this.view) this.view.most = roundedUp(model.radius / 2);
     this.showDepth();
     this.listen();
     this.update();
@@ -92,6 +92,7 @@ class Page {
   }
 
   down(event) {
+    this.canvas.classList.add("pointed");  // no frame around what is touched by mouse or finger
     this.canvas.focus({preventScroll: true});
     this.canvas.setPointerCapture(event.pointerId);
     const pixel = this.pixelOf(event);
@@ -164,6 +165,7 @@ class Page {
   }
 
   key(event) {
+    this.canvas.classList.remove("pointed");
     if (!this.view || event.ctrlKey || event.altKey || event.metaKey) return;
     const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
     const touch = this.touches.includes(this.keyTouch) ? this.keyTouch : null;
@@ -226,10 +228,9 @@ class Page {
     const u = this.model.deform(this.touches);
     if (!this.view) return;
     this.view.setShape(u);
-    // The colours keep their range while the displacements fit, and grow with them.
-    const least = this.model.radius / 100;
-    if (this.view.largest > this.view.most || this.view.largest < this.view.most / 6)
-      this.view.most = Math.max(least, roundedUp(this.view.largest));
+    // The colours keep their range while the displacements fit and at rest, and grow with them.
+    const {largest, most} = this.view;
+    if (largest > most || (largest > 0 && largest < most / 6)) this.view.most = roundedUp(Math.max(this.model.radius / 100, largest));
     this.view.draw();
   }
 }

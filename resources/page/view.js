@@ -29,7 +29,7 @@ void main() {
   vec3 colour = stops[0];
   for (int k = 0; k < 5; ++k) colour = mix(colour, stops[k + 1], clamp(share * 5.0 - float(k), 0.0, 1.0));
   vec3 n = normalize(facing);
-  float light = 0.35 + 0.6 * max(0.0, dot(n, normalize(vec3(-0.3, 0.5, 0.8)))) + 0.1 * max(0.0, n.x);
+  float light = 0.45 + 0.5 * max(0.0, dot(n, normalize(vec3(-0.3, 0.5, 0.8)))) + 0.1 * max(0.0, n.x);
   float glint = pow(max(0.0, dot(n, normalize(vec3(-0.2, 0.35, 1.0)))), 40.0);
   gl_FragColor = vec4(colour * light + 0.12 * glint, 1.0);
 }`;

@@ -178,6 +178,7 @@ TEST(SmallParts, AMeshReportsThem) {
   const MeshBody body(std::move(data));
   const SurfaceMesh without = mesh(body, settings);
   EXPECT_GE(without.simplification.cutPins, 1);
+  EXPECT_EQ(without.simplification.partsBelow, settings.featureFraction * settings.edgeLength);
   EXPECT_NEAR(checks::enclosedVolume(without), 1000, 1e-6);
   const MeshFocus focus{{5.4, 5.3, 10}, 1, 0.4};
   const SurfaceMesh touched = mesh(body, settings, {}, {}, {{focus}});

@@ -221,11 +221,13 @@ void TouchPageSettings::validate() const {
     if (!isGood) badSetting(message);
   };
   require(places >= kMinPlaces && places <= kMaxPlaces,
-          "a page has 8 to 1000 touch places, not " + std::to_string(places));
+          "a page has " + std::to_string(kMinPlaces) + " to " + std::to_string(kMaxPlaces) +
+              " touch places, not " + std::to_string(places));
   require(megabytes >= kMinSize && megabytes <= kMaxSize,
-          "the size of a page is 1 to 100 MB, not " + std::to_string(megabytes));
+          "the size of a page is " + numberText(kMinSize) + " to " + numberText(kMaxSize) +
+              " MB, not " + numberText(megabytes));
   require(radius >= 0 && std::isfinite(radius),
-          "the radius of touches is " + std::to_string(radius) + " mm; it must be greater than 0");
+          "the radius of touches is " + numberText(radius) + " mm; it must be greater than 0");
 }
 
 double pageBytes(double nodes, double vertices, double triangles, double places) {

@@ -33,8 +33,7 @@ class PageSolutions {
   bem::ContactMask mask(const bem::SurfacePoint& point) const;
 
   /// Calls use(k, u) for each mask k with the displacement coefficients u for unit forces along x,
-  /// y, z (three columns, mm; unitFields()). `report`: fraction
-  /// done. Throws Cancelled.
+  /// y, z (three columns, mm; unitFields()). `report`: fraction done. Throws Cancelled.
   void forEach(std::span<const bem::ContactMask> masks,
                const std::function<void(std::size_t k, const Eigen::MatrixXd& u)>& use,
                const std::function<void(double fraction)>& report, const Job& job) const;

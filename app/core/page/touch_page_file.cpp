@@ -106,6 +106,14 @@ std::string forHtml(const Json& json) {
 
 }  // namespace
 
+Json toJson(const TouchPage::Errors& errors) {
+  return {{"model", errors.model},       {"typical_model", errors.typicalModel},
+          {"force", errors.force},       {"typical_force", errors.typicalForce},
+          {"coupling", errors.coupling}, {"coupling_radii", TouchPage::kCouplingDistances},
+          {"field", errors.field},       {"typical_field", errors.typicalField},
+          {"samples", errors.samples}};
+}
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kAlphabet =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -132,16 +140,7 @@ std::string touchPageText(const TouchPage& page) {
                     {"poisson_ratio", page.material.poissonRatio}}},
                   {"radius_mm", page.radius},
                   {"model", {{"nodes", page.modelNodes}, {"triangles", page.modelTriangles}}},
-                  {"errors",
-                   {{"model", page.errors.model},
-                    {"typical_model", page.errors.typicalModel},
-                    {"force", page.errors.force},
-                    {"typical_force", page.errors.typicalForce},
-                    {"coupling", page.errors.coupling},
-                    {"coupling_radii", TouchPage::kCouplingDistances},
-                    {"field", page.errors.field},
-                    {"typical_field", page.errors.typicalField},
-                    {"samples", page.errors.samples}}},
+                  {"errors", toJson(page.errors)},
                   {"node_count", page.nodeCount},
                   {"blocks", blocks.index()}};
   std::string text = kPageHtml;

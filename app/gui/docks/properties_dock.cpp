@@ -9,6 +9,7 @@
 #include "app/gui/document/editor.h"
 #include "app/gui/properties/pages.h"
 #include "app/gui/view/viewport_widget.h"
+#include "app/gui/widgets/scroll_column.h"
 #include "app/gui/workspace/tool_box.h"
 
 namespace palpa::gui {
@@ -35,20 +36,15 @@ QWidget* findPath(QWidget* page, const QStringList& path) {
 }  // namespace
 
 PropertiesDock::PropertiesDock(const Workspace& workspace)
-    : QDockWidget(tr("Properties"), &workspace.window),
-      workspace_(workspace),
-      scroll_(new QScrollArea(this)) {
+    : QDockWidget(tr("Properties"), &workspace.window), workspace_(workspace) {
   setObjectName("properties");
-  auto* content = new QWidget(scroll_);
+  auto* content = new QWidget(this);
   content->setObjectName("propertiesContent");
   column_ = new QVBoxLayout(content);
   column_->setContentsMargins(0, 0, 0, 0);
   column_->setSpacing(0);
   column_->addStretch();
-  scroll_->setWidget(content);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_ = scrollColumn(content, this);
   scroll_->setMinimumSize(250, 120);
   setWidget(scroll_);
   soon_.setSingleShot(true);

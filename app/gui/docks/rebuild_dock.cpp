@@ -1,6 +1,5 @@
 #include "app/gui/docks/rebuild_dock.h"
 
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "app/gui/document/accuracy_words.h"
 #include "app/gui/document/rebuild_words.h"
 #include "app/gui/document/remedies.h"
+#include "app/gui/widgets/scroll_column.h"
 
 namespace palpa::gui {
 namespace {
@@ -98,12 +98,7 @@ RebuildDock::RebuildDock(Editor& editor, QWidget* parent)
   layout->addWidget(modelTitle_);
   layout->addLayout(facts);
   layout->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setWidget(scroll);
+  setWidget(scrollColumn(content, this));
   connect(stop_, &QPushButton::clicked, &editor, &Editor::cancelRebuild);
   connect(again_, &QPushButton::clicked, &editor, &Editor::rebuildAgain);
   connect(&editor, &Editor::rebuildChanged, this, &RebuildDock::showStatus);

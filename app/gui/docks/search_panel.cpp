@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "app/gui/base/appearance.h"
 #include "app/gui/base/measures.h"
 #include "app/gui/document/design_words.h"
+#include "app/gui/widgets/scroll_column.h"
 
 namespace palpa::gui {
 namespace {
@@ -116,11 +116,6 @@ SearchPanel::SearchPanel(ShapeFinder& finder, const Settings& settings, QWidget*
   column->addWidget(plot_);
   column->addWidget(numbers_);
   column->addStretch();
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(12, 6, 12, 8);
   buttons->addWidget(stop_);
@@ -130,7 +125,7 @@ SearchPanel::SearchPanel(ShapeFinder& finder, const Settings& settings, QWidget*
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->setSpacing(0);
-  all->addWidget(scroll, 1);
+  all->addWidget(scrollColumn(content, this), 1);
   all->addLayout(buttons);
   connect(stop_, &QPushButton::clicked, &finder, &ShapeFinder::cancel);
   connect(accept_, &QPushButton::clicked, &finder, &ShapeFinder::accept);

@@ -10,6 +10,7 @@
 #include "app/gui/properties/design_rows.h"
 #include "app/gui/view/viewport_widget.h"
 #include "app/gui/widgets/field_input.h"
+#include "app/gui/widgets/scroll_column.h"
 
 namespace palpa::gui {
 namespace {
@@ -70,8 +71,7 @@ TargetsDock::~TargetsDock() {
 
 QWidget* TargetsDock::makeWish() {
   auto* wish = new QWidget(this);
-  scroll_ = new QScrollArea(wish);
-  auto* content = new QWidget(scroll_);
+  auto* content = new QWidget(wish);
   content->setObjectName("targetsContent");
   column_ = new QVBoxLayout(content);
   column_->setContentsMargins(0, 0, 0, 0);
@@ -96,11 +96,8 @@ QWidget* TargetsDock::makeWish() {
   column_->addWidget(table_);
   column_->addLayout(buttons);
   column_->addStretch();
-  scroll_->setWidget(content);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setMinimumSize(250, 120);
+  QScrollArea* scroll = scrollColumn(content, wish);
+  scroll->setMinimumSize(250, 120);
   message_ = new QLabel(wish);
   message_->setObjectName("searchMessage");
   message_->setWordWrap(true);
@@ -115,7 +112,7 @@ QWidget* TargetsDock::makeWish() {
   auto* all = new QVBoxLayout(wish);
   all->setContentsMargins(0, 0, 0, 0);
   all->setSpacing(0);
-  all->addWidget(scroll_, 1);
+  all->addWidget(scroll, 1);
   all->addLayout(bottom);
   connect(add_, &QPushButton::clicked, this, &TargetsDock::addTarget);
   connect(remove_, &QPushButton::clicked, this, &TargetsDock::removeTarget);

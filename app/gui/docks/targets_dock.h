@@ -3,7 +3,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -41,7 +40,7 @@ class TargetsDock : public QDockWidget {
   void addTarget();
   void removeTarget();
   void find();
-  /// Replaces a page by one that `make` fills, if its rows are others.
+  /// Replaces a page by one that `fill` fills, if its rows are others: `wanted` differs from `key`.
   void updatePage(PropertyPage*& page, QString& key, const QString& wanted,
                   const std::function<void(PropertyPage&)>& fill);
 
@@ -49,7 +48,6 @@ class TargetsDock : public QDockWidget {
   ShapeFinder& finder_;
   TouchValues* values_;
   QStackedWidget* stack_;
-  QScrollArea* scroll_ = nullptr;
   QVBoxLayout* column_ = nullptr;
   TargetsTable* table_ = nullptr;
   QPushButton *add_ = nullptr, *remove_ = nullptr, *find_ = nullptr;

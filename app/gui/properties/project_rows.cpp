@@ -148,17 +148,17 @@ void addSmallFeatures(PropertyPage& page, const ChangeMesh& change) {
   page.addSlowFact(tr("Meshed over"), "simplification", [&page, &editor] {
     const auto model = editor.model();
     if (!model) return QString("…");
-    const auto& [below, moved, vanishedFaces, cutPins, filledHoles] =
+    const auto& [below, moved, vanishedFaces, partsBelow, cutPins, filledHoles] =
         model->surface().simplification;
     if (below == 0) return tr("nothing");
     QString text = tr("features below %1; the surface moved by up to %2")
                        .arg(page.shownLength(below), page.shownLength(moved));
     if (cutPins > 0)
-      text +=
-          cutPins == 1 ? tr("; one thin pin cut off") : tr("; %1 thin pins cut off").arg(cutPins);
+      text += "; " + (cutPins == 1 ? tr("one pin cut off") : tr("%1 pins cut off").arg(cutPins));
     if (filledHoles > 0)
-      text += filledHoles == 1 ? tr("; one narrow hole filled")
-                               : tr("; %1 narrow holes filled").arg(filledHoles);
+      text += "; " +
+              (filledHoles == 1 ? tr("one hole filled") : tr("%1 holes filled").arg(filledHoles));
+    if (cutPins + filledHoles > 0) text += tr(", below %1").arg(page.shownLength(partsBelow));
     return text;
   });
 }
