@@ -14,17 +14,10 @@
 
 #include "base/parallel.h"
 #include "bem/base/error.h"
-
-extern "C" void openblas_set_num_threads(int threads);
+#include "bem/linalg/blas_threads.h"
 
 namespace palpa::bem {
 namespace {
-
-/// Makes OpenBLAS use one thread, for the whole process: see BlockedLu.
-void useOneBlasThread() {
-  static const bool once = (openblas_set_num_threads(1), true);
-  static_cast<void>(once);
-}
 
 /// Columns per block. Narrow blocks distribute small matrices evenly; wide ones make matrix
 /// products fast. No update of a block takes longer than 20 ms up to 40,000 unknowns.
@@ -83,8 +76,7 @@ void lacn2(lapack_int n, double* v, double* x, lapack_int* signs, double* estima
 /// Factorisation by blocks of columns on several threads. Updates of blocks by a panel of factors
 /// are handed out one by one, in the order of the panels; the thread that has updated the next
 /// panel factors it while the others continue. Each block sees the same operations on any number of
-/// threads. The threads of OpenBLAS wait for each other in busy loops: with another program on one
-/// of two cores they took ten times as long as one thread.
+/// threads.
 template <class Scalar>
 class BlockedLu {
  public:

@@ -1,0 +1,291 @@
+#include "bem/compressed/compressed_operators.h"
+
+#include <cblas.h>
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "base/scratch_pool.h"
+
+namespace palpa::bem {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::MatrixXf;
+
+namespace {
+
+/// y += A x for x and y with `columns` numbers per row. A: (m, k), by rows or by columns.
+void addProduct(bool isByRows, int m, int k, const float* A, int stride, const float* x,
+                int columns, float* y) {
+  if (m == 0 || k == 0) return;
+  if (columns == 1)
+    cblas_sgemv(isByRows ? CblasRowMajor : CblasColMajor, CblasNoTrans, m, k, 1, A, stride, x, 1, 1,
+                y, 1);
+  else
+    cblas_sgemm(CblasRowMajor, isByRows ? CblasNoTrans : CblasTrans, CblasNoTrans, m, columns, k, 1,
+                A, stride, x, columns, 1, y, columns);
+}
+
+/// y += block x for three rows of x and y.
+void addBlock(const std::array<float, 9>& block, const float* x, Index columns, float* y) {
+  for (int i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const float factor = block[3 * i + c];
+      for (Index k = 0; k < columns; ++k) y[i * columns + k] += factor * x[c * columns + k];
+    }
+}
+
+/// y += A(row, :) x.
+void addRow(const BlockRows& A, int row, const RowMatrixXf& x, float* y) {
+  for (std::size_t k = A.begin[row]; k < A.begin[static_cast<std::size_t>(row) + 1]; ++k)
+    addBlock(A.blocks[k], x.row(3 * static_cast<Index>(A.columns[k])).data(), x.cols(), y);
+}
+
+constexpr int kEquationsPerTask = 64;
+
+}  // namespace
+
+void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
+                                        const Job& job) const {
+  const ClusterTree& tree = order_.tree;
+  const auto columns = static_cast<int>(x.cols());
+  const Index nodes = nodeCount();
+  // First the right factors of all blocks, then everything that belongs to the rows of a leaf.
+  std::vector<std::vector<std::size_t>> places(far_.size());
+  std::vector<std::pair<int, int>> blocks;
+  std::size_t total = 0;
+  for (std::size_t c = 0; c < far_.size(); ++c)
+    for (std::size_t b = 0; b < far_[c].size(); ++b) {
+      places[c].push_back(total);
+      total += static_cast<std::size_t>(far_[c][b].V.rows()) * x.cols();
+      blocks.emplace_back(static_cast<int>(c), static_cast<int>(b));
+    }
+  std::vector<float> right(total, 0);
+  const auto xOfNodes = [&](int cluster) {
+    return x.row(3 * static_cast<Index>(tree.cluster(cluster).begin)).data();
+  };
+  const auto xOfSlots = [&](int cluster) {
+    return x.data() +
+           3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]) * static_cast<Index>(columns);
+  };
+  constexpr std::ptrdiff_t kBlocksPerTask = 8;
+  const auto count = static_cast<std::ptrdiff_t>(blocks.size());
+  parallelFor((count + kBlocksPerTask - 1) / kBlocksPerTask, job, [&](std::ptrdiff_t task) {
+    for (std::ptrdiff_t k = task * kBlocksPerTask;
+         k < std::min(count, (task + 1) * kBlocksPerTask); ++k) {
+      const auto [c, b] = blocks[k];
+      const FarBlock& block = far_[c][b];
+      const auto rank = static_cast<int>(block.V.rows());
+      float* to = right.data() + places[c][b];
+      const int ofNodes = order_.nodeColumns(block.column);
+      addProduct(false, rank, ofNodes, block.V.data(), rank, xOfNodes(block.column), columns, to);
+      addProduct(false, rank, order_.slotColumns(block.column),
+                 block.V.data() + static_cast<std::ptrdiff_t>(ofNodes) * rank, rank,
+                 xOfSlots(block.column), columns, to);
+    }
+  });
+  const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
+  y = RowMatrixXf::Zero(3 * static_cast<Index>(order_.points.size()), columns);
+  parallelFor(tree.count() - firstLeaf, job, [&](std::ptrdiff_t k) {
+    const int leaf = firstLeaf + static_cast<int>(k), first = order_.pointBegin(leaf),
+              rows = order_.rows(leaf);
+    if (rows == 0) return;
+    float* to = y.row(3 * static_cast<Index>(first)).data();
+    for (int c = leaf;; c = (c - 1) / 2) {
+      for (std::size_t b = 0; b < far_[c].size(); ++b) {
+        const RowMatrixXf& U = far_[c][b].U;
+        const auto rank = static_cast<int>(U.cols());
+        addProduct(true, rows, rank,
+                   U.data() + 3 * static_cast<std::ptrdiff_t>(first - order_.pointBegin(c)) * rank,
+                   rank, right.data() + places[c][b], columns, to);
+      }
+      if (c == 0) break;
+    }
+    for (const NearBlock& block : near_[k]) {
+      const int ofNodes = order_.nodeColumns(block.column);
+      addProduct(false, rows, ofNodes, block.K.data(), rows, xOfNodes(block.column), columns, to);
+      addProduct(false, rows, order_.slotColumns(block.column),
+                 block.K.data() + static_cast<std::ptrdiff_t>(ofNodes) * rows, rows,
+                 xOfSlots(block.column), columns, to);
+    }
+    for (int point = first; point < order_.pointEnd(leaf); ++point)
+      addRow(corrections_, point, x, y.row(3 * static_cast<Index>(point)).data());
+  });
+}
+
+MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const Job& job) const {
+  constexpr Index kColumnsAtOnce = 32;
+  const Index nodes = nodeCount(), slots = static_cast<Index>(order_.slots.size()),
+              equations = equationCount();
+  MatrixXd result(3 * equations, u.cols());
+  for (Index first = 0; first < u.cols(); first += kColumnsAtOnce) {
+    const Index columns = std::min(kColumnsAtOnce, u.cols() - first);
+    RowMatrixXf x(3 * (nodes + slots), columns), y;
+    for (Index k = 0; k < nodes; ++k)
+      x.middleRows(3 * k, 3) =
+          u.block(3 * static_cast<Index>(order_.tree.order()[k]), first, 3, columns)
+              .cast<float>();
+    for (Index s = 0; s < slots; ++s)
+      x.middleRows(3 * (nodes + s), 3) =
+          p.block(3 * static_cast<Index>(order_.slots[s]), first, 3, columns).cast<float>();
+    applyToPoints(x, y, job);
+    parallelFor((equations + kEquationsPerTask - 1) / kEquationsPerTask, job,
+                [&](std::ptrdiff_t task) {
+                  RowMatrixXf sum(3, columns);
+                  for (Index e = task * kEquationsPerTask;
+                       e < std::min<Index>(equations, (task + 1) * kEquationsPerTask); ++e) {
+                    sum.setZero();
+                    for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator w(weights_, e);
+                         w; ++w)
+                      sum += w.value() * y.middleRows(3 * w.col(), 3);
+                    addRow(averaged_, static_cast<int>(e), x, sum.data());
+                    for (int i = 0; i < 3; ++i)
+                      result.row(i * equations + e).segment(first, columns) =
+                          sum.row(i).cast<double>();
+                  }
+                });
+  }
+  return result;
+}
+
+template <class Visit>
+void CompressedOperators::visitColumns(int cluster, std::span<const int> columns,
+                                       const Visit& visit) const {
+  const auto [begin, end] = order_.tree.cluster(cluster);
+  const int nodes = nodeCount(), slotBegin = 3 * (nodes + order_.firstSlot[begin]),
+            slotEnd = 3 * (nodes + order_.firstSlot[end]);
+  const auto visitRange = [&](int from, int to, int place) {
+    auto at = std::lower_bound(columns.begin(), columns.end(), from);
+    for (; at != columns.end() && *at < to; ++at)
+      visit(static_cast<Index>(at - columns.begin()), static_cast<Index>(*at - from + place));
+  };
+  visitRange(3 * begin, 3 * end, 0);
+  visitRange(slotBegin, slotEnd, order_.nodeColumns(cluster));
+}
+
+void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size_t end,
+                                       std::span<const int> columns, Scratch& scratch) const {
+  if (begin == end) return;
+  const int first = order_.pointBegin(cluster);
+  const auto some = static_cast<Index>(end - begin);
+  std::vector<Index> to;
+  for (const FarBlock& block : far_[cluster]) {
+    to.clear();
+    scratch.right.resize(block.V.rows(), static_cast<Index>(columns.size()));
+    visitColumns(block.column, columns, [&](Index place, Index column) {
+      scratch.right.col(static_cast<Index>(to.size())) = block.V.col(column);
+      to.push_back(place);
+    });
+    if (to.empty()) continue;
+    scratch.left.resize(block.U.cols(), 3 * some);
+    for (Index k = 0; k < some; ++k)
+      for (int i = 0; i < 3; ++i)
+        scratch.left.col(3 * k + i) =
+            block.U.row(3 * static_cast<Index>(scratch.points[begin + k] - first) + i).transpose();
+    // The columns of a cluster are contiguous, once among the nodes and once among the slots.
+    const auto rank = static_cast<int>(block.U.cols());
+    for (std::size_t from = 0; from < to.size();) {
+      std::size_t last = from + 1;
+      while (last < to.size() && to[last] == to[last - 1] + 1) ++last;
+      cblas_sgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(3 * some),
+                  static_cast<int>(last - from), rank, 1, scratch.left.data(), rank,
+                  scratch.right.col(static_cast<Index>(from)).data(), rank, 1,
+                  scratch.ofPoints.col(to[from]).data() + 3 * begin,
+                  static_cast<int>(scratch.ofPoints.rows()));
+      from = last;
+    }
+  }
+  if (order_.tree.isLeaf(cluster)) {
+    const int leaf = cluster - ClusterTree::firstOf(order_.tree.levelCount() - 1);
+    for (const NearBlock& block : near_[leaf])
+      visitColumns(block.column, columns, [&](Index place, Index column) {
+        for (Index k = 0; k < some; ++k)
+          scratch.ofPoints.col(place).segment<3>(3 * (static_cast<Index>(begin) + k)) +=
+              block.K.col(column).segment<3>(
+                  3 * static_cast<Index>(scratch.points[begin + k] - first));
+      });
+    return;
+  }
+  const int middle = order_.pointBegin(2 * cluster + 2);
+  const auto split = static_cast<std::size_t>(
+      std::lower_bound(scratch.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                       scratch.points.begin() + static_cast<std::ptrdiff_t>(end), middle) -
+      scratch.points.begin());
+  expandPoints(2 * cluster + 1, begin, split, columns, scratch);
+  expandPoints(2 * cluster + 2, split, end, columns, scratch);
+}
+
+void CompressedOperators::expand(std::span<const int> equations, std::span<const int> columns,
+                                 Scratch& scratch, MatrixXf& to) const {
+  using Weights = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+  scratch.points.clear();
+  for (const int e : equations)
+    for (Weights::InnerIterator w(weights_, e); w; ++w)
+      scratch.points.push_back(static_cast<int>(w.col()));
+  std::sort(scratch.points.begin(), scratch.points.end());
+  scratch.points.erase(std::unique(scratch.points.begin(), scratch.points.end()),
+                       scratch.points.end());
+  const auto columnCount = static_cast<Index>(columns.size());
+  scratch.ofPoints.setZero(3 * static_cast<Index>(scratch.points.size()), columnCount);
+  expandPoints(0, 0, scratch.points.size(), columns, scratch);
+  scratch.places.resize(3 * (order_.tree.order().size() + order_.slots.size()), -1);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    scratch.places[columns[k]] = static_cast<int>(k);
+  const auto addRow = [&](const BlockRows& from, int row, MatrixXf& matrix, Index k) {
+    for (std::size_t b = from.begin[row]; b < from.begin[static_cast<std::size_t>(row) + 1]; ++b)
+      for (int c = 0; c < 3; ++c) {
+        const int place = scratch.places[3 * static_cast<std::size_t>(from.columns[b]) + c];
+        if (place < 0) continue;
+        for (int i = 0; i < 3; ++i) matrix(3 * k + i, place) += from.blocks[b][3 * i + c];
+      }
+  };
+  scratch.placeOfPoint.resize(order_.points.size());
+  for (std::size_t k = 0; k < scratch.points.size(); ++k) {
+    scratch.placeOfPoint[scratch.points[k]] = static_cast<int>(k);
+    addRow(corrections_, scratch.points[k], scratch.ofPoints, static_cast<Index>(k));
+  }
+  to.setZero(3 * static_cast<Index>(equations.size()), columnCount);
+  struct Entry {
+    Index row, point;
+    float weight;
+  };
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < equations.size(); ++k)
+    for (Weights::InnerIterator w(weights_, equations[k]); w; ++w)
+      entries.push_back(
+          {3 * static_cast<Index>(k), 3 * static_cast<Index>(scratch.placeOfPoint[w.col()]),
+           w.value()});
+  for (Index c = 0; c < columnCount; ++c) {
+    float* column = to.col(c).data();
+    const float* from = scratch.ofPoints.col(c).data();
+    for (const Entry& entry : entries)
+      for (int i = 0; i < 3; ++i) column[entry.row + i] += entry.weight * from[entry.point + i];
+  }
+  for (std::size_t k = 0; k < equations.size(); ++k)
+    addRow(averaged_, equations[k], to, static_cast<Index>(k));
+  for (const int column : columns) scratch.places[column] = -1;
+}
+
+CompressedOperators::Sizes CompressedOperators::sizes() const {
+  Sizes sizes;
+  for (const auto& blocks : far_)
+    for (const FarBlock& block : blocks) {
+      sizes.far += static_cast<std::size_t>(block.U.size() + block.V.size()) * sizeof(float);
+      sizes.meanRank += static_cast<double>(block.V.rows());
+      ++sizes.farBlocks;
+    }
+  if (sizes.farBlocks > 0) sizes.meanRank /= sizes.farBlocks;
+  for (const auto& blocks : near_)
+    for (const NearBlock& block : blocks)
+      sizes.near += static_cast<std::size_t>(block.K.size()) * sizeof(float);
+  sizes.averaged = averaged_.bytes() + corrections_.bytes();
+  return sizes;
+}
+
+std::size_t CompressedOperators::bytes() const {
+  const Sizes all = sizes();
+  return all.far + all.near + all.averaged;
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/job.h"
+#include "bem/compressed/exact_rows.h"
+#include "bem/compressed/row_choice.h"
+#include "bem/element/element_equations.h"
+#include "bem/model/boundary_mesh.h"
+#include "bem/model/material.h"
+
+namespace palpa::bem {
+
+/// Sparse matrix of 3 x 3 blocks, row after row.
+struct BlockRows {
+  std::vector<std::size_t> begin;            ///< of each row, and the end
+  std::vector<int> columns;                  ///< ascending in each row
+  std::vector<std::array<float, 9>> blocks;  ///< [3 i + c]
+  std::size_t bytes() const {
+    return begin.size() * sizeof(std::size_t) + columns.size() * sizeof(int) +
+           blocks.size() * sizeof(blocks[0]);
+  }
+};
+
+/// Boundary operators K = [-H G] as K = W P + N. The rows of P belong to the points of equations,
+/// and are compressed in blocks (a hierarchical matrix): a block of a cluster of points and a
+/// distant cluster of functions is a product of two narrow matrices. W has the weights of the points
+/// in the equations, N what averaged elements have near.
+///
+/// Rows and columns are in the order of a CompressedOrder; block columns are node positions, then
+/// slot positions behind them. Everything in single precision; immutable after assembly.
+class CompressedOperators {
+ public:
+  const CompressedOrder& order() const { return order_; }
+  int equationCount() const { return static_cast<int>(weights_.rows()); }
+  int nodeCount() const { return static_cast<int>(order_.tree.order().size()); }
+
+  /// G p - H u of fields, with the rows of BoundaryOperators. Throws Cancelled.
+  Eigen::MatrixXd apply(const Eigen::MatrixXd& u, const Eigen::MatrixXd& p, const Job& job) const;
+
+  /// Some rows and columns as a dense matrix, [3 k + i][column]. `equations`: any; `columns`:
+  /// ascending column numbers, 3 * (block column) + c, all of one cluster of the tree.
+  struct Scratch {
+    std::vector<int> places, points, placeOfPoint;
+    Eigen::MatrixXf ofPoints, left, right;
+  };
+  void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch,
+              Eigen::MatrixXf& to) const;
+
+  std::size_t bytes() const;
+  /// Sizes for reports: bytes of the low-rank blocks, the dense blocks and N; mean rank.
+  struct Sizes {
+    std::size_t far = 0, near = 0, averaged = 0;
+    int farBlocks = 0;
+    double meanRank = 0;
+  };
+  Sizes sizes() const;
+
+ private:
+  friend class CompressedAssembly;
+  /// Low-rank block U V of the points of a cluster and the functions of another one.
+  struct FarBlock {
+    int column;         ///< cluster
+    RowMatrixXf U;      ///< (rows, rank)
+    Eigen::MatrixXf V;  ///< (rank, columns)
+  };
+  struct NearBlock {
+    int column;
+    Eigen::MatrixXf K;
+  };
+  /// P x for x in internal order, one row per column of P; y: one row per row of P.
+  void applyToPoints(const RowMatrixXf& x, RowMatrixXf& y, const Job& job) const;
+  template <class Visit>
+  void visitColumns(int cluster, std::span<const int> columns, const Visit& visit) const;
+  void expandPoints(int cluster, std::size_t begin, std::size_t end, std::span<const int> columns,
+                    Scratch& scratch) const;
+
+  CompressedOrder order_;
+  std::vector<std::vector<FarBlock>> far_;    ///< per cluster of points
+  std::vector<std::vector<NearBlock>> near_;  ///< per leaf, counted from the first
+  BlockRows corrections_;                     ///< added to P
+  Eigen::SparseMatrix<float, Eigen::RowMajor> weights_;  ///< (equation, point position)
+  BlockRows averaged_;                                   ///< N
+};
+
+/// Assembles the operators of quadratic triangles (or other elements with one coefficient per node
+/// and slot). `nodes`: positions of the displacement coefficients; `tolerance`: of each block, 1e-3
+/// … 1e-6 of its largest rows. Throws Cancelled.
+CompressedOperators assembleCompressed(const ElementSurface& surface,
+                                       const ElementQuadrature& quadrature,
+                                       const WeightedEquations& equations,
+                                       const std::vector<Eigen::Vector3d>& nodes,
+                                       const TractionSlots& slots, const Material& material,
+                                       double tolerance, const Job& job);
+
+}  // namespace palpa::bem

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+#include <vector>
+
+#include "base/job.h"
+
+namespace palpa::bem {
+
+/// Approximate LU factorisation of a square matrix in tiles: those on the diagonal are dense, the
+/// others products of two narrow matrices where that is shorter (block low-rank; Amestoy et al.
+/// 2015). Tile by tile what the former rows and columns subtract is sampled with random vectors, so
+/// that it is never formed (Halko, Martinsson and Tropp 2011). Rows are exchanged within tiles of
+/// the diagonal only. In single precision; a preconditioner.
+///
+/// Immutable; const use from several threads is safe.
+class TileLu {
+ public:
+  /// Writes tile (row, column) of the matrix, with the given sizes, to a matrix; several threads.
+  using MakeTile = std::function<void(int row, int column, Eigen::MatrixXf& to)>;
+
+  /// `sizes`: rows of each tile. `tolerance`: of the singular values that are left out, over the
+  /// norm of the columns in their tile of the diagonal. Throws SolverError (kSingular), Cancelled.
+  TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeTile, const Job& job);
+
+  Eigen::Index size() const { return begins_.back(); }
+  std::size_t bytes() const;
+  /// Largest sum of magnitudes in a column of the matrix.
+  double norm1() const { return norm1_; }
+  /// Largest rank of a tile off the diagonal, for reports.
+  int largestRank() const;
+  double meanRank() const;
+
+  /// Overwrites columns with the solutions. Throws Cancelled.
+  void solveInPlace(Eigen::MatrixXf& x, const Job& job) const;
+  /// The same with the transposed matrix.
+  void solveTransposedInPlace(Eigen::MatrixXf& x, const Job& job) const;
+
+ private:
+  /// X Y^T, or the dense X where Y is empty.
+  struct Tile {
+    Eigen::MatrixXf X, Y;
+    bool isDense() const { return Y.size() == 0 && X.size() > 0; }
+    int rank() const { return static_cast<int>(X.cols()); }
+  };
+
+  int count() const { return static_cast<int>(sizes_.size()); }
+  Tile& tile(int row, int column) { return tiles_[row * sizes_.size() + column]; }
+  const Tile& tile(int row, int column) const { return tiles_[row * sizes_.size() + column]; }
+  void factorDiagonal(int k, const MakeTile& makeTile, const Job& job);
+  Tile compress(int row, int column, int before, Eigen::MatrixXf base, const Job& job) const;
+  Eigen::MatrixXf denseUpdate(int row, int column, int before, Eigen::MatrixXf base,
+                              const Job& job) const;
+  void sample(int row, int column, int before, const Eigen::MatrixXf& base,
+              const Eigen::MatrixXf& x, bool isTransposed, Eigen::MatrixXf& y,
+              const Job& job) const;
+
+  void scaleColumns(int column, Eigen::MatrixXf& tile) const;
+  template <class Use>
+  void forOthers(int first, int end, const Job& job, const Use& use) const;
+  static void subtract(const Tile& tile, bool isTransposed, const Eigen::MatrixXf& x,
+                       Eigen::MatrixXf& y);
+  std::vector<Eigen::MatrixXf> partsOf(const Eigen::MatrixXf& x) const;
+
+  std::vector<int> sizes_;
+  std::vector<Eigen::Index> begins_;
+  float tolerance_;
+  std::vector<Tile> tiles_;
+  std::vector<std::vector<int>> pivots_;
+  Eigen::ArrayXf columnScales_;  ///< the factors are of the matrix with these times its columns
+  double norm1_ = 0;
+};
+
+}  // namespace palpa::bem

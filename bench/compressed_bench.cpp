@@ -1,0 +1,147 @@
+// Compressed operators of quadratic triangles beside dense ones: time of assembly and
+// factorisation, of three Green's columns, memory, and the difference of these columns.
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/setup/boundary_setup.h"
+#include "app/core/setup/project_geometry.h"
+#include "bem/compressed/make_problem.h"
+#include "bem/dense/make_reference_problem.h"
+#include "bem/quadratic/quadratic_discretisation.h"
+#include "bench/sphere.h"
+#include "bench/timing.h"
+#include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
+#include "modeling/project/project_file.h"
+
+namespace {
+
+using namespace palpa;
+using Eigen::MatrixXd;
+
+/// Wall and processor time, s.
+struct Times {
+  double wall = 0, processor = 0;
+};
+template <class Work>
+Times timesOf(const Work& work) {
+  Times times;
+  times.processor = bench::processorSecondsFor([&] { times.wall = bench::secondsFor(work); });
+  return times;
+}
+
+struct Settings {
+  bem::CompressionOptions compression;
+  int mostDenseNodes = 4000;
+  double tolerance = 1e-6;  ///< of integrals
+  Job job;
+};
+
+constexpr double kMega = 1e6;
+
+/// Three unit forces on the free node that is farthest from the supports' side.
+std::vector<int> topmostDofs(const bem::Discretisation& on, const bem::DegreesOfFreedom& dofs) {
+  int best = -1;
+  for (int k = 0; k < on.displacementCount(); ++k)
+    if (dofs.isFree(k) && (best < 0 || on.places()[k].z() > on.places()[best].z())) best = k;
+  return {3 * best, 3 * best + 1, 3 * best + 2};
+}
+
+void measure(const std::string& name, const modeling::Project& project, const Settings& settings) {
+  const app::ProjectGeometry geometry(project);
+  const app::BoundarySetup setup = app::makeBoundarySetup(
+      geometry, modeling::mesh(project.body, project.mesh, geometry.regions(), settings.job,
+                               modeling::meshFoci(project)));
+  const auto* on = dynamic_cast<const bem::QuadraticDiscretisation*>(setup.discretisation.get());
+  if (!on) {
+    std::printf("%s: not of quadratic triangles\n", name.c_str());
+    return;
+  }
+  bem::ProblemInputs inputs{setup.conditions.ofSlot, setup.material, {settings.tolerance}};
+  std::unique_ptr<bem::CompressedReferenceProblem> compressed;
+  bem::ReferenceProblemTimes parts;
+  const Times made = timesOf([&] {
+    compressed = bem::makeCompressedReferenceProblem(*on, inputs, settings.compression,
+                                                     settings.job, &parts);
+  });
+  const std::vector<int> dofs = topmostDofs(*on, compressed->dofs());
+  MatrixXd columns;
+  const Times solved = timesOf([&] {
+    columns = compressed->greensColumns(dofs, bem::ReferenceProblem::Effort::kFast, settings.job);
+  });
+  const auto sizes = compressed->operators().sizes();
+  std::printf(
+      "%-20s n %6d  assembly %6.2f s  factors %6.2f s  (processor %6.1f s)  3 columns %5.2f s "
+      "(%5.2f)\n",
+      name.c_str(), on->displacementCount(), parts.assemble, parts.factorise, made.processor,
+      solved.wall, solved.processor);
+  std::printf(
+      "    MB: %6.0f = far %.0f (%d blocks, mean rank %.1f) + near %.0f + averaged %.0f + factors "
+      "%.0f (mean rank %.1f)\n",
+      static_cast<double>(compressed->bytes()) / kMega, static_cast<double>(sizes.far) / kMega,
+      sizes.farBlocks, sizes.meanRank, static_cast<double>(sizes.near) / kMega,
+      static_cast<double>(sizes.averaged) / kMega,
+      static_cast<double>(compressed->factors().bytes()) / kMega, compressed->factors().meanRank());
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("    peak %.0f MB\n", static_cast<double>(usage.ru_maxrss) * 1024 / kMega);
+  std::fflush(stdout);
+  if (on->displacementCount() > settings.mostDenseNodes) return;
+  inputs.precision = bem::Precision::kSingle;
+  std::unique_ptr<bem::ReferenceProblem> dense;
+  const Times madeDense = timesOf(
+      [&] { dense = bem::makeDenseReferenceProblem(*on, inputs, settings.job, &parts); });
+  MatrixXd expected;
+  const Times solvedDense = timesOf([&] {
+    expected = dense->greensColumns(dofs, bem::ReferenceProblem::Effort::kRefined, settings.job);
+  });
+  const MatrixXd unit = MatrixXd::Identity(3, 3);
+  // Displacement of the loaded node per unit of traction: the inverse of the force.
+  const MatrixXd u = columns.middleRows(dofs[0], 3), v = expected.middleRows(dofs[0], 3);
+  std::printf(
+      "    dense: assembly %6.2f s  factors %6.2f s  (processor %6.1f s)  3 columns %5.2f s  %.0f "
+      "MB; difference of columns %.1e, of forces %.1e\n",
+      parts.assemble, parts.factorise, madeDense.processor, solvedDense.wall,
+      static_cast<double>(dense->bytes()) / kMega, (columns - expected).norm() / expected.norm(),
+      (u.inverse() - v.inverse()).norm() / v.inverse().norm());
+  const bem::BoundaryField field = dense->dofs().expand(expected, MatrixXd());
+  const MatrixXd exact = dense->residual(field, settings.job);
+  std::printf("    difference of products %.1e\n",
+              (compressed->residual(field, settings.job) - exact).norm() / exact.norm());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App options{
+      "Times reference problems with compressed operators of quadratic triangles beside dense "
+      "ones. Spheres with about 6 cells^2 nodes, and project files."};
+  std::vector<int> cells{18, 26, 41};
+  std::vector<std::string> files;
+  Settings settings;
+  options.add_option("--cells", cells, "cells along a cube edge of the sphere's mesh");
+  options.add_option("projects", files, "project files")->check(CLI::ExistingFile);
+  options.add_option("--dense-up-to", settings.mostDenseNodes, "nodes of a dense problem, at most");
+  options.add_option("--operators", settings.compression.operators, "tolerance of the operators");
+  options.add_option("--factors", settings.compression.factors, "tolerance of the factors");
+  options.add_option("--tile", settings.compression.tileNodes, "nodes per tile; 0: automatic");
+  options.add_option("--threads", settings.job.threads, "0: all cores");
+  CLI11_PARSE(options, argc, argv);
+  for (const int count : cells) {
+    modeling::Project project = bench::sphereProject(count);
+    project.mesh.engine = modeling::Engine::kQuadratic;
+    measure("sphere", project, settings);
+  }
+  for (const std::string& file : files) {
+    const modeling::Project project = modeling::readProject(file);
+    measure(project.name, project, settings);
+  }
+  return 0;
+}
