@@ -95,8 +95,8 @@ void measure(const std::string& name, const modeling::Project& project, const Se
   if (on->displacementCount() > settings.mostDenseNodes) return;
   inputs.precision = bem::Precision::kSingle;
   std::unique_ptr<bem::ReferenceProblem> dense;
-  const Times madeDense = timesOf(
-      [&] { dense = bem::makeDenseReferenceProblem(*on, inputs, settings.job, &parts); });
+  const Times madeDense =
+      timesOf([&] { dense = bem::makeDenseReferenceProblem(*on, inputs, settings.job, &parts); });
   MatrixXd expected;
   const Times solvedDense = timesOf([&] {
     expected = dense->greensColumns(dofs, bem::ReferenceProblem::Effort::kRefined, settings.job);

@@ -5,11 +5,11 @@
 #include "app/cli/mesh_report.h"
 #include "app/cli/project_input.h"
 #include "app/cli/text.h"
+#include "app/core/model/model_memory.h"
 #include "app/core/results/field_sample.h"
 #include "app/core/setup/boundary_setup.h"
 #include "app/core/system/memory.h"
 #include "bem/base/error.h"
-#include "bem/dense/make_reference_problem.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/project/mesh_foci.h"
@@ -88,7 +88,7 @@ class CheckCommand : public Command {
       const auto& conditions = setup.conditions.ofSlot;
       const bem::Discretisation& on = *setup.discretisation;
       on.checkSolvable(conditions, setup.material);
-      bytes = bem::estimateBytes(on.displacementCount(), on.slots().count(),
+      bytes = app::expectedBytes(on.displacementCount(), on.slots().count(), setup.engine,
                                  bem::Precision::kAutomatic);
     });
     return bytes;

@@ -221,6 +221,7 @@ Json StateReport::json() const {
                        {"factorise", build.factoriseSeconds},
                        {"solve", build.solveSeconds}};
   if (!state.contacts.empty()) report["seconds"]["touch"] = touchSeconds;
+  report["operators"] = {{"storage", build.storage}, {"memory_MiB", build.memory / kMebibyte}};
   report["memory_MiB"] = app::peakMemory() / kMebibyte;
   return report;
 }

@@ -166,6 +166,7 @@ py::dict reportOf(const Model& model) {
   dict["elements"] = setup.discretisation->elementCount();
   dict["coefficients"] = setup.discretisation->displacementCount();
   dict["memory_bytes"] = build.memory;
+  dict["storage"] = build.storage;
   dict["notice"] = build.notice;
   py::dict seconds;
   seconds["mesh"] = build.meshSeconds;

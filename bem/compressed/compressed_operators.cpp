@@ -66,14 +66,14 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
     return x.row(3 * static_cast<Index>(tree.cluster(cluster).begin)).data();
   };
   const auto xOfSlots = [&](int cluster) {
-    return x.data() +
-           3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]) * static_cast<Index>(columns);
+    return x.data() + 3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]) *
+                          static_cast<Index>(columns);
   };
   constexpr std::ptrdiff_t kBlocksPerTask = 8;
   const auto count = static_cast<std::ptrdiff_t>(blocks.size());
   parallelFor((count + kBlocksPerTask - 1) / kBlocksPerTask, job, [&](std::ptrdiff_t task) {
-    for (std::ptrdiff_t k = task * kBlocksPerTask;
-         k < std::min(count, (task + 1) * kBlocksPerTask); ++k) {
+    for (std::ptrdiff_t k = task * kBlocksPerTask; k < std::min(count, (task + 1) * kBlocksPerTask);
+         ++k) {
       const auto [c, b] = blocks[k];
       const FarBlock& block = far_[c][b];
       const auto rank = static_cast<int>(block.V.rows());
@@ -124,27 +124,24 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
     RowMatrixXf x(3 * (nodes + slots), columns), y;
     for (Index k = 0; k < nodes; ++k)
       x.middleRows(3 * k, 3) =
-          u.block(3 * static_cast<Index>(order_.tree.order()[k]), first, 3, columns)
-              .cast<float>();
+          u.block(3 * static_cast<Index>(order_.tree.order()[k]), first, 3, columns).cast<float>();
     for (Index s = 0; s < slots; ++s)
       x.middleRows(3 * (nodes + s), 3) =
           p.block(3 * static_cast<Index>(order_.slots[s]), first, 3, columns).cast<float>();
     applyToPoints(x, y, job);
-    parallelFor((equations + kEquationsPerTask - 1) / kEquationsPerTask, job,
-                [&](std::ptrdiff_t task) {
-                  RowMatrixXf sum(3, columns);
-                  for (Index e = task * kEquationsPerTask;
-                       e < std::min<Index>(equations, (task + 1) * kEquationsPerTask); ++e) {
-                    sum.setZero();
-                    for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator w(weights_, e);
-                         w; ++w)
-                      sum += w.value() * y.middleRows(3 * w.col(), 3);
-                    addRow(averaged_, static_cast<int>(e), x, sum.data());
-                    for (int i = 0; i < 3; ++i)
-                      result.row(i * equations + e).segment(first, columns) =
-                          sum.row(i).cast<double>();
-                  }
-                });
+    parallelFor(
+        (equations + kEquationsPerTask - 1) / kEquationsPerTask, job, [&](std::ptrdiff_t task) {
+          RowMatrixXf sum(3, columns);
+          for (Index e = task * kEquationsPerTask;
+               e < std::min<Index>(equations, (task + 1) * kEquationsPerTask); ++e) {
+            sum.setZero();
+            for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator w(weights_, e); w; ++w)
+              sum += w.value() * y.middleRows(3 * w.col(), 3);
+            addRow(averaged_, static_cast<int>(e), x, sum.data());
+            for (int i = 0; i < 3; ++i)
+              result.row(i * equations + e).segment(first, columns) = sum.row(i).cast<double>();
+          }
+        });
   }
   return result;
 }
@@ -188,11 +185,11 @@ void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size
     for (std::size_t from = 0; from < to.size();) {
       std::size_t last = from + 1;
       while (last < to.size() && to[last] == to[last - 1] + 1) ++last;
-      cblas_sgemm(CblasColMajor, CblasTrans, CblasNoTrans, static_cast<int>(3 * some),
+      cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasTrans, static_cast<int>(3 * some),
                   static_cast<int>(last - from), rank, 1, scratch.left.data(), rank,
                   scratch.right.col(static_cast<Index>(from)).data(), rank, 1,
-                  scratch.ofPoints.col(to[from]).data() + 3 * begin,
-                  static_cast<int>(scratch.ofPoints.rows()));
+                  scratch.ofPoints.row(3 * static_cast<Index>(begin)).data() + to[from],
+                  static_cast<int>(scratch.ofPoints.cols()));
       from = last;
     }
   }
@@ -202,8 +199,8 @@ void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size
       visitColumns(block.column, columns, [&](Index place, Index column) {
         for (Index k = 0; k < some; ++k)
           scratch.ofPoints.col(place).segment<3>(3 * (static_cast<Index>(begin) + k)) +=
-              block.K.col(column).segment<3>(
-                  3 * static_cast<Index>(scratch.points[begin + k] - first));
+              block.K.col(column).segment<3>(3 *
+                                             static_cast<Index>(scratch.points[begin + k] - first));
       });
     return;
   }
@@ -217,7 +214,7 @@ void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size
 }
 
 void CompressedOperators::expand(std::span<const int> equations, std::span<const int> columns,
-                                 Scratch& scratch, MatrixXf& to) const {
+                                 Scratch& scratch, RowMatrixXf& to) const {
   using Weights = Eigen::SparseMatrix<float, Eigen::RowMajor>;
   scratch.points.clear();
   for (const int e : equations)
@@ -230,9 +227,8 @@ void CompressedOperators::expand(std::span<const int> equations, std::span<const
   scratch.ofPoints.setZero(3 * static_cast<Index>(scratch.points.size()), columnCount);
   expandPoints(0, 0, scratch.points.size(), columns, scratch);
   scratch.places.resize(3 * (order_.tree.order().size() + order_.slots.size()), -1);
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    scratch.places[columns[k]] = static_cast<int>(k);
-  const auto addRow = [&](const BlockRows& from, int row, MatrixXf& matrix, Index k) {
+  for (std::size_t k = 0; k < columns.size(); ++k) scratch.places[columns[k]] = static_cast<int>(k);
+  const auto addRow = [&](const BlockRows& from, int row, RowMatrixXf& matrix, Index k) {
     for (std::size_t b = from.begin[row]; b < from.begin[static_cast<std::size_t>(row) + 1]; ++b)
       for (int c = 0; c < 3; ++c) {
         const int place = scratch.places[3 * static_cast<std::size_t>(from.columns[b]) + c];
@@ -246,22 +242,11 @@ void CompressedOperators::expand(std::span<const int> equations, std::span<const
     addRow(corrections_, scratch.points[k], scratch.ofPoints, static_cast<Index>(k));
   }
   to.setZero(3 * static_cast<Index>(equations.size()), columnCount);
-  struct Entry {
-    Index row, point;
-    float weight;
-  };
-  std::vector<Entry> entries;
   for (std::size_t k = 0; k < equations.size(); ++k)
     for (Weights::InnerIterator w(weights_, equations[k]); w; ++w)
-      entries.push_back(
-          {3 * static_cast<Index>(k), 3 * static_cast<Index>(scratch.placeOfPoint[w.col()]),
-           w.value()});
-  for (Index c = 0; c < columnCount; ++c) {
-    float* column = to.col(c).data();
-    const float* from = scratch.ofPoints.col(c).data();
-    for (const Entry& entry : entries)
-      for (int i = 0; i < 3; ++i) column[entry.row + i] += entry.weight * from[entry.point + i];
-  }
+      to.middleRows<3>(3 * static_cast<Index>(k)) +=
+          w.value() *
+          scratch.ofPoints.middleRows<3>(3 * static_cast<Index>(scratch.placeOfPoint[w.col()]));
   for (std::size_t k = 0; k < equations.size(); ++k)
     addRow(averaged_, equations[k], to, static_cast<Index>(k));
   for (const int column : columns) scratch.places[column] = -1;

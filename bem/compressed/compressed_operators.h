@@ -26,8 +26,8 @@ struct BlockRows {
 
 /// Boundary operators K = [-H G] as K = W P + N. The rows of P belong to the points of equations,
 /// and are compressed in blocks (a hierarchical matrix): a block of a cluster of points and a
-/// distant cluster of functions is a product of two narrow matrices. W has the weights of the points
-/// in the equations, N what averaged elements have near.
+/// distant cluster of functions is a product of two narrow matrices. W has the weights of the
+/// points in the equations, N what averaged elements have near.
 ///
 /// Rows and columns are in the order of a CompressedOrder; block columns are node positions, then
 /// slot positions behind them. Everything in single precision; immutable after assembly.
@@ -44,10 +44,11 @@ class CompressedOperators {
   /// ascending column numbers, 3 * (block column) + c, all of one cluster of the tree.
   struct Scratch {
     std::vector<int> places, points, placeOfPoint;
-    Eigen::MatrixXf ofPoints, left, right;
+    RowMatrixXf ofPoints;
+    Eigen::MatrixXf left, right;
   };
   void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch,
-              Eigen::MatrixXf& to) const;
+              RowMatrixXf& to) const;
 
   std::size_t bytes() const;
   /// Sizes for reports: bytes of the low-rank blocks, the dense blocks and N; mean rank.
@@ -78,9 +79,9 @@ class CompressedOperators {
                     Scratch& scratch) const;
 
   CompressedOrder order_;
-  std::vector<std::vector<FarBlock>> far_;    ///< per cluster of points
-  std::vector<std::vector<NearBlock>> near_;  ///< per leaf, counted from the first
-  BlockRows corrections_;                     ///< added to P
+  std::vector<std::vector<FarBlock>> far_;               ///< per cluster of points
+  std::vector<std::vector<NearBlock>> near_;             ///< per leaf, counted from the first
+  BlockRows corrections_;                                ///< added to P
   Eigen::SparseMatrix<float, Eigen::RowMajor> weights_;  ///< (equation, point position)
   BlockRows averaged_;                                   ///< N
 };

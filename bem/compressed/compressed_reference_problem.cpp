@@ -63,15 +63,19 @@ class SystemTiles {
 
   void make(int row, int column, CompressedOperators::Scratch& scratch, MatrixXf& to) const {
     const Tile& of = tiles_[column];
-    MatrixXf columns;
+    RowMatrixXf columns;
     operators_.expand(tiles_[row].equations, of.columns, scratch, columns);
-    to.noalias() = columns * of.combined;
+    const MatrixXf byColumns = columns;
+    to.setZero(byColumns.rows(), of.combined.cols());
+    for (Index k = 0; k < of.combined.cols(); ++k)
+      for (Eigen::SparseMatrix<float>::InnerIterator entry(of.combined, k); entry; ++entry)
+        to.col(k) += entry.value() * byColumns.col(entry.row());
   }
 
  private:
   struct Tile {
-    std::vector<int> equations;  ///< and the unknowns 3 e, 3 e + 1, 3 e + 2 of each
-    std::vector<int> columns;    ///< of the operators
+    std::vector<int> equations;           ///< and the unknowns 3 e, 3 e + 1, 3 e + 2 of each
+    std::vector<int> columns;             ///< of the operators
     Eigen::SparseMatrix<float> combined;  ///< (column of the operators, unknown)
   };
 
@@ -99,10 +103,10 @@ class SystemTiles {
     std::sort(tile.columns.begin(), tile.columns.end());
     tile.columns.erase(std::unique(tile.columns.begin(), tile.columns.end()), tile.columns.end());
     for (auto& entry : entries)
-      entry = {static_cast<int>(
-                   std::lower_bound(tile.columns.begin(), tile.columns.end(), entry.row()) -
-                   tile.columns.begin()),
-               entry.col(), entry.value()};
+      entry = {
+          static_cast<int>(std::lower_bound(tile.columns.begin(), tile.columns.end(), entry.row()) -
+                           tile.columns.begin()),
+          entry.col(), entry.value()};
     tile.combined.resize(static_cast<Index>(tile.columns.size()), unknown);
     tile.combined.setFromTriplets(entries.begin(), entries.end());
   }
@@ -114,7 +118,7 @@ class SystemTiles {
 /// Nodes per tile: large enough that the tiles, whose number grows with the square of the number of
 /// nodes over this, do not take most of the time; small enough for the dense ones on the diagonal.
 int tileNodesFor(int nodes) {
-  return std::clamp(nodes / 40, 160, 500);
+  return std::clamp(nodes / 40, 160, 300);
 }
 
 }  // namespace
@@ -124,9 +128,9 @@ CompressedReferenceProblem::CompressedReferenceProblem(DegreesOfFreedom dofMap,
                                                        const CompressionOptions& options,
                                                        const Job& job)
     : ReferenceProblem(std::move(dofMap), {3, 1e-7}), operators_(std::move(operators)) {
-  const SystemTiles tiles(dofs(), operators_,
-                          options.tileNodes > 0 ? options.tileNodes
-                                                : tileNodesFor(dofs().nodeCount()));
+  const SystemTiles tiles(
+      dofs(), operators_,
+      options.tileNodes > 0 ? options.tileNodes : tileNodesFor(dofs().nodeCount()));
   equations_ = tiles.equations();
   ScratchPool<CompressedOperators::Scratch> pool([] { return CompressedOperators::Scratch{}; });
   factors_ = std::make_unique<TileLu>(
@@ -175,7 +179,8 @@ MatrixXd CompressedReferenceProblem::correction(const MatrixXd& r, const Job& jo
 
 double CompressedReferenceProblem::conditionEstimate(const Job& job) const {
   const auto n = static_cast<lapack_int>(factors_->size());
-  MatrixXf v(n, 1), x(n, 1);
+  // Zero, because LAPACKE refuses numbers that are not finite before they are set.
+  MatrixXf v = MatrixXf::Zero(n, 1), x = MatrixXf::Zero(n, 1);
   std::vector<lapack_int> signs(static_cast<std::size_t>(n));
   std::array<lapack_int, 3> saved{};
   float inverseNorm = 0;

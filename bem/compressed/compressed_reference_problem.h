@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <string_view>
+#include <vector>
+
 #include "bem/compressed/compressed_operators.h"
 #include "bem/compressed/tile_lu.h"
 #include "bem/problem/reference_problem.h"
@@ -9,7 +13,7 @@ namespace palpa::bem {
 /// Errors of compressed problems; smaller ones take more memory and time.
 struct CompressionOptions {
   /// Of the blocks of the operators, relative.
-  double operators = 1e-4;
+  double operators = 3e-5;
   /// Of the factorisation that GMRES is preconditioned with, relative.
   double factors = 1e-3;
   int tileNodes = 0;  ///< nodes per tile of the factorisation, at least; 0: chosen by size
@@ -31,6 +35,8 @@ class CompressedReferenceProblem final : public ReferenceProblem {
   /// Of the approximate factorisation.
   double conditionEstimate(const Job& job) const override;
   std::size_t bytes() const override { return operators_.bytes() + factors_->bytes(); }
+  std::string_view storageName() const override { return "compressed"; }
+  bool canBeWritten() const override { return false; }
   /// Throws std::logic_error: compressed problems are not stored.
   void write(const ByteSink& sink) const override;
 

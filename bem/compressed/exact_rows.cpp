@@ -22,8 +22,7 @@ ExactRows::ExactRows(const ElementSurface& surface, const ElementQuadrature& qua
     if (list.empty() || list.back() != element) list.push_back(element);
   };
   for (int e = 0; e < surface.elementCount(); ++e)
-    for (const int node : surface.coefficients(e))
-      addTo(tree.leafOf(tree.positionOf()[node]), e);
+    for (const int node : surface.coefficients(e)) addTo(tree.leafOf(tree.positionOf()[node]), e);
   for (int c = ClusterTree::firstOf(tree.levelCount() - 1) - 1; c >= 0; --c) {
     const auto &a = elements_[2 * static_cast<std::size_t>(c) + 1],
                &b = elements_[2 * static_cast<std::size_t>(c) + 2];

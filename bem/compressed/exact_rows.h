@@ -12,10 +12,10 @@ namespace palpa::bem {
 /// The columns of a cluster are contiguous among the displacement coefficients, and among the
 /// slots; its rows are those of the points near its nodes.
 struct CompressedOrder {
-  ClusterTree tree;                         ///< of the nodes
-  std::vector<int> slots, slotPositionOf;   ///< by position; position of each
-  std::vector<int> firstSlot;               ///< of each node position, and the end
-  std::vector<int> points, pointPositionOf; ///< likewise for the points of the equations
+  ClusterTree tree;                          ///< of the nodes
+  std::vector<int> slots, slotPositionOf;    ///< by position; position of each
+  std::vector<int> firstSlot;                ///< of each node position, and the end
+  std::vector<int> points, pointPositionOf;  ///< likewise for the points of the equations
   std::vector<int> firstPoint;
 
   /// Numbers of columns of a cluster: 3 per displacement coefficient, then 3 per slot.

@@ -1,12 +1,44 @@
 #include "bem/compressed/make_problem.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <utility>
 
+#include "bem/dense/make_reference_problem.h"
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/quadratic/quadratic_quadrature.h"
 
 namespace palpa::bem {
+
+bool isCompressed(Precision wanted, bool isQuadratic, double nodeCount) {
+  if (!isQuadratic) return false;
+  return wanted == Precision::kCompressed ||
+         (wanted == Precision::kAutomatic && nodeCount >= kCompressedFrom);
+}
+
+double expectedBytes(double nodeCount, double slotCount, bool isQuadratic, Precision precision) {
+  if (isCompressed(precision, isQuadratic, nodeCount)) {
+    // Spheres of 2,000 to 25,000 nodes take 140 to 200 KB per node, half for the slots.
+    constexpr double kMargin = 1.3, kAtThousand = 125e3, kPerDoubling = 14.5e3;
+    return kMargin * (nodeCount + slotCount) / 2 *
+           (kAtThousand + kPerDoubling * std::max(0.0, std::log2(nodeCount / 1000)));
+  }
+  // Numbers beyond the range of int are still to be reported.
+  const double chosen = std::min(nodeCount, 1e8), chosenSlots = std::min(slotCount, 1e8);
+  return estimateBytes(static_cast<int>(chosen), static_cast<int>(chosenSlots), precision) *
+         (nodeCount / chosen) * (nodeCount / chosen);
+}
+
+std::unique_ptr<ReferenceProblem> makeReferenceProblem(const Discretisation& discretisation,
+                                                       const ProblemInputs& inputs, const Job& job,
+                                                       ReferenceProblemTimes* times) {
+  const auto* quadratic = dynamic_cast<const QuadraticDiscretisation*>(&discretisation);
+  if (isCompressed(inputs.precision, quadratic != nullptr, discretisation.displacementCount()))
+    return makeCompressedReferenceProblem(*quadratic, inputs, {}, job, times);
+  return makeDenseReferenceProblem(discretisation, inputs, job, times);
+}
 
 std::unique_ptr<CompressedReferenceProblem> makeCompressedReferenceProblem(
     const QuadraticDiscretisation& on, const ProblemInputs& inputs,

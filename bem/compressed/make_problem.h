@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "base/job.h"
 #include "bem/compressed/compressed_reference_problem.h"
@@ -10,6 +9,24 @@
 namespace palpa::bem {
 
 class QuadraticDiscretisation;
+
+/// Number of nodes of quadratic triangles from which compressed operators are chosen: from about
+/// 2,000 on they are made sooner and take less memory than dense ones, but the columns of a touch
+/// take longer (docs/performance.md).
+inline constexpr int kCompressedFrom = 4000;
+/// True if operators of so many nodes are compressed.
+bool isCompressed(Precision wanted, bool isQuadratic, double nodeCount);
+
+/// Memory of a reference problem in bytes, before anything is allocated. Of compressed operators:
+/// 30 % above what a sphere takes, because it depends on the shape.
+double expectedBytes(double nodeCount, double slotCount, bool isQuadratic, Precision precision);
+
+/// Assembles and factorises a problem, compressed or dense. Throws SolverError if it cannot be
+/// solved, Cancelled on stop.
+std::unique_ptr<ReferenceProblem> makeReferenceProblem(const Discretisation& discretisation,
+                                                       const ProblemInputs& inputs,
+                                                       const Job& job = {},
+                                                       ReferenceProblemTimes* times = nullptr);
 
 /// Assembles compressed operators of quadratic triangles and factorises them. Throws SolverError if
 /// the problem cannot be solved, Cancelled on stop.

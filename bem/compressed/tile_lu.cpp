@@ -24,7 +24,7 @@ namespace {
 
 /// Random vectors that a basis begins with, those that are added while it does not suffice, and
 /// those that test it.
-constexpr int kSampleColumns = 48, kMoreColumns = 24, kTestColumns = 6;
+constexpr int kSampleColumns = 32, kMoreColumns = 16, kTestColumns = 6;
 
 /// C = alpha op(A) op(B) + beta C.
 void multiply(bool transposeA, bool transposeB, float alpha, const MatrixXf& A, const MatrixXf& B,
@@ -79,8 +79,8 @@ void triangular(CBLAS_SIDE side, CBLAS_UPLO part, bool isTransposed, bool hasUni
 void swapRows(const std::vector<int>& pivots, MatrixXf& x, bool isForward) {
   if (x.cols() == 0) return;
   LAPACKE_slaswp_work(LAPACK_COL_MAJOR, static_cast<lapack_int>(x.cols()), x.data(),
-                      static_cast<lapack_int>(x.rows()), 1,
-                      static_cast<lapack_int>(pivots.size()), pivots.data(), isForward ? 1 : -1);
+                      static_cast<lapack_int>(x.rows()), 1, static_cast<lapack_int>(pivots.size()),
+                      pivots.data(), isForward ? 1 : -1);
 }
 
 }  // namespace
@@ -172,8 +172,7 @@ TileLu::Tile TileLu::compress(int row, int column, int before, MatrixXf base,
   Index first = 0;
   double leftOut = 0;
   const double limit = static_cast<double>(tolerance_) * tolerance_;
-  while (first < basis.cols() &&
-         leftOut + std::max(eigen.eigenvalues()[first], 0.0) < limit)
+  while (first < basis.cols() && leftOut + std::max(eigen.eigenvalues()[first], 0.0) < limit)
     leftOut += std::max(eigen.eigenvalues()[first++], 0.0);
   const MatrixXf turn = eigen.eigenvectors().rightCols(basis.cols() - first).cast<float>();
   multiply(false, false, 1, basis, turn, 0, result.X);
@@ -331,8 +330,7 @@ void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
   for (int k = 0; k < count(); ++k) {
     swapRows(pivots_[k], parts[k], true);
     triangular(CblasLeft, CblasLower, false, true, tile(k, k).X, parts[k]);
-    forOthers(k + 1, count(), job,
-              [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
+    forOthers(k + 1, count(), job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
   }
   for (int k = count() - 1; k >= 0; --k) {
     triangular(CblasLeft, CblasUpper, false, false, tile(k, k).X, parts[k]);
@@ -347,8 +345,7 @@ void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
   std::vector<MatrixXf> parts = partsOf(x);
   for (int k = 0; k < count(); ++k) {
     triangular(CblasLeft, CblasUpper, true, false, tile(k, k).X, parts[k]);
-    forOthers(k + 1, count(), job,
-              [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
+    forOthers(k + 1, count(), job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
   }
   for (int k = count() - 1; k >= 0; --k) {
     triangular(CblasLeft, CblasLower, true, true, tile(k, k).X, parts[k]);

@@ -1,5 +1,6 @@
 #include "bem/dense/transposed_solution.h"
 
+#include <string>
 #include <type_traits>
 
 #include "bem/base/error.h"
@@ -18,6 +19,11 @@ auto withDense(const ReferenceProblem& problem, const Use& use) {
     return use(*dense);
   if (const auto* dense = dynamic_cast<const DenseReferenceProblem<float, float>*>(&problem))
     return use(*dense);
+  if (problem.storageName() == "compressed")
+    throw SolverError(SolverError::Kind::kTooLarge,
+                      "gradients need dense operators; this model of " +
+                          std::to_string(problem.dofs().nodeCount()) +
+                          " nodes is compressed: take a coarser mesh");
   throw SolverError(SolverError::Kind::kBadCondition,
                     "gradients need a full rebuild; this model is an incremental update");
 }

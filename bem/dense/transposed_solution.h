@@ -7,7 +7,8 @@ namespace palpa::bem {
 /// Solves A0^T w = r (one column per right-hand side) with the factors of a problem of
 /// makeDenseReferenceProblem(): the change of any linear function of the unknowns per change of the
 /// equations. Relative error about 1e-4 where the factors are in single precision. Throws
-/// SolverError (kBadCondition) for an incremental update, whose factors belong to another shape.
+/// SolverError (kBadCondition) for an incremental update, whose factors belong to another shape,
+/// and (kTooLarge) for compressed operators.
 Eigen::MatrixXd solveTransposed(const ReferenceProblem& problem, const Eigen::MatrixXd& r);
 
 /// G^T λ: one number per component of a traction coefficient. Throws as above.

@@ -41,6 +41,7 @@ class UpdatedReferenceProblem final : public ReferenceProblem {
   double conditionEstimate(const Job& job) const override { return base_->conditionEstimate(job); }
   /// Including `base`.
   std::size_t bytes() const override { return base_->bytes() + change_.bytes(); }
+  bool canBeWritten() const override { return false; }
   void write(const ByteSink& sink) const override;
 
  private:

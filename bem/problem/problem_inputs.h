@@ -14,12 +14,14 @@ struct AssemblyOptions {
   double tolerance = 1e-7;
 };
 
-/// How dense operators are stored and factorised.
+/// How operators are stored and factorised.
 enum class Precision {
-  kAutomatic,  ///< double up to about 800 nodes, single beyond
+  kAutomatic,  ///< dense: double up to about 800 nodes, single beyond; compressed quadratic
+               ///< triangles from kCompressedFrom nodes on
   kDouble,     ///< everything in double: 24 (3n)^2 bytes
   kMixed,      ///< H and G in double, factors in single, refined: 20 (3n)^2 bytes
-  kSingle      ///< everything stored in single, solved with residuals in double: 12 (3n)^2 bytes
+  kSingle,     ///< everything stored in single, solved with residuals in double: 12 (3n)^2 bytes
+  kCompressed  ///< in compressed blocks of single precision; quadratic triangles only
 };
 
 /// What determines a reference problem besides the shape of the body.

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "base/byte_stream.h"
 #include "base/job.h"
@@ -53,6 +54,10 @@ class ReferenceProblem {
   virtual double conditionEstimate(const Job& job = {}) const = 0;
   virtual std::size_t bytes() const = 0;
 
+  /// How the operators are stored, for reports: "dense", "compressed".
+  virtual std::string_view storageName() const { return "dense"; }
+  /// False if the problem cannot be stored: write() throws.
+  virtual bool canBeWritten() const { return true; }
   /// Writes the operators and factors bit by bit, in the byte order of this machine. Throws
   /// std::logic_error if the problem cannot be stored.
   virtual void write(const ByteSink& sink) const = 0;

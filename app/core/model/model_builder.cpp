@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/core/model/model_memory.h"
-#include "bem/dense/make_reference_problem.h"
+#include "bem/compressed/make_problem.h"
 #include "bem/dense/update_reference_problem.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
@@ -52,8 +52,8 @@ double ModelBuilder::lap() {
 }
 
 void ModelBuilder::checkFits(double coefficients, double slots) const {
-  app::checkMemory(settings_, geometry_.usesSplines(), coefficients, slots, options_.precision,
-                   options_.memoryLimit);
+  app::checkMemory(settings_, modeling::engineOf(geometry_.project()), coefficients, slots,
+                   options_.precision, options_.memoryLimit);
 }
 
 void ModelBuilder::prepare() {
@@ -143,7 +143,7 @@ void ModelBuilder::makeProblem(const TouchModel* former) {
     return;
   }
   bem::ReferenceProblemTimes times;
-  model_->problem_ = bem::makeDenseReferenceProblem(discretisation, inputs, job_, &times);
+  model_->problem_ = bem::makeReferenceProblem(discretisation, inputs, job_, &times);
   report_.assembleSeconds = times.assemble;
   report_.factoriseSeconds = times.factorise;
 }
@@ -216,6 +216,7 @@ std::shared_ptr<const TouchModel> ModelBuilder::finish() {
   report_.triangles = static_cast<int>(mesh.triangles.size());
   report_.quality = modeling::measureQuality(mesh);
   report_.memory = static_cast<double>(model_->problem()->bytes());
+  report_.storage = model_->problem()->storageName();
   model_->report_ = std::move(report_);
   return std::move(model_);
 }

@@ -1,30 +1,28 @@
 #include "app/core/model/model_memory.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "app/core/system/memory.h"
 #include "base/count_text.h"
 #include "base/text.h"
-#include "bem/dense/make_reference_problem.h"
+#include "bem/compressed/make_problem.h"
 
 namespace palpa::app {
 namespace {
 
-/// Memory grows with the square of the number of unknowns, which grows with 1 / length squared.
-std::string fittingLength(double length, double excess) {
-  return roundedText(length * std::pow(excess, 0.25) * 1.05, 2) + " mm";
+std::string fittingLength(double length, double factor) {
+  return roundedText(length * factor * 1.05, 2) + " mm";
 }
 
-/// Advice for a model that needs `excess` times the memory available.
-std::string advice(const modeling::MeshSettings& settings, bool hasSplines, double excess) {
+/// Advice for a model that fits with `factor` times the length of its elements.
+std::string advice(const modeling::MeshSettings& settings, bool hasSplines, double factor) {
   if (!hasSplines)
     return "take a longer edge length than " + roundedText(settings.edgeLength) + " mm, about " +
-           fittingLength(settings.edgeLength, excess);
+           fittingLength(settings.edgeLength, factor);
   if (settings.elementLength)
     return "take longer spline elements than " + roundedText(*settings.elementLength) +
-           " mm, about " + fittingLength(*settings.elementLength, excess);
+           " mm, about " + fittingLength(*settings.elementLength, factor);
   return "choose a coarser accuracy than " + roundedText(100 * settings.accuracy) +
          " %, or set the size of the elements";
 }
@@ -35,24 +33,28 @@ double usableMemory(double limit) {
   return limit > 0 ? limit : 0.85 * availableMemory();
 }
 
-double expectedBytes(double coefficients, double slots, bem::Precision precision) {
-  // Numbers beyond the range of int are still to be reported.
-  const double chosen = std::min(coefficients, 1e8), chosenSlots = std::min(slots, 1e8);
-  return bem::estimateBytes(static_cast<int>(chosen), static_cast<int>(chosenSlots), precision) *
-         (coefficients / chosen) * (coefficients / chosen);
+double expectedBytes(double coefficients, double slots, modeling::Engine engine,
+                     bem::Precision precision) {
+  return bem::expectedBytes(coefficients, slots, engine == modeling::Engine::kQuadratic, precision);
 }
 
-void checkMemory(const modeling::MeshSettings& settings, bool hasSplines, double coefficients,
-                 double slots, bem::Precision precision, double requestedLimit) {
+void checkMemory(const modeling::MeshSettings& settings, modeling::Engine engine,
+                 double coefficients, double slots, bem::Precision precision,
+                 double requestedLimit) {
   const double limit = usableMemory(requestedLimit);
   if (limit <= 0) return;
-  const double bytes = expectedBytes(coefficients, slots, precision);
+  const double bytes = expectedBytes(coefficients, slots, engine, precision);
   if (bytes <= limit) return;
   const double excess = bytes / limit;
+  const bool hasSplines = engine == modeling::Engine::kSplines;
+  // Memory grows with the square of the number of unknowns, compressed with the number itself.
+  const double power =
+      bem::isCompressed(precision, engine == modeling::Engine::kQuadratic, coefficients) ? 0.5
+                                                                                         : 0.25;
   throw ModelTooLarge(
       "the model needs " + formatBytes(bytes) + " of memory for " + estimateText(coefficients) +
           (hasSplines ? " spline coefficients, and " : " nodes, and ") + formatBytes(limit) +
-          " can be used; " + advice(settings, hasSplines, excess),
+          " can be used; " + advice(settings, hasSplines, std::pow(excess, power)),
       excess);
 }
 

@@ -25,12 +25,13 @@ double usableMemory(double limit);
 
 /// Bytes of a model with these numbers of displacement coefficients (with triangles: nodes) and
 /// traction slots, any finite or infinite numbers.
-double expectedBytes(double coefficients, double slots, bem::Precision precision);
+double expectedBytes(double coefficients, double slots, modeling::Engine engine,
+                     bem::Precision precision);
 
 /// Throws ModelTooLarge if a model does not fit into memory; the message names the sizes
 /// and a remedy. `coefficients`: number of displacement coefficients, with triangles of nodes;
 /// `slots`: number of traction slots; `limit`: bytes, 0 for 85 % of the memory available now.
-void checkMemory(const modeling::MeshSettings& settings, bool hasSplines, double coefficients,
-                 double slots, bem::Precision precision, double limit);
+void checkMemory(const modeling::MeshSettings& settings, modeling::Engine engine,
+                 double coefficients, double slots, bem::Precision precision, double limit);
 
 }  // namespace palpa::app

@@ -25,6 +25,7 @@ struct BuildReport {
   double assembleSeconds = 0, factoriseSeconds = 0;  ///< 0 if the problem came from the cache
   double readSeconds = 0;                            ///< 0 if it did not
   double memory = 0;                                 ///< bytes of the operators and factors
+  std::string storage;                               ///< of the operators: "dense", "compressed"
   /// Largest residual over the largest term of the equations, for an incremental update
   /// (updateTouchModel()), which has no factors.
   std::optional<double> residual;

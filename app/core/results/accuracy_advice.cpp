@@ -106,7 +106,8 @@ AccuracyAdvice adviseAccuracy(const modeling::Project& project, const TouchModel
   advice.order =
       former ? observedOrder(*former, {static_cast<int>(count), error}, hasSplines, usual) : usual;
   const auto bytesOf = [&](double coefficients) {
-    return expectedBytes(coefficients, coefficients * slots / count, options.precision);
+    return expectedBytes(coefficients, coefficients * slots / count, model.setup().engine,
+                         options.precision);
   };
   // The narrowest contact that triangles can represent has the same error on all meshes: it falls
   // when contacts are as narrow as a fingertip. Splines represent even their narrowest well.

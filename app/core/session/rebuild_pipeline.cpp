@@ -228,7 +228,8 @@ void RebuildPipeline::keep(const std::stop_token& stop) {
     model = model_;
   }
   try {
-    options_.cache->write(model->key(), *model->problem(), {stop, {}, threads_});
+    if (model->problem()->canBeWritten())
+      options_.cache->write(model->key(), *model->problem(), {stop, {}, threads_});
   } catch (const Cancelled&) {
     // A newer revision was submitted.
   } catch (const std::exception&) {

@@ -1,0 +1,257 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "app/verification/exact/simple_meshes.h"
+#include "app/verification/exact/solved_body.h"
+#include "bem/base/error.h"
+#include "bem/compressed/make_problem.h"
+#include "bem/compressed/row_choice.h"
+#include "bem/compressed/tile_lu.h"
+#include "bem/dense/make_reference_problem.h"
+#include "bem/dense/transposed_solution.h"
+#include "bem/dense/update_reference_problem.h"
+#include "quadratic_body.h"
+
+namespace palpa::bem::test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::MatrixXf;
+using Eigen::Vector3d;
+
+using Effort = ReferenceProblem::Effort;
+
+constexpr Material kMaterial{0.1, 0.45};
+
+/// A body with a support and its problem in both forms.
+struct BothForms {
+  explicit BothForms(std::unique_ptr<QuadraticDiscretisation> discretisation,
+                     const CompressionOptions& options = {}, const Material& material = kMaterial)
+      : on(std::move(discretisation)) {
+    std::vector<SlotCondition> conditions;
+    for (const auto& slot : on->slots().slots)
+      conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+    inputs = {conditions, material, {1e-6}, Precision::kMixed};
+    compressed = makeCompressedReferenceProblem(*on, inputs, options);
+  }
+
+  /// Made when first needed.
+  const ReferenceProblem& dense() const {
+    if (!dense_) dense_ = makeDenseReferenceProblem(*on, inputs);
+    return *dense_;
+  }
+
+  /// Columns of free nodes across the body: the largest relative difference of a column.
+  double differenceOfColumns(Effort effort) const {
+    std::vector<int> columns;
+    const DegreesOfFreedom& dofs = compressed->dofs();
+    for (int node = 5; node < dofs.nodeCount() && columns.size() < 12; node += 61)
+      if (dofs.isFree(node))
+        for (int c = 0; c < 3; ++c) columns.push_back(3 * node + c);
+    const MatrixXd expected = dense().greensColumns(columns),
+                   computed = compressed->greensColumns(columns, effort);
+    return ((computed - expected).colwise().norm().cwiseQuotient(expected.colwise().norm()))
+        .maxCoeff();
+  }
+
+  /// Relative difference of G p - H u for random coefficients.
+  double differenceOfProducts() const {
+    srand(1);
+    const DegreesOfFreedom& dofs = compressed->dofs();
+    const BoundaryField field{
+        MatrixXd::Random(dofs.nodalCount(), 2),
+        dofs.tractionScale() * MatrixXd::Random(3 * static_cast<Index>(dofs.slotCount()), 2)};
+    const MatrixXd expected = dense().residual(field);
+    return (compressed->residual(field, {}) - expected).norm() / expected.norm();
+  }
+
+  std::unique_ptr<QuadraticDiscretisation> on;
+  ProblemInputs inputs;
+  std::unique_ptr<CompressedReferenceProblem> compressed;
+
+ private:
+  mutable std::unique_ptr<ReferenceProblem> dense_;
+};
+
+std::unique_ptr<QuadraticDiscretisation> sphere(int cells) {
+  return quadratic(verification::retagged(verification::sphereMesh(25, cells), 1,
+                                          [](const Vector3d& x) { return x.z() < -15; }),
+                   onSphere(25), {1});
+}
+
+/// Elongated, with flat faces along the axes.
+std::unique_ptr<QuadraticDiscretisation> box() {
+  BoundaryMesh mesh = verification::boxMesh(Vector3d::Zero(), Vector3d(48, 16, 12), 18, 6, 5);
+  for (int& tag : mesh.tags) tag = tag == 0 ? 1 : 0;  // the support is the face at x = 0
+  return quadratic(mesh, onFlatFaces, {1});
+}
+
+TEST(RowChoice, InterpolatesAllRowsDespiteZeroBlocks) {
+  // Two groups of rows without a common column, as of components of fields on flat faces.
+  srand(3);
+  RowMatrixXf A = RowMatrixXf::Zero(60, 50);
+  A.topLeftCorner(30, 25) = MatrixXf::Random(30, 4) * MatrixXf::Random(4, 25);
+  A.bottomRightCorner(30, 25) = 0.1F * MatrixXf::Random(30, 3) * MatrixXf::Random(3, 25);
+  const RowChoice choice = chooseRows(A, 1e-4F);
+  EXPECT_EQ(choice.rows.size(), 7);
+  const MatrixXf chosen = A(choice.rows, Eigen::all);
+  EXPECT_LT((choice.weights * chosen - A).norm(), 1e-5F * A.norm());
+}
+
+TEST(TileLu, SolvesWithItsMatrixAndTheTransposed) {
+  // Points on a line: tiles off the diagonal are smooth and have small ranks.
+  constexpr int kTiles = 4, kSize = 250, kAll = kTiles * kSize;
+  const auto entry = [](int i, int j) {
+    const double distance = (i - j) / 60.0;
+    return static_cast<float>((i == j ? 40 : 0) + 1 / (1 + distance * distance) + 0.1 * (i > j));
+  };
+  MatrixXf A(kAll, kAll);
+  for (int j = 0; j < kAll; ++j)
+    for (int i = 0; i < kAll; ++i) A(i, j) = entry(i, j);
+  const TileLu factors(std::vector<int>(kTiles, kSize), 1e-5F,
+                       [&](int row, int column, MatrixXf& to) {
+                         to = A.block(row * kSize, column * kSize, kSize, kSize);
+                       },
+                       {});
+  EXPECT_LT(factors.meanRank(), 25);
+  EXPECT_GT(factors.meanRank(), 0);
+  EXPECT_NEAR(factors.norm1(), A.cwiseAbs().colwise().sum().maxCoeff(), 1e-4 * factors.norm1());
+  srand(2);
+  const MatrixXf expected = MatrixXf::Random(kAll, 3);
+  MatrixXf x = A * expected;
+  factors.solveInPlace(x, {});
+  EXPECT_LT((x - expected).norm(), 1e-3F * expected.norm());
+  x = A.transpose() * expected;
+  factors.solveTransposedInPlace(x, {});
+  EXPECT_LT((x - expected).norm(), 1e-3F * expected.norm());
+}
+
+TEST(TileLu, NamesASingularMatrix) {
+  EXPECT_THROW(
+      TileLu({40, 40}, 1e-3F, [](int, int, MatrixXf& to) { to = MatrixXf::Zero(40, 40); }, {}),
+      SolverError);
+}
+
+TEST(CompressedProblem, AgreesWithDenseOneOnASphere) {
+  const BothForms sphere(test::sphere(9));
+  const auto sizes = sphere.compressed->operators().sizes();
+  ASSERT_GT(sizes.farBlocks, 100);
+  EXPECT_LT(sphere.differenceOfProducts(), 1e-4);
+  EXPECT_LT(sphere.differenceOfColumns(Effort::kFast), 5e-4);
+  EXPECT_LT(sphere.differenceOfColumns(Effort::kRefined), 5e-4);
+  EXPECT_LT(sphere.compressed->bytes(), sphere.dense().bytes());
+  const double expected = expectedBytes(sphere.on->displacementCount(), sphere.on->slots().count(),
+                                        true, Precision::kCompressed);
+  EXPECT_LT(static_cast<double>(sphere.compressed->bytes()), expected);
+  EXPECT_GT(static_cast<double>(sphere.compressed->bytes()), 0.4 * expected);
+  const double condition = sphere.dense().conditionEstimate();
+  EXPECT_GT(sphere.compressed->conditionEstimate({}), condition / 10);
+  EXPECT_LT(sphere.compressed->conditionEstimate({}), 10 * condition);
+}
+
+TEST(CompressedProblem, AgreesWithDenseOneOnFlatFaces) {
+  const BothForms box(test::box());
+  ASSERT_GT(box.compressed->operators().sizes().farBlocks, 100);
+  EXPECT_LT(box.differenceOfProducts(), 1e-4);
+  EXPECT_LT(box.differenceOfColumns(Effort::kFast), 1e-3);
+}
+
+TEST(CompressedProblem, IsMoreExactWithASmallerTolerance) {
+  CompressionOptions coarse, fine;
+  coarse.operators = 1e-2;
+  fine.operators = 1e-5;
+  const BothForms one(box(), coarse), other(box(), fine);
+  EXPECT_LT(other.differenceOfProducts(), 0.1 * one.differenceOfProducts());
+  EXPECT_LT(one.compressed->operators().sizes().meanRank,
+            other.compressed->operators().sizes().meanRank);
+  EXPECT_LT(other.differenceOfColumns(Effort::kRefined), 1e-4);
+}
+
+TEST(CompressedProblem, TranslationsHaveNoResidual) {
+  // Also at ν = 1/2, where the antisymmetric kernel of T has the factor zero.
+  for (const double nu : {0.3, 0.5}) {
+    const BothForms box(test::box(), {}, {0.1, nu});
+    const DegreesOfFreedom& dofs = box.compressed->dofs();
+    BoundaryField field{MatrixXd::Zero(dofs.nodalCount(), 3),
+                        MatrixXd::Zero(3 * static_cast<Index>(dofs.slotCount()), 3)};
+    for (Index k = 0; k < dofs.nodeCount(); ++k) field.u.middleRows<3>(3 * k).setIdentity();
+    EXPECT_LT(box.compressed->residual(field, {}).cwiseAbs().maxCoeff(), 2e-5) << nu;
+  }
+}
+
+TEST(CompressedProblem, DoesNotDependOnTheNumberOfThreads) {
+  const auto on = box();
+  const BothForms box(test::box());
+  Job one;
+  one.threads = 1;
+  const auto same = makeCompressedReferenceProblem(*on, box.inputs, {}, one);
+  const std::vector<int> columns{300, 301, 302};
+  EXPECT_EQ(same->greensColumns(columns, Effort::kFast),
+            box.compressed->greensColumns(columns, Effort::kFast));
+}
+
+TEST(CompressedProblem, IsCancelledInEveryPhase) {
+  const auto on = box();
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : on->slots().slots)
+    conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+  for (const Phase phase : {Phase::kAssemble, Phase::kFactorise})
+    for (const double at : {0.01, 0.4, 0.6, 0.9}) {
+      std::stop_source stop;
+      Job job;
+      job.stop = stop.get_token();
+      double last = 0;
+      job.progress = [&](Phase now, double fraction) {
+        if (now != phase) return;
+        EXPECT_GE(fraction, last);
+        EXPECT_LE(fraction, 1);
+        last = fraction;
+        if (fraction >= at) stop.request_stop();
+      };
+      EXPECT_THROW(makeCompressedReferenceProblem(*on, {conditions, kMaterial, {1e-6}}, {}, job),
+                   Cancelled)
+          << nameOf(phase) << ' ' << at;
+    }
+}
+
+TEST(CompressedProblem, IsChosenForLargeQuadraticMeshesOnly) {
+  EXPECT_FALSE(isCompressed(Precision::kAutomatic, true, kCompressedFrom - 1));
+  EXPECT_TRUE(isCompressed(Precision::kAutomatic, true, kCompressedFrom));
+  EXPECT_FALSE(isCompressed(Precision::kAutomatic, false, kCompressedFrom));
+  EXPECT_FALSE(isCompressed(Precision::kSingle, true, kCompressedFrom));
+  EXPECT_TRUE(isCompressed(Precision::kCompressed, true, 100));
+  // Where both fit, the choice saves memory, and more in larger models.
+  const auto share = [](double nodes) {
+    return expectedBytes(nodes, nodes, true, Precision::kAutomatic) /
+           expectedBytes(nodes, nodes, true, Precision::kSingle);
+  };
+  EXPECT_LT(share(kCompressedFrom), 1);
+  EXPECT_LT(share(4 * kCompressedFrom), 0.5 * share(kCompressedFrom));
+  const auto on = sphere(4);
+  std::vector<SlotCondition> conditions;
+  for (const auto& slot : on->slots().slots)
+    conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
+  EXPECT_EQ(makeReferenceProblem(*on, {conditions, kMaterial})->storageName(), "dense");
+}
+
+TEST(CompressedProblem, SaysWhatItCannotDo) {
+  BothForms box(test::box());
+  const std::shared_ptr<const ReferenceProblem> compressed = std::move(box.compressed);
+  EXPECT_FALSE(compressed->canBeWritten());
+  EXPECT_THROW(compressed->write([](auto) {}), std::logic_error);
+  EXPECT_THROW(solveTransposed(*compressed, MatrixXd::Zero(compressed->dofs().count(), 1)),
+               SolverError);
+  BoundaryMesh moved = box.on->mesh();
+  moved.nodes.back() *= 1.001;
+  EXPECT_EQ(updateDenseReferenceProblem(compressed, *box.on, QuadraticDiscretisation(moved, {1}),
+                                        box.inputs),
+            nullptr);
+}
+
+}  // namespace
+}  // namespace palpa::bem::test
