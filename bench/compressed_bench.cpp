@@ -123,10 +123,11 @@ int main(int argc, char** argv) {
   CLI::App options{
       "Times reference problems with compressed operators of quadratic triangles beside dense "
       "ones. Spheres with about 6 cells^2 nodes, and project files."};
-  std::vector<int> cells{18, 26, 41};
+  std::vector<int> cells;
   std::vector<std::string> files;
   Settings settings;
-  options.add_option("--cells", cells, "cells along a cube edge of the sphere's mesh");
+  options.add_option("--cells", cells,
+                     "cells along a cube edge of the sphere's mesh; without files 18, 26 and 41");
   options.add_option("projects", files, "project files")->check(CLI::ExistingFile);
   options.add_option("--dense-up-to", settings.mostDenseNodes, "nodes of a dense problem, at most");
   options.add_option("--operators", settings.compression.operators, "tolerance of the operators");
@@ -134,6 +135,7 @@ int main(int argc, char** argv) {
   options.add_option("--tile", settings.compression.tileNodes, "nodes per tile; 0: automatic");
   options.add_option("--threads", settings.job.threads, "0: all cores");
   CLI11_PARSE(options, argc, argv);
+  if (cells.empty() && files.empty()) cells = {18, 26, 41};
   for (const int count : cells) {
     modeling::Project project = bench::sphereProject(count);
     project.mesh.engine = modeling::Engine::kQuadratic;

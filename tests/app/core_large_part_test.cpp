@@ -40,7 +40,8 @@ std::string errorOf(const modeling::Project& project, const BuildOptions& option
 /// Memory for about 400 nodes.
 BuildOptions smallMemory() {
   BuildOptions options;
-  options.memoryLimit = expectedBytes(400, 1000, bem::Precision::kAutomatic);
+  options.memoryLimit =
+      expectedBytes(400, 1000, modeling::Engine::kQuadratic, bem::Precision::kAutomatic);
   return options;
 }
 
@@ -61,7 +62,7 @@ TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
   BuildOptions options;
   options.memoryLimit =
       0.5 * expectedBytes(modeling::estimateNodeCount(project.body, project.mesh, {}), 0,
-                          bem::Precision::kAutomatic);
+                          modeling::engineOf(project), bem::Precision::kAutomatic);
   EXPECT_NE(errorOf(project, options).find("of memory for"), std::string::npos);
   const auto mesh = suggestMesh(project, options, {});
   ASSERT_TRUE(mesh);
@@ -69,7 +70,8 @@ TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
   const modeling::SurfaceMesh surface =
       modeling::mesh(project.body, *mesh, modeling::meshRegions(project));
   const auto nodes = static_cast<double>(surface.positions.size());
-  EXPECT_LE(expectedBytes(nodes, nodes, bem::Precision::kAutomatic), options.memoryLimit);
+  EXPECT_LE(expectedBytes(nodes, nodes, modeling::Engine::kQuadratic, bem::Precision::kAutomatic),
+            options.memoryLimit);
   for (const auto& finding : modeling::checkGeometry(surface, project.body))
     EXPECT_FALSE(finding.isError) << finding.message;
 }
@@ -86,7 +88,7 @@ TEST(LargePart, ThePipelineAddsTheSuggestionToTheFailure) {
   BuildOptions options;
   options.memoryLimit =
       0.5 * expectedBytes(modeling::estimateNodeCount(project.body, project.mesh, {}), 0,
-                          bem::Precision::kAutomatic);
+                          modeling::engineOf(project), bem::Precision::kAutomatic);
   RebuildPipeline pipeline(options);
   pipeline.submit(project);
   const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);

@@ -18,7 +18,9 @@ TEST_F(LargePart, AButtonTakesTheEdgeLengthThatFitsIntoMemory) {
   // Half of the memory that the model needs.
   const double nodes = modeling::estimateNodeCount(project.body, project.mesh, {});
   window_->settings().setMemoryLimitGiB(
-      0.5 * app::expectedBytes(nodes, nodes, bem::Precision::kAutomatic) / (1024.0 * 1024 * 1024));
+      0.5 *
+      app::expectedBytes(nodes, nodes, modeling::Engine::kTriangles, bem::Precision::kAutomatic) /
+      (1024.0 * 1024 * 1024));
   editor().start(project);
   const auto buttons = [this] { return window_->messages().findChildren<QPushButton*>("remedy"); };
   ASSERT_TRUE(QTest::qWaitFor([&] { return !buttons().isEmpty(); }, 30000));
