@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 
 #include "base/parallel.h"
@@ -27,18 +28,18 @@ namespace {
 /// in any case.
 constexpr int kLeafSize = 40;
 /// Radius over the radius of a cluster of points outside of which functions are distant: their
-/// fields on the cluster are those of forces on a sphere of this radius.
+/// fields on the cluster are fields of forces on a sphere of this radius.
 constexpr double kFarRatio = 1.5;
 /// Forces on this sphere: half a radius of the cluster apart. Measured: products have relative
 /// errors of 1e-5 for a tolerance of 1e-5, 4e-5 for 1e-4.
 constexpr int kForcesOnSphere = 128;
-/// Places of a distant cluster whose kernels stand for those of all its functions.
+/// Places of a distant cluster whose kernels stand for the kernels of all its functions.
 constexpr int kSourcePlaces = 32;
 
 /// Even points on the unit sphere, on a spiral.
 std::vector<Vector3d> spiral(int count) {
   std::vector<Vector3d> points;
-  const double turn = M_PI * (3 - std::sqrt(5.0));
+  const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
   for (int k = 0; k < count; ++k) {
     const double z = 1 - (2 * k + 1.0) / count, radius = std::sqrt(1 - z * z);
     points.emplace_back(radius * std::cos(turn * k), radius * std::sin(turn * k), z);
@@ -163,7 +164,7 @@ class CompressedAssembly {
     return equations_.points[result_.order_.points[position]];
   }
 
-  /// Node beside each point: that of its equation, or the node itself.
+  /// Node beside each point: the node of its equation, or the node itself.
   std::vector<int> nodeOfPoints() const {
     std::vector<int> node(equations_.points.size(), -1);
     for (const AveragedElement& element : equations_.averaged)

@@ -10,7 +10,7 @@ namespace palpa::bem {
 
 /// Order of rows and columns of compressed operators: by the positions of nodes in a cluster tree.
 /// The columns of a cluster are contiguous among the displacement coefficients, and among the
-/// slots; its rows are those of the points near its nodes.
+/// slots; its rows belong to the points near its nodes.
 struct CompressedOrder {
   ClusterTree tree;                          ///< of the nodes
   std::vector<int> slots, slotPositionOf;    ///< by position; position of each

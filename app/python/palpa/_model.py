@@ -30,8 +30,8 @@ class Model:
 
     @cached_property
     def report(self) -> Dict[str, Any]:
-        """Figures of the build: engine, nodes, triangles, elements, coefficients, memory_bytes, notice,
-        and seconds per phase."""
+        """Figures of the build: engine, nodes, triangles, elements, coefficients, memory_bytes, storage,
+        notice, and seconds per phase."""
         return self._core.report()
 
     @cached_property
