@@ -1,28 +1,18 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "base/job.h"
-#include "bem/compressed/exact_rows.h"
-#include "bem/compressed/row_choice.h"
+#include "bem/compressed/block_rows.h"
+#include "bem/compressed/compressed_order.h"
+#include "bem/compressed/far_blocks.h"
 #include "bem/element/element_equations.h"
+#include "bem/element/element_quadrature.h"
 #include "bem/model/boundary_mesh.h"
 #include "bem/model/material.h"
 
 namespace palpa::bem {
-
-/// Sparse matrix of 3 x 3 blocks, row after row.
-struct BlockRows {
-  std::vector<std::size_t> begin;            ///< of each row, and the end
-  std::vector<int> columns;                  ///< ascending in each row
-  std::vector<std::array<float, 9>> blocks;  ///< [3 i + c]
-  std::size_t bytes() const {
-    return begin.size() * sizeof(std::size_t) + columns.size() * sizeof(int) +
-           blocks.size() * sizeof(blocks[0]);
-  }
-};
 
 /// Boundary operators K = [-H G] as K = W P + N. The rows of P belong to the points of equations,
 /// and are compressed in blocks (a hierarchical matrix): a block of a cluster of points and a
@@ -61,12 +51,6 @@ class CompressedOperators {
 
  private:
   friend class CompressedAssembly;
-  /// Low-rank block U V of the points of a cluster and the functions of another one.
-  struct FarBlock {
-    int column;         ///< cluster
-    RowMatrixXf U;      ///< (rows, rank)
-    Eigen::MatrixXf V;  ///< (rank, columns)
-  };
   struct NearBlock {
     int column;
     Eigen::MatrixXf K;

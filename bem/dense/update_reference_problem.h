@@ -15,8 +15,8 @@ namespace palpa::bem {
 ///
 /// Null if an update does not pay (more than three quarters of the work would remain) or is
 /// impossible: kinds of discretisation, triangles, tags or groups differ, an edge between fixed
-/// faces became sharp, or `base` is compressed or itself an update. The result cannot be stored: write() throws
-/// std::logic_error. Throws SolverError, Cancelled.
+/// faces became sharp, or `base` is compressed or itself an update. The result cannot be stored:
+/// write() throws std::logic_error. Throws SolverError, Cancelled.
 std::unique_ptr<ReferenceProblem> updateDenseReferenceProblem(
     const std::shared_ptr<const ReferenceProblem>& base, const Discretisation& before,
     const Discretisation& after, const ProblemInputs& inputs, const Job& job = {},

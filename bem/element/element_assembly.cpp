@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/parallel.h"
+#include "base/part_of_job.h"
 #include "base/scratch_pool.h"
 #include "bem/element/averaged_rows.h"
 #include "bem/element/element_rows.h"
@@ -28,18 +29,6 @@ struct Scratch {
 /// Number of coefficients whose blocks are computed together, so that they stay in the nearest
 /// cache.
 constexpr std::size_t kCoefficientsAtOnce = 32;
-
-/// Job whose progress runs over a part of `all`: `some` from `first` on.
-Job partOfJob(const Job& job, std::size_t first, std::size_t some, std::size_t all) {
-  Job part = job;
-  if (job.progress)
-    part.progress = [progress = job.progress, from = static_cast<double>(first),
-                     size = static_cast<double>(some),
-                     whole = static_cast<double>(all)](Phase phase, double fraction) {
-      progress(phase, (from + fraction * size) / whole);
-    };
-  return part;
-}
 
 /// Computes the blocks of a task's points from their sums and copies them to their rows of a
 /// matrix, which has columns for the given coefficients.
@@ -152,7 +141,7 @@ void addNear(const AveragedRows& rows, const WeightedEquations& equations, const
   std::vector<typename BlockScatter<Scalar>::Part> partsH, partsG;
   for (std::ptrdiff_t first = 0; first < count; first += kAtOnce) {
     const std::ptrdiff_t some = std::min(kAtOnce, count - first);
-    parallelFor(some, partOfJob(job, first, some, count), phase, [&](std::ptrdiff_t k) {
+    parallelFor(some, partOfJob(job, first, first + some, count), phase, [&](std::ptrdiff_t k) {
       AveragedRows::Scratch scratch = pool.take();
       blocks[k] = rows.blocks(equations.averaged[first + k], totals, scratch);
       pool.giveBack(std::move(scratch));
@@ -208,13 +197,12 @@ BoundaryOperators<Scalar> rowsOf(const ElementSurface& surface, const ElementQua
   auto ofPoints = operatorsFor<Scalar>(atOnce, columns);
   for (std::size_t first = 0; first < points; first += atOnce) {
     const std::size_t some = std::min(atOnce, points - first);
-    computeRowsOfPoints(first, some, partOfJob(job, first, some, all), ofPoints);
+    computeRowsOfPoints(first, some, partOfJob(job, first, first + some, all), ofPoints);
     const PointWeights<Scalar> weights(equations.weights, static_cast<Eigen::Index>(first),
                                        static_cast<Eigen::Index>(some));
     addWeighted(ofPoints, weights, job, result);
   }
-  addNear(averaged, equations, columns, totals, phase, partOfJob(job, points, all - points, all),
-          result);
+  addNear(averaged, equations, columns, totals, phase, partOfJob(job, points, all, all), result);
   return result;
 }
 

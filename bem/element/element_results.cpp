@@ -9,6 +9,7 @@
 #include "bem/element/element_body_force.h"
 #include "bem/element/element_rows.h"
 #include "bem/element/gather.h"
+#include "bem/element/residuals.h"
 #include "bem/triangle/kelvin.h"
 
 namespace palpa::bem {
@@ -21,6 +22,9 @@ namespace {
 
 /// Sine of the angle of the tangents below which the metric counts as singular.
 constexpr double kMinSine = 0.02;
+
+/// Number of elements from which residuals at many points are interpolated within clusters.
+constexpr int kClustersFrom = 1500;
 
 }  // namespace
 
@@ -42,30 +46,52 @@ Vector3d ElementResults::displacementDefect(const CollocationPlace& at, const Ei
   return rows.freeTerm(sums).partialPivLu().solve(residual);
 }
 
+std::vector<Matrix3Xd> ElementResults::residuals(std::span<const CollocationPlace> points,
+                                                 const BoundaryField& field, const Bulk& bulk,
+                                                 const Job& job) const {
+  constexpr Phase kPhase = Phase::kErrorEstimate;
+  constexpr std::ptrdiff_t kPerTask = 16;
+  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  const auto forPoints = [&](const auto& use) {
+    ScratchPool<ElementRows::Sums> pool([&] {
+      ElementRows::Sums sums;
+      sums.quadrature = quadrature_.makeWorkspace();
+      return sums;
+    });
+    parallelFor((count + kPerTask - 1) / kPerTask, job, kPhase, [&](std::ptrdiff_t task) {
+      ElementRows::Sums sums = pool.take();
+      for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k)
+        use(k, sums);
+      pool.giveBack(std::move(sums));
+    });
+  };
+  std::vector<Matrix3Xd> residuals(points.size());
+  if (surface_.elementCount() >= kClustersFrom) {
+    residuals = residualsAt(points, surface_, quadrature_, bulk.material, field, kPhase, job);
+  } else {
+    const ElementRows rows(surface_, quadrature_, bulk.material);
+    forPoints([&](std::ptrdiff_t k, ElementRows::Sums& sums) {
+      rows.integrate(points[k], sums, job);
+      residuals[k] = rows.residual(sums, field.u, field.p);
+    });
+  }
+  if (bulk.hasBodyForce()) {
+    const ElementBodyForce bodyForce(surface_, quadrature_, bulk);
+    forPoints([&](std::ptrdiff_t k, const ElementRows::Sums& sums) {
+      residuals[k].colwise() += bodyForce.at(points[k], *sums.quadrature);
+    });
+  }
+  return residuals;
+}
+
 Eigen::MatrixXd ElementResults::averageResidual(const BoundaryField& field, const Bulk& bulk,
                                                 const Job& job) const {
-  constexpr std::ptrdiff_t kPerTask = 16;
   std::vector<WeightedPlace> samples;
   for (int e = 0; e < surface_.elementCount(); ++e) surface_.samplePlaces(e, samples);
-  std::vector<Matrix3Xd> residuals(samples.size());
-  const ElementRows rows(surface_, quadrature_, bulk.material);
-  const ElementBodyForce bodyForce(surface_, quadrature_, bulk);
-  ScratchPool<ElementRows::Sums> pool([] { return ElementRows::Sums{}; });
-  const auto count = static_cast<std::ptrdiff_t>(samples.size());
-  parallelFor(
-      (count + kPerTask - 1) / kPerTask, job, Phase::kErrorEstimate, [&](std::ptrdiff_t task) {
-        ElementRows::Sums sums = pool.take();
-        for (std::ptrdiff_t k = task * kPerTask; k < std::min(count, (task + 1) * kPerTask); ++k) {
-          const ElementPlace& place = samples[static_cast<std::size_t>(k)].place;
-          const CollocationPlace point{surface_.evaluate(place).position, {place}};
-          rows.integrate(point, sums, job);
-          Matrix3Xd& residual = residuals[static_cast<std::size_t>(k)];
-          residual = rows.residual(sums, field.u, field.p);
-          if (bulk.hasBodyForce()) residual.colwise() += bodyForce.at(point, *sums.quadrature);
-        }
-        pool.giveBack(std::move(sums));
-      });
-
+  std::vector<CollocationPlace> points;
+  for (const WeightedPlace& sample : samples)
+    points.push_back({surface_.evaluate(sample.place).position, {sample.place}});
+  const std::vector<Matrix3Xd> ofPoints = residuals(points, field, bulk, job);
   const Index functions = surface_.coefficientCount();
   Eigen::MatrixXd average = Eigen::MatrixXd::Zero(3 * functions, field.u.cols());
   Eigen::VectorXd areas = Eigen::VectorXd::Zero(functions);
@@ -75,7 +101,7 @@ Eigen::MatrixXd ElementResults::averageResidual(const BoundaryField& field, cons
     surface_.evaluateShares(place, basis);
     for (std::size_t f = 0; f < basis.size(); ++f) {
       const Index k = surface_.coefficients(place.element)[f];
-      average.middleRows<3>(3 * k) += weight * basis[f] * residuals[s];
+      average.middleRows<3>(3 * k) += weight * basis[f] * ofPoints[s];
       areas[k] += weight * basis[f];
     }
   }

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "bem/element/element_equations.h"
 #include "bem/element/element_quadrature.h"
@@ -33,7 +35,8 @@ class ElementResults {
 
   /// Residuals r of fields, averaged over the surface with the shares of each coefficient:
   /// component c of coefficient j in row 3 j + c, one column per field. Takes about 4 µs per pair
-  /// of elements and core. Throws Cancelled if the job was stopped.
+  /// of elements and core, less from some hundreds of elements on. Throws Cancelled if the job was
+  /// stopped.
   Eigen::MatrixXd averageResidual(const BoundaryField& field, const Bulk& bulk,
                                   const Job& job) const;
 
@@ -50,6 +53,10 @@ class ElementResults {
                                 const Job& job) const;
 
  private:
+  /// r of fields at surface points that are no collocation points.
+  std::vector<Eigen::Matrix3Xd> residuals(std::span<const CollocationPlace> points,
+                                          const BoundaryField& field, const Bulk& bulk,
+                                          const Job& job) const;
   bool isRegular(const CollocationPlace& at) const;
 
   const ElementSurface& surface_;

@@ -1,4 +1,4 @@
-#include "bem/compressed/cluster_tree.h"
+#include "bem/linalg/cluster_tree.h"
 
 #include <algorithm>
 #include <numeric>

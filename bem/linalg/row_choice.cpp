@@ -1,4 +1,4 @@
-#include "bem/compressed/row_choice.h"
+#include "bem/linalg/row_choice.h"
 
 #include <cblas.h>
 

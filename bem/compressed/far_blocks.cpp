@@ -1,0 +1,189 @@
+#include "bem/compressed/far_blocks.h"
+
+#include <cblas.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.h"
+#include "base/part_of_job.h"
+#include "base/scratch_pool.h"
+#include "bem/element/skeleton.h"
+
+namespace palpa::bem {
+
+using Eigen::Index;
+using Eigen::MatrixXf;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Places of a distant cluster whose kernels stand for the kernels of all its functions.
+constexpr int kSourcePlaces = 32;
+
+struct Skeleton {
+  std::vector<int> rows;  ///< 3 * point position + i
+  MatrixXf weights;       ///< (row of the cluster, row of the skeleton)
+};
+
+class FarBlocks {
+ public:
+  explicit FarBlocks(const FarBlockInputs& inputs)
+      : in_(inputs), tree_(inputs.order.tree), skeletons_(tree_.count()), blocks_(tree_.count()) {}
+
+  std::vector<std::vector<FarBlock>> make(const Job& job) {
+    int top = tree_.levelCount();
+    std::size_t pairs = 0, done = 0;
+    for (int level = tree_.levelCount() - 1; level >= 0; --level)
+      for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c)
+        if (!in_.division.far[c].empty()) {
+          top = level;
+          pairs += in_.division.far[c].size();
+        }
+    for (int level = tree_.levelCount() - 1; level >= top; --level) {
+      const int first = ClusterTree::firstOf(level);
+      parallelFor(ClusterTree::countOf(level), job, [&](std::ptrdiff_t k) {
+        const int c = first + static_cast<int>(k);
+        skeletons_[c] = skeletonOf(c);
+      });
+      if (level + 1 < tree_.levelCount())
+        for (int c = ClusterTree::firstOf(level + 1); c < ClusterTree::firstOf(level + 2); ++c)
+          skeletons_[c] = {};
+      done = makeLevel(level, done, pairs, job);
+    }
+    return std::move(blocks_);
+  }
+
+ private:
+  /// Makes the blocks of a level after `done` of all `pairs`; returns how many are done then.
+  std::size_t makeLevel(int level, std::size_t done, std::size_t pairs, const Job& job) {
+    std::vector<std::pair<int, std::size_t>> ofLevel;
+    for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c) {
+      blocks_[c].resize(in_.division.far[c].size());
+      for (std::size_t b = 0; b < blocks_[c].size(); ++b) ofLevel.emplace_back(c, b);
+    }
+    ScratchPool<ExactRows::Scratch> pool([&] { return in_.exact.makeScratch(); });
+    parallelFor(static_cast<std::ptrdiff_t>(ofLevel.size()),
+                partOfJob(job, done, done + ofLevel.size(), pairs), Phase::kAssemble,
+                [&](std::ptrdiff_t k) {
+                  const auto [c, b] = ofLevel[k];
+                  ExactRows::Scratch scratch = pool.take();
+                  blocks_[c][b] = makeBlock(c, in_.division.far[c][b], scratch, job);
+                  pool.giveBack(std::move(scratch));
+                });
+    return done + ofLevel.size();
+  }
+
+  /// Rows of a cluster from which the fields of all distant forces are interpolated, from those of
+  /// its sons.
+  Skeleton skeletonOf(int cluster) const {
+    std::vector<int> candidates;
+    if (tree_.isLeaf(cluster)) {
+      candidates.resize(static_cast<std::size_t>(in_.order.rows(cluster)));
+      std::iota(candidates.begin(), candidates.end(), 3 * in_.order.pointBegin(cluster));
+    } else {
+      for (int son = 2 * cluster + 1; son <= 2 * cluster + 2; ++son)
+        candidates.insert(candidates.end(), skeletons_[son].rows.begin(),
+                          skeletons_[son].rows.end());
+    }
+    Ball ball = in_.division.pointBalls[cluster];
+    ball.radius = std::max(ball.radius, 1e-3 * in_.division.functionBalls[cluster].radius);
+    RowChoice choice =
+        chooseSkeleton(in_.constants, in_.points, candidates, ball, in_.tolerance / 2);
+    Skeleton skeleton;
+    for (const int row : choice.rows) skeleton.rows.push_back(candidates[row]);
+    if (tree_.isLeaf(cluster)) {
+      skeleton.weights = std::move(choice.weights);
+      return skeleton;
+    }
+    skeleton.weights.resize(in_.order.rows(cluster), choice.weights.cols());
+    Index row = 0, candidate = 0;
+    for (int son = 2 * cluster + 1; son <= 2 * cluster + 2; ++son) {
+      const MatrixXf& ofSon = skeletons_[son].weights;
+      if (ofSon.size() > 0)
+        cblas_sgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(ofSon.rows()),
+                    static_cast<int>(choice.weights.cols()), static_cast<int>(ofSon.cols()), 1,
+                    ofSon.data(), static_cast<int>(ofSon.rows()), choice.weights.data() + candidate,
+                    static_cast<int>(choice.weights.rows()), 0, skeleton.weights.data() + row,
+                    static_cast<int>(skeleton.weights.rows()));
+      row += ofSon.rows();
+      candidate += ofSon.cols();
+    }
+    return skeleton;
+  }
+
+  /// Kernels of some places of a distant cluster at the rows of a skeleton.
+  RowMatrixXf fieldsOf(int column, const Skeleton& skeleton, double distance) const {
+    const ClusterTree::Cluster range = tree_.cluster(column);
+    const int places = std::min(kSourcePlaces, range.size());
+    RowMatrixXf fields(static_cast<Index>(skeleton.rows.size()), 6 * static_cast<Index>(places));
+    for (std::size_t k = 0; k < skeleton.rows.size(); ++k) {
+      const Vector3d& x = in_.points[skeleton.rows[k] / 3];
+      const int i = skeleton.rows[k] % 3;
+      float* row = fields.row(static_cast<Index>(k)).data();
+      for (int q = 0; q < places; ++q) {
+        const int position =
+            range.begin + static_cast<int>((2 * q + 1) * static_cast<std::ptrdiff_t>(range.size()) /
+                                           (2 * places));
+        const int node = tree_.order()[position], first = in_.slots.firstOfNode[node],
+                  slotCount = in_.slots.firstOfNode[node + 1] - first;
+        const Vector3d& n = in_.slots.slots[first + q % slotCount].normal;
+        // The factor makes kernels of forces and dislocations comparable.
+        setForce(in_.constants, x, in_.nodes[node], i, in_.shear / distance, row + 6 * q);
+        setDislocation(in_.constants, x, in_.nodes[node], n, i, 1, row + 6 * q + 3);
+      }
+    }
+    return fields;
+  }
+
+  FarBlock makeBlock(int row, int column, ExactRows::Scratch& scratch, const Job& job) const {
+    const Skeleton& skeleton = skeletons_[row];
+    const double distance =
+        (in_.division.pointBalls[row].centre - in_.division.functionBalls[column].centre).norm();
+    const RowChoice choice =
+        chooseRows(fieldsOf(column, skeleton, distance), static_cast<float>(in_.tolerance));
+    FarBlock block;
+    block.column = column;
+    const auto rank = static_cast<int>(choice.rows.size());
+    block.U.resize(skeleton.weights.rows(), rank);
+    if (rank > 0 && block.U.rows() > 0)
+      cblas_sgemm(CblasRowMajor, CblasTrans, CblasTrans, static_cast<int>(block.U.rows()), rank,
+                  static_cast<int>(skeleton.weights.cols()), 1, skeleton.weights.data(),
+                  static_cast<int>(skeleton.weights.rows()), choice.weights.data(),
+                  static_cast<int>(choice.weights.rows()), 0, block.U.data(), rank);
+    const int columns = in_.order.columns(column);
+    block.V.resize(rank, columns);
+    // The rows of a point are computed together.
+    std::vector<int> byPoint(static_cast<std::size_t>(rank));
+    std::iota(byPoint.begin(), byPoint.end(), 0);
+    const auto rowOf = [&](int k) { return skeleton.rows[choice.rows[k]]; };
+    std::sort(byPoint.begin(), byPoint.end(), [&](int a, int b) { return rowOf(a) < rowOf(b); });
+    RowMatrixXf ofPoint(3, columns);
+    int computed = -1;
+    for (const int k : byPoint) {
+      const int position = rowOf(k) / 3;
+      if (position != computed) {
+        job.throwIfCancelled();
+        in_.exact.compute(in_.equations.points[in_.order.points[position]], column, {}, scratch,
+                          ofPoint.data());
+        computed = position;
+      }
+      block.V.row(k) = ofPoint.row(rowOf(k) % 3);
+    }
+    return block;
+  }
+
+  const FarBlockInputs& in_;
+  const ClusterTree& tree_;
+  std::vector<Skeleton> skeletons_;
+  std::vector<std::vector<FarBlock>> blocks_;
+};
+
+}  // namespace
+
+std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job) {
+  return FarBlocks(inputs).make(job);
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "base/job.h"
+#include "bem/compressed/block_division.h"
+#include "bem/compressed/exact_rows.h"
+#include "bem/linalg/row_choice.h"
+#include "bem/model/boundary_mesh.h"
+#include "bem/model/material.h"
+
+namespace palpa::bem {
+
+/// Low-rank block U V of the points of a cluster and the functions of another one.
+struct FarBlock {
+  int column;         ///< cluster of functions
+  RowMatrixXf U;      ///< (rows, rank)
+  Eigen::MatrixXf V;  ///< (rank, columns)
+};
+
+/// What makeFarBlocks() reads.
+struct FarBlockInputs {
+  const CompressedOrder& order;
+  const BlockDivision& division;
+  const ExactRows& exact;
+  const WeightedEquations& equations;
+  const std::vector<Eigen::Vector3d>& points;  ///< positions in the order of `order`, mm
+  const std::vector<Eigen::Vector3d>& nodes;   ///< positions of the functions, in their own order
+  const TractionSlots& slots;
+  const KelvinConstants& constants;
+  double shear;      ///< MPa
+  double tolerance;  ///< of each block, relative
+};
+
+/// The blocks of all distant pairs, per cluster of points. Rows of the operators far from a cluster
+/// of functions are smooth functions of the point: in each cluster of points a skeleton is chosen,
+/// from the leaves up, then from its rows for each block those from which the fields of its
+/// functions are interpolated; only their integrals are computed. The choices use kernels at points
+/// instead of integrals. Throws Cancelled.
+std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job);
+
+}  // namespace palpa::bem
