@@ -75,8 +75,8 @@ class FarBlocks {
     return done + ofLevel.size();
   }
 
-  /// Rows of a cluster from which the fields of all distant forces are interpolated, from those of
-  /// its sons.
+  /// Rows of a cluster from which the fields of all distant forces are interpolated, chosen among
+  /// the rows of its sons.
   Skeleton skeletonOf(int cluster) const {
     std::vector<int> candidates;
     if (tree_.isLeaf(cluster)) {

@@ -17,8 +17,8 @@ inline constexpr int kCompressedFrom = 4000;
 /// True if operators of so many nodes are compressed.
 bool isCompressed(Precision wanted, bool isQuadratic, double nodeCount);
 
-/// Memory of a reference problem in bytes, before anything is allocated. Of compressed operators:
-/// 30 % above what a sphere takes, because it depends on the shape.
+/// Peak memory of making a reference problem in bytes, before anything is allocated. Compressed:
+/// 45 % above what the operators of a sphere take, because it depends on the shape.
 double expectedBytes(double nodeCount, double slotCount, bool isQuadratic, Precision precision);
 
 /// Assembles and factorises a problem, compressed or dense. Throws SolverError if it cannot be
