@@ -197,6 +197,13 @@ TEST_F(ExactTouch, TheCurveEqualsSingleTouches) {
   EXPECT_TRUE(dialog->isVisible());
   EXPECT_TRUE(dialog->findChild<QLabel*>("sweepMessage")->text().startsWith("Stopped"));
   EXPECT_LT(dialog->rows().size(), 1000u);
+  // Also one that has not begun yet.
+  for (int k = 0; k < 20; ++k) {
+    dialog->findChild<QPushButton*>("sweepStart")->click();
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog->isRunning(); }, 20000)) << k;
+    EXPECT_TRUE(dialog->findChild<QLabel*>("sweepMessage")->text().startsWith("Stopped"));
+  }
   QTest::keyClick(dialog, Qt::Key_Escape);
   EXPECT_TRUE(QTest::qWaitFor([&] { return guard.isNull(); }, 5000));
 }

@@ -129,6 +129,10 @@ void SweepDialog::reject() {
     QDialog::reject();
 }
 
+QString SweepDialog::stoppedText() {
+  return tr("Stopped. The states so far are listed.");
+}
+
 void SweepDialog::run() {
   rows_.clear();
   table_->setRowCount(0);
@@ -160,7 +164,7 @@ void SweepDialog::run() {
         report([this, row = std::move(row)] { add(row); });
       });
     } catch (const Cancelled&) {
-      message = tr("Stopped. The states so far are listed.");
+      message = stoppedText();
     } catch (const bem::SolverError& error) {
       message = QString::fromStdString(error.what());
       message[0] = message[0].toUpper();
@@ -173,7 +177,15 @@ void SweepDialog::run() {
 }
 
 void SweepDialog::stop() {
-  worker_.cancel();
+  // A run that the thread has not begun yet is dropped without a report: this one comes always.
+  worker_.replace([this, number = run_](const std::stop_token&) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, number] {
+          if (number == run_ && isRunning_) finish(stoppedText());
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 void SweepDialog::add(const app::SweepRow& row) {

@@ -36,6 +36,7 @@ class SweepDialog : public QDialog {
  private:
   void run();
   void stop();
+  static QString stoppedText();
   void add(const app::SweepRow& row);
   void finish(const QString& message);
   void showUnits();
