@@ -18,6 +18,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeCompareCommand());
   commands.push_back(makeSectionCommand());
   commands.push_back(makeRenderCommand());
+  commands.push_back(makeReportCommand());
   commands.push_back(makeImportCommand());
   commands.push_back(makeExportCommand());
   commands.push_back(makeConvertCommand());

@@ -20,6 +20,7 @@ std::unique_ptr<Command> makeOptimiseCommand();
 std::unique_ptr<Command> makeCompareCommand();
 std::unique_ptr<Command> makeSectionCommand();
 std::unique_ptr<Command> makeRenderCommand();
+std::unique_ptr<Command> makeReportCommand();
 std::unique_ptr<Command> makeImportCommand();
 std::unique_ptr<Command> makeExportCommand();
 std::unique_ptr<Command> makeConvertCommand();

@@ -104,7 +104,7 @@ class CommonView {
 }  // namespace
 
 Film::Film(const modeling::Project& project, std::shared_ptr<const app::TouchModel> model,
-           const app::TouchRecording& recording, const PictureOptions& options)
+           const app::TouchRecording& recording, const report::PictureOptions& options)
     : project_(project),
       body_(std::make_shared<const app::TouchableModel>(std::move(model))),
       recording_(recording),
@@ -119,7 +119,7 @@ void Film::forEachPicture(double rate, const Context& context,
     const auto due = static_cast<std::uint64_t>(std::llround(1000.0 * number / rate));
     if (step++ < due) return;
     view::Picture picture =
-        makePicture(project_, body_->sharedModel(), field.describe(snapshot), options_);
+        report::makePicture(project_, body_->sharedModel(), field.describe(snapshot), options_);
     picture.caption.lines.push_back(format("%.3f s", 1e-3 * static_cast<double>(due)));
     seen(picture, number++);
   });

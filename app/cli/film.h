@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "app/cli/command.h"
-#include "app/cli/state_picture.h"
 #include "app/core/live/touch_command.h"
 #include "app/core/live/touchable_model.h"
+#include "app/report/state_picture.h"
 
 namespace palpa::cli {
 
@@ -14,7 +14,7 @@ namespace palpa::cli {
 class Film {
  public:
   Film(const modeling::Project& project, std::shared_ptr<const app::TouchModel> model,
-       const app::TouchRecording& recording, const PictureOptions& options);
+       const app::TouchRecording& recording, const report::PictureOptions& options);
 
   /// Draws frame_00000.png, … into a folder, which is created: colours, arrow lengths and camera
   /// are the same in all of them. Replays twice, first to find the extremes. `rate`: pictures per
@@ -33,7 +33,7 @@ class Film {
   const modeling::Project& project_;
   std::shared_ptr<const app::TouchableModel> body_;
   const app::TouchRecording& recording_;
-  PictureOptions options_;
+  report::PictureOptions options_;
 };
 
 }  // namespace palpa::cli

@@ -1,26 +1,14 @@
 #include "app/cli/mesh_report.h"
 
 #include "app/cli/text.h"
+#include "app/report/state_words.h"
 #include "base/count_text.h"
 
 namespace palpa::cli {
 
 std::string toText(const modeling::MeshSimplification& simplification) {
-  const auto& [below, moved, vanishedFaces, partsBelow, cutPins, filledHoles] = simplification;
-  if (!(below > 0)) return "";
-  const auto count = [](int number, const char* noun, const char* what) {
-    return countText(number) + ' ' + noun + (number == 1 ? " " : "s ") + what;
-  };
-  std::string text = format("simplified features below %.3g mm are meshed over", below);
-  if (vanishedFaces > 0) text += " (" + count(vanishedFaces, "face", "vanished") + ')';
-  if (cutPins + filledHoles > 0) {
-    text += "; ";
-    if (cutPins > 0) text += count(cutPins, "pin", "cut off");
-    if (cutPins > 0 && filledHoles > 0) text += " and ";
-    if (filledHoles > 0) text += count(filledHoles, "hole", "filled");
-    text += format(", all below %.3g mm", partsBelow);
-  }
-  return text + format("; the surface moved by up to %.3g mm\n", moved);
+  const std::string text = report::simplificationText(simplification);
+  return text.empty() ? text : "simplified " + text + "\n";
 }
 
 void addTo(Json& report, const modeling::MeshSimplification& simplification) {

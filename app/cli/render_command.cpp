@@ -9,7 +9,6 @@
 #include "app/cli/project_input.h"
 #include "app/cli/replay_report.h"
 #include "app/cli/section_options.h"
-#include "app/cli/state_picture.h"
 #include "app/cli/state_report.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/text.h"
@@ -19,6 +18,7 @@
 #include "app/core/live/stiffness_worker.h"
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
+#include "app/report/state_picture.h"
 #include "app/view/files/display.h"
 #include "modeling/error.h"
 
@@ -141,7 +141,7 @@ class RenderCommand : public Command {
     // Whatever can be wrong without solving is better known before it.
     touch_.validate();
     validateRecording();
-    PictureOptions pictureOptions = readPictureOptions();
+    report::PictureOptions pictureOptions = readPictureOptions();
     const view::PictureSize size = size_.empty() ? view::PictureSize{} : parseSize(size_);
     const modeling::Project project = touch_.touched(input_.read(context));
     const bool hasGradient = needsGradient(pictureOptions);
@@ -166,7 +166,7 @@ class RenderCommand : public Command {
   }
 
  private:
-  static bool needsGradient(const PictureOptions& options) {
+  static bool needsGradient(const report::PictureOptions& options) {
     return options.showGradient || options.field == app::SurfaceQuantity::kStiffnessGradient;
   }
 
@@ -186,7 +186,7 @@ class RenderCommand : public Command {
   }
 
   void addGradient(const modeling::Project& project, const app::TouchModel& model,
-                   PictureOptions& options, const Context& context) const {
+                   report::PictureOptions& options, const Context& context) const {
     const app::TouchState state = app::playTouches(model, project.touches, 0, context.job());
     const auto contact = std::find_if(
         state.contacts.begin(), state.contacts.end(),
@@ -228,9 +228,10 @@ class RenderCommand : public Command {
 
   void drawState(const modeling::Project& project,
                  const std::shared_ptr<const app::TouchModel>& model, const app::TouchState& state,
-                 const PictureOptions& pictureOptions, const view::PictureSize& size,
+                 const report::PictureOptions& pictureOptions, const view::PictureSize& size,
                  const Context& context) const {
-    view::writePicture(makePicture(project, model, state, pictureOptions), size, output_.path());
+    view::writePicture(report::makePicture(project, model, state, pictureOptions), size,
+                       output_.path());
     const StateReport report{*model, state, {}};
     Json json = report.json();
     std::string text = report.text();
@@ -240,7 +241,7 @@ class RenderCommand : public Command {
 
   void drawRecording(const modeling::Project& project,
                      const std::shared_ptr<const app::TouchModel>& model,
-                     const PictureOptions& pictureOptions, const view::PictureSize& size,
+                     const report::PictureOptions& pictureOptions, const view::PictureSize& size,
                      const Context& context) const {
     const app::RecordingFile file = app::readRecording(recording_);
     const ReplayReport report(file, app::recordedModelOf(*model, project.name));
@@ -258,8 +259,8 @@ class RenderCommand : public Command {
     context.print(json, text + format("written    %d pictures in ", count) + frames_ + "\n");
   }
 
-  PictureOptions readPictureOptions() const {
-    PictureOptions options = options_;
+  report::PictureOptions readPictureOptions() const {
+    report::PictureOptions options = options_;
     const auto field = app::surfaceQuantityNamed(field_);
     if (!field) {
       throw UsageError("--field: there is no field '" + field_ + "'" +
@@ -299,7 +300,7 @@ class RenderCommand : public Command {
 
   ProjectInput input_;
   TouchOptions touch_;
-  PictureOptions options_;
+  report::PictureOptions options_;
   SectionOptions section_;
   std::string range_;
   OutputOption output_;

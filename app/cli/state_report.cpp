@@ -6,9 +6,11 @@
 #include "app/cli/mesh_report.h"
 #include "app/cli/text.h"
 #include "app/core/live/touch_table.h"
+#include "app/core/results/largest_displacement.h"
 #include "app/core/system/memory.h"
-#include "base/count_text.h"
-#include "base/number_with_error.h"
+#include "app/report/numbers.h"
+#include "app/report/state_words.h"
+#include "app/report/words.h"
 
 namespace palpa::cli {
 namespace {
@@ -21,53 +23,16 @@ Json toJson(const std::string& name, const bem::Resultant& resultant) {
           {"moment_Nmm", cli::toJson(resultant.moment)}};
 }
 
-/// A number without the digits that its relative error makes uncertain.
-std::string rounded(double value, double error) {
-  if (!(error > 0)) return format("%.4g", value);
-  return withDecimals(value, decimalsFor(value, error * std::abs(value)));
-}
-
-std::string rounded(const Eigen::Vector3d& vector, double error) {
-  if (!(error > 0)) return cli::toText(vector, 4);
-  const double length = vector.norm();
-  return cli::toText(vector, digitsFor(length, error * length));
-}
-
-/// A number of at most the size of `whole`, with the same decimals.
-std::string inDecimalsOf(double value, double whole, double error) {
-  if (!(error > 0)) return format("%.4g", value);
-  return withDecimals(value, decimalsFor(whole, error * whole));
-}
-
-/// "4.72 ± 0.03", without the error where it is not known.
-std::string withError(double value, double error) {
-  const std::string text = rounded(value, error);
-  if (!(error > 0) || value == 0) return text;
-  return text + " ± " + errorText(error * value, decimalsFor(value, error * value));
-}
-
-/// `error`: relative, 0 for a given load; `lever`: mm, of errors of forces in the moment.
 std::string toText(const char* what, const std::string& name, const bem::Resultant& resultant,
                    double error, double lever) {
-  const double moment = resultant.moment.norm();
-  // A moment below its error is shown as 0.
-  const double momentError = error * std::max(moment, lever * resultant.force.norm());
-  const int digits = momentError > moment ? 0
-                     : momentError > 0    ? digitsFor(moment, momentError)
-                                          : 4;
-  return format("%-10s %s: force ", what, name.c_str()) + rounded(resultant.force, error) +
-         " N, |" + withError(resultant.force.norm(), error) + "| N, moment " +
-         (digits > 0 ? cli::toText(resultant.moment, digits) : "(0, 0, 0)") + " N·mm\n";
-}
-
-const char* kindName(const app::TouchState::Contact& contact) {
-  return contact.kind ? modeling::infoOf(*contact.kind).name : "node";
+  return format("%-10s %s: ", what, name.c_str()) + report::resultantText(resultant, error, lever) +
+         "\n";
 }
 
 Json toJson(const app::TouchState::Contact& contact) {
   Json json;
   if (!contact.name.empty()) json["name"] = contact.name;
-  json["kind"] = kindName(contact);
+  json["kind"] = report::kindName(contact);
   json["status"] = app::nameOf(contact.status);
   json["at_mm"] = cli::toJson(contact.at);
   json["radius_mm"] = contact.radius;
@@ -94,8 +59,8 @@ Json toJson(const app::TouchState::Contact& contact) {
 std::string toText(const app::TouchState::Contact& contact) {
   const char* label = contact.name.empty() ? "touch" : contact.name.c_str();
   std::string text = format("%-10s %s", "contact", label);
-  text += std::string(": ") + kindName(contact) + ", " + app::nameOf(contact.status) + ", at " +
-          cli::toText(contact.at, 4) + " mm";
+  text += std::string(": ") + report::kindName(contact) + ", " + app::nameOf(contact.status) +
+          ", at " + cli::toText(contact.at, 4) + " mm";
   if (contact.radius > 0) text += format(", radius %.4g mm", contact.radius);
   if (contact.presses()) text += format(", friction %.4g", contact.friction);
   text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
@@ -103,80 +68,27 @@ std::string toText(const app::TouchState::Contact& contact) {
   const double error = contact.errorEstimate.value_or(0);
   const bool isGiven = contact.kind && modeling::infoOf(*contact.kind).isForce;
   const double ofForce = isGiven ? 0 : error;
-  text += "           force " + rounded(contact.force, ofForce) + " N, |" +
-          withError(force, ofForce) +
-          "| N: " + inDecimalsOf(contact.normalForce(), force, ofForce) + " N into the body, " +
-          inDecimalsOf(contact.tangentialForce().norm(), force, ofForce) +
-          " N along it; deflection " + rounded(contact.deflection.norm(), error) +
-          " mm, stiffness " + rounded(contact.stiffness, error) + " N/mm\n";
+  text += "           force " + report::rounded(contact.force, ofForce) + " N, |" +
+          report::withError(force, ofForce) +
+          "| N: " + report::inDecimalsOf(contact.normalForce(), force, ofForce) +
+          " N into the body, " +
+          report::inDecimalsOf(contact.tangentialForce().norm(), force, ofForce) +
+          " N along it; deflection " + report::rounded(contact.deflection.norm(), error) +
+          " mm, stiffness " + report::rounded(contact.stiffness, error) + " N/mm\n";
   if (contact.isBall() && !contact.patch.empty())
     text += format("           patch radius %.4g mm, %zu masks\n", contact.patchRadius(),
                    contact.patch.size());
   return text;
 }
 
-std::string percentText(double error) {
-  return error > 1 ? "more than 100 %" : format("about %.2g %%", 100 * error);
-}
-
-/// Parts that are only carried along may have wrong displacements where forces are right.
-std::string accuracyText(double largest, double ofForces) {
-  constexpr double kMuchSmaller = 0.5;
-  if (ofForces > 0 && ofForces < kMuchSmaller * largest)
-    return "accuracy   estimated errors: of forces " + percentText(ofForces) +
-           ", of displacements " + percentText(largest) + "\n";
-  if (largest > 1)
-    return "accuracy   the estimated error is " + percentText(largest) +
-           ": take smaller elements\n";
-  return "accuracy   displacements and forces are good to " + percentText(largest) +
-         " (estimated)\n";
-}
-
-const char* nameOf(modeling::Engine engine) {
-  if (engine == modeling::Engine::kSplines) return "splines";
-  return engine == modeling::Engine::kQuadratic ? "quadratic" : "triangles";
-}
-
-std::string engineText(const app::TouchModel& model) {
-  const app::BuildReport& build = model.report();
-  const bem::Discretisation& on = *model.setup().discretisation;
-  if (model.setup().engine == modeling::Engine::kTriangles)
-    return format("mesh       %s nodes, %s triangles, smallest angle %.1f°\n",
-                  countText(build.nodes).c_str(), countText(build.triangles).c_str(),
-                  build.quality.smallestAngle);
-  if (model.setup().engine == modeling::Engine::kQuadratic)
-    return format("mesh       %s nodes, %s quadratic triangles\n", countText(build.nodes).c_str(),
-                  countText(on.elementCount()).c_str());
-  return format("splines    %s coefficients on %s elements; shown on %s nodes\n",
-                countText(on.displacementCount()).c_str(), countText(on.elementCount()).c_str(),
-                countText(build.nodes).c_str());
-}
-
-/// Largest displacement of a node, and its position.
-struct LargestDisplacement {
-  double length = 0;  ///< mm
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
-};
-
-LargestDisplacement largestDisplacement(const app::TouchModel& model,
-                                        const app::TouchState& state) {
-  LargestDisplacement largest;
-  const Eigen::MatrixXd u = model.setup().discretisation->valuesOnMesh(state.field).u;
-  for (int node = 0; node < model.setup().mesh().nodeCount(); ++node) {
-    const double length = u.col(0).segment<3>(3 * node).norm();
-    if (length > largest.length) largest = {length, model.setup().mesh().nodes[node]};
-  }
-  return largest;
-}
-
 }  // namespace
 
 Json StateReport::json() const {
   const app::BuildReport& build = model.report();
-  const LargestDisplacement largest = largestDisplacement(model, state);
+  const app::LargestDisplacement largest = app::largestDisplacement(model, state);
   Json report{{"nodes", build.nodes}, {"triangles", build.triangles}};
   addTo(report, model.surface().simplification);
-  report["engine"] = nameOf(model.setup().engine);
+  report["engine"] = report::engineName(model.setup().engine);
   report["elements"] = model.setup().discretisation->elementCount();
   report["coefficients"] = model.setup().discretisation->displacementCount();
   report["error_estimate"] = state.errorEstimate ? Json(*state.errorEstimate) : Json();
@@ -228,8 +140,10 @@ Json StateReport::json() const {
 
 std::string StateReport::text() const {
   const app::BuildReport& build = model.report();
-  const LargestDisplacement largest = largestDisplacement(model, state);
-  std::string text = engineText(model) + toText(model.surface().simplification);
+  const app::LargestDisplacement largest = app::largestDisplacement(model, state);
+  const bool isSplines = model.setup().engine == modeling::Engine::kSplines;
+  std::string text = (isSplines ? "splines    " : "mesh       ") + report::meshText(model) + "\n" +
+                     toText(model.surface().simplification);
   if (!build.notice.empty()) text += "note       " + build.notice + "\n";
   if (state.contacts.empty() && model.setup().loads.empty() && state.energy == 0)
     text += "note       no load acts and nothing is touched, so nothing moves\n";
@@ -248,11 +162,10 @@ std::string StateReport::text() const {
     text += toText("support", support.name, support.resultant, state.forceErrorEstimate.value_or(0),
                    model.setup().mesh().boundingSize());
   }
-  text += format("balance    %.3g N (%.2g %% of the largest force)\n", state.balance,
-                 100 * state.relativeBalance);
+  text += "balance    " + report::balanceText(state) + "\n";
   // A body at rest has no error.
   if (state.errorEstimate && *state.errorEstimate > 0)
-    text += accuracyText(*state.errorEstimate, state.forceErrorEstimate.value_or(0));
+    text += "accuracy   " + report::accuracyText(state) + "\n";
   text += format("energy     %.4g mJ\n", state.energy);
   text += format("largest u  %.4g mm at ", largest.length) + cli::toText(largest.at, 4) + " mm\n";
   for (const app::FieldSample& sample : samples) {

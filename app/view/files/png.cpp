@@ -36,7 +36,7 @@ void reduce(const unsigned char* source, int width, int reduction, vtkImageData*
 
 }  // namespace
 
-void writePng(vtkRenderWindow* window, const std::filesystem::path& path, int reduction) {
+std::string pngBytes(vtkRenderWindow* window, int reduction) {
   const int width = window->GetSize()[0], height = window->GetSize()[1];
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, width - 1, height - 1, 1, pixels);
@@ -49,10 +49,13 @@ void writePng(vtkRenderWindow* window, const std::filesystem::path& path, int re
   writer->WriteToMemoryOn();
   writer->Write();
   vtkUnsignedCharArray* const bytes = writer->GetResult();
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+          static_cast<std::size_t>(bytes->GetNumberOfValues())};
+}
+
+void writePng(vtkRenderWindow* window, const std::filesystem::path& path, int reduction) {
   try {
-    replaceFile({reinterpret_cast<const char*>(bytes->GetPointer(0)),
-                 static_cast<std::size_t>(bytes->GetNumberOfValues())},
-                path);
+    replaceFile(pngBytes(window, reduction), path);
   } catch (const FileError&) {
     throw ViewError("cannot write the picture " + path.string() +
                     "; check that its folder exists and can be written");

@@ -1,15 +1,17 @@
 #include "app/view/viewport/picture.h"
 
-#include <vtkNew.h>
 #include <vtkRenderWindow.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "app/view/files/display.h"
+#include "app/view/files/errors.h"
 #include "app/view/files/png.h"
 #include "app/view/scene/colour_map.h"
+#include "base/atomic_file.h"
 
 namespace palpa::view {
 namespace {
@@ -73,17 +75,31 @@ void show(const Picture& picture, Viewport& viewport) {
   viewport.frame(picture.camera, room);
 }
 
-void writePicture(const Picture& picture, const PictureSize& size,
-                  const std::filesystem::path& path) {
+std::string pictureBytes(const Picture& picture, const PictureSize& size, vtkRenderWindow* window) {
   requireSize(size);
-  requireDisplay();
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
+  vtkSmartPointer<vtkRenderWindow> own;
+  if (!window) {
+    requireDisplay();
+    own = vtkSmartPointer<vtkRenderWindow>::New();
+    own->SetOffScreenRendering(1);
+    window = own;
+  }
   window->SetSize(kSupersampling * size.width, kSupersampling * size.height);
   Viewport viewport(window, kSupersampling * pixelRatioOf(size));
   show(picture, viewport);
   viewport.render();
-  writePng(window, path, kSupersampling);
+  return pngBytes(window, kSupersampling);
+}
+
+void writePicture(const Picture& picture, const PictureSize& size,
+                  const std::filesystem::path& path) {
+  const std::string bytes = pictureBytes(picture, size);
+  try {
+    replaceFile(bytes, path);
+  } catch (const FileError&) {
+    throw ViewError("cannot write the picture " + path.string() +
+                    "; check that its folder exists and can be written");
+  }
 }
 
 }  // namespace palpa::view

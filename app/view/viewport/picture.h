@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "app/view/scene/theme.h"
 #include "app/view/viewport/viewport.h"
@@ -51,5 +52,10 @@ void show(const Picture& picture, Viewport& viewport);
 /// ViewError if the file cannot be written.
 void writePicture(const Picture& picture, const PictureSize& size,
                   const std::filesystem::path& path);
+
+/// The same as the bytes of a PNG file, drawn in a window of the caller, which is resized and whose
+/// OpenGL context must be current; null: in a window off the screen, which needs a display.
+std::string pictureBytes(const Picture& picture, const PictureSize& size,
+                         vtkRenderWindow* window = nullptr);
 
 }  // namespace palpa::view

@@ -7,7 +7,7 @@
 #include "app/view/scene/scene.h"
 #include "modeling/project/project.h"
 
-namespace palpa::cli {
+namespace palpa::report {
 
 /// Dimensions for the measurements of a project. At rest all of them; of a displaced body the
 /// distances and wall thicknesses alone, between the displaced points, which are drawn with
@@ -16,4 +16,4 @@ std::vector<view::Dimension> dimensionsOf(const modeling::Project& project,
                                           const app::TouchModel& model,
                                           const app::TouchState& state, double scale);
 
-}  // namespace palpa::cli
+}  // namespace palpa::report

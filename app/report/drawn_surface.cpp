@@ -1,4 +1,4 @@
-#include "app/cli/drawn_surface.h"
+#include "app/report/drawn_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "app/view/scene/colour_map.h"
 #include "app/view/scene/ticks.h"
 
-namespace palpa::cli {
+namespace palpa::report {
 namespace {
 
 using view::ScalarField;
@@ -150,4 +150,4 @@ void addSurface(const std::shared_ptr<const app::TouchModel>& model, const app::
   if (options.range && picture.field) picture.field->range = options.range;
 }
 
-}  // namespace palpa::cli
+}  // namespace palpa::report

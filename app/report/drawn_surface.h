@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/cli/state_picture.h"
+#include "app/report/state_picture.h"
 
-namespace palpa::cli {
+namespace palpa::report {
 
 /// Adds the body itself to a picture: the true surface of the solid, finer than the boundary mesh,
 /// with displacements, colours and normals from the nodes. At sharp edges the points are split, so
@@ -10,4 +10,4 @@ namespace palpa::cli {
 void addSurface(const std::shared_ptr<const app::TouchModel>& model, const app::TouchState& state,
                 const PictureOptions& options, view::Picture& picture);
 
-}  // namespace palpa::cli
+}  // namespace palpa::report

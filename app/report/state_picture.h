@@ -11,7 +11,7 @@
 #include "modeling/mesh/plane_section.h"
 #include "modeling/project/project.h"
 
-namespace palpa::cli {
+namespace palpa::report {
 
 /// Options of `palpa-cli render` that say what a picture shows.
 struct PictureOptions {
@@ -40,4 +40,4 @@ view::Picture makePicture(const modeling::Project& project,
                           const std::shared_ptr<const app::TouchModel>& model,
                           const app::TouchState& state, const PictureOptions& options);
 
-}  // namespace palpa::cli
+}  // namespace palpa::report

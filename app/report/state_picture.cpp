@@ -1,19 +1,19 @@
-#include "app/cli/state_picture.h"
+#include "app/report/state_picture.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "app/cli/dimensions.h"
-#include "app/cli/drawn_surface.h"
-#include "app/cli/text.h"
+#include "app/report/dimensions.h"
+#include "app/report/drawn_surface.h"
+#include "app/report/text.h"
 #include "app/view/scene/arrows.h"
 #include "app/view/scene/gradient_arrows.h"
 #include "app/view/scene/ticks.h"
 #include "bem/model/surface_point.h"
 
-namespace palpa::cli {
+namespace palpa::report {
 namespace {
 
 using Eigen::Vector3d;
@@ -240,4 +240,4 @@ view::Picture makePicture(const modeling::Project& project,
   return picture;
 }
 
-}  // namespace palpa::cli
+}  // namespace palpa::report

@@ -1,14 +1,14 @@
-#include "app/cli/dimensions.h"
+#include "app/report/dimensions.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "app/cli/text.h"
+#include "app/report/text.h"
 #include "bem/model/surface_point.h"
 #include "modeling/error.h"
 #include "modeling/measure/measured_body.h"
 
-namespace palpa::cli {
+namespace palpa::report {
 namespace {
 
 using modeling::MeasuredValue;
@@ -65,4 +65,4 @@ std::vector<view::Dimension> dimensionsOf(const modeling::Project& project,
   return dimensions;
 }
 
-}  // namespace palpa::cli
+}  // namespace palpa::report
