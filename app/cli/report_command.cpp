@@ -9,6 +9,7 @@
 #include "app/report/touch_report.h"
 #include "app/view/files/display.h"
 #include "base/atomic_file.h"
+#include "modeling/error.h"
 #include "modeling/project/proposed_support.h"
 
 namespace palpa::cli {
@@ -44,7 +45,11 @@ class ReportCommand : public Command {
     const modeling::Project project = touch_.touched(read.project);
     if (read.project.supports.empty() && !project.supports.empty())
       read.held = modeling::proposeSupport(project.body);
-    report::requireReportable(project, input_.file());
+    if (!report::isReportable(project))
+      throw modeling::ModelingError(
+          input_.file() +
+          ": there is nothing to report, as the project has no touches and no loads; give a touch "
+          "with --place auto, or with --at x,y,z --displace x,y,z");
     // Before the long work: whether the pictures can be drawn and the file can be written.
     view::requireDisplay();
     AtomicFile file(output_.path());

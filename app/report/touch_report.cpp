@@ -1,13 +1,15 @@
 #include "app/report/touch_report.h"
 
+#include <algorithm>
+#include <array>
 #include <ctime>
+#include <string_view>
 
 #include "app/core/page/touch_page_file.h"
 #include "app/report/html.h"
 #include "app/report/report_sections.h"
 #include "app/report/state_picture.h"
 #include "app/report/text.h"
-#include "modeling/error.h"
 
 namespace palpa::report {
 
@@ -64,7 +66,7 @@ std::string content(const app::TouchStudy& study, const ReportSource& source,
               "class=origin");
   html += picture(0);
   html += element("h2", "Touches") + touchTables(study);
-  html += element("h2", "Body and model") + modelTables(study);
+  html += element("h2", "Body and model", "class=page") + modelTables(study);
   const bool isMoved = study.rest.energy > 0;
   html +=
       element("section", element("h3", "Without touches") +
@@ -72,10 +74,10 @@ std::string content(const app::TouchStudy& study, const ReportSource& source,
                                       : element("p", "Nothing acts on the body; nothing moves.")));
   const std::vector<Section> sections = sectionsOf(study);
   for (std::size_t k = 0; k < sections.size(); ++k)
-    html += element("section", element("h2", escaped(sections[k].title)) + picture(k + 1) +
-                                   stateTable(*study.model, *sections[k].state));
+    html += element("section", element("h2", escaped(sections[k].title), "class=page") +
+                                   picture(k + 1) + stateTable(*study.model, *sections[k].state));
   const std::vector<std::string> findings = notices(study, source.notes);
-  html += element("section", element("h2", "Notices") +
+  html += element("section", element("h2", "Notices", "class=page") +
                                  (findings.empty() ? element("p", "None.") : list(findings)));
   return html +
          element("section", element("h2", "What the model assumes") + list(assumptions(study)));
@@ -94,14 +96,10 @@ std::string dateNow() {
                 parts.tm_hour, parts.tm_min);
 }
 
-void requireReportable(const modeling::Project& project, const std::string& name) {
-  if (!project.touches.empty() || !project.loads.empty()) return;
-  for (const modeling::Support& support : project.supports)
-    if (!support.displacement.isZero(0)) return;
-  throw modeling::ModelingError(
-      name +
-      ": there is nothing to report, as the project has no touches and no loads; record a touch in "
-      "the window, or give one with --place auto, or with --at x,y,z --displace x,y,z");
+bool isReportable(const modeling::Project& project) {
+  return !project.touches.empty() || !project.loads.empty() ||
+         std::any_of(project.supports.begin(), project.supports.end(),
+                     [](const modeling::Support& each) { return !each.displacement.isZero(0); });
 }
 
 std::vector<ReportPicture> reportPictures(const app::TouchStudy& study) {
@@ -132,7 +130,20 @@ std::string pictureName(std::size_t number) {
 
 std::string reportBody(const app::TouchStudy& study, const ReportSource& source,
                        const std::vector<ReportPicture>& pictures) {
-  return content(study, source, pictures, pictureName);
+  std::string html = content(study, source, pictures, pictureName);
+  // Text of users has no '<'.
+  constexpr std::array<std::array<std::string_view, 2>, 6> kElements{
+      {{"<figure>", "<div>"},
+       {"</figure>", "</div>"},
+       {"<figcaption>", "<p class=caption>"},
+       {"</figcaption>", "</p>"},
+       {"<section>", "<div>"},
+       {"</section>", "</div>"}}};
+  for (const auto& [from, to] : kElements)
+    for (std::size_t at = html.find(from); at != std::string::npos;
+         at = html.find(from, at + to.size()))
+      html.replace(at, from.size(), to);
+  return html;
 }
 
 std::string reportDocument(const app::TouchStudy& study, const ReportSource& source,

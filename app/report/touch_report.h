@@ -20,9 +20,9 @@ struct ReportSource {
 /// "25 November 2026, 09:40", in local time.
 std::string dateNow();
 
-/// Throws ModelingError if a report of the project would be empty: if it has no touches and no
-/// loads, and no support moves. `name`: of the project or its file, for the message.
-void requireReportable(const modeling::Project& project, const std::string& name);
+/// False if a report of the project would be empty: if it has no touches and no loads, and no
+/// support moves.
+bool isReportable(const modeling::Project& project);
 
 /// A picture of a report, to be drawn by view::pictureBytes(), with a caption in plain text.
 struct ReportPicture {
@@ -44,8 +44,9 @@ std::string reportDocument(const app::TouchStudy& study, const ReportSource& sou
                            const std::vector<ReportPicture>& pictures,
                            const std::vector<std::string>& files);
 
-/// The same without style, for programs that lay it out themselves: the sources of the images are
-/// pictureName() of their numbers.
+/// The content alone, in elements that Qt's text documents know: h1 to h3, p, ul, table, img and
+/// div. The sources of the images are pictureName() of their numbers. Classes: "origin" and
+/// "caption" of p, "page" of the h2 that begin a page on paper, "facts" (name, value) and "cases" of tables.
 std::string reportBody(const app::TouchStudy& study, const ReportSource& source,
                        const std::vector<ReportPicture>& pictures);
 

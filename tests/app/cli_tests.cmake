@@ -38,7 +38,7 @@ add_test(NAME cli.corpus COMMAND ${CMAKE_CURRENT_LIST_DIR}/corpus_test.sh $<TARG
 set_tests_properties(cli.corpus PROPERTIES LABELS cli TIMEOUT 300)
 # Sanitizer presets leave out the label render: graphics drivers leak and race on their own.
 palpa_add_test(palpa_cli_render_tests
-  SOURCES cli_render_test.cpp
+  SOURCES cli_render_test.cpp cli_report_test.cpp
   LIBRARIES palpa_cli_runner
   LABEL render)
 # The examples at several finenesses: half a minute to a minute each.

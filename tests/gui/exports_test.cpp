@@ -4,13 +4,18 @@
 #include <QFileInfo>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <clocale>
+#include <cstdlib>
 
 #include "app/core/live/touch_recording_file.h"
 #include "app/core/results/deformed_solid.h"
+#include "app/core/results/error_estimate.h"
+#include "app/core/results/touch.h"
 #include "app/gui/base/background_job.h"
 #include "app/gui/base/progress_dialog.h"
 #include "app/gui/dialogs/export_dialog.h"
 #include "app/gui/dialogs/picture_dialog.h"
+#include "app/report/numbers.h"
 #include "base/worker_thread.h"
 #include "modeling/project/project_file.h"
 #include "tests/gui/window_fixture.h"
@@ -53,6 +58,11 @@ class Exports : public WindowTest {
     withDialog<QFileDialog>([&] { action("Open recording")->trigger(); },
                             [&](QFileDialog& dialog) { chooseFile(dialog, path); });
     ASSERT_TRUE(action("Export forces")->isEnabled());
+  }
+
+  void exportReport(const QString& file) {
+    withDialog<QFileDialog>([&] { action("Export report")->trigger(); },
+                            [&](QFileDialog& dialog) { chooseFile(dialog, file); });
   }
 
   /// Exports the forces; calls `cancel` as soon as the progress is shown.
@@ -200,6 +210,90 @@ TEST_F(Exports, UnexpectedErrorsBecomeMessages) {
   EXPECT_EQ(messages.filter("not enough memory").size(), 1);
   for (const QString& message : messages)
     EXPECT_TRUE(message.startsWith("Unexpected error: ")) << message.toStdString();
+}
+
+TEST_F(Exports, AReportHasTheNumbersOfTheShownModel) {
+  ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/box.json"));
+  waitForModel();
+  const std::string former = setlocale(LC_NUMERIC, nullptr);
+  setlocale(LC_NUMERIC, "de_DE.UTF-8");  // where it is installed
+  exportReport(exported("box.html"));
+  setlocale(LC_NUMERIC, former.c_str());
+  QFile file(exported("box.html"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString html = QString::fromUtf8(file.readAll());
+  const app::TouchState state =
+      app::playTouches(*editor().model(), editor().project().touches, 0, {});
+  EXPECT_TRUE(html.contains(QString("force %1 N").arg(state.contacts[1].force.norm(), 0, 'g', 4)))
+      << "the given force";
+  app::TouchState known = state;
+  app::addErrors(*editor().model(), known);
+  for (const auto& contact : known.contacts) {
+    const bool isGiven = modeling::infoOf(*contact.kind).isForce;
+    const std::string force =
+        report::withError(contact.force.norm(), isGiven ? 0 : *contact.errorEstimate);
+    EXPECT_TRUE(html.contains(QString::fromStdString("|" + force + "| N"))) << force;
+  }
+  EXPECT_EQ(html.count("<img "), 4);
+  EXPECT_TRUE(html.contains("from box.json"));
+  EXPECT_EQ(exportedFiles(), QStringList("box.html"));
+}
+
+TEST_F(Exports, AReportAsPdfHasAPageForEveryState) {
+  ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/box.json"));
+  exportReport(exported("box.pdf"));  // builds the model if it is not ready
+  QFile file(exported("box.pdf"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray pdf = file.readAll();
+  EXPECT_TRUE(pdf.startsWith("%PDF"));
+  const int pages = pdf.count("/Type /Page\n") + pdf.count("/Type /Page\r");
+  EXPECT_GE(pages, 4);
+  EXPECT_LE(pages, 8);
+  EXPECT_EQ(pdf.count("/Subtype /Image"), 4) << "pictures without transparency";
+  if (const char* folder = std::getenv("PALPA_PICTURES"))
+    file.copy(QString(folder) + "/report.pdf");
+}
+
+TEST_F(Exports, AReportThatCannotBeMadeSaysWhy) {
+  // Nothing acts.
+  QSignalSpy refused(&editor(), &Editor::refused);
+  ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/box.json"));
+  modeling::Project project = editor().project();
+  project.touches.clear();
+  editor().start(project);
+  action("Export report")->trigger();
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused.takeFirst().at(0).toString().contains("nothing to report"));
+  ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/box.json"));
+  // The body is free to move.
+  project = editor().project();
+  project.supports.clear();
+  editor().start(project);
+  exportReport(exported("free.html"));
+  ASSERT_GE(refused.count(), 1);
+  EXPECT_EQ(exportedFiles(), QStringList());
+  EXPECT_FALSE(isBackgroundJobRunning());
+}
+
+TEST_F(Exports, ACancelledReportLeavesNoFile) {
+  ASSERT_TRUE(window_->openFile(kSphere));
+  modeling::Project project = editor().project();
+  project.mesh.engine = modeling::Engine::kTriangles;
+  project.mesh.edgeLength = 1.2;  // some seconds to build
+  editor().start(project);
+  editor().cancelRebuild();
+  bool isCancelled = false;
+  QTimer poll;
+  QObject::connect(&poll, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<ProgressDialog*>(QApplication::activeModalWidget());
+    if (!dialog || isCancelled) return;
+    isCancelled = true;
+    QTest::keyClick(dialog, Qt::Key_Escape);
+  });
+  poll.start(50);
+  exportReport(exported("ball.html"));
+  EXPECT_TRUE(isCancelled);
+  EXPECT_EQ(exportedFiles(), QStringList());
 }
 
 }  // namespace

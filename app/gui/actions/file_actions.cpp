@@ -4,6 +4,7 @@
 #include <QMessageBox>
 
 #include "app/core/session/new_project.h"
+#include "app/gui/actions/export_report.h"
 #include "app/gui/actions/import_choice.h"
 #include "app/gui/base/appearance.h"
 #include "app/gui/dialogs/export_dialog.h"
@@ -95,6 +96,15 @@ void FileActions::addImportAndExport() {
             {"export", tr("&Export …"), QKeySequence(Qt::CTRL | Qt::Key_E),
              tr("Write the body to a CAD file, a mesh, or a page to touch in a browser")},
             this, [this] { exportBody(); });
+  menus.add(menus.file,
+            {nullptr,
+             tr("Export repor&t …"),
+             {},
+             tr("Write a report of the touches with pictures and tables, as a web page or PDF")},
+            this, [this] {
+              finishInput(workspace_.window);
+              exportReport(workspace_);
+            });
   menus.add(menus.file, {nullptr, tr("Save &picture …"), {}, tr("Write the view to a PNG file")},
             this, [this] { savePicture(); });
 }

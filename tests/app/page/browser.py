@@ -20,7 +20,8 @@ FLAGS = [
 class Browser:
     """A page in a browser. Use as a context."""
 
-    def __init__(self, file, width, height, *, dark=False, touch=False, program="chromium"):
+    def __init__(self, file, width, height, *, dark=False, touch=False, program="chromium",
+                 ready="typeof page !== 'undefined'"):
         self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         to_browser, self.output = os.pipe()
         self.input, from_browser = os.pipe()
@@ -46,7 +47,7 @@ class Browser:
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
         self.call("Page.navigate", url=pathlib.Path(file).absolute().as_uri())
-        self.wait_for("document.readyState === 'complete' && typeof page !== 'undefined'")
+        self.wait_for("document.readyState === 'complete' && " + ready)
 
     def __enter__(self):
         return self
