@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/cli/errors.h"
+#include "app/core/results/state_series.h"
 #include "base/atomic_file.h"
 #include "modeling/exchange/file_format.h"
 #include "modeling/exchange/mesh_writer.h"
@@ -20,17 +21,6 @@ bool isStream(const std::filesystem::path& path) {
   std::error_code none;
   const auto status = std::filesystem::status(path, none);
   return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
-}
-
-/// Mean traction of each triangle: the traction jumps across edges, so it has no value at nodes.
-modeling::MeshData triangleTractions(const app::TouchModel& model, const Eigen::MatrixXd& p) {
-  modeling::MeshData data{"traction_MPa", 3, {}};
-  for (const auto& slots : model.setup().meshSlots().ofCorner) {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const int slot : slots) mean += p.col(0).segment<3>(3 * slot) / 3;
-    data.values.insert(data.values.end(), mean.begin(), mean.end());
-  }
-  return data;
 }
 
 bool holdsFields(const modeling::FileFormatInfo& info) {
@@ -72,17 +62,11 @@ void writeResult(const app::TouchModel& model, const app::TouchState& state, con
     writeText(jsonText(report), path);
     return;
   }
-  const bem::BoundaryMesh& mesh = model.setup().mesh();
-  modeling::MeshFile file{mesh.nodes, mesh.triangles, {}, {}};
-  const bem::BoundaryField onMesh = model.setup().discretisation->valuesOnMesh(state.field);
-  const auto u = onMesh.u.col(0);
-  if (holdsFields(infoOf(modeling::requireFormat(path, modeling::isWritableMesh)))) {
-    file.pointData.push_back({"displacement_mm", 3, {u.begin(), u.end()}});
-    file.triangleData.push_back(triangleTractions(model, onMesh.p));
-  } else {
-    for (int node = 0; node < mesh.nodeCount(); ++node) {
-      file.positions[static_cast<std::size_t>(node)] += u.segment<3>(3 * node);
-    }
+  modeling::MeshFile file = app::stateMesh(model, state.field);
+  if (!holdsFields(infoOf(modeling::requireFormat(path, modeling::isWritableMesh)))) {
+    const std::vector<double>& u = file.pointData.front().values;
+    for (std::size_t node = 0; node < file.positions.size(); ++node)
+      file.positions[node] += Eigen::Vector3d::Map(&u[3 * node]);
   }
   modeling::writeMesh(file, path);
 }

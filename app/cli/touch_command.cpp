@@ -1,4 +1,5 @@
 #include <chrono>
+#include <optional>
 #include <sstream>
 
 #include "app/cli/commands.h"
@@ -18,6 +19,7 @@
 #include "app/core/live/touch_table.h"
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/error_estimate.h"
+#include "app/core/results/state_series.h"
 #include "modeling/error.h"
 
 namespace palpa::cli {
@@ -39,7 +41,9 @@ class TouchCommand : public Command {
            "  palpa-cli touch projects/sphere.json   (plays the project's touches)\n"
            "  palpa-cli touch ball.json --at 0,0,25 --kind ball --displace 0,0,-2 --radius 6 "
            "--sweep 20 -o curve.csv\n"
-           "  palpa-cli touch ball.json --recording hand.json -o forces.csv";
+           "  palpa-cli touch ball.json --recording hand.json -o forces.csv\n"
+           "  palpa-cli touch ball.json --recording hand.json --fps 50 -o hand.pvd   (for "
+           "ParaView)";
   }
 
   void declare(CLI::App& options) override {
@@ -58,7 +62,12 @@ class TouchCommand : public Command {
         ->type_name("N");
     output_.declare(
         options, resultFileHelp() +
-                     "; .csv with --sweep (the curve) or --recording (the forces of every step)");
+                     "; .csv with --sweep (the curve) or --recording (the forces of every step); "
+                     ".pvd with one of these (a series of meshes with fields, for ParaView)");
+    options
+        .add_option("--fps", rate_,
+                    "Meshes per second of a --recording in a .pvd series, 1 to 1000 (default 30)")
+        ->type_name("RATE");
     deformed_.declare(options);
   }
 
@@ -70,8 +79,10 @@ class TouchCommand : public Command {
       return;
     }
     const int sweepSteps = sweep_.empty() ? 0 : parseSweep();
+    if (!rate_.empty()) throw UsageError("--fps needs --recording");
     const bool isCurve = sweepSteps > 0 && isTableName();
-    if (output_.isGiven() && !isCurve) requireResultFileName(output_.path());
+    const bool isSeries = sweepSteps > 0 && isSeriesName();
+    if (output_.isGiven() && !isCurve && !isSeries) requireResultFileName(output_.path());
     deformed_.validate();
     ReadBody read = input_.readWithNotes(context.job());
     if (!touch_.isGiven() && read.project.touches.empty()) {
@@ -89,6 +100,7 @@ class TouchCommand : public Command {
     app::addErrors(*model, state, context.job());
     std::vector<app::SweepRow> rows;
     if (sweepSteps > 0) rows = touch_.sweep(*model, project, sweepSteps, context);
+    if (isSeries) touch_.writeSeries(*model, rows, output_.path(), context);
     const StateReport report{*model, state, samples_.evaluate(*model, state), seconds.count(),
                              samples_.hasFormerName()};
     Json json = preparation(read, project);
@@ -98,7 +110,7 @@ class TouchCommand : public Command {
       std::ostringstream table;
       app::writeSweep(rows, table);
       writeText(table.str(), output_.path());
-    } else if (output_.isGiven()) {
+    } else if (output_.isGiven() && !isSeries) {
       writeResult(*model, state, json, output_.path());
     }
     deformed_.write(project, *model, state, context);
@@ -134,6 +146,16 @@ class TouchCommand : public Command {
   }
 
   bool isTableName() const { return output_.ending() == ".csv"; }
+  bool isSeriesName() const { return output_.ending() == ".pvd"; }
+
+  double parseRate() const {
+    using Series = app::ReplaySeries;
+    if (rate_.empty()) return Series::kUsualRate;
+    const double rate = parseNumber("--fps", rate_);
+    if (rate < Series::kMinRate || rate > Series::kMaxRate)
+      throw UsageError("--fps: expected a number from 1 to 1000, found '" + rate_ + "'");
+    return rate;
+  }
 
   int parseSweep() const {
     if (touch_.isNode()) throw UsageError("--sweep has no meaning for a single node");
@@ -145,26 +167,39 @@ class TouchCommand : public Command {
       throw UsageError(
           "--recording says itself what is touched; leave out --at, --node, --steps, --sweep "
           "and --sample");
-    const bool isTable = isTableName();
-    if (output_.isGiven() && !isTable && output_.ending() != ".json")
-      throw UsageError("-o: with --recording expected a name that ends in .csv or .json, found '" +
-                       output_.path() + "'");
+    const bool isTable = isTableName(), isSeries = isSeriesName();
+    if (output_.isGiven() && !isTable && !isSeries && output_.ending() != ".json")
+      throw UsageError(
+          "-o: with --recording expected a name that ends in .csv, .pvd or .json, found '" +
+          output_.path() + "'");
+    if (!rate_.empty() && !isSeries) throw UsageError("--fps needs a series: -o NAME.pvd");
+    const double rate = parseRate();
     const app::RecordingFile file = app::readRecording(recording_);
     const modeling::Project project = input_.read(context);
     const auto model = app::buildTouchModel(project, {}, context.job());
     ReplayReport report(file, app::recordedModelOf(*model, project.name));
     std::ostringstream text;
     app::TouchTable table(text);
+    const auto body = std::make_shared<const app::TouchableModel>(model);
+    std::optional<app::ReplaySeries> series;
+    if (isSeries) series.emplace(body, rate, output_.path());
     std::uint64_t step = 0;
-    app::replay(std::make_shared<const app::TouchableModel>(model), file.recording, context.job(),
-                [&](const app::TouchSnapshot& snapshot) {
-                  if (isTable) table.add(snapshot, step);
-                  report.add(snapshot, step++);
-                });
+    app::replay(body, file.recording, context.job(), [&](const app::TouchSnapshot& snapshot) {
+      if (isTable) table.add(snapshot, step);
+      if (series) series->add(snapshot, step);
+      report.add(snapshot, step++);
+    });
     context.progress.clear();
-    if (output_.isGiven())
-      writeText(isTable ? text.str() : jsonText(report.json()), output_.path());
-    context.print(report.json(), report.text());
+    Json json = report.json();
+    std::string words = report.text();
+    if (series) {
+      series->commit();
+      json["meshes"] = series->size();
+      words += format("written    %zu meshes to ", series->size()) + output_.path() + "\n";
+    } else if (output_.isGiven()) {
+      writeText(isTable ? text.str() : jsonText(json), output_.path());
+    }
+    context.print(json, words);
   }
 
   ProjectInput input_;
@@ -172,6 +207,7 @@ class TouchCommand : public Command {
   SampleOptions samples_;
   std::string recording_;
   std::string sweep_;
+  std::string rate_;
   OutputOption output_;
   DeformedFile deformed_;
 };

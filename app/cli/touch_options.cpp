@@ -6,6 +6,7 @@
 #include "app/cli/errors.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/values.h"
+#include "app/core/results/state_series.h"
 #include "app/core/results/tool_trajectory.h"
 #include "app/core/results/touch.h"
 #include "app/core/setup/project_geometry.h"
@@ -283,6 +284,12 @@ std::vector<app::SweepRow> TouchOptions::sweep(const app::TouchModel& model,
                     [&rows](app::SweepRow row) { rows.push_back(std::move(row)); });
   context.progress.clear();
   return rows;
+}
+
+void TouchOptions::writeSeries(const app::TouchModel& model, std::span<const app::SweepRow> rows,
+                               const std::string& path, const Context& context) const {
+  app::writeSweepSeries(model, rows, steps(), path, context.job());
+  context.progress.clear();
 }
 
 }  // namespace palpa::cli

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ class TouchOptions {
   /// Throws SolverError, Cancelled.
   std::vector<app::SweepRow> sweep(const app::TouchModel& model, const modeling::Project& project,
                                    int count, const Context& context) const;
+
+  /// Writes the states of sweep() as a series, as app::writeSweepSeries().
+  void writeSeries(const app::TouchModel& model, std::span<const app::SweepRow> rows,
+                   const std::string& path, const Context& context) const;
 
  private:
   /// Options of one touch; each may occur once per touch.

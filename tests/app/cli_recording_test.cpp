@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -69,6 +70,28 @@ TEST(CliRecording, TheTableHasTheSameBytesOnAnyNumberOfThreads) {
   EXPECT_EQ(lines.back().find("0.399,1,grab,holding,"), 0u) << lines.back();
 }
 
+TEST(CliRecording, ASeriesHasAMeshForEveryPicture) {
+  const Runner cli;
+  const std::string replay = "touch " + kSphere + " --recording " + kHand;
+  EXPECT_EQ(cli.runJson(replay + " --fps 10 -o hand.pvd").at("meshes"), 4);
+  const std::string collection = cli.read("hand.pvd");
+  for (const char* entry : {"timestep=\"0\"", "timestep=\"0.3\"", "file=\"hand/hand_00003.vtp\""})
+    EXPECT_NE(collection.find(entry), std::string::npos) << entry;
+  EXPECT_NE(cli.read("hand/hand_00003.vtp").find("displacement_mm"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(cli.path("hand/hand_00004.vtp")));
+
+  EXPECT_EQ(cli.runJson("touch " + kSphere + " --sweep 2 -o sweep.pvd").at("sweep").size(), 3u);
+  EXPECT_TRUE(std::filesystem::exists(cli.path("sweep/sweep_00002.vtp")));
+  EXPECT_NE(cli.read("sweep.pvd").find("timestep=\"0.5\""), std::string::npos);
+
+  for (const std::string& wrong : {replay + " --fps 10 -o a.csv", replay + " --fps 0 -o a.pvd",
+                                   "touch " + kSphere + " --sweep 2 --fps 10 -o a.pvd"})
+    EXPECT_EQ(cli.run(wrong).exitCode, 2) << wrong;
+  EXPECT_EQ(cli.run("touch " + kSphere + " -o a.pvd").exitCode, 3) << "one state is no series";
+  EXPECT_EQ(cli.run(replay + " -o no/such/folder/a.pvd").exitCode, 3);
+  EXPECT_FALSE(std::filesystem::exists(cli.path("a.pvd")));
+}
+
 TEST(CliRecording, AnotherModelIsWarnedOf) {
   const Runner cli;
   const Json report =
@@ -102,7 +125,7 @@ TEST(CliRecording, WhatIsWrongIsRefusedWithThePlace) {
   EXPECT_NE(refusal("--recording " + kHand + " --at 0,0,25 --displace 0,0,-1", 2)
                 .find("--recording says itself"),
             std::string::npos);
-  EXPECT_NE(refusal("--recording " + kHand + " -o f.vtp", 2).find(".csv or .json"),
+  EXPECT_NE(refusal("--recording " + kHand + " -o f.vtp", 2).find(".csv, .pvd or .json"),
             std::string::npos);
   EXPECT_EQ(refusal("--recording " + kHand + " -o no/such/folder/f.csv", 3).empty(), false);
 }
