@@ -1,6 +1,8 @@
 // Touches by numbers, force-depth curves, and the accuracy that the panels state.
 #include <QClipboard>
 #include <QComboBox>
+#include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -187,6 +189,13 @@ TEST_F(ExactTouch, TheCurveEqualsSingleTouches) {
   QFile written(file);
   ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   EXPECT_EQ(QString(written.readAll()).trimmed().count('\n'), 5);
+  withDialog<QFileDialog>([&] { dialog->findChild<QPushButton*>("sweepExport")->click(); },
+                          [&](QFileDialog& files) {
+                            files.selectNameFilter(files.nameFilters().back());
+                            chooseFile(files, folder_.filePath("states"));
+                          });
+  EXPECT_TRUE(QFileInfo::exists(folder_.filePath("states.pvd")));
+  EXPECT_EQ(QDir(folder_.filePath("states")).entryList({"states_*.vtp"}).size(), 5);
   // Escape stops a computation first and closes then.
   dialog->findChild<QSpinBox*>("sweepSteps")->setValue(1000);
   dialog->findChild<QPushButton*>("sweepStart")->click();

@@ -212,6 +212,39 @@ TEST_F(Exports, UnexpectedErrorsBecomeMessages) {
     EXPECT_TRUE(message.startsWith("Unexpected error: ")) << message.toStdString();
 }
 
+TEST_F(Exports, ASeriesHasAMeshForEveryPicture) {
+  simulateSphere();
+  openRecording(100);
+  withDialog<QFileDialog>([&] { action("Export series")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, exported("pull")); });
+  EXPECT_EQ(exportedFiles(), (QStringList{"pull", "pull.pvd"}));
+  QFile collection(exported("pull.pvd"));
+  ASSERT_TRUE(collection.open(QIODevice::ReadOnly));
+  const QString text = collection.readAll();
+  EXPECT_EQ(text.count("<DataSet "), 3);  // 0, 33 and 67 ms of 100
+  EXPECT_TRUE(text.contains("timestep=\"0.033\""));
+  EXPECT_TRUE(text.contains("file=\"pull/pull_00002.vtp\""));
+  EXPECT_EQ(QDir(exported("pull")).entryList(QDir::Files).size(), 3);
+}
+
+TEST_F(Exports, ACancelledSeriesLeavesNothing) {
+  simulateSphere();
+  openRecording(kEndless);
+  bool isCancelled = false;
+  QTimer poll;
+  QObject::connect(&poll, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<ProgressDialog*>(QApplication::activeModalWidget());
+    if (!dialog || isCancelled) return;
+    isCancelled = true;
+    QTest::keyClick(dialog, Qt::Key_Escape);
+  });
+  poll.start(50);
+  withDialog<QFileDialog>([&] { action("Export series")->trigger(); },
+                          [&](QFileDialog& dialog) { chooseFile(dialog, exported("pull.pvd")); });
+  EXPECT_TRUE(isCancelled);
+  EXPECT_EQ(exportedFiles(), QStringList());
+}
+
 TEST_F(Exports, AReportHasTheNumbersOfTheShownModel) {
   ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/box.json"));
   waitForModel();

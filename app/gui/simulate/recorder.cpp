@@ -6,6 +6,7 @@
 
 #include "app/core/live/touch_replay.h"
 #include "app/core/live/touch_table.h"
+#include "app/core/results/state_series.h"
 #include "base/atomic_file.h"
 #include "base/unexpected.h"
 #include "base/worker_thread.h"
@@ -108,6 +109,17 @@ void Recorder::writeTable(const std::shared_ptr<const app::TouchableModel>& body
               [&](const app::TouchSnapshot& snapshot) { table.add(snapshot, step++); });
   target.write(text.view());
   target.commit();
+}
+
+void Recorder::writeSeries(const std::shared_ptr<const app::TouchableModel>& body,
+                           const app::TouchRecording& recording,
+                           const std::filesystem::path& collection, const Job& job) {
+  app::ReplaySeries series(body, app::ReplaySeries::kUsualRate, collection);
+  std::uint64_t step = 0;
+  app::replay(body, recording, job,
+              [&](const app::TouchSnapshot& snapshot) { series.add(snapshot, step++); });
+  job.throwIfCancelled();
+  series.commit();
 }
 
 }  // namespace palpa::gui

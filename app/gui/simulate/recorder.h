@@ -40,6 +40,12 @@ class Recorder : public QObject {
                          const app::TouchRecording& recording, const std::filesystem::path& file,
                          const Job& job);
 
+  /// Writes a replay as app::ReplaySeries at its usual rate. Throws Error if it cannot be written;
+  /// then, and if it is cancelled, nothing is written.
+  static void writeSeries(const std::shared_ptr<const app::TouchableModel>& body,
+                          const app::TouchRecording& recording,
+                          const std::filesystem::path& collection, const Job& job);
+
  Q_SIGNALS:
   /// isRecording(), isReplaying() or recording() changed.
   void changed();

@@ -58,6 +58,13 @@ RecordingActions::RecordingActions(const Workspace& workspace, Simulation& simul
                       {},
                       tr("Write the forces of every millisecond of the recording as a table")},
                      this, [this] { exportTable(); });
+  series_ = menus.add(
+      menus.simulate,
+      {nullptr,
+       tr("Export &series …"),
+       {},
+       tr("Write the recording as meshes with displacement and traction over time, for ParaView")},
+      this, [this] { exportSeries(); });
   animation_ = menus.add(
       menus.simulate,
       {nullptr, tr("Export &animation …"), {}, tr("Write the recording as pictures or as a video")},
@@ -87,6 +94,7 @@ void RecordingActions::update() {
   save_->setEnabled(isThere);
   open_->setEnabled(isActive && !recorder_.isRecording() && !recorder_.isReplaying());
   table_->setEnabled(isActive && isThere && !recorder_.isReplaying());
+  series_->setEnabled(isActive && isThere && !recorder_.isReplaying());
   animation_->setEnabled(isActive && isThere && !recorder_.isReplaying());
 }
 
@@ -148,11 +156,28 @@ void RecordingActions::exportTable() {
   if (file.isEmpty()) return;
   const auto body = simulation_.body();
   const app::TouchRecording recording = *recorder_.recording();
+  writeInBackground(file, tr("Forces exported to %1").arg(file), [&](const Job& job) {
+    Recorder::writeTable(body, recording, file.toStdString(), job);
+  });
+}
+
+void RecordingActions::exportSeries() {
+  const QString file = askFileToWrite(workspace_, tr("Export series"),
+                                      tr("Series of meshes for ParaView (*.pvd)"), ".pvd");
+  if (file.isEmpty()) return;
+  const auto body = simulation_.body();
+  const app::TouchRecording recording = *recorder_.recording();
+  writeInBackground(file, tr("Series exported to %1").arg(file), [&](const Job& job) {
+    Recorder::writeSeries(body, recording, file.toStdString(), job);
+  });
+}
+
+void RecordingActions::writeInBackground(const QString& file, const QString& done,
+                                         const std::function<void(const Job&)>& work) {
   try {
-    const bool isDone = runWorkInBackground(
-        workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
-        [&](const Job& job) { Recorder::writeTable(body, recording, file.toStdString(), job); });
-    if (isDone) Q_EMIT workspace_.editor.said(tr("Forces exported to %1").arg(file));
+    if (runWorkInBackground(workspace_.window, tr("Exporting %1").arg(QFileInfo(file).fileName()),
+                            work))
+      Q_EMIT workspace_.editor.said(done);
   } catch (const std::exception& error) {
     Q_EMIT workspace_.editor.refused(QString::fromStdString(error.what()));
   }

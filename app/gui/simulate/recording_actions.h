@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QObject>
+#include <functional>
 
 #include "app/gui/simulate/recorder.h"
 #include "app/gui/workspace/workspace.h"
@@ -23,6 +24,10 @@ class RecordingActions : public QObject {
   void saveRecording();
   void openRecording();
   void exportTable();
+  void exportSeries();
+  /// Runs work that writes a file; says that it is done, or why it cannot be.
+  void writeInBackground(const QString& file, const QString& done,
+                         const std::function<void(const Job&)>& work);
   void exportAnimation();
   /// Draws the pictures of a replay; returns their number, 0 if the user cancelled.
   std::size_t drawInto(const std::filesystem::path& folder, const QSize& size);
@@ -35,6 +40,7 @@ class RecordingActions : public QObject {
   QAction* save_;
   QAction* open_;
   QAction* table_;
+  QAction* series_;
   QAction* animation_;
 };
 

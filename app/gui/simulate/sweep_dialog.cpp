@@ -11,8 +11,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/core/results/state_series.h"
 #include "app/core/system/priority.h"
 #include "app/gui/base/appearance.h"
+#include "app/gui/base/background_job.h"
 #include "app/gui/dialogs/file_dialogs.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/document/force_words.h"
@@ -86,7 +88,7 @@ SweepDialog::SweepDialog(const Workspace& workspace, std::shared_ptr<const app::
   copy_->setObjectName("sweepCopy");
   save_->setObjectName("sweepExport");
   copy_->setToolTip(tr("Copy the table for a spreadsheet"));
-  save_->setToolTip(tr("Write all figures as comma-separated values"));
+  save_->setToolTip(tr("Write all figures as a table, or the states as meshes for ParaView"));
   auto* close = new QPushButton(tr("Close"), this);
   for (QPushButton* button : {copy_, save_, close}) button->setAutoDefault(false);
   auto* buttons = new QHBoxLayout;
@@ -291,13 +293,22 @@ void SweepDialog::copy() {
 }
 
 void SweepDialog::save() {
-  const QString file =
-      askFileToWrite(workspace_, tr("Export the curve"), tr("Tables (*.csv)"), ".csv");
+  const QString file = askFileToWrite(
+      workspace_, tr("Export the curve"),
+      {{tr("Tables (*.csv)"), ".csv"}, {tr("Series of meshes for ParaView (*.pvd)"), ".pvd"}});
   if (file.isEmpty()) return;
-  std::ostringstream text;
-  app::writeSweep(rows_, text);
   try {
-    replaceFile(text.str(), file.toStdString());
+    if (file.endsWith(".pvd", Qt::CaseInsensitive)) {
+      const bool isDone = runWorkInBackground(
+          *this, tr("Exporting %1").arg(QFileInfo(file).fileName()), [&](const Job& job) {
+            app::writeSweepSeries(*model_, rows_, 0, file.toStdString(), job);
+          });
+      if (!isDone) return;
+    } else {
+      std::ostringstream text;
+      app::writeSweep(rows_, text);
+      replaceFile(text.str(), file.toStdString());
+    }
     Q_EMIT workspace_.editor.said(tr("Curve exported to %1").arg(file));
   } catch (const Error& error) {
     finish(QString::fromStdString(error.what()));
