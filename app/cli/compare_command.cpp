@@ -1,3 +1,5 @@
+#include <array>
+#include <optional>
 #include <sstream>
 
 #include "app/cli/commands.h"
@@ -10,6 +12,9 @@
 #include "app/core/results/comparison.h"
 #include "app/core/results/error_estimate.h"
 #include "app/core/results/surface_correspondence.h"
+#include "app/report/comparison_report.h"
+#include "app/view/files/display.h"
+#include "base/atomic_file.h"
 #include "bem/base/error.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
@@ -19,12 +24,7 @@ namespace {
 
 constexpr std::array kLetters{"A", "B"};
 
-/// A comparison and the files of its variants.
-struct Report {
-  std::array<std::string, 2> files;
-  app::Comparison comparison;
-  double share = 0, reach = 0;  ///< of app::SurfaceCorrespondence
-};
+using Report = report::ComparedVariants;
 
 std::shared_ptr<const app::TouchModel> build(const modeling::Project& project,
                                              const std::string& file, const Context& context) {
@@ -127,7 +127,9 @@ class CompareCommand : public Command {
   std::string example() const override {
     return "palpa-cli compare ball.json thicker.json --at 0,0,25 --displace 0,0,-2\n"
            "  palpa-cli compare a.json b.json   (plays the touches of A's project on both)\n"
-           "  palpa-cli compare a.json b.json -o comparison.csv";
+           "  palpa-cli compare a.json b.json -o comparison.csv\n"
+           "  palpa-cli compare a.json b.json -o comparison.html   (with pictures; needs a "
+           "display)";
   }
 
   void declare(CLI::App& options) override {
@@ -138,20 +140,31 @@ class CompareCommand : public Command {
           ->required()
           ->type_name("");
     touch_.declare(options);
-    output_.declare(options, "Write the table to this .csv or .json file");
+    output_.declare(
+        options,
+        "File to write: .csv (the table), .json (the report), .png (both variants side by "
+        "side, with common colours), .html (pictures and tables)");
   }
 
   void run(const Context& context) override {
     touch_.validate();
     if (touch_.isNode() || touch_.hasSteps())
       throw UsageError("--node and --steps have no meaning for a comparison");
+    requireKnownEnding();
     const std::string ending = output_.ending();
-    if (output_.isGiven() && ending != ".csv" && ending != ".json")
-      throw UsageError("-o: expected a name that ends in .csv or .json, found '" + output_.path() +
-                       "'");
+    const bool isDrawn = ending == ".png" || ending == ".html";
+    std::optional<AtomicFile> file;
+    if (isDrawn) {
+      // Before the long work: whether it can be drawn and written.
+      view::requireDisplay();
+      file.emplace(output_.path());
+    }
     const Report report = compare(context);
     const Json json = toJson(report);
-    if (ending == ".csv") {
+    if (isDrawn) {
+      file->write(ending == ".png" ? picture(report) : document(report));
+      file->commit();
+    } else if (ending == ".csv") {
       std::ostringstream table;
       app::writeComparison(report.comparison.rows(), table);
       writeText(table.str(), output_.path());
@@ -162,6 +175,26 @@ class CompareCommand : public Command {
   }
 
  private:
+  void requireKnownEnding() const {
+    if (!output_.isGiven()) return;
+    for (const char* known : {".csv", ".json", ".png", ".html"})
+      if (output_.ending() == known) return;
+    throw UsageError("-o: expected a name that ends in .csv, .json, .png or .html, found '" +
+                     output_.path() + "'");
+  }
+
+  static std::string picture(const Report& of) {
+    return view::pictureBytes(report::comparisonPictures(of), report::kComparedPictureSize);
+  }
+
+  static std::string document(const Report& of) {
+    const std::array<view::Picture, 2> pictures = report::comparisonPictures(of);
+    std::array<std::string, 2> files;
+    for (std::size_t k = 0; k < 2; ++k)
+      files[k] = view::pictureBytes(pictures[k], report::kComparedPictureSize);
+    return report::comparisonDocument(of, {{}, PALPA_VERSION, report::dateNow()}, files);
+  }
+
   Report compare(const Context& context) const {
     std::array projects{touch_.touched(modeling::readProject(files_[0])),
                         modeling::readProject(files_[1])};
@@ -173,7 +206,10 @@ class CompareCommand : public Command {
                                       projects[k].material.densityKgPerM3},
                          modeling::DisplaySettings{1, 1}, context.job());
     auto& [a, b] = players;
-    Report report{files_, app::compareVariants(*a, *b, projects[0].touches, context.job())};
+    Report report{files_,
+                  projects,
+                  {a->variant().model, b->variant().model},
+                  app::compareVariants(*a, *b, projects[0].touches, context.job())};
     app::estimateErrors(*a, *b, report.comparison, context.job());
     const app::SurfaceCorrespondence surfaces(*a->drawn(), *b->drawn(), context.job());
     context.progress.clear();

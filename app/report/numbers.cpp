@@ -26,7 +26,8 @@ std::string inDecimalsOf(double value, double whole, double error) {
 std::string withError(double value, double error) {
   const std::string text = rounded(value, error);
   if (!(error > 0) || value == 0) return text;
-  return text + " ± " + errorText(error * value, decimalsFor(value, error * value));
+  const double absolute = error * std::abs(value);
+  return text + " ± " + errorText(absolute, decimalsFor(value, absolute));
 }
 
 std::string percentText(double error) {

@@ -92,16 +92,6 @@ std::string bodyText(const modeling::Body& body) {
   return "mesh body of " + countText(static_cast<double>(mesh.triangles().size())) + " triangles";
 }
 
-/// Source of the constants, if the library has the same material.
-std::string sourceText(const modeling::Material& material) {
-  for (const modeling::LibraryMaterial& each : modeling::materialLibrary()) {
-    if (each.material.name != material.name) continue;
-    if (each.material == material) return each.note + " " + each.reference;
-    return "not stated; the library has other constants for a material of this name";
-  }
-  return "not stated";
-}
-
 std::string engineText(modeling::Engine engine) {
   switch (engine) {
     case modeling::Engine::kSplines:
@@ -182,7 +172,7 @@ std::string modelTables(const app::TouchStudy& study) {
   body.add({"Poisson’s ratio ν", format("%.4g", material.poissonRatio)});
   if (material.densityKgPerM3)
     body.add({"Density", format("%.4g kg/m³", *material.densityKgPerM3)});
-  body.add({"Source of the constants", sourceText(material)});
+  body.add({"Source of the constants", materialSource(material)});
   body.add({"Method", engineText(study.model->setup().engine)});
   body.add({"Mesh", meshText(*study.model)});
   if (study.rest.errorEstimate && *study.rest.errorEstimate > 0)
@@ -261,12 +251,24 @@ std::vector<std::string> notices(const app::TouchStudy& study,
   return result;
 }
 
-std::vector<std::string> assumptions(const app::TouchStudy& study) {
+std::string materialSource(const modeling::Material& material) {
+  for (const modeling::LibraryMaterial& each : modeling::materialLibrary()) {
+    if (each.material.name != material.name) continue;
+    if (each.material == material) return each.note + " " + each.reference;
+    return "not stated; the library has other constants for a material of this name";
+  }
+  return "not stated";
+}
+
+double largestShare(const app::TouchStudy& study) {
   double moved = 0;
   for (const app::TouchStudy::Single& each : study.alone)
     moved = std::max(moved, app::largestDisplacement(*study.model, each.state).length);
   moved = std::max(moved, app::largestDisplacement(*study.model, study.together).length);
-  const double share = 100 * moved / study.model->setup().mesh().boundingSize();
+  return moved / study.model->setup().mesh().boundingSize();
+}
+
+std::vector<std::string> assumptions(double share) {
   return {
       "The material is linear elastic, isotropic and the same everywhere, with the two constants "
       "above. Their scatter is not part of the stated errors.",
@@ -274,7 +276,7 @@ std::vector<std::string> assumptions(const app::TouchStudy& study) {
       "are proportional to displacements, except under balls and fingertips, whose contact grows. "
       "Beyond some ten per cent of strain, forces are only a tendency. " +
           format("The largest displacement of this report is %.2g %% of the diagonal of the body.",
-                 share),
+                 100 * share),
       "All states are at rest: no inertia, no viscosity, no heating; the loading is slow.",
       "The surface does not touch itself, and tools touch it only where stated.",
       "Errors are estimates of the error of the numerical solution, relative to the exact solution "

@@ -23,8 +23,15 @@ std::string stateTable(const app::TouchModel& model, const app::TouchState& stat
 std::vector<std::string> notices(const app::TouchStudy& study,
                                  const std::vector<std::string>& notes);
 
-/// Assumptions of the linear model, one sentence or two each.
-std::vector<std::string> assumptions(const app::TouchStudy& study);
+/// Assumptions of the linear model, one sentence or two each. `share`: the largest
+/// displacement over the diagonal of the body.
+std::vector<std::string> assumptions(double share);
+
+/// Of the states of a study.
+double largestShare(const app::TouchStudy& study);
+
+/// Source of the constants of a material, if the library has the same one.
+std::string materialSource(const modeling::Material& material);
 
 /// "pressed 2 mm", "pulled with 0.36 N", …: what a touch prescribes.
 std::string givenText(const modeling::Touch& touch);

@@ -5,15 +5,13 @@
 #include <ctime>
 #include <string_view>
 
-#include "app/core/page/touch_page_file.h"
 #include "app/report/html.h"
+#include "app/report/html_document.h"
 #include "app/report/report_sections.h"
 #include "app/report/state_picture.h"
 #include "app/report/text.h"
 
 namespace palpa::report {
-
-extern const char* const kReportStyle;  // resources/report/style.css
 
 namespace {
 
@@ -34,17 +32,6 @@ std::vector<Section> sectionsOf(const app::TouchStudy& study) {
   else if (!touches.empty())
     sections.push_back({"All touches at the same time", &study.together});
   return sections;
-}
-
-std::string figure(const std::string& source, const std::string& caption) {
-  return element("figure", "<img src=\"" + source + "\" alt=\"" + escaped(caption) + "\">\n" +
-                               element("figcaption", escaped(caption)));
-}
-
-std::string list(const std::vector<std::string>& items) {
-  std::string html;
-  for (const std::string& item : items) html += element("li", escaped(item));
-  return element("ul", html);
 }
 
 std::string nameOf(const modeling::Project& project) {
@@ -79,8 +66,8 @@ std::string content(const app::TouchStudy& study, const ReportSource& source,
   const std::vector<std::string> findings = notices(study, source.notes);
   html += element("section", element("h2", "Notices", "class=page") +
                                  (findings.empty() ? element("p", "None.") : list(findings)));
-  return html +
-         element("section", element("h2", "What the model assumes") + list(assumptions(study)));
+  return html + element("section", element("h2", "What the model assumes") +
+                                       list(assumptions(largestShare(study))));
 }
 
 }  // namespace
@@ -149,17 +136,9 @@ std::string reportBody(const app::TouchStudy& study, const ReportSource& source,
 std::string reportDocument(const app::TouchStudy& study, const ReportSource& source,
                            const std::vector<ReportPicture>& pictures,
                            const std::vector<std::string>& files) {
-  const auto sourceOf = [&](std::size_t k) {
-    return "data:image/png;base64," + app::base64(files.at(k));
-  };
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
-         "data:; "
-         "style-src 'unsafe-inline'\">\n" +
-         element("title", escaped(nameOf(study.project) + ": report of touches")) +
-         element("style", kReportStyle) + "</head>\n<body>\n" +
-         element("main", content(study, source, pictures, sourceOf)) + "</body>\n</html>\n";
+  return documentOf(
+      nameOf(study.project) + ": report of touches",
+      content(study, source, pictures, [&](std::size_t k) { return dataSource(files.at(k)); }));
 }
 
 }  // namespace palpa::report

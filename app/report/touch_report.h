@@ -46,7 +46,8 @@ std::string reportDocument(const app::TouchStudy& study, const ReportSource& sou
 
 /// The content alone, in elements that Qt's text documents know: h1 to h3, p, ul, table, img and
 /// div. The sources of the images are pictureName() of their numbers. Classes: "origin" and
-/// "caption" of p, "page" of the h2 that begin a page on paper, "facts" (name, value) and "cases" of tables.
+/// "caption" of p, "page" of the h2 that begin a page on paper, "facts" (name, value) and "cases"
+/// of tables.
 std::string reportBody(const app::TouchStudy& study, const ReportSource& source,
                        const std::vector<ReportPicture>& pictures);
 

@@ -139,6 +139,33 @@ TEST_F(CliReport, TakesTouchesOfTheCommandLineAndLoadsAlone) {
   EXPECT_NE(cli_.read("loaded.html").find("weight on top"), std::string::npos);
 }
 
+TEST_F(CliReport, ComparesVariantsInPictures) {
+  Json project = exampleJson("box.json");
+  project["material"]["youngs_modulus_MPa"] =
+      2 * project["material"]["youngs_modulus_MPa"].get<double>();
+  project["material"]["name"] = "<twice>";
+  cli_.writeJson("stiff.json", project);
+  const std::string compare = "compare " + Runner::example("box.json") + " stiff.json ";
+  const Outcome page = cli_.run(compare + "-o c.html --json", PALPA_WITH_DISPLAY);
+  ASSERT_EQ(page.exitCode, 0) << page.err;
+  const std::string html = cli_.read("c.html");
+  EXPECT_EQ(count(html, "src=\"data:image/png;base64,"), 2u);
+  EXPECT_EQ(count(html, "src="), 2u);
+  EXPECT_EQ(count(html, "<twice>"), 0u);
+  EXPECT_GT(count(html, "&lt;twice&gt;"), 0u);
+  // Twice the modulus, twice the force of a given displacement.
+  EXPECT_NE(html.find("+100.0 %"), std::string::npos);
+  EXPECT_EQ(lasting(page.json()), lasting(cli_.runJson(compare)));
+
+  EXPECT_EQ(cli_.run(compare + "-o c.png", PALPA_WITH_DISPLAY).exitCode, 0);
+  const std::string png = cli_.read("c.png");
+  ASSERT_GT(png.size(), 24u);
+  // Width and height: two pictures of 1000 x 900.
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x07\xD0\0\0\x03\x84", 8));
+  EXPECT_EQ(cli_.run(compare + "-o c.txt").exitCode, 2);
+}
+
 TEST_F(CliReport, SaysWhyThereIsNone) {
   cli_.run("new box --edge-length 8 -o p.json");
   const std::string box = Runner::example("box.json");

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "app/view/files/display.h"
 #include "app/view/files/errors.h"
@@ -75,7 +77,10 @@ void show(const Picture& picture, Viewport& viewport) {
   viewport.frame(picture.camera, room);
 }
 
-std::string pictureBytes(const Picture& picture, const PictureSize& size, vtkRenderWindow* window) {
+namespace {
+
+/// Draws a picture; `window`: see pictureBytes().
+Pixels draw(const Picture& picture, const PictureSize& size, vtkRenderWindow* window) {
   requireSize(size);
   vtkSmartPointer<vtkRenderWindow> own;
   if (!window) {
@@ -88,7 +93,20 @@ std::string pictureBytes(const Picture& picture, const PictureSize& size, vtkRen
   Viewport viewport(window, kSupersampling * pixelRatioOf(size));
   show(picture, viewport);
   viewport.render();
-  return pngBytes(window, kSupersampling);
+  return pixelsOf(window, kSupersampling);
+}
+
+}  // namespace
+
+std::string pictureBytes(const Picture& picture, const PictureSize& size, vtkRenderWindow* window) {
+  const Pixels pixels = draw(picture, size, window);
+  return pngBytes(std::span(&pixels, 1));
+}
+
+std::string pictureBytes(std::span<const Picture> pictures, const PictureSize& size) {
+  std::vector<Pixels> images;
+  for (const Picture& each : pictures) images.push_back(draw(each, size, nullptr));
+  return pngBytes(images);
 }
 
 void writePicture(const Picture& picture, const PictureSize& size,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "app/view/scene/theme.h"
@@ -57,5 +58,8 @@ void writePicture(const Picture& picture, const PictureSize& size,
 /// OpenGL context must be current; null: in a window off the screen, which needs a display.
 std::string pictureBytes(const Picture& picture, const PictureSize& size,
                          vtkRenderWindow* window = nullptr);
+
+/// Pictures of `size` each, at least one, side by side in one PNG file.
+std::string pictureBytes(std::span<const Picture> pictures, const PictureSize& size);
 
 }  // namespace palpa::view

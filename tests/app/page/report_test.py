@@ -4,6 +4,7 @@ Arguments: the program palpa-cli, the folder of the example projects. Needs a di
 """
 
 import base64
+import json
 import pathlib
 import re
 import subprocess
@@ -17,6 +18,9 @@ from browser import Browser  # noqa: E402  (beside this file, which is run as a 
 cli, projects = sys.argv[1:3]
 folder = tempfile.TemporaryDirectory()
 file = pathlib.Path(folder.name) / "report.html"
+
+
+compared = pathlib.Path(folder.name) / "compared.html"
 
 
 def report(width, height, **options):
@@ -67,6 +71,43 @@ class ReportInABrowser(unittest.TestCase):
             self.assertIn(pages, (5, 6, 7))
 
 
+class ComparisonInABrowser(unittest.TestCase):
+    def test_both_pictures_have_one_scale_of_colours(self):
+        with Browser(compared, 1280, 900, ready="document.images.length > 0") as page:
+            self.assertEqual(page.problems, [])
+            # The colour bar with its numbers is the same; the bodies are not.
+            differing = page.evaluate("""(() => {
+                const pixels = [...document.images].map((image) => {
+                    const canvas = document.createElement('canvas');
+                    canvas.width = image.naturalWidth; canvas.height = image.naturalHeight;
+                    const context = canvas.getContext('2d');
+                    context.drawImage(image, 0, 0);
+                    return (x, y, width, height) => context.getImageData(x, y, width, height).data;
+                });
+                return [[930, 245, 60, 385], [100, 150, 700, 550]].map((place) => {
+                    const [a, b] = pixels.map((of) => of(...place));
+                    return a.reduce((sum, value, k) => sum + (value !== b[k]), 0);
+                });
+            })()""")
+            self.assertEqual(differing[0], 0)
+            self.assertGreater(differing[1], 1000)
+
+    def test_pictures_stand_side_by_side_where_there_is_room(self):
+        for width, beside in ((390, False), (1280, True)):
+            with Browser(compared, width, 900, ready="document.images.length > 0") as page:
+                tops = page.evaluate("[...document.images].map((image) => image.offsetTop)")
+                self.assertEqual(tops[0] == tops[1], beside)
+                self.assertLessEqual(page.evaluate("document.documentElement.scrollWidth"), width)
+
+
 if __name__ == "__main__":
     subprocess.run([cli, "report", f"{projects}/box.json", "-o", str(file), "--quiet"], check=True)
+    other = pathlib.Path(folder.name) / "other.json"
+    commands = pathlib.Path(folder.name) / "commands.json"
+    commands.write_text(json.dumps([{"command": "move_points", "by_mm": [0, 0, 6],
+                                     "points": {"sphere_mm": {"center": [0, 0, 20], "radius": 16}}}]))
+    subprocess.run([cli, "edit", f"{projects}/box.json", "--commands", str(commands), "-o",
+                    str(other), "--quiet"], check=True)
+    subprocess.run([cli, "compare", f"{projects}/box.json", str(other), "-o", str(compared),
+                    "--quiet"], check=True)
     unittest.main(argv=sys.argv[:1])
