@@ -128,8 +128,7 @@ class CompareCommand : public Command {
     return "palpa-cli compare ball.json thicker.json --at 0,0,25 --displace 0,0,-2\n"
            "  palpa-cli compare a.json b.json   (plays the touches of A's project on both)\n"
            "  palpa-cli compare a.json b.json -o comparison.csv\n"
-           "  palpa-cli compare a.json b.json -o comparison.html   (with pictures; needs a "
-           "display)";
+           "  palpa-cli compare a.json b.json -o comparison.html   (with pictures)";
   }
 
   void declare(CLI::App& options) override {

@@ -24,7 +24,7 @@ constexpr const char* kMeshEnding = ".vtp";
 
 fs::path requirePvd(const fs::path& collection) {
   if (collection.extension() != kEnding || collection.stem().empty())
-    throw ModelingError(collection.string() + ": the name of a series must end in .pvd");
+    throw ModelingError(collection.string() + ": the name must end in .pvd");
   return collection;
 }
 

@@ -40,7 +40,7 @@ std::optional<std::vector<std::string>> draw(const Workspace& workspace,
                                              const std::vector<report::ReportPicture>& pictures) {
   Canvas canvas;
   if (!canvas.isValid())
-    throw FileError(tr("The pictures cannot be drawn: OpenGL is missing.").toStdString());
+    throw FileError(tr("Pictures cannot be drawn without OpenGL 3.2.").toStdString());
   std::vector<std::string> files;
   const bool isDrawn =
       runInSteps(workspace.window, tr("Drawing the pictures"), pictures.size(), [&](std::size_t k) {
@@ -85,8 +85,8 @@ void exportReport(const Workspace& workspace) {
   Editor& editor = workspace.editor;
   if (!report::isReportable(editor.project())) {
     Q_EMIT editor.refused(
-        tr("There is nothing to report: the project has no touches and no loads. "
-           "Record a touch with the tool Touch, or add a load."));
+        tr("There is nothing to report: the project has no touches and no loads. Record a touch "
+           "with Place touch, or add a load."));
     return;
   }
   const QString file =
