@@ -166,10 +166,10 @@ WeightedEquations averaged(const QuadraticSurface& surface, std::vector<Collocat
 
 }  // namespace
 
-std::vector<bool> averagedNodes(const QuadraticSurface& surface, const DegreesOfFreedom& dofs) {
-  std::vector<bool> isAveraged(static_cast<std::size_t>(surface.coefficientCount()));
-  for (int node = 0; node < surface.coefficientCount(); ++node)
-    isAveraged[node] = dofs.isFree(node) && !surface.isOnBorder(node);
+std::vector<bool> averagedNodes(const QuadraticSurface& surface, const TractionSlots& slots,
+                                const DegreesOfFreedom& dofs) {
+  std::vector<bool> isAveraged(static_cast<std::size_t>(surface.coefficientCount()), true);
+  for (const int slot : dofs.extraSlots()) isAveraged[slots.slots[slot].node] = false;
   return isAveraged;
 }
 
@@ -198,7 +198,7 @@ WeightedEquations quadraticEquations(const QuadraticSurface& surface, const Boun
       points.push_back(surface.collocationAt(node));
   }
   for (const int slot : extraSlots) points.push_back(insideFace(slot));
-  return averaged(surface, std::move(points), averagedNodes(surface, dofs));
+  return averaged(surface, std::move(points), averagedNodes(surface, slots, dofs));
 }
 
 template <class Scalar>

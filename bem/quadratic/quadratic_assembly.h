@@ -6,9 +6,10 @@
 
 namespace palpa::bem {
 
-/// True for the nodes whose equations are averaged: those where all displacements are unknown, not
-/// on the border of a support, where the metric is singular.
-std::vector<bool> averagedNodes(const QuadraticSurface& surface, const DegreesOfFreedom& dofs);
+/// True for the nodes whose equations are averaged: all but those with extra tractions, on sharp
+/// edges within supports. Supports, too: residuals that remain there turn thin parts elsewhere.
+std::vector<bool> averagedNodes(const QuadraticSurface& surface, const TractionSlots& slots,
+                                const DegreesOfFreedom& dofs);
 
 /// Equations for the unknowns. First one per node: at averagedNodes() the mean of the residual
 /// around the node, at others collocation. Then collocation at one point per extra traction slot

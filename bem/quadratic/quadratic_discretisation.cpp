@@ -146,7 +146,7 @@ BoundaryField QuadraticDiscretisation::estimatedError(const ReferenceProblem& pr
   // The estimate averages the residual with a rougher rule than the equations, whose error is about
   // five times theirs: measured on thin parts (docs/exchange.md). Other equations have no average.
   constexpr double kOfAveraged = 0.2;
-  const std::vector<bool> isAveraged = averagedNodes(surface_, problem.dofs());
+  const std::vector<bool> isAveraged = averagedNodes(surface_, slots_, problem.dofs());
   const auto share = [&](int node) { return isAveraged[node] ? kOfAveraged : 1.0; };
   return bem::estimatedError(results(), problem, field, bulk, share, job);
 }
