@@ -27,15 +27,16 @@ constexpr const char* kStyle =
     ".page { page-break-before: always; }"
     "p, li { font-size: 9.5pt; }"
     ".origin, .caption { font-size: 8.5pt; color: #444444; margin-bottom: 8px; }"
-    "td, th { font-size: 8pt; text-align: left; }";
+    "td { font-size: 8pt; }"
+    "th { font-size: 7.5pt; text-align: left; }";
 
 /// Widths of the columns in per cent: of names and values, and of touches with their numbers. The
 /// columns of other tables follow their content.
 QList<QTextLength> columnWidths(int columns) {
   QList<int> widths;
   if (columns == 2) widths = {26, 74};
-  if (columns == 7) widths = {16, 17, 17, 14, 11, 12, 13};
-  if (columns == 8) widths = {14, 15, 15, 13, 10, 10, 13, 10};
+  if (columns == 7) widths = {15, 17, 17, 14, 12, 12, 13};
+  if (columns == 8) widths = {12, 14, 14, 12, 11, 10, 15, 12};
   QList<QTextLength> lengths;
   for (const int width : widths) lengths << QTextLength(QTextLength::PercentageLength, width);
   return lengths;
