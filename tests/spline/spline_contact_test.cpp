@@ -85,6 +85,18 @@ TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
   expectAgreement(box, triangles, {Kind::kBall, 60, 0}, beside, beside + Vector3d(0, 0, 59), 0.06);
 }
 
+// Near the rim of a cylinder's end the mesh is inside the rim: points of the end between them are
+// nearest to the mesh's edge, which belongs to the end and to the side.
+TEST(SplineContact, NearestPointsBesideASharpEdgeAreOnTheirFace) {
+  const SplineTouched cylinder(modeling::makeCylinder(20, 60), FixedBelow{}, kMaterial, 9);
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 200;
+    const Vector3d onEnd(19.9 * std::cos(angle), 19.9 * std::sin(angle), 60);
+    EXPECT_LT((cylinder.surface().nearest(onEnd).position - onEnd).norm(), 1e-6)
+        << onEnd.transpose();
+  }
+}
+
 TEST(SplineContact, ComplianceIsSymmetric) {
   BilateralContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
   for (const Vector3d& at : {kTop, kSide, Vector3d(0, -18, 17), Vector3d(5, 3, 24)})

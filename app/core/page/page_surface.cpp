@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,13 @@ namespace {
 
 /// Vertices of a drawn surface that is fine enough on every screen, and that costs little time.
 constexpr std::size_t kMaxVertices = 4000;
+/// Strong bends add up to this part.
+constexpr double kMaxBentShare = 0.5;
+/// Pieces of an edge at a strong bend, and the angle by which a piece turns. Drawn points are
+/// beside the surface; where that is far for its radius of curvature, the nearest places of
+/// neighbouring points are far apart, and so are their compliances.
+constexpr int kMaxBentPieces = 8;
+constexpr double kPieceAngle = std::numbers::pi / 12;
 /// Edges are numbered with 16 bits, and a closed surface has three for each vertex.
 constexpr std::size_t kMaxNumbered = std::numeric_limits<std::uint16_t>::max() / 4;
 
@@ -25,16 +33,24 @@ constexpr std::size_t kMaxNumbered = std::numeric_limits<std::uint16_t>::max() /
 
 PageSurface::PageSurface(const TouchableModel& model, const Job& job) : model_(model) {
   constexpr int kMaxPieces = 3;
-  const auto draw = [&](int pieces) {
-    modeling::DisplaySettings display;
-    display.leastPieces = display.mostPieces = pieces;
-    return std::make_unique<DrawnBody>(model.sharedModel(), display, job);
+  const auto draw = [&](int least, int most, double angle) {
+    return std::make_unique<DrawnBody>(model.sharedModel(),
+                                       modeling::DisplaySettings{least, most, angle}, job);
   };
-  atNodes_ = draw(1);
+  atNodes_ = draw(1, 1, kPieceAngle);
+  const auto verticesFor = [&](int pieces) {
+    return nodeCount() * static_cast<std::size_t>(pieces * pieces);
+  };
   int pieces = kMaxPieces;
-  while (pieces > 1 && nodeCount() * static_cast<std::size_t>(pieces * pieces) > kMaxVertices)
-    --pieces;
-  drawn_ = draw(pieces);
+  while (pieces > 1 && verticesFor(pieces) > kMaxVertices) --pieces;
+  const double most = std::min(
+      (1 + kMaxBentShare) * static_cast<double>(std::max(kMaxVertices, verticesFor(pieces))),
+      static_cast<double>(kMaxNumbered));
+  // At the end no edge turns by more, and all have the same number of pieces.
+  for (double angle = kPieceAngle; angle < 4 * std::numbers::pi; angle *= 1.5) {
+    drawn_ = draw(pieces, kMaxBentPieces, angle);
+    if (static_cast<double>(vertexCount()) <= most) break;
+  }
   if (vertexCount() > kMaxNumbered)
     throw bem::SolverError(bem::SolverError::Kind::kTooLarge,
                            "the model has " + countText(static_cast<double>(nodeCount())) +
@@ -98,18 +114,16 @@ void PageSurface::linkToNodes(TouchPage& page) const {
 
 bem::SurfacePoint PageSurface::at(const TouchPage::Point& point) const {
   const modeling::DisplayMesh& mesh = drawn_->mesh();
-  const auto triangle = static_cast<std::size_t>(point.triangle);
-  const int boundaryTriangle = mesh.boundaryTriangle[triangle];
-  Vector3d weights = Vector3d::Zero();
+  const auto& corners = mesh.triangles[static_cast<std::size_t>(point.triangle)];
+  Vector3d position = Vector3d::Zero();
   for (std::size_t k = 0; k < 3; ++k)
-    weights += point.weights[static_cast<Index>(k)] *
-               linkIn(mesh, boundaryTriangle, mesh.triangles[triangle][k]);
-  return model_.surface().at(boundaryTriangle, weights);
+    position +=
+        point.weights[static_cast<Index>(k)] * mesh.positions[static_cast<std::size_t>(corners[k])];
+  return model_.surface().nearest(position);
 }
 
 bem::SurfacePoint PageSurface::atVertex(std::size_t vertex) const {
-  const auto& link = drawn_->mesh().links[vertex];
-  return model_.surface().at(link.triangle, link.weights);
+  return model_.surface().nearest(drawn_->mesh().positions[vertex]);
 }
 
 Vector3d PageSurface::linkIn(const modeling::DisplayMesh& mesh, int boundaryTriangle,

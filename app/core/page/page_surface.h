@@ -15,7 +15,7 @@
 namespace palpa::app {
 
 /// The surface of a page: the nodes of the model's mesh, at which displacements are stored, and
-/// drawn vertices and triangles, which may be finer.
+/// drawn vertices and triangles, which may be finer and are finer at strong bends.
 class PageSurface {
  public:
   /// About 10 µs per vertex. Throws Cancelled.
@@ -28,7 +28,9 @@ class PageSurface {
   /// supports.
   void describe(TouchPage& page) const;
 
-  /// Place of the model's surface.
+  /// Place of the model's surface that a touch at a drawn point has: the nearest one. Drawn
+  /// vertices are on the exact surface of the body, beside the point of the model's mesh with the
+  /// same barycentric coordinates.
   bem::SurfacePoint at(const TouchPage::Point& point) const;
   bem::SurfacePoint atVertex(std::size_t vertex) const;
   /// Per edge (TouchPage::edges): a triangle, and the middle of the edge in it.
