@@ -113,6 +113,18 @@ TEST_F(Opening, AnExampleIsANewProject) {
   EXPECT_FALSE(window_->isWindowModified());
 }
 
+TEST_F(Opening, ExamplesWithTargetsOpenFromTheirMenu) {
+  const QList<QAction*> actions = find<QMenu>("design examples")->actions();
+  ASSERT_EQ(actions.size(), 3);
+  for (QAction* action : actions) {
+    action->trigger();
+    EXPECT_EQ(QString::fromStdString(editor().project().name), action->text());
+    ASSERT_TRUE(editor().project().design) << action->text().toStdString();
+    EXPECT_FALSE(editor().project().design->targets.empty());
+    EXPECT_TRUE(editor().fileName().isEmpty());
+  }
+}
+
 TEST_F(Opening, AModelBeyondTheMemoryIsRefusedAndTheLastOneStays) {
   window_->settings().setMemoryLimitGiB(0.5);
   ASSERT_TRUE(window_->openFile(kSphere));

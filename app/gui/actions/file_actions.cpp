@@ -137,15 +137,22 @@ void FileActions::fillRecentFiles(QMenu* menu) {
 }
 
 void FileActions::fillExamples(QMenu* menu) {
-  for (const Example& example : examples()) {
-    QAction* action = menu->addAction(example.title, this, [this, name = example.name] {
-      if (mayDiscard()) openExample(name);
-    });
-    action->setObjectName(example.title);
-    action->setStatusTip(example.description);
-    action->setToolTip(example.description);
-  }
-  menu->setToolTipsVisible(true);
+  const auto add = [this](QMenu* to, const std::vector<Example>& list) {
+    for (const Example& example : list) {
+      QAction* action = to->addAction(example.title, this, [this, name = example.name] {
+        if (mayDiscard()) openExample(name);
+      });
+      action->setObjectName(example.title);
+      action->setStatusTip(example.description);
+      action->setToolTip(example.description);
+    }
+    to->setToolTipsVisible(true);
+  };
+  add(menu, examples());
+  menu->addSeparator();
+  QMenu* design = menu->addMenu(tr("&Make it feel like this"));
+  design->setObjectName("design examples");
+  add(design, designExamples());
 }
 
 bool FileActions::openFile(const QString& file) {

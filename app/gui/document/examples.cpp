@@ -20,6 +20,16 @@ std::vector<Example> examples() {
           {"liver-phantom", tr("Liver phantom"), tr("A very soft organ to palpate")}};
 }
 
+std::vector<Example> designExamples() {
+  const auto tr = [](const char* text) { return QObject::tr(text); };
+  return {{"design/two-stiffness-pad", tr("Pad with two stiffnesses"),
+           tr("A pad that is to feel softer on one side than on the other")},
+          {"design/one-newton-finger", tr("Finger that bends at 1 N"),
+           tr("A finger that is to give way to a force of 1 N")},
+          {"design/seal-bead", tr("Bead of a seal"),
+           tr("A bead that is to press with a given force when it is compressed")}};
+}
+
 modeling::Project readExample(const QString& name) {
   QFile file(":/projects/" + name + ".json");
   if (!file.open(QIODevice::ReadOnly))
