@@ -43,6 +43,23 @@ class ElementContactSurface::Workspace final : public ContactSurface::Workspace 
   Eigen::VectorXd bump_, local_, measured_, atPoints_;  // of one element
 };
 
+SurfacePoint ElementContactSurface::nearest(const Vector3d& x) const {
+  const SurfacePoint onMesh = tree().nearest(x);
+  SurfacePoint best = at(onMesh.triangle, onMesh.weights);
+  best.distance = (best.position - x).norm();
+  const auto consider = [&](const SurfacePoint& start) {
+    const SurfacePoint found = foot(x, start);
+    if (found.distance < best.distance) best = found;
+  };
+  const SurfacePoint start = best;
+  consider(start);
+  // The mesh is inside a curved sharp edge: points of one face between mesh and edge are nearest to
+  // the edge of the mesh, and belong to either of its triangles.
+  const SurfacePoint across = facing(start, -normal(start));
+  if (across.triangle != start.triangle) consider(across);
+  return best;
+}
+
 std::unique_ptr<ContactSurface::Workspace> ElementContactSurface::makeWorkspace() const {
   return std::make_unique<Workspace>(*this);
 }

@@ -10,6 +10,8 @@ namespace palpa::bem {
 /// values that its elements give. So a mask that slides changes smoothly, and no system is solved.
 class ElementContactSurface : public ContactSurface {
  public:
+  SurfacePoint nearest(const Eigen::Vector3d& x) const override;
+
   std::unique_ptr<ContactSurface::Workspace> makeWorkspace() const override;
   /// Takes about 50 µs for the narrowest mask of cubic splines.
   bool makeMask(const SurfacePoint& point, double radius, ContactSurface::Workspace& workspace,

@@ -155,23 +155,6 @@ SurfacePoint QuadraticContactSurface::at(int triangle, const Vector3d& weights) 
   return point;
 }
 
-SurfacePoint QuadraticContactSurface::nearest(const Vector3d& x) const {
-  const SurfacePoint onMesh = tree().nearest(x);
-  SurfacePoint best = at(onMesh.triangle, onMesh.weights);
-  best.distance = (best.position - x).norm();
-  const auto consider = [&](const SurfacePoint& start) {
-    const SurfacePoint found = foot(x, start);
-    if (found.distance < best.distance) best = found;
-  };
-  const SurfacePoint start = best;
-  consider(start);
-  // The mesh is inside a curved sharp edge: points of one face between mesh and edge are nearest to
-  // the edge of the mesh, and belong to either of its triangles.
-  const SurfacePoint across = facing(start, -normal(start));
-  if (across.triangle != start.triangle) consider(across);
-  return best;
-}
-
 SurfacePoint QuadraticContactSurface::foot(const Vector3d& tool, const SurfacePoint& start) const {
   SurfacePoint onMesh = start;
   onMesh.position = mesh().point(start.triangle, start.weights);

@@ -26,7 +26,6 @@ class QuadraticContactSurface final : public ElementContactSurface {
   int coefficientAt(int meshNode) const override { return coefficientAt_[meshNode]; }
 
   SurfacePoint at(int triangle, const Eigen::Vector3d& weights) const override;
-  SurfacePoint nearest(const Eigen::Vector3d& x) const override;
   SurfacePoint foot(const Eigen::Vector3d& tool, const SurfacePoint& start) const override;
 
   /// Mean of the elements at the nodes of the slot, between them quadratic: the normals of

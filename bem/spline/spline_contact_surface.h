@@ -31,7 +31,6 @@ class SplineContactSurface final : public ElementContactSurface {
   int coefficientAt(int meshNode) const override { return coefficientAt_[meshNode]; }
 
   SurfacePoint at(int triangle, const Eigen::Vector3d& weights) const override;
-  SurfacePoint nearest(const Eigen::Vector3d& x) const override;
   SurfacePoint foot(const Eigen::Vector3d& tool, const SurfacePoint& start) const override;
 
   Eigen::Vector3d normal(const SurfacePoint& point) const override;
