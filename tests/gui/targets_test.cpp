@@ -284,6 +284,23 @@ TEST_F(Targets, EscapeAndTheButtonStopASearchAtAnyStep) {
   ASSERT_TRUE(waitForState(State::kFound)) << message().toStdString();
 }
 
+TEST_F(Targets, ASearchShowsItsPresentShapeUntilItIsStopped) {
+  open(kBox);
+  wish("0.9", "8");
+  click("findShape");
+  EXPECT_FALSE(window_->foundShapeView().isDrawn());
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return window_->foundShapeView().isDrawn() || !finder().isSearching(); }, 60000));
+  ASSERT_EQ(finder().state(), State::kSearching) << message().toStdString();
+  const auto& present = std::get<modeling::Solid>(editor().project().body);
+  EXPECT_NE(window_->foundShapeView().drawn()->controlPoints(), present.controlPoints());
+  keepPicture("targets-searching");
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_FALSE(window_->foundShapeView().isDrawn());
+  ASSERT_TRUE(waitForState(State::kIdle));
+  EXPECT_FALSE(window_->foundShapeView().isDrawn());
+}
+
 TEST_F(Targets, AnEditDuringASearchEndsItAndStays) {
   open(kBox);
   wish("1.25", "5");

@@ -110,6 +110,8 @@ class Search {
     ShapeStep step{shapes_, isAccepted, state.values, state.volume, {}, state.largestMovement, {}};
     for (const WallThickness& wall : state.walls)
       step.thinnest = std::min(step.thinnest.value_or(wall.value), wall.value);
+    step.solid =
+        std::make_shared<const modeling::Solid>(std::get<modeling::Solid>(state.project.body));
     return step;
   }
 

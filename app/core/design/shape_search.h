@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@ struct ShapeStep {
   std::optional<double> thinnest{};  ///< mm; only if a smallest thickness is asked for
   double largestMovement = 0;        ///< mm, of a control point, from the project as it was
   std::string problem{};  ///< why the shape could not be computed, for example a fold; mostly empty
+  std::shared_ptr<const modeling::Solid> solid{};  ///< none if there is a problem
 };
 
 /// What keeps a search from its targets.
