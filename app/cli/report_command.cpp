@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "app/cli/commands.h"
 #include "app/cli/errors.h"
 #include "app/cli/output_option.h"
@@ -82,7 +84,9 @@ class ReportCommand : public Command {
   }
 
   report::ReportSource sourceOf(const ReadBody& read) const {
-    report::ReportSource source{input_.file(), PALPA_VERSION, report::dateNow()};
+    // The name alone: a report is passed on, and folders are private.
+    report::ReportSource source{std::filesystem::path(input_.file()).filename().string(),
+                                PALPA_VERSION, report::dateNow()};
     if (input_.isImported()) source.notes = read.notes;
     if (read.held)
       source.notes.push_back("The file has no support; one was proposed on " +
