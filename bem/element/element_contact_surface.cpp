@@ -45,19 +45,18 @@ class ElementContactSurface::Workspace final : public ContactSurface::Workspace 
 
 SurfacePoint ElementContactSurface::nearest(const Vector3d& x) const {
   const SurfacePoint onMesh = tree().nearest(x);
-  SurfacePoint best = at(onMesh.triangle, onMesh.weights);
-  best.distance = (best.position - x).norm();
-  const auto consider = [&](const SurfacePoint& start) {
-    const SurfacePoint found = foot(x, start);
-    if (found.distance < best.distance) best = found;
-  };
-  const SurfacePoint start = best;
-  consider(start);
+  SurfacePoint start = at(onMesh.triangle, onMesh.weights);
+  start.distance = (start.position - x).norm();
+  SurfacePoint best = foot(x, start);
+  if (best.distance > start.distance) best = start;
   // The mesh is inside a curved sharp edge: points of one face between mesh and edge are nearest to
-  // the edge of the mesh, and belong to either of its triangles.
+  // the edge of the mesh, and belong to either of its triangles. Points off the surface, as those
+  // of tools, stay on one face: both are about as near.
+  constexpr double kOnSurface = 0.1;
   const SurfacePoint across = facing(start, -normal(start));
-  if (across.triangle != start.triangle) consider(across);
-  return best;
+  if (across.triangle == start.triangle) return best;
+  const SurfacePoint found = foot(x, across);
+  return found.distance < kOnSurface * best.distance ? found : best;
 }
 
 std::unique_ptr<ContactSurface::Workspace> ElementContactSurface::makeWorkspace() const {
