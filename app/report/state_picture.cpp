@@ -43,25 +43,11 @@ DrawnPoint drawnPoint(const Vector3d& at, const app::TouchModel& model,
           mesh.normal(point.triangle)};
 }
 
-view::ContactRing::State stateOf(Status status) {
-  using State = view::ContactRing::State;
-  switch (status) {
-    case Status::kGrabbed:
-      return State::kGrabbed;
-    case Status::kSticking:
-      return State::kSticking;
-    case Status::kSlipping:
-      return State::kSlipping;
-    default:
-      return State::kOpen;
-  }
-}
-
 /// The circle about a contact, projected onto the surface, as displaced.
 view::ContactRing ring(const app::TouchState::Contact& contact, double radius,
                        const app::TouchModel& model, const app::TouchState& state, double scale) {
   const Vector3d x = contact.normal.unitOrthogonal(), y = contact.normal.cross(x);
-  view::ContactRing ring{{}, stateOf(contact.status)};
+  view::ContactRing ring{{}, ringStateOf(contact.status)};
   for (int i = 0; i < kRingPieces; ++i) {
     const double angle = 2 * std::numbers::pi * i / kRingPieces;
     const Vector3d at = contact.at + radius * (std::cos(angle) * x + std::sin(angle) * y);
@@ -205,6 +191,20 @@ Vector3d directionToSection(const Vector3d& normal) {
 }
 
 }  // namespace
+
+view::ContactRing::State ringStateOf(app::TouchState::Status status) {
+  using State = view::ContactRing::State;
+  switch (status) {
+    case Status::kGrabbed:
+      return State::kGrabbed;
+    case Status::kSticking:
+      return State::kSticking;
+    case Status::kSlipping:
+      return State::kSlipping;
+    default:
+      return State::kOpen;
+  }
+}
 
 view::Picture makePicture(const modeling::Project& project,
                           const std::shared_ptr<const app::TouchModel>& shared,

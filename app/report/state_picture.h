@@ -34,6 +34,9 @@ struct PictureOptions {
   double zoom = 1;
 };
 
+/// How the ring about a contact with this status is drawn.
+view::ContactRing::State ringStateOf(app::TouchState::Status status);
+
 /// The picture of a state: deformed surface, colours, force arrows with newtons, supports,
 /// captions.
 view::Picture makePicture(const modeling::Project& project,

@@ -168,7 +168,7 @@ MatrixXd CompressedReferenceProblem::correction(const MatrixXd& r, const Job& jo
         return MatrixXd(-residual(dofs().expand(precondition(y, job), MatrixXd()), job));
       },
       r * scale.cwiseInverse().asDiagonal(), kTolerance, kMaxSteps, job);
-  if (solution.residual > 100 * kTolerance)
+  if (!(solution.residual <= 100 * kTolerance))  // also if it is not a number
     throw SolverError(SolverError::Kind::kBadCondition,
                       "the equations of the compressed operators were solved only to " +
                           std::to_string(solution.residual) +

@@ -65,8 +65,9 @@ class Exports : public WindowTest {
                             [&](QFileDialog& dialog) { chooseFile(dialog, file); });
   }
 
-  /// Exports the forces; calls `cancel` as soon as the progress is shown.
-  void exportForces(const QString& file, const std::function<void(ProgressDialog&)>& cancel) {
+  /// Calls `cancel` as soon as the progress of what `act` begins is shown.
+  static void cancelWhile(const std::function<void()>& act,
+                          const std::function<void(ProgressDialog&)>& cancel) {
     bool isCancelled = false;
     QTimer poll;
     QObject::connect(&poll, &QTimer::timeout, [&] {
@@ -76,9 +77,19 @@ class Exports : public WindowTest {
       cancel(*dialog);
     });
     poll.start(50);
-    withDialog<QFileDialog>([&] { action("Export forces")->trigger(); },
-                            [&](QFileDialog& dialog) { chooseFile(dialog, file); });
+    act();
     EXPECT_TRUE(isCancelled) << "no progress was shown";
+  }
+  static void pressEscape(ProgressDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); }
+
+  /// Exports the forces; calls `cancel` as soon as the progress is shown.
+  void exportForces(const QString& file, const std::function<void(ProgressDialog&)>& cancel) {
+    cancelWhile(
+        [&] {
+          withDialog<QFileDialog>([&] { action("Export forces")->trigger(); },
+                                  [&](QFileDialog& dialog) { chooseFile(dialog, file); });
+        },
+        cancel);
   }
 };
 
@@ -230,18 +241,13 @@ TEST_F(Exports, ASeriesHasAMeshForEveryPicture) {
 TEST_F(Exports, ACancelledSeriesLeavesNothing) {
   simulateSphere();
   openRecording(kEndless);
-  bool isCancelled = false;
-  QTimer poll;
-  QObject::connect(&poll, &QTimer::timeout, [&] {
-    auto* dialog = qobject_cast<ProgressDialog*>(QApplication::activeModalWidget());
-    if (!dialog || isCancelled) return;
-    isCancelled = true;
-    QTest::keyClick(dialog, Qt::Key_Escape);
-  });
-  poll.start(50);
-  withDialog<QFileDialog>([&] { action("Export series")->trigger(); },
-                          [&](QFileDialog& dialog) { chooseFile(dialog, exported("pull.pvd")); });
-  EXPECT_TRUE(isCancelled);
+  cancelWhile(
+      [&] {
+        withDialog<QFileDialog>(
+            [&] { action("Export series")->trigger(); },
+            [&](QFileDialog& dialog) { chooseFile(dialog, exported("pull.pvd")); });
+      },
+      pressEscape);
   EXPECT_EQ(exportedFiles(), QStringList());
 }
 
@@ -315,17 +321,7 @@ TEST_F(Exports, ACancelledReportLeavesNoFile) {
   project.mesh.edgeLength = 1.2;  // some seconds to build
   editor().start(project);
   editor().cancelRebuild();
-  bool isCancelled = false;
-  QTimer poll;
-  QObject::connect(&poll, &QTimer::timeout, [&] {
-    auto* dialog = qobject_cast<ProgressDialog*>(QApplication::activeModalWidget());
-    if (!dialog || isCancelled) return;
-    isCancelled = true;
-    QTest::keyClick(dialog, Qt::Key_Escape);
-  });
-  poll.start(50);
-  exportReport(exported("ball.html"));
-  EXPECT_TRUE(isCancelled);
+  cancelWhile([&] { exportReport(exported("ball.html")); }, pressEscape);
   EXPECT_EQ(exportedFiles(), QStringList());
 }
 

@@ -6,24 +6,10 @@
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/error_estimate.h"
 #include "app/core/results/touch.h"
+#include "base/part_of_job.h"
 #include "bem/base/error.h"
 
 namespace palpa::app {
-namespace {
-
-/// The job of one state of several: fractions do not fall when the next state begins.
-Job partOf(const Job& job, std::size_t number, std::size_t count) {
-  Job part = job;
-  if (job.progress)
-    part.progress = [&job, number, count](Phase phase, double done) {
-      if (phase == Phase::kTouch || phase == Phase::kErrorEstimate)
-        job.report(phase, (static_cast<double>(number) + done) / static_cast<double>(count));
-    };
-  return part;
-}
-
-}  // namespace
-
 bool isPassive(const modeling::Touch& touch) {
   return !modeling::infoOf(touch.kind).needsVector && touch.vector.isZero(0);
 }
@@ -39,16 +25,16 @@ TouchStudy makeTouchStudy(const modeling::Project& project, std::shared_ptr<cons
   const std::size_t count = 2 + study.alone.size();
 
   study.rest = study.model->rest();
-  addErrors(*study.model, study.rest, partOf(job, 0, count));
+  addErrors(*study.model, study.rest, partOfJob(job, 0, 1, count));
   study.together = study.rest;
   if (touches.empty()) return study;
   TouchPlayer player(*study.model);
-  Job part = partOf(job, 1, count);
+  Job part = partOfJob(job, 1, 2, count);
   study.together = player.play(touches, 0, part);
   addErrors(*study.model, study.together, part);
   for (std::size_t k = 0; k < study.alone.size(); ++k) {
     TouchStudy::Single& single = study.alone[k];
-    part = partOf(job, 2 + k, count);
+    part = partOfJob(job, 2 + k, 3 + k, count);
     try {
       single.state = player.play(touches.subspan(single.touch, 1), 0, part);
     } catch (const bem::SolverError& error) {

@@ -5,6 +5,7 @@
 
 #include "app/core/live/touch_table.h"
 #include "app/core/results/touch.h"
+#include "base/part_of_job.h"
 #include "base/text.h"
 
 namespace palpa::app {
@@ -33,11 +34,8 @@ void sweepTouches(const TouchModel& model, std::span<const modeling::Touch> touc
   TouchPlayer player(model);
   for (int k = 0; k <= count; ++k) {
     job.throwIfCancelled();
-    Job part = job;
-    if (job.progress)
-      part.progress = [&job, k, count](Phase phase, double done) {
-        if (phase == Phase::kTouch) job.report(phase, (k + done) / (count + 1));
-      };
+    const auto number = static_cast<std::size_t>(k), all = static_cast<std::size_t>(count) + 1;
+    const Job part = partOfJob(job, number, number + 1, all);
     SweepRow row;
     row.share = static_cast<double>(k) / count;
     row.touches = scaled(touches, row.share);

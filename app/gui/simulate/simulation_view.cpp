@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "app/core/model/contact_kind.h"
+#include "app/report/state_picture.h"
 
 namespace palpa::gui {
 namespace {
@@ -20,18 +21,7 @@ constexpr double kUnseen = 1e-5;   // of the body's size, the range of colours o
 constexpr double kMinSine = 0.15;  // of the angle between force and surface that decides its side
 
 view::ContactRing::State stateOf(Status status, bool isConverged) {
-  using State = view::ContactRing::State;
-  if (!isConverged) return State::kFailed;
-  switch (status) {
-    case Status::kGrabbed:
-      return State::kGrabbed;
-    case Status::kSticking:
-      return State::kSticking;
-    case Status::kSlipping:
-      return State::kSlipping;
-    default:
-      return State::kOpen;
-  }
+  return isConverged ? report::ringStateOf(status) : view::ContactRing::State::kFailed;
 }
 
 }  // namespace
