@@ -9,11 +9,11 @@
 #include "app/verification/exact/solved_body.h"
 #include "bem/base/error.h"
 #include "bem/compressed/make_problem.h"
-#include "bem/linalg/row_choice.h"
 #include "bem/compressed/tile_lu.h"
 #include "bem/dense/make_reference_problem.h"
 #include "bem/dense/transposed_solution.h"
 #include "bem/dense/update_reference_problem.h"
+#include "bem/linalg/row_choice.h"
 #include "quadratic_body.h"
 
 namespace palpa::bem::test {
