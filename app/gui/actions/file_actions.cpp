@@ -150,7 +150,7 @@ void FileActions::fillExamples(QMenu* menu) {
   };
   add(menu, examples());
   menu->addSeparator();
-  QMenu* design = menu->addMenu(tr("&Make it feel like this"));
+  QMenu* design = menu->addMenu(tr("With &targets"));
   design->setObjectName("design examples");
   add(design, designExamples());
 }
