@@ -29,7 +29,8 @@ std::string variantsTable(const ComparedVariants& of) {
   const auto add = [&](const std::string& name, const auto& text) {
     table.add({name, text(0), text(1)});
   };
-  add("File", [&](std::size_t k) { return of.files[k]; });
+  // The name alone: a page is passed on, and folders are private.
+  add("File", [&](std::size_t k) { return nameOf(of, k); });
   add("Name", [&](std::size_t k) { return of.projects[k].name; });
   add("Material", [&](std::size_t k) {
     const modeling::Material& material = of.projects[k].material;
