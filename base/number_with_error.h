@@ -1,8 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace palpa {
@@ -27,25 +28,28 @@ inline int digitsFor(double value, double error) {
   return decimalsFor(value, error) + static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
 }
 
-/// The number rounded to so many decimals, without an exponent: 1230 for 1234 and -1 decimals.
+/// The number rounded to so many decimals, without an exponent: 1230 for 1234 and -1 decimals. The
+/// decimal sign is a point in every locale.
 inline std::string withDecimals(double value, int decimals) {
   if (decimals < 0) {
     const double place = std::pow(10.0, -decimals);
     value = std::round(value / place) * place;
   }
-  char text[64];
   constexpr int kMaxDecimals = 9;  // smaller numbers have powers of ten
-  if (decimals > kMaxDecimals && value != 0)
-    std::snprintf(
-        text, sizeof text, "%.*g",
-        std::max(1, decimals + 1 + static_cast<int>(std::floor(std::log10(std::abs(value))))),
-        value);
-  else
-    std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
+  const bool isTiny = decimals > kMaxDecimals && value != 0;
+  const int digits =
+      isTiny ? decimals + 1 + static_cast<int>(std::floor(std::log10(std::abs(value)))) : 0;
+  std::array<char, 352> text;  // the largest number has 309 digits before the point
+  const std::to_chars_result end =
+      isTiny ? std::to_chars(text.begin(), text.end(), value, std::chars_format::general,
+                             std::max(1, digits))
+             : std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed,
+                             std::clamp(decimals, 0, kMaxDecimals));
+  std::string result(text.begin(), end.ptr);
   // No minus before zeros.
-  if (text[0] == '-' && std::string(text).find_first_of("123456789") == std::string::npos)
-    return text + 1;
-  return text;
+  if (result[0] == '-' && result.find_first_of("123456789") == std::string::npos)
+    result.erase(0, 1);
+  return result;
 }
 
 /// An absolute error in the decimals of its number, rounded up.

@@ -66,7 +66,7 @@ std::string toText(const app::TouchState::Contact& contact) {
   text += ", moved by " + cli::toText(contact.displacement, 4) + " mm\n";
   const double force = contact.force.norm();
   const double error = contact.errorEstimate.value_or(0);
-  const bool isGiven = contact.kind && modeling::infoOf(*contact.kind).isForce;
+  const bool isGiven = contact.hasGivenForce();
   const double ofForce = isGiven ? 0 : error;
   text += "           force " + report::rounded(contact.force, ofForce) + " N, |" +
           report::withError(force, ofForce) +

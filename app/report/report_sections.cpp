@@ -32,10 +32,6 @@ const char* supportKind(const modeling::Support& support) {
              : "roller: free to slide along the surface, not across it";
 }
 
-bool isForceGiven(const TouchState::Contact& contact) {
-  return contact.kind && modeling::infoOf(*contact.kind).isForce;
-}
-
 std::string errorCell(const TouchState::Contact& contact) {
   if (!contact.errorEstimate) return "not estimated";
   if (*contact.errorEstimate == 0) return "0";
@@ -49,7 +45,7 @@ std::vector<std::string> touchRow(const modeling::Touch& touch,
   return {touch.name,
           std::string(modeling::infoOf(touch.kind).label) + " at " + toText(contact.at, 4) + " mm",
           givenText(touch),
-          withError(contact.force.norm(), isForceGiven(contact) ? 0 : error),
+          withError(contact.force.norm(), contact.hasGivenForce() ? 0 : error),
           rounded(contact.stiffness, error),
           rounded(contact.displacement.norm(), error),
           errorCell(contact)};
@@ -105,7 +101,7 @@ std::string engineText(modeling::Engine engine) {
 
 void addContact(const TouchState::Contact& contact, HtmlTable& table) {
   const double error = contact.errorEstimate.value_or(0);
-  const double ofForce = isForceGiven(contact) ? 0 : error;
+  const double ofForce = contact.hasGivenForce() ? 0 : error;
   const double force = contact.force.norm();
   table.add({contact.name.empty() ? "Touch" : "Touch “" + contact.name + "”",
              std::string(kindName(contact)) + ", " + app::nameOf(contact.status) + ", at " +

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "app/report/dimensions.h"
 #include "app/report/drawn_surface.h"
+#include "app/report/numbers.h"
 #include "app/report/text.h"
 #include "app/view/scene/arrows.h"
 #include "app/view/scene/gradient_arrows.h"
@@ -24,8 +26,11 @@ constexpr int kRingPieces = 48;
 /// Small forces beside large ones stay visible.
 constexpr double kMinShare = 0.25;
 
-std::string forceLabel(const Vector3d& force) {
-  return view::threeDigits(force.norm()) + " N";
+/// Three digits, or fewer where the relative error makes them uncertain.
+std::string forceLabel(const Vector3d& force, std::optional<double> error = {}) {
+  constexpr double kKnown = 1e-3;
+  const double size = force.norm();
+  return (error > kKnown ? rounded(size, *error) : view::threeDigits(size)) + " N";
 }
 
 /// Where a surface point is drawn, and the outward normal there.
@@ -62,9 +67,11 @@ void addContacts(const app::TouchModel& model, const app::TouchState& state, dou
     const DrawnPoint drawn = drawnPoint(contact.at, model, state, scale);
     // A pressing force ends on the surface; any other leaves it.
     const bool presses = contact.force.dot(drawn.normal) < 0;
-    picture.arrows.arrows.push_back({drawn.position, contact.force,
-                                     presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail,
-                                     ForceArrow::Role::kApplied, forceLabel(contact.force)});
+    picture.arrows.arrows.push_back(
+        {drawn.position, contact.force,
+         presses ? ForceArrow::Anchor::kTip : ForceArrow::Anchor::kTail, ForceArrow::Role::kApplied,
+         forceLabel(contact.force,
+                    contact.hasGivenForce() ? std::nullopt : contact.errorEstimate)});
     const bool isBall = contact.isBall();
     if (isBall)
       picture.balls.push_back({contact.tool + (scale - 1) * contact.displacement, contact.radius});
@@ -113,7 +120,8 @@ void addReactions(const app::TouchModel& model, const app::TouchState& state,
     if (area == 0) continue;
     const Vector3d force = state.supports[i].resultant.force;
     picture.arrows.arrows.push_back({center / area, force, ForceArrow::Anchor::kTip,
-                                     ForceArrow::Role::kReaction, forceLabel(force)});
+                                     ForceArrow::Role::kReaction,
+                                     forceLabel(force, state.forceErrorEstimate)});
   }
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 /// Files of other programs.
 std::string foreign(const std::string& name) {
-  return std::filesystem::absolute("data/cad/" + name).string();
+  return PALPA_TEST_DATA "/cad/" + name;
 }
 
 class CliExchange : public testing::Test {

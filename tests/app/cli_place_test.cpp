@@ -10,7 +10,7 @@ namespace palpa::cli_tests {
 namespace {
 
 std::string foreign(const std::string& name) {
-  return std::filesystem::absolute("data/cad/" + name).string();
+  return PALPA_TEST_DATA "/cad/" + name;
 }
 
 class CliPlace : public testing::Test {

@@ -338,8 +338,7 @@ TEST_F(CliSimulation, OptionsWithoutMeaningAreUsageErrors) {
 /// A large ball beside a sharp edge: its contact once ran away over the edge, because the curvature
 /// that normals on both sides of an edge seem to show is huge.
 TEST_F(CliSimulation, ABallBesideAnEdgeStaysWhereItTouches) {
-  const std::string file =
-      std::filesystem::absolute("data/projects/touches/ball_beside_edge.json").string();
+  const std::string file = PALPA_TEST_DATA "/projects/touches/ball_beside_edge.json";
   for (const char* accuracy : {"0.01", "0.009"}) {
     const Json report = cli_.runJson("touch " + file + " --engine splines --accuracy " + accuracy);
     const Json& contact = report.at("contacts")[0];

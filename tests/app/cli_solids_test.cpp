@@ -11,7 +11,7 @@ namespace {
 
 /// A block of 20 × 12 × 8 mm and a pin of radius 3 mm and height 20 mm at (30, 0, 0) mm.
 std::string blockAndPin() {
-  return std::filesystem::absolute("data/cad/block_and_pin.step").string();
+  return PALPA_TEST_DATA "/cad/block_and_pin.step";
 }
 
 /// OBJ text of the cubes [x, x + 1] × [0, 1] × [0, 1], each a group.
@@ -154,7 +154,7 @@ TEST_F(CliSolids, UnitScaleAndUpDirectionAreApplied) {
   EXPECT_NEAR(cli_.runJson("convert cube.obj --scale 3 -o c.stl").at("volume_mm3").get<double>(),
               27.0, 1e-9);
   // The pipe's file is in inches; its numbers are now taken as mm.
-  const std::string pipe = std::filesystem::absolute("data/cad/quarter_pipe_inch.step").string();
+  const std::string pipe = PALPA_TEST_DATA "/cad/quarter_pipe_inch.step";
   EXPECT_EQ(cli_.runJson("import " + pipe + " --list").at("unit_mm"), 25.4);
   EXPECT_NEAR(cli_.runJson("info " + pipe + " --unit mm").at("volume_mm3").get<double>(),
               3063.05 / std::pow(25.4, 3), 1e-3);

@@ -9,8 +9,10 @@
 #include "app/core/session/new_project.h"
 #include "app/core/session/rebuild_pipeline.h"
 #include "base/count_text.h"
+#include "bem/compressed/make_problem.h"
 #include "modeling/exchange/import.h"
 #include "modeling/mesh/mesh.h"
+#include "tests/app/core_projects.h"
 #include "tests/modeling/cad_files.h"
 #include "tests/modeling/cad_shapes.h"
 
@@ -74,6 +76,35 @@ TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
             options.memoryLimit);
   for (const auto& finding : modeling::checkGeometry(surface, project.body))
     EXPECT_FALSE(finding.isError) << finding.message;
+}
+
+TEST(LargePart, OperatorsAreCompressedWhereOnlySoTheyFitIntoMemory) {
+  const auto bytes = [](double nodes, bem::Precision precision) {
+    return expectedBytes(nodes, nodes, modeling::Engine::kQuadratic, precision);
+  };
+  const auto chosen = [](double nodes, double limit, bem::Precision wanted,
+                         modeling::Engine engine = modeling::Engine::kQuadratic) {
+    return fittingPrecision(nodes, nodes, engine, wanted, limit);
+  };
+  using enum bem::Precision;
+  const double between = 0.5 * (bytes(3000, kAutomatic) + bytes(3000, kCompressed));
+  ASSERT_LT(bytes(3000, kCompressed), bytes(3000, kAutomatic));
+  EXPECT_EQ(chosen(3000, between, kAutomatic), kCompressed);
+  EXPECT_EQ(chosen(3000, 2 * between, kAutomatic), kAutomatic) << "both fit";
+  EXPECT_EQ(chosen(3000, 0.1 * between, kAutomatic), kAutomatic) << "neither fits";
+  EXPECT_EQ(chosen(3000, between, kSingle), kSingle) << "asked for";
+  EXPECT_EQ(chosen(3000, between, kAutomatic, modeling::Engine::kTriangles), kAutomatic);
+
+  modeling::Project sphere = test::clampedSphere(1.8);
+  sphere.mesh.engine = modeling::Engine::kQuadratic;
+  BuildOptions options;
+  options.memoryLimit =
+      1.15 * bytes(modeling::estimateNodeCount(sphere.body, sphere.mesh, {}), kCompressed);
+  const auto model = buildTouchModel(sphere, options, {});
+  EXPECT_LT(model->report().nodes, bem::kCompressedFrom);
+  EXPECT_GT(bytes(model->report().nodes, kAutomatic), options.memoryLimit);
+  EXPECT_EQ(model->report().storage, "compressed");
+  EXPECT_LT(model->report().memory, options.memoryLimit);
 }
 
 TEST(LargePart, TheSuggestionIsNothingIfNoMeshFits) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cmath>
 
 namespace palpa {
@@ -31,6 +32,18 @@ TEST(NumberWithError, KeepsADigitOfWrongNumbersAndSixOfExactOnes) {
 TEST(NumberWithError, HasNoMinusZeroAndNoLongTails) {
   EXPECT_EQ(withDecimals(-0.0001, 2), "0.00");
   EXPECT_EQ(withDecimals(1.23456e-12, 14), "1.23e-12");
+}
+
+TEST(NumberWithError, HasAPointInEveryLocale) {
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
+    if (std::setlocale(LC_NUMERIC, name)) {
+      EXPECT_EQ(text(4.7215, 0.026), "4.72 ± 0.03") << name;
+    }
+  std::setlocale(LC_NUMERIC, "C");
+}
+
+TEST(NumberWithError, IsCompleteForHugeNumbers) {
+  EXPECT_EQ(withDecimals(1e300, 0).size(), 301u);
 }
 
 TEST(NumberWithError, RoundingAddsLessThanTheError) {

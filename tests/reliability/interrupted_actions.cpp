@@ -27,11 +27,14 @@ struct Series {
   std::size_t next = 0;
 };
 
-Series makeSeries(Interrupter& interrupter, Situation situation, Random& random) {
+/// `only`: part of the names of the cases that are wanted.
+Series makeSeries(Interrupter& interrupter, Situation situation, const QString& only,
+                  Random& random) {
   Series series{situation, {}, 0};
   for (const QString& target : interrupter.targets(situation))
     for (const Interruption interruption : kInterruptions)
-      series.cases.push_back({target, interruption});
+      if (nameOf(situation, target, interruption).contains(only))
+        series.cases.push_back({target, interruption});
   for (std::size_t k = series.cases.size(); k > 1; --k)
     std::swap(series.cases[k - 1],
               series.cases[static_cast<std::size_t>(pick(random, 0, static_cast<int>(k) - 1))]);
@@ -41,9 +44,10 @@ Series makeSeries(Interrupter& interrupter, Situation situation, Random& random)
 int drive(Campaign& campaign, const QString& folder, const ActionLog& log) {
   Random random(campaign.seed());
   Interrupter interrupter(campaign, folder, log);
+  const QString only = QString::fromStdString(campaign.option("--only").value_or(""));
   std::vector<Series> all;
   for (const Situation situation : kSituations)
-    all.push_back(makeSeries(interrupter, situation, random));
+    all.push_back(makeSeries(interrupter, situation, only, random));
   long cases = 0, targets = 0;
   for (const Series& series : all) {
     cases += static_cast<long>(series.cases.size());
@@ -79,7 +83,7 @@ end:
 
 int main(int argc, char** argv) {
   using namespace palpa::reliability;
-  Campaign campaign("interrupted_actions", argc, argv, 20, 0, {"--log"});
+  Campaign campaign("interrupted_actions", argc, argv, 20, 0, {"--log", "--only"});
   return runWatched(campaign, argv, [&campaign](const QString& folder, const ActionLog& log) {
     return drive(campaign, folder, log);
   });

@@ -33,9 +33,16 @@ constexpr int kSettleTime = 60;       // ms until a dialog is answered
 constexpr int kFileDialogTime = 250;  // ms: it proposes a name once it has read its folder
 constexpr int kMaxProgress = 1500;    // ms until work that nobody interrupts is cancelled
 constexpr int kMaxTries = 60;         // to get rid of a dialog
-constexpr int kPatience = 60'000;     // ms
+constexpr int kPatience = 180'000;    // ms
 constexpr int kWindowUses = 60;       // of one window
 constexpr std::uint64_t kLongRecording = 200'000;  // steps of a millisecond
+
+/// An example that is built within a second, under sanitizers within ten.
+modeling::Project coarseSphere() {
+  modeling::Project project = modeling::readProject(PALPA_PROJECTS "/sphere.json");
+  project.mesh.accuracy = 0.1;
+  return project;
+}
 
 QString nameOf(const QObject& object) {
   return QString("%1 %2").arg(object.metaObject()->className(), object.objectName());
@@ -124,6 +131,10 @@ const char* nameOf(Interruption interruption) {
   return "";
 }
 
+QString nameOf(Situation situation, const QString& target, Interruption interruption) {
+  return QString("%1, %2, %3").arg(nameOf(situation), target, nameOf(interruption));
+}
+
 Interrupter::Interrupter(Campaign& campaign, QString folder, ActionLog log)
     : campaign_(campaign),
       folder_(std::move(folder)),
@@ -156,10 +167,11 @@ void Interrupter::enter(Situation situation) {
   if (situation == Situation::kNewProject)
     return editor().start(app::makeProject(modeling::makeCylinder(15, 30), "new"));
   const QString file = folder_ + (situation == Situation::kMeshBody ? "/body.obj" : "/case.json");
-  const QString source = situation == Situation::kMeshBody ? folder_ + "/tetrahedron.obj"
-                                                           : PALPA_PROJECTS "/sphere.json";
   QFile::remove(file);
-  QFile::copy(source, file);
+  if (situation == Situation::kMeshBody)
+    QFile::copy(folder_ + "/tetrahedron.obj", file);
+  else
+    modeling::writeProject(coarseSphere(), file.toStdString());
   campaign_.require(window_->openFile(file), "the project is not opened");
   const auto isBuilt = [this] {
     return editor().rebuildStatus().state != app::RebuildStatus::State::kBuilding;
@@ -244,9 +256,8 @@ bool Interrupter::use(const QString& target) {
 
 bool Interrupter::run(Situation situation, const QString& target, Interruption interruption,
                       int depth) {
-  const QString name = QString("%1, %2, %3 at dialog %4")
-                           .arg(nameOf(situation), target, nameOf(interruption))
-                           .arg(depth + 1);
+  const QString name =
+      QString("%1 at dialog %2").arg(nameOf(situation, target, interruption)).arg(depth + 1);
   log_(name);
   enter(situation);
   const Clock::time_point since = Clock::now();

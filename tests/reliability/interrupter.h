@@ -33,6 +33,8 @@ enum class Interruption { kEscape, kReturn, kCloseDialog, kCloseWindow };
 inline constexpr std::array kInterruptions{Interruption::kEscape, Interruption::kReturn,
                                            Interruption::kCloseDialog, Interruption::kCloseWindow};
 const char* nameOf(Interruption interruption);
+/// "solid, entry Undo, Escape".
+QString nameOf(Situation situation, const QString& target, Interruption interruption);
 
 /// Number of dialogs in a row that are tried.
 inline constexpr int kMaxDepth = 5;

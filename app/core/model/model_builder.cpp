@@ -44,16 +44,23 @@ bem::BoundaryField forceOnMoved(const bem::Discretisation& now, const bem::Discr
 
 ModelBuilder::ModelBuilder(const modeling::Project& project, const BuildOptions& options,
                            const Job& job)
-    : options_(options), job_(job), settings_(meshSettings(project, options)), geometry_(project) {}
+    : options_(options),
+      job_(job),
+      settings_(meshSettings(project, options)),
+      geometry_(project),
+      precision_(options.precision) {}
 
 double ModelBuilder::lap() {
   const auto now = std::chrono::steady_clock::now();
   return std::chrono::duration<double>(now - std::exchange(lapStart_, now)).count();
 }
 
-void ModelBuilder::checkFits(double coefficients, double slots) const {
-  app::checkMemory(settings_, modeling::engineOf(geometry_.project()), coefficients, slots,
-                   options_.precision, options_.memoryLimit);
+bem::Precision ModelBuilder::checkFits(double coefficients, double slots) const {
+  const modeling::Engine engine = modeling::engineOf(geometry_.project());
+  const bem::Precision precision =
+      fittingPrecision(coefficients, slots, engine, options_.precision, options_.memoryLimit);
+  app::checkMemory(settings_, engine, coefficients, slots, precision, options_.memoryLimit);
+  return precision;
 }
 
 void ModelBuilder::prepare() {
@@ -121,12 +128,12 @@ bem::ProblemInputs ModelBuilder::problemInputs() const {
           ? bem::AssemblyOptions{}
           : bem::AssemblyOptions{1e-3 * geometry_.project().mesh.accuracy};
   return {setup.conditions.ofSlot, setup.material, options_.assembly.value_or(automatic),
-          options_.precision};
+          precision_};
 }
 
-void ModelBuilder::checkMemory() const {
+void ModelBuilder::checkMemory() {
   const bem::Discretisation& discretisation = *model_->setup().discretisation;
-  checkFits(discretisation.displacementCount(), discretisation.slots().count());
+  precision_ = checkFits(discretisation.displacementCount(), discretisation.slots().count());
 }
 
 void ModelBuilder::makeProblem(const TouchModel* former) {

@@ -36,9 +36,9 @@ class ModelBuilder {
  private:
   void checkExpectedMemory() const;
   void mesh();
-  /// checkExpectedMemory() with the numbers of the setup.
-  void checkMemory() const;
-  void checkFits(double coefficients, double slots) const;
+  /// checkExpectedMemory() with the numbers of the setup; chooses how the operators are stored.
+  void checkMemory();
+  bem::Precision checkFits(double coefficients, double slots) const;
   /// Computes the parts of the model that the body force determines, once it has its problem.
   void addBodyForce();
   bem::ProblemInputs problemInputs() const;
@@ -49,6 +49,7 @@ class ModelBuilder {
   std::chrono::steady_clock::time_point lapStart_ = std::chrono::steady_clock::now();
   modeling::MeshSettings settings_;
   ProjectGeometry geometry_;
+  bem::Precision precision_;
   modeling::SurfaceMesh mesh_;         // until setUp(), which moves it into the model
   std::shared_ptr<TouchModel> model_;  // from setUp() on
   BuildReport report_;

@@ -38,6 +38,18 @@ double expectedBytes(double coefficients, double slots, modeling::Engine engine,
   return bem::expectedBytes(coefficients, slots, engine == modeling::Engine::kQuadratic, precision);
 }
 
+bem::Precision fittingPrecision(double coefficients, double slots, modeling::Engine engine,
+                                bem::Precision wanted, double limit) {
+  const double usable = usableMemory(limit);
+  if (usable <= 0 || wanted != bem::Precision::kAutomatic || engine != modeling::Engine::kQuadratic)
+    return wanted;
+  const auto fits = [&](bem::Precision precision) {
+    return expectedBytes(coefficients, slots, engine, precision) <= usable;
+  };
+  const bool needsCompression = !fits(wanted) && fits(bem::Precision::kCompressed);
+  return needsCompression ? bem::Precision::kCompressed : wanted;
+}
+
 void checkMemory(const modeling::MeshSettings& settings, modeling::Engine engine,
                  double coefficients, double slots, bem::Precision precision,
                  double requestedLimit) {

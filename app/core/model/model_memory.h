@@ -28,6 +28,12 @@ double usableMemory(double limit);
 double expectedBytes(double coefficients, double slots, modeling::Engine engine,
                      bem::Precision precision);
 
+/// How a model of these sizes is stored: as wanted, but compressed where the choice is automatic
+/// and only the compressed operators fit into memory. `limit`: bytes, 0 for 85 % of the memory
+/// available now.
+bem::Precision fittingPrecision(double coefficients, double slots, modeling::Engine engine,
+                                bem::Precision wanted, double limit);
+
 /// Throws ModelTooLarge if a model does not fit into memory; the message names the sizes
 /// and a remedy. `coefficients`: number of displacement coefficients, with triangles of nodes;
 /// `slots`: number of traction slots; `limit`: bytes, 0 for 85 % of the memory available now.

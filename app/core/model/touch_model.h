@@ -65,6 +65,7 @@ struct TouchState {
 
     bool presses() const { return kind && modeling::infoOf(*kind).presses; }
     bool isBall() const { return kind && modeling::infoOf(*kind).isBall; }
+    bool hasGivenForce() const { return kind && modeling::infoOf(*kind).isForce; }
     /// N, positive into the body.
     double normalForce() const { return 0.0 - force.dot(normal); }
     /// N, along the surface.

@@ -9,6 +9,7 @@
 #include "app/core/results/ball_error.h"
 #include "app/core/results/touch.h"
 #include "base/box_tree.h"
+#include "base/parallel.h"
 #include "bem/base/error.h"
 #include "bem/model/surface_point.h"
 #include "bem/problem/interior_evaluator.h"
@@ -45,19 +46,18 @@ struct CoverFactors {
 };
 CoverFactors coverFactors(const BoundarySetup& setup) {
   if (setup.engine == modeling::Engine::kTriangles) return {5, 5};
-  if (setup.engine == modeling::Engine::kQuadratic) return {3.25, 1.85};
+  if (setup.engine == modeling::Engine::kQuadratic) return {4.25, 1.3};
   return {hasCutSplines(setup) ? 2.8 : 1.5, 3.8};
 }
 
 /// A further factor where forces are given: a stiffness that is wrong as a whole moves all places,
 /// while a given displacement keeps the field at its place. Measured as coverFactors().
-constexpr double kWithGivenForces = 2;
-
-bool hasGivenForces(const BoundarySetup& setup, const TouchState& state) {
-  if (!setup.loads.empty() || setup.bulk().hasBodyForce()) return true;
-  return std::any_of(state.contacts.begin(), state.contacts.end(), [](const auto& contact) {
-    return contact.kind && modeling::infoOf(*contact.kind).isForce;
-  });
+double factorOfGivenForces(const BoundarySetup& setup, const TouchState& state) {
+  const bool areGiven = !setup.loads.empty() || setup.bulk().hasBodyForce() ||
+                        std::any_of(state.contacts.begin(), state.contacts.end(),
+                                    [](const auto& contact) { return contact.hasGivenForce(); });
+  if (!areGiven) return 1;
+  return setup.engine == modeling::Engine::kQuadratic ? 1.5 : 2;
 }
 
 /// The error of one of several fields: the part that the functions can represent, dominated by the
@@ -240,15 +240,20 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   const EnergyDensity energy(model.setup(), state.field);
   std::vector<int> all(static_cast<std::size_t>(mesh.triangleCount()));
   std::iota(all.begin(), all.end(), 0);
-  for (const bem::SurfacePoint& place : spread(mesh, all, samples)) {
-    job.throwIfCancelled();
-    const EstimatedError::Squares here = error.at(place);
-    sum.add(here);
-    strained.add(here, energy.at(place));
+  const std::vector<bem::SurfacePoint> places = spread(mesh, all, samples);
+  std::vector<EstimatedError::Squares> errors(places.size());
+  parallelFor(static_cast<std::ptrdiff_t>(places.size()), quiet, [&](std::ptrdiff_t k) {
+    errors[static_cast<std::size_t>(k)] = error.at(places[static_cast<std::size_t>(k)]);
+  });
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    // Triangles are small beside supports and contacts, where the displacement is prescribed.
+    const double area = mesh.area(places[k].triangle);
+    sum.add(errors[k], area);
+    strained.add(errors[k], area * energy.at(places[k]));
   }
   StateError estimate;
   const CoverFactors factors = coverFactors(model.setup());
-  const double ofForces = hasGivenForces(model.setup(), state) ? kWithGivenForces : 1;
+  const double ofForces = factorOfGivenForces(model.setup(), state);
   estimate.field = ofForces * factors.field * std::max(sum.relative(), state.relativeBalance);
   double fromArea = 0;
   for (const TouchState::Contact& contact : state.contacts) {

@@ -30,7 +30,7 @@ struct StateError {
 /// Estimates the errors of a state from `samples` places all over the surface and five at each
 /// contact. 0 where nothing moves. Costs about as much as the assembly. Throws Cancelled.
 StateError estimateErrors(const TouchModel& model, const TouchState& state, const Job& job = {},
-                          int samples = 48);
+                          int samples = 192);
 
 /// Sets the estimates of a state and of its contacts.
 void addErrors(const TouchModel& model, TouchState& state, const Job& job = {});
