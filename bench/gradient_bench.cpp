@@ -12,6 +12,7 @@
 #include "app/core/design/stiffness_gradient.h"
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
+#include "bench/gradient_times.h"
 #include "bench/timing.h"
 #include "modeling/project/project_file.h"
 
@@ -26,6 +27,7 @@ struct Options {
   double step = 1e-3;  // of the body's size
   unsigned seed = 1;
   bool isVerbose = false;
+  int times = 0;  // repetitions; 0: errors
 };
 
 /// Independent motions of all control points, mm.
@@ -40,6 +42,13 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Matrix3Xd
   std::vector<Vector3d> result = points;
   for (std::size_t k = 0; k < points.size(); ++k) result[k] += by.col(static_cast<Eigen::Index>(k));
   return result;
+}
+
+void measureTimes(const std::string& name, const modeling::Project& project, int repeats,
+                  const Job& job) {
+  const auto model = app::buildTouchModel(project, {}, job);
+  for (const auto& contact : app::playTouches(*model, project.touches, 0, job).contacts)
+    bench::printGradientTimes(name, project, *model, app::stiffnessRuleOf(contact), repeats, job);
 }
 
 void measure(const std::string& name, const modeling::Project& project, const Options& options,
@@ -111,12 +120,16 @@ int main(int argc, char** argv) {
   std::vector<std::string> files, engines{"automatic"};
   Options settings;
   int threads = 0;
+  double edge = 0;
   options.add_option("FILE", files, "Project files")->required();
   options.add_option("--engine", engines, "Engines: automatic, splines, triangles, quadratic");
   options.add_option("--directions", settings.directions, "Random directions per project");
   options.add_option("--step", settings.step, "Motion of a control point over the body's size");
   options.add_option("--seed", settings.seed, "Seed of the random directions");
   options.add_option("--threads", threads, "Threads; 0: all cores");
+  options.add_option("--times", settings.times,
+                     "Print times of so many repetitions, by parts, instead of errors");
+  options.add_option("--edge", edge, "Edge length of triangles, mm; 0: as in the file");
   options.add_flag("--verbose", settings.isVerbose, "Print every direction");
   CLI11_PARSE(options, argc, argv);
   Job job;
@@ -127,7 +140,11 @@ int main(int argc, char** argv) {
       if (engine == "splines") project.mesh.engine = modeling::Engine::kSplines;
       if (engine == "triangles") project.mesh.engine = modeling::Engine::kTriangles;
       if (engine == "quadratic") project.mesh.engine = modeling::Engine::kQuadratic;
-      measure(file + " " + engine, project, settings, job);
+      if (edge > 0) project.mesh.edgeLength = edge;
+      if (settings.times > 0)
+        measureTimes(file + " " + engine, project, settings.times, job);
+      else
+        measure(file + " " + engine, project, settings, job);
     }
   return 0;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "bem/contact/contact_mask.h"
-#include "bem/gradient/field_sampler.h"
+#include <Eigen/Dense>
 
 namespace palpa::bem {
 
@@ -20,22 +19,5 @@ struct ShapeDensity {
     return value.cwiseProduct(motion).sum() + slope.cwiseProduct(slopes).sum();
   }
 };
-
-/// Adds `factor` times the derivative of the energy ∫ σ(u_a):ε(u_b) dΩ of two fields whose supports
-/// and loads move along with the material, without the change of the fields,
-///   ∫ V · [ n σ(u_a):ε(u_b) − (∇u_a)ᵀ t(u_b) − (∇u_b)ᵀ t(u_a) ] dΓ
-/// (Eshelby's tensor; docs/theory.md, "Gradients by the shape"). `a` and `b`: their states at the
-/// points.
-void addEnergyDensity(const FieldSampler& sampler, const std::vector<SampledState>& a,
-                      const std::vector<SampledState>& b, double factor, ShapeDensity& density);
-
-/// Adds `factor` times the derivative of the work ∫ Φ force·u dΓ of a mask by its own motion, u
-/// staying with the material: its centre moves along with the material and its radius stays.
-/// `states`: of u. `support`: where the mask has traction, as tractionValues(). Returns the
-/// derivative by the motion of its centre.
-Eigen::Vector3d addMaskDensity(const FieldSampler& sampler, const ContactMask& mask,
-                               const Eigen::VectorXd& support, const Eigen::Vector3d& force,
-                               const std::vector<SampledState>& states, double factor,
-                               ShapeDensity& density);
 
 }  // namespace palpa::bem

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "bem/element/contact_elements.h"
 #include "bem/element/element_surface.h"
 #include "bem/gradient/field_sampler.h"

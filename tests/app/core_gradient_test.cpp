@@ -9,6 +9,7 @@
 #include "app/core/design/stiffness_gradient.h"
 #include "app/core/model/build_touch_model.h"
 #include "app/core/results/touch.h"
+#include "bench/plain_boundary_form.h"
 #include "modeling/error.h"
 #include "modeling/project/project_file.h"
 #include "modeling/shapes/make_primitive.h"
@@ -110,6 +111,47 @@ TEST(StiffnessGradient, ScalingFollowsTheRadius) {
   const double byRadius = (withRadius(1.02) - withRadius(1.0)) / 0.02;
   EXPECT_NEAR(box.along(Eigen::Matrix3d::Identity()) + byRadius, box.result.stiffness,
               0.03 * box.result.stiffness);
+}
+
+/// Largest difference between the prepared boundary form and its plain sums over the points, over
+/// the largest value.
+double formDifference(const StiffnessGradients& gradients, const TouchModel& model,
+                      const StiffnessRule& rule) {
+  const ContactStiffness stiffness =
+      contactStiffness(*model.problem(), gradients.contactSurface(), rule);
+  const Matrix3Xd plain = bench::plainBoundaryForm(gradients.surface(), model, stiffness);
+  return (gradients.boundaryForm(stiffness) - plain).cwiseAbs().maxCoeff() /
+         plain.cwiseAbs().maxCoeff();
+}
+
+TEST(BoundaryForm, EqualsThePlainSumsOverThePoints) {
+  for (const modeling::Engine engine :
+       {modeling::Engine::kSplines, modeling::Engine::kQuadratic, modeling::Engine::kTriangles}) {
+    const modeling::Project project = example("box", engine);
+    const auto model = buildTouchModel(project, {}, {});
+    const StiffnessGradients gradients(project, *model);
+    StiffnessRule rule = stiffnessRuleOf(playTouches(*model, project.touches).contacts.front());
+    EXPECT_LT(formDifference(gradients, *model, rule), 1e-12) << "engine " << int(engine);
+    // Several masks with forces, as below a ball; one of them beside an edge of the box.
+    rule.deflection.setZero();
+    rule.masks = {{Vector3d(-8, 0, 20), 6, Vector3d(0, 0.1, -0.8)},
+                  {Vector3d(-5, 2, 20), 5, Vector3d(0.1, 0, -0.2)},
+                  {Vector3d(11, 0, 20), 5, Vector3d(0, 0, 0.3)}};
+    EXPECT_LT(formDifference(gradients, *model, rule), 1e-12) << "engine " << int(engine);
+  }
+}
+
+TEST(BoundaryForm, DoesNotDependOnTheNumberOfThreads) {
+  const modeling::Project project = example("box", modeling::Engine::kSplines);
+  const auto model = buildTouchModel(project, {}, {});
+  const StiffnessGradients gradients(project, *model);
+  const ContactStiffness stiffness =
+      contactStiffness(*model->problem(), gradients.contactSurface(),
+                       stiffnessRuleOf(playTouches(*model, project.touches).contacts.front()));
+  Job one, three;
+  one.threads = 1;
+  three.threads = 3;
+  EXPECT_EQ(gradients.boundaryForm(stiffness, one), gradients.boundaryForm(stiffness, three));
 }
 
 // A slender bar that is bent across: k ~ w h³ / L³, apart from shear and the press of the mask.

@@ -1,6 +1,7 @@
 #include "app/core/design/shape_basis.h"
 
-#include "bem/gradient/surface_rules.h"
+#include <map>
+
 #include "modeling/solid/basis.h"
 
 namespace palpa::app {
@@ -56,6 +57,23 @@ Eigen::Matrix3Xd ShapeBasis::gradient(const bem::ShapeDensity& density) const {
     }
   }
   return gradient;
+}
+
+bem::BoundaryForm::Motion ShapeBasis::motion(int first, int count) const {
+  bem::BoundaryForm::Motion motion;
+  std::map<int, Eigen::Index> columnOf;
+  for (std::size_t k = first_[first]; k < first_[first + count]; ++k)
+    if (columnOf.try_emplace(weights_[k].controlPoint, columnOf.size()).second)
+      motion.controlPoints.push_back(weights_[k].controlPoint);
+  motion.functions.setZero(3 * static_cast<Eigen::Index>(count),
+                           static_cast<Eigen::Index>(columnOf.size()));
+  for (int q = 0; q < count; ++q)
+    for (std::size_t k = first_[first + q]; k < first_[first + q + 1]; ++k) {
+      const Weight& weight = weights_[k];
+      motion.functions.col(columnOf[weight.controlPoint]).segment<3>(3 * q) +=
+          Vector3d(weight.value, weight.first, weight.second);
+    }
+  return motion;
 }
 
 }  // namespace palpa::app

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "bem/gradient/boundary_form.h"
+#include "bem/gradient/field_sampler.h"
 #include "bem/gradient/shape_density.h"
 #include "modeling/solid/edge_curve.h"
 #include "modeling/solid/solid.h"
@@ -27,6 +29,9 @@ class ShapeBasis {
   /// Derivative by the control points, one column each: Σ_q value_q N_j + Σ_a slope_qa ∂N_j/∂t_a.
   /// The centres of masks are left out.
   Eigen::Matrix3Xd gradient(const bem::ShapeDensity& density) const;
+
+  /// Motion of the points [first, first + count).
+  bem::BoundaryForm::Motion motion(int first, int count) const;
 
   /// Places of the points, in their order.
   const std::vector<modeling::SurfaceParameter>& places() const { return places_; }

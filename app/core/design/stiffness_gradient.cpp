@@ -80,44 +80,6 @@ StiffnessGradient StiffnessGradients::of(const StiffnessRule& rule, const Job& j
   return {rule.name, stiffness.value, gradient(stiffness, job)};
 }
 
-StiffnessGradients::Fields StiffnessGradients::fieldsOf(const ContactStiffness& stiffness,
-                                                        const Job& job) const {
-  const auto evaluate = [&](const bem::BoundaryField& field) {
-    return surface_.sampler.evaluate(field.u.col(0), field.p.col(0), model_.setup().material, job);
-  };
-  return {evaluate(stiffness.load), evaluate(stiffness.adjoint)};
-}
-
-Matrix3Xd StiffnessGradients::addMasks(const ContactStiffness& stiffness, const Fields& fields,
-                                       bem::ShapeDensity& density) const {
-  const bem::FieldSampler& sampler = surface_.sampler;
-  const modeling::Solid& solid = surface_.basis.solid();
-  const std::vector<int>& firstSlot = model_.setup().discretisation->slots().firstOfNode;
-  modeling::NearestOnPatches nearest(solid);
-  Matrix3Xd ofCentres = Matrix3Xd::Zero(3, static_cast<Index>(solid.controlPoints().size()));
-  for (std::size_t m = 0; m < stiffness.masks.size(); ++m) {
-    const bem::ContactMask& mask = stiffness.masks[m];
-    std::vector<int> slots;
-    std::vector<double> values;
-    for (std::size_t k = 0; k < mask.nodes.size(); ++k)
-      for (int slot = firstSlot[mask.nodes[k]]; slot < firstSlot[mask.nodes[k] + 1]; ++slot) {
-        slots.push_back(slot);
-        values.push_back(mask.traction[k]);
-      }
-    const Eigen::VectorXd support = sampler.tractionValues(slots, values, firstSlot.back());
-    const Vector3d load = stiffness.loadForces.col(static_cast<Index>(m)),
-                   adjoint = stiffness.adjointForces.col(static_cast<Index>(m));
-    Vector3d ofCentre = Vector3d::Zero();
-    if (!load.isZero(0))
-      ofCentre += addMaskDensity(sampler, mask, support, load, fields.adjoint, -1, density);
-    if (!adjoint.isZero(0))
-      ofCentre += addMaskDensity(sampler, mask, support, adjoint, fields.load, -1, density);
-    for (const auto& [point, weight] : nearest.of(mask.point.position))
-      ofCentres.col(point) += weight * ofCentre;
-  }
-  return ofCentres;
-}
-
 Matrix3Xd StiffnessGradients::ofMasks(const ContactStiffness& stiffness,
                                       const Eigen::VectorXd& lambda) const {
   const Eigen::VectorXd bySlots = bem::transposedTractions(*model_.problem(), lambda);
@@ -170,11 +132,7 @@ Matrix3Xd StiffnessGradients::gradient(const ContactStiffness& stiffness, const 
 
 Matrix3Xd StiffnessGradients::boundaryForm(const ContactStiffness& stiffness,
                                            const Job& job) const {
-  const Fields fields = fieldsOf(stiffness, job);
-  bem::ShapeDensity density(surface_.sampler.pointCount());
-  addEnergyDensity(surface_.sampler, fields.load, fields.adjoint, 1, density);
-  const Matrix3Xd ofCentres = addMasks(stiffness, fields, density);
-  return surface_.basis.gradient(density) + ofCentres;
+  return boundary_.get(surface_, model_).of(stiffness, job);
 }
 
 }  // namespace palpa::app

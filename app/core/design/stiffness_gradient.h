@@ -1,8 +1,10 @@
 #pragma once
 
+#include "app/core/design/boundary_gradient.h"
 #include "app/core/design/contact_stiffness.h"
 #include "app/core/design/design_surface.h"
 #include "app/core/design/material_points.h"
+#include "base/lazy.h"
 #include "bem/gradient/residual_shape.h"
 #include "modeling/project/project.h"
 
@@ -35,31 +37,25 @@ class StiffnessGradients {
   StiffnessGradient of(const StiffnessRule& rule, const Job& job = {}) const;
   Eigen::Matrix3Xd gradient(const ContactStiffness& stiffness, const Job& job = {}) const;
 
-  /// Boundary form of the same gradient, from the traces of the fields alone (Eshelby's tensor): a
-  /// few milliseconds. Beside the borders of supports, where the energy is unbounded, it is wrong
-  /// by as much as the gradient itself; elsewhere it shows where material makes the body stiffer.
+  /// Boundary form of the same gradient, from the traces of the fields alone (Eshelby's tensor):
+  /// 1 to 2 ms for 10,000 points of surface(); the first call also prepares what touches share
+  /// (docs/performance.md). Beside the borders of supports, where the energy is unbounded, it is
+  /// wrong by as much as the gradient itself; elsewhere it shows where material makes the body
+  /// stiffer.
   Eigen::Matrix3Xd boundaryForm(const ContactStiffness& stiffness, const Job& job = {}) const;
 
   const DesignSurface& surface() const { return surface_; }
   const bem::ContactSurface& contactSurface() const { return *contactSurface_; }
 
  private:
-  struct Fields {
-    std::vector<bem::SampledState> load, adjoint;
-  };
-  Fields fieldsOf(const ContactStiffness& stiffness, const Job& job) const;
   /// Derivative by the projected masks (bem::maskDerivative()).
   Eigen::Matrix3Xd ofMasks(const ContactStiffness& stiffness, const Eigen::VectorXd& lambda) const;
-  /// Adds the derivative by the motion of the bumps to the density; returns the part of their
-  /// centres.
-  Eigen::Matrix3Xd addMasks(const ContactStiffness& stiffness, const Fields& fields,
-                            bem::ShapeDensity& density) const;
-
   const TouchModel& model_;
   DesignSurface surface_;
   std::unique_ptr<bem::ContactSurface> contactSurface_;
   std::unique_ptr<bem::ResidualShape> shape_;
   MaterialPoints points_;
+  Lazy<BoundaryGradient> boundary_;
 };
 
 }  // namespace palpa::app
