@@ -44,6 +44,14 @@ struct ElementTree {
 using TriangleList = std::vector<Kernel::Triangle_3>;
 using SegmentList = std::vector<Kernel::Segment_3>;
 
+std::vector<std::array<Vector3d, 3>> cornersOf(const std::vector<Vector3d>& positions,
+                                               const std::vector<std::array<int, 3>>& triangles) {
+  std::vector<std::array<Vector3d, 3>> corners;
+  for (const auto& [a, b, c] : triangles)
+    corners.push_back({positions[a], positions[b], positions[c]});
+  return corners;
+}
+
 }  // namespace
 
 struct NearestOnTriangles::Tree
@@ -55,6 +63,10 @@ struct NearestOnTriangles::Tree
 struct NearestOnSegments::Tree
     : ElementTree<Kernel::Segment_3, CGAL::AABB_segment_primitive<Kernel, SegmentList::iterator>> {
 };
+
+NearestOnTriangles::NearestOnTriangles(const std::vector<Vector3d>& positions,
+                                       const std::vector<std::array<int, 3>>& triangles)
+    : NearestOnTriangles(cornersOf(positions, triangles)) {}
 
 NearestOnTriangles::NearestOnTriangles(const std::vector<std::array<Vector3d, 3>>& triangles) {
   auto tree = std::make_shared<Tree>();

@@ -13,6 +13,8 @@ namespace palpa::modeling {
 class NearestOnTriangles {
  public:
   explicit NearestOnTriangles(const std::vector<std::array<Eigen::Vector3d, 3>>& triangles);
+  NearestOnTriangles(const std::vector<Eigen::Vector3d>& positions,
+                     const std::vector<std::array<int, 3>>& triangles);
   Eigen::Vector3d nearest(const Eigen::Vector3d& point) const;
   /// Index of the triangle with that point; -1 for an empty set.
   int nearestTriangle(const Eigen::Vector3d& point) const;
