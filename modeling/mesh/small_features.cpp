@@ -1,311 +1,23 @@
 #include "modeling/mesh/small_features.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Constrained_placement.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/LindstromTurk_placement.h>
-#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
+#include <utility>
+#include <vector>
 
 #include "modeling/body/smooth_regions.h"
+#include "modeling/mesh/feature_lengths.h"
 #include "modeling/mesh/nearest_point.h"
+#include "modeling/mesh/short_edges.h"
 #include "modeling/mesh/triangle_crossings.h"
 
 namespace palpa::modeling {
 namespace {
 
-namespace sms = CGAL::Surface_mesh_simplification;
 using Eigen::Vector3d;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Vertex = Mesh::Vertex_index;
-using Halfedge = Mesh::Halfedge_index;
-using Edge = Mesh::Edge_index;
-using Face = Mesh::Face_index;
-using Lengths = Mesh::Property_map<Vertex, double>;
-using Faces = Mesh::Property_map<Face, int>;
-using Fixed = Mesh::Property_map<Edge, bool>;
 
-constexpr double kOfRadius =
-    0.3;                        // shortest edge on a curved surface: edges turn by 17 to 35 degrees
-constexpr double kStrip = 0.9;  // of the smallest length: the width of strips that are removed
-constexpr double kFlat = 1e-9;  // 1 - cosine below which two triangles lie in one plane
 constexpr double kUnmoved = 0.2;  // of the smallest length: fine curved surfaces made coarser
-
-Vector3d toVector(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-const double kSharpCosine = std::cos(kSharpEdgeDegrees * std::numbers::pi / 180.0);
-
-/// A surface in work: CGAL's mesh with the smallest length of features per vertex.
-class WorkSurface {
- public:
-  WorkSurface(const FacedTriangles& body, const std::vector<double>& lengths,
-              const std::set<int>& keptFaces)
-      : lengths_(mesh_.add_property_map<Vertex, double>("v:length", 0).first),
-        faces_(mesh_.add_property_map<Face, int>("f:face", -1).first),
-        fixed_(mesh_.add_property_map<Edge, bool>("e:fixed", false).first) {
-    for (std::size_t i = 0; i < body.positions.size(); ++i) {
-      const Vector3d& p = body.positions[i];
-      lengths_[mesh_.add_vertex({p.x(), p.y(), p.z()})] = lengths[i];
-    }
-    for (std::size_t t = 0; t < body.triangles.size(); ++t) {
-      const auto vertex = [&](int k) {
-        return Vertex(static_cast<Mesh::size_type>(body.triangles[t][k]));
-      };
-      faces_[mesh_.add_face(vertex(0), vertex(1), vertex(2))] = body.faceOfTriangle[t];
-    }
-    for (const Edge edge : mesh_.edges()) {
-      const int one = faces_[mesh_.face(mesh_.halfedge(edge, 0))];
-      const int other = faces_[mesh_.face(mesh_.halfedge(edge, 1))];
-      fixed_[edge] = one != other && (keptFaces.contains(one) || keptFaces.contains(other));
-    }
-  }
-
-  void simplify(const Job& job) {
-    constexpr int kRounds = 4;
-    for (int round = 0; round < kRounds; ++round) {
-      collapse(sms::LindstromTurk_placement<Mesh>(), job);
-      // Where no point keeps the volume, one of the two ends mostly is possible.
-      collapse(BetterEnd{}, job);
-      if (round + 1 == kRounds || !closeStrips()) return;
-    }
-  }
-
-  SimplifiedSurface result() const {
-    SimplifiedSurface surface;
-    std::vector<int> number(mesh_.num_vertices(), -1);
-    for (const Vertex vertex : mesh_.vertices()) {
-      number[vertex.idx()] = static_cast<int>(surface.positions.size());
-      surface.positions.push_back(toVector(mesh_.point(vertex)));
-    }
-    for (const Face face : mesh_.faces()) {
-      const auto corners = cornersOf(mesh_.halfedge(face));
-      surface.triangles.push_back(
-          {number[corners[0].idx()], number[corners[1].idx()], number[corners[2].idx()]});
-      surface.faceOfTriangle.push_back(faces_[face]);
-    }
-    return surface;
-  }
-
- private:
-  /// The end of an edge with the smaller distance from the planes of the triangles around it.
-  struct BetterEnd {
-    template <class Profile>
-    boost::optional<Point> operator()(const Profile& profile) const {
-      const auto distance = [&](const Point& to) {
-        double sum = 0;
-        for (const auto& [a, b, c] : profile.triangles()) {
-          const auto at = [&](Vertex v) { return get(profile.vertex_point_map(), v); };
-          const Kernel::Vector_3 normal = CGAL::normal(at(a), at(b), at(c));
-          const double area = std::sqrt(normal.squared_length());
-          if (area > 0) sum += std::pow(normal * (to - at(a)), 2) / area;
-        }
-        return sum;
-      };
-      return distance(profile.p0()) <= distance(profile.p1()) ? profile.p0() : profile.p1();
-    }
-  };
-
-  /// Squared length of edges shorter than the smallest length, none for others.
-  struct Cost {
-    Lengths lengths;
-    template <class Profile>
-    boost::optional<double> operator()(const Profile& profile,
-                                       const boost::optional<Point>& to) const {
-      const double smallest = std::min(lengths[profile.v0()], lengths[profile.v1()]);
-      const double limit = smallest * smallest;
-      const double length = CGAL::squared_distance(profile.p0(), profile.p1());
-      if (!to || length >= limit ||
-          CGAL::squared_distance(*to, CGAL::midpoint(profile.p0(), profile.p1())) > limit)
-        return boost::none;
-      return length;
-    }
-  };
-
-  struct Never {
-    template <class Number, class Profile>
-    bool operator()(const Number&, const Profile&, std::size_t, std::size_t) const {
-      return false;
-    }
-  };
-
-  struct Checkpoint : sms::Edge_collapse_visitor_base<Mesh> {
-    const Job* job = nullptr;
-    template <class Profile, class Number>
-    void OnSelected(const Profile&, const Number&, std::size_t, std::size_t) {
-      job->throwIfCancelled();
-    }
-  };
-
-  template <class Placement>
-  void collapse(const Placement& placement, const Job& job) {
-    Checkpoint checkpoint;
-    checkpoint.job = &job;
-    const sms::Bounded_normal_change_filter<> keepsSides;
-    sms::edge_collapse(
-        mesh_, Never{},
-        CGAL::parameters::get_cost(Cost{lengths_})
-            .get_placement(sms::Constrained_placement<Placement, Fixed>(fixed_, placement))
-            .filter(keepsSides)
-            .edge_is_constrained_map(fixed_)
-            .visitor(checkpoint));
-    mesh_.collect_garbage();
-  }
-
-  std::array<Vertex, 3> cornersOf(Halfedge side) const {
-    return {mesh_.source(side), mesh_.target(side), mesh_.target(mesh_.next(side))};
-  }
-
-  Vector3d normalOf(Halfedge side) const {
-    const auto [a, b, c] = cornersOf(side);
-    const Vector3d origin = toVector(mesh_.point(a));
-    return (toVector(mesh_.point(b)) - origin)
-        .cross(toVector(mesh_.point(c)) - origin)
-        .normalized();
-  }
-
-  bool isSharp(Edge edge) const {
-    return normalOf(mesh_.halfedge(edge, 0)).dot(normalOf(mesh_.halfedge(edge, 1))) < kSharpCosine;
-  }
-
-  /// Splits sharp edges opposite to near vertices of other sharp edges, so that the strip between
-  /// them gets short edges. Returns whether there was such a strip.
-  bool closeStrips() {
-    std::vector<bool> isOnSharp(mesh_.num_vertices(), false);
-    for (const Edge edge : mesh_.edges())
-      if (isSharp(edge))
-        for (const int end : {0, 1}) isOnSharp[mesh_.vertex(edge, end).idx()] = true;
-    const std::vector<Face> all(mesh_.faces().begin(), mesh_.faces().end());
-    bool hasSplit = false;
-    for (const Face face : all) {
-      Halfedge longest = mesh_.halfedge(face);
-      for (const Halfedge side : mesh_.halfedges_around_face(longest))
-        if (squaredLength(side) > squaredLength(longest)) longest = side;
-      const Vertex tip = mesh_.target(mesh_.next(longest));
-      if (tip.idx() >= isOnSharp.size() || !isOnSharp[tip.idx()] || fixed_[mesh_.edge(longest)] ||
-          !isSharp(mesh_.edge(longest)))
-        continue;
-      const double smallest = lengths_[tip], length = std::sqrt(squaredLength(longest));
-      const Vector3d a = toVector(mesh_.point(mesh_.source(longest)));
-      const Vector3d along = (toVector(mesh_.point(mesh_.target(longest))) - a) / length;
-      const double at = (toVector(mesh_.point(tip)) - a).dot(along);
-      const Vector3d foot = a + at * along;
-      if ((foot - toVector(mesh_.point(tip))).norm() > kStrip * smallest || at < smallest ||
-          length - at < smallest)
-        continue;
-      splitAt(longest, {foot.x(), foot.y(), foot.z()}, smallest);
-      hasSplit = true;
-    }
-    return hasSplit;
-  }
-
-  double squaredLength(Halfedge side) const {
-    return CGAL::squared_distance(mesh_.point(mesh_.source(side)), mesh_.point(mesh_.target(side)));
-  }
-
-  void splitAt(Halfedge side, const Point& place, double smallest) {
-    const bool isFixed = fixed_[mesh_.edge(side)];
-    const int left = faces_[mesh_.face(side)];
-    const int right = faces_[mesh_.face(mesh_.opposite(side))];
-    const Halfedge first = CGAL::Euler::split_edge(side, mesh_);
-    mesh_.point(mesh_.target(first)) = place;
-    lengths_[mesh_.target(first)] = smallest;
-    const Halfedge cut = CGAL::Euler::split_face(first, mesh_.next(side), mesh_);
-    for (const Halfedge half : {first, side}) fixed_[mesh_.edge(half)] = isFixed;
-    const Halfedge back = mesh_.opposite(first);
-    const Halfedge other = CGAL::Euler::split_face(mesh_.prev(back), mesh_.next(back), mesh_);
-    for (const Halfedge half : {cut, mesh_.opposite(cut)}) faces_[mesh_.face(half)] = left;
-    for (const Halfedge half : {other, mesh_.opposite(other)}) faces_[mesh_.face(half)] = right;
-    for (const Halfedge half : {cut, other}) fixed_[mesh_.edge(half)] = false;
-  }
-
-  Mesh mesh_;
-  Lengths lengths_;
-  Faces faces_;
-  Fixed fixed_;
-};
-
-NearestOnTriangles treeOf(const std::vector<Vector3d>& positions,
-                          const std::vector<std::array<int, 3>>& triangles) {
-  std::vector<std::array<Vector3d, 3>> corners;
-  for (const auto& [a, b, c] : triangles)
-    corners.push_back({positions[a], positions[b], positions[c]});
-  return NearestOnTriangles(corners);
-}
-
-/// Lengths that keep the thickness of walls: collapsed edges across their rims would make them
-/// knives.
-void keepWalls(const FacedTriangles& body, std::vector<double>& lengths) {
-  constexpr double kOfThickness = 0.8, kTowardsCorner = 0.8;
-  const auto& p = body.positions;
-  const NearestOnTriangles walls = treeOf(p, body.triangles);
-  for (std::size_t t = 0; t < body.triangles.size(); ++t) {
-    const auto& triangle = body.triangles[t];
-    const Vector3d middle = (p[triangle[0]] + p[triangle[1]] + p[triangle[2]]) / 3;
-    const Vector3d inward =
-        (p[triangle[2]] - p[triangle[0]]).cross(p[triangle[1]] - p[triangle[0]]).normalized();
-    const auto thickness = [&](const Vector3d& x) {
-      return walls.distanceAlong(x, inward, static_cast<int>(t));
-    };
-    const double atMiddle = thickness(middle);
-    for (const int corner : triangle) {
-      const double atCorner = thickness(middle + kTowardsCorner * (p[corner] - middle));
-      lengths[corner] = std::min(lengths[corner], kOfThickness * std::min(atMiddle, atCorner));
-    }
-  }
-}
-
-/// The smallest lengths at the vertices, also of the edges there: less on curved surfaces whose
-/// radius is not small itself.
-std::vector<double> lengthsOf(const FacedTriangles& body, const LengthAt& smallest) {
-  constexpr double kMaxSamples = 32;
-  std::vector<double> atVertices;
-  for (const Vector3d& p : body.positions) atVertices.push_back(smallest(p));
-  std::vector<double> lengths = atVertices;
-  for (const auto& triangle : body.triangles)
-    for (int k = 0; k < 3; ++k) {
-      const int from = triangle[k], to = triangle[(k + 1) % 3];
-      if (from > to) continue;
-      const Vector3d& a = body.positions[from];
-      const Vector3d along = body.positions[to] - a;
-      const double count = std::min(
-          std::floor(along.norm() / std::min(atVertices[from], atVertices[to])), kMaxSamples);
-      for (int i = 1; i < count; ++i) {
-        const double inside = smallest(a + i / count * along);
-        for (const int end : {from, to}) lengths[end] = std::min(lengths[end], inside);
-      }
-    }
-  std::vector<double> result = lengths;
-  const auto& p = body.positions;
-  const auto neighbours = triangleNeighbours(body.triangles);
-  const auto areaVector = [&](int t) {
-    const auto& [a, b, c] = body.triangles[t];
-    return Vector3d((p[b] - p[a]).cross(p[c] - p[a]));
-  };
-  for (std::size_t t = 0; t < body.triangles.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const int other = neighbours[t][k];
-      if (other < static_cast<int>(t)) continue;
-      const Vector3d one = areaVector(static_cast<int>(t)), two = areaVector(other);
-      const double cosine = one.normalized().dot(two.normalized());
-      if (cosine < kSharpCosine || cosine > 1 - kFlat) continue;
-      const int a = body.triangles[t][k], b = body.triangles[t][(k + 1) % 3];
-      const double width = (one.norm() + two.norm()) / (2 * (p[a] - p[b]).norm());
-      const double radius = width / std::acos(cosine);
-      for (const int end : {a, b})
-        if (radius >= lengths[end]) result[end] = std::min(result[end], kOfRadius * radius);
-    }
-  return result;
-}
 
 /// Largest distance of the vertices and middles of triangles and edges of one surface from another.
 double distance(const std::vector<Vector3d>& positions,
@@ -379,13 +91,10 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
   if (limit == 0) return unchanged(body);
   const auto [plain, pins, holes] = withoutSmallParts(
       {body.positions(), body.triangles(), body.faceOfTriangle()}, thinnest, keptFaces, job);
-  std::vector<double> lengths = lengthsOf(plain, smallest);
-  keepWalls(plain, lengths);
+  std::vector<double> lengths = featureLengths(plain, smallest);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     job.throwIfCancelled();
-    WorkSurface work(plain, lengths, keptFaces);
-    work.simplify(job);
-    SimplifiedSurface surface = work.result();
+    SimplifiedSurface surface{withoutShortEdges(plain, lengths, keptFaces, job)};
     const auto crossings =
         triangleCrossings(surface.positions, surface.triangles, kMaxCrossings, job);
     if (!crossings.empty()) {
@@ -394,8 +103,8 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
     }
     surface.cutPins = pins;
     surface.filledHoles = holes;
-    const NearestOnTriangles before = treeOf(plain.positions, plain.triangles);
-    const NearestOnTriangles after = treeOf(surface.positions, surface.triangles);
+    const NearestOnTriangles before(plain.positions, plain.triangles);
+    const NearestOnTriangles after(surface.positions, surface.triangles);
     surface.moved = std::max(distance(plain.positions, plain.triangles, after),
                              distance(surface.positions, surface.triangles, before));
     surface.isNeeded = pins + holes > 0 || hasTinyEdges(plain, smallest) ||
