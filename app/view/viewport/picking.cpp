@@ -1,9 +1,10 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
 #include "app/view/viewport/parts.h"
 
-// Picking, and lengths from pixels: the const half of Viewport.
+// Picking, and lengths from pixels: the const half of Viewport, and what lies under a pixel.
 namespace palpa::view {
 namespace {
 
@@ -13,7 +14,59 @@ constexpr double kHiddenPenalty = 0.5;
 /// Handles whose distances to the pointer differ by less lie on top of each other, logical pixels.
 constexpr double kSamePlace = 1.5;
 
+/// Weights of a triangle's corners at a point in its plane.
+Eigen::Vector3d barycentric(const Eigen::Vector3d& x, const Eigen::Vector3d& a,
+                            const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const Eigen::Vector3d normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  if (!(area > 0)) return {1, 0, 0};
+  const double ofA = (c - b).cross(x - b).dot(normal) / area,
+               ofB = (a - c).cross(x - c).dot(normal) / area;
+  return {ofA, ofB, 1 - ofA - ofB};
+}
+
 }  // namespace
+
+Eigen::Vector3d Viewport::Parts::pointUnder(const Eigen::Vector2d& pixel) const {
+  const Ray ray = camera.ray(pixel);
+  if (const auto hit = firstHit(ray)) return ray.at(hit->distance);
+  return camera.inViewPlane(pixel, camera.focus());
+}
+
+std::optional<RayHit> Viewport::Parts::firstHit(const Ray& ray) const {
+  auto hit = bodyBoxes.firstHit(ray, body.positions, body.triangles);
+  if (!section) return hit;
+  // The part in front of the section is not there. A ray enters and leaves it at most that often.
+  constexpr int kMaxHidden = 16;
+  double passed = 0;
+  const double step = 1e-6 * bodyDiagonal();
+  for (int k = 0; hit && k < kMaxHidden; ++k) {
+    const Triangle& corners = body.triangles[static_cast<std::size_t>(hit->triangle)];
+    const auto at = [&](std::size_t i) { return static_cast<std::size_t>(corners[i]); };
+    const Eigen::Vector3d point = ray.at(passed + hit->distance);
+    const Eigen::Vector3d weights =
+        barycentric(point, body.positions[at(0)], body.positions[at(1)], body.positions[at(2)]);
+    double distance = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      distance += weights[static_cast<Eigen::Index>(i)] * section->distances[at(i)];
+    if (distance <= 0) {
+      hit->distance += passed;
+      return hit;
+    }
+    passed += hit->distance + step;
+    hit = bodyBoxes.firstHit({ray.at(passed), ray.direction}, body.positions, body.triangles);
+  }
+  return std::nullopt;
+}
+
+bool Viewport::Parts::hidden(const Eigen::Vector3d& point) const {
+  // A point on the surface is not hidden by the triangles that meet there.
+  constexpr double kOnSurface = 1e-3;  // of the distance
+  const Ray ray = camera.ray(camera.toPixel(point));
+  const double distance = (point - ray.origin).dot(ray.direction);
+  const auto hit = firstHit(ray);
+  return hit && hit->distance < distance - kOnSurface * camera.distance();
+}
 
 std::optional<SurfaceHit> Viewport::surfaceAt(const Eigen::Vector2d& pixel) const {
   parts_->syncSize();
