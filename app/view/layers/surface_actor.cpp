@@ -9,17 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/view/layers/mark_colours.h"
 #include "app/view/scene/colour_map.h"
 
 namespace palpa::view {
 namespace {
 
-/// Share of the colour of the mark in the colour of a marked triangle.
-constexpr double kMarkStrength = 0.82;
-/// In the wire picture only marked triangles are drawn, as a tint of this opacity.
-constexpr double kTintOpacity = 0.35;
-
-constexpr Colour kGrey{0.56, 0.57, 0.58};
 constexpr double kAmbient = 0.50;
 constexpr double kDiffuse = 0.56;
 /// Distance between the strokes of the hatching, logical pixels, up to a factor of 1.4 either way.
@@ -27,37 +22,7 @@ constexpr double kHatch = 11;
 /// The hatching lies in planes across this direction, along which no face of a simple solid lies.
 const Eigen::Vector3d kAcrossHatching = Eigen::Vector3d(0.61, 0.55, 0.57).normalized();
 
-Colour colourOf(Mark mark, const ViewportTheme& theme) {
-  switch (mark) {
-    case Mark::kSupport:
-      return mixed(theme.body, theme.support, kMarkStrength);
-    case Mark::kLoad:
-      return mixed(theme.body, theme.load, kMarkStrength);
-    case Mark::kHovered:
-      return mixed(theme.body, theme.hovered, kMarkStrength);
-    case Mark::kSelected:
-      return mixed(theme.body, theme.selected, kMarkStrength);
-    case Mark::kWarning:
-      return mixed(theme.body, theme.warning, kMarkStrength);
-    case Mark::kNone:
-      break;
-  }
-  return theme.body;
-}
-
-std::array<unsigned char, 4> bytes(const Colour& colour, double opacity) {
-  const auto byte = [](double value) {
-    return static_cast<unsigned char>(std::lround(255 * value));
-  };
-  return {byte(colour[0]), byte(colour[1]), byte(colour[2]), byte(opacity)};
-}
-
 }  // namespace
-
-SupportColours supportColours(const ViewportTheme& theme, bool hasField) {
-  const Colour ground = hasField ? mixed(theme.body, kGrey, 0.7) : colourOf(Mark::kSupport, theme);
-  return {ground, mixed(ground, theme.line, strokeStrength(hasField))};
-}
 
 SurfaceActor::SurfaceActor(vtkRenderer* renderer)
     : points_(makeFloatPoints()),
@@ -193,7 +158,7 @@ void SurfaceActor::updateRegionLooks() {
   uniforms.diffuse = kDiffuse;
   uniforms.tintOpacity = kTintOpacity;
   uniforms.support = supportColours(theme_, fieldColours_.has_value()).ground;
-  uniforms.load = colourOf(Mark::kLoad, theme_);
+  uniforms.load = markColour(Mark::kLoad, theme_);
   uniforms.conflict = theme_.warning;
   uniforms.body = theme_.body;
   uniforms.edge = theme_.line;
@@ -293,12 +258,7 @@ void SurfaceActor::setPixelRatio(double ratio) {
 
 void SurfaceActor::colourTriangles() {
   const bool wire = shading_ == Shading::kWire;
-  std::array<std::array<unsigned char, 4>, 6> palette{};
-  for (std::size_t i = 0; i < palette.size(); ++i) {
-    const auto mark = static_cast<Mark>(i);
-    const double tint = mark == Mark::kNone ? 0 : kTintOpacity;
-    palette[i] = bytes(colourOf(mark, theme_), wire ? tint : 1);
-  }
+  const MarkPalette palette = markPalette(theme_, wire);
   colours_->SetNumberOfTuples(static_cast<vtkIdType>(marks_.size()));
   anyMark_ = false;
   for (std::size_t i = 0; i < marks_.size(); ++i) {

@@ -16,13 +16,6 @@
 /// The body. Internal to app/view.
 namespace palpa::view {
 
-/// Colours of supports and of the strokes of their hatching.
-struct SupportColours {
-  Colour ground, stroke;
-};
-/// `hasField`: beside the colours of a field supports are grey.
-SupportColours supportColours(const ViewportTheme& theme, bool hasField);
-
 /// Surface, border and knot lines in a renderer. The actors live as long as this object; new shapes
 /// are written into their arrays.
 class SurfaceActor {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/view/layers/mark_colours.h"
 #include "app/view/layers/text.h"
 #include "app/view/viewport/checks.h"
 
