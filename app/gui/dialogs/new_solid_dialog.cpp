@@ -8,15 +8,12 @@
 
 #include "app/core/session/new_project.h"
 #include "app/gui/base/appearance.h"
-#include "app/gui/dialogs/import_profile_dialog.h"
 #include "app/gui/dialogs/primitive_kinds.h"
-#include "app/gui/dialogs/profile_dialog.h"
 #include "modeling/body/body.h"
 #include "modeling/error.h"
 #include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/outer_size.h"
 #include "modeling/shapes/shape_parameters.h"
-#include "modeling/shapes/shape_sketch.h"
 
 namespace palpa::gui {
 namespace {
@@ -28,10 +25,6 @@ constexpr int kSizeWidth = 84;       // px, of a field that shows five digits wi
 /// Prevents a line break before the unit.
 QString unbroken(QString length) {
   return length.replace(' ', QChar::Nbsp);
-}
-
-const PrimitiveKind& kindOf(int index) {
-  return primitiveKinds()[static_cast<std::size_t>(index)];
 }
 
 }  // namespace
@@ -72,13 +65,13 @@ NewSolidDialog::NewSolidDialog(Settings& settings,
     showKind(static_cast<int>(first));
   }
   connect(kinds_, &QListWidget::currentRowChanged, this, [this](int row) {
-    primitive_ = kindOf(row).primitive;
+    primitive_ = primitiveKind(row).primitive;
     primitive_.degree = degree_->value();
     preview_->lookAgain();
     showKind(row);
   });
   if (!present) {
-    primitive_ = kindOf(kinds_->currentRow()).primitive;
+    primitive_ = primitiveKind(kinds_->currentRow()).primitive;
     showKind(kinds_->currentRow());
   }
 }
@@ -132,7 +125,7 @@ void NewSolidDialog::addWidgets(bool isPresent) {
 }
 
 QString NewSolidDialog::shapeTitle() const {
-  return kindOf(shownKind_).title;
+  return primitiveKind(shownKind_).title;
 }
 
 void NewSolidDialog::showKind(int kind) {
@@ -142,8 +135,8 @@ void NewSolidDialog::showKind(int kind) {
   profile_ = nullptr;
   outerSize_ = nullptr;
   ownShape_.reset();
-  if (!kindOf(kind).profiles.empty()) addProfileRow();
-  for (const PrimitiveLength& length : kindOf(kind).lengths) {
+  if (!primitiveKind(kind).profiles.empty()) addProfileRow();
+  for (const PrimitiveLength& length : primitiveKind(kind).lengths) {
     auto* row = new NumberRow(Quantity::kLength, settings_, this);
     row->field().setObjectName(QString::fromStdString(length.inWords));
     row->setRange(length.mayBeZero ? 0.0 : modeling::kMinLength, modeling::kMaxLength);
@@ -167,51 +160,6 @@ void NewSolidDialog::showKind(int kind) {
   const QSignalBlocker blockDegree(degree_), blockCount(controlPoints_);
   degree_->setValue(primitive_.degree);
   controlPoints_->setValue(primitive_.controlPoints);
-  update();
-}
-
-void NewSolidDialog::addProfileRow() {
-  profile_ = new QComboBox(this);
-  profile_->setObjectName("profile");
-  for (const auto& profile : kindOf(shownKind_).profiles) profile_->addItem(profile.title);
-  profile_->addItem(tr("From a file …"));
-  // An existing shape may have any profile.
-  if (!kinds_->isVisibleTo(this)) {
-    profile_->insertItem(0, tr("As it is"));
-    profile_->setCurrentIndex(0);
-    ownShape_ = primitive_.shape;
-  }
-  editProfile_ = new QPushButton(tr("&Edit …"), this);
-  editProfile_->setObjectName("editProfile");
-  editProfile_->setToolTip(tr("Draw and edit the curve, or import it from an SVG or DXF file"));
-  editProfile_->setAutoDefault(false);
-  connect(editProfile_, &QPushButton::clicked, this, &NewSolidDialog::editProfile);
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(profile_, 1);
-  layout->addWidget(editProfile_);
-  form_->insertRow(0, tr("&Profile:"), row);
-  qobject_cast<QLabel*>(form_->labelForField(row))->setBuddy(profile_);
-  connect(profile_, &QComboBox::activated, this, &NewSolidDialog::chooseProfile);
-}
-
-void NewSolidDialog::editProfile() {
-  readFields();
-  ProfileDialog dialog(settings_, primitive_, this);
-  if (dialog.exec() == QDialog::Accepted) setProfile(dialog.primitive());
-}
-
-void NewSolidDialog::setProfile(const modeling::Primitive& primitive) {
-  primitive_ = primitive;
-  // The list names it, so that its examples can be chosen again.
-  if (ownShape_)
-    profile_->setItemText(0, tr("Own profile"));
-  else
-    profile_->insertItem(0, tr("Own profile"));
-  profile_->setCurrentIndex(0);
-  ownShape_ = primitive_.shape;
-  preview_->lookAgain();
   update();
 }
 
@@ -255,37 +203,14 @@ void NewSolidDialog::setOuterSize(const Eigen::Vector3d& size) {
 void NewSolidDialog::showLengths() {
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
     const QSignalBlocker block(lengths_[i]);
-    lengths_[i]->setValue(kindOf(shownKind_).lengths[i].in(primitive_));
+    lengths_[i]->setValue(primitiveKind(shownKind_).lengths[i].in(primitive_));
   }
-}
-
-void NewSolidDialog::chooseProfile(int index) {
-  const auto& profiles = kindOf(shownKind_).profiles;
-  const int first = profile_->count() - 1 - static_cast<int>(profiles.size());
-  if (index == profile_->count() - 1) {
-    try {
-      const auto sections = importSections(settings_, modeling::sketchUseOf(primitive_), *this);
-      if (!sections) return;
-      readFields();
-      setProfile(modeling::withSections(primitive_, *sections));
-    } catch (const std::exception& error) {
-      showProblem(QString::fromStdString(error.what()));
-    }
-    return;
-  }
-  if (index >= first)
-    primitive_.shape = profiles[static_cast<std::size_t>(index - first)].shape;
-  else if (ownShape_)
-    primitive_.shape = *ownShape_;
-  preview_->lookAgain();
-  showLengths();
-  update();
 }
 
 void NewSolidDialog::readFields() {
   for (std::size_t i = 0; i < lengths_.size(); ++i)
     if (const auto value = lengths_[i]->value())
-      kindOf(shownKind_).lengths[i].in(primitive_) = *value;
+      primitiveKind(shownKind_).lengths[i].in(primitive_) = *value;
   primitive_.degree = degree_->value();
   primitive_.controlPoints = controlPoints_->value();
 }
@@ -328,7 +253,8 @@ void NewSolidDialog::showProblem(const QString& problem) {
   qsizetype earliest = problem.size();
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
     lengths_[i]->setProblem({});
-    const auto at = problem.indexOf(QString::fromStdString(kindOf(shownKind_).lengths[i].inWords));
+    const auto at =
+        problem.indexOf(QString::fromStdString(primitiveKind(shownKind_).lengths[i].inWords));
     if (at < 0 || at >= earliest) continue;
     earliest = at;
     guilty = lengths_[i];

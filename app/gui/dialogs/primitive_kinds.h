@@ -31,5 +31,9 @@ struct PrimitiveKind {
 };
 
 const std::vector<PrimitiveKind>& primitiveKinds();
+/// By the place in this list.
+inline const PrimitiveKind& primitiveKind(int index) {
+  return primitiveKinds()[static_cast<std::size_t>(index)];
+}
 
 }  // namespace palpa::gui
