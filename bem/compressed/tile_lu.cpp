@@ -1,18 +1,17 @@
 #include "bem/compressed/tile_lu.h"
 
-#include <cblas.h>
 #include <lapacke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numeric>
-#include <random>
 #include <string>
 
 #include "base/parallel.h"
 #include "bem/base/error.h"
 #include "bem/linalg/blas_threads.h"
+#include "bem/linalg/single_precision.h"
 
 namespace palpa::bem {
 
@@ -25,63 +24,6 @@ namespace {
 /// Random vectors that a basis begins with, those that are added while it does not suffice, and
 /// those that test it.
 constexpr int kSampleColumns = 32, kMoreColumns = 16, kTestColumns = 6;
-
-/// C = alpha op(A) op(B) + beta C.
-void multiply(bool transposeA, bool transposeB, float alpha, const MatrixXf& A, const MatrixXf& B,
-              float beta, MatrixXf& C) {
-  const Index rows = transposeA ? A.cols() : A.rows(), inner = transposeA ? A.rows() : A.cols(),
-              columns = transposeB ? B.rows() : B.cols();
-  if (beta == 0) C.resize(rows, columns);
-  if (rows == 0 || columns == 0) return;
-  if (inner == 0) {
-    if (beta == 0) C.setZero();
-    return;
-  }
-  cblas_sgemm(CblasColMajor, transposeA ? CblasTrans : CblasNoTrans,
-              transposeB ? CblasTrans : CblasNoTrans, static_cast<int>(rows),
-              static_cast<int>(columns), static_cast<int>(inner), alpha, A.data(),
-              static_cast<int>(A.rows()), B.data(), static_cast<int>(B.rows()), beta, C.data(),
-              static_cast<int>(C.rows()));
-}
-
-/// Random numbers that are the same on every machine.
-MatrixXf randomMatrix(Index rows, Index columns, unsigned seed) {
-  std::minstd_rand generator(seed + 1);
-  MatrixXf matrix(rows, columns);
-  const float range = static_cast<float>(std::minstd_rand::max());
-  for (Index k = 0; k < matrix.size(); ++k) {
-    // The sum of some uniform numbers is nearly normal, with variance 1 here.
-    float sum = 0;
-    for (int j = 0; j < 3; ++j) sum += 2 * static_cast<float>(generator()) / range - 1;
-    matrix.data()[k] = sum;
-  }
-  return matrix;
-}
-
-/// Replaces the columns of a matrix by an orthonormal basis.
-void orthonormalise(MatrixXf& matrix) {
-  const auto rows = static_cast<lapack_int>(matrix.rows()),
-             columns = static_cast<lapack_int>(matrix.cols());
-  std::vector<float> tau(static_cast<std::size_t>(columns));
-  LAPACKE_sgeqrf(LAPACK_COL_MAJOR, rows, columns, matrix.data(), rows, tau.data());
-  LAPACKE_sorgqr(LAPACK_COL_MAJOR, rows, columns, columns, matrix.data(), rows, tau.data());
-}
-
-void triangular(CBLAS_SIDE side, CBLAS_UPLO part, bool isTransposed, bool hasUnits,
-                const MatrixXf& triangle, MatrixXf& x) {
-  if (x.size() == 0) return;
-  cblas_strsm(CblasColMajor, side, part, isTransposed ? CblasTrans : CblasNoTrans,
-              hasUnits ? CblasUnit : CblasNonUnit, static_cast<int>(x.rows()),
-              static_cast<int>(x.cols()), 1, triangle.data(), static_cast<int>(triangle.rows()),
-              x.data(), static_cast<int>(x.rows()));
-}
-
-void swapRows(const std::vector<int>& pivots, MatrixXf& x, bool isForward) {
-  if (x.cols() == 0) return;
-  LAPACKE_slaswp_work(LAPACK_COL_MAJOR, static_cast<lapack_int>(x.cols()), x.data(),
-                      static_cast<lapack_int>(x.rows()), 1, static_cast<lapack_int>(pivots.size()),
-                      pivots.data(), isForward ? 1 : -1);
-}
 
 }  // namespace
 
@@ -261,12 +203,12 @@ TileLu::TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeTile
       if (isOfL) {  // L = A U^-1
         MatrixXf& right = made.isDense() ? made.X : made.Y;
         if (made.isDense())
-          triangular(CblasRight, CblasUpper, false, false, diagonal, right);
+          solveTriangular(CblasRight, CblasUpper, false, false, diagonal, right);
         else
-          triangular(CblasLeft, CblasUpper, true, false, diagonal, right);
+          solveTriangular(CblasLeft, CblasUpper, true, false, diagonal, right);
       } else {  // U = L^-1 P A
         swapRows(pivots_[k], made.X, true);
-        triangular(CblasLeft, CblasLower, false, true, diagonal, made.X);
+        solveTriangular(CblasLeft, CblasLower, false, true, diagonal, made.X);
       }
       tile(row, column) = std::move(made);
     });
@@ -329,11 +271,11 @@ void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
   std::vector<MatrixXf> parts = partsOf(x);
   for (int k = 0; k < count(); ++k) {
     swapRows(pivots_[k], parts[k], true);
-    triangular(CblasLeft, CblasLower, false, true, tile(k, k).X, parts[k]);
+    solveTriangular(CblasLeft, CblasLower, false, true, tile(k, k).X, parts[k]);
     forOthers(k + 1, count(), job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
   }
   for (int k = count() - 1; k >= 0; --k) {
-    triangular(CblasLeft, CblasUpper, false, false, tile(k, k).X, parts[k]);
+    solveTriangular(CblasLeft, CblasUpper, false, false, tile(k, k).X, parts[k]);
     forOthers(0, k, job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
   }
   for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
@@ -344,11 +286,11 @@ void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
   x.array().colwise() *= columnScales_;
   std::vector<MatrixXf> parts = partsOf(x);
   for (int k = 0; k < count(); ++k) {
-    triangular(CblasLeft, CblasUpper, true, false, tile(k, k).X, parts[k]);
+    solveTriangular(CblasLeft, CblasUpper, true, false, tile(k, k).X, parts[k]);
     forOthers(k + 1, count(), job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
   }
   for (int k = count() - 1; k >= 0; --k) {
-    triangular(CblasLeft, CblasLower, true, true, tile(k, k).X, parts[k]);
+    solveTriangular(CblasLeft, CblasLower, true, true, tile(k, k).X, parts[k]);
     swapRows(pivots_[k], parts[k], false);
     forOthers(0, k, job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
   }
