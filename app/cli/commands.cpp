@@ -22,6 +22,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
   commands.push_back(makeImportCommand());
   commands.push_back(makeExportCommand());
   commands.push_back(makeConvertCommand());
+  commands.push_back(makeServeCommand());
   commands.push_back(makeVerifyCommand());
   return commands;
 }

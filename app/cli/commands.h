@@ -24,6 +24,7 @@ std::unique_ptr<Command> makeReportCommand();
 std::unique_ptr<Command> makeImportCommand();
 std::unique_ptr<Command> makeExportCommand();
 std::unique_ptr<Command> makeConvertCommand();
+std::unique_ptr<Command> makeServeCommand();
 std::unique_ptr<Command> makeVerifyCommand();
 
 }  // namespace palpa::cli

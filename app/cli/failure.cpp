@@ -2,6 +2,7 @@
 #include <new>
 
 #include "app/cli/errors.h"
+#include "app/core/device/device_protocol.h"
 #include "app/view/files/errors.h"
 #include "base/atomic_file.h"
 #include "base/job.h"
@@ -57,6 +58,8 @@ Failure currentFailure() {
   } catch (const bem::SolverError& error) {
     return failureOf(error);
   } catch (const view::ViewError& error) {
+    return {kBadInput, "bad_input", error.what()};
+  } catch (const app::DeviceError& error) {
     return {kBadInput, "bad_input", error.what()};
   } catch (const OutputError& error) {
     return {kBadInput, "bad_input", error.what()};

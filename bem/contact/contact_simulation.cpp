@@ -236,6 +236,11 @@ void ContactSimulation::read(Contact& contact) {
       set_.compliance().block(first, first, 3, count) * forces_.forces.segment(first, count);
   const double deflection = contact.deflection.norm();
   contact.stiffness = deflection > 0 ? contact.force.norm() / deflection : 0.0;
+  contact.normalCompliance = 0;
+  if (set_.isPlaced(middle) && set_.isReady(middle)) {
+    const Vector3d n = surface_.normal(contact.point);
+    contact.normalCompliance = n.dot(set_.compliance().block<3, 3>(first, first) * n);
+  }
   contact.status = !set_.isPlaced(middle)    ? Status::kFixed
                    : !set_.isReady(middle)   ? Status::kWaiting
                    : !contact.tool.presses() ? Status::kGrabbed

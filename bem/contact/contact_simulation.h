@@ -127,7 +127,10 @@ class ContactSimulation {
     /// Part of `displacement` that the force of this contact causes, mm: without loads and the
     /// forces of other contacts.
     Eigen::Vector3d deflection = Eigen::Vector3d::Zero();
-    double stiffness = 0;           ///< |force| / |deflection|, N/mm; 0 if there is no force
+    double stiffness = 0;  ///< |force| / |deflection|, N/mm; 0 if there is no force
+    /// Motion of the middle along the outward normal per force on its mask in this direction, mm/N;
+    /// also known while an open tool is near the surface. 0 while the columns are missing.
+    double normalCompliance = 0;
     std::vector<PatchForce> patch;  ///< of the masks that carry force
 
     // Internal to the simulation.

@@ -43,6 +43,7 @@ struct TouchSnapshot : TouchSummary {
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();  ///< mm, at the middle
     Eigen::Vector3d deflection = Eigen::Vector3d::Zero();    ///< mm, part of the displacement
     double stiffness = 0;                                    ///< N/mm
+    double normalCompliance = 0;                             ///< mm/N
     int firstPatch = 0, patchCount = 0;
   };
   std::array<Contact, kMaxContacts> contacts{};

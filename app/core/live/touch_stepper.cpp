@@ -63,17 +63,12 @@ void TouchStepper::describe(TouchSnapshot& snapshot) const {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const bem::ContactSimulation::Contact& from = contacts[k];
     TouchSnapshot::Contact& to = snapshot.contacts[snapshot.contactCount++];
-    to = {contacts_[k].id,
-          from.tool,
-          from.status,
-          from.value,
-          from.point,
-          from.force,
-          from.displacement,
-          from.deflection,
-          from.stiffness,
-          snapshot.patchCount,
-          static_cast<int>(from.patch.size())};
+    to = {contacts_[k].id,     from.tool,
+          from.status,         from.value,
+          from.point,          from.force,
+          from.displacement,   from.deflection,
+          from.stiffness,      from.normalCompliance,
+          snapshot.patchCount, static_cast<int>(from.patch.size())};
     for (const TouchSnapshot::Patch& patch : from.patch)
       snapshot.patches[snapshot.patchCount++] = patch;
   }

@@ -1,0 +1,121 @@
+#include "app/core/device/handle_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpa::app {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kMinPeriod = 0.2e-3, kMaxPeriod = 20e-3;  // s, of the estimate
+constexpr double kPeriodShare = 0.05;                      // of a new period in the estimate
+constexpr double kVelocityShare = 0.5;                     // of a new difference in the velocity
+/// Below this velocity along the force the handle counts as resting: its force is the body's.
+constexpr double kRestVelocity = 20;  // mm/s
+/// Factor of the hardness at each step that gives energy which was not stored, its lower limit, and
+/// the time in which it grows again.
+constexpr double kSoftening = 0.8, kMinHardness = 0.05;
+constexpr double kRecovery = 2;  // s
+constexpr double kRefill = 1;    // mJ/s, of the store of a pressed contact
+/// Time in which the largest elastic energy of a contact is forgotten.
+constexpr double kForgetting = 1;  // s
+/// The next motion is predicted from the velocity with this factor.
+constexpr double kMargin = 1.2;
+/// The force rises at most so many times as fast as the spring is compressed,
+constexpr double kRise = 1.5;
+/// and to the body's force in this time if the handle rests.
+constexpr double kRiseTime = 20e-3;  // s
+
+}  // namespace
+
+/// The solver's force at another position.
+Vector3d HandleForce::extrapolated(const Vector3d& position) const {
+  const Vector3d& n = solved_.normal;
+  const Vector3d back = solved_.stiffness * (solved_.tool - position);
+  const double pressure = solved_.pressure + n.dot(back);
+  if (pressure <= 0) return Vector3d::Zero();
+  Vector3d force = pressure * n;
+  if (solved_.isSticking) force += back - n * n.dot(back);
+  return force;
+}
+
+Vector3d HandleForce::update(const Vector3d& position, double seconds,
+                             const std::optional<SolvedContact>& solved,
+                             const HandleLimits& limits) {
+  double elapsed = period_;
+  Vector3d moved = Vector3d::Zero();
+  if (isFollowed_) {
+    elapsed = std::clamp(seconds - seconds_, kMinPeriod, kMaxPeriod);
+    period_ += kPeriodShare * (elapsed - period_);
+    moved = position - position_;
+    velocity_ += kVelocityShare * (moved / elapsed - velocity_);
+    const double given = 0.5 * (force_ + before_).dot(moved);
+    stored_ -= given;
+    hardness_ += (1 - hardness_) * elapsed / kRecovery;
+    if (stored_ < 0 && given > 0) hardness_ = std::max(kSoftening * hardness_, kMinHardness);
+  }
+  // A new result continues from the force of the old one.
+  const Vector3d old = share_ * extrapolated(position);
+  solved_ = solved.value_or(SolvedContact());
+  const Vector3d rigid = extrapolated(position);
+  const double limit = hardness_ * limits.stiffness;
+  share_ = solved_.stiffness > limit ? limit / solved_.stiffness : 1;
+  const Vector3d body = share_ * rigid;
+  tool_ = position;
+  if (share_ < 1) tool_ += (1 - share_) / solved_.stiffness * rigid;
+  correction_ = std::exp(-elapsed / kSettling) * (correction_ + old - body);
+  Vector3d force = body + correction_;
+  const double stiffness = share_ * solved_.stiffness;
+  const double size = body.norm();
+  if (size == 0 || stiffness <= 0) {
+    // Without contact nothing is stored; a debt remains.
+    correction_.setZero();
+    force.setZero();
+    stored_ = std::min(stored_, 0.0);
+    peak_ = 0;
+  } else {
+    const Vector3d n = body / size;
+    const double pressure = std::max(0.0, n.dot(force));
+    const double damping = std::min(1.5 * stiffness * period_, kMaxDamping);
+    // At most as large as the pressure: a contact begins without a jump and does not pull.
+    const double braking = std::clamp(-damping * n.dot(velocity_), -pressure, pressure);
+    force += (std::max(0.0, pressure + braking) - n.dot(force)) * n;
+  }
+  isLimited_ = false;
+  if (limits.force > 0 && force.norm() > limits.force) {
+    force *= limits.force / force.norm();
+    isLimited_ = true;
+  }
+  if (stiffness > 0)
+    peak_ = std::max(peak_ * std::exp(-elapsed / kForgetting), size * size / (2 * stiffness));
+  if (stiffness > 0 && stored_ < size * size / (2 * stiffness)) stored_ += kRefill * elapsed;
+  stored_ = std::min(stored_, 2 * peak_);
+  const double asked = force.norm();
+  if (asked > 0) {
+    const double along = force.dot(velocity_) / asked;
+    const double energy = std::max(0.0, stored_);
+    // Not faster than the spring would be compressed: a contact that was noticed late begins
+    // softly.
+    const double pushed = std::max(0.0, -force.dot(moved) / asked);
+    double most =
+        std::min(asked, force_.norm() + kRise * stiffness * pushed + asked * elapsed / kRiseTime);
+    if (along > 0) {
+      const double spring = std::min(most, std::sqrt(2 * stiffness * energy));
+      most += std::min(along / kRestVelocity, 1.0) * (spring - most);
+      most = std::min(most, energy / (kMargin * along * period_));
+    }
+    if (most < asked) {
+      force *= most / asked;
+      isLimited_ = isLimited_ || most < 0.99 * asked;
+    }
+  }
+  isFollowed_ = true;
+  seconds_ = seconds;
+  position_ = position;
+  before_ = force_;
+  force_ = force;
+  return force;
+}
+
+}  // namespace palpa::app
