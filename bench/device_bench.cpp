@@ -28,7 +28,9 @@ using namespace palpa;
 using Clock = std::chrono::steady_clock;
 using Eigen::Vector3d;
 
-constexpr double kRadius = 8;          // mm, of the fingertip
+constexpr double kRadius = 8;  // mm, of the fingertip
+/// A device that has had no force for so long applies none.
+constexpr std::chrono::milliseconds kMaxAge{5};
 constexpr double kGrip = 0.5;          // N/mm, of a hand about its target
 constexpr double kGripDamping = 4e-3;  // N s/mm
 const Vector3d kTop(0, 0, 25);
@@ -64,7 +66,7 @@ struct Result {
   double mostEnergy = -1e9, energy = 0, received = 0;  // mJ
   double stiffness = 0;                                // N/mm, the largest that was told
   double force = 0;                                    // N, the largest
-  int touching = 0, limited = 0;
+  int touching = 0, limited = 0, stalls = 0;
   double seconds = 0;
 };
 
@@ -78,7 +80,7 @@ Result press(const app::FileDescriptor& socket, double wall, double seconds) {
   Vector3d applied = Vector3d::Zero();
   app::RealtimeScope realtime;
   const auto began = Clock::now();
-  auto last = began, due = began;
+  auto last = began, due = began, answered = began;
   std::uint64_t sequence = 0;
   for (;;) {
     const auto now = Clock::now();
@@ -92,14 +94,19 @@ Result press(const app::FileDescriptor& socket, double wall, double seconds) {
     const auto move = [&](Clock::time_point until) {
       const double elapsed = std::chrono::duration<double>(until - last).count();
       const Vector3d hand = kGrip * (goal - handle.position()) - kGripDamping * handle.velocity();
-      if (elapsed > 0) handle.advance(applied, hand, elapsed);
+      // As the protocol demands, an old force ends: when the machine stalls, the handle is free.
+      const double left = std::chrono::duration<double>(answered + kMaxAge - last).count();
+      const double forced = std::clamp(left, 0.0, std::max(elapsed, 0.0));
+      if (forced > 0) handle.advance(applied, hand, forced);
+      if (elapsed > forced) handle.advance(Vector3d::Zero(), hand, elapsed - forced);
+      if (elapsed > forced) ++result.stalls;
       last = until;
       result.mostEnergy = std::max(result.mostEnergy, handle.energyFromDevice());
     };
     move(now);
-    sendAll(socket, encode(app::DevicePosition{++sequence, handle.measured(), 0}));
+    sendAll(socket, encode(app::DevicePosition{++sequence, handle.measured(), 0, time + 1}));
     const app::DeviceReply reply = app::decodeReply(receive(socket));
-    const auto answered = Clock::now();
+    answered = Clock::now();
     result.roundTrips.push_back(std::chrono::duration<double>(answered - now).count());
     move(answered);
     applied = reply.force;
@@ -141,8 +148,8 @@ int main(int argc, char** argv) {
   double perModulus = 0;
   bench::MeasurementTable table;
   table.open(tablePath, "palpa-device-bench");
-  std::printf("  %-10s %8s %9s %9s %9s %9s %10s %10s %9s\n", "wall N/mm", "rate Hz", "p50 ms",
-              "p99 ms", "max ms", "late p99", "energy mJ", "most mJ", "limited %");
+  std::printf("  %-10s %8s %9s %9s %9s %9s %10s %10s %9s %6s\n", "wall N/mm", "rate Hz", "p50 ms",
+              "p99 ms", "max ms", "late p99", "energy mJ", "most mJ", "limited %", "stalls");
   bool isPassive = true;
   for (std::size_t k = 0; k <= walls.size(); ++k) {
     // The first run measures the stiffness of the soft sphere.
@@ -167,10 +174,10 @@ int main(int argc, char** argv) {
     const bench::Quantiles trips = bench::quantilesOf(result.roundTrips);
     const bench::Quantiles late = bench::quantilesOf(result.lateness);
     const double rate = trips.count / result.seconds;
-    std::printf("  %-10g %8.0f %9.3f %9.3f %9.3f %9.3f %10.2f %10.4f %9.2f\n", wall, rate,
+    std::printf("  %-10g %8.0f %9.3f %9.3f %9.3f %9.3f %10.2f %10.4f %9.2f %6d\n", wall, rate,
                 1e3 * trips.p50, 1e3 * trips.p99, 1e3 * trips.largest, 1e3 * late.p99,
                 result.energy, result.mostEnergy,
-                100.0 * result.limited / std::max(result.touching, 1));
+                100.0 * result.limited / std::max(result.touching, 1), result.stalls);
     std::fflush(stdout);
     isPassive = isPassive && result.mostEnergy < 0.1;
     const std::string what = "wall " + CLI::detail::to_string(wall) + " N/mm, ";

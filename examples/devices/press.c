@@ -96,10 +96,15 @@ static void greet(int connection) {
 static Answer ask(int connection, uint64_t sequence, const double position[3]) {
   unsigned char message[kErrorSize];
   uint64_t answered = 0;
+  struct timespec now;
+  double time;
   Answer answer;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  time = (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
   begin(message, kPosition);
   memcpy(message + 8, &sequence, 8);
   memcpy(message + 16, position, 24);
+  memcpy(message + 48, &time, 8);
   sendAll(connection, message, kSize);
   receive(connection, message, kForce);
   memcpy(&answered, message + 8, 8);

@@ -69,8 +69,8 @@ def greet(connection, version=1):
 
 def ask(connection, sequence, position, buttons=0):
     """Sends a position in mm; returns force in N, status, stiffness in N/mm, age in ms."""
-    send(connection, struct.pack("<4sHHQ3dI20x", b"PALP", POSITION, 64, sequence, *position,
-                                 buttons))
+    send(connection, struct.pack("<4sHHQ3dI4xd8x", b"PALP", POSITION, 64, sequence, *position,
+                                 buttons, time.monotonic()))
     kind, data = receive(connection)
     answered, fx, fy, fz, status, _model, stiffness, age = struct.unpack("<Q3dIIdd", data)
     if kind != FORCE or answered != sequence:

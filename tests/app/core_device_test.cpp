@@ -55,13 +55,14 @@ std::string messageOf(const std::function<void()>& work) {
 }
 
 TEST(DeviceProtocol, HasTheSpecifiedBytes) {
-  const DeviceMessage message = encode(DevicePosition{0x0102030405060708, {1, -2, 0.5}, 1});
+  const DeviceMessage message = encode(DevicePosition{0x0102030405060708, {1, -2, 0.5}, 1, 2});
   const unsigned char expected[64] = {'P', 'A', 'L', 'P', 3, 0, 64,   0,     // head
                                       8,   7,   6,   5,   4, 3, 2,    1,     // sequence
                                       0,   0,   0,   0,   0, 0, 0xf0, 0x3f,  // 1
                                       0,   0,   0,   0,   0, 0, 0,    0xc0,  // -2
                                       0,   0,   0,   0,   0, 0, 0xe0, 0x3f,  // 0.5
-                                      1};
+                                      1,   0,   0,   0,   0, 0, 0,    0,     // clutch
+                                      0,   0,   0,   0,   0, 0, 0,    0x40};
   EXPECT_EQ(std::memcmp(message.data(), expected, sizeof expected), 0);
 }
 
@@ -90,6 +91,8 @@ TEST(DeviceProtocol, RefusesWrongValues) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(decodePosition(encode(DevicePosition{1, {0, kNan, 0}, 0})), DeviceError);
   EXPECT_THROW(decodePosition(encode(DevicePosition{1, {0, 0, 1e7}, 0})), DeviceError);
+  EXPECT_THROW(decodePosition(encode(DevicePosition{1, {0, 0, 0}, 0, kNan})), DeviceError);
+  EXPECT_THROW(decodePosition(encode(DevicePosition{1, {0, 0, 0}, 0, -1})), DeviceError);
   EXPECT_THROW(decodeHello(encode(DeviceHello{1, 1, {1, 0, 1}, 0, 0})), DeviceError);
   EXPECT_THROW(decodeHello(encode(DeviceHello{1, 1, {kNan, 1, 1}, 0, 0})), DeviceError);
   EXPECT_THROW(decodeHello(encode(DeviceHello{1, 1, {1, 1, 1}, -1, 0})), DeviceError);

@@ -17,6 +17,7 @@ static_assert(sizeof(double) == 8 && std::numeric_limits<double>::is_iec559);
 constexpr std::array<char, 4> kMagic{'P', 'A', 'L', 'P'};
 constexpr double kMaxLength = 1e6;     // mm, of positions and workspaces
 constexpr double kMaxForce = 1e6;      // N
+constexpr double kMaxTime = 1e12;      // s
 constexpr double kMaxStiffness = 1e9;  // N/mm
 
 enum class Type : std::uint16_t { kHello = 1, kWelcome, kPosition, kForce, kError };
@@ -88,6 +89,7 @@ DeviceMessage encode(const DevicePosition& position) {
   put(message, 8, position.sequence);
   putVector(message, 16, position.position);
   put(message, 40, position.buttons);
+  put(message, 48, position.time);
   return message;
 }
 
@@ -138,9 +140,11 @@ DeviceHello decodeHello(const DeviceMessage& message) {
 DevicePosition decodePosition(const DeviceMessage& message) {
   expect(message, Type::kPosition, "position");
   DevicePosition position{get<std::uint64_t>(message, 8), getVector(message, 16),
-                          get<std::uint32_t>(message, 40)};
+                          get<std::uint32_t>(message, 40), get<double>(message, 48)};
   if (!(position.position.array().abs() <= kMaxLength).all())
     throw DeviceError("device: a position has numbers that are not finite or above 1e6 mm");
+  if (!(position.time >= 0 && position.time <= kMaxTime))
+    throw DeviceError("device: the time of a position must be 0 (unknown) to 1e12 s");
   return position;
 }
 

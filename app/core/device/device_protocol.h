@@ -67,6 +67,7 @@ struct DevicePosition {
   std::uint64_t sequence = 0;                          ///< returned with the force
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< mm, of the device
   std::uint32_t buttons = 0;
+  double time = 0;  ///< s, when it was read, by the clock of the device; 0: unknown
 };
 
 /// Force that the device must apply to the handle until the next one arrives.

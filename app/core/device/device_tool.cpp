@@ -156,7 +156,10 @@ DeviceReply DeviceTool::update(const DevicePosition& position, Time now) {
     return reply;
   }
   beginOrEnd(tip, reply);
-  const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
+  // The clock of the device also counts while this thread does not run.
+  const double seconds = position.time > 0
+                             ? position.time
+                             : std::chrono::duration<double>(now.time_since_epoch()).count();
   reply.force = force_.update(position.position, seconds, solved(reply), limits_);
   if (contact_ != 0) target_.set(contact_, origin_ + scale_ * force_.tool());
   if (force_.isLimited()) reply.status |= DeviceReply::kLimited;

@@ -17,7 +17,7 @@ constexpr double kRestVelocity = 20;  // mm/s
 /// the time in which it grows again.
 constexpr double kSoftening = 0.8, kMinHardness = 0.05;
 constexpr double kRecovery = 2;  // s
-constexpr double kRefill = 1;    // mJ/s, of the store of a pressed contact
+constexpr double kRefill = 2;    // mJ/s, of the store of a pressed contact
 /// Time in which the largest elastic energy of a contact is forgotten.
 constexpr double kForgetting = 1;  // s
 /// The next motion is predicted from the velocity with this factor.
@@ -50,8 +50,11 @@ Vector3d HandleForce::update(const Vector3d& position, double seconds,
     period_ += kPeriodShare * (elapsed - period_);
     moved = position - position_;
     velocity_ += kVelocityShare * (moved / elapsed - velocity_);
-    const double given = 0.5 * (force_ + before_).dot(moved);
+    double given = 0.5 * (force_ + before_).dot(moved);
+    // The device has let go, or nobody knows: only what it may have given counts.
+    if (seconds - seconds_ > kMaxAge) given = std::max(given, 0.0);
     stored_ -= given;
+    received_ -= given;
     hardness_ += (1 - hardness_) * elapsed / kRecovery;
     if (stored_ < 0 && given > 0) hardness_ = std::max(kSoftening * hardness_, kMinHardness);
   }
@@ -89,7 +92,8 @@ Vector3d HandleForce::update(const Vector3d& position, double seconds,
   }
   if (stiffness > 0)
     peak_ = std::max(peak_ * std::exp(-elapsed / kForgetting), size * size / (2 * stiffness));
-  if (stiffness > 0 && stored_ < size * size / (2 * stiffness)) stored_ += kRefill * elapsed;
+  if (stiffness > 0 && stored_ < size * size / (2 * stiffness))
+    stored_ += std::clamp(received_ - stored_, 0.0, kRefill * elapsed);
   stored_ = std::min(stored_, 2 * peak_);
   const double asked = force.norm();
   if (asked > 0) {

@@ -43,16 +43,17 @@ struct HandleLimits {
 /// along the force, the force is at most the force of a spring with this energy, sqrt(2 k E), and
 /// too small to exceed it in the next step. Steps that exceed it nevertheless reduce the stiffness
 /// for some seconds. The mean of the last two forces counts, because the device applies a force
-/// after an unknown part of the period. The store of a pressed contact also fills by 1 mJ/s, so
-/// that a resting handle gets the body's whole force back. So neither the body, a change of the
-/// model nor another touch drives the handle with more energy than the handle has given, but for 1
-/// mW.
+/// after an unknown part of the period. The store of a pressed contact also fills by 2 mJ/s from
+/// what the handle has given in total (damping keeps most of it), so that a resting handle gets the
+/// body's whole force back. So neither the body, a change of the model, another touch nor a stalled
+/// machine drives the handle with more energy than the handle has given.
 ///
 /// Not thread-safe; without a clock.
 class HandleForce {
  public:
   static constexpr double kSettling = 3e-3;     ///< s
   static constexpr double kMaxDamping = 20e-3;  ///< N s/mm
+  static constexpr double kMaxAge = 4e-3;       ///< s; devices let go of older forces
 
   /// Force on the handle, N, for its position (mm, of the device) at time `seconds`, which does
   /// not decrease. `solved`: none without contact.
@@ -79,6 +80,7 @@ class HandleForce {
   Eigen::Vector3d before_ = Eigen::Vector3d::Zero();      // the one before
   Eigen::Vector3d correction_ = Eigen::Vector3d::Zero();  // decays
   double stored_ = 0, peak_ = 0;                          // mJ
+  double received_ = 0;                                   // mJ, from the handle in total
   double share_ = 1;                                      // of the body's stiffness
   double hardness_ = 1;                                   // share of the device's stiffness in use
   bool isLimited_ = false;
