@@ -204,4 +204,12 @@ void Settings::setExtremesShown(bool shown) {
   set("extremesShown", shown);
 }
 
+bool Settings::usesMouse3d() const {
+  return file_.value("mouse3d", true).toBool();
+}
+
+void Settings::setUsesMouse3d(bool uses) {
+  set("mouse3d", uses);
+}
+
 }  // namespace palpa::gui

@@ -77,6 +77,10 @@ class Settings : public QObject {
   bool areExtremesShown() const;
   void setExtremesShown(bool shown);
 
+  /// True if a 3-D mouse moves the view.
+  bool usesMouse3d() const;
+  void setUsesMouse3d(bool uses);
+
   /// The user's materials as text: OwnMaterials.
   QByteArray ownMaterials() const;
   void setOwnMaterials(const QByteArray& materials);

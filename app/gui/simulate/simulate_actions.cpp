@@ -8,7 +8,9 @@
 #include "app/gui/dialogs/colour_range_dialog.h"
 #include "app/gui/document/touch_gradient.h"
 #include "app/gui/simulate/deformed_export.h"
+#include "app/gui/simulate/device_actions.h"
 #include "app/gui/simulate/exact_touch_tool.h"
+#include "app/gui/simulate/mouse_3d_control.h"
 #include "app/gui/simulate/sample_tool.h"
 #include "app/gui/simulate/section_tool.h"
 #include "app/gui/workspace/menus.h"
@@ -64,6 +66,8 @@ SimulateActions::SimulateActions(const Workspace& workspace, Simulation& simulat
                            {},
                            tr("Write the deformed solid as patches, for CAD or further modelling")},
                           this, [this] { exportDeformed(workspace_, simulation_); }));
+  new DeviceActions(workspace, simulation, options_, this);
+  new Mouse3dControl(workspace, simulation, this);
   connect(&simulation, &Simulation::activeChanged, this, &SimulateActions::show);
   connect(&options_, &SimulateOptions::changed, this, [this] {
     if (simulation_.drawn()) simulation_.setFingertip(options_.radius(*simulation_.drawn()));

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/core/design/surface_gradient.h"
+#include "app/core/device/device_server.h"
 #include "app/core/system/destroy_in_background.h"
 #include "app/core/system/priority.h"
 
@@ -74,6 +75,7 @@ void Simulation::setActive(bool active) {
     drawnNumber_ = wantedNumber_ = lastStep_ = 0;
     snapshot_ = {};
     gradient_.clear();
+    own_.clear();
   }
   numbers_.clear();
   Q_EMIT activeChanged(active);
@@ -89,7 +91,9 @@ std::optional<app::TouchId> Simulation::begin(const bem::ContactTool& tool,
                                               const Eigen::Vector3d& at,
                                               const Eigen::Vector3d& value) {
   try {
-    return loop_->begin(tool, at, value);
+    const app::TouchId id = loop_->begin(tool, at, value);
+    own_.insert(id);
+    return id;
   } catch (const app::TouchRefused& refused) {
     Q_EMIT editor_.refused(QString::fromStdString(refused.what()));
     return std::nullopt;
@@ -99,6 +103,21 @@ std::optional<app::TouchId> Simulation::begin(const bem::ContactTool& tool,
 void Simulation::end(app::TouchId id) {
   loop_->end(id);
   ended_.insert(id);
+}
+
+void Simulation::listen(const std::filesystem::path& socket, const bem::ContactTool& tool) {
+  deviceTarget_ = std::make_unique<app::LoopTarget>(*loop_);
+  device_ = std::make_unique<app::DeviceServer>(*deviceTarget_, tool, socket, [this] {
+    QMetaObject::invokeMethod(this, &Simulation::deviceChanged, Qt::QueuedConnection);
+  });
+}
+
+void Simulation::stopListening() {
+  device_.reset();
+}
+
+void Simulation::setDeviceTool(const bem::ContactTool& tool) {
+  if (device_) device_->setTool(tool);
 }
 
 void Simulation::endAll() {
@@ -221,7 +240,11 @@ void Simulation::frame() {
     return;
   }
   snapshot_ = incoming_;
-  std::erase_if(ended_, [this](app::TouchId id) { return !snapshot_.find(id); });
+  std::erase_if(ended_, [this](app::TouchId id) {
+    if (snapshot_.find(id)) return false;
+    own_.erase(id);
+    return true;
+  });
   const bool isTouched = snapshot_.contactCount > 0;
   if (!drawn_ || (!isDirty_ && !isTouched && !wasTouched_)) return;
   if (!isDirty_ && snapshot_.step == lastStep_) return;

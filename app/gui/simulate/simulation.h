@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QTimer>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +18,11 @@
 #include "app/gui/simulate/colour_range.h"
 #include "app/gui/simulate/shown_stiffness.h"
 #include "base/worker_thread.h"
+
+namespace palpa::app {
+class DeviceServer;
+class LoopTarget;
+}  // namespace palpa::app
 
 namespace palpa::gui {
 
@@ -45,8 +51,19 @@ class Simulation : public QObject {
   /// True if the contact has ended, even if the snapshot still contains it.
   bool hasEnded(app::TouchId id) const { return ended_.contains(id); }
   void endAll();
+  /// True if begin() began this contact, which only this thread may move.
+  bool isOwn(app::TouchId id) const { return own_.contains(id) && !hasEnded(id); }
   /// Pointer position on the unloaded shape, mm: columns near it are computed first.
   void expect(const Eigen::Vector3d& at) { loop_->expect(at); }
+
+  /// Listens for haptic devices, which touch the body while the mode is active; from the first
+  /// setActive(true) on. Throws DeviceError.
+  void listen(const std::filesystem::path& socket, const bem::ContactTool& tool);
+  void stopListening();
+  /// Null while it does not listen.
+  const app::DeviceServer* device() const { return device_.get(); }
+  /// The tool of devices that connect from now on.
+  void setDeviceTool(const bem::ContactTool& tool);
 
   /// Number of a contact in texts, from 1 on; constant until keepNumbers() drops it.
   int numberOf(app::TouchId contact);
@@ -115,6 +132,8 @@ class Simulation : public QObject {
 
  Q_SIGNALS:
   void activeChanged(bool active);
+  /// The status of device() changed.
+  void deviceChanged();
   /// Emitted before the mode is left, while the contacts still exist.
   void leaving();
   void quantityChanged();
@@ -142,10 +161,12 @@ class Simulation : public QObject {
 
   Editor& editor_;
   std::unique_ptr<app::TouchLoop> loop_;
+  std::unique_ptr<app::LoopTarget> deviceTarget_;
+  std::unique_ptr<app::DeviceServer> device_;     // uses the two above
   std::shared_ptr<const app::TouchModel> model_;  // last model given to the loop
   QTimer timer_;
   app::TouchSnapshot incoming_, snapshot_;  // latest of the loop; of drawn()
-  std::set<app::TouchId> ended_;
+  std::set<app::TouchId> ended_, own_;
   std::uint64_t lastStep_ = 0;
   bool wasTouched_ = false, isDirty_ = false;
   bool isLive_ = true;
