@@ -21,6 +21,8 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPresses = 6;
+/// Places at which the error is weighted with the energy.
+constexpr int kOfEnergy = 48;
 /// Depth of a press over the fingertip's radius; the result does not depend on it, as the body is
 /// linear.
 constexpr double kDepth = 0.1;
@@ -46,7 +48,7 @@ struct CoverFactors {
 };
 CoverFactors coverFactors(const BoundarySetup& setup) {
   if (setup.engine == modeling::Engine::kTriangles) return {5, 5};
-  if (setup.engine == modeling::Engine::kQuadratic) return {4.25, 1.3};
+  if (setup.engine == modeling::Engine::kQuadratic) return {4.25, 1.85};
   return {hasCutSplines(setup) ? 2.8 : 1.5, 3.8};
 }
 
@@ -240,17 +242,22 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   const EnergyDensity energy(model.setup(), state.field);
   std::vector<int> all(static_cast<std::size_t>(mesh.triangleCount()));
   std::iota(all.begin(), all.end(), 0);
+  const auto errorsAt = [&](const std::vector<bem::SurfacePoint>& places) {
+    std::vector<EstimatedError::Squares> errors(places.size());
+    parallelFor(static_cast<std::ptrdiff_t>(places.size()), quiet, [&](std::ptrdiff_t k) {
+      errors[static_cast<std::size_t>(k)] = error.at(places[static_cast<std::size_t>(k)]);
+    });
+    return errors;
+  };
+  // Triangles are small beside supports and contacts, where the displacement is prescribed.
   const std::vector<bem::SurfacePoint> places = spread(mesh, all, samples);
-  std::vector<EstimatedError::Squares> errors(places.size());
-  parallelFor(static_cast<std::ptrdiff_t>(places.size()), quiet, [&](std::ptrdiff_t k) {
-    errors[static_cast<std::size_t>(k)] = error.at(places[static_cast<std::size_t>(k)]);
-  });
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    // Triangles are small beside supports and contacts, where the displacement is prescribed.
-    const double area = mesh.area(places[k].triangle);
-    sum.add(errors[k], area);
-    strained.add(errors[k], area * energy.at(places[k]));
-  }
+  const std::vector<EstimatedError::Squares> errors = errorsAt(places);
+  for (std::size_t k = 0; k < places.size(); ++k) sum.add(errors[k], mesh.area(places[k].triangle));
+  // There is also the energy: places by triangles, most where it is largest.
+  const std::vector<bem::SurfacePoint> ofEnergy = spread(mesh, all, kOfEnergy);
+  const std::vector<EstimatedError::Squares> carried = errorsAt(ofEnergy);
+  for (std::size_t k = 0; k < ofEnergy.size(); ++k)
+    strained.add(carried[k], energy.at(ofEnergy[k]));
   StateError estimate;
   const CoverFactors factors = coverFactors(model.setup());
   const double ofForces = factorOfGivenForces(model.setup(), state);
