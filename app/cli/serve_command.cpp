@@ -8,6 +8,7 @@
 #include "app/cli/values.h"
 #include "app/core/device/device_server.h"
 #include "app/core/model/build_touch_model.h"
+#include "app/core/results/touch.h"
 #include "modeling/project/touch_kind.h"
 
 namespace palpa::cli {
@@ -35,19 +36,21 @@ class ServeCommand : public Command {
     options
         .add_option("--kind", kind_, "Tool at the handle: push (a fingertip, the default) or ball")
         ->type_name("KIND");
-    options.add_option("--radius", radius_, "Radius of the tool, mm (default 6)")->type_name("MM");
+    options.add_option("--radius", radius_, "Radius of the tool, mm (default: a fingertip's)")
+        ->type_name("MM");
     options.add_option("--friction", friction_, "Friction of the tool, 0 (default) to 10")
         ->type_name("NUMBER");
     options.add_flag("--once", isOnce_, "End when the first device has left");
   }
 
   void run(const Context& context) override {
-    const bem::ContactTool tool = parseTool();
+    bem::ContactTool tool = parseTool();
     const std::filesystem::path path =
         socket_.empty() ? app::usualDeviceSocket() : std::filesystem::path(socket_);
     const modeling::Project project = input_.read(context);
     const auto model = app::buildTouchModel(project, {}, context.job());
     context.progress.clear();
+    if (radius_.empty()) tool.radius = app::defaultTouchRadius(model->setup().mesh());
     app::TouchLoop::Options options;
     options.threads = context.options.threads;
     app::TouchLoop loop(options);
@@ -81,8 +84,9 @@ class ServeCommand : public Command {
   }
 
  private:
+  /// Without --radius the radius is still 0.
   bem::ContactTool parseTool() const {
-    bem::ContactTool tool{bem::ContactTool::Kind::kPush, 6, 0};
+    bem::ContactTool tool{bem::ContactTool::Kind::kPush, 0, 0};
     if (kind_ == "ball")
       tool.kind = bem::ContactTool::Kind::kBall;
     else if (kind_ != "push")

@@ -40,24 +40,67 @@ Vector3d HandleForce::extrapolated(const Vector3d& position) const {
   return force;
 }
 
-Vector3d HandleForce::update(const Vector3d& position, double seconds,
-                             const std::optional<SolvedContact>& solved,
-                             const HandleLimits& limits) {
-  double elapsed = period_;
-  Vector3d moved = Vector3d::Zero();
+/// Counts the energy of the last motion and follows the velocity.
+HandleForce::Step HandleForce::follow(const Vector3d& position, double seconds) {
+  Step step{period_, Vector3d::Zero()};
   if (isFollowed_) {
-    elapsed = std::clamp(seconds - seconds_, kMinPeriod, kMaxPeriod);
-    period_ += kPeriodShare * (elapsed - period_);
-    moved = position - position_;
-    velocity_ += kVelocityShare * (moved / elapsed - velocity_);
-    double given = 0.5 * (force_ + before_).dot(moved);
+    step.elapsed = std::clamp(seconds - seconds_, kMinPeriod, kMaxPeriod);
+    step.moved = position - position_;
+    period_ += kPeriodShare * (step.elapsed - period_);
+    velocity_ += kVelocityShare * (step.moved / step.elapsed - velocity_);
+    double given = 0.5 * (force_ + before_).dot(step.moved);
     // The device has let go, or nobody knows: only what it may have given counts.
     if (seconds - seconds_ > kMaxAge) given = std::max(given, 0.0);
     stored_ -= given;
     received_ -= given;
-    hardness_ += (1 - hardness_) * elapsed / kRecovery;
+    hardness_ += (1 - hardness_) * step.elapsed / kRecovery;
     if (stored_ < 0 && given > 0) hardness_ = std::max(kSoftening * hardness_, kMinHardness);
   }
+  isFollowed_ = true;
+  seconds_ = seconds;
+  position_ = position;
+  return step;
+}
+
+/// The body's force with damping along it: at most as large as the pressure, so that a contact
+/// begins without a jump and does not pull.
+Vector3d HandleForce::damped(const Vector3d& force, const Vector3d& body, double stiffness) const {
+  const Vector3d n = body.normalized();
+  const double pressure = std::max(0.0, n.dot(force));
+  const double damping = std::min(1.5 * stiffness * period_, kMaxDamping);
+  const double braking = std::clamp(-damping * n.dot(velocity_), -pressure, pressure);
+  return force + (std::max(0.0, pressure + braking) - n.dot(force)) * n;
+}
+
+/// Fills the store of energy, up to twice the largest elastic energy of the contact; `elastic`: the
+/// present one, mJ.
+void HandleForce::refill(double elastic, double elapsed) {
+  peak_ = std::max(peak_ * std::exp(-elapsed / kForgetting), elastic);
+  if (stored_ < elastic) stored_ += std::clamp(received_ - stored_, 0.0, kRefill * elapsed);
+}
+
+/// The largest force in the direction of a wanted one, `asked` N, that neither rises too fast nor
+/// gives energy that is not stored.
+double HandleForce::largest(const Vector3d& direction, double asked, double stiffness,
+                            const Step& step) const {
+  const double along = direction.dot(velocity_);
+  const double energy = std::max(0.0, stored_);
+  // Not faster than the spring would be compressed: a contact that was noticed late begins softly.
+  const double pushed = std::max(0.0, -direction.dot(step.moved));
+  double most = std::min(
+      asked, force_.norm() + kRise * stiffness * pushed + asked * step.elapsed / kRiseTime);
+  if (along > 0) {
+    const double spring = std::min(most, std::sqrt(2 * stiffness * energy));
+    most += std::min(along / kRestVelocity, 1.0) * (spring - most);
+    most = std::min(most, energy / (kMargin * along * period_));
+  }
+  return most;
+}
+
+Vector3d HandleForce::update(const Vector3d& position, double seconds,
+                             const std::optional<SolvedContact>& solved,
+                             const HandleLimits& limits) {
+  const Step step = follow(position, seconds);
   // A new result continues from the force of the old one.
   const Vector3d old = share_ * extrapolated(position);
   solved_ = solved.value_or(SolvedContact());
@@ -67,56 +110,30 @@ Vector3d HandleForce::update(const Vector3d& position, double seconds,
   const Vector3d body = share_ * rigid;
   tool_ = position;
   if (share_ < 1) tool_ += (1 - share_) / solved_.stiffness * rigid;
-  correction_ = std::exp(-elapsed / kSettling) * (correction_ + old - body);
+  correction_ = std::exp(-step.elapsed / kSettling) * (correction_ + old - body);
   Vector3d force = body + correction_;
   const double stiffness = share_ * solved_.stiffness;
-  const double size = body.norm();
-  if (size == 0 || stiffness <= 0) {
+  if (body.isZero(0) || stiffness <= 0) {
     // Without contact nothing is stored; a debt remains.
     correction_.setZero();
     force.setZero();
     stored_ = std::min(stored_, 0.0);
     peak_ = 0;
   } else {
-    const Vector3d n = body / size;
-    const double pressure = std::max(0.0, n.dot(force));
-    const double damping = std::min(1.5 * stiffness * period_, kMaxDamping);
-    // At most as large as the pressure: a contact begins without a jump and does not pull.
-    const double braking = std::clamp(-damping * n.dot(velocity_), -pressure, pressure);
-    force += (std::max(0.0, pressure + braking) - n.dot(force)) * n;
+    force = damped(force, body, stiffness);
   }
   isLimited_ = false;
   if (limits.force > 0 && force.norm() > limits.force) {
     force *= limits.force / force.norm();
     isLimited_ = true;
   }
-  if (stiffness > 0)
-    peak_ = std::max(peak_ * std::exp(-elapsed / kForgetting), size * size / (2 * stiffness));
-  if (stiffness > 0 && stored_ < size * size / (2 * stiffness))
-    stored_ += std::clamp(received_ - stored_, 0.0, kRefill * elapsed);
+  if (stiffness > 0) refill(body.squaredNorm() / (2 * stiffness), step.elapsed);
   stored_ = std::min(stored_, 2 * peak_);
-  const double asked = force.norm();
-  if (asked > 0) {
-    const double along = force.dot(velocity_) / asked;
-    const double energy = std::max(0.0, stored_);
-    // Not faster than the spring would be compressed: a contact that was noticed late begins
-    // softly.
-    const double pushed = std::max(0.0, -force.dot(moved) / asked);
-    double most =
-        std::min(asked, force_.norm() + kRise * stiffness * pushed + asked * elapsed / kRiseTime);
-    if (along > 0) {
-      const double spring = std::min(most, std::sqrt(2 * stiffness * energy));
-      most += std::min(along / kRestVelocity, 1.0) * (spring - most);
-      most = std::min(most, energy / (kMargin * along * period_));
-    }
-    if (most < asked) {
-      force *= most / asked;
-      isLimited_ = isLimited_ || most < 0.99 * asked;
-    }
+  if (const double asked = force.norm(); asked > 0) {
+    const double most = largest(force / asked, asked, stiffness, step);
+    if (most < asked) force *= most / asked;
+    isLimited_ = isLimited_ || most < 0.99 * asked;
   }
-  isFollowed_ = true;
-  seconds_ = seconds;
-  position_ = position;
   before_ = force_;
   force_ = force;
   return force;

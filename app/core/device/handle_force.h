@@ -6,8 +6,8 @@
 namespace palpa::app {
 
 /// The newest result of the solver for the tool of a device, in the coordinates of the device, as a
-/// plane spring: at the position x
-/// the tool is pressed with pressure + stiffness * normal . (tool - x), if that is positive.
+/// plane spring: at the position x the tool is pressed with pressure + stiffness * normal . (tool -
+/// x), if that is positive.
 struct SolvedContact {
   Eigen::Vector3d tool = Eigen::Vector3d::Zero();    ///< mm, position that was solved
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, direction of the force on the tool
@@ -69,7 +69,18 @@ class HandleForce {
   bool isLimited() const { return isLimited_; }
 
  private:
+  /// Since the last position.
+  struct Step {
+    double elapsed;         ///< s
+    Eigen::Vector3d moved;  ///< mm
+  };
+  Step follow(const Eigen::Vector3d& position, double seconds);
   Eigen::Vector3d extrapolated(const Eigen::Vector3d& position) const;
+  Eigen::Vector3d damped(const Eigen::Vector3d& force, const Eigen::Vector3d& body,
+                         double stiffness) const;
+  void refill(double elastic, double elapsed);
+  double largest(const Eigen::Vector3d& direction, double asked, double stiffness,
+                 const Step& step) const;
 
   SolvedContact solved_;
   bool isFollowed_ = false;  // there is a last position

@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 
 constexpr int kPresses = 6;
 /// Places at which the error is weighted with the energy.
-constexpr int kOfEnergy = 48;
+constexpr int kPlacesOfEnergy = 48;
 /// Depth of a press over the fingertip's radius; the result does not depend on it, as the body is
 /// linear.
 constexpr double kDepth = 0.1;
@@ -124,6 +124,16 @@ class EnergyDensity {
   const BoundarySetup& setup_;
   std::vector<Eigen::Matrix3d> stress_;
 };
+
+/// Error and displacement at places, on the threads of the job.
+std::vector<EstimatedError::Squares> errorsAt(const std::vector<bem::SurfacePoint>& places,
+                                              const EstimatedError& error, const Job& job) {
+  std::vector<EstimatedError::Squares> errors(places.size());
+  parallelFor(static_cast<std::ptrdiff_t>(places.size()), job, [&](std::ptrdiff_t k) {
+    errors[static_cast<std::size_t>(k)] = error.at(places[static_cast<std::size_t>(k)]);
+  });
+  return errors;
+}
 
 bem::BoundaryField carriedError(const TouchModel& model, const bem::Bulk& bulk,
                                 const bem::BoundaryField& fields, const Job& job) {
@@ -236,28 +246,24 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   const bem::Bulk bulk = model.setup().bulk();
   const EstimatedError error(model.setup(), bulk, state.field,
                              carriedError(model, bulk, state.field, quiet), 0);
-  // Also weighted by the energy: the error of parts that are only carried along, like the pins of a
-  // chip that is pressed elsewhere, costs no energy and does not change a force.
-  EstimatedError::Squares sum, strained;
-  const EnergyDensity energy(model.setup(), state.field);
   std::vector<int> all(static_cast<std::size_t>(mesh.triangleCount()));
   std::iota(all.begin(), all.end(), 0);
-  const auto errorsAt = [&](const std::vector<bem::SurfacePoint>& places) {
-    std::vector<EstimatedError::Squares> errors(places.size());
-    parallelFor(static_cast<std::ptrdiff_t>(places.size()), quiet, [&](std::ptrdiff_t k) {
-      errors[static_cast<std::size_t>(k)] = error.at(places[static_cast<std::size_t>(k)]);
-    });
-    return errors;
-  };
-  // Triangles are small beside supports and contacts, where the displacement is prescribed.
+  // By area: triangles are small beside supports and contacts, where the displacement is
+  // prescribed.
   const std::vector<bem::SurfacePoint> places = spread(mesh, all, samples);
-  const std::vector<EstimatedError::Squares> errors = errorsAt(places);
+  const std::vector<EstimatedError::Squares> errors = errorsAt(places, error, quiet);
+  EstimatedError::Squares sum;
   for (std::size_t k = 0; k < places.size(); ++k) sum.add(errors[k], mesh.area(places[k].triangle));
-  // There is also the energy: places by triangles, most where it is largest.
-  const std::vector<bem::SurfacePoint> ofEnergy = spread(mesh, all, kOfEnergy);
-  const std::vector<EstimatedError::Squares> carried = errorsAt(ofEnergy);
-  for (std::size_t k = 0; k < ofEnergy.size(); ++k)
-    strained.add(carried[k], energy.at(ofEnergy[k]));
+  // Also weighted by the energy: the error of parts that are only carried along, like the pins of a
+  // chip that is pressed elsewhere, costs no energy and does not change a force. Not by area: near
+  // a contact, where most of the energy is, are most triangles.
+  EstimatedError::Squares strained;
+  if (!state.contacts.empty()) {
+    const EnergyDensity energy(model.setup(), state.field);
+    const std::vector<bem::SurfacePoint> some = spread(mesh, all, kPlacesOfEnergy);
+    const std::vector<EstimatedError::Squares> ofSome = errorsAt(some, error, quiet);
+    for (std::size_t k = 0; k < some.size(); ++k) strained.add(ofSome[k], energy.at(some[k]));
+  }
   StateError estimate;
   const CoverFactors factors = coverFactors(model.setup());
   const double ofForces = factorOfGivenForces(model.setup(), state);

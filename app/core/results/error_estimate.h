@@ -27,8 +27,9 @@ struct StateError {
   double ofForces() const;
 };
 
-/// Estimates the errors of a state from `samples` places all over the surface and five at each
-/// contact. 0 where nothing moves. Costs about as much as the assembly. Throws Cancelled.
+/// Estimates the errors of a state from `samples` places all over the surface, five at each contact
+/// and, if there are contacts, 48 that are weighted by the strain energy (docs/theory.md). 0 where
+/// nothing moves. Costs about as much as the assembly. Throws Cancelled.
 StateError estimateErrors(const TouchModel& model, const TouchState& state, const Job& job = {},
                           int samples = 192);
 

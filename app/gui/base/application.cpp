@@ -1,10 +1,14 @@
 #include "app/gui/base/application.h"
 
+#include <clocale>
+
 #include "base/unexpected.h"
 
 namespace palpa::gui {
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
+  // Qt has set the user's locale; numbers have a point everywhere in the window, as QString has it.
+  std::setlocale(LC_NUMERIC, "C");
   setUnexpectedHandler([this](const std::string& what) {
     const QString message =
         tr("Unexpected error: %1. The last action may not be complete; save the project under a "
