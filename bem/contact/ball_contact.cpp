@@ -148,12 +148,13 @@ double ContactSimulation::roll(Contact& contact) const {
 }
 
 /// Mean gap between a mask of the unloaded surface and a ball along the pressure direction `m`, mm:
-/// ∫ Φ [m . (x - c) - √(R^2 - t^2)] dΓ, where t is the distance across m of the displaced surface
-/// from the centre c. The mean displacement of the mask must close this gap. (The gap at the middle
-/// is smaller by the squared radius of the mask over 8 radii of curvature.)
+/// ∫ b [m . (x - c) - √(R^2 - t^2)] dΓ with the bump b of the mask, where t is the distance across
+/// m of the displaced surface from the centre c. The mean displacement of the mask must close this
+/// gap. (The gap at the middle is smaller by the squared radius of the mask over 8 radii of
+/// curvature.)
 ///
-/// A projected bump has tails with small weights of either sign. They would cause waves of the
-/// force while the ball slides; two measures prevent this. Where the ball is steeper than 45
+/// The bump of flat triangles has tails with small weights of either sign. They would cause waves
+/// of the force while the ball slides; two measures prevent this. Where the ball is steeper than 45
 /// degrees, it is replaced by the paraboloid that touches it there. A contact narrower than its
 /// mask has the gap of a bump with exactly the mask's radius, by its ∫ Φ ρ^2 dΓ = r^2 / 4.
 double ContactSimulation::gapToBall(const Contact& contact, int mask, const Vector3d& m) const {

@@ -18,10 +18,8 @@ class ContactElements {
     Eigen::MatrixX3d bumpPoints;
     Eigen::VectorXd bumpWeights;  ///< mm^2
     Eigen::MatrixXd project;      ///< [coefficient][point]
+    Eigen::MatrixXd moments;      ///< [coefficient][point]: N_a of displacements times weight, mm^2
     Eigen::MatrixXd mass;         ///< ∫ N_a N_b dΓ, mm^2: a of displacements, b of tractions
-    /// Gauss points for the mean of smooth functions over a mask, and basis times weight at them.
-    Eigen::Matrix3Xd points;
-    Eigen::MatrixXd weightedBasis;  ///< [point][coefficient], mm^2
     /// Bounding sphere of bumpPoints, mm.
     Eigen::Vector3d center;
     double radius;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace palpa::bem {
 namespace {
@@ -23,16 +24,14 @@ class ElementContactSurface::Workspace final : public ContactSurface::Workspace 
         measureStamp_(surface.places().size(), 0),
         nodeIndex_(surface.places().size(), 0),
         measureIndex_(surface.places().size(), 0) {
-    Index points = 0, functions = 0, means = 0;
+    Index points = 0, functions = 0;
     for (int e = 0; e < surface.elements().count(); ++e) {
       points = std::max(points, surface.elements()[e].project.cols());
       functions = std::max(functions, surface.elements()[e].project.rows());
-      means = std::max(means, surface.elements()[e].points.cols());
     }
     bump_.resize(points);
     local_.resize(functions);
-    measured_.resize(functions);
-    atPoints_.resize(means);
+    ofElement_.resize(functions);
   }
 
  private:
@@ -40,7 +39,12 @@ class ElementContactSurface::Workspace final : public ContactSurface::Workspace 
   std::vector<unsigned> cellStamp_, elementStamp_, nodeStamp_, measureStamp_;
   unsigned stamp_ = 0;
   std::vector<int> cells_, around_, nodeIndex_, measureIndex_;
-  Eigen::VectorXd bump_, local_, measured_, atPoints_;  // of one element
+  std::vector<int> nodes_;                    // coefficients that the bump reaches
+  std::vector<double> traction_;              // their values of the projection; 0 where fixed
+  std::vector<double> moments_;               // ∫ b N dΓ outside of supports, mm^2
+  std::vector<double> ofTraction_;            // per measured_: ∫ N Φ dΓ, mm^2
+  std::vector<int> measured_;                 // displacement coefficients around the projection
+  Eigen::VectorXd bump_, local_, ofElement_;  // of one element
 };
 
 SurfacePoint ElementContactSurface::nearest(const Vector3d& x) const {
@@ -80,27 +84,37 @@ bool ElementContactSurface::makeMask(const SurfacePoint& point, double radius,
   work.cells_.push_back(elements().cellOf(elementAt(point)));
   work.cellStamp_[work.cells_.front()] = work.stamp_;
   const double bump = project(smoothPosition(point), mask.radius, work, mask);
-  const double carried = measure(work, mask);
-  if (carried > kMinPart * bump) {
-    for (double& coefficient : mask.traction) coefficient /= carried;
-    for (double& weight : mask.measure) weight /= carried;
-    return true;
+  integrate(work);
+  const double carried = std::accumulate(work.ofTraction_.begin(), work.ofTraction_.end(), 0.0);
+  const double free = std::accumulate(work.moments_.begin(), work.moments_.end(), 0.0);
+  if (carried <= kMinPart * bump || free <= kMinPart * bump) {
+    mask.points.clear();
+    mask.pointWeights.clear();
+    return false;
   }
-  mask.nodes.clear();
-  mask.traction.clear();
-  mask.measureNodes.clear();
-  mask.measure.clear();
-  mask.points.clear();
-  mask.pointWeights.clear();
-  return false;
+  for (std::size_t k = 0; k < work.nodes_.size(); ++k) {
+    if (!dofs().isFree(work.nodes_[k])) continue;
+    mask.nodes.push_back(work.nodes_[k]);
+    mask.traction.push_back(work.traction_[k] / carried);
+  }
+  mask.measureNodes = work.measured_;
+  for (const double integral : work.ofTraction_) mask.measure.push_back(-integral / carried);
+  for (std::size_t k = 0; k < work.nodes_.size(); ++k)
+    mask.measure[work.measureIndex_[work.nodes_[k]]] += 2 * work.moments_[k] / free;
+  for (double& weight : mask.pointWeights) weight /= free;
+  return true;
 }
 
-/// Computes the coefficients of the bump (1 - (ρ/radius)^2)^2 on the elements that reach into the
-/// ball and are connected with the touched element: the far side of a thin body must stay
-/// untouched. The part on fixed coefficients is omitted. Returns the integral of the bump.
+/// Projects the bump b = (1 - (ρ/radius)^2)^2 on the elements that reach into the ball and are
+/// connected with the touched element: the far side of a thin body must stay untouched. Computes
+/// its moments outside of supports, and appends its points there and their parts of the integral to
+/// the mask. Returns the integral of the whole bump, mm^2.
 double ElementContactSurface::project(const Vector3d& middle, double radius, Workspace& work,
                                       ContactMask& mask) const {
   const double inverse = 1.0 / (radius * radius);
+  work.nodes_.clear();
+  work.traction_.clear();
+  work.moments_.clear();
   double integral = 0;
   for (std::size_t k = 0; k < work.cells_.size(); ++k) {
     elements().visitNeighbours(work.cells_[k], middle, radius, [&](int neighbour) {
@@ -121,66 +135,73 @@ double ElementContactSurface::project(const Vector3d& middle, double radius, Wor
       }
       if (!isReached) continue;
       integral += element.bumpWeights.dot(work.bump_.head(points));
-      auto local = work.local_.head(element.project.rows());
-      local.noalias() = element.project * work.bump_.head(points);
-      for (Index a = 0; a < local.size(); ++a) {
-        const int node = element.coefficients[a];
-        if (!dofs().isFree(node)) continue;
-        if (work.nodeStamp_[node] != work.stamp_) {
-          work.nodeStamp_[node] = work.stamp_;
-          work.nodeIndex_[node] = static_cast<int>(mask.nodes.size());
-          mask.nodes.push_back(node);
-          mask.traction.push_back(0.0);
-        }
-        mask.traction[work.nodeIndex_[node]] += local[a];
-      }
+      addElement(element, work, mask);
     }
   }
   return integral;
 }
 
-/// Computes ∫ Φ N_j dΓ, and points for other means; returns ∫ Φ dΓ.
-double ElementContactSurface::measure(Workspace& work, ContactMask& mask) const {
+/// Adds the bump on one element, unless a support fixes all of it.
+void ElementContactSurface::addElement(const ContactElements::Element& element, Workspace& work,
+                                       ContactMask& mask) const {
+  if (std::none_of(element.coefficients.begin(), element.coefficients.end(),
+                   [this](int node) { return dofs().isFree(node); }))
+    return;
+  const auto bump = work.bump_.head(element.bumpPoints.rows());
+  for (Index q = 0; q < bump.size(); ++q) {
+    if (bump[q] == 0) continue;
+    mask.points.push_back(element.bumpPoints.row(q).transpose());
+    mask.pointWeights.push_back(element.bumpWeights[q] * bump[q]);
+  }
+  auto local = work.local_.head(element.project.rows());
+  auto moments = work.ofElement_.head(element.project.rows());
+  local.noalias() = element.project * bump;
+  moments.noalias() = element.moments * bump;
+  for (Index a = 0; a < local.size(); ++a) {
+    const int node = element.coefficients[a];
+    if (work.nodeStamp_[node] != work.stamp_) {
+      work.nodeStamp_[node] = work.stamp_;
+      work.nodeIndex_[node] = static_cast<int>(work.nodes_.size());
+      work.nodes_.push_back(node);
+      work.traction_.push_back(0.0);
+      work.moments_.push_back(0.0);
+    }
+    if (dofs().isFree(node)) work.traction_[work.nodeIndex_[node]] += local[a];
+    work.moments_[work.nodeIndex_[node]] += moments[a];
+  }
+}
+
+/// Computes ∫ N_j Φ dΓ for the displacement functions N_j around the projection Φ.
+void ElementContactSurface::integrate(Workspace& work) const {
   work.around_.clear();
-  for (const int node : mask.nodes)
+  for (const int node : work.nodes_)
     for (const int e : elements().around(node)) {
       if (work.elementStamp_[e] == work.stamp_) continue;
       work.elementStamp_[e] = work.stamp_;
       work.around_.push_back(e);
     }
-  double integral = 0, integralOfPoints = 0;
+  work.measured_.clear();
+  work.ofTraction_.clear();
   for (const int e : work.around_) {
     const ContactElements::Element& element = elements()[e];
-    const Index size = element.mass.rows();
-    auto local = work.local_.head(size);
-    for (Index a = 0; a < size; ++a) {
-      const int node = element.coefficients[a];
-      local[a] = work.nodeStamp_[node] == work.stamp_ ? mask.traction[work.nodeIndex_[node]] : 0.0;
-    }
-    auto measured = work.measured_.head(size);
-    measured.noalias() = element.mass * local;
-    for (Index a = 0; a < size; ++a) {
-      const int node = element.coefficients[a];
-      if (work.measureStamp_[node] != work.stamp_) {
-        work.measureStamp_[node] = work.stamp_;
-        work.measureIndex_[node] = static_cast<int>(mask.measureNodes.size());
-        mask.measureNodes.push_back(node);
-        mask.measure.push_back(0.0);
+    const std::vector<int>& nodes = element.coefficients;
+    auto local = work.local_.head(element.mass.cols());
+    auto ofElement = work.ofElement_.head(element.mass.rows());
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      local[static_cast<Index>(a)] = work.nodeStamp_[nodes[a]] == work.stamp_
+                                         ? work.traction_[work.nodeIndex_[nodes[a]]]
+                                         : 0.0;
+    ofElement.noalias() = element.mass * local;
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      if (work.measureStamp_[nodes[a]] != work.stamp_) {
+        work.measureStamp_[nodes[a]] = work.stamp_;
+        work.measureIndex_[nodes[a]] = static_cast<int>(work.measured_.size());
+        work.measured_.push_back(nodes[a]);
+        work.ofTraction_.push_back(0.0);
       }
-      mask.measure[work.measureIndex_[node]] += measured[a];
+      work.ofTraction_[work.measureIndex_[nodes[a]]] += ofElement[static_cast<Index>(a)];
     }
-    integral += measured.sum();
-    const Index points = element.points.cols();
-    auto atPoints = work.atPoints_.head(points);
-    atPoints.noalias() = element.weightedBasis * local;
-    for (Index q = 0; q < points; ++q) {
-      mask.points.push_back(element.points.col(q));
-      mask.pointWeights.push_back(atPoints[q]);
-    }
-    integralOfPoints += atPoints.sum();
   }
-  for (double& weight : mask.pointWeights) weight /= integralOfPoints;
-  return integral;
 }
 
 double ElementContactSurface::strainEnergy(const Eigen::VectorXd& u,

@@ -8,6 +8,10 @@ namespace palpa::bem {
 /// Surface of curved elements for contacts. The bump of a mask is projected element by element
 /// (least squares over the element's own functions); each coefficient is the weighted mean of the
 /// values that its elements give. So a mask that slides changes smoothly, and no system is solved.
+///
+/// The mean displacement is 2 ∫ b u dΓ - ∫ Φ u dΓ with the normalised bump b and its projection Φ.
+/// Where Φ acts, ∫ Φ u differs from the compliance of b in first order of Φ - b; this mean differs
+/// in second order, as the compliance is symmetric. Beside supports, b ends at their border.
 class ElementContactSurface : public ContactSurface {
  public:
   SurfacePoint nearest(const Eigen::Vector3d& x) const override;
@@ -31,7 +35,9 @@ class ElementContactSurface : public ContactSurface {
   class Workspace;
   double project(const Eigen::Vector3d& middle, double radius, Workspace& work,
                  ContactMask& mask) const;
-  double measure(Workspace& work, ContactMask& mask) const;
+  void addElement(const ContactElements::Element& element, Workspace& work,
+                  ContactMask& mask) const;
+  void integrate(Workspace& work) const;
 };
 
 }  // namespace palpa::bem

@@ -68,12 +68,14 @@ VectorXd from(const Projected& element, const VectorXd& ofNodes) {
 }  // namespace
 
 // With the shares s_ea of element e in node a, A_a = Σ_e s_ea, the raw coefficients are
-//   φ_a = Σ_e s_ea β_ea / A_a,   c = Σ_a φ_a ∫ N_a dΓ,   J = (Σ g_a φ_a + ∫ Φ h·u dΓ) / c.
-// The derivative of J by φ_a is G_a = (g_a + ∫ N_a h·u - J ∫ N_a) / c. A change of the bump and of
+//   φ_a = Σ_e s_ea β_ea / A_a,   c = Σ_a φ_a ∫ N_a dΓ,   I = ∫ b dΓ,
+//   J = K + 2 L,   K = (Σ g_a φ_a - ∫ Φ h·u dΓ) / c,   L = ∫ b h·u dΓ / I.
+// The derivative of K by φ_a is G_a = (g_a - ∫ N_a h·u - K ∫ N_a) / c. A change of the bump and of
 // the weights at the points changes β_e by (Nᵀ W N)⁻¹ Nᵀ [W δb + δW (b - N β)], so that with
 //   γ_e = (Nᵀ W N)⁻¹ (s_ea G_a / A_a)
-// J changes per δb_q by W_q (N γ)_q and per δW_q by (b - N β)_q (N γ)_q, by Σ_a σ_a(q) G_a (β_ea -
-// φ_a) / A_a through the shares s_ea = Σ_q W_q σ_a(q), and by Φ_q (h·u - J) / c.
+// K changes per δb_q by W_q (N γ)_q and per δW_q by (b - N β)_q (N γ)_q, by Σ_a σ_a(q) G_a (β_ea -
+// φ_a) / A_a through the shares s_ea = Σ_q W_q σ_a(q), and by Φ_q (-h·u - K) / c; L changes per
+// δb_q by W_q (h·u - L) / I and per δW_q by b_q (h·u - L) / I.
 ShapeDensity maskDerivative(const std::vector<FieldSampler::Block>& blocks, const ContactMask& mask,
                             const MaskWork& work, MaskShares shares, const VectorXd& u,
                             Vector3d& ofCentre) {
@@ -88,6 +90,7 @@ ShapeDensity maskDerivative(const std::vector<FieldSampler::Block>& blocks, cons
     return VectorXd::Constant(element.basis.cols(), element.weights.sum());
   };
   int points = 0;
+  double ofBump = 0, meanOfBump = 0;
   for (const FieldSampler::Block& block : blocks) {
     const Projected& element = elements.emplace_back(project(block, mask, indexOf, work.ofMean, u));
     const VectorXd weighted = element.weights.cwiseProduct(element.mean);
@@ -96,12 +99,15 @@ ShapeDensity maskDerivative(const std::vector<FieldSampler::Block>& blocks, cons
     const VectorXd share = sharesOf(element);
     addTo(element, share, totals);
     addTo(element, share.cwiseProduct(element.projection), raw);
+    ofBump += element.weights.dot(element.bump);
+    meanOfBump += weighted.dot(element.bump);
     points += static_cast<int>(block.points.size());
   }
+  meanOfBump /= ofBump;
   raw = raw.cwiseQuotient(totals);
   const double carried = raw.dot(integrals);
-  const double value = (raw.dot(work.ofTraction) + raw.dot(means)) / carried;
-  const VectorXd byRaw = (work.ofTraction + means - value * integrals) / carried;
+  const double value = (raw.dot(work.ofTraction) - raw.dot(means)) / carried;
+  const VectorXd byRaw = (work.ofTraction - means - value * integrals) / carried;
 
   ShapeDensity density(points);
   ofCentre.setZero();
@@ -120,12 +126,14 @@ ShapeDensity maskDerivative(const std::vector<FieldSampler::Block>& blocks, cons
     const VectorXd traction = element.basis * from(element, raw);
     for (Index q = 0; q < rest.size(); ++q, ++next) {
       const SampledPoint& point = blocks[e].points[static_cast<std::size_t>(q)];
+      const double byBump = adjoint[q] + 2 * (element.mean[q] - meanOfBump) / ofBump;
       const Vector3d pull = -4 * bumpHeight(mask, point.position) * inverse * point.weight *
-                            adjoint[q] * (point.position - mask.point.position);
+                            byBump * (point.position - mask.point.position);
       density.value.col(next) = pull;
       ofCentre -= pull;
-      const double byWeight =
-          rest[q] * adjoint[q] + atShares[q] + traction[q] * (element.mean[q] - value) / carried;
+      const double byWeight = rest[q] * adjoint[q] + atShares[q] -
+                              traction[q] * (element.mean[q] + value) / carried +
+                              2 * element.bump[q] * (element.mean[q] - meanOfBump) / ofBump;
       density.slope.middleCols<2>(2 * next) = byWeight * point.weight * point.frame.leftCols<2>();
     }
   }

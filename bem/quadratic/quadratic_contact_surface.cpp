@@ -61,17 +61,14 @@ QuadraticContactElements::QuadraticContactElements(const QuadraticSurface& surfa
       double weight;
       std::array<double, 6> basis;
     };
-    const auto sample = [&](int cells) {
-      std::vector<Sample> samples;
-      surface.visitPoints(
-          e, cells, [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
-            samples.push_back({jet.position, weight, QuadraticBasis(place.u, place.v).values});
-          });
-      return samples;
-    };
-    const std::vector<Sample> bumps = sample(static_cast<int>(
-        std::clamp(std::ceil(kCellsPerRadius * longestEdge(surface, e) / narrowest[e]), 1.0,
-                   1.0 * kMaxCells)));
+    const double cells = std::clamp(
+        std::ceil(kCellsPerRadius * longestEdge(surface, e) / narrowest[e]), 1.0, 1.0 * kMaxCells);
+    std::vector<Sample> bumps;
+    surface.visitPoints(
+        e, static_cast<int>(cells),
+        [&](const ElementPlace& place, const SurfaceJet& jet, double weight) {
+          bumps.push_back({jet.position, weight, QuadraticBasis(place.u, place.v).values});
+        });
     const auto points = static_cast<Index>(bumps.size());
     element.bumpPoints.resize(points, 3);
     element.bumpWeights.resize(points);
@@ -81,19 +78,12 @@ QuadraticContactElements::QuadraticContactElements(const QuadraticSurface& surfa
       element.bumpWeights[q] = bumps[q].weight;
       basis.row(q) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(bumps[q].basis.data());
     }
-    const Eigen::MatrixXd weighted = element.bumpWeights.asDiagonal() * basis;
-    element.mass = basis.transpose() * weighted;
-    element.project = element.mass.ldlt().solve(weighted.transpose());
+    element.moments = basis.transpose() * element.bumpWeights.asDiagonal();
+    element.mass = element.moments * basis;
+    element.project = element.mass.ldlt().solve(element.moments);
     element.center = element.bumpPoints.colwise().mean().transpose();
     element.radius =
         (element.bumpPoints.rowwise() - element.center.transpose()).rowwise().norm().maxCoeff();
-    const std::vector<Sample> means = sample(1);
-    element.points.resize(3, static_cast<Index>(means.size()));
-    element.weightedBasis.resize(static_cast<Index>(means.size()), 6);
-    for (Index q = 0; q < element.points.cols(); ++q) {
-      element.points.col(q) = means[q].position;
-      for (int f = 0; f < 6; ++f) element.weightedBasis(q, f) = means[q].weight * means[q].basis[f];
-    }
     cellOf_[e] = e;
     cells_[e].elements = {e};
     for (int edge = 0; edge < 3; ++edge) {

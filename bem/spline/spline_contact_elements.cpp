@@ -211,24 +211,21 @@ VectorXd SplineContactElements::fill(const SplineSurface& surface, const SplineT
   indices.netSize = static_cast<Index>(list.size());
   const SplinePatch& patch = surface.patches()[surface.elements()[index].patch];
   const std::array<double, 2> length = lengths(surface, index);
-  std::array<int, 2> forBumps{}, forMeans{};
+  std::array<int, 2> forBumps{};
   for (int d = 0; d < 2; ++d) {
     const int degree = patch.basis[d].degree();
     forBumps[d] = static_cast<int>(std::clamp(std::ceil(kPointsPerRadius * length[d] / finest),
                                               degree + 3.0, 1.0 * kMaxGaussPoints));
-    forMeans[d] = (degree + 4) / 2;  // exact for a quadratic function times a spline
   }
   const Points bumps = pointsOf(surface, index, forBumps, indices);
   element.bumpPoints = bumps.positions;
   element.bumpWeights = bumps.weights;
-  element.mass = bumps.basis.transpose() * (bumps.weights.asDiagonal() * bumps.ofTractions);
+  element.moments = bumps.basis.transpose() * bumps.weights.asDiagonal();
+  element.mass = element.moments * bumps.ofTractions;
   const VectorXd shares = projectOnNet(surface, index, bumps, indices, element.project);
   element.center = bumps.positions.colwise().mean().transpose();
   element.radius =
       (bumps.positions.rowwise() - element.center.transpose()).rowwise().norm().maxCoeff();
-  const Points means = pointsOf(surface, index, forMeans, indices);
-  element.points = means.positions.transpose();
-  element.weightedBasis = means.weights.asDiagonal() * means.ofTractions;
   return shares;
 }
 

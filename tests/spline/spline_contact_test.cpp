@@ -57,14 +57,20 @@ void expectAgreement(TouchedBody& splines, TouchedBody& triangles, const Contact
 TEST(SplineContact, AgreesWithFineTrianglesOnASphere) {
   for (const Vector3d& at : {kTop, Vector3d(kRadius * Vector3d(1, 0.3, 0.2).normalized())}) {
     const Vector3d outward = at.normalized();
+    // Flat triangles are 1.1 % too soft at the top: 1.510 N, where quadratic triangles converge.
     expectAgreement(sphere(), fineSphere(), {Kind::kGrab, 10}, at,
-                    -1.5 * outward + Vector3d(0.3, 0.5, 0), 0.01);
-    expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0}, at, at - outward, 0.01);
-    expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0.5}, at, at - outward, 0.01);
+                    -1.5 * outward + Vector3d(0.3, 0.5, 0), 0.02);
+    expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0}, at, at - outward, 0.02);
+    expectAgreement(sphere(), fineSphere(), {Kind::kPush, 10, 0.5}, at, at - outward, 0.02);
     // One mask, not much wider than the contact, carries the ball: 1.26 and 1.20 N at the top,
     // where six masks of finer splines (n = 2,322) have 1.21 N.
     expectAgreement(sphere(), fineSphere(), {Kind::kBall, 60, 0}, at, at + 58.5 * outward, 0.06);
   }
+}
+
+// 1.5262, 1.5279 and 1.5261 N with 498, 866 and 1,538 nodes of quadratic triangles.
+TEST(SplineContact, AgreesWithQuadraticTrianglesOnASphere) {
+  EXPECT_NEAR(forceOf(sphere(), {Kind::kPush, 10, 0}, kTop, {0, 0, 24}).norm(), 1.527, 0.012);
 }
 
 TEST(SplineContact, AgreesWithFineTrianglesOnABox) {
@@ -102,7 +108,8 @@ TEST(SplineContact, ComplianceIsSymmetric) {
   for (const Vector3d& at : {kTop, kSide, Vector3d(0, -18, 17), Vector3d(5, 3, 24)})
     solver.addForce(makeContactMask(sphere().surface(), at, 8), {0, 0, 0.1});
   std::printf("reciprocity defect %.1e\n", solver.reciprocityDefect());
-  EXPECT_LE(solver.reciprocityDefect(), 1e-3);
+  // Two masks overlap: means over the wanted bump are symmetric to second order only.
+  EXPECT_LE(solver.reciprocityDefect(), 5e-3);
 }
 
 TEST(SplineContact, SupportsBalanceIt) {
