@@ -30,7 +30,7 @@ using Eigen::Vector3d;
 
 constexpr double kRadius = 8;  // mm, of the fingertip
 /// A device that has had no force for so long applies none.
-constexpr std::chrono::milliseconds kMaxAge{5};
+constexpr std::chrono::milliseconds kMaxAge{3};
 constexpr double kGrip = 0.5;          // N/mm, of a hand about its target
 constexpr double kGripDamping = 4e-3;  // N s/mm
 const Vector3d kTop(0, 0, 25);

@@ -207,31 +207,38 @@ TEST(HandleForce, KeepsTheToolNearerToTheSurfaceOfAStifferBody) {
   EXPECT_TRUE(force.isLimited());
 }
 
-/// The machine stalls while the handle is pushed into the body: the device lets go meanwhile.
-TEST(HandleForce, AStallGivesNoEnergyToReturn) {
-  constexpr double kStiffness = 1;  // N/mm
+/// The machine stalls while a trembling hand pushes the handle into the body; the device lets go
+/// meanwhile.
+class HandleForceInStalls : public testing::TestWithParam<double> {};
+TEST_P(HandleForceInStalls, GivesNoEnergy) {
+  const double stiffness = GetParam();
   HandleForce force;
   VirtualDevice handle({0.08, 0.5e-3, 0.01}, {0, 0, 1});
   Vector3d applied = Vector3d::Zero();
   double most = -1, time = 1;
   std::mt19937 random(3);
-  for (int i = 0; i < 20'000; ++i) {
-    const Vector3d goal(0, 0, -3 * std::sin(0.006 * i));
-    // Once in some hundred milliseconds the next one takes 40.
-    const double period = random() % 200 == 0 ? 40e-3 : kPeriod;
+  for (int i = 0; i < 60'000; ++i) {
+    // Once in some hundred milliseconds the next one takes up to 40.
+    const double period = random() % 200 == 0 ? kPeriod * (2 + random() % 39) : kPeriod;
     const Vector3d at = handle.measured();
-    const SolvedContact contact{at, {0, 0, 1}, -kStiffness * at[2], kStiffness, false};
-    applied = force.update(at, time, contact, {});
-    for (double left = period; left > 1e-9; left -= kPeriod) {
-      if (left < period - 5e-3) applied.setZero();
+    const SolvedContact contact{at, {0, 0, 1}, -stiffness * at[2], stiffness, false};
+    const Vector3d next = force.update(at, time, contact, {});
+    // The force arrives in the middle of a usual period.
+    for (double passed = 0; passed < period - 1e-9; passed += kPeriod / 2) {
+      if (passed > 0 && passed < kPeriod) applied = next;
+      if (passed > HandleForce::kMaxAge) applied.setZero();
+      const double now = time + passed;
+      const Vector3d goal(0, 0, -4 + 4 * std::cos(4 * now) + 0.3 * std::sin(70 * now));
       const Vector3d hand = kHand * (goal - handle.position()) - kHandDamping * handle.velocity();
-      handle.advance(applied, hand, kPeriod);
+      handle.advance(applied, hand, kPeriod / 2);
       most = std::max(most, handle.energyFromDevice());
     }
     time += period;
   }
-  EXPECT_LT(most, 0.5);
+  // The motion in a silence is not known exactly: 0.13 mJ in 1 of 60 other runs.
+  EXPECT_LT(most, 0.2);
 }
+INSTANTIATE_TEST_SUITE_P(Walls, HandleForceInStalls, testing::Values(0.3, 1.0, 3.0, 10.0));
 
 /// Another touch pushes the body against a hand that yields.
 TEST(HandleForce, ABodyThatMovesAgainstTheHandleDoesNotDriveIt) {

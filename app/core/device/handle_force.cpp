@@ -20,6 +20,13 @@ constexpr double kRecovery = 2;  // s
 constexpr double kRefill = 2;    // mJ/s, of the store of a pressed contact
 /// Time in which the largest elastic energy of a contact is forgotten.
 constexpr double kForgetting = 1;  // s
+/// Times between positions are this much shorter than the time after which the device lets go.
+constexpr double kAgeTolerance = 0.5e-3;  // s
+/// Share of the change of energy between two forces that counts as given if the time at which the
+/// second one replaced the first matters (the worst share), and how long it does.
+constexpr double kTimingShare = 0.5, kUnsettled = 50e-3;  // s
+constexpr double kMinMass = 0.05;                         // kg, of a handle
+constexpr double kPerKilogram = 1e3;                      // mm/s^2 kg/N
 /// The next motion is predicted from the velocity with this factor.
 constexpr double kMargin = 1.2;
 /// The force rises at most so many times as fast as the spring is compressed,
@@ -49,8 +56,16 @@ HandleForce::Step HandleForce::follow(const Vector3d& position, double seconds) 
     period_ += kPeriodShare * (step.elapsed - period_);
     velocity_ += kVelocityShare * (step.moved / step.elapsed - velocity_);
     double given = 0.5 * (force_ + before_).dot(step.moved);
-    // The device has let go, or nobody knows: only what it may have given counts.
-    if (seconds - seconds_ > kMaxAge) given = std::max(given, 0.0);
+    // After a silence forces change fast, so that the time at which they change matters.
+    if (seconds < settled_) given += kTimingShare * std::abs((force_ - before_).dot(step.moved));
+    // A device that has let go applies nothing until the next force arrives; or nobody knows: only
+    // what it may have given counts.
+    if (wasSilent_) given = std::max(given, 0.5 * force_.dot(step.moved));
+    wasSilent_ = seconds - seconds_ > kMaxAge - kAgeTolerance;
+    if (wasSilent_) {
+      given = std::max(given, mostGivenInSilence());
+      settled_ = seconds + kUnsettled;
+    }
     stored_ -= given;
     received_ -= given;
     hardness_ += (1 - hardness_) * step.elapsed / kRecovery;
@@ -60,6 +75,20 @@ HandleForce::Step HandleForce::follow(const Vector3d& position, double seconds) 
   seconds_ = seconds;
   position_ = position;
   return step;
+}
+
+/// The most energy that the last forces can have given in kMaxAge to a light handle that nobody
+/// held, mJ.
+double HandleForce::mostGivenInSilence() const {
+  double most = 0;
+  for (const Vector3d& force : {before_, force_}) {
+    const double size = force.norm();
+    if (size == 0) continue;
+    const double along = std::max(0.0, force.dot(velocity_) / size);
+    most =
+        std::max(most, size * kMaxAge * (along + 0.5 * kPerKilogram * size / kMinMass * kMaxAge));
+  }
+  return most;
 }
 
 /// The body's force with damping along it: at most as large as the pressure, so that a contact
@@ -94,7 +123,18 @@ double HandleForce::largest(const Vector3d& direction, double asked, double stif
     most += std::min(along / kRestVelocity, 1.0) * (spring - most);
     most = std::min(most, energy / (kMargin * along * period_));
   }
-  return most;
+  return seconds_ < settled_ ? std::min(most, harmless(direction, along, step)) : most;
+}
+
+/// The largest force that gives a light handle no energy that is not stored, even if nobody holds
+/// it until the next force arrives: f (v t + f t^2 / 2 m) <= E, with the last or the usual velocity
+/// v.
+double HandleForce::harmless(const Vector3d& direction, double along, const Step& step) const {
+  const double until = 2 * period_;
+  const double byForce = 0.5 * kPerKilogram / kMinMass * until * until;
+  const double byVelocity = std::max(along, direction.dot(step.moved) / step.elapsed) * until;
+  const double energy = std::max(0.0, stored_);
+  return (std::sqrt(byVelocity * byVelocity + 4 * byForce * energy) - byVelocity) / (2 * byForce);
 }
 
 Vector3d HandleForce::update(const Vector3d& position, double seconds,

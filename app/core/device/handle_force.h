@@ -43,7 +43,9 @@ struct HandleLimits {
 /// along the force, the force is at most the force of a spring with this energy, sqrt(2 k E), and
 /// too small to exceed it in the next step. Steps that exceed it nevertheless reduce the stiffness
 /// for some seconds. The mean of the last two forces counts, because the device applies a force
-/// after an unknown part of the period. The store of a pressed contact also fills by 2 mJ/s from
+/// after an unknown part of the period. After a silence longer than kMaxAge the last forces may
+/// have pushed the handle out before the device let go, and the user may have pushed it back: the
+/// largest such energy counts as given. The store of a pressed contact also fills by 2 mJ/s from
 /// what the handle has given in total (damping keeps most of it), so that a resting handle gets the
 /// body's whole force back. So neither the body, a change of the model, another touch nor a stalled
 /// machine drives the handle with more energy than the handle has given.
@@ -53,7 +55,7 @@ class HandleForce {
  public:
   static constexpr double kSettling = 3e-3;     ///< s
   static constexpr double kMaxDamping = 20e-3;  ///< N s/mm
-  static constexpr double kMaxAge = 4e-3;       ///< s; devices let go of older forces
+  static constexpr double kMaxAge = 3e-3;       ///< s; devices let go of older forces
 
   /// Force on the handle, N, for its position (mm, of the device) at time `seconds`, which does
   /// not decrease. `solved`: none without contact.
@@ -75,12 +77,14 @@ class HandleForce {
     Eigen::Vector3d moved;  ///< mm
   };
   Step follow(const Eigen::Vector3d& position, double seconds);
+  double mostGivenInSilence() const;
   Eigen::Vector3d extrapolated(const Eigen::Vector3d& position) const;
   Eigen::Vector3d damped(const Eigen::Vector3d& force, const Eigen::Vector3d& body,
                          double stiffness) const;
   void refill(double elastic, double elapsed);
   double largest(const Eigen::Vector3d& direction, double asked, double stiffness,
                  const Step& step) const;
+  double harmless(const Eigen::Vector3d& direction, double along, const Step& step) const;
 
   SolvedContact solved_;
   bool isFollowed_ = false;  // there is a last position
@@ -94,6 +98,8 @@ class HandleForce {
   double received_ = 0;                                   // mJ, from the handle in total
   double share_ = 1;                                      // of the body's stiffness
   double hardness_ = 1;                                   // share of the device's stiffness in use
+  bool wasSilent_ = false;                                // before the last position
+  double settled_ = 0;  // s, end of the fast changes after the last silence
   bool isLimited_ = false;
 };
 
