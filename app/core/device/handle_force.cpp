@@ -27,6 +27,9 @@ constexpr double kAgeTolerance = 0.5e-3;  // s
 constexpr double kTimingShare = 0.5, kUnsettled = 50e-3;  // s
 constexpr double kMinMass = 0.05;                         // kg, of a handle
 constexpr double kPerKilogram = 1e3;                      // mm/s^2 kg/N
+/// A handle that has stayed within this distance for this time is held: it has received next to no
+/// energy, however its forces changed.
+constexpr double kHeldDistance = 0.005, kHeldTime = 0.1;  // mm, s
 /// The next motion is predicted from the velocity with this factor.
 constexpr double kMargin = 1.2;
 /// The force rises at most so many times as fast as the spring is compressed,
@@ -61,7 +64,12 @@ HandleForce::Step HandleForce::follow(const Vector3d& position, double seconds) 
     // A device that has let go applies nothing until the next force arrives; or nobody knows: only
     // what it may have given counts.
     if (wasSilent_) given = std::max(given, 0.5 * force_.dot(step.moved));
-    wasSilent_ = seconds - seconds_ > kMaxAge - kAgeTolerance;
+    if ((position - anchor_).norm() > kHeldDistance) {
+      anchor_ = position;
+      since_ = seconds;
+    }
+    isHeld_ = seconds - since_ > kHeldTime;
+    wasSilent_ = !isHeld_ && seconds - seconds_ > kMaxAge - kAgeTolerance;
     if (wasSilent_) {
       given = std::max(given, mostGivenInSilence());
       settled_ = seconds + kUnsettled;
@@ -70,6 +78,10 @@ HandleForce::Step HandleForce::follow(const Vector3d& position, double seconds) 
     received_ -= given;
     hardness_ += (1 - hardness_) * step.elapsed / kRecovery;
     if (stored_ < 0 && given > 0) hardness_ = std::max(kSoftening * hardness_, kMinHardness);
+  }
+  if (!isFollowed_) {
+    anchor_ = position;
+    since_ = seconds;
   }
   isFollowed_ = true;
   seconds_ = seconds;
@@ -112,6 +124,7 @@ void HandleForce::refill(double elastic, double elapsed) {
 /// gives energy that is not stored.
 double HandleForce::largest(const Vector3d& direction, double asked, double stiffness,
                             const Step& step) const {
+  if (isHeld_) return std::min(asked, force_.norm() + asked * step.elapsed / kHeldTime);
   const double along = direction.dot(velocity_);
   const double energy = std::max(0.0, stored_);
   // Not faster than the spring would be compressed: a contact that was noticed late begins softly.

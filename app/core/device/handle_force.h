@@ -45,10 +45,12 @@ struct HandleLimits {
 /// for some seconds. The mean of the last two forces counts, because the device applies a force
 /// after an unknown part of the period. After a silence longer than kMaxAge the last forces may
 /// have pushed the handle out before the device let go, and the user may have pushed it back: the
-/// largest such energy counts as given. The store of a pressed contact also fills by 2 mJ/s from
-/// what the handle has given in total (damping keeps most of it), so that a resting handle gets the
-/// body's whole force back. So neither the body, a change of the model, another touch nor a stalled
-/// machine drives the handle with more energy than the handle has given.
+/// largest such energy counts as given. A handle that rests within some thousandths of a millimetre
+/// is held by the user and gets the body's force, whatever is stored: on a stalled machine, too.
+/// The store of a pressed contact also fills by 2 mJ/s from what the handle has given in total
+/// (damping keeps most of it), so that a resting handle gets the body's whole force back. So
+/// neither the body, a change of the model, another touch nor a stalled machine drives the handle
+/// with more energy than the handle has given.
 ///
 /// Not thread-safe; without a clock.
 class HandleForce {
@@ -100,6 +102,9 @@ class HandleForce {
   double hardness_ = 1;                                   // share of the device's stiffness in use
   bool wasSilent_ = false;                                // before the last position
   double settled_ = 0;  // s, end of the fast changes after the last silence
+  Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();  // position near which the handle stays
+  double since_ = 0;                                  // s, from when on
+  bool isHeld_ = false;
   bool isLimited_ = false;
 };
 
