@@ -68,16 +68,22 @@ class Model {
     return [...places];
   }
 
-  // Compliance of a touch: quadratic between the corners and edges, with a bubble that has the known value at the middle.
-  ownAt(point) {
-    const [t, w] = [point.triangle, point.weights], bubble = 27 * w[0] * w[1] * w[2], s = new Array(6).fill(0);
-    for (let c = 0; c < 6; ++c) {
-      s[c] = bubble * this.ownAtMiddles[6 * t + c];
+  // n numbers at a point: quadratic between the corners and edges, with a bubble that has the known value at the middle.
+  interpolate(point, n, atVertices, atEdges, atMiddles) {
+    const [t, w] = [point.triangle, point.weights], bubble = 27 * w[0] * w[1] * w[2], s = new Array(n).fill(0);
+    for (let c = 0; c < n; ++c) {
+      s[c] = bubble * atMiddles[n * t + c];
       for (let k = 0; k < 3; ++k) {
-        s[c] += (w[k] * (2 * w[k] - 1) + bubble / 9) * this.own[6 * this.triangles[3 * t + k] + c];
-        s[c] += 4 * (w[(k + 1) % 3] * w[(k + 2) % 3] - bubble / 9) * this.ownAtEdges[6 * this.edges[3 * t + k] + c];
+        s[c] += (w[k] * (2 * w[k] - 1) + bubble / 9) * atVertices[n * this.triangles[3 * t + k] + c];
+        s[c] += 4 * (w[(k + 1) % 3] * w[(k + 2) % 3] - bubble / 9) * atEdges[n * this.edges[3 * t + k] + c];
       }
     }
+    return s;
+  }
+
+  // Compliance of a touch.
+  ownAt(point) {
+    const s = this.interpolate(point, 6, this.own, this.ownAtEdges, this.ownAtMiddles);
     return [s[0], s[3], s[4], s[3], s[1], s[5], s[4], s[5], s[2]];
   }
 
@@ -88,7 +94,7 @@ class Model {
       weights: point.weights,
       position: this.at(this.positions, point),
       normal: unit(this.at(this.normals, point)),
-      loaded: this.at(this.meanLoaded, point),
+      loaded: this.interpolate(point, 3, this.meanLoaded, this.meanLoadedAtEdges, this.meanLoadedAtMiddles),
       own: this.ownAt(point),
       places: this.placesAt(point)
     };

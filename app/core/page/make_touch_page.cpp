@@ -130,9 +130,12 @@ class PageMaker {
       const auto own = solutions.own(surface.at(middle));
       hasEdge.push_back(own.has_value());
       page_.ownAtEdges.push_back(own ? numbersOf(own->compliance) : std::array<float, 6>{});
+      page_.meanLoadedAtEdges.emplace_back(own ? own->loaded.cast<float>()
+                                               : Eigen::Vector3f(Eigen::Vector3f::Zero()));
       job_.throwIfCancelled();
     }
     page_.ownAtMiddles.resize(page_.triangles.size());
+    page_.meanLoadedAtMiddles.assign(page_.triangles.size(), Eigen::Vector3f::Zero());
     for (std::size_t t = 0; t < page_.triangles.size(); ++t) {
       if (!page_.isTouchable[t]) continue;
       const auto own = solutions.own(surface.at({static_cast<int>(t)}));
@@ -140,7 +143,10 @@ class PageMaker {
       for (std::size_t k = 0; k < 3; ++k)
         if (!isFree_[page_.triangles[t][k]] || !hasEdge[page_.edges[t][k]])
           page_.isTouchable[t] = false;
-      if (own) page_.ownAtMiddles[t] = numbersOf(own->compliance);
+      if (own) {
+        page_.ownAtMiddles[t] = numbersOf(own->compliance);
+        page_.meanLoadedAtMiddles[t] = own->loaded.cast<float>();
+      }
       job_.throwIfCancelled();
     }
     if (std::find(page_.isTouchable.begin(), page_.isTouchable.end(), 1) == page_.isTouchable.end())
@@ -234,7 +240,7 @@ double pageBytes(double nodes, double vertices, double triangles, double places)
   constexpr double kOwnText = 60e3;  // script, style and words of the page
   constexpr double kWeights = PlaceWeights::kCount * (2 + 9 * 2) + 4;
   constexpr double kVertex = 4 * 12 + 6 * 4 + kWeights + 3 * 6;
-  constexpr double kTriangle = 2 * 3 * 2 + 6 * 4 + 1.5 * 6 * 4 + 2 * 4 + 1;
+  constexpr double kTriangle = 2 * 3 * 2 + 9 * 4 + 1.5 * 9 * 4 + 2 * 4 + 1;
   const double binary = vertices * kVertex + triangles * kTriangle +
                         2 * (9 * nodes * places + 9 * places * places) + 24 * places;
   return kOwnText + binary * 4 / 3;

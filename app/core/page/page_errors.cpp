@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/results/error_estimate.h"
+#include "app/core/results/press_error.h"
 
 namespace palpa::app {
 
@@ -47,10 +47,22 @@ double forceError(const Matrix3d& ofPage, const Matrix3d& exact) {
   return largest(ofPage.ldlt().solve(exact) - Matrix3d::Identity());
 }
 
+/// Depth of a touch, in its radii, to whose force the error by the displacement without touches is
+/// related.
+constexpr double kDepth = 0.1;
+
+/// Error of the force by a displacement without touches that is off by `off` (mm), over the force
+/// of a touch of `depth` (mm); `own`: compliance of the touch.
+double loadError(const Vector3d& off, const Matrix3d& own, double depth) {
+  const Matrix3d stiffness = own.inverse();
+  return (stiffness * off).norm() * std::sqrt(3.0) / (depth * stiffness.norm());
+}
+
 struct Sample {
   TouchPage::Point at;
   bem::SurfacePoint place;
   Matrix3d own;
+  Vector3d loaded;
 };
 
 class Measurement {
@@ -93,22 +105,35 @@ class Measurement {
       point.weights /= point.weights.sum();
       const bem::SurfacePoint place = surface_.at(point);
       if (const auto own = solutions_.own(place))
-        samples_.push_back({point, place, own->compliance});
+        samples_.push_back({point, place, own->compliance, own->loaded});
     }
   }
 
-  /// How far the compliance in the middle of a triangle is from the quadratic function through
-  /// corners and edges: the largest one of the triangles around.
+  /// Error of the force of a touch of kDepth by an interpolated compliance and displacement.
+  double errorOf(const Matrix3d& ofPage, const Vector3d& loadedOfPage, const Matrix3d& exact,
+                 const Vector3d& loaded) const {
+    return forceError(ofPage, exact) +
+           loadError(loadedOfPage - loaded, exact, kDepth * page_.radius);
+  }
+
+  /// How far the force in the middle of a triangle is from that of the quadratic functions through
+  /// corners and edges: the largest error of the triangles around.
   void findDeviations() {
     std::vector<double> around(page_.positions.size(), kMinDeviation);
     for (const int t : touchable_) {
       const auto triangle = static_cast<std::size_t>(t);
       Matrix3d middle = Matrix3d::Zero();
-      for (std::size_t k = 0; k < 3; ++k)
-        middle += (4 * TouchPage::symmetric(page_.ownAtEdges[page_.edges[triangle][k]]) -
-                   TouchPage::symmetric(page_.own[page_.triangles[triangle][k]])) /
+      Eigen::Vector3f loaded = Eigen::Vector3f::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto edge = page_.edges[triangle][k], corner = page_.triangles[triangle][k];
+        middle += (4 * TouchPage::symmetric(page_.ownAtEdges[edge]) -
+                   TouchPage::symmetric(page_.own[corner])) /
                   9;
-      const double here = forceError(middle, TouchPage::symmetric(page_.ownAtMiddles[triangle]));
+        loaded += (4 * page_.meanLoadedAtEdges[edge] - page_.meanLoaded[corner]) / 9;
+      }
+      const double here =
+          errorOf(middle, loaded.cast<double>(), TouchPage::symmetric(page_.ownAtMiddles[triangle]),
+                  page_.meanLoadedAtMiddles[triangle].cast<double>());
       for (const std::uint16_t corner : page_.triangles[triangle]) raise(around[corner], here);
     }
     deviations_.assign(page_.triangles.size(), kMinDeviation);
@@ -120,7 +145,8 @@ class Measurement {
   void measureForces() {
     double factor = 0;
     for (const Sample& sample : samples_)
-      raise(factor, forceError(page_.ownCompliance(sample.at), sample.own) /
+      raise(factor, errorOf(page_.ownCompliance(sample.at), page_.loadedAt(sample.at), sample.own,
+                            sample.loaded) /
                         deviations_[static_cast<std::size_t>(sample.at.triangle)]);
     page_.forceErrors.assign(page_.triangles.size(), 0);
     std::vector<double> stated;

@@ -8,6 +8,31 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+namespace {
+
+/// Adds the values at the corners, edges and middle of a point's triangle, each times its weight:
+/// quadratic functions and a cubic bubble that gives the right value at the middle.
+template <class Sum, class Value, class ValueOf>
+Sum interpolate(const TouchPage& page, const TouchPage::Point& point, Sum sum,
+                const std::vector<Value>& atVertices, const std::vector<Value>& atEdges,
+                const std::vector<Value>& atMiddles, const ValueOf& valueOf) {
+  const auto triangle = static_cast<std::size_t>(point.triangle);
+  const Vector3d& w = point.weights;
+  const double bubble = 27 * w.prod();
+  // The quadratic functions have the values -1/9 (corners) and 4/9 (edges) at the middle.
+  sum += bubble * valueOf(atMiddles[triangle]);
+  for (Index k = 0; k < 3; ++k) {
+    const auto corner = static_cast<std::size_t>(k);
+    sum += (w[k] * (2 * w[k] - 1) + bubble / 9) *
+           valueOf(atVertices[page.triangles[triangle][corner]]);
+    sum += 4 * (w[(k + 1) % 3] * w[(k + 2) % 3] - bubble / 9) *
+           valueOf(atEdges[page.edges[triangle][corner]]);
+  }
+  return sum;
+}
+
+}  // namespace
+
 void QuantisedColumns::add(const Eigen::VectorXd& column) {
   constexpr double kLargest = 32767;
   rows = static_cast<int>(column.size());
@@ -36,11 +61,9 @@ Vector3d TouchPage::normalOf(const Point& point) const {
 }
 
 Vector3d TouchPage::loadedAt(const Point& point) const {
-  Vector3d sum = Vector3d::Zero();
-  const auto& corners = triangles[static_cast<std::size_t>(point.triangle)];
-  for (std::size_t k = 0; k < 3; ++k)
-    sum += point.weights[static_cast<Index>(k)] * meanLoaded[corners[k]].cast<double>();
-  return sum;
+  return interpolate(*this, point, Vector3d(Vector3d::Zero()), meanLoaded, meanLoadedAtEdges,
+                     meanLoadedAtMiddles,
+                     [](const Eigen::Vector3f& value) -> Vector3d { return value.cast<double>(); });
 }
 
 Matrix3d TouchPage::symmetric(const std::array<float, 6>& numbers) {
@@ -51,18 +74,8 @@ Matrix3d TouchPage::symmetric(const std::array<float, 6>& numbers) {
 }
 
 Matrix3d TouchPage::ownCompliance(const Point& point) const {
-  const auto triangle = static_cast<std::size_t>(point.triangle);
-  const Vector3d& w = point.weights;
-  const double bubble = 27 * w.prod();
-  // The quadratic functions have the values -1/9 (corners) and 4/9 (edges) at the middle.
-  Matrix3d sum = bubble * symmetric(ownAtMiddles[triangle]);
-  for (Index k = 0; k < 3; ++k) {
-    const auto corner = static_cast<std::size_t>(k);
-    sum += (w[k] * (2 * w[k] - 1) + bubble / 9) * symmetric(own[triangles[triangle][corner]]);
-    sum += 4 * (w[(k + 1) % 3] * w[(k + 2) % 3] - bubble / 9) *
-           symmetric(ownAtEdges[edges[triangle][corner]]);
-  }
-  return sum;
+  return interpolate(*this, point, Matrix3d(Matrix3d::Zero()), own, ownAtEdges, ownAtMiddles,
+                     &TouchPage::symmetric);
 }
 
 std::map<int, Matrix3d> TouchPage::placesAt(const Point& point) const {

@@ -67,8 +67,9 @@ struct TouchPage {
   std::vector<std::uint8_t> isTouchable;  ///< per triangle; false on supports
   /// Per triangle: its edges, each opposite to the corner of the same index.
   std::vector<std::array<std::uint16_t, 3>> edges;
-  std::vector<Eigen::Vector3f> loaded;      ///< per vertex: displacement without touches, mm
-  std::vector<Eigen::Vector3f> meanLoaded;  ///< the same, mean over the mask at the vertex
+  std::vector<Eigen::Vector3f> loaded;  ///< per vertex: displacement without touches, mm
+  /// The same, mean over the mask: at the vertices, and the middles of the edges and triangles.
+  std::vector<Eigen::Vector3f> meanLoaded, meanLoadedAtEdges, meanLoadedAtMiddles;
   /// Compliance of a touch (xx, yy, zz, xy, xz, yz), mm/N; 0 if it has none: at the vertices, the
   /// middles of the edges, and the middles of the triangles.
   std::vector<std::array<float, 6>> own, ownAtEdges, ownAtMiddles;
@@ -100,7 +101,7 @@ struct TouchPage {
   Eigen::Matrix3d couplingOf(const Point& a, const Point& b) const;
   /// Displacements of all vertices per force on the mask at `point`, mm/N: 3 rows per vertex.
   Eigen::MatrixX3d fieldOf(const Point& point) const;
-  /// Displacement of the mask at a point without touches, mm.
+  /// Displacement of the mask at a point without touches, mm: interpolated like ownCompliance().
   Eigen::Vector3d loadedAt(const Point& point) const;
   /// Forces, N, of touches that grab the points and displace them to `displacements` (mm, relative
   /// to the unloaded shape).

@@ -56,6 +56,10 @@ Blocks blocksOf(const TouchPage& page) {
   blocks.add("normals", "f32", numbersOf(page.normals), 3 * vertices);
   blocks.add("loaded", "f32", numbersOf(page.loaded), 3 * vertices);
   blocks.add("meanLoaded", "f32", numbersOf(page.meanLoaded), 3 * vertices);
+  blocks.add("meanLoadedAtEdges", "f32", numbersOf(page.meanLoadedAtEdges),
+             3 * page.meanLoadedAtEdges.size());
+  blocks.add("meanLoadedAtMiddles", "f32", numbersOf(page.meanLoadedAtMiddles),
+             3 * page.triangles.size());
   blocks.add("own", "f32", numbersOf(page.own), 6 * vertices);
   blocks.add("ownAtEdges", "f32", numbersOf(page.ownAtEdges), 6 * page.ownAtEdges.size());
   blocks.add("ownAtMiddles", "f32", numbersOf(page.ownAtMiddles), 6 * page.triangles.size());
