@@ -164,6 +164,27 @@ TEST_F(Saving, ClosingEndsAJobFirst) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !window_->isVisible(); }));
 }
 
+TEST_F(Saving, ClosingDuringAJobAsksInTheFirstTurnAfterIt) {
+  openAndEdit();
+  QTimer::singleShot(30, window_.get(), &QWidget::close);
+  runInBackground(*window_, "Working", [&](const Job& job) {
+    while (!job.stop.stop_requested()) std::this_thread::yield();
+    return 1;
+  });
+  // Not later, when nobody expects a question any more.
+  int questions = 0;
+  QTimer::singleShot(0, window_.get(), [&questions] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (!question) return;
+    ++questions;
+    question->button(QMessageBox::Cancel)->click();
+  });
+  QCoreApplication::processEvents();
+  EXPECT_EQ(questions, 1);
+  EXPECT_TRUE(window_->isVisible());
+  EXPECT_TRUE(window_->isWindowModified());
+}
+
 TEST_F(Saving, ClosingDoesNotWaitForTheModel) {
   ASSERT_TRUE(window_->openFile(PALPA_PROJECTS "/gripper-finger.json"));
   EXPECT_EQ(editor().rebuildStatus().state, app::RebuildStatus::State::kBuilding);

@@ -141,6 +141,7 @@ Interrupter::Interrupter(Campaign& campaign, QString folder, ActionLog log)
       log_(std::move(log)),
       random_(campaign.seed()) {
   QDir().mkdir(folder_ + "/written");
+  QTimer::singleShot(kAttendEvery, &attendant_, [this] { attend(); });
 }
 
 Interrupter::~Interrupter() = default;
@@ -271,7 +272,6 @@ bool Interrupter::run(Situation situation, const QString& target, Interruption i
   dialog_ = nullptr;
   failure_.clear();
   isAttending_ = true;
-  QTimer::singleShot(kAttendEvery, window_.get(), [this] { attend(); });
   const bool isUsed = use(target);
   const bool isDeep = isInterrupted_;
   ++counts_[isUsed ? "used" : "disabled"];
@@ -310,7 +310,11 @@ bool Interrupter::run(Situation situation, const QString& target, Interruption i
 
 void Interrupter::attend() {
   // First of all: an answer may open another dialog, and returns when that is closed.
-  if (isAttending_) QTimer::singleShot(kAttendEvery, window_.get(), [this] { attend(); });
+  QTimer::singleShot(kAttendEvery, &attendant_, [this] { attend(); });
+  if (!isAttending_) {
+    if (QWidget* dialog = QApplication::activeModalWidget()) attendUnexpected(*dialog);
+    return;
+  }
   if (QWidget* popup = QApplication::activePopupWidget()) {
     popup->close();
     return;
@@ -334,6 +338,19 @@ void Interrupter::attend() {
   }
   if (isInterrupted_) return leave(*dialog);
   goOn(*dialog);
+}
+
+/// Between two cases only progress may be shown. Any other dialog would wait for ever.
+void Interrupter::attendUnexpected(QWidget& dialog) {
+  if (qobject_cast<gui::ProgressDialog*>(&dialog) || &dialog == dialog_) return;
+  dialog_ = &dialog;
+  log_("  after the case: " + nameOf(dialog) + ": " + dialog.windowTitle());
+  campaign_.fail(("a dialog comes after its case: " + nameOf(dialog)).toStdString());
+  auto* question = saveQuestion(dialog);
+  if (question)
+    question->button(QMessageBox::Cancel)->click();
+  else
+    dialog.close();
 }
 
 void Interrupter::interrupt(QWidget* dialog) {

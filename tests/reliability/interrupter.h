@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QObject>
 #include <QPointer>
 #include <QString>
 #include <QStringList>
@@ -68,6 +69,7 @@ class Interrupter {
 
   // Dialogs block use() until they are closed; a timer calls these functions meanwhile.
   void attend();
+  void attendUnexpected(QWidget& dialog);
   void goOn(QWidget& dialog);
   void goOn(QFileDialog& dialog);
   void interrupt(QWidget* dialog);
@@ -80,6 +82,7 @@ class Interrupter {
   const QString folder_;
   const ActionLog log_;
   Random random_;
+  QObject attendant_;  // context of the timer that attends to dialogs
   std::unique_ptr<gui::MainWindow> window_;
   int windowUses_ = 0;
   bool isTouching_ = false;

@@ -51,6 +51,15 @@ void confine(const QString& folder) {
   fs::current_path(folder.toStdString());
 }
 
+/// Prints where the threads of a process are. Needs gdb.
+void printThreads(pid_t process) {
+  const std::string command = "timeout 120 gdb -nx -batch -p " + std::to_string(process) +
+                              " -ex 'thread apply all backtrace' >&2 2>/dev/null";
+  std::fflush(nullptr);
+  if (std::system(command.c_str()) != 0)
+    std::fprintf(stderr, "gdb, which is not installed, would print where its threads are\n");
+}
+
 /// Waits for the window's process: its exit code, or -1 when it crashed or did nothing for `most`.
 int watch(pid_t child, const std::string& log, std::chrono::seconds most) {
   auto last = Clock::now();
@@ -71,6 +80,7 @@ int watch(pid_t child, const std::string& log, std::chrono::seconds most) {
     }
     if (Clock::now() - last > most) {
       std::fprintf(stderr, "nothing happens any more\n");
+      printThreads(child);
       ::kill(child, SIGABRT);
       ::waitpid(child, &status, 0);
       return -1;

@@ -21,7 +21,8 @@ using ActionLog = std::function<void(const QString&)>;
 using WindowProcess = std::function<int(const QString& folder, const ActionLog& log)>;
 
 /// Runs `drive` in a child process. Fails the campaign if the process crashes or logs nothing for
-/// four minutes. Returns the exit code. Option of the campaign: "--log".
+/// four minutes; then gdb, if it is installed, prints the stacks of its threads. Returns the exit
+/// code. Option of the campaign: "--log".
 int runWatched(Campaign& campaign, char** argv, const WindowProcess& drive);
 
 /// Requires that the saved text is readable, and that undoing and redoing all steps lead to it.

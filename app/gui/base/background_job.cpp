@@ -2,11 +2,13 @@
 
 #include <QApplication>
 #include <QEventLoop>
+#include <QPointer>
 #include <QTimer>
 #include <exception>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "app/gui/base/progress_dialog.h"
 
@@ -16,8 +18,9 @@ namespace {
 constexpr int kPatience = 400;  // ms until the dialog appears
 constexpr int kRefresh = 50;    // ms between two updates of the progress
 
-/// Stop source of the running job; only the window's thread uses it.
-std::stop_source* running_ = nullptr;
+// Only the window's thread uses them.
+std::stop_source* running_ = nullptr;  // of the running job
+QPointer<QWidget> closing_;            // to be closed after it
 
 /// State that the worker reports to the window.
 struct Shared {
@@ -27,10 +30,15 @@ struct Shared {
   bool isDone = false;
 };
 
-/// Resets `running_` also after an exception.
+/// The time during which a job runs. Ends also after an exception.
 struct Registration {
   explicit Registration(std::stop_source& stop) { running_ = &stop; }
-  ~Registration() { running_ = nullptr; }
+  ~Registration() {
+    running_ = nullptr;
+    // Later: the functions that started the job are still being left.
+    if (QWidget* window = std::exchange(closing_, nullptr))
+      QMetaObject::invokeMethod(window, &QWidget::close, Qt::QueuedConnection);
+  }
 };
 
 }  // namespace
@@ -41,6 +49,12 @@ bool isBackgroundJobRunning() {
 
 void cancelBackgroundJob() {
   if (running_) running_->request_stop();
+}
+
+void closeAfterBackgroundJob(QWidget& window) {
+  if (!running_) return;
+  running_->request_stop();
+  closing_ = &window;
 }
 
 bool runWorkInBackground(QWidget& window, const QString& title, const BackgroundWork& work) {

@@ -32,6 +32,10 @@ bool isBackgroundJobRunning();
 /// Asks the running job to stop, as the Cancel button does. Does nothing without a job.
 void cancelBackgroundJob();
 
+/// The same, and closes `window` in the first turn of the event loop after the job has ended. May
+/// be called again meanwhile.
+void closeAfterBackgroundJob(QWidget& window);
+
 /// The same for work with a result; nothing if the user cancelled.
 template <class Work>
 auto runInBackground(QWidget& window, const QString& title, const Work& work)

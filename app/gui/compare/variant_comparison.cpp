@@ -70,6 +70,7 @@ VariantComparison::VariantComparison(Editor& editor, Simulation& simulation,
 
 VariantComparison::~VariantComparison() {
   pipeline_.reset();
+  app::waitUntilDestroyed();  // pipelines of former comparisons tell this object of their builds
   worker_.cancel();
   worker_.waitUntilIdle();
 }
@@ -107,7 +108,8 @@ void VariantComparison::start(const modeling::Project& other, const QString& nam
 
 void VariantComparison::end() {
   if (!isActive()) return;
-  pipeline_.reset();
+  // Its worker may need a moment to stop; the window does not wait for it.
+  app::destroyInBackground(std::shared_ptr<app::RebuildPipeline>(std::move(pipeline_)));
   ++generation_;
   isBusy_ = isEstimating_ = false;
   quiet_.stop();

@@ -66,8 +66,7 @@ void Simulation::setActive(bool active) {
     isLive_ = true;
     endAll();
     loop_->setModel(nullptr);
-    maker_.cancel();
-    maker_.waitUntilIdle();
+    maker_.cancel();  // adopt() drops what comes all the same
     stiffness_.stop();
     model_.reset();
     drawn_.reset();

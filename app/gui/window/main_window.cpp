@@ -51,13 +51,12 @@ namespace palpa::gui {
 namespace {
 
 constexpr int kFirstWidth = 1280,
-              kFirstHeight = 800;     // of the first window, if the screen is large enough
-constexpr int kTitleBar = 36;         // height of the window's frame, approximately
-constexpr int kCloseRetryDelay = 50;  // ms until a busy window tries to close again
-constexpr int kSavedTime = 5000;      // ms
-constexpr int kRoom = 8;              // px beside texts of the status bar
-constexpr int kRateInterval = 250;    // ms between two updates of the rate
-constexpr int kLayoutVersion = 4;     // of saveState(); other versions are not restored
+              kFirstHeight = 800;   // of the first window, if the screen is large enough
+constexpr int kTitleBar = 36;       // height of the window's frame, approximately
+constexpr int kSavedTime = 5000;    // ms
+constexpr int kRoom = 8;            // px beside texts of the status bar
+constexpr int kRateInterval = 250;  // ms between two updates of the rate
+constexpr int kLayoutVersion = 4;   // of saveState(); other versions are not restored
 
 }  // namespace
 
@@ -298,10 +297,9 @@ void MainWindow::updateRate() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (isBackgroundJobRunning()) {
-    // Wait for its thread, which uses the parts of the window.
-    cancelBackgroundJob();
+    // Its thread uses the parts of the window.
+    closeAfterBackgroundJob(*this);
     event->ignore();
-    QTimer::singleShot(kCloseRetryDelay, this, &QWidget::close);
     return;
   }
   event->setAccepted(files_->mayDiscard());
