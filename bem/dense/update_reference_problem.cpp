@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
 #include <typeinfo>
 
 #include "base/parallel.h"
+#include "bem/dense/moved_part.h"
 #include "bem/dense/updated_reference_problem.h"
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
@@ -19,36 +19,6 @@ namespace {
 /// Largest share of a full assembly for which an update pays.
 constexpr double kMaxShare = 0.75;
 
-/// Moved part of a discretisation.
-struct Motion {
-  std::vector<bool> isOwnRow;  ///< by equation: integrated from scratch
-  ElementPart moved;
-
-  std::vector<int> equations() const { return indicesWhere(isOwnRow); }
-  std::vector<int> others() const { return indicesWhere(isOwnRow, false); }
-
-  /// Share of the work of a full assembly: integrated rows, and moved elements for the other rows
-  /// before and after the motion.
-  double share(int elementCount) const {
-    const auto count = static_cast<double>(isOwnRow.size());
-    const double rows = static_cast<double>(std::count(isOwnRow.begin(), isOwnRow.end(), true));
-    return rows / count + 2 * (1 - rows / count) * static_cast<double>(moved.elements.size()) /
-                              std::max(elementCount, 1);
-  }
-};
-
-/// Part of the given elements: their corners or functions and their slots.
-template <class Functions, class Slots>
-ElementPart partOf(std::vector<int> elements, int coefficientCount, int slotCount,
-                   const Functions& functions, const Slots& slots) {
-  std::vector<bool> hasCoefficient(coefficientCount), hasSlot(slotCount);
-  for (const int e : elements) {
-    for (const int k : functions(e)) hasCoefficient[k] = true;
-    for (const int s : slots(e)) hasSlot[s] = true;
-  }
-  return {std::move(elements), indicesWhere(hasCoefficient), indicesWhere(hasSlot)};
-}
-
 /// True if the same directions and slots of the same coefficients have unknowns.
 bool isAlike(const DegreesOfFreedom& a, const DegreesOfFreedom& b) {
   if (a.nodeCount() != b.nodeCount() || a.slotCount() != b.slotCount() ||
@@ -57,88 +27,6 @@ bool isAlike(const DegreesOfFreedom& a, const DegreesOfFreedom& b) {
   for (int k = 0; k < a.nodeCount(); ++k)
     if (a.constrained(k) != b.constrained(k)) return false;
   return true;
-}
-
-std::optional<Motion> motion(const BoundaryMesh& before, const BoundaryMesh& mesh,
-                             const TractionSlots& slots,
-                             const std::vector<CollocationPoint>& pointsBefore,
-                             const std::vector<CollocationPoint>& points) {
-  if (before.nodeCount() != mesh.nodeCount() || before.triangles != mesh.triangles ||
-      before.smoothingGroups != mesh.smoothingGroups || before.tags != mesh.tags ||
-      pointsBefore.size() != points.size())
-    return std::nullopt;
-  Motion motion;
-  for (std::size_t p = 0; p < points.size(); ++p)
-    motion.isOwnRow.push_back(points[p].position != pointsBefore[p].position ||
-                              points[p].triangle != pointsBefore[p].triangle);
-  const auto hasMoved = [&](int node) { return before.nodes[node] != mesh.nodes[node]; };
-  std::vector<int> elements;
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-    if (std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), hasMoved))
-      elements.push_back(t);
-  motion.moved = partOf(
-      std::move(elements), mesh.nodeCount(),
-      slots.count(), [&](int t) -> const auto& { return mesh.triangles[t]; },
-      [&](int t) -> const auto& { return slots.ofCorner[t]; });
-  return motion;
-}
-
-/// `elements`: those that moved; none if the surfaces differ in more than their positions.
-std::optional<Motion> motion(std::optional<std::vector<int>> elements,
-                             const ElementSurface& surface,
-                             const WeightedEquations& equationsBefore,
-                             const WeightedEquations& equations) {
-  const auto &weights = equations.weights, &weightsBefore = equationsBefore.weights;
-  if (!elements || weights.rows() != weightsBefore.rows() ||
-      weights.cols() != weightsBefore.cols() || weights.nonZeros() != weightsBefore.nonZeros() ||
-      equations.averaged.size() != equationsBefore.averaged.size())
-    return std::nullopt;
-  Motion motion;
-  motion.isOwnRow.assign(weights.rows(), false);
-  const std::vector<int> place = placesIn(*elements, surface.elementCount());
-  std::vector<bool> isNode(equations.points.size(), false);
-  for (const AveragedElement& averaged : equations.averaged) {
-    for (const int node : averaged.nodes) isNode[node] = true;
-    if (place[averaged.element] >= 0)
-      for (const int equation : averaged.equations) motion.isOwnRow[equation] = true;
-  }
-  for (Eigen::Index p = 0; p < weights.cols(); ++p) {
-    const CollocationPlace& point = equations.points[p];
-    // A point on the border of the moved part does not move, but its free term may change. The
-    // nodes of averaged elements only stand for points inside of them.
-    const bool hasMoved =
-        !isNode[p] && (point.position != equationsBefore.points[p].position ||
-                       std::any_of(point.places.begin(), point.places.end(),
-                                   [&](const ElementPlace& at) { return place[at.element] >= 0; }));
-    Eigen::SparseMatrix<double>::InnerIterator w(weights, p), old(weightsBefore, p);
-    for (; w && old; ++w, ++old) {
-      if (w.row() != old.row()) return std::nullopt;
-      if (hasMoved || w.value() != old.value()) motion.isOwnRow[w.row()] = true;
-    }
-    if (w || old) return std::nullopt;
-  }
-  motion.moved = partOf(
-      std::move(*elements), surface.coefficientCount(),
-      surface.slotCount(), [&](int e) -> const auto& { return surface.coefficients(e); },
-      [&](int e) -> const auto& { return surface.slots(e); });
-  return motion;
-}
-
-/// Elements of which a node moved; none if nodes, elements, groups or tags differ.
-std::optional<std::vector<int>> movedElements(const QuadraticDiscretisation& before,
-                                              const QuadraticDiscretisation& after) {
-  const BoundaryMesh &old = before.mesh(), &mesh = after.mesh();
-  if (old.nodeCount() != mesh.nodeCount() || old.triangles != mesh.triangles ||
-      old.smoothingGroups != mesh.smoothingGroups || old.tags != mesh.tags)
-    return std::nullopt;
-  std::vector<int> elements;
-  for (int e = 0; e < after.elementCount(); ++e) {
-    const std::vector<int>& nodes = after.surface().coefficients(e);
-    if (std::any_of(nodes.begin(), nodes.end(),
-                    [&](int node) { return old.nodes[node] != mesh.nodes[node]; }))
-      elements.push_back(e);
-  }
-  return elements;
 }
 
 /// Subtracts the rows of the base from new rows.
@@ -231,7 +119,7 @@ std::unique_ptr<ReferenceProblem> updateTriangles(
   const TractionSlots slotsBefore(before);
   const auto points = dofs.collocationPoints(mesh, slots);
   auto moved =
-      motion(before, mesh, slots, base->dofs().collocationPoints(before, slotsBefore), points);
+      findMotion(before, mesh, slots, base->dofs().collocationPoints(before, slotsBefore), points);
   if (!moved || moved->share(mesh.triangleCount()) > kMaxShare) return nullptr;
   const auto some = [&](const std::vector<int>& equations) {
     std::vector<CollocationPoint> chosen;
@@ -266,8 +154,8 @@ std::unique_ptr<ReferenceProblem> updateSplines(const std::shared_ptr<const Refe
   if (!isAlike(base->dofs(), dofs)) return nullptr;
   const WeightedEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
   auto moved =
-      motion(surface.movedElements(before), SplineElements(surface, tractions),
-             splineEquations(before, SplineTractions(before), dofs.extraSlots()), equations);
+      findMotion(surface.movedElements(before), SplineElements(surface, tractions),
+                 splineEquations(before, SplineTractions(before), dofs.extraSlots()), equations);
   if (!moved || moved->share(surface.elementCount()) > kMaxShare) return nullptr;
   const auto partOn = [&](const SplineSurface& shape) {
     return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {
@@ -296,7 +184,7 @@ std::unique_ptr<ReferenceProblem> updateQuadratic(
   auto elements = movedElements(before, after);
   if (!elements) return nullptr;
   const WeightedEquations equations = equationsOn(after);
-  auto moved = motion(std::move(elements), after.surface(), equationsOn(before), equations);
+  auto moved = findMotion(std::move(elements), after.surface(), equationsOn(before), equations);
   if (!moved || moved->share(after.elementCount()) > kMaxShare) return nullptr;
   const auto partOn = [&](const QuadraticSurface& surface) {
     return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "bem/spline/spline_projection.h"
-#include "bem/spline/spline_tractions.h"
+#include "bem/spline/function_sides.h"
+#include "bem/spline/spline_extrapolation.h"
 
 namespace palpa::bem {
 namespace {
@@ -28,43 +28,14 @@ constexpr int kReach = 6;  ///< functions beyond the function that is extrapolat
 /// 17, linear by one in both directions 9. With 60, single oblique borders became nearly singular.
 constexpr double kMaxSum = 20;
 
-/// Coefficients of the monomials 1, t, t^2, … in a function's coefficient: their blossoms at its
-/// knots.
-VectorXd blossoms(const BsplineBasis& basis, int function, int order) {
-  const int degree = basis.degree();
-  const double begin = basis.knots().front(), length = basis.knots().back() - begin;
-  std::vector<double> symmetric(static_cast<std::size_t>(degree) + 1, 0);
-  symmetric[0] = 1;
-  for (int k = 1; k <= degree; ++k) {
-    const double t = (basis.knots()[function + k] - begin) / length;
-    for (int m = k; m > 0; --m) symmetric[m] += t * symmetric[m - 1];
-  }
-  VectorXd result(order + 1);
-  double binomial = 1;
-  for (int m = 0; m <= order; ++m) {
-    result[m] = symmetric[m] / binomial;
-    binomial = binomial * (degree - m) / (m + 1);
-  }
-  return result;
-}
-
-/// Weights of the functions first … first + order that give the coefficient of `function` for every
-/// polynomial of the order.
-VectorXd extrapolation(const BsplineBasis& basis, int first, int order, int function) {
-  if (function >= first && function <= first + order)
-    return VectorXd::Unit(order + 1, function - first);
-  MatrixXd matrix(order + 1, order + 1);
-  for (int k = 0; k <= order; ++k) matrix.col(k) = blossoms(basis, first + k, order);
-  return matrix.partialPivLu().solve(blossoms(basis, function, order));
-}
-
 class Extension {
  public:
   Extension(SplineSurface& surface, const std::vector<LevelFunction>& levels)
-      : surface_(surface), occurrences_(occurrences(surface)) {
+      : surface_(surface),
+        occurrences_(occurrences(surface)),
+        owners_(sidesOfFunctions(surface, occurrences_)) {
     for (std::size_t k = 0; k < levels.size(); ++k)
       borders_.push_back({levels[k], kWidth * elementSize(static_cast<int>(k))});
-    findOwners();
   }
 
   void apply() {
@@ -114,47 +85,7 @@ class Extension {
                      (at(high[0], low[1]) - at(low[0], high[1])).norm() / 2);
   }
 
-  void findOwners() {
-    owners_.assign(static_cast<std::size_t>(surface_.coefficientCount()), SplineSurface::kFree);
-    for (int k = 0; k < surface_.coefficientCount(); ++k) {
-      const auto places = grevillePlaces(surface_, occurrences_[k].front());
-      owners_[k] = surface_.side(places.front().element);
-    }
-    for (int e = 0; e < surface_.elementCount(); ++e)
-      if (surface_.side(e) == SplineSurface::kFixedPatch)
-        for (const int k : surface_.net(e)) owners_[k] = SplineSurface::kFixedPatch;
-    giveEverySideAFunction();
-  }
-
-  bool isUsable(int k, int side) const {
-    return owners_[k] == side || owners_[k] == SplineSurface::kFixedPatch;
-  }
-
-  /// A side of a patch that contains no Greville point gets the function with the largest part.
-  void giveEverySideAFunction() {
-    std::map<std::pair<int, int>, std::map<int, double>> missing;  // by patch and side
-    for (int e = 0; e < surface_.elementCount(); ++e) {
-      const auto& net = surface_.patches()[surface_.elements()[e].patch].net;
-      if (std::none_of(net.begin(), net.end(),
-                       [&](int k) { return isUsable(k, surface_.side(e)); }))
-        missing[{surface_.elements()[e].patch, surface_.side(e)}];
-    }
-    std::vector<double> basis;
-    for (int e = 0; e < surface_.elementCount(); ++e) {
-      const auto found = missing.find({surface_.elements()[e].patch, surface_.side(e)});
-      if (found == missing.end()) continue;
-      visitSplinePoints(surface_, {e}, 4, std::numeric_limits<double>::infinity(),
-                        [&](const ElementPlace& place, const SurfaceJet&, double area) {
-                          surface_.evaluateNet(e, surface_.parameters(place).parameters, basis);
-                          for (std::size_t f = 0; f < basis.size(); ++f)
-                            found->second[surface_.net(e)[f]] += area * basis[f];
-                        });
-    }
-    for (const auto& [where, parts] : missing)
-      owners_[std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
-                return a.second < b.second;
-              })->first] = where.second;
-  }
+  bool isUsable(int k, int side) const { return bem::isUsable(owners_[k], side); }
 
   std::optional<SplineSurface::ElementFunctions> functionsOf(int e) {
     const int side = surface_.side(e);
@@ -301,7 +232,7 @@ class Extension {
       last[d] =
           d == kept ? at[d] : std::min(patch.basis[d].count() - 1 - orders[d], at[d] + kReach);
       for (int k = first[d]; k <= last[d]; ++k)
-        along[d].push_back(extrapolation(patch.basis[d], k, orders[d], at[d]));
+        along[d].push_back(extrapolationWeights(patch.basis[d], k, orders[d], at[d]));
     }
     const auto point = [&](int i, int j) { return patch.net[i + j * patch.basis[0].count()]; };
     const auto isInside = [&](int i, int j) {
@@ -345,8 +276,8 @@ class Extension {
 
   SplineSurface& surface_;
   std::vector<std::vector<SplineOccurrence>> occurrences_;
+  std::vector<int> owners_;  ///< sidesOfFunctions()
   std::vector<CutBorder> borders_;
-  std::vector<int> owners_;
   std::vector<std::set<int>> sidesOf_;  ///< of the elements in a function's support
   /// By side, function, and patch or -1.
   std::map<std::array<int, 3>, std::vector<Weight>> extended_;
