@@ -9,6 +9,7 @@
 #include "app/verification/analytic_triangles.h"
 #include "app/verification/convergence.h"
 #include "app/verification/fem_case.h"
+#include "app/verification/fem_specification.h"
 #include "modeling/error.h"
 
 namespace palpa::verification {
@@ -114,62 +115,6 @@ void addAnalytic(const std::vector<json>& entries, const Selection& selection, P
     else if (selection.splines)
       plan.omitted.push_back({body.id() + " with splines", "there are no hollow solids"});
   }
-}
-
-/// How a finite element case is solved, and the errors allowed.
-struct FemSpecification {
-  modeling::MeshSettings mesh;
-  double atLoad, anywhere, reaction, energy, balance;
-};
-
-/// Triangles have about 2,500 nodes, edges of 2.2 and 1.8 mm: a load is 8 mm wide, so a
-/// second-order error of some (h / a)^2 / 10 ≈ 0.7 %; asked for are 1.5 % at the load and 1 % of
-/// the reaction. The traction is singular along the rim of a support; where the mesh is refined
-/// towards it, 0.3 %.
-FemSpecification femTriangles(const json& entry) {
-  FemSpecification how{{}, 0.015, 0.015, 0.01, 0.015, 0.003};
-  how.mesh.engine = modeling::Engine::kTriangles;
-  const std::string shape = entry.at("geometry").at("type");
-  if (shape == "sphere") {
-    how.mesh.edgeLength = 1.8;
-    if (idOf(entry) == "c_sph_equator") {
-      // The border of the support carries much of the load: 4.9 % at 2,426 nodes, an error
-      // proportional to the edge length.
-      how.atLoad = how.anywhere = 0.06;
-      how.energy = 0.05;
-    }
-  } else if (entry.contains("load")) {
-    how.mesh.edgeLength = 2.9;
-    how.mesh.refinementLevels = 2;
-    how.mesh.refineAtBorders = true;
-    how.anywhere = 0.01;
-    how.reaction = 0.003;
-    how.energy = 0.01;
-  } else {
-    how.mesh.edgeLength = 2.25;
-    how.anywhere = 0.005;
-    how.energy = 0.01;
-  }
-  return how;
-}
-
-/// The knots follow from the accuracy that is wished for.
-FemSpecification femSplines(bool isQuick) {
-  FemSpecification how = isQuick ? FemSpecification{{}, 1e-2, 1e-2, 1e-2, 1e-2, 1e-2}
-                                 : FemSpecification{{}, 5e-3, 7e-3, 3e-3, 1e-2, 3e-3};
-  how.mesh.engine = modeling::Engine::kSplines;
-  how.mesh.edgeLength = 4;
-  how.mesh.accuracy = isQuick ? 1e-2 : 3e-3;
-  return how;
-}
-
-/// About 1,200 to 1,700 nodes.
-FemSpecification femQuadratic(bool isQuick) {
-  FemSpecification how{{}, 5e-3, 7e-3, 5e-3, 1e-2, 3e-3};
-  how.mesh.engine = modeling::Engine::kQuadratic;
-  how.mesh.edgeLength = isQuick ? 3.6 : 2.6;
-  if (isQuick) how.atLoad = how.anywhere = how.reaction = 0.015;
-  return how;
 }
 
 Task femTask(const json& entry, Engine engine, const FemSpecification& how) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "app/core/setup/bump_places.h"
 #include "app/core/setup/knot_chains.h"
 #include "app/core/setup/span_subdivision.h"
 #include "app/core/setup/support_borders.h"
@@ -15,8 +16,6 @@
 
 namespace palpa::app {
 namespace {
-
-using Eigen::Vector3d;
 
 constexpr int kDegree = 3;
 /// Minimum absolute cosine for which a border counts as running across a direction.
@@ -35,30 +34,6 @@ constexpr int kMaxSteps = 16;
 /// three times their size). From then on the budget is larger by the second factor.
 constexpr int kStepsWithoutTouches = 6;
 constexpr double kMoreForTouches = 1.4;
-
-/// A place on a patch near the centre of a bump.
-struct BumpPlace {
-  int patch;
-  std::array<double, 2> parameters;
-  double radius;  ///< of the bump, mm
-};
-
-/// Samples of a grid within half of a bump's radius, where most of its load acts.
-std::vector<BumpPlace> placesUnder(const modeling::SurfaceEvaluator& surface,
-                                   const Vector3d& center, double radius) {
-  constexpr int kSamples = 24;
-  std::vector<BumpPlace> places;
-  for (int patch = 0; patch < surface.patchCount(); ++patch)
-    for (int j = 0; j <= kSamples; ++j)
-      for (int i = 0; i <= kSamples; ++i) {
-        const auto [u0, u1] = surface.range(patch, 0);
-        const auto [v0, v1] = surface.range(patch, 1);
-        const double u = u0 + (u1 - u0) * i / kSamples, v = v0 + (v1 - v0) * j / kSamples;
-        if ((surface.position(patch, u, v) - center).norm() < 0.5 * radius)
-          places.push_back({patch, {u, v}, radius});
-      }
-  return places;
-}
 
 class RefinementBuilder {
  public:
