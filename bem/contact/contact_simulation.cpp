@@ -14,6 +14,9 @@ using Kind = ContactTool::Kind;
 
 /// Sliding within a step ends when places move by less than this fraction of the mask's radius.
 constexpr double kSettled = 1e-6;
+/// Cosine between the normals of a ball's places and of its middle below which a place that faces
+/// away from the ball belongs to another face: beside a sharp edge, the nearest place may.
+constexpr double kSameFace = 0.5;
 
 }  // namespace
 
@@ -201,7 +204,13 @@ void ContactSimulation::demand(const Contact& contact) {
     if (contact.tool.kind == Kind::kBall) {
       // Away from the ball's centre, for the displaced position of the place.
       const Vector3d away = point.position + displacementOf(mask) - contact.value;
-      if (away.dot(outward) < 0) condition.normal = away.normalized();
+      if (away.dot(outward) < 0) {
+        condition.normal = away.normalized();
+      } else if (outward.dot(surface_.normal(contact.point)) < kSameFace) {
+        condition = {};
+        condition.kind = ContactCondition::Kind::kForce;  // cannot touch: zero force
+        continue;
+      }
       closed = -gapToBall(contact, mask, condition.normal);
     } else {
       closed = condition.normal.dot(contact.value - surface_.smoothPosition(point));
