@@ -116,8 +116,8 @@ class Measurement {
            loadError(loadedOfPage - loaded, exact, kDepth * page_.radius);
   }
 
-  /// How far the force in the middle of a triangle is from that of the quadratic functions through
-  /// corners and edges: the largest error of the triangles around.
+  /// How far the force in the middle of a triangle is from the force by the quadratic functions
+  /// through corners and edges: the largest error of the triangles around.
   void findDeviations() {
     std::vector<double> around(page_.positions.size(), kMinDeviation);
     for (const int t : touchable_) {

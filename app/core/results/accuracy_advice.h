@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/core/model/build_touch_model.h"
-#include "app/core/results/error_estimate.h"
+#include "app/core/results/press_error.h"
 
 namespace palpa::app {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/core/model/suggest_mesh.h"
-#include "app/core/results/error_estimate.h"
+#include "app/core/results/press_error.h"
 #include "app/core/system/destroy_in_background.h"
 #include "app/core/system/priority.h"
 #include "bem/base/error.h"
