@@ -4,7 +4,7 @@
 # A pad of unknown silicone, 40 × 40 × 15 mm, was pressed with a ball of 8 mm radius. The table
 # `indentation.csv` has depths and forces. Which Young's modulus explains them?
 #
-# (This table was computed with 0.17 MPa and has 2 % noise added. Put your own measurement in its place.)
+# (This table was computed with 0.17 MPa on a finer mesh and has 2 % noise added. Put your own measurement in its place.)
 
 # %%
 import pathlib
@@ -27,7 +27,7 @@ project.material = palpa.Material(guess, 0.48, name="unknown silicone")
 project.touches = [
     palpa.Touch("press", (0, 0, 15), displace=(0, 0, -depths[-1]), kind="ball", radius=8)
 ]
-model = project.build(accuracy=0.01)
+model = project.build(engine="quadratic")
 sweep = model.sweep(12)
 computed = np.interp(depths, sweep.shares * depths[-1], -sweep.forces[:, 0, 2])
 

@@ -41,12 +41,14 @@ modeling::Project splinesHeldByAPatch() {
   return project;
 }
 
-/// n = 386, 818 and 670: on coarser splines a finger's mask is so wide that it never slips on its
-/// way. Limits are about twice what is measured.
+/// n = 386, 642 and 602: on coarser splines a finger's mask is so wide that it never slips on its
+/// way. Limits are about twice what is measured. The field of a force belongs to the projected
+/// bump, the mean displacement of a contact refers to the wanted one: single means of the field
+/// differ in first order of the projection's error, and are symmetric to this order (decision 087).
 const Sphere kSpheres[] = {
     {"Triangles", sphereOf(modeling::Engine::kTriangles, 7), 15, 0.01, 0.015, 0.015, 0.02, 0.005},
-    {"Splines", splinesHeldByAPatch(), 8, 0.003, 0.005, 0.002, 1e-4, 5e-4},
-    {"SplinesCutByTheSupport", sphereOf(modeling::Engine::kSplines, 7), 6, 0.003, 0.006, 0.005,
+    {"Splines", splinesHeldByAPatch(), 8, 0.003, 0.005, 0.009, 1e-4, 3e-3},
+    {"SplinesCutByTheSupport", sphereOf(modeling::Engine::kSplines, 7), 6, 0.003, 0.006, 0.012,
      2e-3, 1e-3}};
 
 class TouchLaws : public testing::TestWithParam<int> {
