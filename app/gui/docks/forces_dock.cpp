@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/core/results/ball_error.h"
-#include "app/core/results/error_estimate.h"
+#include "app/core/results/press_error.h"
 #include "app/gui/docks/accuracy_panel.h"
 #include "app/gui/document/accuracy_words.h"
 #include "app/gui/document/force_words.h"
