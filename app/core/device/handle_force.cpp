@@ -28,8 +28,8 @@ constexpr double kTimingShare = 0.5, kUnsettled = 50e-3;  // s
 constexpr double kMinMass = 0.05;                         // kg, of a handle
 constexpr double kPerKilogram = 1e3;                      // mm/s^2 kg/N
 /// A handle that has stayed within this distance for this time is held: it has received next to no
-/// energy, however its forces changed.
-constexpr double kHeldDistance = 0.005, kHeldTime = 0.1;  // mm, s
+/// energy, however its forces changed. What it gets when it begins to move adds up to this credit.
+constexpr double kHeldDistance = 0.005, kHeldTime = 0.1, kHeldCredit = 0.1;  // mm, s, mJ
 /// The next motion is predicted from the velocity with this factor.
 constexpr double kMargin = 1.2;
 /// The force rises at most so many times as fast as the spring is compressed,
@@ -68,7 +68,9 @@ HandleForce::Step HandleForce::follow(const Vector3d& position, double seconds) 
       anchor_ = position;
       since_ = seconds;
     }
-    isHeld_ = seconds - since_ > kHeldTime;
+    if (isHeld_) heldGiven_ = std::max(0.0, heldGiven_ + given);
+    if (stored_ >= 0) heldGiven_ = 0;
+    isHeld_ = seconds - since_ > kHeldTime && heldGiven_ < kHeldCredit;
     wasSilent_ = !isHeld_ && seconds - seconds_ > kMaxAge - kAgeTolerance;
     if (wasSilent_) {
       given = std::max(given, mostGivenInSilence());

@@ -105,6 +105,7 @@ class HandleForce {
   Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();  // position near which the handle stays
   double since_ = 0;                                  // s, from when on
   bool isHeld_ = false;
+  double heldGiven_ = 0;  // mJ, while it was held, since the store was last filled
   bool isLimited_ = false;
 };
 
