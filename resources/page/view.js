@@ -30,7 +30,12 @@ void main() {
   for (int k = 0; k < 5; ++k) colour = mix(colour, stops[k + 1], clamp(share * 5.0 - float(k), 0.0, 1.0));
   vec3 n = normalize(facing);
   float light = 0.45 + 0.5 * max(0.0, dot(n, normalize(vec3(-0.3, 0.5, 0.8)))) + 0.1 * max(0.0, n.x);
-  float glint = pow(max(0.0, dot(n, normalize(vec3(-0.2, 0.35, 1.0)))), 40.0);
+  float glint = max(0.0, dot(n, vec3(-0.185, 0.324, 0.928)));
+  glint *= glint;
+  glint *= glint;
+  glint *= glint;
+  float high = glint * glint;
+  glint *= high * high;  // the 40th power, cheaper than pow()
   gl_FragColor = vec4(colour * light + 0.12 * glint, 1.0);
 }`;
 
@@ -76,6 +81,8 @@ class View {
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.model.triangles, gl.STATIC_DRAW);
     gl.uniform3fv(this.uniform("stops"), colourStops.flat());
     gl.enable(gl.DEPTH_TEST);
+    // Bodies are closed: their inside is never seen, and costs as much as the outside without a graphics card.
+    gl.enable(gl.CULL_FACE);
   }
 
   // The whole body, seen obliquely from above; z is up.
