@@ -241,6 +241,40 @@ TEST_P(HandleForceInStalls, GivesNoEnergy) {
 INSTANTIATE_TEST_SUITE_P(Walls, HandleForceInStalls, testing::Values(0.3, 1.0, 3.0, 10.0));
 
 /// Another touch pushes the body against a hand that yields.
+// A program without priority on a busy machine: positions come in bursts, 8 ms apart.
+TEST(HandleForce, ARestingHandleHasTheBodysForceOnABusyMachine) {
+  HandleForce force;
+  const SolvedContact contact{{0, 0, 0}, {0, 0, 1}, 0, 1.2, false};
+  Vector3d result = Vector3d::Zero();
+  double time = 1;
+  for (int k = 0; k < 2000; ++k) {
+    const double at = 1 - 0.02 * std::min(k, 150);  // from 1 mm outside to 2 mm deep
+    result = force.update({0, 0, at}, time += k % 8 == 0 ? 8e-3 : 1e-3, contact, {});
+  }
+  EXPECT_NEAR(result[2], 2.4, 1e-3);
+  EXPECT_FALSE(force.isLimited());
+}
+
+// A hand rests, yields by a hundredth of a millimetre, pushes back after a silence, and rests
+// again.
+TEST(HandleForce, LeavingARestAgainAndAgainGivesLittleEnergy) {
+  HandleForce force;
+  const SolvedContact contact{{0, 0, -1}, {0, 0, 1}, 1, 1, false};
+  Vector3d result = Vector3d::Zero();
+  double time = 1, at = -1, given = 0;
+  const auto go = [&](double to, double elapsed) {
+    if (elapsed <= HandleForce::kMaxAge) given += result[2] * (to - at);  // else it has let go
+    at = to;
+    result = force.update({0, 0, at}, time += elapsed, contact, {});
+  };
+  for (int k = 0; k < 100; ++k) {
+    for (int rest = 0; rest < 200; ++rest) go(at, 1e-3);
+    go(at + 0.01, 1e-3);
+    go(at - 0.01, 40e-3);
+  }
+  EXPECT_LT(given, 0.5);
+}
+
 TEST(HandleForce, ABodyThatMovesAgainstTheHandleDoesNotDriveIt) {
   HandleForce force;
   double given = 0, time = 1, at = 0;

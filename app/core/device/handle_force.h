@@ -47,6 +47,7 @@ struct HandleLimits {
 /// have pushed the handle out before the device let go, and the user may have pushed it back: the
 /// largest such energy counts as given. A handle that rests within some thousandths of a millimetre
 /// is held by the user and gets the body's force, whatever is stored: on a stalled machine, too.
+/// When it begins to move, it may get 0.1 mJ in this way until something is stored again.
 /// The store of a pressed contact also fills by 2 mJ/s from what the handle has given in total
 /// (damping keeps most of it), so that a resting handle gets the body's whole force back. So
 /// neither the body, a change of the model, another touch nor a stalled machine drives the handle

@@ -33,6 +33,9 @@ constexpr double kMargin = 1.5;
 constexpr double kForceMargin = 2.5;
 /// Below this the error comes from the single precision of the Green's columns and of the file.
 constexpr double kMinDeviation = 2e-4;
+/// Depth of a touch, in its radii, to whose force the error by the displacement without touches is
+/// related.
+constexpr double kDepth = 0.1;
 
 double largest(const Matrix3d& matrix) {
   return matrix.jacobiSvd().singularValues()[0];
@@ -46,10 +49,6 @@ void raise(double& most, double value) {
 double forceError(const Matrix3d& ofPage, const Matrix3d& exact) {
   return largest(ofPage.ldlt().solve(exact) - Matrix3d::Identity());
 }
-
-/// Depth of a touch, in its radii, to whose force the error by the displacement without touches is
-/// related.
-constexpr double kDepth = 0.1;
 
 /// Error of the force by a displacement without touches that is off by `off` (mm), over the force
 /// of a touch of `depth` (mm); `own`: compliance of the touch.

@@ -73,7 +73,8 @@ struct TouchPage {
   /// Compliance of a touch (xx, yy, zz, xy, xz, yz), mm/N; 0 if it has none: at the vertices, the
   /// middles of the edges, and the middles of the triangles.
   std::vector<std::array<float, 6>> own, ownAtEdges, ownAtMiddles;
-  /// Per triangle: relative error of the force of a touch in it, by interpolation and rounding.
+  /// Per triangle: relative error of the force of a touch in it, by interpolation and rounding; the
+  /// displacement without touches counts for a touch that is a tenth of its radius deep.
   std::vector<float> forceErrors;
   /// Per triangle: the same by the discretisation of the solid, from estimatePressErrors() at the
   /// samples nearby.

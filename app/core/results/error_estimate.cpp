@@ -104,14 +104,14 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   std::vector<int> all(static_cast<std::size_t>(mesh.triangleCount()));
   std::iota(all.begin(), all.end(), 0);
   // Around contacts places are denser: the dip of a ball may be the largest part of the field.
-  const auto firstElsewhere = std::stable_partition(all.begin(), all.end(), [&](int triangle) {
-    return isAroundContact(state, mesh.point(triangle, Vector3d::Constant(1.0 / 3)));
-  });
+  std::vector<int> around, elsewhere;
+  for (const int triangle : all) {
+    const Vector3d middle = mesh.point(triangle, Vector3d::Constant(1.0 / 3));
+    (isAroundContact(state, middle) ? around : elsewhere).push_back(triangle);
+  }
   SampledError::Squares sum;
-  sum.addSums(
-      squaresOver(mesh, {all.begin(), firstElsewhere}, kPlacesAroundContacts, error, quiet));
-  sum.addSums(squaresOver(mesh, {firstElsewhere, all.end()}, samples, error, quiet));
-  std::sort(all.begin(), all.end());
+  sum.addSums(squaresOver(mesh, around, kPlacesAroundContacts, error, quiet));
+  sum.addSums(squaresOver(mesh, elsewhere, samples, error, quiet));
   // Also weighted by the energy: the error of parts that are only carried along, like the pins of a
   // chip that is pressed elsewhere, costs no energy and does not change a force. Not by area: near
   // a contact, where most of the energy is, are most triangles.
