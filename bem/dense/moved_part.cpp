@@ -17,47 +17,47 @@ ElementPart partOf(std::vector<int> elements, int coefficientCount, int slotCoun
 
 }  // namespace
 
-std::optional<Motion> findMotion(const BoundaryMesh& before, const BoundaryMesh& mesh,
-                                 const TractionSlots& slots,
-                                 const std::vector<CollocationPoint>& pointsBefore,
-                                 const std::vector<CollocationPoint>& points) {
+std::optional<MovedPart> findMovedPart(const BoundaryMesh& before, const BoundaryMesh& mesh,
+                                       const TractionSlots& slots,
+                                       const std::vector<CollocationPoint>& pointsBefore,
+                                       const std::vector<CollocationPoint>& points) {
   if (before.nodeCount() != mesh.nodeCount() || before.triangles != mesh.triangles ||
       before.smoothingGroups != mesh.smoothingGroups || before.tags != mesh.tags ||
       pointsBefore.size() != points.size())
     return std::nullopt;
-  Motion motion;
+  MovedPart part;
   for (std::size_t p = 0; p < points.size(); ++p)
-    motion.isOwnRow.push_back(points[p].position != pointsBefore[p].position ||
-                              points[p].triangle != pointsBefore[p].triangle);
+    part.isOwnRow.push_back(points[p].position != pointsBefore[p].position ||
+                            points[p].triangle != pointsBefore[p].triangle);
   const auto hasMoved = [&](int node) { return before.nodes[node] != mesh.nodes[node]; };
   std::vector<int> elements;
   for (int t = 0; t < mesh.triangleCount(); ++t)
     if (std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), hasMoved))
       elements.push_back(t);
-  motion.moved = partOf(
+  part.moved = partOf(
       std::move(elements), mesh.nodeCount(),
       slots.count(), [&](int t) -> const auto& { return mesh.triangles[t]; },
       [&](int t) -> const auto& { return slots.ofCorner[t]; });
-  return motion;
+  return part;
 }
 
-std::optional<Motion> findMotion(std::optional<std::vector<int>> elements,
-                                 const ElementSurface& surface,
-                                 const WeightedEquations& equationsBefore,
-                                 const WeightedEquations& equations) {
+std::optional<MovedPart> findMovedPart(std::optional<std::vector<int>> elements,
+                                       const ElementSurface& surface,
+                                       const WeightedEquations& equationsBefore,
+                                       const WeightedEquations& equations) {
   const auto &weights = equations.weights, &weightsBefore = equationsBefore.weights;
   if (!elements || weights.rows() != weightsBefore.rows() ||
       weights.cols() != weightsBefore.cols() || weights.nonZeros() != weightsBefore.nonZeros() ||
       equations.averaged.size() != equationsBefore.averaged.size())
     return std::nullopt;
-  Motion motion;
-  motion.isOwnRow.assign(weights.rows(), false);
+  MovedPart part;
+  part.isOwnRow.assign(weights.rows(), false);
   const std::vector<int> place = placesIn(*elements, surface.elementCount());
   std::vector<bool> isNode(equations.points.size(), false);
   for (const AveragedElement& averaged : equations.averaged) {
     for (const int node : averaged.nodes) isNode[node] = true;
     if (place[averaged.element] >= 0)
-      for (const int equation : averaged.equations) motion.isOwnRow[equation] = true;
+      for (const int equation : averaged.equations) part.isOwnRow[equation] = true;
   }
   for (Eigen::Index p = 0; p < weights.cols(); ++p) {
     const CollocationPlace& point = equations.points[p];
@@ -70,15 +70,15 @@ std::optional<Motion> findMotion(std::optional<std::vector<int>> elements,
     Eigen::SparseMatrix<double>::InnerIterator w(weights, p), old(weightsBefore, p);
     for (; w && old; ++w, ++old) {
       if (w.row() != old.row()) return std::nullopt;
-      if (hasMoved || w.value() != old.value()) motion.isOwnRow[w.row()] = true;
+      if (hasMoved || w.value() != old.value()) part.isOwnRow[w.row()] = true;
     }
     if (w || old) return std::nullopt;
   }
-  motion.moved = partOf(
+  part.moved = partOf(
       std::move(*elements), surface.coefficientCount(),
       surface.slotCount(), [&](int e) -> const auto& { return surface.coefficients(e); },
       [&](int e) -> const auto& { return surface.slots(e); });
-  return motion;
+  return part;
 }
 
 std::optional<std::vector<int>> movedElements(const QuadraticDiscretisation& before,

@@ -15,7 +15,7 @@
 namespace palpa::bem {
 
 /// Moved part of a discretisation.
-struct Motion {
+struct MovedPart {
   std::vector<bool> isOwnRow;  ///< by equation: integrated from scratch
   ElementPart moved;
 
@@ -34,17 +34,17 @@ struct Motion {
 
 /// For linear functions on triangles; none if the meshes differ in more than the positions of their
 /// nodes. `slots`: of `mesh`. `points`: of the equations.
-std::optional<Motion> findMotion(const BoundaryMesh& before, const BoundaryMesh& mesh,
-                                 const TractionSlots& slots,
-                                 const std::vector<CollocationPoint>& pointsBefore,
-                                 const std::vector<CollocationPoint>& points);
+std::optional<MovedPart> findMovedPart(const BoundaryMesh& before, const BoundaryMesh& mesh,
+                                       const TractionSlots& slots,
+                                       const std::vector<CollocationPoint>& pointsBefore,
+                                       const std::vector<CollocationPoint>& points);
 
 /// For functions on elements. `elements`: those that moved; none if the surfaces differ in more
 /// than their positions. None, too, if the equations are others.
-std::optional<Motion> findMotion(std::optional<std::vector<int>> elements,
-                                 const ElementSurface& surface,
-                                 const WeightedEquations& equationsBefore,
-                                 const WeightedEquations& equations);
+std::optional<MovedPart> findMovedPart(std::optional<std::vector<int>> elements,
+                                       const ElementSurface& surface,
+                                       const WeightedEquations& equationsBefore,
+                                       const WeightedEquations& equations);
 
 /// Elements of which a node moved; none if nodes, elements, groups or tags differ.
 std::optional<std::vector<int>> movedElements(const QuadraticDiscretisation& before,

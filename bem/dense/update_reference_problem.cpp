@@ -54,24 +54,24 @@ void subtract(const LargeMatrix<Scalar>& old, LargeMatrix<Scalar>& matrix) {
 /// part, others): contribution of the moved elements to the other rows. The scalar gives the
 /// precision.
 template <class Scalar, class Rows, class Before, class After>
-OperatorChange<Scalar> changeOf(const BoundaryOperators<Scalar>& base, Motion motion,
+OperatorChange<Scalar> changeOf(const BoundaryOperators<Scalar>& base, MovedPart part,
                                 const Rows& newRows, const Before& partBefore,
                                 const After& partAfter, const Job& job) {
   OperatorChange<Scalar> change;
-  change.equations = motion.equations();
-  change.others = motion.others();
+  change.equations = part.equations();
+  change.others = part.others();
   job.report(Phase::kAssemble, 0);
   change.rows = newRows(Scalar{}, change.equations);
   subtractRows(base.H, change.equations, change.rows.H, job);
   subtractRows(base.G, change.equations, change.rows.G, job);
   job.report(Phase::kAssemble, 0.4);
-  change.columns = partAfter(Scalar{}, motion.moved, change.others);
+  change.columns = partAfter(Scalar{}, part.moved, change.others);
   job.report(Phase::kAssemble, 0.7);
-  const BoundaryOperators<Scalar> old = partBefore(Scalar{}, motion.moved, change.others);
+  const BoundaryOperators<Scalar> old = partBefore(Scalar{}, part.moved, change.others);
   subtract(old.H, change.columns.H);
   subtract(old.G, change.columns.G);
   job.report(Phase::kAssemble, 1);
-  change.moved = std::move(motion.moved);
+  change.moved = std::move(part.moved);
   return change;
 }
 
@@ -90,7 +90,7 @@ std::unique_ptr<ReferenceProblem> forDense(const std::shared_ptr<const Reference
 
 template <class Rows, class Before, class After>
 std::unique_ptr<ReferenceProblem> update(const std::shared_ptr<const ReferenceProblem>& base,
-                                         DegreesOfFreedom dofs, Motion motion, const Rows& newRows,
+                                         DegreesOfFreedom dofs, MovedPart part, const Rows& newRows,
                                          const Before& partBefore, const After& partAfter,
                                          const Job& job, ReferenceProblemTimes* times) {
   return forDense(
@@ -99,7 +99,7 @@ std::unique_ptr<ReferenceProblem> update(const std::shared_ptr<const ReferencePr
           std::shared_ptr<const DenseReferenceProblem<Stored, Factor>> dense)
           -> std::unique_ptr<ReferenceProblem> {
         const auto start = std::chrono::steady_clock::now();
-        auto change = changeOf<Stored>(dense->operators(), std::move(motion), newRows, partBefore,
+        auto change = changeOf<Stored>(dense->operators(), std::move(part), newRows, partBefore,
                                        partAfter, job);
         if (times)
           *times = {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
@@ -118,8 +118,8 @@ std::unique_ptr<ReferenceProblem> updateTriangles(
   if (!isAlike(base->dofs(), dofs)) return nullptr;
   const TractionSlots slotsBefore(before);
   const auto points = dofs.collocationPoints(mesh, slots);
-  auto moved =
-      findMotion(before, mesh, slots, base->dofs().collocationPoints(before, slotsBefore), points);
+  auto moved = findMovedPart(before, mesh, slots,
+                             base->dofs().collocationPoints(before, slotsBefore), points);
   if (!moved || moved->share(mesh.triangleCount()) > kMaxShare) return nullptr;
   const auto some = [&](const std::vector<int>& equations) {
     std::vector<CollocationPoint> chosen;
@@ -154,8 +154,8 @@ std::unique_ptr<ReferenceProblem> updateSplines(const std::shared_ptr<const Refe
   if (!isAlike(base->dofs(), dofs)) return nullptr;
   const WeightedEquations equations = splineEquations(surface, tractions, dofs.extraSlots());
   auto moved =
-      findMotion(surface.movedElements(before), SplineElements(surface, tractions),
-                 splineEquations(before, SplineTractions(before), dofs.extraSlots()), equations);
+      findMovedPart(surface.movedElements(before), SplineElements(surface, tractions),
+                    splineEquations(before, SplineTractions(before), dofs.extraSlots()), equations);
   if (!moved || moved->share(surface.elementCount()) > kMaxShare) return nullptr;
   const auto partOn = [&](const SplineSurface& shape) {
     return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {
@@ -184,7 +184,7 @@ std::unique_ptr<ReferenceProblem> updateQuadratic(
   auto elements = movedElements(before, after);
   if (!elements) return nullptr;
   const WeightedEquations equations = equationsOn(after);
-  auto moved = findMotion(std::move(elements), after.surface(), equationsOn(before), equations);
+  auto moved = findMovedPart(std::move(elements), after.surface(), equationsOn(before), equations);
   if (!moved || moved->share(after.elementCount()) > kMaxShare) return nullptr;
   const auto partOn = [&](const QuadraticSurface& surface) {
     return [&]<class Scalar>(Scalar, const ElementPart& part, const std::vector<int>& some) {
