@@ -136,11 +136,12 @@ AveragedRows::Blocks AveragedRows::blocks(const AveragedElement& element,
   scratch.T.setZero(kKernelSumsT * coefficients + kSumsPadding, points + nodes);
   scratch.U.setZero(kKernelSumsU * slots + kSumsPadding, points + nodes);
   std::vector<int> chosen, others;
-  for (Index q = 0; q < points; ++q) {
-    const CollocationPlace& point = element.points[q];
-    for (const int e : inPart(element.near, chosen))
+  // By elements: their quadrature points are used for all points.
+  for (const int e : inPart(element.near, chosen))
+    for (Index q = 0; q < points; ++q) {
+      const CollocationPlace& point = element.points[q];
       addSums(e, point.position, placeIn(point, e), q, scratch);
-  }
+    }
   for (Index k = 0; k < nodes; ++k) {
     const std::vector<int>& leftOut = leftOut_[element.nodes[k]];
     others.clear();

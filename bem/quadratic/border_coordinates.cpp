@@ -5,6 +5,7 @@
 
 namespace palpa::bem {
 
+using Eigen::ArrayXd;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -44,6 +45,35 @@ Matrix2d BorderCoordinates::derivative(const Vector2d& local) const {
     result.col(direction) = lambda.tail<2>();
   }
   return result;
+}
+
+void BorderCoordinates::map(const Eigen::Ref<const ArrayXd>& u, const Eigen::Ref<const ArrayXd>& v,
+                            Mapped& mapped) const {
+  ArrayXd& s = mapped.root;
+  if (isPlain()) {
+    mapped.u = u;
+    mapped.v = v;
+    s.setOnes(u.size());
+    mapped.determinant.setOnes(u.size());
+    return;
+  }
+  if (corner_ == 0)
+    s = 1 - u - v;
+  else
+    s = corner_ == 1 ? u : v;
+  // With the coordinates (mu_i, mu_corner) the matrix of derivatives is triangular.
+  if (kind_ == Kind::kEdge) {
+    mapped.u = (1 + s) * u;
+    mapped.v = (1 + s) * v;
+    mapped.determinant = 2 * s * (1 + s);
+    if (corner_ > 0) (corner_ == 1 ? mapped.u : mapped.v) = s.square();
+  } else {
+    s = 1 - s;
+    mapped.u = s * u;
+    mapped.v = s * v;
+    mapped.determinant = 2 * s.square();
+    if (corner_ > 0) (corner_ == 1 ? mapped.u : mapped.v) = 1 - s.square();
+  }
 }
 
 Vector2d BorderCoordinates::local(const Vector2d& geometric) const {

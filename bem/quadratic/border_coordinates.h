@@ -31,6 +31,13 @@ class BorderCoordinates {
   Eigen::Vector2d geometric(const Eigen::Vector2d& local) const;
   /// Derivatives of the geometric by the local coordinates; singular where s = 0.
   Eigen::Matrix2d derivative(const Eigen::Vector2d& local) const;
+  /// Values at many points; `determinant`: of the derivatives.
+  struct Mapped {
+    Eigen::ArrayXd u, v, determinant, root;
+  };
+  /// Sets the geometric coordinates (u, v) of local coordinates (u, v), and the other values there.
+  void map(const Eigen::Ref<const Eigen::ArrayXd>& u, const Eigen::Ref<const Eigen::ArrayXd>& v,
+           Mapped& mapped) const;
   Eigen::Vector2d local(const Eigen::Vector2d& geometric) const;
   /// The point itself, or one farther from the border with the root `least`, in (0, 1).
   Eigen::Vector2d awayFromBorder(const Eigen::Vector2d& local, double least) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bem/base/gauss_rule.h"
 #include "bem/base/triangle_rule.h"
@@ -9,6 +10,7 @@
 namespace palpa::bem {
 namespace {
 
+using Eigen::ArrayXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -72,15 +74,12 @@ Moments moments(const ElementPoints& points) {
   return sums;
 }
 
-/// Values of the six functions at a point.
+/// Values of the six functions at a point, and zeros up to the stride of ElementPoints.
 void setBasis(double u, double v, double* basis) {
   const double w = 1 - u - v;
-  basis[0] = w * (2 * w - 1);
-  basis[1] = u * (2 * u - 1);
-  basis[2] = v * (2 * v - 1);
-  basis[3] = 4 * w * u;
-  basis[4] = 4 * u * v;
-  basis[5] = 4 * v * w;
+  const double values[kElementLanes] = {
+      w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 4 * w * u, 4 * u * v, 4 * v * w, 0, 0};
+  std::copy(std::begin(values), std::end(values), basis);
 }
 
 std::array<std::array<Vector2d, 3>, 4> quarters(const std::array<Vector2d, 3>& c) {
@@ -163,9 +162,15 @@ void QuadraticQuadrature::addRule(const Corners& c, int rule, ElementRule& to) c
   const ElementRule& unit = unitRule(rule);
   const Vector2d ab = c[1] - c[0], ac = c[2] - c[0];
   const double area = cross(ab, ac);
-  for (std::size_t k = 0; k < unit.u.size(); ++k)
-    to.add(c[0][0] + unit.u[k] * ab[0] + unit.v[k] * ac[0],
-           c[0][1] + unit.u[k] * ab[1] + unit.v[k] * ac[1], area * unit.weight[k]);
+  const std::size_t first = to.u.size(), count = unit.u.size();
+  to.u.resize(first + count);
+  to.v.resize(first + count);
+  to.weight.resize(first + count);
+  for (std::size_t k = 0; k < count; ++k) {
+    to.u[first + k] = c[0][0] + unit.u[k] * ab[0] + unit.v[k] * ac[0];
+    to.v[first + k] = c[0][1] + unit.u[k] * ab[1] + unit.v[k] * ac[1];
+    to.weight[first + k] = area * unit.weight[k];
+  }
 }
 
 void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& points) const {
@@ -176,40 +181,34 @@ void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& poi
   points.functions[0] = kFunctions;
   points.functions[1] = 0;
   points.stride = roundUpToLanes(kFunctions);
-  const auto count = static_cast<std::size_t>(points.count);
-  points.geometry.resize(kPointValues * count);
-  points.basis.assign(count * static_cast<std::size_t>(points.stride), 0);
-  const QuadraticSurface::Polynomial& c = surface_.polynomial(index);
-  const BorderCoordinates& coordinates = surface_.coordinates(index);
-  const bool hasBorderTractions = surface_.hasBorderTractions(index);
-  double* geometry = points.geometry.data();
-  for (std::size_t k = 0; k < count; ++k) {
+  points.geometry.resize(static_cast<std::size_t>(kPointValues) * points.count);
+  points.basis.resize(static_cast<std::size_t>(points.stride) * points.count);
+  for (std::size_t k = 0; k < rule.u.size(); ++k)
     setBasis(rule.u[k], rule.v[k],
              points.basis.data() + k * static_cast<std::size_t>(points.stride));
-    double u = rule.u[k], v = rule.v[k], weight = rule.weight[k], ofTractions = 1;
-    if (!coordinates.isPlain()) {
-      const Vector2d local(u, v), geometric = coordinates.geometric(local);
-      weight *= coordinates.derivative(local).determinant();
-      if (hasBorderTractions) ofTractions = 1 / coordinates.root(local);
-      u = geometric[0];
-      v = geometric[1];
-    }
-    double du[3], dv[3];
-    for (int i = 0; i < 3; ++i) {
-      geometry[i * count + k] =
-          c(i, 0) + u * (c(i, 1) + u * c(i, 3) + v * c(i, 4)) + v * (c(i, 2) + v * c(i, 5));
-      du[i] = c(i, 1) + 2 * u * c(i, 3) + v * c(i, 4);
-      dv[i] = c(i, 2) + u * c(i, 4) + 2 * v * c(i, 5);
-    }
-    double squared = 0;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, m = (i + 2) % 3;
-      const double area = weight * (du[j] * dv[m] - du[m] * dv[j]);
-      geometry[(3 + i) * count + k] = area;
-      squared += area * area;
-    }
-    geometry[6 * count + k] = ofTractions * std::sqrt(squared);
+  const auto arrayOf = [&](const std::vector<double>& values) {
+    return Eigen::Map<const ArrayXd>(values.data(), points.count);
+  };
+  const BorderCoordinates& coordinates = surface_.coordinates(index);
+  BorderCoordinates::Mapped at;
+  coordinates.map(arrayOf(rule.u), arrayOf(rule.v), at);
+  const ArrayXd weight = arrayOf(rule.weight) * at.determinant;
+  Eigen::Map<Eigen::ArrayXXd> geometry(points.geometry.data(), points.count, kPointValues);
+  Eigen::ArrayX3d du(points.count, 3), dv(points.count, 3);
+  const QuadraticSurface::Polynomial& c = surface_.polynomial(index);
+  for (int i = 0; i < 3; ++i) {
+    geometry.col(i) = c(i, 0) + at.u * (c(i, 1) + at.u * c(i, 3) + at.v * c(i, 4)) +
+                      at.v * (c(i, 2) + at.v * c(i, 5));
+    du.col(i) = weight * (c(i, 1) + at.u * (2 * c(i, 3)) + at.v * c(i, 4));
+    dv.col(i) = c(i, 2) + at.u * c(i, 4) + at.v * (2 * c(i, 5));
   }
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, m = (i + 2) % 3;
+    geometry.col(3 + i) = du.col(j) * dv.col(m) - du.col(m) * dv.col(j);
+  }
+  geometry.col(6) =
+      (geometry.col(3).square() + geometry.col(4).square() + geometry.col(5).square()).sqrt();
+  if (surface_.hasBorderTractions(index)) geometry.col(6) /= at.root;
 }
 
 void QuadraticQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, int depth,

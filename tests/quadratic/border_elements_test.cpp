@@ -49,6 +49,22 @@ TEST(BorderCoordinates, HaveAnInverseAndTheRightDerivatives) {
     }
 }
 
+TEST(BorderCoordinates, AreTheSameForManyPointsAtOnce) {
+  const Eigen::ArrayXd u = Eigen::Array3d(0.2, 0.6, 0.15), v = Eigen::Array3d(0.3, 0.1, 0.7);
+  std::vector<BorderCoordinates> kinds = allKinds();
+  kinds.emplace_back();
+  for (const BorderCoordinates& on : kinds) {
+    BorderCoordinates::Mapped mapped;
+    on.map(u, v, mapped);
+    for (int k = 0; k < u.size(); ++k) {
+      const Vector2d at(u[k], v[k]);
+      EXPECT_LE((on.geometric(at) - Vector2d(mapped.u[k], mapped.v[k])).norm(), 1e-15);
+      EXPECT_NEAR(on.derivative(at).determinant(), mapped.determinant[k], 1e-15);
+      EXPECT_NEAR(on.root(at), mapped.root[k], 1e-16);
+    }
+  }
+}
+
 TEST(BorderCoordinates, AgreeOnCommonEdges) {
   // On the edge from border vertex 0 to vertex 1: the square in every element.
   for (const double t : {0.1, 0.5, 0.9})
