@@ -5,6 +5,7 @@
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/quadratic/quadratic_quadrature.h"
+#include "bem/quadratic/quartered_mesh.h"
 #include "bem/spline/spline_discretisation.h"
 #include "bem/spline/spline_equations.h"
 #include "bem/spline/spline_quadrature.h"

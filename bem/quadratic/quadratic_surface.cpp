@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -11,6 +9,7 @@
 #include "base/support_border.h"
 #include "bem/base/error.h"
 #include "bem/base/triangle_rule.h"
+#include "bem/quadratic/quartered_mesh.h"
 
 namespace palpa::bem {
 namespace {
@@ -19,34 +18,12 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Local coordinates of the six nodes.
-const std::array<Vector2d, 6> kNodes{Vector2d(0, 0),   Vector2d(1, 0),     Vector2d(0, 1),
-                                     Vector2d(0.5, 0), Vector2d(0.5, 0.5), Vector2d(0, 0.5)};
-
-/// Nodes of the quarters of an element.
-constexpr std::array<std::array<int, 3>, 4> kQuarters{{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
-
 /// The point of the local triangle u, v >= 0, u + v <= 1 nearest to a point.
 Vector2d intoTriangle(const Vector2d& at) {
   Vector2d inside = at.cwiseMax(0);
   if (inside.sum() <= 1) return inside;
   const double along = std::clamp((1 + at[1] - at[0]) / 2, 0.0, 1.0);
   return {1 - along, along};
-}
-
-using Triangles = std::vector<std::array<int, 3>>;
-
-std::vector<bool> areSupported(const std::vector<int>& tags, const std::vector<int>& supportTags) {
-  std::vector<bool> supported;
-  for (const int tag : tags)
-    supported.push_back(std::find(supportTags.begin(), supportTags.end(), tag) !=
-                        supportTags.end());
-  return supported;
-}
-
-/// True if the middle node of an edge is nearer to one end.
-bool isBorderEdge(const std::vector<bool>& isBorderVertex, int from, int to) {
-  return isBorderVertex[from] != isBorderVertex[to];
 }
 
 /// The middle of a quadratic curve from a border vertex through the point at kBorderEdgeShare.
@@ -62,36 +39,6 @@ QuadraticBasis::QuadraticBasis(double u, double v) {
   values = {w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 4 * w * u, 4 * u * v, 4 * v * w};
   du = {1 - 4 * w, 4 * u - 1, 0, 4 * (w - u), 4 * v, -4 * v};
   dv = {1 - 4 * w, 0, 4 * v - 1, -4 * u, 4 * u, 4 * (w - v)};
-}
-
-BoundaryMesh quarteredMesh(const BoundaryMesh& corners,
-                           const std::function<Vector3d(int, int, double)>& middle,
-                           const std::vector<int>& supportTags) {
-  const std::vector<bool> isBorderVertex = supportBorderVertices(
-      corners.triangles, areSupported(corners.tags, supportTags), corners.nodeCount());
-  BoundaryMesh mesh;
-  mesh.nodes = corners.nodes;
-  std::map<std::pair<int, int>, int> middles;
-  for (int t = 0; t < corners.triangleCount(); ++t) {
-    std::array<int, 6> node{};
-    for (int k = 0; k < 3; ++k) {
-      const int from = corners.triangles[t][k], to = corners.triangles[t][(k + 1) % 3];
-      node[k] = from;
-      const auto [known, isNew] =
-          middles.try_emplace(std::minmax(from, to), static_cast<int>(mesh.nodes.size()));
-      const double share = !isBorderEdge(isBorderVertex, from, to) ? 0.5
-                           : isBorderVertex[from]                  ? kBorderEdgeShare
-                                                                   : 1 - kBorderEdgeShare;
-      if (isNew) mesh.nodes.push_back(middle(t, k, share));
-      node[3 + k] = known->second;
-    }
-    for (const auto& quarter : kQuarters) {
-      mesh.triangles.push_back({node[quarter[0]], node[quarter[1]], node[quarter[2]]});
-      mesh.smoothingGroups.push_back(corners.smoothingGroups[t]);
-      mesh.tags.push_back(corners.tags[t]);
-    }
-  }
-  return mesh;
 }
 
 QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots& slots,
@@ -139,7 +86,7 @@ QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots
     c.col(4) = 4 * (at(0) - at(3) + at(4) - at(5));
     c.col(5) = 2 * at(0) + 2 * at(2) - 4 * at(5);
     const Vector3d middle = geometricJet(e, {1.0 / 3, 1.0 / 3}).areaVector();
-    for (const Vector2d& node : kNodes)
+    for (const Vector2d& node : kQuadraticNodes)
       if (!(geometricJet(e, node).areaVector().dot(middle) > 0))
         throw SolverError(SolverError::Kind::kBadMesh, "boundary mesh: the quadratic triangle " +
                                                            std::to_string(e) +
@@ -149,7 +96,7 @@ QuadraticSurface::QuadraticSurface(const BoundaryMesh& mesh, const TractionSlots
 
 void QuadraticSurface::setCoordinates(const BoundaryMesh& mesh,
                                       const std::vector<int>& supportTags) {
-  Triangles corners;
+  std::vector<std::array<int, 3>> corners;
   std::vector<int> tags;
   for (int e = 0; e < elementCount(); ++e) {
     const std::vector<int>& nodes = elements_[e].nodes;
@@ -170,7 +117,7 @@ void QuadraticSurface::setCoordinates(const BoundaryMesh& mesh,
       element.coordinates = BorderCoordinates::edge(3 - onBorder[0] - onBorder[1]);
     element.hasBorderTractions = supported[e];
     for (int f = 0; f < 6; ++f) {
-      const double root = element.coordinates.root(kNodes[f]);
+      const double root = element.coordinates.root(kQuadraticNodes[f]);
       element.tractionFactors[f] = root > 0 ? root : kBorderTractionRoot;
     }
   }
@@ -245,7 +192,7 @@ ElementFoot QuadraticSurface::nearestOnElement(int element, const Vector3d& x) c
   };
   Vector2d at(1.0 / 3, 1.0 / 3);
   double distance = distanceAt(at);
-  for (const Vector2d& node : kNodes)
+  for (const Vector2d& node : kQuadraticNodes)
     if (const double found = distanceAt(node); found < distance) {
       distance = found;
       at = node;
@@ -276,7 +223,9 @@ ElementFoot QuadraticSurface::nearestOnElement(int element, const Vector3d& x) c
 void QuadraticSurface::samplePlaces(int element, std::vector<WeightedPlace>& places) const {
   // The middles of the quarters.
   for (const auto& quarter : kQuarters) {
-    const Vector2d at = (kNodes[quarter[0]] + kNodes[quarter[1]] + kNodes[quarter[2]]) / 3;
+    const Vector2d at =
+        (kQuadraticNodes[quarter[0]] + kQuadraticNodes[quarter[1]] + kQuadraticNodes[quarter[2]]) /
+        3;
     const ElementPlace place{element, at[0], at[1]};
     places.push_back({place, evaluate(place).areaVector().norm() / 8});
   }
@@ -288,60 +237,6 @@ void QuadraticSurface::evaluateShares(const ElementPlace& place,
   shares.assign(6, 0);
   for (int corner = 0; corner < 3; ++corner)
     shares[kQuarters[triangle % 4][corner]] = weights[corner];
-}
-
-ElementPlace QuadraticSurface::placeOf(int node, int element) const {
-  const std::vector<int>& nodes = elements_[element].nodes;
-  const auto k = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
-  return {element, kNodes[k][0], kNodes[k][1]};
-}
-
-CollocationPlace QuadraticSurface::collocationAt(int node) const {
-  CollocationPlace point{nodes_[node], {}};
-  for (const int e : around_[node]) point.places.push_back(placeOf(node, e));
-  return point;
-}
-
-ElementPlace QuadraticSurface::place(int triangle, const Vector3d& weights) {
-  Vector2d at(0, 0);
-  for (int corner = 0; corner < 3; ++corner)
-    at += weights[corner] * kNodes[kQuarters[triangle % 4][corner]];
-  return {triangle / 4, at[0], at[1]};
-}
-
-std::pair<int, Vector3d> QuadraticSurface::quarter(const ElementPlace& place) {
-  const double u = place.u, v = place.v, w = 1 - u - v;
-  const int first = 4 * place.element;
-  if (w >= 0.5) return {first, {2 * w - 1, 2 * u, 2 * v}};
-  if (u >= 0.5) return {first + 1, {2 * w, 2 * u - 1, 2 * v}};
-  if (v >= 0.5) return {first + 2, {2 * w, 2 * u, 2 * v - 1}};
-  return {first + 3, {1 - 2 * v, 1 - 2 * w, 1 - 2 * u}};
-}
-
-CollocationPlace QuadraticSurface::placesAt(const ElementPlace& place) const {
-  constexpr double kSlack = 1e-9;
-  const std::array<double, 3> weights{1 - place.u - place.v, place.u, place.v};
-  const std::vector<int>& nodes = elements_[place.element].nodes;
-  for (int k = 0; k < 6; ++k)
-    if ((Vector2d(place.u, place.v) - kNodes[k]).lpNorm<Eigen::Infinity>() < kSlack) {
-      CollocationPlace point = collocationAt(nodes[k]);
-      std::stable_partition(point.places.begin(), point.places.end(),
-                            [&](const ElementPlace& p) { return p.element == place.element; });
-      return point;
-    }
-  CollocationPlace point{evaluate(place).position, {place}};
-  for (int edge = 0; edge < 3; ++edge) {
-    if (weights[(edge + 2) % 3] > kSlack) continue;
-    // The same point in the element beyond the edge, with the corners the other way round.
-    const int from = nodes[edge], to = nodes[(edge + 1) % 3];
-    for (const int other : around_[nodes[3 + edge]]) {
-      if (other == place.element) continue;
-      const ElementPlace a = placeOf(from, other), b = placeOf(to, other);
-      const double s = weights[(edge + 1) % 3];
-      point.places.push_back({other, a.u + s * (b.u - a.u), a.v + s * (b.v - a.v)});
-    }
-  }
-  return point;
 }
 
 void QuadraticSurface::visitPoints(int element, int cells, const Visit& visit) const {
@@ -365,11 +260,13 @@ TractionSlots withCurvedNormals(TractionSlots slots, const QuadraticSurface& sur
   for (TractionSlots::Slot& slot : slots.slots) slot.normal.setZero();
   for (int e = 0; e < surface.elementCount(); ++e)
     for (int k = 0; k < 6; ++k) {
-      const SurfaceJet jet = surface.geometricJet(e, surface.coordinates(e).geometric(kNodes[k]));
+      const SurfaceJet jet =
+          surface.geometricJet(e, surface.coordinates(e).geometric(kQuadraticNodes[k]));
       // The angle of the element at the node: a corner's, or a straight one.
       double angle = std::numbers::pi;
       if (k < 3) {
-        const Vector2d a = kNodes[(k + 1) % 3] - kNodes[k], b = kNodes[(k + 2) % 3] - kNodes[k];
+        const Vector2d a = kQuadraticNodes[(k + 1) % 3] - kQuadraticNodes[k],
+                       b = kQuadraticNodes[(k + 2) % 3] - kQuadraticNodes[k];
         const Vector3d alongA = a[0] * jet.du + a[1] * jet.dv,
                        alongB = b[0] * jet.du + b[1] * jet.dv;
         angle = std::atan2(alongA.cross(alongB).norm(), alongA.dot(alongB));

@@ -27,25 +27,6 @@ struct QuadraticBasis {
   QuadraticBasis(double u, double v);
 };
 
-/// Mesh of six-node triangles in the form of flat triangles between their nodes: triangles 4 e …
-/// 4 e + 3 are the quarters of element e, of its corners 0, 1 and 2 and of its middle. With the
-/// corners a, b, c and the middles ab, bc, ca of the edges they are (a, ab, ca), (ab, b, bc), (ca,
-/// bc, c), (ab, bc, ca). So the nodes of the flat mesh are the nodes of the elements, and its slots
-/// their traction coefficients.
-///
-/// Elements with a vertex on the border of a support (supportBorderVertices(), base) have
-/// BorderCoordinates. The middle node of an edge from such a vertex to another lies at the fraction
-/// kBorderEdgeShare of the edge from this vertex.
-///
-/// `middle`(triangle, edge, share): position of the middle node of the edge from corner `edge` of a
-/// triangle of `corners` to the next, at the fraction `share` of the edge, mm; asked once per edge.
-/// The nodes of `corners` keep their indices, the middle nodes follow. `supportTags`: of triangles
-/// in supports.
-BoundaryMesh quarteredMesh(
-    const BoundaryMesh& corners,
-    const std::function<Eigen::Vector3d(int triangle, int edge, double share)>& middle,
-    const std::vector<int>& supportTags = {});
-
 /// Closed surface of curved six-node triangles with quadratic displacements and tractions. Const
 /// use from several threads is safe.
 class QuadraticSurface final : public ElementSurface {

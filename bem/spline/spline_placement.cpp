@@ -6,6 +6,21 @@
 
 namespace palpa::bem {
 
+std::array<SplineCell, 2> SplineCell::halves(int direction) const {
+  std::array<SplineCell, 2> both{*this, *this};
+  both[0].upper[direction] = both[1].lower[direction] = (lower[direction] + upper[direction]) / 2;
+  return both;
+}
+
+bool SplineCell::contains(const ElementPlace& place) const {
+  const std::array<double, 2> parameter{place.u, place.v};
+  for (int d = 0; d < 2; ++d) {
+    const double slack = 1e-9 * (upper[d] - lower[d]);
+    if (parameter[d] < lower[d] - slack || parameter[d] > upper[d] + slack) return false;
+  }
+  return true;
+}
+
 void addTensor(const SplineCell& cell, int pointsPerDirection, ElementRule& points) {
   const GaussRule& rule = gaussRule(pointsPerDirection);
   const double du = cell.upper[0] - cell.lower[0], dv = cell.upper[1] - cell.lower[1];

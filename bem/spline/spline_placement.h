@@ -12,6 +12,10 @@ namespace palpa::bem {
 /// Rectangle in the local coordinates of an element.
 struct SplineCell {
   std::array<double, 2> lower, upper;
+
+  std::array<SplineCell, 2> halves(int direction) const;
+  /// True if a place of the element lies in the cell or on its border.
+  bool contains(const ElementPlace& place) const;
 };
 inline SplineCell cellOf(const SplineElement& element) {
   return {element.lower, element.upper};

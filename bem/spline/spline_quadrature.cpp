@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/spline/tensor_rule_reach.h"
 
 namespace palpa::bem {
 
@@ -18,33 +19,6 @@ constexpr double kOfWeighted = 10;
 
 /// Far more halvings than distances of 1e-6 element sizes need.
 constexpr int kMaxDepth = 40;
-
-std::array<SplineCell, 2> halves(const SplineCell& cell, int direction) {
-  std::array<SplineCell, 2> both{cell, cell};
-  both[0].upper[direction] = both[1].lower[direction] =
-      (cell.lower[direction] + cell.upper[direction]) / 2;
-  return both;
-}
-
-bool contains(const SplineCell& cell, const ElementPlace& place) {
-  const std::array<double, 2> parameter{place.u, place.v};
-  for (int d = 0; d < 2; ++d) {
-    const double slack = 1e-9 * (cell.upper[d] - cell.lower[d]);
-    if (parameter[d] < cell.lower[d] - slack || parameter[d] > cell.upper[d] + slack) return false;
-  }
-  return true;
-}
-
-/// Smallest distance over the radius of a cell at which a tensor rule keeps a relative error.
-/// Measured on spheres, cylinders, tori and plates of degree 3
-/// (tests/spline/spline_quadrature_test.cpp): the error is at most 12 rho^-2n near the cell, with
-/// rho = 0.93 (R + sqrt(R^2 - 1)), and 0.1 3^(3-n) R^(p-2n) at larger distances, where the rule's
-/// degree 2n - 1 minus the degree p of the functions is left for the kernel.
-double ratioFor(int points, int degree, double error) {
-  const double rho = std::pow(12 / error, 1.0 / (2 * points)) / 0.93;
-  const double left = std::max(2 * points - degree, 1);
-  return std::max((rho + 1 / rho) / 2, std::pow(0.1 * std::pow(3.0, 3 - points) / error, 1 / left));
-}
 
 /// Largest difference of the entries, over the largest entry of `exact`.
 double largestDifference(const std::vector<double>& values, const std::vector<double>& exact) {
@@ -122,7 +96,7 @@ void SplineQuadrature::prepare(int index, Scratch& work) {
       isEnough = largestDifference(moments(index, points), exact) <=
                  (surface_.isWeighted(index) ? kOfWeighted : 1) * accuracy_.error;
     }
-    element.ratio[n] = isEnough ? ratioFor(n, degree, accuracy_.error) : INFINITY;
+    element.ratio[n] = isEnough ? tensorRuleReach(n, degree, accuracy_.error) : INFINITY;
   }
 }
 
@@ -196,12 +170,12 @@ SplineQuadrature::Cell SplineQuadrature::cellIn(int element, const SplineCell& c
 void SplineQuadrature::divide(int element, const Cell& cell, Scratch& work,
                               std::vector<Cell>& parts) const {
   const int longer = cell.longer();
-  for (const SplineCell& half : halves(cell.cell, longer)) {
+  for (const SplineCell& half : cell.cell.halves(longer)) {
     if (cell.isLong()) {
       parts.push_back(cellIn(element, half, work));
       continue;
     }
-    for (const SplineCell& quarter : halves(half, 1 - longer))
+    for (const SplineCell& quarter : half.halves(1 - longer))
       parts.push_back(cellIn(element, quarter, work));
   }
 }
@@ -225,7 +199,7 @@ void SplineQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, i
 
 void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& x,
                                    const ElementPlace& place, int depth, Scratch& work) const {
-  if (!contains(cell.cell, place)) {
+  if (!cell.cell.contains(place)) {
     addNear(index, cell, x, depth, work);
     return;
   }
@@ -240,12 +214,12 @@ void SplineQuadrature::addSingular(int index, const Cell& cell, const Vector3d& 
     return;
   }
   const int longer = cell.longer();
-  for (const SplineCell& half : halves(cell.cell, longer)) {
+  for (const SplineCell& half : cell.cell.halves(longer)) {
     if (!varies) {
       addSingular(index, cellIn(index, half, work), x, place, depth + 1, work);
       continue;
     }
-    for (const SplineCell& quarter : halves(half, 1 - longer))
+    for (const SplineCell& quarter : half.halves(1 - longer))
       addSingular(index, cellIn(index, quarter, work), x, place, depth + 1, work);
   }
 }

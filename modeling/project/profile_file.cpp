@@ -2,6 +2,7 @@
 
 #include "modeling/error.h"
 #include "modeling/project/json_guard.h"
+#include "modeling/project/json_schema.h"
 #include "modeling/project/json_values.h"
 #include "modeling/project/schema_check.h"
 #include "modeling/project/text_file.h"

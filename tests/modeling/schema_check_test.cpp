@@ -1,4 +1,4 @@
-#include "modeling/project/schema_check.h"
+#include "modeling/project/json_schema.h"
 
 #include <gtest/gtest.h>
 

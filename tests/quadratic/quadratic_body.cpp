@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bem/dense/update_reference_problem.h"
+#include "bem/quadratic/quartered_mesh.h"
 
 namespace palpa::bem::test {
 
