@@ -186,6 +186,16 @@ TEST(ShapeSearch, PointsWithoutInfluenceAreNamed) {
   EXPECT_TRUE(has(result, ShapeLimit::Kind::kPoints));
 }
 
+TEST(ShapeSearch, ASmallAllowedMovementIsNamedInsteadOfThePoints) {
+  const Project box = example("box");
+  Design design = designFor({stiffness(kPress, 3.0)});
+  design.largestMovement = 0.05;
+  const ShapeResult result = findShape(box, design);
+  EXPECT_FALSE(result.isReached);
+  EXPECT_TRUE(has(result, ShapeLimit::Kind::kMovement));
+  EXPECT_FALSE(has(result, ShapeLimit::Kind::kPoints));
+}
+
 TEST(ShapeSearch, NoShapeFoldsHoweverFarPointsMayMove) {
   const Project box = example("box");
   Design design = designFor({stiffness(kPress, 0.02)});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "modeling/solid/surface_properties.h"
 
 namespace palpa::app {
 namespace {
@@ -12,11 +13,19 @@ using Kind = ShapeLimit::Kind;
 
 /// Variables nearer than this to a bound are at it.
 constexpr double kAtBound = 1e-6;
-/// A target whose logarithm all variables together change by less hardly depends on the points.
-constexpr double kNoInfluence = 0.01;
+/// A target whose logarithm all variables together change by less hardly depends on the points, if
+/// they move by this share of the body's size or, where that is more, by what is allowed. Below it
+/// the allowed movement is the limit.
+constexpr double kNoInfluence = 0.01, kUsualMovement = 0.02;
 
 std::string countText(long count, long of) {
   return std::to_string(count) + " of " + std::to_string(of);
+}
+
+/// The usual movement over the allowed one, at least 1.
+double usualMovement(const DesignSpace& space) {
+  const auto [low, high] = modeling::boundingBox(space.solid());
+  return std::max(1.0, kUsualMovement * (high - low).norm() / space.limit());
 }
 
 ShapeLimit thicknessLimit(const modeling::Design& design, const DesignSpace& space, int patch) {
@@ -37,7 +46,7 @@ std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& desi
   for (std::size_t i = 0; i < rows.targets; ++i) {
     const StepProblem::Row& row = rows.problem.rows[i];
     isMissed = isMissed || std::abs(row.goal - solution.values[i]) > design.tolerance;
-    if (row.slope.cwiseAbs().sum() < kNoInfluence)
+    if (row.slope.cwiseAbs().sum() * usualMovement(space) < kNoInfluence)
       limits.push_back({Kind::kPoints, "the points that may move hardly change the touch \"" +
                                            design.targets[i].touch +
                                            "\"; select points near it, or below it"});

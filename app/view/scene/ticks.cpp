@@ -6,15 +6,10 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/number_with_error.h"
+
 namespace palpa::view {
 namespace {
-
-std::string withDecimals(double value, int decimals) {
-  std::array<char, 64> text{};
-  // Adding zero turns -0 into 0.
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value + 0.0);
-  return text.data();
-}
 
 /// The smallest of 1, 2, 2.5, 5 · 10^k that cuts `span` into at most `wanted` steps.
 double roundStep(double span, int wanted) {
