@@ -12,6 +12,8 @@ using Eigen::Vector3d;
 
 /// If a smaller part of the bump lies on free coefficients, the place counts as fixed by a support.
 constexpr double kMinPart = 0.02;
+/// Least mean of the projection Φ over the measure of a mask, over its mean over Φ itself.
+constexpr double kMinOverlap = 0.5;
 
 }  // namespace
 
@@ -32,6 +34,20 @@ class ElementContactSurface::Workspace final : public ContactSurface::Workspace 
     bump_.resize(points);
     local_.resize(functions);
     ofElement_.resize(functions);
+  }
+
+  /// Share θ of the wanted bump in the measure Ψ = (1 - 2θ) Φ + 2θ b of a mask, with Φ and b over
+  /// their integrals. 1, except where a support fixes most of the bump: there the projection is a
+  /// tail outside of the support, b hardly reaches it, and with θ = 1 a mask would move against its
+  /// own force. `carried` = ∫ Φ dΓ, `free` = ∫ b dΓ, mm^2.
+  double shareOfWanted(double carried, double free) const {
+    double withBump = 0, withItself = 0;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      withBump += traction_[k] * moments_[k] / free;
+      withItself += traction_[k] * ofTraction_[measureIndex_[nodes_[k]]] / carried;
+    }
+    const double lost = 1 - withBump / withItself;
+    return 2 * lost > 1 - kMinOverlap ? (1 - kMinOverlap) / (2 * lost) : 1.0;
   }
 
  private:
@@ -98,9 +114,11 @@ bool ElementContactSurface::makeMask(const SurfacePoint& point, double radius,
     mask.traction.push_back(work.traction_[k] / carried);
   }
   mask.measureNodes = work.measured_;
-  for (const double integral : work.ofTraction_) mask.measure.push_back(-integral / carried);
+  const double share = work.shareOfWanted(carried, free);
+  for (const double integral : work.ofTraction_)
+    mask.measure.push_back((1 - 2 * share) * integral / carried);
   for (std::size_t k = 0; k < work.nodes_.size(); ++k)
-    mask.measure[work.measureIndex_[work.nodes_[k]]] += 2 * work.moments_[k] / free;
+    mask.measure[work.measureIndex_[work.nodes_[k]]] += 2 * share * work.moments_[k] / free;
   for (double& weight : mask.pointWeights) weight /= free;
   return true;
 }

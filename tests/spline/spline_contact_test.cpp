@@ -112,6 +112,35 @@ TEST(SplineContact, ComplianceIsSymmetric) {
   EXPECT_LE(solver.reciprocityDefect(), 5e-3);
 }
 
+/// Coarse elements with a mask that mostly lies on a support: it moves with its own force, or
+/// counts as fixed.
+TEST(SplineContact, PlacesWithinASupportFollowOrAreFixed) {
+  for (const int points : {5, 6, 7, 8}) {
+    SplineTouched body(modeling::makeSphere(25, points), -20, {0.1, 0.45}, 5);
+    body.computeAll();
+    int grabbed = 0, fixed = 0;
+    for (double angle = 0; angle < 0.7; angle += 0.05)
+      for (const double turn : {0.0, 0.4, 0.8}) {
+        const Vector3d at = 25 * Vector3d(std::sin(angle) * std::cos(turn),
+                                          std::sin(angle) * std::sin(turn), -std::cos(angle));
+        ContactSimulation simulation = body.simulation();
+        const Vector3d value(0.3, -0.2, 0.5);
+        simulation.begin({ContactTool::Kind::kGrab, 5}, at, value);
+        body.settle(simulation);
+        const ContactSimulation::Contact& contact = simulation.contacts().front();
+        if (contact.status == ContactSimulation::Status::kFixed) {
+          ++fixed;
+          continue;
+        }
+        ++grabbed;
+        EXPECT_GT(contact.force.dot(value), 0) << points << " points, " << at.transpose();
+        EXPECT_LE((contact.displacement - value).norm(), 1e-6) << at.transpose();
+      }
+    std::printf("%d points: %d places grabbed, %d fixed\n", points, grabbed, fixed);
+    EXPECT_GT(grabbed, 0);
+  }
+}
+
 TEST(SplineContact, SupportsBalanceIt) {
   BilateralContactSolver solver(sphere().problem(), sphere().surface().slots(), sphere().base());
   solver.addGrab(makeContactMask(sphere().surface(), kTop, 10), Vector3d(0.5, 0.2, -1));
