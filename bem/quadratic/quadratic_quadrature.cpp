@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "bem/base/gauss_rule.h"
 #include "bem/base/triangle_rule.h"
@@ -45,8 +44,8 @@ const ElementRule& unitRule(int rule) {
 }
 
 /// Smallest distance over the radius of an element at which each rule keeps a relative error.
-/// Measured over random flat elements of aspect ratios up to 10
-/// (tests/bem/quadratic_quadrature_test.cpp): the errors are at most factor R^-power for R >= 1.4.
+/// The errors of random flat elements of aspect ratios up to 10 are at most factor R^-power for
+/// R >= 1.4 (tests/quadratic/quadratic_quadrature_test.cpp).
 std::array<double, 4> ratios(double error) {
   constexpr std::array<double, 4> kFactor{0.12, 0.012, 0.004, 8e-4}, kPower{4, 7, 9, 14};
   std::array<double, 4> ratio{};
@@ -79,7 +78,7 @@ void setBasis(double u, double v, double* basis) {
   const double w = 1 - u - v;
   const double values[kElementLanes] = {
       w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 4 * w * u, 4 * u * v, 4 * v * w, 0, 0};
-  std::copy(std::begin(values), std::end(values), basis);
+  std::copy_n(values, kElementLanes, basis);
 }
 
 std::array<std::array<Vector2d, 3>, 4> quarters(const std::array<Vector2d, 3>& c) {
@@ -163,9 +162,7 @@ void QuadraticQuadrature::addRule(const Corners& c, int rule, ElementRule& to) c
   const Vector2d ab = c[1] - c[0], ac = c[2] - c[0];
   const double area = cross(ab, ac);
   const std::size_t first = to.u.size(), count = unit.u.size();
-  to.u.resize(first + count);
-  to.v.resize(first + count);
-  to.weight.resize(first + count);
+  for (auto* list : {&to.u, &to.v, &to.weight}) list->resize(first + count);
   for (std::size_t k = 0; k < count; ++k) {
     to.u[first + k] = c[0][0] + unit.u[k] * ab[0] + unit.v[k] * ac[0];
     to.v[first + k] = c[0][1] + unit.u[k] * ab[1] + unit.v[k] * ac[1];

@@ -23,7 +23,7 @@ std::string countText(long count, long of) {
 }
 
 /// The usual movement over the allowed one, at least 1.
-double usualMovement(const DesignSpace& space) {
+double usualMovementOverAllowed(const DesignSpace& space) {
   const auto [low, high] = modeling::boundingBox(space.solid());
   return std::max(1.0, kUsualMovement * (high - low).norm() / space.limit());
 }
@@ -42,11 +42,12 @@ std::vector<ShapeLimit> findLimits(SearchRows rows, const modeling::Design& desi
   std::vector<ShapeLimit> limits;
   rows.problem.radius = 2;  // none
   const StepSolution solution = solveStep(rows.problem);
+  const double toUsual = usualMovementOverAllowed(space);
   bool isMissed = false;
   for (std::size_t i = 0; i < rows.targets; ++i) {
     const StepProblem::Row& row = rows.problem.rows[i];
     isMissed = isMissed || std::abs(row.goal - solution.values[i]) > design.tolerance;
-    if (row.slope.cwiseAbs().sum() * usualMovement(space) < kNoInfluence)
+    if (row.slope.cwiseAbs().sum() * toUsual < kNoInfluence)
       limits.push_back({Kind::kPoints, "the points that may move hardly change the touch \"" +
                                            design.targets[i].touch +
                                            "\"; select points near it, or below it"});
