@@ -39,6 +39,20 @@ void ProjectInput::declare(CLI::App& options) {
       ->type_name("LENGTH");
 }
 
+void ProjectInput::declareModel(CLI::App& options) {
+  options
+      .add_option("--model", model_,
+                  "Solved model of the project from palpa-mpi, which is read instead of computed")
+      ->type_name("FILE");
+}
+
+app::BuildOptions ProjectInput::buildOptions() const {
+  app::BuildOptions options;
+  options.storedModel = model_;
+  options.needsStoredModel = !model_.empty();
+  return options;
+}
+
 namespace {
 
 modeling::Engine parseEngine(const std::string& text) {

@@ -6,6 +6,7 @@
 #include "app/cli/body_choice.h"
 #include "app/cli/body_file.h"
 #include "app/cli/command.h"
+#include "app/core/model/build_touch_model.h"
 #include "modeling/project/project.h"
 
 namespace palpa::cli {
@@ -15,6 +16,10 @@ class ProjectInput {
  public:
   /// Adds FILE, --solid, --unit, --edge-length, --engine, --accuracy and --element-length.
   void declare(CLI::App& options);
+
+  /// Adds --model, for commands that build a model with buildOptions().
+  void declareModel(CLI::App& options);
+  app::BuildOptions buildOptions() const;
 
   /// Reads a project, or makes one from a CAD or mesh file, and applies the options. Notes on the
   /// import go to standard error. Throws as readBody(), and UsageError.
@@ -32,7 +37,7 @@ class ProjectInput {
   const std::string& file() const { return file_; }
 
  private:
-  std::string file_;
+  std::string file_, model_;
   BodyChoice choice_;
   std::string edgeLength_, engine_, accuracy_, elementLength_;
 };

@@ -21,6 +21,7 @@ class SolveCommand : public Command {
 
   void declare(CLI::App& options) override {
     input_.declare(options);
+    input_.declareModel(options);
     samples_.declare(options);
     output_.declare(options, resultFileHelp());
     deformed_.declare(options);
@@ -31,7 +32,7 @@ class SolveCommand : public Command {
     if (output_.isGiven()) requireResultFileName(output_.path());
     deformed_.validate();
     const modeling::Project project = input_.read(context);
-    const auto model = app::buildTouchModel(project, {}, context.job());
+    const auto model = app::buildTouchModel(project, input_.buildOptions(), context.job());
     app::TouchState state = model->rest();
     app::addErrors(*model, state, context.job());
     const StateReport report{*model, state, samples_.evaluate(*model, state), 0,

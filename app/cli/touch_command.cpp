@@ -48,6 +48,7 @@ class TouchCommand : public Command {
 
   void declare(CLI::App& options) override {
     input_.declare(options);
+    input_.declareModel(options);
     touch_.declare(options);
     samples_.declare(options);
     options
@@ -93,7 +94,7 @@ class TouchCommand : public Command {
     const modeling::Project project = touch_.touched(read.project);
     if (read.project.supports.empty() && !project.supports.empty())
       read.held = modeling::proposeSupport(project.body);
-    const auto model = app::buildTouchModel(project, {}, context.job());
+    const auto model = app::buildTouchModel(project, input_.buildOptions(), context.job());
     const auto start = std::chrono::steady_clock::now();
     app::TouchState state = touch_.play(*model, project, context);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -176,7 +177,7 @@ class TouchCommand : public Command {
     const double rate = parseRate();
     const app::RecordingFile file = app::readRecording(recording_);
     const modeling::Project project = input_.read(context);
-    const auto model = app::buildTouchModel(project, {}, context.job());
+    const auto model = app::buildTouchModel(project, input_.buildOptions(), context.job());
     ReplayReport report(file, app::recordedModelOf(*model, project.name));
     std::ostringstream text;
     app::TouchTable table(text);

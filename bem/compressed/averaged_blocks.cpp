@@ -17,17 +17,23 @@ namespace {
 class AveragedBlocks {
  public:
   AveragedBlocks(const CompressedOrder& order, const ElementSurface& surface,
-                 const WeightedEquations& equations, const AveragedRows& rows)
+                 const WeightedEquations& equations, const AveragedRows& rows,
+                 const std::vector<char>& isWanted)
       : order_(order),
         surface_(surface),
         equations_(equations),
         rows_(rows),
+        isWanted_(isWanted),
         columnCount_(order.positionCount() + order.slots.size()) {}
 
   BlockRows make(std::span<const AveragedRows::Total> totals, const Job& job) {
     setColumns(job);
     result_.blocks.assign(result_.columns.size(), {});
-    const std::vector<AveragedElement>& averaged = equations_.averaged;
+    std::vector<const AveragedElement*> averaged;
+    for (const AveragedElement& element : equations_.averaged)
+      if (std::any_of(element.equations.begin(), element.equations.end(),
+                      [&](int e) { return isWanted_[e]; }))
+        averaged.push_back(&element);
     constexpr std::size_t kAtOnce = 256;
     ScratchPool<AveragedRows::Scratch> pool([&] { return rows_.makeScratch(); });
     std::vector<AveragedRows::Blocks> blocks(kAtOnce);
@@ -38,13 +44,13 @@ class AveragedBlocks {
                   partOfJob(job, first, end, averaged.size()), Phase::kAssemble,
                   [&](std::ptrdiff_t k) {
                     AveragedRows::Scratch scratch = pool.take();
-                    blocks[k] = rows_.blocks(averaged[first + k], totals, scratch);
+                    blocks[k] = rows_.blocks(*averaged[first + k], totals, scratch);
                     pool.giveBack(std::move(scratch));
                   });
       // In the order of the elements, so that the sums do not depend on the number of threads.
       parallelFor(2, job, [&](std::ptrdiff_t half) {
         for (std::size_t k = first; k < end; ++k)
-          add(averaged[k], blocks[k - first], half == 1, places[half]);
+          add(*averaged[k], blocks[k - first], half == 1, places[half]);
       });
     }
     return std::move(result_);
@@ -87,7 +93,8 @@ class AveragedBlocks {
     const auto equations = static_cast<std::ptrdiff_t>(equations_.weights.rows());
     std::vector<std::vector<const AveragedElement*>> elements(static_cast<std::size_t>(equations));
     for (const AveragedElement& element : equations_.averaged)
-      for (const int e : element.equations) elements[e].push_back(&element);
+      for (const int e : element.equations)
+        if (isWanted_[e]) elements[e].push_back(&element);
     std::vector<std::vector<int>> columns(static_cast<std::size_t>(equations));
     ScratchPool<Marks> pool([&] {
       return Marks{std::vector<int>(static_cast<std::size_t>(surface_.elementCount()), -1),
@@ -117,6 +124,7 @@ class AveragedBlocks {
     const double sign = isOfSlots ? 1 : -1;
     for (std::size_t k = 0; k < element.equations.size(); ++k) {
       const auto e = static_cast<std::size_t>(element.equations[k]);
+      if (!isWanted_[e]) continue;
       for (std::size_t b = result_.begin[e]; b < result_.begin[e + 1]; ++b)
         places[result_.columns[b]] = b;
       for (std::size_t f = 0; f < functions.size(); ++f) {
@@ -134,6 +142,7 @@ class AveragedBlocks {
   const ElementSurface& surface_;
   const WeightedEquations& equations_;
   const AveragedRows& rows_;
+  const std::vector<char>& isWanted_;
   const std::size_t columnCount_;
   BlockRows result_;
 };
@@ -142,8 +151,9 @@ class AveragedBlocks {
 
 BlockRows makeAveragedBlocks(const CompressedOrder& order, const ElementSurface& surface,
                              const WeightedEquations& equations, const AveragedRows& rows,
-                             std::span<const AveragedRows::Total> totals, const Job& job) {
-  return AveragedBlocks(order, surface, equations, rows).make(totals, job);
+                             std::span<const AveragedRows::Total> totals,
+                             const std::vector<char>& isWanted, const Job& job) {
+  return AveragedBlocks(order, surface, equations, rows, isWanted).make(totals, job);
 }
 
 }  // namespace palpa::bem

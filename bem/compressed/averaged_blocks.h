@@ -10,9 +10,11 @@
 namespace palpa::bem {
 
 /// What averaged elements add to the rows of their equations near to them, columns in an order.
-/// `rows`: of all elements; `totals`: see AveragedRows::blocks(). Throws Cancelled.
+/// `rows`: of all elements; `totals`: see AveragedRows::blocks(); `isWanted`: per equation, the
+/// others get no blocks. Throws Cancelled.
 BlockRows makeAveragedBlocks(const CompressedOrder& order, const ElementSurface& surface,
                              const WeightedEquations& equations, const AveragedRows& rows,
-                             std::span<const AveragedRows::Total> totals, const Job& job);
+                             std::span<const AveragedRows::Total> totals,
+                             const std::vector<char>& isWanted, const Job& job);
 
 }  // namespace palpa::bem

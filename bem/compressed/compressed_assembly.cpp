@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/part_of_job.h"
 #include "base/scratch_pool.h"
+#include "bem/base/team_data.h"
 #include "bem/compressed/averaged_blocks.h"
 #include "bem/compressed/compressed_operators.h"
 #include "bem/element/averaged_rows.h"
@@ -23,7 +24,8 @@ class CompressedAssembly {
  public:
   CompressedAssembly(const ElementSurface& surface, const ElementQuadrature& quadrature,
                      const WeightedEquations& equations, const std::vector<Vector3d>& nodes,
-                     const TractionSlots& slots, const Material& material, const Job& job)
+                     const TractionSlots& slots, const Material& material, const Job& job,
+                     const Team* team)
       : surface_(surface),
         quadrature_(quadrature),
         equations_(equations),
@@ -31,6 +33,8 @@ class CompressedAssembly {
         slots_(slots),
         shear_(material.shear()),
         job_(job),
+        team_(team),
+        share_(team),
         constants_(ElementRows(surface, quadrature, material).constants()),
         averaged_(surface, quadrature, constants_, equations, std::nullopt),
         order_(makeCompressedOrder(surface, equations, nodes, slots)),
@@ -43,13 +47,14 @@ class CompressedAssembly {
   CompressedOperators run(double tolerance) {
     result_.order_ = order_;
     setWeights();
+    setLeaves();
     result_.far_ = makeFarBlocks({order_, division_, exact_, equations_, points_, nodes_, slots_,
-                                  constants_, shear_, tolerance},
+                                  constants_, shear_, tolerance, share_},
                                  partOfJob(job_, 0, 0.5));
     addNearBlocks(partOfJob(job_, 0.5, 0.65));
     const std::vector<AveragedRows::Total> totals = addCorrections(partOfJob(job_, 0.65, 0.75));
     result_.averaged_ = makeAveragedBlocks(order_, surface_, equations_, averaged_, totals,
-                                           partOfJob(job_, 0.75, 1));
+                                           equationsOfShare(), partOfJob(job_, 0.75, 1));
     return std::move(result_);
   }
 
@@ -69,6 +74,25 @@ class CompressedAssembly {
     result_.weights_.setFromTriplets(weights.begin(), weights.end());
   }
 
+  void setLeaves() {
+    leafOfPoint_.resize(equations_.points.size());
+    for (std::size_t position = 0; position < order_.positionCount(); ++position)
+      for (int p = order_.firstPoint[position]; p < order_.firstPoint[position + 1]; ++p)
+        leafOfPoint_[p] = tree().leafOf(static_cast<int>(position));
+  }
+
+  bool isInShare(int position) const { return share_.hasRows(leafOfPoint_[position]); }
+
+  /// Whether N of an equation is in the share: with the rows of its first point.
+  std::vector<char> equationsOfShare() const {
+    std::vector<char> isInShareOf(static_cast<std::size_t>(result_.equationCount()));
+    for (int e = 0; e < result_.equationCount(); ++e) {
+      const Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator first(result_.weights_, e);
+      isInShareOf[e] = first ? isInShare(static_cast<int>(first.col())) : share_.hasRows(0);
+    }
+    return isInShareOf;
+  }
+
   void addNearBlocks(const Job& job) {
     const int firstLeaf = ClusterTree::firstOf(tree().levelCount() - 1);
     result_.near_.resize(static_cast<std::size_t>(tree().count() - firstLeaf));
@@ -77,8 +101,10 @@ class CompressedAssembly {
       const int leaf = firstLeaf + static_cast<int>(k);
       ExactRows::Scratch scratch = pool.take();
       RowMatrixXf ofPoint;
-      for (const int column : division_.near[leaf]) {
+      for (std::size_t b = 0; b < division_.near[leaf].size(); ++b) {
+        if (!share_.hasBlock(leaf, b)) continue;
         job.throwIfCancelled();
+        const int column = division_.near[leaf][b];
         MatrixXf K(order_.rows(leaf), order_.columns(column));
         ofPoint.resize(3, K.cols());
         for (int p = order_.pointBegin(leaf); p < order_.pointEnd(leaf); ++p) {
@@ -138,11 +164,6 @@ class CompressedAssembly {
   /// Completes P; returns the sums of its rows in the form of AveragedRows.
   std::vector<AveragedRows::Total> addCorrections(const Job& job) {
     const auto points = static_cast<std::ptrdiff_t>(equations_.points.size());
-    leafOfPoint_.resize(equations_.points.size());
-    for (int position = 0; position < result_.nodeCount(); ++position)
-      for (int p = order_.firstPoint[position];
-           p < order_.firstPoint[static_cast<std::size_t>(position) + 1]; ++p)
-        leafOfPoint_[p] = tree().leafOf(position);
     std::vector<BlockRow> rows(equations_.points.size());
     struct Scratch {
       ExactRows::Scratch rows;
@@ -155,6 +176,7 @@ class CompressedAssembly {
                   Scratch scratch = pool.take();
                   for (auto p = static_cast<int>(task * kPointsPerTask);
                        p < std::min(points, (task + 1) * kPointsPerTask); ++p) {
+                    if (!isInShare(p)) continue;
                     scratch.entries.clear();
                     if (leftOut(p).empty())
                       for (const auto& [column, value] : functionsAt(p))
@@ -171,11 +193,12 @@ class CompressedAssembly {
                 sums;
     for (Index k = 0; k < result_.nodeCount(); ++k) translations.middleRows<3>(3 * k).setIdentity();
     result_.applyToPoints(translations, sums, job);
+    if (team_) sums = sumOverTeam(*team_, sums);
     std::vector<AveragedRows::Total> totals(equations_.points.size());
     for (int p = 0; p < points; ++p) {
       const Matrix3d sum = sums.middleRows<3>(3 * static_cast<Index>(p)).cast<double>();
       totals[order_.points[p]] = totalOf(-sum);
-      if (!leftOut(p).empty()) continue;
+      if (!leftOut(p).empty() || !isInShare(p)) continue;
       std::size_t k = result_.corrections_.begin[p];
       for (const auto& [column, value] : functionsAt(p)) {
         std::array<float, 9>& block = result_.corrections_.blocks[k++];
@@ -208,6 +231,8 @@ class CompressedAssembly {
   const TractionSlots& slots_;
   const double shear_;  ///< MPa
   const Job& job_;
+  const Team* const team_;
+  const BlockShare share_;
   const KelvinConstants constants_;
   const AveragedRows averaged_;
   const CompressedOrder order_;
@@ -223,9 +248,9 @@ CompressedOperators assembleCompressed(const ElementSurface& surface,
                                        const WeightedEquations& equations,
                                        const std::vector<Vector3d>& nodes,
                                        const TractionSlots& slots, const Material& material,
-                                       double tolerance, const Job& job) {
+                                       double tolerance, const Job& job, const Team* team) {
   material.validate();
-  return CompressedAssembly(surface, quadrature, equations, nodes, slots, material, job)
+  return CompressedAssembly(surface, quadrature, equations, nodes, slots, material, job, team)
       .run(tolerance);
 }
 

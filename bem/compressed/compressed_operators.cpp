@@ -131,15 +131,19 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
     applyToPoints(x, y, job);
     parallelFor(
         (equations + kEquationsPerTask - 1) / kEquationsPerTask, job, [&](std::ptrdiff_t task) {
-          RowMatrixXf sum(3, columns);
+          // In double precision, so that the sum of a team's shares is the whole to the last bit.
+          Eigen::Matrix<double, 3, Eigen::Dynamic> sum(3, columns);
+          RowMatrixXf averaged(3, columns);
           for (Index e = task * kEquationsPerTask;
                e < std::min<Index>(equations, (task + 1) * kEquationsPerTask); ++e) {
             sum.setZero();
             for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator w(weights_, e); w; ++w)
-              sum += w.value() * y.middleRows(3 * w.col(), 3);
-            addRow(averaged_, static_cast<int>(e), x, sum.data());
+              sum += static_cast<double>(w.value()) * y.middleRows(3 * w.col(), 3).cast<double>();
+            averaged.setZero();
+            addRow(averaged_, static_cast<int>(e), x, averaged.data());
+            sum += averaged.cast<double>();
             for (int i = 0; i < 3; ++i)
-              result.row(i * equations + e).segment(first, columns) = sum.row(i).cast<double>();
+              result.row(i * equations + e).segment(first, columns) = sum.row(i);
           }
         });
   }
@@ -250,27 +254,6 @@ void CompressedOperators::expand(std::span<const int> equations, std::span<const
   for (std::size_t k = 0; k < equations.size(); ++k)
     addRow(averaged_, equations[k], to, static_cast<Index>(k));
   for (const int column : columns) scratch.places[column] = -1;
-}
-
-CompressedOperators::Sizes CompressedOperators::sizes() const {
-  Sizes sizes;
-  for (const auto& blocks : far_)
-    for (const FarBlock& block : blocks) {
-      sizes.far += static_cast<std::size_t>(block.U.size() + block.V.size()) * sizeof(float);
-      sizes.meanRank += static_cast<double>(block.V.rows());
-      ++sizes.farBlocks;
-    }
-  if (sizes.farBlocks > 0) sizes.meanRank /= sizes.farBlocks;
-  for (const auto& blocks : near_)
-    for (const NearBlock& block : blocks)
-      sizes.near += static_cast<std::size_t>(block.K.size()) * sizeof(float);
-  sizes.averaged = averaged_.bytes() + corrections_.bytes();
-  return sizes;
-}
-
-std::size_t CompressedOperators::bytes() const {
-  const Sizes all = sizes();
-  return all.far + all.near + all.averaged;
 }
 
 }  // namespace palpa::bem

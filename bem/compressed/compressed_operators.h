@@ -3,7 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "base/byte_stream.h"
 #include "base/job.h"
+#include "bem/base/team.h"
 #include "bem/compressed/block_rows.h"
 #include "bem/compressed/compressed_order.h"
 #include "bem/compressed/far_blocks.h"
@@ -21,8 +23,18 @@ namespace palpa::bem {
 ///
 /// Rows and columns are in the order of a CompressedOrder; block columns are node positions, then
 /// slot positions behind them. Everything in single precision; immutable after assembly.
+///
+/// A member of a team has a share of the blocks, all others are zero: its functions give a summand
+/// of what the whole gives.
 class CompressedOperators {
  public:
+  /// Reads what write() wrote. Throws DamagedData, and what the source throws.
+  explicit CompressedOperators(const ByteSource& source);
+  /// Writes everything bit by bit, in the byte order of this machine.
+  void write(const ByteSink& sink) const;
+  /// Adds the share of another member of the team that made this one.
+  void add(CompressedOperators share);
+
   const CompressedOrder& order() const { return order_; }
   int equationCount() const { return static_cast<int>(weights_.rows()); }
   int nodeCount() const { return static_cast<int>(order_.tree.order().size()); }
@@ -39,6 +51,8 @@ class CompressedOperators {
   };
   void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch,
               RowMatrixXf& to) const;
+  /// False if the blocks of these equations are all zero, because other members have them.
+  bool reaches(std::span<const int> equations) const;
 
   std::size_t bytes() const;
   /// Sizes for reports: bytes of the low-rank blocks, the dense blocks and N; mean rank.
@@ -51,12 +65,14 @@ class CompressedOperators {
 
  private:
   friend class CompressedAssembly;
+  CompressedOperators() = default;
   struct NearBlock {
     int column;
     Eigen::MatrixXf K;
   };
   /// P x for x in internal order, one row per column of P; y: one row per row of P.
   void applyToPoints(const RowMatrixXf& x, RowMatrixXf& y, const Job& job) const;
+  void readWeights(const ByteSource& source);
   template <class Visit>
   void visitColumns(int cluster, std::span<const int> columns, const Visit& visit) const;
   void expandPoints(int cluster, std::size_t begin, std::size_t end, std::span<const int> columns,
@@ -72,12 +88,13 @@ class CompressedOperators {
 
 /// Assembles the operators of quadratic triangles (or other elements with one coefficient per node
 /// and slot). `nodes`: positions of the displacement coefficients; `tolerance`: of each block, 1e-3
-/// … 1e-6 of its largest rows. Throws Cancelled.
+/// … 1e-6 of its largest rows; `team`: makes this member's share. Throws Cancelled.
 CompressedOperators assembleCompressed(const ElementSurface& surface,
                                        const ElementQuadrature& quadrature,
                                        const WeightedEquations& equations,
                                        const std::vector<Eigen::Vector3d>& nodes,
                                        const TractionSlots& slots, const Material& material,
-                                       double tolerance, const Job& job);
+                                       double tolerance, const Job& job,
+                                       const Team* team = nullptr);
 
 }  // namespace palpa::bem

@@ -1,6 +1,9 @@
 #include "bem/compressed/compressed_order.h"
 
+#include <algorithm>
 #include <limits>
+
+#include "base/byte_reader.h"
 
 namespace palpa::bem {
 
@@ -41,7 +44,34 @@ std::vector<int> inverseOf(const std::vector<int>& list) {
   return inverse;
 }
 
+/// Throws DamagedData unless the list orders 0 … size() - 1 and `first` divides it into `parts`.
+void check(const std::vector<int>& list, const std::vector<int>& first, std::size_t parts) {
+  const auto n = static_cast<int>(list.size());
+  if (first.size() != parts + 1 || first.front() != 0 || first.back() != n ||
+      !std::is_sorted(first.begin(), first.end()) ||
+      std::any_of(list.begin(), list.end(), [n](int k) { return k < 0 || k >= n; }))
+    throw DamagedData();
+}
+
 }  // namespace
+
+void write(const CompressedOrder& order, const ByteSink& sink) {
+  order.tree.write(sink);
+  for (const auto* list : {&order.slots, &order.firstSlot, &order.points, &order.firstPoint})
+    writeList(sink, *list);
+}
+
+CompressedOrder readCompressedOrder(const ByteSource& source) {
+  CompressedOrder order;
+  order.tree = ClusterTree(source);
+  for (auto* list : {&order.slots, &order.firstSlot, &order.points, &order.firstPoint})
+    *list = readList<int>(source);
+  check(order.slots, order.firstSlot, order.positionCount());
+  check(order.points, order.firstPoint, order.positionCount());
+  order.slotPositionOf = inverseOf(order.slots);
+  order.pointPositionOf = inverseOf(order.points);
+  return order;
+}
 
 CompressedOrder makeCompressedOrder(const ElementSurface& surface,
                                     const WeightedEquations& equations,

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "base/byte_stream.h"
 #include "bem/element/element_equations.h"
 #include "bem/element/element_surface.h"
 #include "bem/linalg/cluster_tree.h"
@@ -32,6 +33,10 @@ struct CompressedOrder {
   int pointEnd(int cluster) const { return firstPoint[tree.cluster(cluster).end]; }
   int rows(int cluster) const { return 3 * (pointEnd(cluster) - pointBegin(cluster)); }
 };
+
+void write(const CompressedOrder& order, const ByteSink& sink);
+/// Throws DamagedData, and what the source throws.
+CompressedOrder readCompressedOrder(const ByteSource& source);
 
 /// Order of the columns of `nodes` (positions of the displacement coefficients) and `slots`, and of
 /// the points of the equations. Leaves of the tree have 20 to 40 nodes.

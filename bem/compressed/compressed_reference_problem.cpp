@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "base/byte_reader.h"
 #include "base/scratch_pool.h"
 #include "bem/base/error.h"
 #include "bem/linalg/gmres.h"
@@ -46,6 +46,7 @@ class SystemTiles {
         tile.equations.insert(tile.equations.end(), extra.begin(), extra.end());
       }
       setColumns(dofs, tile);
+      tile.isZero = !operators_.reaches(tile.equations);
     }
   }
 
@@ -62,6 +63,10 @@ class SystemTiles {
   }
 
   void make(int row, int column, CompressedOperators::Scratch& scratch, MatrixXf& to) const {
+    if (tiles_[row].isZero) {
+      to.resize(0, 0);
+      return;
+    }
     const Tile& of = tiles_[column];
     RowMatrixXf columns;
     operators_.expand(tiles_[row].equations, of.columns, scratch, columns);
@@ -77,6 +82,7 @@ class SystemTiles {
     std::vector<int> equations;           ///< and the unknowns 3 e, 3 e + 1, 3 e + 2 of each
     std::vector<int> columns;             ///< of the operators
     Eigen::SparseMatrix<float> combined;  ///< (column of the operators, unknown)
+    bool isZero = false;                  ///< other members have its blocks
   };
 
   /// A0 v = -[-H G] of the field of v.
@@ -126,8 +132,8 @@ int tileNodesFor(int nodes) {
 CompressedReferenceProblem::CompressedReferenceProblem(DegreesOfFreedom dofMap,
                                                        CompressedOperators operators,
                                                        const CompressionOptions& options,
-                                                       const Job& job)
-    : ReferenceProblem(std::move(dofMap), {3, 1e-7}), operators_(std::move(operators)) {
+                                                       const Job& job, const Team* team)
+    : ReferenceProblem(std::move(dofMap), kRefinement), operators_(std::move(operators)) {
   const SystemTiles tiles(
       dofs(), operators_,
       options.tileNodes > 0 ? options.tileNodes : tileNodesFor(dofs().nodeCount()));
@@ -140,7 +146,7 @@ CompressedReferenceProblem::CompressedReferenceProblem(DegreesOfFreedom dofMap,
         tiles.make(row, column, scratch, to);
         pool.giveBack(std::move(scratch));
       },
-      job);
+      job, team);
 }
 
 MatrixXd CompressedReferenceProblem::residual(const BoundaryField& field, const Job& job) const {
@@ -197,8 +203,38 @@ double CompressedReferenceProblem::conditionEstimate(const Job& job) const {
   return std::isfinite(estimate) ? estimate : std::numeric_limits<double>::infinity();
 }
 
-void CompressedReferenceProblem::write(const ByteSink& /*sink*/) const {
-  throw std::logic_error("a compressed problem cannot be stored");
+void CompressedReferenceProblem::write(const ByteSink& sink) const {
+  operators_.write(sink);
+  writeList(sink, equations_);
+  factors_->write(sink);
+  writeList(sink, knownColumns_.nodes);
+  writeNumbers(sink, knownColumns_.values);
+}
+
+CompressedReferenceProblem::CompressedReferenceProblem(DegreesOfFreedom dofMap,
+                                                       const ByteSource& source)
+    : ReferenceProblem(std::move(dofMap), kRefinement),
+      operators_(source),
+      equations_(readList<int>(source)) {
+  if (operators_.nodeCount() != dofs().nodeCount() ||
+      static_cast<int>(operators_.order().slots.size()) != dofs().slotCount() ||
+      3 * operators_.equationCount() != dofs().count() ||
+      3 * static_cast<int>(equations_.size()) != dofs().count())
+    throw DamagedData();
+  factors_ = std::make_unique<TileLu>(dofs().count(), source);
+  knownColumns_.nodes = readList<int>(source);
+  if (static_cast<int>(knownColumns_.nodes.size()) > dofs().nodeCount()) throw DamagedData();
+  for (const int node : knownColumns_.nodes)
+    if (node < 0 || node >= dofs().nodeCount()) throw DamagedData();
+  knownColumns_.values.resize(dofs().count(), 3 * static_cast<Index>(knownColumns_.nodes.size()));
+  readNumbers(source, knownColumns_.values);
+}
+
+std::shared_ptr<GreensColumns> makeGreensColumns(std::shared_ptr<const ReferenceProblem> problem) {
+  const auto* compressed = dynamic_cast<const CompressedReferenceProblem*>(problem.get());
+  auto columns = std::make_shared<GreensColumns>(std::move(problem));
+  if (compressed) columns->take(compressed->knownColumns());
+  return columns;
 }
 
 }  // namespace palpa::bem

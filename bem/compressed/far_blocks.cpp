@@ -30,22 +30,34 @@ struct Skeleton {
 class FarBlocks {
  public:
   explicit FarBlocks(const FarBlockInputs& inputs)
-      : in_(inputs), tree_(inputs.order.tree), skeletons_(tree_.count()), blocks_(tree_.count()) {}
+      : in_(inputs),
+        tree_(inputs.order.tree),
+        columns_(tree_.count()),
+        isNeeded_(tree_.count()),
+        skeletons_(tree_.count()),
+        blocks_(tree_.count()) {
+    for (int c = 0; c < tree_.count(); ++c) {
+      const std::vector<int>& all = in_.division.far[c];
+      for (std::size_t b = 0; b < all.size(); ++b)
+        if (in_.share.hasBlock(c, b)) columns_[c].push_back(all[b]);
+      isNeeded_[c] = !columns_[c].empty() || (c > 0 && isNeeded_[(c - 1) / 2]);
+    }
+  }
 
   std::vector<std::vector<FarBlock>> make(const Job& job) {
     int top = tree_.levelCount();
     std::size_t pairs = 0, done = 0;
     for (int level = tree_.levelCount() - 1; level >= 0; --level)
       for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c)
-        if (!in_.division.far[c].empty()) {
+        if (!columns_[c].empty()) {
           top = level;
-          pairs += in_.division.far[c].size();
+          pairs += columns_[c].size();
         }
     for (int level = tree_.levelCount() - 1; level >= top; --level) {
       const int first = ClusterTree::firstOf(level);
       parallelFor(ClusterTree::countOf(level), job, [&](std::ptrdiff_t k) {
         const int c = first + static_cast<int>(k);
-        skeletons_[c] = skeletonOf(c);
+        if (isNeeded_[c]) skeletons_[c] = skeletonOf(c);
       });
       if (level + 1 < tree_.levelCount())
         for (int c = ClusterTree::firstOf(level + 1); c < ClusterTree::firstOf(level + 2); ++c)
@@ -60,7 +72,7 @@ class FarBlocks {
   std::size_t makeLevel(int level, std::size_t done, std::size_t pairs, const Job& job) {
     std::vector<std::pair<int, std::size_t>> ofLevel;
     for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c) {
-      blocks_[c].resize(in_.division.far[c].size());
+      blocks_[c].resize(columns_[c].size());
       for (std::size_t b = 0; b < blocks_[c].size(); ++b) ofLevel.emplace_back(c, b);
     }
     ScratchPool<ExactRows::Scratch> pool([&] { return in_.exact.makeScratch(); });
@@ -69,7 +81,7 @@ class FarBlocks {
                 [&](std::ptrdiff_t k) {
                   const auto [c, b] = ofLevel[k];
                   ExactRows::Scratch scratch = pool.take();
-                  blocks_[c][b] = makeBlock(c, in_.division.far[c][b], scratch, job);
+                  blocks_[c][b] = makeBlock(c, columns_[c][b], scratch, job);
                   pool.giveBack(std::move(scratch));
                 });
     return done + ofLevel.size();
@@ -176,6 +188,8 @@ class FarBlocks {
 
   const FarBlockInputs& in_;
   const ClusterTree& tree_;
+  std::vector<std::vector<int>> columns_;  ///< clusters of functions of the blocks of the share
+  std::vector<char> isNeeded_;             ///< skeletons for these blocks
   std::vector<Skeleton> skeletons_;
   std::vector<std::vector<FarBlock>> blocks_;
 };

@@ -5,6 +5,7 @@
 
 #include "base/job.h"
 #include "bem/compressed/block_division.h"
+#include "bem/compressed/block_share.h"
 #include "bem/compressed/exact_rows.h"
 #include "bem/linalg/row_choice.h"
 #include "bem/model/boundary_mesh.h"
@@ -31,13 +32,14 @@ struct FarBlockInputs {
   const KelvinConstants& constants;
   double shear;      ///< MPa
   double tolerance;  ///< of each block, relative
+  BlockShare share;  ///< the blocks that are made
 };
 
-/// The blocks of all distant pairs, per cluster of points. Rows of the operators far from a cluster
-/// of functions are smooth functions of the point: in each cluster of points a skeleton is chosen,
-/// from the leaves up, then from its rows for each block those from which the fields of its
-/// functions are interpolated; only their integrals are computed. The choices use kernels at points
-/// instead of integrals. Throws Cancelled.
+/// The blocks of all distant pairs of the share, per cluster of points. Rows of the operators far
+/// from a cluster of functions are smooth functions of the point: in each cluster of points a
+/// skeleton is chosen, from the leaves up, then from its rows for each block those from which the
+/// fields of its functions are interpolated; only their integrals are computed. The choices use
+/// kernels at points instead of integrals. Throws Cancelled.
 std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job);
 
 }  // namespace palpa::bem

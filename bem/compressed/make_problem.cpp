@@ -34,15 +34,32 @@ double expectedBytes(double nodeCount, double slotCount, bool isQuadratic, Preci
 std::unique_ptr<ReferenceProblem> makeReferenceProblem(const Discretisation& discretisation,
                                                        const ProblemInputs& inputs, const Job& job,
                                                        ReferenceProblemTimes* times) {
-  const auto* quadratic = dynamic_cast<const QuadraticDiscretisation*>(&discretisation);
-  if (isCompressed(inputs.precision, quadratic != nullptr, discretisation.displacementCount()))
-    return makeCompressedReferenceProblem(*quadratic, inputs, {}, job, times);
+  if (effectivePrecision(discretisation, inputs.precision) == Precision::kCompressed)
+    return makeCompressedReferenceProblem(
+        dynamic_cast<const QuadraticDiscretisation&>(discretisation), inputs, {}, job, times);
   return makeDenseReferenceProblem(discretisation, inputs, job, times);
+}
+
+Precision effectivePrecision(const Discretisation& discretisation, Precision wanted) {
+  const bool isQuadratic = dynamic_cast<const QuadraticDiscretisation*>(&discretisation) != nullptr;
+  return isCompressed(wanted, isQuadratic, discretisation.displacementCount())
+             ? Precision::kCompressed
+             : choosePrecision(wanted, discretisation.displacementCount());
+}
+
+std::unique_ptr<ReferenceProblem> readReferenceProblem(const Discretisation& discretisation,
+                                                       const ProblemInputs& inputs,
+                                                       const ByteSource& source) {
+  if (effectivePrecision(discretisation, inputs.precision) != Precision::kCompressed)
+    return readDenseReferenceProblem(discretisation, inputs, source);
+  return std::make_unique<CompressedReferenceProblem>(
+      discretisation.degreesOfFreedom(inputs.conditions, inputs.material), source);
 }
 
 std::unique_ptr<CompressedReferenceProblem> makeCompressedReferenceProblem(
     const QuadraticDiscretisation& on, const ProblemInputs& inputs,
-    const CompressionOptions& options, const Job& job, ReferenceProblemTimes* times) {
+    const CompressionOptions& options, const Job& job, ReferenceProblemTimes* times,
+    const Team* team) {
   inputs.material.validate();
   on.checkSolvable(inputs.conditions, inputs.material);
   const auto start = std::chrono::steady_clock::now();
@@ -55,11 +72,11 @@ std::unique_ptr<CompressedReferenceProblem> makeCompressedReferenceProblem(
         quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs);
     const QuadraticQuadrature quadrature(on.surface(), inputs.assembly.tolerance);
     return assembleCompressed(on.surface(), quadrature, equations, on.places(), on.slots(),
-                              inputs.material, options.operators, job);
+                              inputs.material, options.operators, job, team);
   }();
   const double assembled = seconds();
   auto problem = std::make_unique<CompressedReferenceProblem>(std::move(dofs), std::move(operators),
-                                                              options, job);
+                                                              options, job, team);
   if (times) *times = {assembled, seconds() - assembled};
   return problem;
 }

@@ -28,11 +28,21 @@ std::unique_ptr<ReferenceProblem> makeReferenceProblem(const Discretisation& dis
                                                        const Job& job = {},
                                                        ReferenceProblemTimes* times = nullptr);
 
-/// Assembles compressed operators of quadratic triangles and factorises them. Throws SolverError if
-/// the problem cannot be solved, Cancelled on stop.
+/// How a problem with a wanted precision is made: kCompressed, or a dense precision.
+Precision effectivePrecision(const Discretisation& discretisation, Precision wanted);
+
+/// Reads what ReferenceProblem::write() wrote. The caller guarantees that the problem was made from
+/// the same discretisation and inputs. Throws DamagedData, what the source throws, std::bad_alloc.
+std::unique_ptr<ReferenceProblem> readReferenceProblem(const Discretisation& discretisation,
+                                                       const ProblemInputs& inputs,
+                                                       const ByteSource& source);
+
+/// Assembles compressed operators of quadratic triangles and factorises them. `team`: whose members
+/// all call this with the same arguments; see CompressedReferenceProblem. Throws SolverError if the
+/// problem cannot be solved, Cancelled on stop.
 std::unique_ptr<CompressedReferenceProblem> makeCompressedReferenceProblem(
     const QuadraticDiscretisation& on, const ProblemInputs& inputs,
     const CompressionOptions& options = {}, const Job& job = {},
-    ReferenceProblemTimes* times = nullptr);
+    ReferenceProblemTimes* times = nullptr, const Team* team = nullptr);
 
 }  // namespace palpa::bem

@@ -10,6 +10,7 @@
 
 #include "base/parallel.h"
 #include "bem/base/error.h"
+#include "bem/base/team_data.h"
 #include "bem/linalg/blas_threads.h"
 #include "bem/linalg/single_precision.h"
 
@@ -126,9 +127,7 @@ void TileLu::scaleColumns(int column, MatrixXf& tile) const {
   tile.array().rowwise() *= columnScales_.segment(begins_[column], sizes_[column]).transpose();
 }
 
-void TileLu::factorDiagonal(int k, const MakeTile& makeTile, const Job& job) {
-  MatrixXf diagonal;
-  makeTile(k, k, diagonal);
+void TileLu::factorDiagonal(int k, MatrixXf diagonal, const Job& job) {
   scaleColumns(k, diagonal);
   // Parts of columns on several threads.
   constexpr Index kColumnsPerTask = 128;
@@ -167,134 +166,80 @@ void TileLu::factorDiagonal(int k, const MakeTile& makeTile, const Job& job) {
   tile(k, k).X = std::move(diagonal);
 }
 
-TileLu::TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeTile, const Job& job)
+void TileLu::setColumnScales(TileBases& bases, const Team* team, const Job& job) {
+  columnScales_.setZero(size());
+  const int atOnce = team ? 8 * team->count() : count();
+  for (int first = 0; first < count(); first += atOnce) {
+    const int end = std::min(count(), first + atOnce);
+    std::vector<TileBases::Place> places;
+    for (int k = first; k < end; ++k) places.push_back({k, k, team ? k % team->count() : 0});
+    bases.collect(places, job);
+    parallelFor(end - first, job, [&](std::ptrdiff_t task) {
+      const int k = first + static_cast<int>(task);
+      if (!bases.isOurs(k)) return;
+      MatrixXf diagonal;
+      bases.take(k, k, diagonal);
+      columnScales_.segment(begins_[k], sizes_[k]) =
+          diagonal.colwise().norm().transpose().array().max(1e-30F).inverse();
+    });
+  }
+  if (team) columnScales_ = sumOverTeam(*team, Eigen::VectorXf(columnScales_)).array();
+}
+
+TileLu::Tile TileLu::makeTile(int row, int column, MatrixXf base, const Job& job) const {
+  const int k = std::min(row, column);
+  scaleColumns(column, base);
+  Tile made = compress(row, column, k, std::move(base), job);
+  const MatrixXf& diagonal = tile(k, k).X;
+  if (row > column) {  // L = A U^-1
+    MatrixXf& right = made.isDense() ? made.X : made.Y;
+    if (made.isDense())
+      solveTriangular(CblasRight, CblasUpper, false, false, diagonal, right);
+    else
+      solveTriangular(CblasLeft, CblasUpper, true, false, diagonal, right);
+  } else {  // U = L^-1 P A
+    swapRows(pivots_[k], made.X, true);
+    solveTriangular(CblasLeft, CblasLower, false, true, diagonal, made.X);
+  }
+  return made;
+}
+
+TileLu::TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeBase, const Job& job,
+               const Team* team)
     : sizes_(std::move(sizes)), tolerance_(tolerance), pivots_(sizes_.size()) {
   useOneBlasThread();
   begins_.push_back(0);
   for (const int size : sizes_) begins_.push_back(begins_.back() + size);
   tiles_.resize(sizes_.size() * sizes_.size());
-  columnScales_.resize(size());
-  parallelFor(count(), job, [&](std::ptrdiff_t k) {
-    MatrixXf diagonal;
-    makeTile(static_cast<int>(k), static_cast<int>(k), diagonal);
-    columnScales_.segment(begins_[k], sizes_[k]) =
-        diagonal.colwise().norm().transpose().array().max(1e-30F).inverse();
-  });
-  std::vector<double> sums(static_cast<std::size_t>(size()), 0);
+  TileBases bases(sizes_, makeBase, team);
+  setColumnScales(bases, team, job);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(size());
   std::mutex sumsMutex;
-  const auto make = [&](int row, int column, MatrixXf& to) {
-    makeTile(row, column, to);
-    const Eigen::RowVectorXf magnitudes = to.cwiseAbs().colwise().sum();
+  const auto take = [&](int row, int column) {
+    MatrixXf base;
+    bases.take(row, column, base);
+    const Eigen::VectorXd magnitudes = base.cwiseAbs().colwise().sum().cast<double>();
     const std::scoped_lock lock(sumsMutex);
-    for (Index c = 0; c < to.cols(); ++c) sums[begins_[column] + c] += magnitudes[c];
+    // All members of a team have the diagonal, one counts it.
+    if (row != column || bases.isOurs(row))
+      sums.segment(begins_[column], base.cols()) += magnitudes;
+    return base;
   };
   for (int k = 0; k < count(); ++k) {
-    factorDiagonal(k, make, job);
+    bases.collectStep(k, job);
+    factorDiagonal(k, take(k, k), job);
     const int left = count() - k - 1;
     parallelFor(2 * static_cast<std::ptrdiff_t>(left), job, [&](std::ptrdiff_t task) {
       const int other = k + 1 + static_cast<int>(task / 2);
-      const bool isOfL = task % 2 == 0;
-      const int row = isOfL ? other : k, column = isOfL ? k : other;
-      MatrixXf base;
-      make(row, column, base);
-      scaleColumns(column, base);
-      Tile made = compress(row, column, k, std::move(base), job);
-      const MatrixXf& diagonal = tile(k, k).X;
-      if (isOfL) {  // L = A U^-1
-        MatrixXf& right = made.isDense() ? made.X : made.Y;
-        if (made.isDense())
-          solveTriangular(CblasRight, CblasUpper, false, false, diagonal, right);
-        else
-          solveTriangular(CblasLeft, CblasUpper, true, false, diagonal, right);
-      } else {  // U = L^-1 P A
-        swapRows(pivots_[k], made.X, true);
-        solveTriangular(CblasLeft, CblasLower, false, true, diagonal, made.X);
-      }
-      tile(row, column) = std::move(made);
+      if (!bases.isOurs(other)) return;
+      const int row = task % 2 == 0 ? other : k, column = task % 2 == 0 ? k : other;
+      tile(row, column) = makeTile(row, column, take(row, column), job);
     });
+    if (team) shareStep(k, *team);
     const double rest = static_cast<double>(left) / count();
     job.report(Phase::kFactorise, 1 - rest * rest);
   }
-  norm1_ = *std::max_element(sums.begin(), sums.end());
-}
-
-std::size_t TileLu::bytes() const {
-  std::size_t bytes = 0;
-  for (const Tile& each : tiles_)
-    bytes += static_cast<std::size_t>(each.X.size() + each.Y.size()) * sizeof(float);
-  return bytes;
-}
-
-int TileLu::largestRank() const {
-  int largest = 0;
-  for (int row = 0; row < count(); ++row)
-    for (int column = 0; column < count(); ++column)
-      if (row != column) largest = std::max(largest, tile(row, column).rank());
-  return largest;
-}
-
-double TileLu::meanRank() const {
-  double sum = 0;
-  for (int row = 0; row < count(); ++row)
-    for (int column = 0; column < count(); ++column)
-      if (row != column) sum += tile(row, column).rank();
-  return count() > 1 ? sum / (count() * (count() - 1.0)) : 0;
-}
-
-template <class Use>
-void TileLu::forOthers(int first, int end, const Job& job, const Use& use) const {
-  constexpr int kTilesPerTask = 4;
-  parallelFor((end - first + kTilesPerTask - 1) / kTilesPerTask, job, [&](std::ptrdiff_t task) {
-    const int from = first + kTilesPerTask * static_cast<int>(task);
-    for (int k = from; k < std::min(end, from + kTilesPerTask); ++k) use(k);
-  });
-}
-
-void TileLu::subtract(const Tile& tile, bool isTransposed, const MatrixXf& x, MatrixXf& y) {
-  if (tile.rank() == 0) return;
-  if (tile.isDense()) {
-    multiply(isTransposed, false, -1, tile.X, x, 1, y);
-    return;
-  }
-  MatrixXf inner;
-  multiply(true, false, 1, isTransposed ? tile.X : tile.Y, x, 0, inner);
-  multiply(false, false, -1, isTransposed ? tile.Y : tile.X, inner, 1, y);
-}
-
-std::vector<MatrixXf> TileLu::partsOf(const MatrixXf& x) const {
-  std::vector<MatrixXf> parts;
-  for (int k = 0; k < count(); ++k) parts.emplace_back(x.middleRows(begins_[k], sizes_[k]));
-  return parts;
-}
-
-void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
-  std::vector<MatrixXf> parts = partsOf(x);
-  for (int k = 0; k < count(); ++k) {
-    swapRows(pivots_[k], parts[k], true);
-    solveTriangular(CblasLeft, CblasLower, false, true, tile(k, k).X, parts[k]);
-    forOthers(k + 1, count(), job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
-  }
-  for (int k = count() - 1; k >= 0; --k) {
-    solveTriangular(CblasLeft, CblasUpper, false, false, tile(k, k).X, parts[k]);
-    forOthers(0, k, job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
-  }
-  for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
-  x.array().colwise() *= columnScales_;
-}
-
-void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
-  x.array().colwise() *= columnScales_;
-  std::vector<MatrixXf> parts = partsOf(x);
-  for (int k = 0; k < count(); ++k) {
-    solveTriangular(CblasLeft, CblasUpper, true, false, tile(k, k).X, parts[k]);
-    forOthers(k + 1, count(), job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
-  }
-  for (int k = count() - 1; k >= 0; --k) {
-    solveTriangular(CblasLeft, CblasLower, true, true, tile(k, k).X, parts[k]);
-    swapRows(pivots_[k], parts[k], false);
-    forOthers(0, k, job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
-  }
-  for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
+  norm1_ = (team ? sumOverTeam(*team, sums) : sums).maxCoeff();
 }
 
 }  // namespace palpa::bem

@@ -4,7 +4,10 @@
 #include <functional>
 #include <vector>
 
+#include "base/byte_stream.h"
 #include "base/job.h"
+#include "bem/base/team.h"
+#include "bem/compressed/tile_bases.h"
 
 namespace palpa::bem {
 
@@ -18,11 +21,19 @@ namespace palpa::bem {
 class TileLu {
  public:
   /// Writes tile (row, column) of the matrix, with the given sizes, to a matrix; several threads.
-  using MakeTile = std::function<void(int row, int column, Eigen::MatrixXf& to)>;
+  using MakeTile = TileBases::MakeTile;
 
   /// `sizes`: rows of each tile. `tolerance`: of the singular values that are left out, over the
   /// norm of the columns in their tile of the diagonal. Throws SolverError (kSingular), Cancelled.
-  TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeTile, const Job& job);
+  /// `team`: each member's tiles are summands of the matrix (an empty one is zero); the members
+  /// share the work, and all get the factors.
+  TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeBase, const Job& job,
+         const Team* team = nullptr);
+  /// Reads what write() wrote for a matrix with `size` rows. Throws DamagedData, and what the
+  /// source throws.
+  TileLu(Eigen::Index size, const ByteSource& source);
+  /// Writes the factors bit by bit, in the byte order of this machine.
+  void write(const ByteSink& sink) const;
 
   Eigen::Index size() const { return begins_.back(); }
   std::size_t bytes() const;
@@ -48,7 +59,14 @@ class TileLu {
   int count() const { return static_cast<int>(sizes_.size()); }
   Tile& tile(int row, int column) { return tiles_[row * sizes_.size() + column]; }
   const Tile& tile(int row, int column) const { return tiles_[row * sizes_.size() + column]; }
-  void factorDiagonal(int k, const MakeTile& makeTile, const Job& job);
+  void setColumnScales(TileBases& bases, const Team* team, const Job& job);
+  void factorDiagonal(int k, Eigen::MatrixXf diagonal, const Job& job);
+  /// Factor of a tile off the diagonal, of which the former ones are complete.
+  Tile makeTile(int row, int column, Eigen::MatrixXf base, const Job& job) const;
+  /// Gives the tiles of step k to all members.
+  void shareStep(int k, const Team& team);
+  void writeTile(int row, int column, const ByteSink& sink) const;
+  void readTile(int row, int column, const ByteSource& source);
   Tile compress(int row, int column, int before, Eigen::MatrixXf base, const Job& job) const;
   Eigen::MatrixXf denseUpdate(int row, int column, int before, Eigen::MatrixXf base,
                               const Job& job) const;

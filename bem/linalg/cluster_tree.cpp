@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/byte_reader.h"
+
 namespace palpa::bem {
 
 using Eigen::Matrix3d;
@@ -16,12 +18,11 @@ Ball ballAround(std::span<const Vector3d> points) {
 }
 
 ClusterTree::ClusterTree(const std::vector<Vector3d>& places, int leafSize)
-    : order_(places.size()), positionOf_(places.size()), leafOfPosition_(places.size()) {
+    : order_(places.size()) {
   std::iota(order_.begin(), order_.end(), 0);
   const auto n = static_cast<int>(places.size());
   while ((n + countOf(levels_ - 1) - 1) / countOf(levels_ - 1) > leafSize) ++levels_;
-  clusters_.resize(static_cast<std::size_t>(firstOf(levels_)));
-  clusters_[0] = {0, n};
+  setClusters();
   for (int c = 0; c < firstOf(levels_ - 1); ++c) {
     const auto [begin, end] = clusters_[c];
     Vector3d mean = Vector3d::Zero();
@@ -38,12 +39,43 @@ ClusterTree::ClusterTree(const std::vector<Vector3d>& places, int leafSize)
                        const double along = axis.dot(places[a] - places[b]);
                        return along != 0 ? along < 0 : a < b;
                      });
+  }
+  setPositions();
+}
+
+void ClusterTree::setClusters() {
+  clusters_.resize(static_cast<std::size_t>(firstOf(levels_)));
+  clusters_[0] = {0, static_cast<int>(order_.size())};
+  for (int c = 0; c < firstOf(levels_ - 1); ++c) {
+    const auto [begin, end] = clusters_[c];
+    const int middle = begin + (end - begin) / 2;
     clusters_[2 * static_cast<std::size_t>(c) + 1] = {begin, middle};
     clusters_[2 * static_cast<std::size_t>(c) + 2] = {middle, end};
   }
+}
+
+void ClusterTree::setPositions() {
+  positionOf_.assign(order_.size(), -1);
+  leafOfPosition_.resize(order_.size());
   for (int c = firstOf(levels_ - 1); c < count(); ++c)
     for (int k = clusters_[c].begin; k < clusters_[c].end; ++k) leafOfPosition_[k] = c;
-  for (int k = 0; k < n; ++k) positionOf_[order_[k]] = k;
+  for (std::size_t k = 0; k < order_.size(); ++k) positionOf_[order_[k]] = static_cast<int>(k);
+}
+
+void ClusterTree::write(const ByteSink& sink) const {
+  writeValue(sink, levels_);
+  writeList(sink, order_);
+}
+
+ClusterTree::ClusterTree(const ByteSource& source) : levels_(readValue<int>(source)) {
+  constexpr int kMaxLevels = 28;
+  order_ = readList<int>(source);
+  const auto n = static_cast<int>(order_.size());
+  if (levels_ < 1 || levels_ > kMaxLevels || countOf(levels_ - 1) > std::max(n, 1) ||
+      std::any_of(order_.begin(), order_.end(), [n](int k) { return k < 0 || k >= n; }))
+    throw DamagedData();
+  setClusters();
+  setPositions();
 }
 
 int ClusterTree::levelOfSize(int size) const {

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "base/byte_stream.h"
+
 namespace palpa::bem {
 
 /// Ball about some points, mm.
@@ -23,6 +25,9 @@ class ClusterTree {
   ClusterTree() = default;
   /// Leaves have at most `leafSize` places.
   ClusterTree(const std::vector<Eigen::Vector3d>& places, int leafSize);
+  /// Reads what write() wrote. Throws DamagedData, and what the source throws.
+  explicit ClusterTree(const ByteSource& source);
+  void write(const ByteSink& sink) const;
 
   struct Cluster {
     int begin, end;  ///< positions in order()
@@ -44,6 +49,9 @@ class ClusterTree {
   const std::vector<int>& positionOf() const { return positionOf_; }  ///< of each place
 
  private:
+  void setClusters();
+  void setPositions();
+
   int levels_ = 1;
   std::vector<Cluster> clusters_;
   std::vector<int> order_, positionOf_, leafOfPosition_;

@@ -41,6 +41,30 @@ std::unique_lock<std::timed_mutex> GreensColumns::waitForTurn(const Job& job) {
   return lock;
 }
 
+void GreensColumns::take(const KnownColumns& known) {
+  const std::lock_guard lock(computing_);
+  for (std::size_t k = 0; k < known.nodes.size(); ++k) {
+    const int index = indexOfNode_[known.nodes[k]];
+    if (index < 0 || has(known.nodes[k])) continue;
+    columns_.view().middleCols<3>(3 * static_cast<Eigen::Index>(index)) =
+        known.values.middleCols<3>(3 * static_cast<Eigen::Index>(k));
+    isReady_[index].store(1, std::memory_order_release);
+    readyCount_.fetch_add(1, std::memory_order_release);
+  }
+}
+
+KnownColumns GreensColumns::copyOf(std::span<const int> nodes) const {
+  KnownColumns known;
+  for (const int node : nodes)
+    if (has(node)) known.nodes.push_back(node);
+  known.values.resize(rows_, 3 * static_cast<Eigen::Index>(known.nodes.size()));
+  for (std::size_t k = 0; k < known.nodes.size(); ++k)
+    for (int axis = 0; axis < 3; ++axis)
+      known.values.col(3 * static_cast<Eigen::Index>(k) + axis) =
+          Eigen::Map<const Eigen::VectorXf>(column(known.nodes[k], axis), rows_);
+  return known;
+}
+
 void GreensColumns::compute(std::span<const int> nodes, const Job& job,
                             ReferenceProblem::Effort effort) {
   std::vector<int> missing;

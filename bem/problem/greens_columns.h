@@ -11,6 +11,12 @@
 
 namespace palpa::bem {
 
+/// Columns that are known before any is computed.
+struct KnownColumns {
+  std::vector<int> nodes;  ///< free ones
+  Eigen::MatrixXf values;  ///< (unknown, 3 node + axis)
+};
+
 /// Columns of Xi of free nodes (displacement coefficients), computed while others are in use: any
 /// number of readers use the available columns; threads that compute columns take turns, block by
 /// block.
@@ -40,6 +46,11 @@ class GreensColumns {
     return columns_.data() + rows_ * (3 * static_cast<Eigen::Index>(indexOfNode_[node]) + axis);
   }
   Eigen::Index rows() const { return rows_; }
+
+  /// Takes columns that another object has computed for the same problem.
+  void take(const KnownColumns& known);
+  /// The columns of nodes that are available.
+  KnownColumns copyOf(std::span<const int> nodes) const;
 
   /// Computes the missing columns of these nodes in blocks; skips nodes that are not free. Other
   /// threads may read and compute meanwhile. Throws Cancelled and keeps the finished blocks. All

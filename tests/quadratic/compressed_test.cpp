@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <vector>
 
 #include "app/verification/exact/simple_meshes.h"
 #include "app/verification/exact/solved_body.h"
+#include "base/byte_reader.h"
 #include "bem/base/error.h"
 #include "bem/compressed/make_problem.h"
 #include "bem/compressed/tile_lu.h"
@@ -239,11 +242,45 @@ TEST(CompressedProblem, IsChosenForLargeQuadraticMeshesOnly) {
   EXPECT_EQ(makeReferenceProblem(*on, {conditions, kMaterial})->storageName(), "dense");
 }
 
+TEST(CompressedProblem, IsReadAsItWasWritten) {
+  BothForms box(test::box());
+  box.inputs.precision = Precision::kCompressed;
+  std::vector<std::byte> stored;
+  box.compressed->write([&](std::span<const std::byte> bytes) {
+    stored.insert(stored.end(), bytes.begin(), bytes.end());
+  });
+  EXPECT_LT(static_cast<double>(stored.size()), 1.02 * static_cast<double>(box.compressed->bytes()))
+      << "the cache plans with bytes()";
+  const auto source = [](std::span<const std::byte> from) {
+    return [from](std::span<std::byte> to) mutable {
+      if (to.size() > from.size()) throw DamagedData();
+      std::copy_n(from.begin(), to.size(), to.begin());
+      from = from.subspan(to.size());
+    };
+  };
+  const auto read = readReferenceProblem(*box.on, box.inputs, source(stored));
+  EXPECT_EQ(read->storageName(), "compressed");
+  EXPECT_EQ(read->bytes(), box.compressed->bytes());
+  EXPECT_EQ(read->conditionEstimate(), box.compressed->conditionEstimate({}));
+  const std::vector<int> columns{300, 301, 302};
+  EXPECT_EQ(read->greensColumns(columns), box.compressed->greensColumns(columns));
+  // Damaged numbers must neither take memory without bound nor be used as places.
+  for (std::size_t k = 0; k < 16; ++k) {
+    std::vector<std::byte> damaged = stored;
+    damaged[k < 8 ? 15 * k : (k * 7919) * 4 % stored.size()] ^= std::byte{0x80};
+    try {
+      readReferenceProblem(*box.on, box.inputs, source(damaged));
+    } catch (const DamagedData&) {
+    }
+  }
+  EXPECT_THROW(
+      readReferenceProblem(*box.on, box.inputs, source(std::span(stored).first(stored.size() - 1))),
+      DamagedData);
+}
+
 TEST(CompressedProblem, SaysWhatItCannotDo) {
   BothForms box(test::box());
   const std::shared_ptr<const ReferenceProblem> compressed = std::move(box.compressed);
-  EXPECT_FALSE(compressed->canBeWritten());
-  EXPECT_THROW(compressed->write([](auto) {}), std::logic_error);
   EXPECT_THROW(solveTransposed(*compressed, MatrixXd::Zero(compressed->dofs().count(), 1)),
                SolverError);
   BoundaryMesh moved = box.on->mesh();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -16,12 +18,21 @@ struct BuildOptions {
   double memoryLimit = 0;
   /// Store of solved models that is searched; null: none. Nothing is written to it.
   std::shared_ptr<ModelCache> cache;
+  /// Stored model (stored_model.h) that is taken if it belongs to the project; empty: none.
+  std::filesystem::path storedModel;
+  /// Fail with ModelingError if there is no such model, instead of computing it.
+  bool needsStoredModel = false;
+  /// Makes the problem; null: bem::makeReferenceProblem().
+  std::function<std::unique_ptr<bem::ReferenceProblem>(const bem::Discretisation&,
+                                                       const bem::ProblemInputs&, const Job&,
+                                                       bem::ReferenceProblemTimes*)>
+      makeProblem;
 };
 
 /// Builds the model of a project. Phases of progress: "mesh", "check", "setup" (supports, loads and
-/// spline elements), then "assemble" and "factorise", or "read" if the cache has the solved
-/// problem, and "solve". `former`: an earlier model, whose solved problem is used again if nothing
-/// that it depends on has changed (loads changed, or a change of shape was undone). Throws
+/// spline elements), then "assemble" and "factorise", or "read" if the cache or a file has the
+/// solved problem, and "solve". `former`: an earlier model, whose solved problem is used again if
+/// nothing that it depends on has changed (loads changed, or a change of shape was undone). Throws
 /// ModelingError (bad project; GeometryError if the surface does not bound a body), SolverError
 /// (cannot be solved; kTooLarge, with the estimate, before memory is taken), Cancelled.
 std::shared_ptr<const TouchModel> buildTouchModel(const modeling::Project& project,

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "app/core/model/model_memory.h"
+#include "app/core/model/stored_model.h"
 #include "bem/compressed/make_problem.h"
 #include "bem/dense/update_reference_problem.h"
+#include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
 #include "modeling/project/mesh_foci.h"
@@ -148,7 +150,9 @@ void ModelBuilder::makeProblem(const TouchModel* former) {
   model_->key_ = ModelCache::keyOf(discretisation, inputs);
   if (former && former->key() == model_->key() && !former->report().residual)
     model_->problem_ = former->problem();
-  else if (options_.cache)
+  else if (!options_.storedModel.empty())
+    readStored(inputs);
+  if (!model_->problem_ && options_.cache)
     model_->problem_ =
         options_.cache->read(model_->key(), discretisation, inputs, job_, report_.notice);
   if (model_->problem_) {
@@ -156,9 +160,36 @@ void ModelBuilder::makeProblem(const TouchModel* former) {
     return;
   }
   bem::ReferenceProblemTimes times;
-  model_->problem_ = bem::makeReferenceProblem(discretisation, inputs, job_, &times);
+  const auto make = options_.makeProblem ? options_.makeProblem : bem::makeReferenceProblem;
+  model_->problem_ = make(discretisation, inputs, job_, &times);
   report_.assembleSeconds = times.assemble;
   report_.factoriseSeconds = times.factorise;
+}
+
+void ModelBuilder::readStored(const bem::ProblemInputs& inputs) {
+  const bem::Discretisation& discretisation = *model_->setup().discretisation;
+  const std::string name = options_.storedModel.string();
+  StoredModel stored = readStoredModel(options_.storedModel, discretisation, inputs, job_);
+  if (stored.fit == StoredModelFit::kFits) {
+    model_->problem_ = std::move(stored.problem);
+    bem::ProblemInputs compressed = inputs;
+    compressed.precision = bem::Precision::kCompressed;
+    model_->key_ = ModelCache::keyOf(discretisation, compressed);
+    return;
+  }
+  const bool isDamaged = stored.fit == StoredModelFit::kDamaged;
+  if (isDamaged) report_.notice = name + ": is not a complete stored model and was not used";
+  if (!options_.needsStoredModel) return;
+  if (isDamaged)
+    throw modeling::ModelingError(
+        name + ": is not a complete stored model of this version; compute it again with palpa-mpi");
+  if (stored.fit == StoredModelFit::kMissing)
+    throw modeling::ModelingError(name + ": cannot be read",
+                                  modeling::ModelingError::Kind::kNotFound);
+  throw modeling::ModelingError(
+      name +
+      ": was computed for another mesh, other supports or another material; compute it "
+      "again with palpa-mpi, with the same options of the mesh");
 }
 
 bool ModelBuilder::updateProblem(const TouchModel& former) {

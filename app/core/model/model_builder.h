@@ -42,6 +42,8 @@ class ModelBuilder {
   /// Computes the parts of the model that the body force determines, once it has its problem.
   void addBodyForce();
   bem::ProblemInputs problemInputs() const;
+  /// Takes the problem of BuildOptions::storedModel if it fits.
+  void readStored(const bem::ProblemInputs& inputs);
   double lap();
 
   const BuildOptions& options_;

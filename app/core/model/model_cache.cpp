@@ -1,5 +1,7 @@
 #include "app/core/model/model_cache.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,20 +9,21 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <span>
 #include <system_error>
 #include <vector>
 
 #include "app/core/model/content_hash.h"
-#include "app/core/model/stored_model.h"
+#include "base/byte_reader.h"
 #include "bem/base/instruction_set.h"
-#include "bem/dense/make_reference_problem.h"
+#include "bem/compressed/make_problem.h"
 
 namespace palpa::app {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint32_t kFormat = 2;
+constexpr ModelMagic kMagic{'P', 'A', 'L', 'P', 'A', 'M', 'D', 'L'};
 constexpr double kKeepFree = 1024.0 * 1024.0 * 1024.0;
 constexpr const char* kEnding = ".model";
 
@@ -71,7 +74,7 @@ ModelCache::ModelCache(fs::path folder, double limit) : folder_(std::move(folder
 ModelCache::Key ModelCache::keyOf(const bem::Discretisation& discretisation,
                                   const bem::ProblemInputs& inputs) {
   ContentHash hash;
-  hash.addValue(kStoredModelFormat);
+  hash.addValue(kFormat);
   addProgram(hash);
   const std::string instructions = bem::instructionSetName();
   hash.addValue(instructions.size());
@@ -83,9 +86,8 @@ ModelCache::Key ModelCache::keyOf(const bem::Discretisation& discretisation,
   hash.addValue(youngsModulus);
   hash.addValue(poissonRatio);
   hash.addValue(inputs.assembly.tolerance);
-  hash.addValue(bem::choosePrecision(inputs.precision, discretisation.displacementCount()));
-  const XXH128_hash_t value = hash.value();
-  return {value.high64, value.low64};
+  hash.addValue(bem::effectivePrecision(discretisation, inputs.precision));
+  return keyOfContent(hash);
 }
 
 fs::path ModelCache::fileOf(const Key& key) const {
@@ -101,9 +103,19 @@ std::unique_ptr<bem::ReferenceProblem> ModelCache::read(const Key& key,
                                                         const bem::ProblemInputs& inputs,
                                                         const Job& job, std::string& notice) {
   const fs::path path = fileOf(key);
+  std::unique_ptr<bem::ReferenceProblem> problem;
   try {
-    return readStoredModel(path, key, discretisation, inputs, job);
-  } catch (const DamagedModel&) {
+    if (!readModelFile(
+            path, kMagic, key,
+            [&](const ByteSource& source) {
+              problem = bem::readReferenceProblem(discretisation, inputs, source);
+            },
+            job))
+      return nullptr;
+    // Without permission the file only ages sooner.
+    ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
+    return problem;
+  } catch (const DamagedData&) {
     std::error_code error;
     notice = fs::remove(path, error)
                  ? "a stored model was damaged; it was deleted and computed again"
@@ -125,7 +137,8 @@ bool ModelCache::write(const Key& key, const bem::ReferenceProblem& problem, con
     if (static_cast<double>(fs::space(folder_).available) < bytes + kKeepFree) return true;
     trim(limit_ - bytes);
     const fs::path part = folder_ / temporaryName();
-    writeStoredModel(part, key, problem, job);
+    writeModelFile(
+        part, kMagic, key, [&](const ByteSink& sink) { problem.write(sink); }, job);
     temporary = part;
     fs::rename(temporary, path);
     setTrouble({});

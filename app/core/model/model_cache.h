@@ -1,12 +1,12 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
 
+#include "app/core/model/model_file.h"
 #include "bem/problem/discretisation.h"
 
 namespace palpa::app {
@@ -20,10 +20,7 @@ namespace palpa::app {
 class ModelCache {
  public:
   /// 128-bit hash of mesh, kinds of conditions, material, precision, options and program.
-  struct Key {
-    std::uint64_t high = 0, low = 0;
-    bool operator==(const Key&) const = default;
-  };
+  using Key = ModelKey;
 
   /// `limit`: bytes that all files together may take. The first write makes the folder, readable by
   /// its owner only.

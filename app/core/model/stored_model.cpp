@@ -1,145 +1,116 @@
 #include "app/core/model/stored_model.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <span>
 #include <system_error>
+#include <vector>
 
 #include "app/core/model/content_hash.h"
-#include "bem/dense/make_reference_problem.h"
+#include "app/core/model/model_file.h"
+#include "base/atomic_file.h"
+#include "base/byte_reader.h"
+#include "bem/compressed/make_problem.h"
 
 namespace palpa::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<char, 8> kMagic{'P', 'A', 'L', 'P', 'A', 'M', 'D', 'L'};
-constexpr std::size_t kChunk = std::size_t{4} << 20;  // between two looks at the stop token
+constexpr ModelMagic kMagic{'P', 'A', 'L', 'P', 'A', 'S', 'L', 'V'};
+/// Changes with everything that makes older files wrong: the bytes of compressed problems, or the
+/// equations.
+constexpr ModelKey kVersion{0, 1};
+/// Nodes on another machine may differ by so much of the size of the body, which is rounding.
+constexpr double kRounding = 1e-10;
 
-/// Beginning of a file, in the byte order of the machine; the operators and factors follow.
-struct Header {
-  std::array<char, 8> magic = kMagic;
-  std::uint64_t format = kStoredModelFormat;
-  std::uint64_t keyHigh = 0, keyLow = 0;
-  std::uint64_t bytes = 0;     ///< of the rest of the file
-  std::uint64_t checksum = 0;  ///< XXH3 of them
-};
-static_assert(sizeof(Header) == 48);
+/// Thrown within readModelFile() for a file that belongs to another problem.
+struct Other {};
 
-class File {
- public:
-  File(const fs::path& path, int flags)
-      : descriptor_(::open(path.c_str(), flags | O_CLOEXEC, 0600)) {}
-  ~File() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  bool isOpen() const { return descriptor_ >= 0; }
-  int descriptor() const { return descriptor_; }
-
-  void read(std::span<std::byte> into) const {
-    while (!into.empty()) {
-      const ssize_t got = ::read(descriptor_, into.data(), into.size());
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw DamagedModel{};
-      into = into.subspan(static_cast<std::size_t>(got));
-    }
-  }
-  void write(std::span<const std::byte> from) const {
-    while (!from.empty()) {
-      const ssize_t done = ::write(descriptor_, from.data(), from.size());
-      if (done < 0 && errno == EINTR) continue;
-      if (done < 0) throw std::system_error(errno, std::generic_category());
-      from = from.subspan(static_cast<std::size_t>(done));
-    }
-  }
-
- private:
-  int descriptor_;
-};
-
-template <class Span, class Work>
-void inChunks(Span bytes, const Job& job, const Work& work) {
-  while (!bytes.empty()) {
-    job.throwIfCancelled();
-    const Span chunk = bytes.first(std::min(kChunk, bytes.size()));
-    work(chunk);
-    bytes = bytes.subspan(chunk.size());
-  }
+/// Everything but the nodes that the equations depend on.
+ModelKey keyOfRest(const bem::Discretisation& discretisation, const bem::ProblemInputs& inputs) {
+  ContentHash hash;
+  const bem::BoundaryMesh& mesh = discretisation.mesh();
+  hash.addList(mesh.triangles);
+  hash.addList(mesh.smoothingGroups);
+  hash.addList(mesh.tags);
+  hash.addList(inputs.conditions);
+  const auto& [youngsModulus, poissonRatio] = inputs.material;  // all fields
+  hash.addValue(youngsModulus);
+  hash.addValue(poissonRatio);
+  hash.addValue(inputs.assembly.tolerance);
+  return keyOfContent(hash);
 }
 
-void writeTo(const File& file, const ModelCache::Key& key, const bem::ReferenceProblem& problem,
-             const Job& job) {
-  Header header;
-  header.keyHigh = key.high;
-  header.keyLow = key.low;
-  file.write(std::as_bytes(std::span(&header, 1)));
-  ContentHash hash;
-  problem.write([&](std::span<const std::byte> all) {
-    inChunks(all, job, [&](std::span<const std::byte> chunk) {
-      file.write(chunk);
-      hash.add(chunk.data(), chunk.size());
-      header.bytes += chunk.size();
-    });
-  });
-  header.checksum = hash.value().low64;
-  if (::lseek(file.descriptor(), 0, SEEK_SET) != 0)
-    throw std::system_error(errno, std::generic_category());
-  file.write(std::as_bytes(std::span(&header, 1)));
+void writeIdentity(const bem::Discretisation& discretisation, const bem::ProblemInputs& inputs,
+                   const ByteSink& sink) {
+  writeValue(sink, keyOfRest(discretisation, inputs));
+  writeList(sink, discretisation.mesh().nodes);
+}
+
+/// Throws Other.
+void checkIdentity(const bem::Discretisation& discretisation, const bem::ProblemInputs& inputs,
+                   const ByteSource& source) {
+  if (bem::effectivePrecision(discretisation, bem::Precision::kCompressed) !=
+      bem::Precision::kCompressed)
+    throw Other{};
+  if (readValue<ModelKey>(source) != keyOfRest(discretisation, inputs)) throw Other{};
+  const auto stored = readList<Eigen::Vector3d>(source);
+  const std::vector<Eigen::Vector3d>& nodes = discretisation.mesh().nodes;
+  if (stored.size() != nodes.size()) throw Other{};
+  double size = 0, difference = 0;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    size = std::max(size, (nodes[k] - nodes.front()).norm());
+    difference = std::max(difference, (nodes[k] - stored[k]).norm());
+  }
+  if (!(difference <= kRounding * size)) throw Other{};
+}
+
+bem::ProblemInputs compressed(bem::ProblemInputs inputs) {
+  inputs.precision = bem::Precision::kCompressed;
+  return inputs;
 }
 
 }  // namespace
 
-std::unique_ptr<bem::ReferenceProblem> readStoredModel(const fs::path& path,
-                                                       const ModelCache::Key& key,
-                                                       const bem::Discretisation& discretisation,
-                                                       const bem::ProblemInputs& inputs,
-                                                       const Job& job) {
-  const File file(path, O_RDONLY);
-  if (!file.isOpen()) return nullptr;
-  Header header;
-  file.read(std::as_writable_bytes(std::span(&header, 1)));
-  struct stat state {};
-  if (::fstat(file.descriptor(), &state) != 0 || header.magic != kMagic ||
-      header.format != kStoredModelFormat ||
-      ModelCache::Key{header.keyHigh, header.keyLow} != key ||
-      static_cast<std::uint64_t>(state.st_size) != sizeof header + header.bytes)
-    throw DamagedModel{};
-  ContentHash hash;
-  std::uint64_t done = 0;
-  auto problem =
-      bem::readDenseReferenceProblem(discretisation, inputs, [&](std::span<std::byte> bytes) {
-        if (bytes.size() > header.bytes - done) throw DamagedModel{};
-        inChunks(bytes, job, [&](std::span<std::byte> chunk) {
-          file.read(chunk);
-          hash.add(chunk.data(), chunk.size());
-          done += chunk.size();
-          job.report(Phase::kRead, static_cast<double>(done) / static_cast<double>(header.bytes));
-        });
-      });
-  if (done != header.bytes || hash.value().low64 != header.checksum) throw DamagedModel{};
-  ::futimens(file.descriptor(), nullptr);  // without permission the file only ages sooner
-  return problem;
+fs::path storedModelBeside(const fs::path& project) {
+  return fs::path(project).replace_extension(".model");
 }
 
-void writeStoredModel(const fs::path& path, const ModelCache::Key& key,
-                      const bem::ReferenceProblem& problem, const Job& job) {
-  const File file(path, O_WRONLY | O_CREAT | O_EXCL);
-  if (!file.isOpen()) throw std::system_error(errno, std::generic_category());
+void writeStoredModel(const fs::path& path, const bem::Discretisation& discretisation,
+                      const bem::ProblemInputs& inputs, const bem::ReferenceProblem& problem,
+                      const Job& job) {
+  AtomicFile file(path);
   try {
-    writeTo(file, key, problem, job);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-    throw;
+    writeModelFile(
+        file.freshPath(), kMagic, kVersion,
+        [&](const ByteSink& sink) {
+          writeIdentity(discretisation, inputs, sink);
+          problem.write(sink);
+        },
+        job);
+  } catch (const std::system_error& error) {
+    throw FileError(path.string() + ": cannot be written: " + error.code().message());
   }
+  file.commit();
+}
+
+StoredModel readStoredModel(const fs::path& path, const bem::Discretisation& discretisation,
+                            const bem::ProblemInputs& inputs, const Job& job) {
+  StoredModel model;
+  try {
+    const bool isThere = readModelFile(
+        path, kMagic, kVersion,
+        [&](const ByteSource& source) {
+          checkIdentity(discretisation, inputs, source);
+          model.problem = bem::readReferenceProblem(discretisation, compressed(inputs), source);
+        },
+        job);
+    model.fit = isThere ? StoredModelFit::kFits : StoredModelFit::kMissing;
+  } catch (const DamagedData&) {
+    model = {StoredModelFit::kDamaged, nullptr};
+  } catch (const Other&) {
+    model = {StoredModelFit::kOther, nullptr};
+  }
+  return model;
 }
 
 }  // namespace palpa::app

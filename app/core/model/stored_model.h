@@ -1,32 +1,37 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 
-#include "app/core/model/model_cache.h"
+#include "bem/problem/discretisation.h"
 
-// Files of solved models: a header, then the operators and factors of one ReferenceProblem bit by
-// bit, in the byte order of the machine.
 namespace palpa::app {
 
-/// Part of ModelCache::keyOf(): changes with the form of the files.
-inline constexpr std::uint32_t kStoredModelFormat = 1;
+/// Solved models in separate files, which another program than the one that reads them may have
+/// computed, on another machine: the results of palpa-mpi. A file has the mesh, conditions and
+/// material that its equations belong to, then operators and factors. Compressed problems of
+/// quadratic triangles only.
 
-/// Thrown if a file is not as it was written.
-struct DamagedModel {};
+/// Where a model is looked for that belongs to a project: `bracket.json` -> `bracket.model`.
+std::filesystem::path storedModelBeside(const std::filesystem::path& project);
 
-/// The problem in a file, which counts as used now; null if the file cannot be opened. Throws
-/// DamagedModel, also if the file has another key, Cancelled, std::bad_alloc.
-std::unique_ptr<bem::ReferenceProblem> readStoredModel(const std::filesystem::path& file,
-                                                       const ModelCache::Key& key,
-                                                       const bem::Discretisation& discretisation,
-                                                       const bem::ProblemInputs& inputs,
-                                                       const Job& job);
+/// Replaces the file, or makes it, when it is complete. Throws FileError, Cancelled.
+void writeStoredModel(const std::filesystem::path& path, const bem::Discretisation& discretisation,
+                      const bem::ProblemInputs& inputs, const bem::ReferenceProblem& problem,
+                      const Job& job);
 
-/// Writes a new file, readable by its owner only. Throws std::system_error and Cancelled; then no
-/// part of it remains.
-void writeStoredModel(const std::filesystem::path& file, const ModelCache::Key& key,
-                      const bem::ReferenceProblem& problem, const Job& job);
+/// Whether a file is there and belongs to a problem: the same triangles, conditions and material,
+/// and nodes that differ by rounding at most.
+enum class StoredModelFit { kMissing, kDamaged, kOther, kFits };
+
+struct StoredModel {
+  StoredModelFit fit = StoredModelFit::kMissing;
+  std::unique_ptr<bem::ReferenceProblem> problem;  ///< if it fits
+};
+/// Reads a file if it fits; what does not is found at its beginning. Throws Cancelled,
+/// std::bad_alloc.
+StoredModel readStoredModel(const std::filesystem::path& path,
+                            const bem::Discretisation& discretisation,
+                            const bem::ProblemInputs& inputs, const Job& job);
 
 }  // namespace palpa::app

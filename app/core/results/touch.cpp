@@ -6,6 +6,7 @@
 #include "app/core/model/contact_kind.h"
 #include "app/core/results/field_sample.h"
 #include "app/core/results/tool_trajectory.h"
+#include "bem/compressed/compressed_reference_problem.h"
 #include "bem/contact/bilateral_contact_solver.h"
 #include "bem/contact/contact_surface.h"
 #include "bem/contact/nodal_switching.h"
@@ -158,7 +159,7 @@ TouchState TouchPlayer::play(std::span<const modeling::Touch> touches, int steps
     checkNearSurface(model_.setup().mesh(), touch.at, "the touch \"" + touch.name + "\"");
   const StaticTouchSolution solution(model_, *surface_, touches);
   if (solution.tools().empty()) return solution.describe(model_.rest().field, {});
-  if (!columns_) columns_ = std::make_unique<bem::GreensColumns>(model_.problem());
+  if (!columns_) columns_ = bem::makeGreensColumns(model_.problem());
   const ToolsAtRest tools =
       moveTools(model_, *surface_, *columns_, solution.staticContacts(), solution.tools(),
                 solution.describe(model_.rest().field, {}).field, steps, job);

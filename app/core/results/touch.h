@@ -31,7 +31,7 @@ class TouchPlayer {
  private:
   const TouchModel& model_;
   std::unique_ptr<bem::ContactSurface> surface_;
-  std::unique_ptr<bem::GreensColumns> columns_;  // for tools
+  std::shared_ptr<bem::GreensColumns> columns_;  // for tools
 };
 
 /// TouchPlayer::play() once.

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/core/model/stored_model.h"
 #include "app/core/setup/boundary_setup.h"
 #include "app/core/setup/project_geometry.h"
 #include "modeling/project/mesh_foci.h"
@@ -26,6 +27,14 @@ Session::Options withCache(Session::Options options) {
   return options;
 }
 
+/// With the model that palpa-mpi has computed for a project file, if there is one beside it.
+Session::Options withStoredModel(Session::Options options, const std::filesystem::path& project) {
+  std::error_code error;
+  const std::filesystem::path model = storedModelBeside(project);
+  if (std::filesystem::is_regular_file(model, error)) options.build.storedModel = model;
+  return options;
+}
+
 }  // namespace
 
 Session::Session(modeling::Project project, Options options)
@@ -39,7 +48,7 @@ Session::Session(modeling::Project project, Options options)
 }
 
 Session::Session(const std::filesystem::path& file, Options options)
-    : Session(modeling::readProject(file), std::move(options)) {
+    : Session(modeling::readProject(file), withStoredModel(std::move(options), file)) {
   file_ = file;
   pipeline_->keepModel();
 }

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <utility>
+
+#include "base/byte_reader.h"
+#include "bem/compressed/compressed_operators.h"
+
+namespace palpa::bem {
+
+using Eigen::Index;
+
+namespace {
+
+void writeRows(const BlockRows& rows, const ByteSink& sink) {
+  writeList(sink, rows.begin);
+  writeList(sink, rows.columns);
+  writeList(sink, rows.blocks);
+}
+
+BlockRows readRows(const ByteSource& source, std::size_t count) {
+  BlockRows rows;
+  rows.begin = readList<std::size_t>(source);
+  rows.columns = readList<int>(source);
+  rows.blocks = readList<std::array<float, 9>>(source);
+  if (rows.begin.size() != count + 1 || rows.begin.front() != 0 ||
+      rows.begin.back() != rows.columns.size() || rows.blocks.size() != rows.columns.size() ||
+      !std::is_sorted(rows.begin.begin(), rows.begin.end()))
+    throw DamagedData();
+  return rows;
+}
+
+/// The rows of both, of which one has no blocks in each row.
+BlockRows merged(const BlockRows& a, const BlockRows& b) {
+  BlockRows both;
+  both.begin.push_back(0);
+  both.columns.reserve(a.columns.size() + b.columns.size());
+  both.blocks.reserve(both.columns.capacity());
+  for (std::size_t row = 0; row + 1 < a.begin.size(); ++row) {
+    for (const BlockRows* from : {&a, &b})
+      for (std::size_t k = from->begin[row]; k < from->begin[row + 1]; ++k) {
+        both.columns.push_back(from->columns[k]);
+        both.blocks.push_back(from->blocks[k]);
+      }
+    both.begin.push_back(both.columns.size());
+  }
+  return both;
+}
+
+/// Appends blocks and restores their order: columns ascend.
+template <class Block>
+void append(std::vector<std::vector<Block>>& to, std::vector<std::vector<Block>>& from) {
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    if (from[k].empty()) continue;
+    std::move(from[k].begin(), from[k].end(), std::back_inserter(to[k]));
+    from[k].clear();
+    std::sort(to[k].begin(), to[k].end(),
+              [](const Block& a, const Block& b) { return a.column < b.column; });
+  }
+}
+
+}  // namespace
+
+void CompressedOperators::add(CompressedOperators share) {
+  append(far_, share.far_);
+  append(near_, share.near_);
+  corrections_ = merged(corrections_, share.corrections_);
+  averaged_ = merged(averaged_, share.averaged_);
+}
+
+void CompressedOperators::write(const ByteSink& sink) const {
+  bem::write(order_, sink);
+  for (const auto& blocks : far_) {
+    std::vector<int> heads;
+    for (const FarBlock& block : blocks) {
+      heads.push_back(block.column);
+      heads.push_back(static_cast<int>(block.V.rows()));
+    }
+    writeList(sink, heads);
+    for (const FarBlock& block : blocks) {
+      writeNumbers(sink, block.U);
+      writeNumbers(sink, block.V);
+    }
+  }
+  for (const auto& blocks : near_) {
+    std::vector<int> columns;
+    for (const NearBlock& block : blocks) columns.push_back(block.column);
+    writeList(sink, columns);
+    for (const NearBlock& block : blocks) writeNumbers(sink, block.K);
+  }
+  std::vector<int> rows, columns;
+  std::vector<float> values;
+  for (Index row = 0; row < weights_.rows(); ++row)
+    for (decltype(weights_)::InnerIterator w(weights_, row); w; ++w) {
+      rows.push_back(static_cast<int>(w.row()));
+      columns.push_back(static_cast<int>(w.col()));
+      values.push_back(w.value());
+    }
+  writeCount(sink, static_cast<std::size_t>(weights_.rows()));
+  writeList(sink, rows);
+  writeList(sink, columns);
+  writeList(sink, values);
+  writeRows(corrections_, sink);
+  writeRows(averaged_, sink);
+}
+
+CompressedOperators::CompressedOperators(const ByteSource& source)
+    : order_(readCompressedOrder(source)) {
+  const ClusterTree& tree = order_.tree;
+  const auto checkCluster = [&](int cluster) {
+    if (cluster < 0 || cluster >= tree.count()) throw DamagedData();
+  };
+  far_.resize(static_cast<std::size_t>(tree.count()));
+  for (int c = 0; c < tree.count(); ++c) {
+    const std::vector<int> heads = readList<int>(source);
+    for (std::size_t k = 0; k + 1 < heads.size(); k += 2) {
+      checkCluster(heads[k]);
+      const int rank = heads[k + 1], rows = order_.rows(c), columns = order_.columns(heads[k]);
+      if (rank < 0 || rank > std::max(rows, columns)) throw DamagedData();
+      FarBlock& block = far_[c].emplace_back();
+      block.column = heads[k];
+      block.U.resize(rows, rank);
+      block.V.resize(rank, columns);
+    }
+    for (FarBlock& block : far_[c]) {
+      readNumbers(source, block.U);
+      readNumbers(source, block.V);
+    }
+  }
+  const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
+  near_.resize(static_cast<std::size_t>(tree.count() - firstLeaf));
+  for (int leaf = firstLeaf; leaf < tree.count(); ++leaf) {
+    auto& blocks = near_[leaf - firstLeaf];
+    for (const int column : readList<int>(source)) {
+      checkCluster(column);
+      blocks.push_back({column, {}});
+    }
+    for (NearBlock& block : blocks) {
+      block.K.resize(order_.rows(leaf), order_.columns(block.column));
+      readNumbers(source, block.K);
+    }
+  }
+  readWeights(source);
+  corrections_ = readRows(source, order_.points.size());
+  averaged_ = readRows(source, static_cast<std::size_t>(equationCount()));
+}
+
+void CompressedOperators::readWeights(const ByteSource& source) {
+  const std::size_t equations = readCount(source, 3 * order_.points.size() + 1);
+  const std::vector<int> rows = readList<int>(source), columns = readList<int>(source);
+  const std::vector<float> values = readList<float>(source);
+  if (columns.size() != rows.size() || values.size() != rows.size()) throw DamagedData();
+  std::vector<Eigen::Triplet<float>> weights;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (rows[k] < 0 || rows[k] >= static_cast<int>(equations) || columns[k] < 0 ||
+        columns[k] >= static_cast<int>(order_.points.size()))
+      throw DamagedData();
+    weights.emplace_back(rows[k], columns[k], values[k]);
+  }
+  weights_.resize(static_cast<Index>(equations), static_cast<Index>(order_.points.size()));
+  weights_.setFromTriplets(weights.begin(), weights.end());
+}
+
+bool CompressedOperators::reaches(std::span<const int> equations) const {
+  using Weights = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+  const auto hasRow = [](const BlockRows& rows, std::size_t row) {
+    return rows.begin[row] < rows.begin[row + 1];
+  };
+  const auto hasPoint = [&](int point) {
+    if (hasRow(corrections_, static_cast<std::size_t>(point))) return true;
+    const auto after = std::upper_bound(order_.firstPoint.begin(), order_.firstPoint.end(), point);
+    int cluster = order_.tree.leafOf(static_cast<int>(after - order_.firstPoint.begin()) - 1);
+    if (!near_[cluster - ClusterTree::firstOf(order_.tree.levelCount() - 1)].empty()) return true;
+    for (;; cluster = (cluster - 1) / 2) {
+      if (!far_[cluster].empty()) return true;
+      if (cluster == 0) return false;
+    }
+  };
+  for (const int e : equations) {
+    if (hasRow(averaged_, static_cast<std::size_t>(e))) return true;
+    for (Weights::InnerIterator w(weights_, e); w; ++w)
+      if (hasPoint(static_cast<int>(w.col()))) return true;
+  }
+  return false;
+}
+
+CompressedOperators::Sizes CompressedOperators::sizes() const {
+  Sizes sizes;
+  for (const auto& blocks : far_)
+    for (const FarBlock& block : blocks) {
+      sizes.far += static_cast<std::size_t>(block.U.size() + block.V.size()) * sizeof(float);
+      sizes.meanRank += static_cast<double>(block.V.rows());
+      ++sizes.farBlocks;
+    }
+  if (sizes.farBlocks > 0) sizes.meanRank /= sizes.farBlocks;
+  for (const auto& blocks : near_)
+    for (const NearBlock& block : blocks)
+      sizes.near += static_cast<std::size_t>(block.K.size()) * sizeof(float);
+  sizes.averaged = averaged_.bytes() + corrections_.bytes();
+  return sizes;
+}
+
+std::size_t CompressedOperators::bytes() const {
+  const Sizes all = sizes();
+  const std::size_t ofOrder =
+      2 * (order_.tree.order().size() + order_.slots.size() + order_.points.size()) * sizeof(int);
+  const auto ofWeights = static_cast<std::size_t>(weights_.nonZeros()) * (sizeof(float) + 4);
+  return all.far + all.near + all.averaged + ofOrder + ofWeights;
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,91 @@
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "bem/compressed/tile_lu.h"
+#include "bem/linalg/single_precision.h"
+
+namespace palpa::bem {
+
+using Eigen::Index;
+using Eigen::MatrixXf;
+
+std::size_t TileLu::bytes() const {
+  std::size_t bytes = 0;
+  for (const Tile& each : tiles_)
+    bytes += static_cast<std::size_t>(each.X.size() + each.Y.size()) * sizeof(float);
+  return bytes;
+}
+
+int TileLu::largestRank() const {
+  int largest = 0;
+  for (int row = 0; row < count(); ++row)
+    for (int column = 0; column < count(); ++column)
+      if (row != column) largest = std::max(largest, tile(row, column).rank());
+  return largest;
+}
+
+double TileLu::meanRank() const {
+  double sum = 0;
+  for (int row = 0; row < count(); ++row)
+    for (int column = 0; column < count(); ++column)
+      if (row != column) sum += tile(row, column).rank();
+  return count() > 1 ? sum / (count() * (count() - 1.0)) : 0;
+}
+
+template <class Use>
+void TileLu::forOthers(int first, int end, const Job& job, const Use& use) const {
+  constexpr int kTilesPerTask = 4;
+  parallelFor((end - first + kTilesPerTask - 1) / kTilesPerTask, job, [&](std::ptrdiff_t task) {
+    const int from = first + kTilesPerTask * static_cast<int>(task);
+    for (int k = from; k < std::min(end, from + kTilesPerTask); ++k) use(k);
+  });
+}
+
+void TileLu::subtract(const Tile& tile, bool isTransposed, const MatrixXf& x, MatrixXf& y) {
+  if (tile.rank() == 0) return;
+  if (tile.isDense()) {
+    multiply(isTransposed, false, -1, tile.X, x, 1, y);
+    return;
+  }
+  MatrixXf inner;
+  multiply(true, false, 1, isTransposed ? tile.X : tile.Y, x, 0, inner);
+  multiply(false, false, -1, isTransposed ? tile.Y : tile.X, inner, 1, y);
+}
+
+std::vector<MatrixXf> TileLu::partsOf(const MatrixXf& x) const {
+  std::vector<MatrixXf> parts;
+  for (int k = 0; k < count(); ++k) parts.emplace_back(x.middleRows(begins_[k], sizes_[k]));
+  return parts;
+}
+
+void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
+  std::vector<MatrixXf> parts = partsOf(x);
+  for (int k = 0; k < count(); ++k) {
+    swapRows(pivots_[k], parts[k], true);
+    solveTriangular(CblasLeft, CblasLower, false, true, tile(k, k).X, parts[k]);
+    forOthers(k + 1, count(), job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
+  }
+  for (int k = count() - 1; k >= 0; --k) {
+    solveTriangular(CblasLeft, CblasUpper, false, false, tile(k, k).X, parts[k]);
+    forOthers(0, k, job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
+  }
+  for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
+  x.array().colwise() *= columnScales_;
+}
+
+void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
+  x.array().colwise() *= columnScales_;
+  std::vector<MatrixXf> parts = partsOf(x);
+  for (int k = 0; k < count(); ++k) {
+    solveTriangular(CblasLeft, CblasUpper, true, false, tile(k, k).X, parts[k]);
+    forOthers(k + 1, count(), job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
+  }
+  for (int k = count() - 1; k >= 0; --k) {
+    solveTriangular(CblasLeft, CblasLower, true, true, tile(k, k).X, parts[k]);
+    swapRows(pivots_[k], parts[k], false);
+    forOthers(0, k, job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
+  }
+  for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
+}
+
+}  // namespace palpa::bem
