@@ -8,6 +8,11 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME palpa)
 install(TARGETS palpa palpa-cli RUNTIME)
 install(TARGETS palpa-read-cad RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/palpa)
 
+# In none of the packages, because it needs PETSc.
+if(TARGET palpa-mpi)
+  install(TARGETS palpa-mpi RUNTIME COMPONENT mpi)
+endif()
+
 # palpa-cli writes its manual page and its completion itself.
 set(palpa_manual ${PROJECT_BINARY_DIR}/manual)
 file(MAKE_DIRECTORY ${palpa_manual})

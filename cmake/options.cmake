@@ -3,6 +3,7 @@ find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
 option(PALPA_PYTHON "Build the Python package palpa (docs/python.md)" ON)
+option(PALPA_MPI "Build palpa-mpi, for several processes or machines (docs/cluster.md)" OFF)
 set(PALPA_SANITIZE "" CACHE STRING "Sanitizers to build with, as in -fsanitize=…; empty for none")
 
 add_library(palpa_options INTERFACE)
