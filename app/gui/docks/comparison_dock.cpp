@@ -214,7 +214,7 @@ void ComparisonDock::showTable() {
   const bool hasRows = result && result->comparison;
   copy_->setEnabled(hasRows);
   export_->setEnabled(hasRows);
-  if (comparison_.isActive()) showStatus();
+  showState();  // with the buttons: a build may have ended since
   if (!hasRows) {
     table_->clear();
     return;
