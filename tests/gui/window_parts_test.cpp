@@ -72,6 +72,17 @@ TEST_F(WindowParts, EveryToolIsCompleteAndInTheGuide) {
   }
 }
 
+TEST_F(WindowParts, AnIconWithoutRoomIsEmpty) {
+  static int warnings;
+  warnings = 0;
+  const QtMessageHandler former = qInstallMessageHandler(
+      [](QtMsgType, const QMessageLogContext&, const QString&) { ++warnings; });
+  EXPECT_TRUE(icon("help").pixmap(QSize(0, 20)).isNull());
+  EXPECT_FALSE(icon("help").pixmap(QSize(20, 20)).isNull());
+  qInstallMessageHandler(former);
+  EXPECT_EQ(warnings, 0);
+}
+
 TEST_F(WindowParts, EveryQuantityHasUnits) {
   for (const QuantityInfo& quantity : quantities()) {
     ASSERT_NE(quantity.key, nullptr);
