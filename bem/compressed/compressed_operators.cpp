@@ -131,7 +131,7 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
     applyToPoints(x, y, job);
     parallelFor(
         (equations + kEquationsPerTask - 1) / kEquationsPerTask, job, [&](std::ptrdiff_t task) {
-          // In double precision, so that the sum of a team's shares is the whole to the last bit.
+          // In double precision: the rounding of the points alone tells a team's sum from the whole.
           Eigen::Matrix<double, 3, Eigen::Dynamic> sum(3, columns);
           RowMatrixXf averaged(3, columns);
           for (Index e = task * kEquationsPerTask;

@@ -14,7 +14,7 @@ namespace palpa::bem {
 /// Columns that are known before any is computed.
 struct KnownColumns {
   std::vector<int> nodes;  ///< free ones
-  Eigen::MatrixXf values;  ///< (unknown, 3 node + axis)
+  Eigen::MatrixXf values;  ///< (unknown, 3 k + axis) of nodes[k], as GreensColumns::column()
 };
 
 /// Columns of Xi of free nodes (displacement coefficients), computed while others are in use: any
