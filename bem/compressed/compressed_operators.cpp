@@ -131,7 +131,7 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
     applyToPoints(x, y, job);
     parallelFor(
         (equations + kEquationsPerTask - 1) / kEquationsPerTask, job, [&](std::ptrdiff_t task) {
-          // In double precision: the rounding of the points alone tells a team's sum from the whole.
+          // In double precision: a team's sum differs by the rounding of points alone.
           Eigen::Matrix<double, 3, Eigen::Dynamic> sum(3, columns);
           RowMatrixXf averaged(3, columns);
           for (Index e = task * kEquationsPerTask;
