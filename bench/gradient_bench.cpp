@@ -134,6 +134,7 @@ int main(int argc, char** argv) {
   CLI11_PARSE(options, argc, argv);
   Job job;
   job.threads = threads;
+  int result = 0;
   for (const std::string& file : files)
     for (const std::string& engine : engines) {
       modeling::Project project = modeling::readProject(file);
@@ -141,10 +142,15 @@ int main(int argc, char** argv) {
       if (engine == "triangles") project.mesh.engine = modeling::Engine::kTriangles;
       if (engine == "quadratic") project.mesh.engine = modeling::Engine::kQuadratic;
       if (edge > 0) project.mesh.edgeLength = edge;
-      if (settings.times > 0)
-        measureTimes(file + " " + engine, project, settings.times, job);
-      else
-        measure(file + " " + engine, project, settings, job);
+      try {
+        if (settings.times > 0)
+          measureTimes(file + " " + engine, project, settings.times, job);
+        else
+          measure(file + " " + engine, project, settings, job);
+      } catch (const std::exception& error) {  // say, a step that folds the body
+        std::fprintf(stderr, "%s %s: %s\n", file.c_str(), engine.c_str(), error.what());
+        result = 1;
+      }
     }
-  return 0;
+  return result;
 }

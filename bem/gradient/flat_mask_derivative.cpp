@@ -6,6 +6,7 @@
 #include <map>
 
 #include "bem/base/triangle_rule.h"
+#include "bem/gradient/recovery_derivative.h"
 #include "bem/model/displacement_recovery.h"
 
 namespace palpa::bem {
@@ -73,20 +74,17 @@ class FlatMask {
   std::map<int, Index> indexOf_;
 };
 
-std::vector<Point> pointsBelow(const BoundaryMesh& mesh, const TractionSlots& slots,
+/// `values`: h·u at the nodes.
+std::vector<Point> pointsBelow(const BoundaryMesh& mesh, const DisplacementRecovery& recovery,
                                const ContactMask& mask, const FlatMask& below,
-                               const Vector3d& ofMean, const VectorXd& u) {
-  const DisplacementRecovery recovery(mesh, slots);
-  const auto value = [&](int node) {
-    return ofMean.dot(u.segment<3>(3 * static_cast<Index>(node)));
-  };
+                               const VectorXd& values) {
   std::vector<Point> points;
   for (int t = 0; t < mesh.triangleCount(); ++t) {
     if (!below.isBelow(t)) continue;
     std::array<double, 3> corner{}, bulge{};
     for (int a = 0; a < 3; ++a) {
-      corner[a] = value(mesh.triangles[t][a]);
-      for (const auto& [node, weight] : recovery.bulge(t, a)) bulge[a] += weight * value(node);
+      corner[a] = values[mesh.triangles[t][a]];
+      for (const auto& [node, weight] : recovery.bulge(t, a)) bulge[a] += weight * values[node];
     }
     const int cells = cellsOf(mesh, t, mask.radius);
     const double area = mesh.area(t) / (cells * cells);
@@ -117,12 +115,15 @@ std::vector<Point> pointsBelow(const BoundaryMesh& mesh, const TractionSlots& sl
 
 // φ solves (M + F) φ = R, R_a = ∫ N_a b, F_a = m_a min((kFade m_a / R_a)², max), m_a = ∫ N_a. With
 // J and G as in maskDerivative() and η = (M + F)⁻¹ G,
-//   dJ = η·dR - η·(dM + dF) φ + Σ δW Φ (h·u - J) / c,  dF_a / F_a = 3 dm_a / m_a - 2 dR_a / R_a.
+//   dJ = η·dR - η·(dM + dF) φ + Σ δW Φ (h·u - J) / c + Σ W Φ δ(h·u) / c,  dF_a / F_a = 3 dm_a / m_a
+//   - 2 dR_a / R_a.
 Matrix3Xd flatMaskDerivative(const BoundaryMesh& mesh, const TractionSlots& slots,
                              const ContactMask& mask, const MaskWork& work, const VectorXd& u) {
   const FlatMask below(mesh, mask);
   const Index count = below.count();
-  const std::vector<Point> points = pointsBelow(mesh, slots, mask, below, work.ofMean, u);
+  const DisplacementRecovery recovery(mesh, slots);
+  const VectorXd values = u.reshaped(3, u.size() / 3).transpose() * work.ofMean;
+  const std::vector<Point> points = pointsBelow(mesh, recovery, mask, below, values);
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(count, count);
   VectorXd right = VectorXd::Zero(count), integrals = right, means = right;
   for (const Point& point : points) {
@@ -158,7 +159,13 @@ Matrix3Xd flatMaskDerivative(const BoundaryMesh& mesh, const TractionSlots& slot
     if (!capped) byRight[a] += 2 * faded / right[a];
   }
 
-  Matrix3Xd result = Matrix3Xd::Zero(3, mesh.nodeCount());
+  BulgeWeights ofBulges(static_cast<std::size_t>(mesh.triangleCount()), {0, 0, 0});
+  for (const Point& point : points)
+    for (int a = 0; a < 3; ++a)
+      ofBulges[static_cast<std::size_t>(point.triangle)][a] += point.area * below.at(point, raw) *
+                                                               point.weights[a] *
+                                                               point.weights[(a + 1) % 3] / carried;
+  Matrix3Xd result = bulgeDerivative(mesh, slots, recovery, values, ofBulges);
   Vector3d ofCentre = Vector3d::Zero();
   for (const Point& point : points) {
     const auto& corners = mesh.triangles[point.triangle];

@@ -26,6 +26,9 @@ class DisplacementRecovery {
   /// values: b_ab = sum_k weight_k u_k.
   std::map<int, double> bulge(int triangle, int a) const;
 
+  /// Triangles that share a slot.
+  const std::vector<int>& trianglesAround(int slot) const { return trianglesOfSlot_[slot]; }
+
  private:
   /// Adds factor * (grad u at the slot) . direction, as weights of nodal values.
   void addGradient(int slot, const Eigen::Vector3d& direction, double factor,

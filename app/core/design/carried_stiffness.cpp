@@ -13,6 +13,9 @@ using Eigen::Vector3d;
 
 namespace {
 
+// Small motions are meant: thin triangles of a graded mesh may become a little thinner.
+constexpr modeling::FollowLimits kLimits{.smallestAngle = 1};
+
 BoundarySetup movedSetup(const modeling::Project& project, const modeling::Project& moved,
                          const TouchModel& model, const Job& job) {
   if (model.setup().splines) {
@@ -21,12 +24,13 @@ BoundarySetup movedSetup(const modeling::Project& project, const modeling::Proje
                              modeling::mesh(moved.body, moved.mesh, geometry.regions(), job));
   }
   const ProjectGeometry geometry(moved);
-  auto followed =
-      modeling::followSolid(model.surface(), std::get<modeling::Solid>(project.body),
-                            std::get<modeling::Solid>(moved.body), geometry.regions(), {}, job);
+  auto followed = modeling::followSolid(model.surface(), std::get<modeling::Solid>(project.body),
+                                        std::get<modeling::Solid>(moved.body), geometry.regions(),
+                                        kLimits, job);
   if (!followed.update)
     throw bem::SolverError(bem::SolverError::Kind::kBadMesh,
-                           "the moved body must be meshed again; move the points less");
+                           "the moved body must be meshed again, because " + followed.remeshReason +
+                               "; move the points less");
   return makeBoundarySetup(geometry, followed.update->mesh);
 }
 
