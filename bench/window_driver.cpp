@@ -54,8 +54,8 @@ double WindowDriver::waitForModel() {
   QElapsedTimer clock;
   clock.start();
   const auto isBuilding = [&] { return editor().rebuildStatus().state == State::kBuilding; };
-  if (!runUntil([&] { return !isBuilding(); }, 300))
-    throw std::runtime_error("the model is not there after five minutes");
+  if (!runUntil([&] { return !isBuilding(); }, 600))
+    throw std::runtime_error("the model is not there after ten minutes");
   if (editor().rebuildStatus().state != State::kUpToDate)
     throw std::runtime_error(editor().rebuildStatus().error);
   return static_cast<double>(clock.nsecsElapsed()) * 1e-9;

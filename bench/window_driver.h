@@ -20,6 +20,8 @@ class WindowDriver {
 
   gui::MainWindow& window() { return *window_; }
   gui::Editor& editor() { return window_->editor(); }
+  /// False for a mesh body.
+  bool hasControlPoints() { return editor().solid() != nullptr; }
 
   /// Waits until the model belongs to the newest edit; returns the seconds. Throws
   /// std::runtime_error if it cannot be built.

@@ -74,8 +74,10 @@ std::vector<FrameRow> measureFrames(WindowDriver& driver, const std::filesystem:
     driver.orbit(0.3);
     driver.rest();
     add("orbit", driver.orbit(seconds));
-    add("drag", driver.drag(seconds));
-    driver.waitForModel();
+    if (driver.hasControlPoints()) {  // no mesh body
+      add("drag", driver.drag(seconds));
+      driver.waitForModel();
+    }
     driver.touch(1);  // columns of the place
     driver.rest();
     add("touch", driver.touch(seconds));

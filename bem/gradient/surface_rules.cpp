@@ -146,6 +146,34 @@ SampledElements sampledTriangles(const QuadraticSurface& surface, const std::vec
   return collector.finish();
 }
 
+Eigen::Matrix3Xd byMaterialPoints(const MovingElements& moving, const SampledElements& sampled,
+                                  const ShapeDensity& density) {
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, moving.pointCount());
+  MovingElements::Functions functions;
+  Index q = 0;
+  for (const FieldSampler::Block& block : sampled.blocks) {
+    const int element = sampled.places[static_cast<std::size_t>(q)].element;
+    const Eigen::Matrix3Xd positions = moving.positions(element);
+    Eigen::Matrix3Xd byFunctions = Eigen::Matrix3Xd::Zero(3, positions.cols());
+    for (const SampledPoint& point : block.points) {
+      const ElementPlace& place = sampled.places[static_cast<std::size_t>(q)];
+      moving.evaluate(element, moving.coordinates(place), functions);
+      // ∂V/∂t_a = Σ_b (M⁻¹)_ba ∂V/∂c_b with M_ab = t_a·∂y/∂c_b.
+      Eigen::Matrix2d metric;
+      metric.col(0) = point.frame.leftCols<2>().transpose() * (positions * functions.du);
+      metric.col(1) = point.frame.leftCols<2>().transpose() * (positions * functions.dv);
+      const Eigen::Matrix<double, 3, 2> slope =
+          density.slope.middleCols<2>(2 * q) * metric.inverse().transpose();
+      byFunctions += density.value.col(q) * functions.value.transpose() +
+                     slope.col(0) * functions.du.transpose() +
+                     slope.col(1) * functions.dv.transpose();
+      ++q;
+    }
+    moving.addTo(element, byFunctions, result);
+  }
+  return result;
+}
+
 std::vector<int> elementsOf(const ElementSurface& surface, std::span<const int> coefficients) {
   std::vector<bool> isWanted(static_cast<std::size_t>(surface.coefficientCount()), false);
   for (const int k : coefficients) isWanted[k] = true;

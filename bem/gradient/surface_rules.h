@@ -6,6 +6,8 @@
 #include "bem/element/contact_elements.h"
 #include "bem/element/element_surface.h"
 #include "bem/gradient/field_sampler.h"
+#include "bem/gradient/moving_elements.h"
+#include "bem/gradient/shape_density.h"
 #include "bem/model/displacement_recovery.h"
 
 namespace palpa::bem {
@@ -30,6 +32,11 @@ SampledElements sampledBumps(const QuadraticSurface& surface, const ContactEleme
 /// Rule of degree 8 on `cells`^2 congruent cells of some elements.
 SampledElements sampledTriangles(const QuadraticSurface& surface, const std::vector<int>& elements,
                                  int cells);
+
+/// Derivative by material points, one column each, of what has a density over the sampled points:
+/// the points move as the elements interpolate the motion of the material points.
+Eigen::Matrix3Xd byMaterialPoints(const MovingElements& moving, const SampledElements& sampled,
+                                  const ShapeDensity& density);
 
 /// Elements on which functions of some coefficients are nonzero, ascending.
 std::vector<int> elementsOf(const ElementSurface& surface, std::span<const int> coefficients);

@@ -3,7 +3,6 @@
 #include "app/core/setup/to_spline_surface.h"
 #include "bem/base/triangle_rule.h"
 #include "bem/element/element_contact_surface.h"
-#include "bem/gradient/surface_rules.h"
 #include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/spline/spline_discretisation.h"
 #include "modeling/error.h"
@@ -178,17 +177,14 @@ std::optional<MaskSurface> makeMaskSurface(const TouchModel& model,
                                            const bem::ContactMask& mask) {
   const auto* contact = dynamic_cast<const bem::ElementContactSurface*>(&surface);
   if (!contact) return std::nullopt;
-  const auto& solid = std::get<modeling::Solid>(model.body());
-  if (const auto& on = model.setup().splines) {
-    bem::SampledElements sampled =
-        bem::sampledBumps(on->surface(), on->elements(), contact->elements(), mask.nodes);
-    ShapeBasis basis = basisOf(*on, solid, sampled);
-    return MaskSurface{std::move(sampled.blocks), bem::MaskShares::kFunctions, std::move(basis)};
-  }
-  const bem::QuadraticDiscretisation& on = *quadraticOf(model);
-  bem::SampledElements sampled = bem::sampledBumps(on.surface(), contact->elements(), mask.nodes);
-  ShapeBasis basis = basisOf(on, solid, sampled, trianglesOf(model, solid));
-  return MaskSurface{std::move(sampled.blocks), bem::MaskShares::kAreas, std::move(basis)};
+  if (const auto& on = model.setup().splines)
+    return MaskSurface{
+        bem::sampledBumps(on->surface(), on->elements(), contact->elements(), mask.nodes),
+        bem::MaskShares::kFunctions, std::make_unique<bem::MovingSplines>(on->surface())};
+  const bem::QuadraticSurface& surfaceOfModel = quadraticOf(model)->surface();
+  return MaskSurface{bem::sampledBumps(surfaceOfModel, contact->elements(), mask.nodes),
+                     bem::MaskShares::kAreas,
+                     std::make_unique<bem::MovingTriangles>(surfaceOfModel)};
 }
 
 }  // namespace palpa::app

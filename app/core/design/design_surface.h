@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "app/core/design/shape_basis.h"
 #include "app/core/model/touch_model.h"
 #include "bem/gradient/field_sampler.h"
 #include "bem/gradient/mask_derivative.h"
+#include "bem/gradient/surface_rules.h"
 
 namespace palpa::app {
 
@@ -14,14 +17,16 @@ struct DesignSurface {
   ShapeBasis basis;
 };
 
-/// Points at which the bump of a mask is integrated, and the motion of their points.
+/// Points at which the bump of a mask is integrated.
 struct MaskSurface {
-  std::vector<bem::FieldSampler::Block> blocks;
+  bem::SampledElements sampled;
   bem::MaskShares shares;
-  ShapeBasis basis;
+  /// How the points move with the material points of bem::ResidualShape.
+  std::unique_ptr<const bem::MovingElements> moving;
 };
 
-/// None for flat triangles, whose masks are projected otherwise. `surface`: of the model.
+/// None for flat triangles, whose masks are projected otherwise. `surface`: of the model, which
+/// must outlive the result.
 std::optional<MaskSurface> makeMaskSurface(const TouchModel& model,
                                            const bem::ContactSurface& surface,
                                            const bem::ContactMask& mask);

@@ -103,9 +103,10 @@ Matrix3Xd StiffnessGradients::ofMasks(const ContactStiffness& stiffness,
       continue;
     }
     Vector3d ofCentre;
-    const bem::ShapeDensity density = bem::maskDerivative(below->blocks, mask, work, below->shares,
-                                                          stiffness.load.u.col(0), ofCentre);
-    result -= below->basis.gradient(density);
+    const bem::ShapeDensity density = bem::maskDerivative(
+        below->sampled.blocks, mask, work, below->shares, stiffness.load.u.col(0), ofCentre);
+    result -=
+        points_.byControlPoints(bem::byMaterialPoints(*below->moving, below->sampled, density));
     for (const auto& [point, weight] : nearest.of(mask.point.position))
       result.col(point) -= weight * ofCentre;
   }
