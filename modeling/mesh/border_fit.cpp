@@ -15,6 +15,9 @@ namespace {
 constexpr double kMoveWithin = 0.35;  // of a crossed edge, measured from the node
 constexpr double kCountsAsOn = 0.05;  // the same, for nodes that cannot move
 constexpr double kCornerCountsAsOn = 0.1;
+// Beside a half space no edge of such a node is crossed farther from it; strokes, whose borders
+// bend, would get slivers.
+constexpr double kEdgesCountAsOn = 0.25;
 constexpr double kArch = 0.25;  // largest rise of the surface over a triangle, of its longest edge
 // Largest drop of the distance from strokes along an edge below its end values, of the edge length.
 constexpr double kSteepest = 0.5;
@@ -176,6 +179,15 @@ class BorderFit {
            std::find(rails.begin(), rails.end(), other) != rails.end();
   }
 
+  /// Largest part of an edge of a node between the node and the border. Where a border meets a
+  /// patch edge at a small angle, it is close to a node and yet crosses the patch edge far from it.
+  double farthestCrossing(int node) const {
+    double farthest = 0.0;
+    for (int other : editor_.neighbours(node))
+      if (isCrossed(node, other)) farthest = std::max(farthest, crossing(node, other));
+    return farthest;
+  }
+
   void moveNodes() {
     std::vector<Crossing> crossings;
     for (std::size_t a = 0; a < values_.size(); ++a)
@@ -201,7 +213,8 @@ class BorderFit {
           continue;
         }
       }
-      if (c.part <= (editor_.mesh().nodes[c.node].isCorner() ? kCornerCountsAsOn : kCountsAsOn))
+      if (c.part <= (editor_.mesh().nodes[c.node].isCorner() ? kCornerCountsAsOn : kCountsAsOn) &&
+          (border_.isPainted() || farthestCrossing(c.node) <= kEdgesCountAsOn))
         values_[c.node] = 0.0;
     }
   }

@@ -33,8 +33,12 @@ constexpr int kSettleTime = 60;       // ms until a dialog is answered
 constexpr int kFileDialogTime = 250;  // ms: it proposes a name once it has read its folder
 constexpr int kMaxProgress = 1500;    // ms until work that nobody interrupts is cancelled
 constexpr int kMaxTries = 60;         // to get rid of a dialog
-constexpr int kPatience = 180'000;    // ms
-constexpr int kWindowUses = 60;       // of one window
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int kPatience = 1'000'000;  // ms
+#else
+constexpr int kPatience = 180'000;  // ms
+#endif
+constexpr int kWindowUses = 60;                    // of one window
 constexpr std::uint64_t kLongRecording = 200'000;  // steps of a millisecond
 
 /// An example that is built within a second, under sanitizers within ten.

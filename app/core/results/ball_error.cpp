@@ -29,7 +29,7 @@ double meanCurvature(const bem::BoundaryMesh& mesh, const PressingBall& ball, do
 }  // namespace
 
 double ballPressureError(const BoundarySetup& setup, const PressingBall& ball) {
-  constexpr double kOfSplines = 0.15, kOfTriangles = 0.1, kMaskCompliance = 0.7665;
+  constexpr double kOfSplines = 0.15, kOfTriangles = 0.06, kMaskCompliance = 0.7665;
   const bem::Material& material = setup.material;
   const double modulus =
       material.youngsModulus / (1 - material.poissonRatio * material.poissonRatio);

@@ -31,7 +31,7 @@ bool hasCutSplines(const BoundarySetup& setup) {
 CoverFactors coverFactors(const BoundarySetup& setup) {
   if (setup.engine == modeling::Engine::kTriangles) return {5, 5};
   if (setup.engine == modeling::Engine::kQuadratic) return {5, 0.8};
-  return {hasCutSplines(setup) ? 2.8 : 1.5, 3.8};
+  return {hasCutSplines(setup) ? 2.8 : 1.5, 2};
 }
 
 SampledError::Squares SampledError::at(const bem::SurfacePoint& place) const {
