@@ -1,6 +1,8 @@
 #include "mesh_checks.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -62,7 +64,7 @@ double distanceFromSurface(const SurfaceMesh& mesh, const Solid& solid) {
   return worst;
 }
 
-double borderFault(const SurfaceMesh& mesh, int region, const HalfSpace& half) {
+std::vector<int> borderNodes(const SurfaceMesh& mesh, int region) {
   const std::set<int> chosen(mesh.trianglesOfRegion[region].begin(),
                              mesh.trianglesOfRegion[region].end());
   std::set<int> inside;
@@ -70,9 +72,16 @@ double borderFault(const SurfaceMesh& mesh, int region, const HalfSpace& half) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (int node : mesh.triangles[t])
       (chosen.contains(static_cast<int>(t)) ? inside : outside).insert(node);
+  std::vector<int> shared;
+  std::set_intersection(inside.begin(), inside.end(), outside.begin(), outside.end(),
+                        std::back_inserter(shared));
+  return shared;
+}
+
+double borderFault(const SurfaceMesh& mesh, int region, const HalfSpace& half) {
   double worst = 0.0;
-  for (int node : inside)
-    if (outside.contains(node)) worst = std::max(worst, std::abs(half.value(mesh.positions[node])));
+  for (int node : borderNodes(mesh, region))
+    worst = std::max(worst, std::abs(half.value(mesh.positions[node])));
   return worst;
 }
 

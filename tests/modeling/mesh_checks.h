@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "modeling/mesh/surface_mesh.h"
 
@@ -18,7 +19,10 @@ double regionArea(const SurfaceMesh& mesh, int region);
 /// Largest distance of a node from the surface point at its parameters.
 double distanceFromSurface(const SurfaceMesh& mesh, const Solid& solid);
 
-/// Largest |normal · x - below| over the nodes that region triangles share with others.
+/// Nodes that triangles of a region share with others, ascending.
+std::vector<int> borderNodes(const SurfaceMesh& mesh, int region);
+
+/// Largest |normal · x - below| over borderNodes().
 double borderFault(const SurfaceMesh& mesh, int region, const HalfSpace& half);
 
 }  // namespace palpa::modeling::checks

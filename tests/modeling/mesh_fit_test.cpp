@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "mesh_checks.h"
@@ -109,6 +110,33 @@ TEST(Fit, ObliqueCutsKeepTheBodyAndItsTriangles) {
                     checks::totalArea(result), 0.004 * checks::totalArea(result));
         EXPECT_GT(measureQuality(result).smallestAngle, 10.0) << h << ' ' << d;
       }
+}
+
+/// Distance along the edge y = -15, z = 20 of a box between x = at, where a plane crosses it, and
+/// the nearest border node on it.
+double missedOnEdge(const SurfaceMesh& mesh, double at) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int node : checks::borderNodes(mesh, 0)) {
+    const Eigen::Vector3d& x = mesh.positions[node];
+    if (std::abs(x.y() + 15.0) < 1e-6 && std::abs(x.z() - 20.0) < 1e-6)
+      nearest = std::min(nearest, std::abs(x.x() - at));
+  }
+  return nearest;
+}
+
+// Where a plane crosses an edge of the body at a small angle, nodes of the edge are close to it far
+// from the crossing. The region must not lose its tip there.
+TEST(Fit, TipsBesideAnEdgeAreKept) {
+  const Solid box = makeBox({40, 30, 20});
+  const double h = 5.0;
+  for (double degrees : {1.0, 2.0, 4.0})
+    for (double at = -6.0; at < 6.0; at += 0.9) {
+      const double angle = degrees * kPi / 180.0;
+      const Eigen::Vector3d normal(std::sin(angle), 0, std::cos(angle));
+      const SurfaceMesh result = cut(box, h, normal, normal.dot(Eigen::Vector3d(at, -15, 20)));
+      ASSERT_EQ(checks::manifoldFault(result), "");
+      EXPECT_LT(missedOnEdge(result, at), 0.25 * h) << degrees << ' ' << at;
+    }
 }
 
 TEST(Fit, ARegionSmallerThanATriangleIsFound) {
