@@ -3,6 +3,7 @@
 //   --cases NAME…           fails unless these are all the cases
 //   --notices OUTPUT        fails unless the comparison detects visible changes
 //   --reused OUTPUT         fails unless a window shows the same after showing something else
+//   --moving OUTPUT         fails unless a large body has fewer triangles while it moves
 //   --no-display            fails unless drawing without a display throws
 #include <cstdlib>
 #include <exception>
@@ -16,6 +17,7 @@
 
 #include "app/view/files/errors.h"
 #include "tests/render/compare.h"
+#include "tests/render/moving_body.h"
 #include "tests/render/picture_scenes.h"
 #include "tests/render/simulate_scenes.h"
 #include "tests/render/viewport_scenes.h"
@@ -230,6 +232,9 @@ int run(const std::vector<std::string>& arguments) {
   }
   if (arguments.size() == 2 && arguments[0] == "--reused") {
     return requireNothingLeftBehind(arguments[1]);
+  }
+  if (arguments.size() == 2 && arguments[0] == "--moving") {
+    return requireFewerTrianglesWhileMoving(arguments[1]);
   }
   if (!arguments.empty() && arguments[0] == "--cases") {
     return requireAllCases({arguments.begin() + 1, arguments.end()});

@@ -95,7 +95,9 @@ void ViewportWidget::paintEvent(QPaintEvent*) {
   canvas_.makeCurrent();
   if (!std::exchange(isWarm_, true)) viewport_->warmUp();
   const bool isQuick = isMoving_ || (isComputing_ && lastFineFrame_ > kLongFrame);
-  viewport_->render(isQuick ? view::Quality::kQuick : view::Quality::kFine);
+  viewport_->render(isReduced_ ? view::Quality::kMoving
+                    : isQuick  ? view::Quality::kQuick
+                               : view::Quality::kFine);
   QImage image = canvas_.image();
   if (resolution == 1) {
     image.setDevicePixelRatio(devicePixelRatioF());

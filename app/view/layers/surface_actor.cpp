@@ -31,8 +31,7 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
       regions_(vtkSmartPointer<vtkFloatArray>::New()),
       field_(vtkSmartPointer<vtkFloatArray>::New()),
       cut_(vtkSmartPointer<vtkFloatArray>::New()),
-      surface_(vtkSmartPointer<vtkPolyData>::New()),
-      body_(vtkSmartPointer<vtkActor>::New()) {
+      surface_(vtkSmartPointer<vtkPolyData>::New()) {
   normals_->SetNumberOfComponents(3);
   colours_->SetNumberOfComponents(4);
   surface_->SetPoints(points_);
@@ -46,24 +45,17 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   cut_->SetName("cut");
   surface_->GetPointData()->AddArray(cut_);
 
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(surface_);
-  mapper->SetScalarModeToUseCellData();
-  mapper->SetColorModeToDirectScalars();
-  // Pushed back behind the lines and handles on it, also where it is seen at a grazing angle.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
-  mapper->MapDataArrayToVertexAttribute("regionsMC", "regions",
-                                        vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  body_->SetMapper(mapper);
-  blendInOrder(body_);
+  body_ = makeSurfaceActor(surface_);
+  coarseBody_ = makeSurfaceActor(coarse_.data());
   vtkProperty* property = body_->GetProperty();
   property->SetInterpolationToPhong();
   property->SetAmbient(kAmbient);
   property->SetDiffuse(kDiffuse);
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
+  coarseBody_->SetProperty(property);
   renderer->AddActor(body_);
+  renderer->AddActor(coarseBody_);
 
   vtkNew<vtkCellArray> none;
   borders_ = makeLineActor(points_, none);
@@ -82,6 +74,7 @@ void SurfaceActor::setBody(const ViewportBody& body) {
   vtkNew<vtkCellArray> triangles;
   for (const Triangle& t : body.triangles) triangles->InsertNextCell({t[0], t[1], t[2]});
   surface_->SetPolys(triangles);
+  coarse_.setBody(body);
   const auto setLines = [](vtkActor* actor, const std::vector<std::vector<int>>& lines) {
     vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput())->SetLines(polylines(lines));
   };
@@ -162,13 +155,22 @@ void SurfaceActor::updateRegionLooks() {
   uniforms.conflict = theme_.warning;
   uniforms.body = theme_.body;
   uniforms.edge = theme_.line;
-  setUniforms(uniforms, body_);
-  for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) setUniforms(uniforms, lines);
+  for (vtkActor* actor : {body_.Get(), coarseBody_.Get(), borders_.Get(), knotLines_.Get()})
+    setUniforms(uniforms, actor);
 }
 
 void SurfaceActor::updateVisibility() {
   const bool anyRegion = regionsVisible_ && !(supportField_.empty() && loadField_.empty());
-  body_->SetVisibility(isVisible_ && (shading_ != Shading::kWire || anyMark_ || anyRegion));
+  const bool isShown = isVisible_ && (shading_ != Shading::kWire || anyMark_ || anyRegion);
+  const bool isCoarse = isCoarse_ && !coarse_.isEmpty();
+  body_->SetVisibility(isShown && !isCoarse);
+  coarseBody_->SetVisibility(isShown && isCoarse);
+}
+
+void SurfaceActor::setCoarse(bool coarse) {
+  isCoarse_ = coarse;
+  if (isCoarse_) coarse_.follow(surface_);
+  updateVisibility();
 }
 
 void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
@@ -199,7 +201,7 @@ void SurfaceActor::updateShader() {
   look.field = fieldColours_;
   if (look == look_) return;
   look_ = look;
-  applyShader(look, body_);
+  for (vtkActor* actor : {body_.Get(), coarseBody_.Get()}) applyShader(look, actor);
   for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
     applyLineShader(look.isWire ? look.field : std::nullopt, look.isCut, lines);
   }
@@ -269,7 +271,8 @@ void SurfaceActor::colourTriangles() {
   colours_->Modified();
   surface_->Modified();
   // Without marks, as during a simulation, no colours of triangles are looked up.
-  body_->GetMapper()->SetScalarVisibility(wire || anyMark_);
+  for (vtkActor* actor : {body_.Get(), coarseBody_.Get()})
+    actor->GetMapper()->SetScalarVisibility(wire || anyMark_);
   // Rounded like the colours of triangles, so that the first mark does not change the body.
   Colour plain{};
   for (std::size_t k = 0; k < 3; ++k) plain[k] = std::round(255 * theme_.body[k]) / 255;
@@ -285,9 +288,8 @@ void SurfaceActor::updateLines() {
   borders_->SetVisibility(visible);
   knotLines_->SetVisibility(visible);
   // On the plain background lines take the colour of text, which every theme makes readable there.
-  for (vtkActor* lines : {borders_.Get(), knotLines_.Get()}) {
+  for (vtkActor* lines : {borders_.Get(), knotLines_.Get()})
     setColour(lines, wire ? theme_.text : theme_.line);
-  }
   borders_->GetProperty()->SetLineWidth(static_cast<float>(2 * pixelRatio_));
   borders_->GetProperty()->SetOpacity(0.65);
   knotLines_->GetProperty()->SetLineWidth(static_cast<float>(pixelRatio_));

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/view/layers/coarse_surface.h"
 #include "app/view/layers/surface_shader.h"
 #include "app/view/layers/vtk_arrays.h"
 #include "app/view/scene/scene.h"
@@ -39,6 +40,8 @@ class SurfaceActor {
   /// Millimetres per logical pixel in the middle of the picture: how wide the hatching is.
   void setScale(double millimetresPerPixel);
   void setRegionsVisible(bool visible);
+  /// Draws a large body with fewer triangles.
+  void setCoarse(bool coarse);
   /// Of everything; visible at first.
   void setVisible(bool visible);
   void setShading(Shading shading);
@@ -59,13 +62,15 @@ class SurfaceActor {
   vtkSmartPointer<vtkFloatArray> field_;    ///< places in the colours: placeInColours()
   vtkSmartPointer<vtkFloatArray> cut_;      ///< distances in front of the section, or empty
   vtkSmartPointer<vtkPolyData> surface_;
-  vtkSmartPointer<vtkActor> body_, borders_, knotLines_;
+  CoarseSurface coarse_;
+  vtkSmartPointer<vtkActor> body_, coarseBody_, borders_, knotLines_;
   std::vector<double> supportField_, loadField_, conflictField_;
   std::vector<Mark> marks_;
   bool anyMark_ = false;
   bool isCut_ = false;
   bool regionsVisible_ = true;
   bool isVisible_ = true;
+  bool isCoarse_ = false;
   double scale_ = 1;
   std::optional<ScalarField::Colours> fieldColours_;
   bool isLogarithmic_ = false;

@@ -1,6 +1,7 @@
 #include "app/view/layers/surface_shader.h"
 
 #include <vtkDataObject.h>
+#include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
@@ -13,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/view/layers/vtk_arrays.h"
 #include "app/view/scene/colour_map.h"
 
 namespace palpa::view {
@@ -157,6 +159,22 @@ void passThrough(const std::vector<std::pair<std::string, std::string>>& typesAn
 float placeInColours(double share) {
   if (std::isnan(share)) return kNowhere;
   return static_cast<float>(std::clamp(share, -kFarthestPlace, kFarthestPlace));
+}
+
+vtkSmartPointer<vtkActor> makeSurfaceActor(vtkPolyData* surface) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->SetScalarModeToUseCellData();
+  mapper->SetColorModeToDirectScalars();
+  // Pushed back behind the lines and handles on it, also where it is seen at a grazing angle.
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2);
+  mapper->MapDataArrayToVertexAttribute("regionsMC", "regions",
+                                        vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  blendInOrder(actor);
+  return actor;
 }
 
 void applyShader(const SurfaceLook& look, vtkActor* surface) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include <optional>
 
@@ -40,6 +42,9 @@ struct SurfaceUniforms {
 /// The number in the point array "field" for a share of the way from the lowest value of the
 /// colours to the highest: of any size, or NaN, which has no colour.
 float placeInColours(double share);
+
+/// An actor for triangles that have colours and the arrays that applyShader() needs.
+vtkSmartPointer<vtkActor> makeSurfaceActor(vtkPolyData* surface);
 
 /// The actor's mapper has the point arrays "regions" (support, load, place across the hatching,
 /// conflict) and

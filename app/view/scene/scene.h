@@ -114,8 +114,9 @@ enum class HandleState : std::uint8_t { kPlain, kHovered, kSelected, kFollowing 
 /// lines alone, all of them, with a tint on marked triangles.
 enum class Shading { kShaded, kShadedWithEdges, kWire };
 
-/// Fine pictures have smooth edges. In software this doubles the time: quick ones are for movement.
-enum class Quality { kQuick, kFine };
+/// Fine pictures have smooth edges, which doubles the time in software. Quick ones do without.
+/// While something moves, large bodies are also drawn with fewer triangles.
+enum class Quality { kMoving, kQuick, kFine };
 
 /// A problem at a place of the body, in a few words.
 struct WarningMarker {

@@ -231,6 +231,8 @@ void Viewport::render(Quality quality) {
   parts.grid.update(parts.camera, groundLevel(parts.bodyBounds));
   parts.surface.setScale(parts.pixelRatio * parts.camera.visibleHeight() / parts.camera.height());
   parts.ghostLines.update(parts.camera);
+  for (SurfaceActor* surface : {&parts.surface, &parts.standInSurface})
+    surface->setCoarse(quality == Quality::kMoving);
   parts.updateOverlay();
   parts.overlay->SetUseFXAA(quality == Quality::kFine);
   parts.window->Render();
