@@ -39,6 +39,7 @@ constexpr int kPatience = 1'000'000;  // ms
 constexpr int kPatience = 180'000;  // ms
 #endif
 constexpr int kWindowUses = 60;                    // of one window
+constexpr double kMeshEdge = 10;                   // mm: the mesh body is built as quickly
 constexpr std::uint64_t kLongRecording = 200'000;  // steps of a millisecond
 
 /// An example that is built within a second, under sanitizers within ten.
@@ -178,6 +179,11 @@ void Interrupter::enter(Situation situation) {
   else
     modeling::writeProject(coarseSphere(), file.toStdString());
   campaign_.require(window_->openFile(file), "the project is not opened");
+  if (situation == Situation::kMeshBody) {
+    modeling::MeshSettings coarse = editor().project().mesh;
+    coarse.edgeLength = kMeshEdge;
+    editor().perform(modeling::SetMesh{coarse});
+  }
   const auto isBuilt = [this] {
     return editor().rebuildStatus().state != app::RebuildStatus::State::kBuilding;
   };
