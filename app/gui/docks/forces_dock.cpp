@@ -184,7 +184,7 @@ double ForcesDock::errorOf(const app::TouchSnapshot::Contact& contact) const {
          app::ballPressureError(
              setup, {contact.point.position, setup.mesh().normal(contact.point.triangle),
                      contact.tool.radius, widest->radius, contact.force.norm(),
-                     contact.deflection.norm()});
+                     contact.deflection.norm(), masks.size()});
 }
 
 double ForcesDock::errorOfReactions() const {
