@@ -53,7 +53,6 @@ SurfaceActor::SurfaceActor(vtkRenderer* renderer)
   property->SetDiffuse(kDiffuse);
   property->SetSpecular(0.10);
   property->SetSpecularPower(24);
-  coarseBody_->SetProperty(property);
   renderer->AddActor(body_);
   renderer->AddActor(coarseBody_);
 
@@ -170,6 +169,7 @@ void SurfaceActor::updateVisibility() {
 void SurfaceActor::setCoarse(bool coarse) {
   isCoarse_ = coarse;
   if (isCoarse_) coarse_.follow(surface_);
+  if (isCoarse_) showBothSides(body_->GetProperty(), coarseBody_, coarseLook_);
   updateVisibility();
 }
 

@@ -71,6 +71,7 @@ class SurfaceActor {
   bool regionsVisible_ = true;
   bool isVisible_ = true;
   bool isCoarse_ = false;
+  vtkMTimeType coarseLook_ = 0;
   double scale_ = 1;
   std::optional<ScalarField::Colours> fieldColours_;
   bool isLogarithmic_ = false;

@@ -177,6 +177,13 @@ vtkSmartPointer<vtkActor> makeSurfaceActor(vtkPolyData* surface) {
   return actor;
 }
 
+void showBothSides(vtkProperty* property, vtkActor* actor, vtkMTimeType& copied) {
+  if (copied == property->GetMTime()) return;  // a change compiles the shader again
+  copied = property->GetMTime();
+  actor->GetProperty()->DeepCopy(property);
+  actor->GetProperty()->BackfaceCullingOff();
+}
+
 void applyShader(const SurfaceLook& look, vtkActor* surface) {
   // In the wire picture the lines take the colours of the field.
   const bool hasField = look.field && !look.isWire;

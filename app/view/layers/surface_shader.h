@@ -2,6 +2,7 @@
 
 #include <vtkActor.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 
 #include <optional>
@@ -45,6 +46,10 @@ float placeInColours(double share);
 
 /// An actor for triangles that have colours and the arrays that applyShader() needs.
 vtkSmartPointer<vtkActor> makeSurfaceActor(vtkPolyData* surface);
+
+/// Gives an actor a copy of a property that shows both sides: where clusters fold a coarse surface,
+/// its other side closes the gaps. `copied`: time of the property that the actor has.
+void showBothSides(vtkProperty* property, vtkActor* actor, vtkMTimeType& copied);
 
 /// The actor's mapper has the point arrays "regions" (support, load, place across the hatching,
 /// conflict) and
