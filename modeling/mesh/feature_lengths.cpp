@@ -21,11 +21,13 @@ const double kSharpCosine = std::cos(kSharpEdgeDegrees * std::numbers::pi / 180.
 
 /// Lengths that keep the thickness of walls: collapsed edges across their rims would make them
 /// knives.
-void keepWalls(const FacedTriangles& body, std::vector<double>& lengths) {
+void keepWalls(const FacedTriangles& body, std::vector<double>& lengths, const Job& job) {
+  constexpr std::size_t kCheckpoint = 1000;  // triangles between checks of the stop token
   constexpr double kOfThickness = 0.8, kTowardsCorner = 0.8;
   const auto& p = body.positions;
   const NearestOnTriangles walls(p, body.triangles);
   for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+    if (t % kCheckpoint == 0) job.throwIfCancelled();
     const auto& triangle = body.triangles[t];
     const Vector3d middle = (p[triangle[0]] + p[triangle[1]] + p[triangle[2]]) / 3;
     const Vector3d inward =
@@ -86,9 +88,10 @@ std::vector<double> lengthsOf(const FacedTriangles& body, const LengthAt& smalle
 
 }  // namespace
 
-std::vector<double> featureLengths(const FacedTriangles& body, const LengthAt& smallest) {
+std::vector<double> featureLengths(const FacedTriangles& body, const LengthAt& smallest,
+                                   const Job& job) {
   std::vector<double> lengths = lengthsOf(body, smallest);
-  keepWalls(body, lengths);
+  keepWalls(body, lengths, job);
   return lengths;
 }
 

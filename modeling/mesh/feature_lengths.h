@@ -10,6 +10,7 @@ namespace palpa::modeling {
 /// `smallest` there and along the edges there, less on curved surfaces whose radius is not small
 /// itself, so that they keep at least ten edges per circle, and less on thin walls, whose thickness
 /// stays.
-std::vector<double> featureLengths(const FacedTriangles& body, const LengthAt& smallest);
+std::vector<double> featureLengths(const FacedTriangles& body, const LengthAt& smallest,
+                                   const Job& job);
 
 }  // namespace palpa::modeling

@@ -204,7 +204,8 @@ Attempt tryMesh(const MeshBody& body, const MeshSettings& settings,
 }  // namespace
 
 double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci) {
+                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci,
+                         const Job& job) {
   settings.validate();
   for (const MeshRegion& region : regions) checkRegion(region.where, body, region.name);
   const double finest = std::ldexp(settings.edgeLength, -settings.refinementLevels);
@@ -212,7 +213,7 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
   // More cannot be counted, only refused.
   if (!(rough <= kMaxNodes) || !(finest > 0)) return rough;
   const MeshSettings used = bounded(settings, body);
-  const auto made = meshBodySurface(body, used, regions, foci, used.featureFraction);
+  const auto made = meshBodySurface(body, used, regions, foci, used.featureFraction, job);
   // Nothing is as good an estimate as the mesh.
   if (const std::size_t known = made->meshedNodes; known > 0) return static_cast<double>(known);
   return expectedNodes(made->surface, made->sizes);
@@ -222,7 +223,8 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                  std::span<const MeshRegion> regions, const Job& job,
                  std::span<const MeshFocus> foci) {
   job.report(Phase::kMesh, 0.0);
-  const double expected = estimateNodeCount(body, settings, regions, foci);
+  const Job quiet{job.stop, {}, job.threads};
+  const double expected = estimateNodeCount(body, settings, regions, foci, quiet);
   if (!(expected <= kMaxNodes))
     throw ModelingError("mesh.edge_length_mm: " + numberText(settings.edgeLength) +
                             " mm would need about " + estimateText(expected) + " nodes; at most " +
@@ -277,10 +279,12 @@ SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
 }
 
 double estimateNodeCount(const Body& body, const MeshSettings& settings,
-                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci) {
+                         std::span<const MeshRegion> regions, std::span<const MeshFocus> foci,
+                         const Job& job) {
   const auto estimated = [&](const MeshSettings& of, std::span<const MeshFocus> at) {
-    return std::visit([&](const auto& one) { return estimateNodeCount(one, of, regions, at); },
-                      body);
+    if (const auto* solid = std::get_if<Solid>(&body))
+      return estimateNodeCount(*solid, of, regions, at);
+    return estimateNodeCount(std::get<MeshBody>(body), of, regions, at, job);
   };
   if (engineFor(body, settings.engine, regions) != Engine::kQuadratic)
     return estimated(settings, foci);

@@ -91,7 +91,7 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
   if (limit == 0) return unchanged(body);
   const auto [plain, pins, holes] = withoutSmallParts(
       {body.positions(), body.triangles(), body.faceOfTriangle()}, thinnest, keptFaces, job);
-  std::vector<double> lengths = featureLengths(plain, smallest);
+  std::vector<double> lengths = featureLengths(plain, smallest, job);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     job.throwIfCancelled();
     SimplifiedSurface surface{withoutShortEdges(plain, lengths, keptFaces, job)};

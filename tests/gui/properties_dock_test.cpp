@@ -6,7 +6,12 @@
 #include <QSpinBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <atomic>
+#include <chrono>
+#include <semaphore>
+#include <thread>
 
+#include "app/gui/properties/property_page.h"
 #include "app/gui/widgets/vector_edit.h"
 #include "app/gui/workspace/tool_box.h"
 #include "tests/gui/window_fixture.h"
@@ -51,6 +56,35 @@ TEST_F(PropertiesDock, TheProjectsMaterialAndMeshAreEdited) {
   for (int i = 0; i < 4; ++i) editor().undo();
   EXPECT_FALSE(editor().session().document().canUndo());  // four edits were four steps
   keepPicture("properties-project");
+}
+
+TEST_F(PropertiesDock, AValueThatTakesLongLeavesTheWindowFree) {
+  using namespace std::chrono_literals;
+  std::binary_semaphore go(0);
+  std::atomic<int> begun = 0, cancelled = 0;
+  PropertyPage slow(dynamic_cast<PropertyPage&>(page()).workspace());
+  slow.addComputedFact("Slow", "slow", [&] {
+    return [&, number = ++begun](const Job& job) {
+      for (int k = 0; k < 10'000; ++k) {
+        if (job.stop.stop_requested()) ++cancelled;
+        job.throwIfCancelled();
+        std::this_thread::sleep_for(1ms);
+        if (number == 2 && go.try_acquire()) return QString("known");
+      }
+      return QString("late");
+    };
+  });
+  auto* fact = slow.findChild<QLabel*>("slow");
+  slow.refreshSlowValues();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return fact->text() == "…"; }));
+  slow.refreshSlowValues();  // another value is wanted
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cancelled == 1; }));
+  go.release();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return fact->text() == "known"; }));
+  slow.refreshSlowValues();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return fact->text() == "…"; }));
+  slow.retire();  // the page goes meanwhile
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cancelled == 2; }));
 }
 
 TEST_F(PropertiesDock, WhatIsRefusedIsSaidAtTheFieldAndTheOldValueReturns) {

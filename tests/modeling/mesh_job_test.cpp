@@ -4,6 +4,7 @@
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
 #include "modeling/shapes/primitives.h"
+#include "test_bodies.h"
 
 namespace palpa::modeling {
 namespace {
@@ -28,6 +29,17 @@ TEST(MeshJob, CancelledBeforeNothingIsDone) {
   EXPECT_FALSE(reported);
   const SurfaceMesh made = mesh(sphere, settings(), kRegions);
   EXPECT_THROW(followSolid(made, sphere, sphere, kRegions, {}, job), Cancelled);
+}
+
+// Estimates for mesh bodies simplify the surface, which takes seconds for large ones.
+TEST(MeshJob, EstimatesForMeshBodiesStop) {
+  std::stop_source source;
+  source.request_stop();
+  const Job job{source.get_token(), {}};
+  const MeshBody body = test::icosphere(25.0, 4);
+  EXPECT_THROW(estimateNodeCount(body, settings(), {}, {}, job), Cancelled);
+  EXPECT_THROW(estimateNodeCount(Body(body), settings(), {}, {}, job), Cancelled);
+  EXPECT_GT(estimateNodeCount(body, settings()), 100.0);
 }
 
 TEST(MeshJob, CancelledAtEveryReportOfProgress) {

@@ -65,11 +65,11 @@ void addMaterial(PropertyPage& page) {
                  [workspace = page.workspace()] { editMaterial(workspace); });
 }
 
-QString nodesText(const Editor& editor) {
-  const modeling::Project& project = editor.project();
+QString nodesText(const modeling::Project& project, const Job& job) {
   try {
-    const double nodes = modeling::estimateNodeCount(
-        project.body, project.mesh, modeling::meshRegions(project), modeling::meshFoci(project));
+    const double nodes =
+        modeling::estimateNodeCount(project.body, project.mesh, modeling::meshRegions(project),
+                                    modeling::meshFoci(project), job);
     if (!std::isfinite(nodes) || nodes > modeling::kMaxNodes)
       return tr("far too many: more than %L1").arg(modeling::kMaxNodes, 0, 'f', 0);
     return tr("about %L1").arg(nodes, 0, 'f', 0);
@@ -191,7 +191,9 @@ void addMesh(PropertyPage& page) {
       [&editor] { return editor.project().mesh.refineAtBorders; },
       [change](bool on) { return change([&](auto& mesh) { mesh.refineAtBorders = on; }); });
   if (!editor.solid()) addSmallFeatures(page, change);
-  page.addSlowFact(tr("Nodes"), "nodes", [&editor] { return nodesText(editor); });
+  page.addComputedFact(tr("Nodes"), "nodes", [&editor] {
+    return [project = editor.project()](const Job& job) { return nodesText(project, job); };
+  });
   for (const auto& [patch, unused] : editor.project().mesh.patchFactors)
     page.addQuantity(
             tr("%1 ×").arg(QString::fromStdString(patch)),

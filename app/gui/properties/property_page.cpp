@@ -7,14 +7,19 @@
 #include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
+#include "app/core/system/priority.h"
 #include "app/gui/base/appearance.h"
 #include "app/gui/document/editor.h"
 #include "app/gui/widgets/vector_edit.h"
 
 namespace palpa::gui {
 namespace {
+
+constexpr int kPatience = 300;  // ms until a value that is being computed is no longer shown
 
 /// Removes the location in the project ("supports[0].where: …"): the message stands at its field.
 QString withoutPlace(QString message) {
@@ -74,6 +79,7 @@ void PropertyPage::forgetTyping() {
 
 void PropertyPage::retire() {
   isRetired_ = true;
+  for (const auto& worker : workers_) worker->cancel();
   // A field that loses the focus while it is removed would apply its input to another item.
   for (QWidget* widget : findChildren<QWidget*>()) widget->blockSignals(true);
 }
@@ -235,6 +241,37 @@ QLabel* PropertyPage::addFact(const QString& label, const QString& name, Get<QSt
 void PropertyPage::addSlowFact(const QString& label, const QString& name, Get<QString> get) {
   QLabel* fact = makeFact(label, name);
   slowShows_.push_back([fact, get] { fact->setText(get()); });
+}
+
+void PropertyPage::addComputedFact(const QString& label, const QString& name,
+                                   std::function<Work()> prepare) {
+  QLabel* fact = makeFact(label, name);
+  WorkerThread& worker =
+      *workers_.emplace_back(std::make_unique<WorkerThread>(app::lowerThreadPriority));
+  // Numbers of the values that were asked for and that is shown.
+  struct State {
+    int wanted = 0, shown = 0;
+  };
+  const auto state = std::make_shared<State>();
+  slowShows_.push_back([fact, &worker, state, prepare = std::move(prepare)] {
+    const int number = ++state->wanted;
+    QTimer::singleShot(kPatience, fact, [fact, state, number] {
+      if (state->wanted == number && state->shown != number) fact->setText(QStringLiteral("…"));
+    });
+    worker.replace([fact, state, number, work = prepare()](const std::stop_token& stop) {
+      try {
+        const QString text = work({stop, {}, 1});
+        const auto show = [fact, state, number, text] {
+          if (state->wanted != number) return;
+          state->shown = number;
+          fact->setText(text);
+        };
+        QMetaObject::invokeMethod(fact, show, Qt::QueuedConnection);
+      } catch (const Cancelled&) {
+        // Another value is wanted, or none.
+      }
+    });
+  });
 }
 
 void PropertyPage::addNote(const QString& text) {

@@ -8,10 +8,13 @@
 #include <QSpinBox>
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "app/gui/widgets/quantity_edit.h"
 #include "app/gui/workspace/workspace.h"
+#include "base/job.h"
+#include "base/worker_thread.h"
 
 namespace palpa::gui {
 
@@ -68,6 +71,11 @@ class PropertyPage : public QWidget {
   QLabel* addFact(const QString& label, const QString& name, Get<QString> get);
   /// The same for a value that takes milliseconds.
   void addSlowFact(const QString& label, const QString& name, Get<QString> get);
+  /// Computes a value. Throws Cancelled.
+  using Work = std::function<QString(const Job&)>;
+  /// The same for a value that may take seconds: `prepare` copies what the work needs, which runs
+  /// on a separate thread. "…" is shown while it takes long.
+  void addComputedFact(const QString& label, const QString& name, std::function<Work()> prepare);
   void addNote(const QString& text);
   /// Adds a widget over the full width.
   void addWidget(QWidget* widget) { form_->addRow(widget); }
@@ -91,6 +99,7 @@ class PropertyPage : public QWidget {
   std::vector<std::function<void()>> shows_;
   std::vector<std::function<void()>> slowShows_;
   bool isRetired_ = false;
+  std::vector<std::unique_ptr<WorkerThread>> workers_;  // last: their tasks use the labels
 };
 
 }  // namespace palpa::gui
