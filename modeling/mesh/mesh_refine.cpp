@@ -70,8 +70,10 @@ std::vector<double> distances(const MeshEditor& editor,
 }  // namespace
 
 void bisect(MeshEditor& editor, int triangle) {
+  // On a nearly folded surface the longest edges may lead away from the triangle again and again.
+  constexpr int kMaxSplits = 200;
   const std::array<int, 3> nodes = editor.mesh().triangles[triangle].nodes;
-  while (editor.mesh().triangles[triangle].nodes == nodes) {
+  for (int k = 0; k < kMaxSplits && editor.mesh().triangles[triangle].nodes == nodes; ++k) {
     DirectedEdge edge = longestEdge(editor, triangle);
     for (;;) {
       const DirectedEdge next = longestEdge(editor, editor.leftOf(edge.b, edge.a));
