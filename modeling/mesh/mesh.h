@@ -53,7 +53,7 @@ SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
 /// Approximate number of nodes of mesh(). Error: 5 % without refinement, about 40 % with refinement
 /// or strokes (overlaps count twice), a factor of about four if patches are so narrow that cells
 /// must be cut. Infinite for absurdly small edge lengths. Cost: milliseconds, negligible memory;
-/// for mesh bodies a simplified surface is made, which takes a second for every 20,000 triangles.
+/// for mesh bodies a simplified surface is made, which takes many seconds for 200,000 triangles.
 /// Throws ModelingError as validate() and checkRegion(); Cancelled.
 double estimateNodeCount(const Solid& solid, const MeshSettings& settings,
                          std::span<const MeshRegion> regions = {},

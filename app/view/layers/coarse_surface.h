@@ -19,7 +19,8 @@ class CoarseSurface {
 
   CoarseSurface();
 
-  /// Takes another body. Costs about 0.2 s with 200,000 triangles, nothing for small bodies.
+  /// Takes another body. Costs tenths of a second with 200,000 triangles, nothing for small
+  /// bodies.
   void setBody(const ViewportBody& body);
   /// True for a body that is not large.
   bool isEmpty() const { return pointOf_.empty(); }
