@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QWidget>
 #include <chrono>
 #include <condition_variable>
@@ -64,8 +65,12 @@ class Watchdog : public testing::EmptyTestEventListener {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();  // needs no display
-  // Mesa would store shaders in the cache folder, which differs for each test.
-  qputenv("MESA_SHADER_CACHE_DISABLE", "true");
+  // Models and shaders that one test stores are read by the next ones, not computed and compiled
+  // again. ctest names a folder that all suites share.
+  const QTemporaryDir temporary;
+  const QByteArray cache = qEnvironmentVariable("PALPA_TEST_CACHE", temporary.path()).toUtf8();
+  qputenv("XDG_CACHE_HOME", cache);
+  qputenv("MESA_SHADER_CACHE_DIR", cache);
   // Tests cannot find native dialogs of the desktop.
   QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   palpa::gui::Application application(argc, argv);

@@ -20,7 +20,7 @@ namespace palpa::gui {
 namespace {
 
 using Eigen::Vector2d;
-using Kind = modeling::SketchPointKind;
+using PointKind = modeling::SketchPointKind;
 
 class Profiles : public WindowTest {
  protected:
@@ -145,11 +145,11 @@ TEST_F(Profiles, PointsAreDraggedTypedInsertedAndDeleted) {
     clickAt(canvas, {20, -10});
     ASSERT_EQ(sketch.selection(), std::vector<int>{1});
     QTest::keyClick(&canvas, Qt::Key_C);
-    EXPECT_EQ(sketch.sketch().points()[1].kind, Kind::kControl);
+    EXPECT_EQ(sketch.sketch().points()[1].kind, PointKind::kControl);
     EXPECT_FALSE(dialog.findChild<QCheckBox*>("corner")->isChecked());
     keepPicture("profile-smooth", &dialog);
     QTest::keyClick(&canvas, Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_EQ(sketch.sketch().points()[1].kind, Kind::kCorner);
+    EXPECT_EQ(sketch.sketch().points()[1].kind, PointKind::kCorner);
     QTest::keyClick(&canvas, Qt::Key_Y, Qt::ControlModifier);
     // Arrow keys move by a step of the grid.
     sketch.select({0});

@@ -150,6 +150,7 @@ TEST_F(RebuildDock, AMemoryLimitThatIsExceededIsSaid) {
 }
 
 TEST_F(RebuildDock, AProjectThatIsOpenedAgainIsRead) {
+  useEmptyCache();
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
   const QDir stored(folder_.filePath("palpa"));

@@ -12,8 +12,9 @@
 namespace palpa::gui {
 
 WindowTest::WindowTest() {
+  static const QByteArray sharedCache = qgetenv("XDG_CACHE_HOME");
+  qputenv("XDG_CACHE_HOME", sharedCache);
   qputenv("XDG_STATE_HOME", folder_.path().toUtf8());
-  qputenv("XDG_CACHE_HOME", folder_.path().toUtf8());
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
   restart();
 }
@@ -27,6 +28,11 @@ void WindowTest::restart() {
   EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
   // Without a window manager no window becomes active, and shortcuts need an active window.
   QApplication::setActiveWindow(window_.get());
+}
+
+void WindowTest::useEmptyCache() {
+  qputenv("XDG_CACHE_HOME", folder_.path().toUtf8());
+  restart();
 }
 
 void WindowTest::waitForModel() {

@@ -17,7 +17,8 @@
 
 namespace palpa::gui {
 
-/// The window on a display, with settings, snapshots and caches in a temporary folder.
+/// The window on a display, with settings and snapshots in a temporary folder. Models that
+/// another test stored are read, not computed again.
 class WindowTest : public testing::Test {
  protected:
   static inline const QString kSphere = PALPA_PROJECTS "/sphere.json";
@@ -27,6 +28,9 @@ class WindowTest : public testing::Test {
 
   /// A new window, as after a restart of the program.
   void restart();
+
+  /// A new window that finds no stored models and stores them in `folder_`.
+  void useEmptyCache();
 
   /// Waits until the model belongs to the newest edit.
   void waitForModel();
