@@ -34,6 +34,8 @@ modeling::Project slowSphere(const Editor& editor) {
 }
 
 TEST_F(RebuildDock, ShowsStagesAndFactsOfTheModel) {
+  useEmptyCache();
+  showDock();
   EXPECT_TRUE(find<QLabel>("rebuildState")->isVisible());
   ASSERT_TRUE(window_->openFile(kSphere));
   waitForModel();
