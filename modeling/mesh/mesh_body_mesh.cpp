@@ -270,12 +270,12 @@ SurfaceMesh mesh(const Body& body, const MeshSettings& settings,
   };
   if (engineFor(body, settings.engine, regions) != Engine::kQuadratic)
     return meshed(settings, foci);
-  const SurfaceMesh corners = meshed(ofQuadraticCorners(settings), ofQuadraticCorners(foci));
+  SurfaceMesh corners = meshed(ofQuadraticCorners(settings), ofQuadraticCorners(foci));
   std::vector<bool> isSupported(corners.triangles.size(), false);
   for (std::size_t k = 0; k < regions.size(); ++k)
     if (regions[k].isSupport)
       for (const int t : corners.trianglesOfRegion[k]) isSupported[t] = true;
-  return quadraticMesh(corners, body, isSupported);
+  return quadraticMesh(std::move(corners), body, std::move(isSupported));
 }
 
 double estimateNodeCount(const Body& body, const MeshSettings& settings,

@@ -10,6 +10,7 @@
 
 #include "base/support_border.h"
 #include "modeling/mesh/middle_nodes.h"
+#include "modeling/mesh/support_chords.h"
 #include "modeling/mesh/triangle_crossings.h"
 
 namespace palpa::modeling {
@@ -134,13 +135,14 @@ SurfaceMesh withMiddles(const SurfaceMesh& corners, const std::vector<bool>& isB
 
 }  // namespace
 
-SurfaceMesh quadraticMesh(const SurfaceMesh& corners, const Body& body,
-                          const std::vector<bool>& isSupported) {
-  const auto vertexCount = static_cast<int>(corners.positions.size());
-  const std::vector<bool> isBorderVertex =
-      isSupported.empty() ? std::vector<bool>(corners.positions.size(), false)
-                          : supportBorderVertices(corners.triangles, isSupported, vertexCount);
-  return withMiddles(corners, isBorderVertex, *makeMiddleNodes(corners, body));
+SurfaceMesh quadraticMesh(SurfaceMesh corners, const Body& body, std::vector<bool> isSupported) {
+  const auto middles = makeMiddleNodes(corners, body);
+  if (isSupported.empty()) isSupported.assign(corners.triangles.size(), false);
+  splitSupportChords(corners, isSupported, *middles);
+  return withMiddles(corners,
+                     supportBorderVertices(corners.triangles, isSupported,
+                                           static_cast<int>(corners.positions.size())),
+                     *middles);
 }
 
 }  // namespace palpa::modeling

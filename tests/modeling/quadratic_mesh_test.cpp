@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/support_border.h"
 #include "mesh_checks.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
@@ -155,6 +156,50 @@ TEST(QuadraticMesh, FoldedElementsBecomeStraight) {
     };
     for (std::size_t q = 1; q < 4; ++q) EXPECT_GT(normalOf(t).dot(normalOf(t + q)), 0);
   }
+}
+
+/// Corners of the elements, and which elements are in the first region.
+std::pair<std::vector<std::array<int, 3>>, std::vector<bool>> elementsOf(const SurfaceMesh& mesh) {
+  std::vector<std::array<int, 3>> corners;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 4)
+    corners.push_back({mesh.triangles[t][0], mesh.triangles[t + 1][1], mesh.triangles[t + 2][2]});
+  std::vector<bool> isSupported(corners.size(), false);
+  for (const int t : mesh.trianglesOfRegion.front()) isSupported[t / 4] = true;
+  return {corners, isSupported};
+}
+
+TEST(QuadraticMesh, AllVerticesOfSupportBordersCanHaveARoot) {
+  Region stroke;
+  stroke.parts.push_back(Stroke{{{0, 0, 25}, {9, 0, 23}}, 3.0});
+  const std::tuple<const char*, Body, Region> cases[] = {
+      {"face of a box", makeBox({40, 30, 50}), {{PatchSet{{"bottom"}}}}},
+      {"cut box", makeBox({40, 30, 50}), {{HalfSpace{Vector3d(0.5, 0.4, 1), -7}}}},
+      {"cap of a cylinder", makeCylinder(20, 60), {{HalfSpace{Vector3d(0.3, 0.1, 1), 4}}}},
+      {"small cap", makeSphere(25), Region::below(Vector3d::UnitZ(), -23.5)},
+      {"painted", makeSphere(25), stroke},
+      {"mesh body", test::icosphere(25, 4), Region::below(Vector3d(0.1, 0.2, 1), -19)}};
+  int halved = 0;
+  for (const auto& [name, body, where] : cases)
+    for (const double edge : {3.1, 4.0, 5.3, 7.0}) {
+      SCOPED_TRACE(testing::Message() << name << ", " << edge << " mm");
+      const SurfaceMesh mesh =
+          modeling::mesh(body, settings(edge), std::vector{MeshRegion{"base", where, true}});
+      EXPECT_EQ(checks::manifoldFault(mesh), "");
+      const auto [corners, isSupported] = elementsOf(mesh);
+      const auto count = static_cast<int>(mesh.positions.size());
+      std::vector<bool> isOnBorder(mesh.positions.size(), false);
+      const auto isBorder = supportBorderEdges(corners, isSupported);
+      for (std::size_t t = 0; t < corners.size(); ++t)
+        for (int k = 0; k < 3; ++k)
+          if (isBorder[t][k])
+            isOnBorder[corners[t][k]] = isOnBorder[corners[t][(k + 1) % 3]] = true;
+      EXPECT_EQ(supportBorderVertices(corners, isSupported, count), isOnBorder);
+      // Without the support as such nothing is halved.
+      halved += mesh.positions.size() >
+                modeling::mesh(body, settings(edge), std::vector{MeshRegion{"base", where, false}})
+                    .positions.size();
+    }
+  EXPECT_GE(halved, 3);
 }
 
 TEST(QuadraticMesh, FollowsTheControlPoints) {

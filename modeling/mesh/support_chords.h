@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "modeling/mesh/middle_nodes.h"
+#include "modeling/mesh/surface_mesh.h"
+
+namespace palpa::modeling {
+
+/// Splits the edges that join two vertices on the border of supports without being of the border,
+/// as in a triangle at the corner of a support. Around such vertices six-node triangles take the
+/// square root of the distance from the border as their coordinate (base/support_border.h), which
+/// needs triangles with one vertex or one edge on it. Edges shorter than those of the border beside
+/// them, as between two supports close to each other, stay: halves of them would be too flat for a
+/// curved border.
+///
+/// `isSupported`: per triangle of the mesh; values of new triangles are appended. `middles`: of
+/// this mesh. New nodes and triangles have the largest numbers.
+void splitSupportChords(SurfaceMesh& mesh, std::vector<bool>& isSupported,
+                        const MiddleNodes& middles);
+
+}  // namespace palpa::modeling
