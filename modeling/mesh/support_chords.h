@@ -10,7 +10,7 @@ namespace palpa::modeling {
 /// Splits the edges that join two vertices on the border of supports without being of the border,
 /// as in a triangle at the corner of a support. Around such vertices six-node triangles take the
 /// square root of the distance from the border as their coordinate (base/support_border.h), which
-/// needs triangles with one vertex or one edge on it. Edges shorter than those of the border beside
+/// needs triangles with one vertex or one edge on it. Edges shorter than the border's edges beside
 /// them, as between two supports close to each other, stay: halves of them would be too flat for a
 /// curved border.
 ///
