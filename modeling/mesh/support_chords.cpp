@@ -49,10 +49,17 @@ bool splitSome(SurfaceMesh& mesh, std::vector<bool>& isSupported, const MiddleNo
           return true;
     return false;
   };
+  const auto isChord = [&](int a, int b) {
+    return isOnBorder[a] && isOnBorder[b] && !ofBorder.contains(std::minmax(a, b));
+  };
+  // Bodies that nothing holds have none; this scan is shorter than the map of all edges.
+  if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+        return isChord(t[0], t[1]) || isChord(t[1], t[2]) || isChord(t[2], t[0]);
+      }))
+    return false;
   std::set<int> touched;
   for (const auto& [nodes, edge] : elementEdges(mesh, isOnBorder)) {
-    if (!isOnBorder[edge.from] || !isOnBorder[edge.to] || ofBorder.contains(nodes)) continue;
-    if (isShort(edge)) continue;
+    if (!isChord(edge.from, edge.to) || isShort(edge)) continue;
     if (touched.contains(edge.left) || touched.contains(edge.right)) continue;
     touched.insert({edge.left, edge.right});
     const MiddleNode middle = middles.of(edge);
