@@ -1,6 +1,7 @@
 #include "modeling/mesh/support_chords.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/support_border.h"
@@ -29,28 +30,23 @@ void halve(SurfaceMesh& mesh, std::vector<bool>& isSupported, int triangle, int 
 /// Splits chords of which no two belong to one triangle; returns whether there were any.
 bool splitSome(SurfaceMesh& mesh, std::vector<bool>& isSupported, const MiddleNodes& middles) {
   std::vector<bool> isOnBorder(mesh.positions.size(), false);
-  std::set<std::pair<int, int>> ofBorder;
+  std::map<int, std::set<int>> alongBorder;  // neighbours of its vertices
   const auto isBorder = supportBorderEdges(mesh.triangles, isSupported);
   for (std::size_t t = 0; t < isBorder.size(); ++t)
     for (int k = 0; k < 3; ++k)
       if (isBorder[t][k]) {
         const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
         isOnBorder[a] = isOnBorder[b] = true;
-        ofBorder.insert(std::minmax(a, b));
+        alongBorder[a].insert(b);
+        alongBorder[b].insert(a);
       }
-  const auto lengthOf = [&](int a, int b) {
-    return (mesh.positions[a] - mesh.positions[b]).norm();
-  };
-  const auto isShort = [&](const ElementEdge& edge) {
-    for (const int t : {edge.left, edge.right})
-      for (int k = 0; k < 3; ++k)
-        if (isBorder[t][k] && lengthOf(edge.from, edge.to) <
-                                  lengthOf(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]))
-          return true;
-    return false;
-  };
+  // Only those that cut off one vertex of the border: on a narrow support all edges across it join
+  // vertices of its border, and halves would double the number of triangles.
   const auto isChord = [&](int a, int b) {
-    return isOnBorder[a] && isOnBorder[b] && !ofBorder.contains(std::minmax(a, b));
+    if (!isOnBorder[a] || !isOnBorder[b]) return false;
+    const std::set<int>&ofA = alongBorder.at(a), &ofB = alongBorder.at(b);
+    return !ofA.contains(b) &&
+           std::any_of(ofA.begin(), ofA.end(), [&](int v) { return ofB.contains(v); });
   };
   // Bodies that nothing holds have none; this scan is shorter than the map of all edges.
   if (std::none_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
@@ -59,7 +55,7 @@ bool splitSome(SurfaceMesh& mesh, std::vector<bool>& isSupported, const MiddleNo
     return false;
   std::set<int> touched;
   for (const auto& [nodes, edge] : elementEdges(mesh, isOnBorder)) {
-    if (!isChord(edge.from, edge.to) || isShort(edge)) continue;
+    if (!isChord(edge.from, edge.to)) continue;
     if (touched.contains(edge.left) || touched.contains(edge.right)) continue;
     touched.insert({edge.left, edge.right});
     const MiddleNode middle = middles.of(edge);

@@ -10,9 +10,8 @@ namespace palpa::modeling {
 /// Splits the edges that join two vertices on the border of supports without being of the border,
 /// as in a triangle at the corner of a support. Around such vertices six-node triangles take the
 /// square root of the distance from the border as their coordinate (base/support_border.h), which
-/// needs triangles with one vertex or one edge on it. Edges shorter than the border's edges beside
-/// them, as between two supports close to each other, stay: halves of them would be too flat for a
-/// curved border.
+/// needs triangles with one vertex or one edge on it. Edges across a narrow support, or between two
+/// supports close to each other, stay: their ends are no neighbours of one vertex of the border.
 ///
 /// `isSupported`: per triangle of the mesh; values of new triangles are appended. `middles`: of
 /// this mesh. New nodes and triangles have the largest numbers.

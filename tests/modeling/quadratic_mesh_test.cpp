@@ -202,6 +202,18 @@ TEST(QuadraticMesh, AllVerticesOfSupportBordersCanHaveARoot) {
   EXPECT_GE(halved, 3);
 }
 
+// All triangles of such a face have their vertices on its border; halves would add hundreds of
+// nodes to a part.
+TEST(QuadraticMesh, TrianglesAcrossANarrowSupportAreNotHalved) {
+  const Body bar = makeBox({60, 4, 8});
+  const auto countOf = [&](bool isSupport) {
+    return modeling::mesh(bar, settings(2.5),
+                          std::vector{MeshRegion{"base", {{PatchSet{{"bottom"}}}}, isSupport}})
+        .positions.size();
+  };
+  EXPECT_LE(countOf(true), countOf(false) + 8);
+}
+
 TEST(QuadraticMesh, FollowsTheControlPoints) {
   const HalfSpace low{Vector3d(0.1, 0.2, 1.0), -12.0};
   const std::vector<MeshRegion> regions{{"base", {{low}}, true}};
