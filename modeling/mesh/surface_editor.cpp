@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/triangle_shape.h"
 
 namespace palpa::modeling {
@@ -14,46 +13,10 @@ using Eigen::Vector3d;
 
 constexpr double kTurn = 0.77;     // cosine of 40°: a stronger turn of a feature is a corner
 constexpr double kSameSide = 0.5;  // least cosine between a triangle's old and new normal
-constexpr double kGoodAngleCosine = 0.82;  // of 35°: stars with larger angles need no relaxing
-constexpr double kFarOff = 0.5;            // of the edge: a projection that jumps farther is wrong
-constexpr double kMaxCollapseSag = 0.14;   // of an edge; more would lose a curved surface
-constexpr double kFlatStar = 0.98;         // cosine of 11°: edges over flatter stars sag less
-
-double cosineBetween(const Vector3d& a, const Vector3d& b) {
-  const double lengths = a.norm() * b.norm();
-  return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
-}
+constexpr double kMaxCollapseSag = 0.14;  // of an edge; more would lose a curved surface
+constexpr double kFlatStar = 0.98;        // cosine of 11°: edges over flatter stars sag less
 
 }  // namespace
-
-OriginalSurface::OriginalSurface(const TaggedSurface& surface) {
-  const auto& p = surface.positions;
-  std::vector<std::vector<std::array<Vector3d, 3>>> regions;
-  std::map<TagPair, std::vector<std::array<Vector3d, 2>>> features;
-  const auto neighbours = triangleNeighbours(surface.triangles);
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& n = surface.triangles[t];
-    const SurfaceTag& tag = surface.tags[t];
-    if (static_cast<int>(regions.size()) <= tag.region) regions.resize(tag.region + 1);
-    regions[tag.region].push_back({p[n[0]], p[n[1]], p[n[2]]});
-    for (int k = 0; k < 3; ++k) {
-      const SurfaceTag& other = surface.tags[neighbours[t][k]];
-      if (tag < other) features[{tag, other}].push_back({p[n[k]], p[n[(k + 1) % 3]]});
-    }
-  }
-  for (const auto& triangles : regions) regions_.emplace_back(triangles);
-  for (const auto& [pair, segments] : features) features_.emplace(pair, segments);
-}
-
-Vector3d OriginalSurface::onRegion(int region, const Vector3d& point) const {
-  return regions_[region].nearest(point);
-}
-
-Vector3d OriginalSurface::onFeature(const SurfaceTag& one, const SurfaceTag& other,
-                                    const Vector3d& point) const {
-  const auto found = features_.find(one < other ? TagPair{one, other} : TagPair{other, one});
-  return found == features_.end() ? point : found->second.nearest(point);
-}
 
 SurfaceEditor::SurfaceEditor(const TaggedSurface& surface, const OriginalSurface& original,
                              const SizeField& sizes)
@@ -237,7 +200,7 @@ void SurfaceEditor::split(int a, int b) {
   sizes_[fresh] = field_.at(positions_[fresh]);
 }
 
-bool SurfaceEditor::collapse(int from, int to) {
+bool SurfaceEditor::mayCollapse(int from, int to) const {
   if (corner_[from]) return false;
   const int left = leftOf(from, to);
   const int right = leftOf(to, from);
@@ -278,8 +241,12 @@ bool SurfaceEditor::collapse(int from, int to) {
                       cornerCosine(p[2], p[0], p[1])});
   }
   constexpr double kSliver = 0.9962;  // 5°
-  if (worst > kSliver && worst > worstAngleCosine(from)) return false;
-  for (int t : {left, right}) {
+  return worst <= kSliver || worst <= worstAngleCosine(from);
+}
+
+bool SurfaceEditor::collapse(int from, int to) {
+  if (!mayCollapse(from, to)) return false;
+  for (int t : {leftOf(from, to), leftOf(to, from)}) {
     for (int node : triangles_[t]) std::erase(around_[node], t);
     triangles_[t] = {-1, -1, -1};
   }
@@ -334,60 +301,6 @@ bool SurfaceEditor::flip(int a, int b) {
   replace(left, first);
   replace(right, second);
   return true;
-}
-
-bool SurfaceEditor::tryMove(int node, const Vector3d& there) {
-  if (!starStays(node, there)) return false;
-  const double before = worstAngleCosine(node);
-  const Vector3d old = positions_[node];
-  positions_[node] = there;
-  if (worstAngleCosine(node) > std::max(before, kGoodAngleCosine)) {
-    positions_[node] = old;
-    return false;
-  }
-  sizes_[node] = field_.at(there);
-  return true;
-}
-
-/// Mean of the centres of the surrounding triangles, weighted by area over the fourth power of the
-/// wanted size (density of a centroidal Voronoi diagram), so that nodes are denser at finer places.
-/// The node moves along the surface only.
-Vector3d SurfaceEditor::relaxedInside(int node) const {
-  Vector3d sum = Vector3d::Zero();
-  Vector3d direction = Vector3d::Zero();
-  double weights = 0.0;
-  for (int t : around_[node]) {
-    const auto& n = triangles_[t];
-    const Vector3d areaVector = normal(n);
-    const double size = (sizes_[n[0]] + sizes_[n[1]] + sizes_[n[2]]) / 3.0;
-    const double weight = areaVector.norm() / (size * size * size * size);
-    sum += weight / 3.0 * (positions_[n[0]] + positions_[n[1]] + positions_[n[2]]);
-    weights += weight;
-    direction += areaVector;
-  }
-  if (weights == 0.0 || direction.norm() == 0.0) return positions_[node];
-  direction.normalize();
-  const Vector3d step = sum / weights - positions_[node];
-  return positions_[node] + step - direction * direction.dot(step);
-}
-
-bool SurfaceEditor::relax(int node) {
-  if (around_[node].empty() || corner_[node]) return false;
-  const std::vector<int> rails = featureNeighbours(node);
-  if (!rails.empty()) {
-    // The place where both adjacent edges have the same length relative to the wanted sizes.
-    const double first = relativeLength(node, rails[0]);
-    const double second = relativeLength(node, rails[1]);
-    const int to = first > second ? rails[0] : rails[1];
-    const double part = std::abs(first - second) / (2.0 * std::max(first, second));
-    const Vector3d wanted = positions_[node] + part * (positions_[to] - positions_[node]);
-    const Vector3d there = onOriginal(node, to, wanted);
-    return (there - wanted).norm() < kFarOff * length(node, to) && tryMove(node, there);
-  }
-  const Vector3d wanted = relaxedInside(node);
-  const Vector3d there = original_.onRegion(tags_[around_[node].front()].region, wanted);
-  if ((there - wanted).norm() > kFarOff * sizes_[node]) return false;
-  return tryMove(node, there);
 }
 
 }  // namespace palpa::modeling

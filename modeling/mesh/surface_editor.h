@@ -1,32 +1,13 @@
 #pragma once
 
-#include <map>
-#include <memory>
+#include <array>
+#include <vector>
 
-#include "modeling/mesh/nearest_point.h"
+#include "modeling/mesh/original_surface.h"
 #include "modeling/mesh/size_field.h"
 #include "modeling/mesh/tagged_surface.h"
 
 namespace palpa::modeling {
-
-/// Original surface of a mesh, for projecting nodes back onto it. Smooth regions are searched
-/// separately, so that nodes do not jump through thin walls or over edges, and so are the feature
-/// lines between two tags. Immutable.
-class OriginalSurface {
- public:
-  explicit OriginalSurface(const TaggedSurface& surface);
-
-  /// Nearest point on a smooth region.
-  Eigen::Vector3d onRegion(int region, const Eigen::Vector3d& point) const;
-  /// Nearest point on the features between two tags.
-  Eigen::Vector3d onFeature(const SurfaceTag& one, const SurfaceTag& other,
-                            const Eigen::Vector3d& point) const;
-
- private:
-  using TagPair = std::pair<SurfaceTag, SurfaceTag>;
-  std::vector<NearestOnTriangles> regions_;
-  std::map<TagPair, NearestOnSegments> features_;
-};
 
 /// Editor of a tagged surface by local operations: split, collapse, flip, relax. Operations
 /// preserve feature edges and keep their nodes on them. Corners are nodes where features meet, end
@@ -75,12 +56,16 @@ class SurfaceEditor {
   bool relax(int node);
 
  private:
+  /// Of the length of an edge: a projection that jumps farther is wrong.
+  static constexpr double kFarOff = 0.5;
+
   Eigen::Vector3d normal(const std::array<int, 3>& triangle) const;
   Eigen::Vector3d normalWith(const std::array<int, 3>& triangle, int node,
                              const Eigen::Vector3d& there) const;
   Eigen::Vector3d onOriginal(int a, int b, const Eigen::Vector3d& point) const;
   bool isFlat(int node) const;
   bool wouldSag(int from, int to, int other) const;
+  bool mayCollapse(int from, int to) const;
   bool starStays(int node, const Eigen::Vector3d& there) const;
   double worstAngleCosine(int node) const;
   bool tryMove(int node, const Eigen::Vector3d& there);

@@ -15,6 +15,12 @@ inline double cornerCosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   return lengths > 0.0 ? std::clamp(p.dot(q) / lengths, -1.0, 1.0) : 1.0;
 }
 
+/// Cosine of the angle between two vectors; 0 if one of them is zero.
+inline double cosineBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double lengths = a.norm() * b.norm();
+  return lengths > 0.0 ? a.dot(b) / lengths : 0.0;
+}
+
 /// Smallest angle of a triangle in radians.
 inline double smallestAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                             const Eigen::Vector3d& c) {
