@@ -46,8 +46,12 @@ int drive(Campaign& campaign, const QString& folder, const ActionLog& log) {
   Interrupter interrupter(campaign, folder, log);
   const QString only = QString::fromStdString(campaign.option("--only").value_or(""));
   std::vector<Series> all;
-  for (const Situation situation : kSituations)
+  // Goes on where a run with the same seed and the same cases ended.
+  const auto skipped = std::stoul(campaign.option("--skip").value_or("0"));
+  for (const Situation situation : kSituations) {
     all.push_back(makeSeries(interrupter, situation, only, random));
+    all.back().next = std::min<std::size_t>(skipped, all.back().cases.size());
+  }
   long cases = 0, targets = 0;
   for (const Series& series : all) {
     cases += static_cast<long>(series.cases.size());
@@ -69,7 +73,8 @@ int drive(Campaign& campaign, const QString& folder, const ActionLog& log) {
   }
 end:
   long tried = 0;
-  for (const Series& series : all) tried += static_cast<long>(series.next);
+  for (const Series& series : all)
+    tried += static_cast<long>(series.next - std::min<std::size_t>(skipped, series.cases.size()));
   campaign.figure("cases", static_cast<double>(tried));
   campaign.figure("of", static_cast<double>(cases));
   campaign.figure("entries and buttons", static_cast<double>(targets));
@@ -83,7 +88,7 @@ end:
 
 int main(int argc, char** argv) {
   using namespace palpa::reliability;
-  Campaign campaign("interrupted_actions", argc, argv, 20, 0, {"--log", "--only"});
+  Campaign campaign("interrupted_actions", argc, argv, 20, 0, {"--log", "--only", "--skip"});
   return runWatched(campaign, argv, [&campaign](const QString& folder, const ActionLog& log) {
     return drive(campaign, folder, log);
   });
