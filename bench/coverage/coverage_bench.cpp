@@ -199,14 +199,7 @@ struct Ratios {
   }
 };
 
-/// The cases up to this number were used to choose the factors of error_estimate.cpp.
-constexpr int kLastOfTuning = 250;
-
-bool isKeptOut(const json& result) {
-  return result["number"].get<int>() > kLastOfTuning;
-}
-
-/// One line per engine, for all cases and for those that were kept out of tuning.
+/// One line per engine.
 void summarise(const std::vector<json>& results) {
   std::map<std::string, Ratios> byEngine;
   int invalid = 0;
@@ -217,18 +210,14 @@ void summarise(const std::vector<json>& results) {
     }
     for (const auto& [variant, of] : result["variants"].items()) {
       const std::string engine = variant.substr(0, variant.find(' '));
-      std::vector<std::string> groups{engine + ", all"};
-      if (isKeptOut(result)) groups.push_back(engine + ", kept out");
-      for (const std::string& group : groups) {
-        Ratios& list = byEngine[group];
-        if (of.contains("failed")) {
-          ++list.failed;
-          continue;
-        }
-        const double error = std::max(of["true"].get<double>(), 1e-12);
-        list.ratios.push_back(of["stated"].get<double>() / error);
-        list.errors.push_back(error);
+      Ratios& list = byEngine[engine];
+      if (of.contains("failed")) {
+        ++list.failed;
+        continue;
       }
+      const double error = std::max(of["true"].get<double>(), 1e-12);
+      list.ratios.push_back(of["stated"].get<double>() / error);
+      list.errors.push_back(error);
     }
   }
   std::printf("%-22s  %6s  %9s  %9s  %6s  %7s  %6s  %11s  %10s\n", "engine", "cases", "covered %",
