@@ -15,6 +15,7 @@ namespace {
 /// border's weight: nearer points have nearly the same equation on both sides. From 0.01 to 0.1
 /// the errors hardly differ.
 constexpr double kMinDistance = 0.05;
+constexpr double kEnough = kMinDistance * (1 - 1e-9);  ///< with rounding
 
 bool carries(const SplineSurface& surface, int element, int coefficient) {
   const std::vector<int>& list = surface.net(element);
@@ -76,6 +77,24 @@ std::vector<ElementPlace> placesOnOwnSide(const SplineSurface& surface, int coef
   return placesInPatch(surface, surface.elements()[strongest.element].patch, at[0], at[1]);
 }
 
+/// Rectangle of a patch in which the collocation point of a function stays, so that no two
+/// functions have the same point.
+struct Cell {
+  Eigen::Vector2d low, high;
+
+  Cell(const SplineSurface& surface, const SplineOccurrence& function) {
+    constexpr double kShare = 0.4;  // of the way to the next Greville point
+    const std::array<int, 2> number{function.i, function.j};
+    for (int d = 0; d < 2; ++d) {
+      const BsplineBasis& basis = surface.patches()[function.patch].basis[d];
+      const int last = basis.count() - 1;
+      const double own = basis.greville(number[d]);
+      low[d] = own + kShare * (basis.greville(std::max(number[d] - 1, 0)) - own);
+      high[d] = own + kShare * (basis.greville(std::min(number[d] + 1, last)) - own);
+    }
+  }
+};
+
 /// Moves points that are too close to the border of a support away from it, into the side to which
 /// their function belongs.
 class BorderDistance {
@@ -92,8 +111,24 @@ class BorderDistance {
     return least;
   }
 
-  /// Parameters in a patch, moved along the gradient; along an edge of the patch if it can.
-  Eigen::Vector2d moved(int patch, Eigen::Vector2d at) const {
+  double inPatch(int patch, const Eigen::Vector2d& parameters) const {
+    return at(
+        surface_.evaluate(placesInPatch(surface_, patch, parameters[0], parameters[1]).front())
+            .position);
+  }
+
+  /// Parameters of a patch, moved along the gradient within a cell; along an edge of the patch if
+  /// that leads far enough.
+  Eigen::Vector2d moved(int patch, const Eigen::Vector2d& at, const Cell& cell) const {
+    const Eigen::Vector2d alongEdge = moved(patch, at, cell, true);
+    const double distance = inPatch(patch, alongEdge);
+    if (distance >= kEnough) return alongEdge;
+    const Eigen::Vector2d anywhere = moved(patch, at, cell, false);
+    return inPatch(patch, anywhere) > distance ? anywhere : alongEdge;
+  }
+
+ private:
+  Eigen::Vector2d moved(int patch, Eigen::Vector2d at, const Cell& cell, bool staysOnEdge) const {
     constexpr int kMaxSteps = 10;
     constexpr double kStep = 1e-5, kMinAlongEdge = 0.1;
     const auto& basis = surface_.patches()[patch].basis;
@@ -107,7 +142,7 @@ class BorderDistance {
     }
     for (int step = 0; step < kMaxSteps; ++step) {
       const double here = inPatch(patch, at);
-      if (here >= kMinDistance * (1 - 1e-9)) break;
+      if (here >= kEnough) break;
       Eigen::Vector2d slope;
       for (int d = 0; d < 2; ++d) {
         const Eigen::Vector2d by = kStep * (high[d] - low[d]) * Eigen::Vector2d::Unit(d);
@@ -115,34 +150,30 @@ class BorderDistance {
         slope[d] = (inPatch(patch, after) - inPatch(patch, before)) / (after - before).norm();
       }
       const Eigen::Vector2d scaled = slope.cwiseProduct(high - low);
-      for (int d = 0; d < 2; ++d)
+      for (int d = 0; staysOnEdge && d < 2; ++d)
         if (isOnEdge[d] && std::abs(scaled[1 - d]) > kMinAlongEdge * std::abs(scaled[d]))
           slope[d] = 0;
       const double square = (slope.cwiseProduct(high - low)).squaredNorm();
       if (!(square > 0)) break;
       at += (kMinDistance - here) / square * slope.cwiseProduct((high - low).cwiseAbs2());
-      at = at.cwiseMax(low).cwiseMin(high);
+      at = at.cwiseMax(cell.low).cwiseMin(cell.high);
     }
     return at;
   }
-
- private:
   double signedDistance(int border, const Eigen::Vector3d& x) const {
     return surface_.cutBorders()[border].level(x) / surface_.cutBorders()[border].width;
-  }
-  double inPatch(int patch, const Eigen::Vector2d& parameters) const {
-    return at(
-        surface_.evaluate(placesInPatch(surface_, patch, parameters[0], parameters[1]).front())
-            .position);
   }
 
   const SplineSurface& surface_;
   int owner_;
 };
 
-/// Places of the collocation point of a function on the side to which it belongs.
+/// Places of the collocation point of a function on the side to which it belongs. `functions`: its
+/// occurrences; of those in several patches, the first counts in which the point gets far enough
+/// from the border, or farthest. Beyond a sharp edge none counts.
 std::vector<ElementPlace> placesBesideBorder(const SplineSurface& surface, int coefficient,
-                                             std::vector<ElementPlace> greville, int patch) {
+                                             std::vector<ElementPlace> greville,
+                                             const std::vector<SplineOccurrence>& functions) {
   if (surface.owners()[coefficient] == SplineSurface::kFixedPatch) return greville;
   const BorderDistance distance(surface, coefficient);
   const auto isOwn = [&](const ElementPlace& place) {
@@ -151,8 +182,21 @@ std::vector<ElementPlace> placesBesideBorder(const SplineSurface& surface, int c
   if (distance.at(surface.evaluate(greville.front()).position) >= kMinDistance &&
       std::all_of(greville.begin(), greville.end(), isOwn))
     return greville;
-  const Eigen::Vector2d at = distance.moved(patch, surface.parameters(greville.front()).parameters);
-  std::vector<ElementPlace> places = placesInPatch(surface, patch, at[0], at[1]);
+  const auto groupOf = [&](const SplineOccurrence& function) {
+    return surface.patches()[function.patch].smoothingGroup;
+  };
+  std::vector<ElementPlace> places;
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (const SplineOccurrence& function : functions) {
+    if (groupOf(function) != groupOf(functions.front()) || farthest >= kEnough) continue;
+    const Eigen::Vector2d from =
+        surface.parameters(grevillePlaces(surface, function).front()).parameters;
+    const Eigen::Vector2d at = distance.moved(function.patch, from, Cell(surface, function));
+    const double here = distance.inPatch(function.patch, at);
+    if (here <= farthest) continue;
+    farthest = here;
+    places = placesInPatch(surface, function.patch, at[0], at[1]);
+  }
   std::erase_if(places, [&](const ElementPlace& place) { return !isOwn(place); });
   if (places.empty()) places = placesOnOwnSide(surface, coefficient);
   std::erase_if(places, [&](const ElementPlace& place) { return !isOwn(place); });
@@ -174,7 +218,7 @@ std::vector<CollocationPlace> grevilleCollocation(const SplineSurface& surface) 
                      [&](const ElementPlace& p) { return carries(surface, p.element, k); }))
       point.places = placesOnOwnSide(surface, k);
     if (!surface.owners().empty() && !point.places.empty())
-      point.places = placesBesideBorder(surface, k, std::move(point.places), all[k].front().patch);
+      point.places = placesBesideBorder(surface, k, std::move(point.places), all[k]);
     if (point.places.empty())
       throw std::invalid_argument("grevilleCollocation: a control point belongs to no patch");
     point.position = surface.evaluate(point.places.front()).position;

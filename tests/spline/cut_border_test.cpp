@@ -6,6 +6,7 @@
 #include <random>
 
 #include "app/core/setup/to_spline_surface.h"
+#include "bem/spline/spline_collocation.h"
 #include "bem/spline/spline_equations.h"
 #include "bem/spline/spline_gluing.h"
 #include "bem/spline/spline_integrals.h"
@@ -95,6 +96,27 @@ TEST(CutBorder, NoCoefficientsAreAdded) {
                       .norm(),
                   1e-7);
       }
+  }
+}
+
+/// Two functions with the same point have the same equation. Points were moved along the edge of a
+/// patch into its corner, where another function has its point: one of 60 planes.
+TEST(CutBorder, PointsOfCollocationDifferAndKeepADistanceFromTheBorder) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-22, 22);
+  for (int k = 0; k < 120; ++k) {
+    const Vector3d across(normal(random), normal(random), normal(random));
+    const SplineSurface surface = heldSphere(across, uniform(random));
+    const CutBorder& border = surface.cutBorders().front();
+    const auto points = grevilleCollocation(surface);
+    for (std::size_t a = 0; a < points.size(); ++a) {
+      const Vector3d& at = points[a].position;
+      const double inside = surface.owners()[a] == SplineSurface::kFree ? 1 : -1;
+      ASSERT_GE(inside * border.level(at), 0.02 * border.width) << k << ", function " << a;
+      for (std::size_t b = 0; b < a; ++b)
+        ASSERT_GE((points[b].position - at).norm(), 0.1) << k << ", functions " << a << ", " << b;
+    }
   }
 }
 
