@@ -25,8 +25,9 @@ constexpr double kWidth = 2;
 constexpr int kMaxOrderInSupport = 3, kMaxOrderOfFree = 1;
 constexpr int kReach = 6;  ///< functions beyond the function that is extrapolated
 /// Largest sum of the weights' sizes. Cubic extrapolation by one function has 15, quadratic by two
-/// 17, linear by one in both directions 9. With 60, single oblique borders became nearly singular.
-constexpr double kMaxSum = 20;
+/// 17, linear by one in both directions 9. With quadratic ones by two, matrices became nearly
+/// singular (condition 1e8 instead of 4e4) for a few borders that run oblique to the knots.
+constexpr double kMaxSum = 16;
 
 class Extension {
  public:

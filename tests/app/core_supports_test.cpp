@@ -196,5 +196,24 @@ TEST(Supports, AcrossSharpEdgesAreWellConditionedWithQuadraticTriangles) {
   }
 }
 
+// Quadratic extrapolation by functions two rows away made conditions of 1e6 to 1e8 beside borders
+// that run oblique to the knots; the stated error was beyond 100 %.
+TEST(Supports, ObliqueBordersAreWellConditionedWithSplines) {
+  Project project = test::clampedSphere(6, 0.3);
+  project.mesh.engine = Engine::kSplines;
+  project.mesh.accuracy = 0.1;
+  const auto condition = [&](const auto& shape, const Vector3d& across, double height) {
+    modeling::Primitive primitive;
+    primitive.shape = shape;
+    project.body = modeling::makePrimitive(primitive);
+    project.supports[0].where = Region::below(across, height);
+    return build(project)->problem()->conditionEstimate();
+  };
+  const modeling::TorusShape ring{20, 7};
+  EXPECT_LE(condition(ring, {0.6, -1.1, 1.0}, 3), 2e5);
+  EXPECT_LE(condition(ring, {-0.3, -0.7, -0.1}, -7), 2e5);
+  EXPECT_LE(condition(modeling::CapsuleShape{12, 30}, {-0.5, 0.4, -0.9}, 11), 2e5);
+}
+
 }  // namespace
 }  // namespace palpa::app
