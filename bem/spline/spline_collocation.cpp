@@ -160,6 +160,7 @@ class BorderDistance {
     }
     return at;
   }
+
   double signedDistance(int border, const Eigen::Vector3d& x) const {
     return surface_.cutBorders()[border].level(x) / surface_.cutBorders()[border].width;
   }

@@ -11,8 +11,9 @@ namespace palpa::bem {
 /// Collocation points, one per displacement coefficient: its Greville point. For a torn
 /// coefficient, whose Greville point may lie on the other side of the border, the point lies in the
 /// middle of the elements that use the coefficient. Beside a border with BorderFunctions, the point
-/// is moved into the side to which the function belongs. Throws std::invalid_argument if a control
-/// point belongs to no patch.
+/// is moved into the side to which the function belongs, at most 0.4 of the way to the Greville
+/// point of the next function, so that no two points coincide. Throws std::invalid_argument if a
+/// control point belongs to no patch.
 std::vector<CollocationPlace> grevilleCollocation(const SplineSurface& surface);
 
 /// Collocation point inside the part of the surface that contains a traction slot, at the fraction
