@@ -26,6 +26,8 @@ std::string inDecimalsOf(double value, double whole, double error) {
 std::string withError(double value, double error) {
   const std::string text = rounded(value, error);
   if (!(error > 0) || value == 0) return text;
+  // Above that an estimate says only that the number is of no use.
+  if (error > 1) return text + " ± " + percentText(error);
   const double absolute = error * std::abs(value);
   return text + " ± " + errorText(absolute, decimalsFor(value, absolute));
 }

@@ -15,7 +15,7 @@ std::string rounded(const Eigen::Vector3d& vector, double error);
 /// A number of at most the size of `whole`, in the decimals of `whole`.
 std::string inDecimalsOf(double value, double whole, double error);
 
-/// "4.72 ± 0.03"; without the error where it is not known.
+/// "4.72 ± 0.03", "5 ± more than 100 %"; without the error where it is not known.
 std::string withError(double value, double error);
 
 /// "about 0.5 %".

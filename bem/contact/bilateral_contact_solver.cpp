@@ -141,11 +141,12 @@ std::vector<BilateralContactSolver::Contact> BilateralContactSolver::contacts(
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const auto row = 3 * static_cast<Eigen::Index>(k);
     const Vector3d force = forces.segment<3>(row);
-    const Vector3d deflection = compliance_.block<3, 3>(row, row) * force;
+    const Eigen::Matrix3d compliance = compliance_.block<3, 3>(row, row);
+    const Vector3d deflection = compliance * force;
     const double size = deflection.norm();
     result.push_back({entries_[k].id, entries_[k].mask.point, entries_[k].mask.radius, force,
                       displacements.segment<3>(row), deflection,
-                      size > 0 ? force.norm() / size : 0.0});
+                      size > 0 ? force.norm() / size : 0.0, compliance});
   }
   return result;
 }

@@ -49,7 +49,8 @@ class BilateralContactSolver {
     Eigen::Vector3d displacement;  ///< mm, mean over the mask
     /// Part of `displacement` that the force of this contact causes, mm.
     Eigen::Vector3d deflection;
-    double stiffness;  ///< |force| / |deflection|, N/mm; 0 if there is no force
+    double stiffness;            ///< |force| / |deflection|, N/mm; 0 if there is no force
+    Eigen::Matrix3d compliance;  ///< mm/N, of this contact alone
   };
   /// Contacts for the given forces, in the order they were added.
   std::vector<Contact> contacts(const Eigen::VectorXd& forces) const;

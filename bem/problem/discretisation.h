@@ -75,6 +75,9 @@ class Discretisation {
   virtual std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u,
                                                      const Eigen::VectorXd& p,
                                                      const Material& material) const = 0;
+  /// Position of a place on the surface that the discretisation describes, mm: curved for quadratic
+  /// triangles and splines.
+  virtual Eigen::Vector3d position(const SurfacePoint& place) const = 0;
   /// Σ N_j u_j at a place, mm.
   virtual Eigen::Vector3d interpolate(const SurfacePoint& place,
                                       const Eigen::VectorXd& u) const = 0;

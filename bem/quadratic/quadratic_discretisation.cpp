@@ -101,6 +101,10 @@ std::vector<Matrix3d> QuadraticDiscretisation::surfaceStress(const VectorXd& u, 
   return stress;
 }
 
+Vector3d QuadraticDiscretisation::position(const SurfacePoint& at) const {
+  return surface_.evaluate(QuadraticSurface::place(at.triangle, at.weights)).position;
+}
+
 Vector3d QuadraticDiscretisation::interpolate(const SurfacePoint& at, const VectorXd& u) const {
   const ElementPlace place = QuadraticSurface::place(at.triangle, at.weights);
   std::vector<double> basis;

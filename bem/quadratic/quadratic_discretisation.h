@@ -42,6 +42,7 @@ class QuadraticDiscretisation final : public Discretisation {
   double strainEnergy(const Eigen::VectorXd& u, const Eigen::VectorXd& p) const override;
   std::vector<Eigen::Matrix3d> surfaceStress(const Eigen::VectorXd& u, const Eigen::VectorXd& p,
                                              const Material& material) const override;
+  Eigen::Vector3d position(const SurfacePoint& place) const override;
   Eigen::Vector3d interpolate(const SurfacePoint& place, const Eigen::VectorXd& u) const override;
   Eigen::Vector3d displacementAt(const SurfacePoint& place, const Eigen::VectorXd& u,
                                  const Eigen::VectorXd& p, const Bulk& bulk) const override;

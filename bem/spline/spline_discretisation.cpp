@@ -84,6 +84,10 @@ std::vector<Eigen::Matrix3d> SplineDiscretisation::surfaceStress(const Eigen::Ve
   return stress_.get(splineMesh_).stress(u, p, material);
 }
 
+Vector3d SplineDiscretisation::position(const SurfacePoint& place) const {
+  return surfacePlaces(surface_, splineMesh_.at(place)).position;
+}
+
 Vector3d SplineDiscretisation::interpolate(const SurfacePoint& place,
                                            const Eigen::VectorXd& u) const {
   const SplineMesh::Point at = splineMesh_.at(place);

@@ -65,6 +65,10 @@ std::vector<Eigen::Matrix3d> TriangleDiscretisation::surfaceStress(const VectorX
   return bem::surfaceStress(mesh(), slots(), u, p, material);
 }
 
+Vector3d TriangleDiscretisation::position(const SurfacePoint& place) const {
+  return mesh().point(place.triangle, place.weights);
+}
+
 Vector3d TriangleDiscretisation::interpolate(const SurfacePoint& place, const VectorXd& u) const {
   Vector3d sum = Vector3d::Zero();
   for (int corner = 0; corner < 3; ++corner)

@@ -202,7 +202,18 @@ PatchPoint PatchSearch::nearest(int patch, const Vector3d& x) const {
 PatchPoint PatchSearch::nearest(const Vector3d& x) const {
   PatchPoint best;
   double squared = std::numeric_limits<double>::infinity();
+  // A good first distance discards most patches.
+  int first = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int patch = 0; patch < patchCount(); ++patch)
+    for (const Vector3d& place : entries_[patch]->places)
+      if (const double distance = (place - x).squaredNorm(); distance < nearest) {
+        nearest = distance;
+        first = patch;
+      }
+  search(first, x, squared, best);
   for (int patch = 0; patch < patchCount(); ++patch) {
+    if (patch == first) continue;
     bool mayBeNearer = false;
     entries_[patch]->tree.visitNear(x, std::sqrt(squared), [&](int, double) {
       mayBeNearer = true;

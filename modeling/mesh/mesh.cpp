@@ -198,7 +198,7 @@ SurfaceMesh mesh(const Solid& solid, const MeshSettings& settings,
   const std::vector<RegionBorder> borders = distinctBorders(regions);
   report(0.05);
   MeshEditor editor(structuredMesh(solid, surface, counts, lengths, job), borders, job);
-  boundAspect(editor, narrowPatches(surface, counts));
+  boundAspect(editor, narrowPatches(surface, counts), longPatches(surface, counts));
   report(0.3);
   for (std::size_t k = 0; k < borders.size(); ++k) fitToBorder(editor, static_cast<int>(k));
   report(0.5);

@@ -26,6 +26,7 @@ double meanPieces(const SurfaceEvaluator& surface, int patch, int direction, dou
 struct Cuts {
   int direction = 0;
   double pieces = 1.0;
+  double ratio = 1.0;  ///< of the sides of a cell
 };
 
 /// Cuts from the lengths of the patch's middle lines: a right triangle with legs a and b ≫ a has
@@ -37,13 +38,24 @@ Cuts cutsOf(const SurfaceEvaluator& surface, int patch, const std::array<double,
     cell[direction] =
         IsoCurve(surface, patch, direction, 0.5 * (low + high)).length() / counts[direction];
   }
-  Cuts cuts{cell[0] > cell[1] ? 0 : 1, 1.0};
+  Cuts cuts{cell[0] > cell[1] ? 0 : 1};
   // Absurdly small edge lengths make the cells vanish.
   if (!(cell[0] > 0.0 && cell[1] > 0.0)) return cuts;
-  while (cuts.pieces < kMaxCuts && 0.5 * std::numbers::sqrt3 * cell[cuts.direction] >
-                                       kMaxAspect * cuts.pieces * cell[1 - cuts.direction])
+  cuts.ratio = cell[cuts.direction] / cell[1 - cuts.direction];
+  while (cuts.pieces < kMaxCuts &&
+         0.5 * std::numbers::sqrt3 * cuts.ratio > kMaxAspect * cuts.pieces)
     cuts.pieces *= 2.0;
   return cuts;
+}
+
+/// Patches whose cells fulfil a condition.
+template <class Condition>
+std::set<int> patchesWhere(const SurfaceEvaluator& surface, const Counts& counts,
+                           const Condition& condition) {
+  std::set<int> result;
+  for (int patch = 0; patch < surface.patchCount(); ++patch)
+    if (condition(cutsOf(surface, patch, counts[patch]))) result.insert(patch);
+  return result;
 }
 
 }  // namespace
@@ -91,10 +103,13 @@ double structuredNodeCount(const Solid& solid, const Counts& counts) {
 }
 
 std::set<int> narrowPatches(const SurfaceEvaluator& surface, const Counts& counts) {
-  std::set<int> result;
-  for (int patch = 0; patch < surface.patchCount(); ++patch)
-    if (cutsOf(surface, patch, counts[patch]).pieces > 1.0) result.insert(patch);
-  return result;
+  return patchesWhere(surface, counts, [](const Cuts& cuts) { return cuts.pieces > 1; });
+}
+
+std::set<int> longPatches(const SurfaceEvaluator& surface, const Counts& counts) {
+  return patchesWhere(surface, counts, [](const Cuts& cuts) {
+    return cuts.pieces == 1 && cuts.ratio > kMaxUnevenness;
+  });
 }
 
 double narrowPatchNodes(const SurfaceEvaluator& surface, const Counts& counts) {

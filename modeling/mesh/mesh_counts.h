@@ -28,6 +28,8 @@ double structuredNodeCount(const Solid& solid, const Counts& counts);
 
 /// Patches with cells so long and narrow that boundAspect() must cut them.
 std::set<int> narrowPatches(const SurfaceEvaluator& surface, const Counts& counts);
+/// Other patches whose cells are longer than kMaxUnevenness by themselves.
+std::set<int> longPatches(const SurfaceEvaluator& surface, const Counts& counts);
 
 /// Rough estimate of the number of nodes that boundAspect() adds.
 double narrowPatchNodes(const SurfaceEvaluator& surface, const Counts& counts);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <queue>
+#include <utility>
 
 namespace palpa::modeling {
 namespace {
@@ -107,9 +108,9 @@ void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSo
   }
 }
 
-void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
+void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches,
+                 const std::set<int>& longPatches) {
   if (narrowPatches.empty()) return;
-  constexpr double kGraded = 3.0;  // longest over shortest edge around narrow patches
   const auto& triangles = editor.mesh().triangles;
   // Sides of a triangle by length, shortest first.
   const auto sorted = [&](int t) {
@@ -124,6 +125,24 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
     });
     return sides;
   };
+  // Where patches are curved in both directions, the diagonal of a long cell may be shorter than
+  // one of its long sides, so these are known from the structured mesh.
+  std::set<std::pair<int, int>> longSides;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& other = triangles[i ^ 1U].nodes;
+    const auto isIn = [&](int node) {
+      return std::find(other.begin(), other.end(), node) != other.end();
+    };
+    const std::array<DirectedEdge, 3> s = sorted(static_cast<int>(i));
+    for (const int k : {2, 1})
+      if (!isIn(s[k].a) || !isIn(s[k].b)) {
+        longSides.insert(std::minmax(s[k].a, s[k].b));
+        break;
+      }
+  }
+  const auto isLongSide = [&](const DirectedEdge& edge) {
+    return longSides.contains(std::minmax(edge.a, edge.b));
+  };
   // A long cell has two triangles with one long side each and a common diagonal. Halving the sides
   // and flipping the diagonal gives two cells of half the length.
   for (int cuts = 1; cuts < kMaxCuts; cuts *= 2) {
@@ -131,14 +150,22 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
     std::vector<DirectedEdge> diagonals;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (i % kCheckpoint == 0) editor.checkpoint();
-      if (!narrowPatches.contains(triangles[i].patch)) continue;
+      const bool isNarrow = narrowPatches.contains(triangles[i].patch);
+      // Once: bisection would halve the short edges of long cells, too, again and again.
+      const bool isLong = cuts == 1 && longPatches.contains(triangles[i].patch);
+      if (!isNarrow && !isLong) continue;
       const std::array<DirectedEdge, 3> s = sorted(static_cast<int>(i));
-      if (0.5 * std::numbers::sqrt3 * s[1].length <= kMaxAspect * s[0].length) continue;
-      sides.push_back(s[1]);
-      diagonals.push_back(s[2]);
+      if (isNarrow && 0.5 * std::numbers::sqrt3 * s[1].length <= kMaxAspect * s[0].length) continue;
+      const bool isLongest = isLongSide(s[2]) && !isLongSide(s[1]);
+      sides.push_back(s[isLongest ? 2 : 1]);
+      diagonals.push_back(s[isLongest ? 1 : 2]);
     }
-    for (const DirectedEdge& side : sides)
-      if (editor.leftOf(side.a, side.b) >= 0) editor.split(side.a, side.b);
+    for (const DirectedEdge& side : sides) {
+      if (editor.leftOf(side.a, side.b) < 0) continue;
+      const int middle = editor.split(side.a, side.b);
+      longSides.insert(std::minmax(side.a, middle));
+      longSides.insert(std::minmax(middle, side.b));
+    }
     for (const DirectedEdge& diagonal : diagonals)
       if (editor.leftOf(diagonal.a, diagonal.b) >= 0) editor.flip(diagonal.a, diagonal.b);
     // Neighbours are graded after each step, so that their triangles keep a good shape.
@@ -147,7 +174,7 @@ void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches) {
       if (i % kCheckpoint == 0) editor.checkpoint();
       if (narrowPatches.contains(triangles[i].patch)) continue;
       const std::array<DirectedEdge, 3> s = sorted(static_cast<int>(i));
-      if (s[2].length > kGraded * s[0].length)
+      if (s[2].length > kMaxUnevenness * s[0].length)
         uneven.emplace_back(static_cast<int>(i), triangles[i].nodes);
     }
     for (const auto& [t, nodes] : uneven)

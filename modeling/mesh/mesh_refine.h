@@ -14,6 +14,7 @@ inline constexpr double kSizeGrowth = 0.5;
 /// MeshQuality::largestAspect) is at most kMaxAspect or their edges have kMaxCuts pieces.
 inline constexpr double kMaxAspect = 4.5;
 inline constexpr int kMaxCuts = 16;
+inline constexpr double kMaxUnevenness = 3;
 
 /// Bisects a triangle at its longest edge. While the neighbour across this edge has a longer edge,
 /// the neighbour is bisected first, so that angles stay bounded from below (Rivara's longest-edge
@@ -27,8 +28,11 @@ void refineTowards(MeshEditor& editor, const std::function<bool(int, int)>& isSo
                    double smallest, double largest);
 
 /// Halves the long edges of the triangles in the given patches, whose cells are long and narrow,
-/// until they are within kMaxAspect or kMaxCuts, and grades the surrounding patches. The mesh must
-/// be a structured mesh.
-void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches);
+/// until they are within kMaxAspect or kMaxCuts, and grades the surrounding patches, so that the
+/// longest edge of a triangle is at most kMaxUnevenness of its shortest one. `longPatches`:
+/// others, whose cells are longer than that by themselves, which are halved once. The mesh must be
+/// as structuredMesh() made it.
+void boundAspect(MeshEditor& editor, const std::set<int>& narrowPatches,
+                 const std::set<int>& longPatches);
 
 }  // namespace palpa::modeling

@@ -42,6 +42,7 @@ TEST(ReportText, NumbersEndAtTheirError) {
   EXPECT_EQ(withError(4.7212, 0.01), "4.72 ± 0.05");
   EXPECT_EQ(withError(-4.7212, 0.01), "-4.72 ± 0.05");
   EXPECT_EQ(withError(0, 0.01), "0");
+  EXPECT_EQ(withError(4.7212, 1e15), "5 ± more than 100 %");
   EXPECT_EQ(withError(0.36056, 0), "0.3606");
   EXPECT_EQ(rounded(Eigen::Vector3d(0.0004, 0, -2.3312), 0.02), "(0, 0, -2.33)");
 }

@@ -10,6 +10,7 @@
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_counts.h"
+#include "modeling/shapes/primitive.h"
 #include "modeling/shapes/primitives.h"
 
 namespace palpa::modeling {
@@ -125,6 +126,20 @@ TEST(NarrowPatches, HaveTrianglesOfBoundedAspect) {
     const double estimate = estimateNodeCount(c.solid, edgeLength(c.h));
     EXPECT_LT(std::abs(std::log(estimate / static_cast<double>(result.positions.size()))),
               std::log(5.0));
+  }
+}
+
+// The cells of a thin ring are bent in both directions, and their diagonals shorter than their
+// outer sides: 12 times as many nodes were made from long edges as from short ones.
+TEST(NarrowPatches, OfThinRingsStayCoarse) {
+  for (const double radius : {2.0, 5.0}) {
+    const Solid ring = makePrimitive({TorusShape{24, radius}});
+    for (const double h : {8.0, 12.9, 20.0, 40.0}) {
+      const SurfaceMesh result = mesh(ring, edgeLength(h));
+      EXPECT_EQ(checks::manifoldFault(result), "Euler characteristic 0");
+      EXPECT_LT(result.positions.size(), 300U) << radius << " " << h;
+      EXPECT_GT(measureQuality(result).smallestAngle, 18.0) << radius << " " << h;
+    }
   }
 }
 

@@ -7,7 +7,9 @@
 
 #include "app/core/model/geometry_error.h"
 #include "app/core/model/model_cache.h"
+#include "app/core/model/surface_offsets.h"
 #include "app/core/setup/boundary_setup.h"
+#include "base/lazy.h"
 #include "bem/contact/contact_simulation.h"
 #include "bem/contact/contact_surface.h"
 #include "bem/problem/reference_problem.h"
@@ -62,6 +64,8 @@ struct TouchState {
     std::vector<bem::ContactSimulation::PatchForce> patch{};  ///< of a push or ball
     /// Estimated relative error of the force (error_estimate.h); empty if it was not requested.
     std::optional<double> errorEstimate{};
+    /// mm/N: displacement of the place by unit forces on it, of a place that a grab moves.
+    std::optional<Eigen::Matrix3d> compliance{};
 
     bool presses() const { return kind && modeling::infoOf(*kind).presses; }
     bool isBall() const { return kind && modeling::infoOf(*kind).isBall; }
@@ -114,6 +118,11 @@ class TouchModel {
   /// Key of problem() in a cache.
   const ModelCache::Key& key() const { return key_; }
 
+  /// SurfaceOffsets::ofTriangle, computed at the first call. Throws Cancelled.
+  const std::vector<double>& surfaceOffsets(const Job& job) const {
+    return offsets_.get(body_, *setup_.discretisation, setup_.splines != nullptr, job).ofTriangle;
+  }
+
   /// Adds forces, energy and balance to a field and its contacts. About ten times as fast with a
   /// `surface` of this model.
   TouchState describe(bem::BoundaryField field, std::vector<TouchState::Contact> contacts,
@@ -133,6 +142,7 @@ class TouchModel {
   TouchState rest_;
   BuildReport report_;
   ModelCache::Key key_;
+  Lazy<SurfaceOffsets> offsets_;
 };
 
 }  // namespace palpa::app

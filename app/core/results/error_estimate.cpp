@@ -5,6 +5,7 @@
 
 #include "app/core/results/ball_error.h"
 #include "app/core/results/sampled_error.h"
+#include "app/core/results/shape_error.h"
 
 namespace palpa::app {
 namespace {
@@ -33,26 +34,28 @@ double factorOfDips(const BoundarySetup& setup) {
   return setup.splines ? 1 : 1.7;
 }
 
-/// Strain energy per volume on the surface.
-class EnergyDensity {
- public:
-  EnergyDensity(const BoundarySetup& setup, const bem::BoundaryField& field)
-      : setup_(setup),
-        stress_(
-            setup.discretisation->surfaceStress(field.u.col(0), field.p.col(0), setup.material)) {}
+/// True if a support is within the radius of a contact on the same side of the body.
+bool reachesSupport(const BoundarySetup& setup, const TouchState::Contact& contact) {
+  const bem::BoundaryMesh& mesh = setup.mesh();
+  const auto isReached = [&](int triangle) {
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+    return mesh.normal(triangle).dot(contact.normal) > 0 &&
+           std::any_of(corners.begin(), corners.end(), [&](int node) {
+             return (mesh.nodes[static_cast<std::size_t>(node)] - contact.at).norm() <
+                    reachOf(contact);
+           });
+  };
+  return std::any_of(setup.supports.begin(), setup.supports.end(), [&](const auto& support) {
+    return std::any_of(support.triangles.begin(), support.triangles.end(), isReached);
+  });
+}
 
-  /// N/mm^2, at the middle of the place's triangle.
-  double at(const bem::SurfacePoint& place) const {
-    Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
-    for (const int slot : setup_.meshSlots().ofCorner[static_cast<std::size_t>(place.triangle)])
-      stress += stress_[static_cast<std::size_t>(slot)] / 3;
-    return 0.5 * stress.cwiseProduct(bem::strainOf(stress, setup_.material)).sum();
-  }
-
- private:
-  const BoundarySetup& setup_;
-  std::vector<Eigen::Matrix3d> stress_;
-};
+/// A further factor for places that are held and reach a support: there the tractions are unbounded
+/// and the mask ends at the border, which meshes follow to some part of an element. Measured on two
+/// bodies with three engines each, whose forces differed by 1 to 10 %.
+double factorAtSupports(const BoundarySetup& setup, const TouchState::Contact& contact) {
+  return contact.compliance && reachesSupport(setup, contact) ? 4 : 1;
+}
 
 bool isAroundContact(const TouchState& state, const Vector3d& place) {
   return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const auto& contact) {
@@ -121,31 +124,33 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
   // Also weighted by the energy: the error of parts that are only carried along, like the pins of a
   // chip that is pressed elsewhere, costs no energy and does not change a force. Not by area: near
   // a contact, where most of the energy is, are most triangles.
+  const EnergyDensity energy(model.setup(), state.field.u.col(0), state.field.p.col(0));
   SampledError::Squares strained;
   if (!state.contacts.empty()) {
-    const EnergyDensity energy(model.setup(), state.field);
     const std::vector<bem::SurfacePoint> some = spread(mesh, all, kPlacesOfEnergy);
     const std::vector<SampledError::Squares> ofSome = errorsAt(some, error, quiet);
-    for (std::size_t k = 0; k < some.size(); ++k) strained.add(ofSome[k], energy.at(some[k]));
+    for (std::size_t k = 0; k < some.size(); ++k)
+      strained.add(ofSome[k], energy.at(some[k].triangle));
   }
   StateError estimate;
   const CoverFactors factors = coverFactors(model.setup());
   const double ofForces = factorOfGivenForces(model.setup(), state);
+  const double ofShape = shapeError(model, energy, state.energy, quiet);
   estimate.field = ofForces * factors.field * std::max(sum.relative(), state.relativeBalance);
   double fromArea = 0;
   for (const TouchState::Contact& contact : state.contacts) {
     // The residual at a contact does not show what is wrong with the body as a whole: a force has
     // at least the error of the field where the body is strained.
     const double ofContact =
-        ofForces * factors.contact *
+        ofForces * factors.contact * factorAtSupports(model.setup(), contact) *
         std::max({errorAtContact(mesh, error, contact),
                   strained.relative(contact.displacement.norm()), state.relativeBalance});
     const double ofArea = ballPressureError(model.setup(), contact);
     fromArea = std::max(fromArea, ofArea);
-    estimate.contacts.push_back(ofContact + ofArea);
+    estimate.contacts.push_back(ofContact + ofArea + ofShape);
   }
-  // A wrong force moves the whole body wrongly.
-  estimate.field += factorOfDips(model.setup()) * fromArea;
+  // A wrong force moves the whole body wrongly, and so does a wrong shape.
+  estimate.field += ofShape + factorOfDips(model.setup()) * fromArea;
   return estimate;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/results/sampled_error.h"
+#include "app/core/results/shape_error.h"
 #include "base/box_tree.h"
 #include "bem/base/error.h"
 
@@ -108,8 +109,10 @@ std::vector<PressError> estimatePressErrors(const TouchModel& model,
     job.throwIfCancelled();
     const TouchState::Contact& press = presses[static_cast<std::size_t>(k)].contacts.front();
     PressError& error = errors[pressed[static_cast<std::size_t>(k)]];
-    error.relative =
-        factor * errorAtContact(setup.mesh(), SampledError(setup, bulk, fields, carried, k), press);
+    const EnergyDensity energy(setup, fields.u.col(k), fields.p.col(k));
+    error.relative = factor * errorAtContact(setup.mesh(),
+                                             SampledError(setup, bulk, fields, carried, k), press) +
+                     shapeError(model, energy, press.force.dot(press.deflection) / 2, quiet);
     error.radius = press.radius;
   }
   return errors;

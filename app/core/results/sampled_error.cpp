@@ -31,14 +31,17 @@ bool hasCutSplines(const BoundarySetup& setup) {
 CoverFactors coverFactors(const BoundarySetup& setup) {
   if (setup.engine == modeling::Engine::kTriangles) return {5, 5};
   if (setup.engine == modeling::Engine::kQuadratic) return {5, 0.8};
-  return {hasCutSplines(setup) ? 2.8 : 1.5, 2};
+  return {hasCutSplines(setup) ? 2.8 : 1.5, 2.4};
+}
+
+Vector3d SampledError::vectorAt(const bem::SurfacePoint& place) const {
+  const bem::Discretisation& on = *setup_.discretisation;
+  return on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, bulk_);
 }
 
 SampledError::Squares SampledError::at(const bem::SurfacePoint& place) const {
-  const bem::Discretisation& on = *setup_.discretisation;
-  return {
-      (on.interpolate(place, carried_) + on.displacementDefect(place, u_, p_, bulk_)).squaredNorm(),
-      on.interpolate(place, u_).squaredNorm()};
+  return {vectorAt(place).squaredNorm(),
+          setup_.discretisation->interpolate(place, u_).squaredNorm()};
 }
 
 std::vector<SampledError::Squares> errorsAt(const std::vector<bem::SurfacePoint>& places,
@@ -71,14 +74,23 @@ double reachOf(const TouchState::Contact& contact) {
 
 double errorAtContact(const bem::BoundaryMesh& mesh, const SampledError& error,
                       const TouchState::Contact& contact) {
-  SampledError::Squares sum;
+  if (!(contact.displacement.norm() > kStill * mesh.boundingSize())) return 0;
   const double reach = reachOf(contact);
   const Vector3d along = contact.normal.unitOrthogonal(), across = contact.normal.cross(along);
+  const Eigen::Matrix3d stiffness =
+      contact.compliance ? contact.compliance->inverse().eval() : Eigen::Matrix3d::Zero();
+  double ofDisplacement = 0, ofForce = 0;
   for (const Vector3d& direction :
-       std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across})
-    sum.add(error.at(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction)));
-  const double moved = contact.displacement.norm();
-  return moved > kStill * mesh.boundingSize() ? std::sqrt(sum.error / 5) / moved : 0;
+       std::array<Vector3d, 5>{Vector3d::Zero(), along, -along, across, -across}) {
+    const Vector3d here =
+        error.vectorAt(bem::nearestSurfacePoint(mesh, contact.at + 0.5 * reach * direction));
+    ofDisplacement += here.squaredNorm() / 5;
+    ofForce += (stiffness * here).squaredNorm() / 5;
+  }
+  const double relative = std::sqrt(ofDisplacement) / contact.displacement.norm();
+  if (!contact.compliance) return relative;
+  const double force = std::max((stiffness * contact.displacement).norm(), contact.force.norm());
+  return std::max(relative, std::sqrt(ofForce) / force);
 }
 
 }  // namespace palpa::app

@@ -53,6 +53,8 @@ class SampledError {
     }
   };
   Squares at(const bem::SurfacePoint& place) const;
+  /// Error of the displacement, mm.
+  Eigen::Vector3d vectorAt(const bem::SurfacePoint& place) const;
 
  private:
   const BoundarySetup& setup_;
@@ -76,8 +78,11 @@ std::vector<bem::SurfacePoint> spread(const bem::BoundaryMesh& mesh,
 /// Radius of a contact on the surface, mm.
 double reachOf(const TouchState::Contact& contact);
 
-/// Relative error at the middle of a contact and four places half-way to its border, over the
-/// displacement of the contact; 0 for a contact that does not move.
+/// Relative error of the force of a contact by the errors of displacements at its middle and four
+/// places half-way to its border, root mean squares: over the displacement of the contact, or, if
+/// that is larger and the compliance C known, the error C^-1 e of the force by the error e of the
+/// displacement, over the force or C^-1 d with the displacement d. It is larger for a place that
+/// moves in a direction in which it yields easily. 0 for a contact that does not move.
 double errorAtContact(const bem::BoundaryMesh& mesh, const SampledError& error,
                       const TouchState::Contact& contact);
 

@@ -93,6 +93,7 @@ class StaticTouchSolution {
     contact.kind = touch.kind;
     contact.name = touch.name;
     contact.normal = surface_.normal(from.point);
+    if (!contact.hasGivenForce()) contact.compliance = from.compliance;
     return contact;
   }
 

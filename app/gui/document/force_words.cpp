@@ -65,6 +65,10 @@ QString forceWithError(double force, const Unit& unit, double error) {
   const int most = decimalsFor(value, value * std::pow(10.0, -kForceDigits));
   const int decimals = decimalsFor(value, error * value);
   if (decimals > most) return QString::fromStdString(withDecimals(value, most)) + " " + unit.symbol;
+  // Above that an estimate says only that the number is of no use.
+  if (error > 1)
+    return QString::fromStdString(withDecimals(value, decimals)) + " " + unit.symbol +
+           " ± more than 100 %";
   return QString::fromStdString(withDecimals(value, decimals) + " ± " +
                                 errorText(error * value, decimals)) +
          " " + unit.symbol;
