@@ -34,29 +34,6 @@ double factorOfDips(const BoundarySetup& setup) {
   return setup.splines ? 1 : 1.7;
 }
 
-/// True if a support is within the radius of a contact on the same side of the body.
-bool reachesSupport(const BoundarySetup& setup, const TouchState::Contact& contact) {
-  const bem::BoundaryMesh& mesh = setup.mesh();
-  const auto isReached = [&](int triangle) {
-    const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
-    return mesh.normal(triangle).dot(contact.normal) > 0 &&
-           std::any_of(corners.begin(), corners.end(), [&](int node) {
-             return (mesh.nodes[static_cast<std::size_t>(node)] - contact.at).norm() <
-                    reachOf(contact);
-           });
-  };
-  return std::any_of(setup.supports.begin(), setup.supports.end(), [&](const auto& support) {
-    return std::any_of(support.triangles.begin(), support.triangles.end(), isReached);
-  });
-}
-
-/// A further factor for places that are held and reach a support: there the tractions are unbounded
-/// and the mask ends at the border, which meshes follow to some part of an element. Measured on two
-/// bodies with three engines each, whose forces differed by 1 to 10 %.
-double factorAtSupports(const BoundarySetup& setup, const TouchState::Contact& contact) {
-  return contact.compliance && reachesSupport(setup, contact) ? 4 : 1;
-}
-
 bool isAroundContact(const TouchState& state, const Vector3d& place) {
   return std::any_of(state.contacts.begin(), state.contacts.end(), [&](const auto& contact) {
     return (place - contact.at).norm() < kAroundContact * reachOf(contact);
@@ -142,7 +119,7 @@ StateError estimateErrors(const TouchModel& model, const TouchState& state, cons
     // The residual at a contact does not show what is wrong with the body as a whole: a force has
     // at least the error of the field where the body is strained.
     const double ofContact =
-        ofForces * factors.contact * factorAtSupports(model.setup(), contact) *
+        ofForces * factors.contact *
         std::max({errorAtContact(mesh, error, contact),
                   strained.relative(contact.displacement.norm()), state.relativeBalance});
     const double ofArea = ballPressureError(model.setup(), contact);
