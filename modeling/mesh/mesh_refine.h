@@ -14,6 +14,7 @@ inline constexpr double kSizeGrowth = 0.5;
 /// MeshQuality::largestAspect) is at most kMaxAspect or their edges have kMaxCuts pieces.
 inline constexpr double kMaxAspect = 4.5;
 inline constexpr int kMaxCuts = 16;
+/// Beside such patches: longest over shortest edge of a triangle.
 inline constexpr double kMaxUnevenness = 3;
 
 /// Bisects a triangle at its longest edge. While the neighbour across this edge has a longer edge,
