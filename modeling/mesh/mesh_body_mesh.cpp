@@ -91,6 +91,7 @@ void checkVolume(const TaggedSurface& surface, const MeshBody& body, double edge
 /// Settings of the mesh whose triangles become quadratic elements.
 MeshSettings ofQuadraticCorners(MeshSettings settings) {
   settings.edgeLength *= 2;
+  settings.engine = Engine::kQuadratic;  // not the choice that led to it
   return settings;
 }
 

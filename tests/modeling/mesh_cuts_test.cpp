@@ -8,6 +8,7 @@
 #include "mesh_checks.h"
 #include "modeling/error.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/shapes/make_primitive.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/surface_evaluator.h"
 
@@ -161,6 +162,26 @@ TEST(Cuts, NearlyParallelToAnAxisAndBesideTheEnds) {
         expectTheCut(body, samples, i % 4 ? 4.3 : 7.9, {normal, below});
     }
   }
+}
+
+// Where a plane grazes a surface, its border runs along edges and bulges over some of them.
+TEST(Cuts, AGrazedTorusKeepsItsSupport) {
+  const palpa::modeling::Body torus = makePrimitive({.shape = TorusShape{30.0, 14.0}});
+  const Samples samples(std::get<Solid>(torus));
+  for (const Vector3d& down : {Vector3d(0.1298, 0.0501, -0.9903), Vector3d(0.03, -0.08, -0.99),
+                               Vector3d(0.0, 0.01, -1.0), Vector3d(-0.2, 0.07, -0.97)})
+    for (const double height : {9.0, 10.5, 11.6})
+      for (const double h : {5.6, 4.2}) {
+        const HalfSpace above{down.normalized(), -height};
+        MeshSettings settings;
+        settings.edgeLength = h;
+        settings.engine = Engine::kQuadratic;
+        const std::vector<MeshRegion> regions{{"base", Region{{above}}, true}};
+        const double area = checks::regionArea(mesh(torus, settings, regions), 0);
+        // The straight sides of the elements inside the curved border lose about 0.5 %.
+        EXPECT_GT(area / samples.areaIn(above, 0.0), 0.985)
+            << h << ' ' << height << ' ' << down.transpose();
+      }
 }
 
 TEST(Cuts, ThroughRowsOfNodes) {
