@@ -10,9 +10,9 @@
 // Internal to modeling/exchange/.
 namespace palpa::modeling {
 
-/// The body in the CAD file `path` with the content `text`, as from importCad(), but without the
-/// first reading in the sandbox: on some damaged files OpenCASCADE crashes. The caller must hold an
-/// OpenCascadeSession. Throws ModelingError as importCad(); Cancelled.
+/// The body in the CAD file `path` with the content `text`, as from importCad(), but in this
+/// process: on some damaged files OpenCASCADE crashes. The caller must hold an OpenCascadeSession.
+/// Throws ModelingError as importCad(); Cancelled.
 ImportedBody readCadBody(const std::filesystem::path& path, const std::string& text,
                          const ImportOptions& options, const Job& job);
 

@@ -4,10 +4,7 @@
 
 #include "base/text.h"
 #include "modeling/error.h"
-#include "modeling/exchange/cad_body.h"
 #include "modeling/exchange/cad_read.h"
-#include "modeling/exchange/cad_request.h"
-#include "modeling/exchange/opencascade_session.h"
 #include "modeling/exchange/sandboxed_read.h"
 
 namespace palpa::modeling {
@@ -43,9 +40,7 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
   options.validate();
   job.throwIfCancelled();
   const std::string text = readCadText(path);
-  const OpenCascadeSession session;
-  readInSandbox(path, text, {.options = options}, importSeconds(text, options), job);
-  return readCadBody(path, text, options, job);
+  return importInSandbox(path, text, options, importSeconds(text, options), job);
 }
 
 void importCadBodies(const std::filesystem::path& path, std::size_t count,
@@ -53,38 +48,21 @@ void importCadBodies(const std::filesystem::path& path, std::size_t count,
   options.validate();
   job.throwIfCancelled();
   const std::string text = readCadText(path);
-  const OpenCascadeSession session;
-  const std::vector<std::string> problems =
-      readAllInSandbox(path, text, count, options, importSeconds(text, options), job);
-  std::size_t next = 0;
-  const auto refuseBefore = [&](std::size_t end) {
-    for (; next < end; ++next) take(next, {std::nullopt, problems[next]});
-  };
-  const auto wants = [&](std::size_t index) { return index < count && problems[index].empty(); };
+  std::size_t done = 0;
   const auto takeNext = [&](std::size_t index, BodyOutcome outcome) {
-    refuseBefore(index);
     take(index, std::move(outcome));
-    ++next;
-    job.report(Phase::kImport, static_cast<double>(next) / static_cast<double>(count));
+    ++done;
+    job.report(Phase::kImport, static_cast<double>(done) / static_cast<double>(count));
   };
-  readCadBodies(path, text, options, wants, takeNext, job);
-  while (next < count && !problems[next].empty()) refuseBefore(next + 1);
+  importAllInSandbox(path, text, count, options, takeNext, importSeconds(text, options), job);
 }
 
 FileBodies listCad(const std::filesystem::path& path, ListedSurface surface, const Job& job) {
   job.throwIfCancelled();
   const std::string text = readCadText(path);
-  job.report(Phase::kRead, 0.0);
   const double seconds =
       secondsFor(text) + (surface == ListedSurface::kCoarse ? kSecondsForMesh : 0.0);
-  const std::string list =
-      readInSandbox(path, text, {.lists = true, .surface = surface}, seconds, job);
-  job.report(Phase::kRead, 1.0);
-  try {
-    return fileBodiesFrom(list);
-  } catch (const ModelingError& error) {
-    throw ModelingError(path.string() + ": " + error.what());
-  }
+  return listInSandbox(path, text, surface, seconds, job);
 }
 
 }  // namespace palpa::modeling

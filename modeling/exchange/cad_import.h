@@ -57,10 +57,8 @@ using TakeBody = std::function<void(std::size_t index, BodyOutcome outcome)>;
 /// the faces meet side to side with the same parameters (docs/exchange.md); files of exportCad()
 /// give back the same solid. Otherwise the result is a mesh body with a note of the reason.
 ///
-/// The file is read twice: first by the program palpa-read-cad, so that a damaged file that makes
-/// OpenCASCADE crash or loop endlessly only causes an error (docs/decisions/010). Cancelling stops
-/// the first reading at once, the second one between faces and entities. Exports and imports of
-/// several threads run one after the other.
+/// The program palpa-read-cad reads the file, so that a damaged file that makes OpenCASCADE crash
+/// or loop endlessly only causes an error (docs/decisions/010). Cancelling stops it at once.
 ///
 /// Throws ModelingError that begins with the file's name if the file does not exist, is unreadable,
 /// damaged or larger than kMaxCadFile, needs longer than 10 s + 20 s per MiB, does not hold the
@@ -69,14 +67,13 @@ ImportedBody importCad(const std::filesystem::path& path, const ImportOptions& o
                        const Job& job = {});
 
 /// Imports all of the `count` solids of a CAD file as importCad() does with one, and passes the
-/// outcome of each in the order of the file to `take`. The file is read twice, as for one solid. If
-/// OpenCASCADE crashes at a solid, that solid alone is refused, and the program palpa-read-cad
-/// starts again behind it. Throws as importCad() if the file cannot be read.
+/// outcome of each in the order of the file to `take`. If OpenCASCADE crashes at a solid, that
+/// solid alone is refused, and the program palpa-read-cad starts again behind it. Throws as
+/// importCad() if the file cannot be read.
 void importCadBodies(const std::filesystem::path& path, std::size_t count,
                      const ImportOptions& options, const TakeBody& take, const Job& job = {});
 
-/// Solids of a CAD file, in mm, as listBodies() without a placement. The program palpa-read-cad
-/// reads the file, this process does not. Throws as importCad().
+/// Solids of a CAD file, in mm, as listBodies() without a placement. Throws as importCad().
 FileBodies listCad(const std::filesystem::path& path, ListedSurface surface, const Job& job = {});
 
 }  // namespace palpa::modeling

@@ -42,7 +42,7 @@ struct FileBodies {
 enum class ListedSurface { kNone, kCoarse };
 
 /// Bodies of a file of a format of isImportable(), with the placement applied to their boxes and
-/// volumes. CAD files are read by the program palpa-read-cad only, as in readInSandbox().
+/// volumes.
 /// Throws ModelingError as importBody() if the file cannot be read or has no closed body;
 /// Cancelled.
 FileBodies listBodies(const std::filesystem::path& path, const ImportPlacement& placement = {},

@@ -1,8 +1,6 @@
 // palpa-read-cad PARENT SECONDS NAME REQUEST: reads the CAD file NAME, with its content on standard
-// input, in a separate process. The exit status is 0, or kSandboxFailed plus the kind of the error,
-// whose message goes to standard output, or kSandboxSeveral; or the program crashes. A list of
-// bodies and the outcome of each of several solids also go to standard output. Started by
-// readInSandbox() and readAllInSandbox().
+// input, in a separate process, and writes the messages of cad_answer.h to standard output. The
+// exit status is 0 unless the program crashes. Started by the functions of sandboxed_read.h.
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -15,12 +13,15 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "modeling/error.h"
+#include "modeling/exchange/cad_answer.h"
 #include "modeling/exchange/cad_body.h"
+#include "modeling/exchange/cad_request.h"
 #include "modeling/exchange/opencascade_session.h"
-#include "modeling/exchange/sandboxed_read.h"
 
 namespace {
 
@@ -52,7 +53,7 @@ void setLimits(double seconds) {
   ::setrlimit(RLIMIT_CORE, &noCore);
 }
 
-/// Descriptor for the message: the original standard output. From now on standard output goes
+/// Descriptor for the answer: the original standard output. From now on standard output goes
 /// nowhere, because OpenCASCADE's reader of BREP files prints there.
 int keepOutput() {
   const int output = ::dup(STDOUT_FILENO);
@@ -61,28 +62,49 @@ int keepOutput() {
   return output;
 }
 
-void tell(int output, std::string_view message) {
-  while (!message.empty()) {
-    const ssize_t count = ::write(output, message.data(), message.size());
-    if (count <= 0) return;
-    message.remove_prefix(static_cast<std::size_t>(count));
+class Answers {
+ public:
+  explicit Answers(int output) : output_(output) {}
+
+  void tell(const palpa::modeling::CadAnswer& answer) const {
+    const std::string line = toLine(answer);
+    std::string_view rest = line;
+    while (!rest.empty()) {
+      const ssize_t count = ::write(output_, rest.data(), rest.size());
+      if (count <= 0) return;
+      rest.remove_prefix(static_cast<std::size_t>(count));
+    }
   }
-}
+
+  /// Progress in steps of a per cent.
+  void progress(palpa::Phase phase, double fraction) {
+    constexpr double kStep = 0.01;
+    if (phase == phase_ && fraction < fraction_ + kStep && fraction < 1.0) return;
+    phase_ = phase;
+    fraction_ = fraction;
+    tell(palpa::modeling::ReadProgress{phase, fraction});
+  }
+
+ private:
+  int output_;
+  std::optional<palpa::Phase> phase_;
+  double fraction_ = 0.0;
+};
 
 /// Each solid gets the whole processor time.
-void readAll(int output, const char* path, const std::string& text,
-             const palpa::modeling::CadRequest& request, double seconds) {
+void readAll(Answers& answers, const char* path, const std::string& text,
+             const palpa::modeling::CadRequest& request, double seconds, const palpa::Job& job) {
   using namespace palpa::modeling;
   const auto wants = [&](std::size_t index) {
     if (index < *request.allFrom) return false;
     limitTime(seconds);
-    tell(output, beginText(index));
+    answers.tell(SolidBegun{index});
     return true;
   };
-  const auto take = [&](std::size_t index, const BodyOutcome& outcome) {
-    tell(output, endText(index, outcome.problem));
+  const auto take = [&](std::size_t index, BodyOutcome outcome) {
+    answers.tell(SolidEnded{index, std::move(outcome)});
   };
-  readCadBodies(path, text, request.options, wants, take, palpa::Job{});
+  readCadBodies(path, text, request.options, wants, take, job);
 }
 
 }  // namespace
@@ -90,28 +112,30 @@ void readAll(int output, const char* path, const std::string& text,
 int main(int count, char** arguments) {
   using namespace palpa::modeling;
   if (count != kArguments + 1) return EXIT_FAILURE;
-  // Ends with its parent, also if the parent has already ended.
+  // Ends with its parent, also if the parent has already ended. Ctrl+C in a terminal reaches both
+  // programs; the parent says that it was cancelled.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGINT, SIG_IGN);
   if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
   const double seconds = std::atof(arguments[2]);
   setLimits(seconds);
-  const int output = keepOutput();
+  Answers answers(keepOutput());
+  const palpa::Job job{
+      {}, [&](palpa::Phase phase, double fraction) { answers.progress(phase, fraction); }};
   try {
     const CadRequest request = requestFrom(arguments[4]);
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
     const OpenCascadeSession session;
     if (request.lists)
-      tell(output, toText(listCadBodies(arguments[3], text, request.surface, palpa::Job{})));
+      answers.tell(listCadBodies(arguments[3], text, request.surface, job));
     else if (request.allFrom)
-      readAll(output, arguments[3], text, request, seconds);
+      readAll(answers, arguments[3], text, request, seconds, job);
     else
-      readCadBody(arguments[3], text, request.options, palpa::Job{});
+      answers.tell(readCadBody(arguments[3], text, request.options, job));
   } catch (const SeveralBodies& several) {
-    tell(output, toText(several.found()));
-    std::_Exit(kSandboxSeveral);
+    answers.tell(SolidsToChooseFrom{several.found()});
   } catch (const ModelingError& error) {
-    tell(output, error.what());
-    std::_Exit(kSandboxFailed + static_cast<int>(error.kind()));
+    answers.tell(ReadFailed{error.what(), error.kind()});
   } catch (...) {
     std::_Exit(EXIT_FAILURE);
   }

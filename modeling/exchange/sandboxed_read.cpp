@@ -14,10 +14,14 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/text.h"
 #include "modeling/error.h"
+#include "modeling/exchange/cad_request.h"
 
 namespace palpa::modeling {
 namespace {
@@ -102,8 +106,10 @@ pid_t start(std::vector<std::string> words, int input, int output) {
   return error == 0 ? process : -1;
 }
 
-/// Child process: its message is collected until it ends; it is killed after the time limit or when
-/// the job is stopped.
+using TakeLine = std::function<void(const std::string& line)>;
+
+/// Child process: its output is passed on line by line until it ends; it is killed after the time
+/// limit or when the job is stopped.
 class Child {
  public:
   Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
@@ -117,12 +123,14 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Returns false if the child is silent for `seconds`.
-  bool listen(double seconds, const Job& job) {
+  /// Returns false if the child is silent for `seconds`. A line without an end is dropped: the
+  /// child crashed while it wrote.
+  bool listen(double seconds, const TakeLine& take, const Job& job) {
     const auto now = [] { return std::chrono::steady_clock::now(); };
     const std::chrono::duration<double> allowed(seconds);
     auto end = now() + allowed;
-    std::array<char, 4096> buffer;
+    std::vector<char> buffer(std::size_t{1} << 16);
+    std::string begun;
     while (now() < end) {
       job.throwIfCancelled();
       pollfd waiting{pipe_, POLLIN, 0};
@@ -131,7 +139,15 @@ class Child {
       const ssize_t count = ::read(pipe_, buffer.data(), buffer.size());
       if (count == 0) return true;
       if (count < 0) continue;
-      message_.append(buffer.data(), static_cast<std::size_t>(count));
+      const auto stop = buffer.begin() + count;
+      for (auto from = buffer.begin();;) {
+        const auto to = std::find(from, stop, '\n');
+        begun.append(from, to);
+        if (to == stop) break;
+        take(begun);
+        begun.clear();
+        from = to + 1;
+      }
       end = now() + allowed;
     }
     return false;
@@ -145,98 +161,136 @@ class Child {
     return status;
   }
 
-  const std::string& message() const { return message_; }
-
  private:
   pid_t process_;
   int pipe_;
-  std::string message_;
 };
 
-/// How a run of the program ended.
-struct Ended {
-  bool inTime = true;
-  int status = 0;  // exit status; EXIT_FAILURE after a crash
-  std::string message;
-};
+/// Reading of one file by the program.
+class Reading {
+ public:
+  Reading(const std::filesystem::path& path, const std::string& text, double seconds,
+          const Job& job)
+      : source_(path.string()), text_(text), seconds_(seconds), job_(job) {}
 
-Ended runProgram(const std::string& source, const std::string& text, const CadRequest& request,
-                 double seconds, const Job& job) {
-  const std::filesystem::path program = findProgram(source);
-  std::array<int, 2> ends{-1, -1};
-  const Descriptor input(fileInMemory(text));
-  if (input.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw ModelingError(
-        source + ": not enough memory or pipes for " + kProgram + "; close other programs",
-        ModelingError::Kind::kIo);
-  Descriptor output(ends[1]);
-  const pid_t process = start(
-      {program.string(), std::to_string(::getpid()), numberText(seconds), source, toText(request)},
-      input.number(), output.number());
-  output.close();
-  Child child(process, ends[0]);
-  if (process < 0)
-    throw ModelingError(source + ": " + program.string() +
-                            " could not be started; close other programs, or install Palpa again",
-                        ModelingError::Kind::kIo);
-  Ended ended;
-  ended.inTime = child.listen(kPatience * seconds, job);
-  const int status = ended.inTime ? child.waitForEnd() : 0;
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) ended.inTime = false;
-  ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
-  ended.message = child.message();
-  return ended;
-}
+  /// Runs the program and passes its results to `take`. Returns the error if it crashed or took too
+  /// long; throws the error that it found.
+  std::optional<ModelingError> run(const CadRequest& request, const TakeAnswer& take) const {
+    const std::filesystem::path program = findProgram(source_);
+    std::array<int, 2> ends{-1, -1};
+    const Descriptor input(fileInMemory(text_));
+    if (input.number() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0)
+      throw ModelingError(
+          source_ + ": not enough memory or pipes for " + kProgram + "; close other programs",
+          ModelingError::Kind::kIo);
+    Descriptor output(ends[1]);
+    const pid_t process = start({program.string(), std::to_string(::getpid()), numberText(seconds_),
+                                 source_, toText(request)},
+                                input.number(), output.number());
+    output.close();
+    Child child(process, ends[0]);
+    if (process < 0)
+      throw ModelingError(source_ + ": " + program.string() +
+                              " could not be started; close other programs, or install Palpa again",
+                          ModelingError::Kind::kIo);
+    const bool hasEnded = child.listen(
+        kPatience * seconds_, [&](const std::string& line) { answer(line, take); }, job_);
+    const int status = hasEnded ? child.waitForEnd() : 0;
+    job_.throwIfCancelled();
+    if (!hasEnded || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)) return tookTooLong();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS) return crashed();
+    return std::nullopt;
+  }
 
-/// The error of a run without an answer: it took too long, or it crashed.
-ModelingError failureOf(const std::string& source, const Ended& ended, double seconds) {
-  if (!ended.inTime)
-    return ModelingError(source + ": OpenCASCADE needs longer than " + shortNumberText(seconds) +
+  ModelingError crashed() const {
+    return ModelingError(source_ +
+                         ": OpenCASCADE crashes on the file; it is damaged: export it again, or in "
+                         "another format");
+  }
+
+ private:
+  void answer(const std::string& line, const TakeAnswer& take) const {
+    CadAnswer answer = parse(line);
+    if (const auto* progress = std::get_if<ReadProgress>(&answer))
+      job_.report(progress->phase, progress->fraction);
+    else if (auto* several = std::get_if<SolidsToChooseFrom>(&answer))
+      throw SeveralBodies(source_ + ": ", std::move(several->found));
+    else if (const auto* failed = std::get_if<ReadFailed>(&answer))
+      throw ModelingError(failed->message, failed->kind);
+    else
+      take(std::move(answer));
+  }
+
+  CadAnswer parse(const std::string& line) const {
+    try {
+      return answerFrom(line);
+    } catch (const ModelingError& error) {
+      throw ModelingError(source_ + ": " + error.what());
+    }
+  }
+
+  ModelingError tookTooLong() const {
+    return ModelingError(source_ + ": OpenCASCADE needs longer than " + shortNumberText(seconds_) +
                              " s for the file; it is damaged or too complicated: simplify the "
                              "part, or export it in another format",
                          ModelingError::Kind::kTooLarge);
-  return ModelingError(source +
-                       ": OpenCASCADE crashes on the file; it is damaged: export it again, or in "
-                       "another format");
+  }
+
+  std::string source_;
+  const std::string& text_;
+  double seconds_;
+  const Job& job_;
+};
+
+/// The result of a request for a single one.
+template <class Result>
+Result resultOf(const Reading& reading, const CadRequest& request) {
+  std::optional<Result> result;
+  const auto failure = reading.run(request, [&](CadAnswer answer) {
+    if (auto* found = std::get_if<Result>(&answer)) result = std::move(*found);
+  });
+  if (failure) throw *failure;
+  if (!result) throw reading.crashed();
+  return std::move(*result);
 }
 
 }  // namespace
 
-std::string readInSandbox(const std::filesystem::path& path, const std::string& text,
-                          const CadRequest& request, double seconds, const Job& job) {
-  const std::string source = path.string();
-  const Ended ended = runProgram(source, text, request, seconds, job);
-  if (ended.inTime && ended.status == kSandboxSeveral)
-    throw SeveralBodies(source + ": ", fileBodiesFrom(ended.message));
-  if (ended.inTime && ended.status >= kSandboxFailed)
-    throw ModelingError(ended.message,
-                        static_cast<ModelingError::Kind>(ended.status - kSandboxFailed));
-  if (!ended.inTime || ended.status != 0) throw failureOf(source, ended, seconds);
-  return ended.message;
+ImportedBody importInSandbox(const std::filesystem::path& path, const std::string& text,
+                             const ImportOptions& options, double seconds, const Job& job) {
+  return resultOf<ImportedBody>({path, text, seconds, job}, {.options = options});
 }
 
-std::vector<std::string> readAllInSandbox(const std::filesystem::path& path,
-                                          const std::string& text, std::size_t count,
-                                          const ImportOptions& options, double seconds,
-                                          const Job& job) {
-  const std::string source = path.string();
-  std::vector<std::string> problems(count);
+FileBodies listInSandbox(const std::filesystem::path& path, const std::string& text,
+                         ListedSurface surface, double seconds, const Job& job) {
+  return resultOf<FileBodies>({path, text, seconds, job}, {.lists = true, .surface = surface});
+}
+
+void importBehindCrashes(std::size_t count, const RunFrom& run, const TakeBody& take) {
   for (std::size_t first = 0; first < count;) {
-    const Ended ended =
-        runProgram(source, text, {.allFrom = first, .options = options}, seconds, job);
-    const SolidsRead read = solidsReadFrom(ended.message);
-    for (const auto& [index, problem] : read.ended)
-      if (index < count) problems[index] = problem;
-    if (ended.inTime && ended.status == 0) break;
-    if (ended.inTime && ended.status >= kSandboxFailed)
-      throw ModelingError(ended.message,
-                          static_cast<ModelingError::Kind>(ended.status - kSandboxFailed));
-    const ModelingError failure = failureOf(source, ended, seconds);
-    if (!read.unfinished || *read.unfinished >= count) throw failure;
-    problems[*read.unfinished] = failure.what();
-    first = *read.unfinished + 1;
+    std::optional<std::size_t> unfinished;
+    const auto failure = run(first, [&](CadAnswer answer) {
+      if (const auto* begun = std::get_if<SolidBegun>(&answer)) unfinished = begun->index;
+      auto* ended = std::get_if<SolidEnded>(&answer);
+      if (!ended) return;
+      unfinished.reset();
+      if (ended->index < count) take(ended->index, std::move(ended->outcome));
+    });
+    if (!failure) return;
+    if (!unfinished || *unfinished >= count) throw *failure;
+    take(*unfinished, {std::nullopt, failure->what()});
+    first = *unfinished + 1;
   }
-  return problems;
+}
+
+void importAllInSandbox(const std::filesystem::path& path, const std::string& text,
+                        std::size_t count, const ImportOptions& options, const TakeBody& take,
+                        double seconds, const Job& job) {
+  const Reading reading(path, text, seconds, job);
+  const auto run = [&](std::size_t first, const TakeAnswer& takeAnswer) {
+    return reading.run({.allFrom = first, .options = options}, takeAnswer);
+  };
+  importBehindCrashes(count, run, take);
 }
 
 }  // namespace palpa::modeling

@@ -12,7 +12,10 @@
 #include <set>
 
 #include "modeling/error.h"
+#include "modeling/exchange/cad_answer.h"
+#include "modeling/exchange/cad_body.h"
 #include "modeling/exchange/import.h"
+#include "modeling/exchange/opencascade_session.h"
 #include "modeling/solid/surface_properties.h"
 #include "tests/modeling/cad_files.h"
 #include "tests/modeling/cad_shapes.h"
@@ -149,18 +152,47 @@ TEST(CadImport, InchesBecomeMillimetres) {
   EXPECT_NEAR(volume(importCad(folder.file("inch.step")).body), 24000.0, 1e-6);
 }
 
+/// Everything of a body, with all digits.
+std::string textOf(const ImportedBody& imported) {
+  return toLine(imported) + std::to_string(imported.body.index());
+}
+
 TEST(CadImport, TheSameFileGivesTheSameBits) {
   const Folder folder;
   for (const TopoDS_Shape& shape : {tests::quarterPipe(), tests::filletedBox()}) {
     tests::writeForeign(shape, folder.file("a.step"));
-    const Body a = importCad(folder.file("a.step")).body;
-    const Body b = importCad(folder.file("a.step")).body;
-    ASSERT_EQ(a.index(), b.index());
-    if (const auto* solid = std::get_if<Solid>(&a)) {
-      EXPECT_EQ(solid->controlPoints(), std::get<Solid>(b).controlPoints());
+    EXPECT_EQ(textOf(importCad(folder.file("a.step"))), textOf(importCad(folder.file("a.step"))));
+  }
+}
+
+TEST(CadImport, ThePalpaReadCadProgramPassesBodiesOnExactly) {
+  const Folder folder;
+  const auto path = folder.file("a.step");
+  for (const Foreign& foreign : foreignShapes()) {
+    tests::writeForeign(foreign.shape, path);
+    const ImportedBody passed = importCad(path);
+    const OpenCascadeSession session;
+    const ImportedBody read = readCadBody(path, tests::readText(path), {}, {});
+    ASSERT_EQ(passed.body.index(), read.body.index()) << foreign.name;
+    EXPECT_EQ(passed.notes, read.notes);
+    EXPECT_EQ(passed.deviation, read.deviation);
+    EXPECT_EQ(patchNames(passed.body), patchNames(read.body));
+    if (const auto* solid = std::get_if<Solid>(&passed.body)) {
+      const auto& other = std::get<Solid>(read.body);
+      EXPECT_EQ(solid->controlPoints(), other.controlPoints()) << foreign.name;
+      for (std::size_t p = 0; p < other.patches().size(); ++p) {
+        EXPECT_EQ(solid->patches()[p].knots, other.patches()[p].knots) << foreign.name;
+        EXPECT_EQ(solid->patches()[p].net, other.patches()[p].net) << foreign.name;
+      }
+      ASSERT_EQ(solid->edges().size(), other.edges().size()) << foreign.name;
+      for (std::size_t e = 0; e < other.edges().size(); ++e)
+        EXPECT_EQ(solid->edges()[e].smooth, other.edges()[e].smooth) << foreign.name << ' ' << e;
     } else {
-      EXPECT_EQ(std::get<MeshBody>(a).positions(), std::get<MeshBody>(b).positions());
-      EXPECT_EQ(std::get<MeshBody>(a).triangles(), std::get<MeshBody>(b).triangles());
+      const auto& mesh = std::get<MeshBody>(passed.body);
+      const auto& other = std::get<MeshBody>(read.body);
+      EXPECT_EQ(mesh.positions(), other.positions()) << foreign.name;
+      EXPECT_EQ(mesh.triangles(), other.triangles()) << foreign.name;
+      EXPECT_EQ(mesh.faceOfTriangle(), other.faceOfTriangle()) << foreign.name;
     }
   }
 }

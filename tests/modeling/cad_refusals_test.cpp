@@ -13,10 +13,11 @@
 #include <TopoDS_Solid.hxx>
 #include <gp_Pln.hxx>
 
+#include "modeling/exchange/cad_answer.h"
 #include "modeling/exchange/cad_mesh.h"
-#include "modeling/exchange/cad_request.h"
 #include "modeling/exchange/import.h"
 #include "modeling/exchange/sandboxed_read.h"
+#include "modeling/shapes/primitives.h"
 #include "tests/modeling/cad_files.h"
 
 namespace palpa::modeling {
@@ -224,35 +225,57 @@ TEST(CadRefusals, AFileThatNeedsTooMuchTime) {
   const std::string words =
       "a.brep: OpenCASCADE needs longer than 1e-06 s for the file; it is damaged or too "
       "complicated: simplify the part, or export it in another format";
-  EXPECT_TRUE(says(tests::errorOf([&] { readInSandbox(path, text, {}, 1e-6, {}); }), words));
-  EXPECT_TRUE(says(tests::errorOf([&] { readAllInSandbox(path, text, 1, {}, 1e-6, {}); }), words));
+  EXPECT_TRUE(says(tests::errorOf([&] { importInSandbox(path, text, {}, 1e-6, {}); }), words));
+  EXPECT_TRUE(says(
+      tests::errorOf([&] { listInSandbox(path, text, ListedSurface::kNone, 1e-6, {}); }), words));
+  const auto nobody = [](std::size_t, const BodyOutcome&) { ADD_FAILURE(); };
+  EXPECT_TRUE(says(tests::errorOf([&] { importAllInSandbox(path, text, 1, {}, nobody, 1e-6, {}); }),
+                   words));
 }
 
-TEST(CadRefusals, TheAnswerOfThePalpaReadCadIsChecked) {
+TEST(CadRefusals, TheAnswerOfPalpaReadCadIsChecked) {
   const std::string damaged = "the answer of palpa-read-cad is damaged: ";
-  EXPECT_TRUE(says(tests::errorOf([] { fileBodiesFrom("{"); }), damaged));
-  EXPECT_TRUE(says(tests::errorOf([] { solidsReadFrom("[1,2,\n"); }), damaged));
-  EXPECT_TRUE(says(
-      tests::errorOf([] { fileBodiesFrom(R"({"unit": 1, "states_unit": true, "bodies": []})"); }),
-      "it lists no body"));
+  for (const char* line : {"{", "{}", "[]", "[1]", R"(["begun"])", R"(["begun", "one"])",
+                           R"(["ended", 1, 2])", R"(["finished", 1])", R"(["body", {}])"})
+    EXPECT_TRUE(says(tests::errorOf([&] { answerFrom(line); }), damaged)) << line;
+  EXPECT_TRUE(says(tests::errorOf([] {
+                     answerFrom(R"(["list", {"unit": 1, "states_unit": true, "bodies": []}])");
+                   }),
+                   "it lists no body"));
   FileBodies found;
   found.bodies.resize(1);
   found.bodies[0].surface = {{0, 1, 2}};
   EXPECT_TRUE(
-      says(tests::errorOf([&] { fileBodiesFrom(toText(found)); }), "a corner is not in the list"));
+      says(tests::errorOf([&] { answerFrom(toLine(found)); }), "a corner is not in the list"));
 }
 
-TEST(CadRefusals, EachOfSeveralSolidsIsReportedUntilACrash) {
-  // What the program wrote when it crashed at the third solid.
-  const SolidsRead read = solidsReadFrom(beginText(0) + endText(0, "") + beginText(1) +
-                                         endText(1, "is \"open\"") + beginText(2) + "[2,\"");
-  ASSERT_EQ(read.ended.size(), 2U);
-  EXPECT_EQ(read.ended[0].second, "");
-  EXPECT_EQ(read.ended[1].first, 1U);
-  EXPECT_EQ(read.ended[1].second, "is \"open\"");
-  EXPECT_EQ(read.unfinished, 2U);
-  EXPECT_FALSE(solidsReadFrom(beginText(0) + endText(0, "")).unfinished);
-  EXPECT_TRUE(solidsReadFrom("a.step: is not a STEP file").ended.empty());
+TEST(CadRefusals, OtherSolidsAreReadWhenOneCrashesOpenCascade) {
+  ImportedBody box;
+  box.body = makeBox({1, 2, 3});
+  std::vector<std::size_t> runs;
+  // Crashes at the solids 1 and 2.
+  const auto run = [&](std::size_t first, const TakeAnswer& take) -> std::optional<ModelingError> {
+    runs.push_back(first);
+    for (std::size_t i = first; i < 4; ++i) {
+      take(SolidBegun{i});
+      if (i == 1 || i == 2) return ModelingError("crashes at " + std::to_string(i));
+      take(SolidEnded{i, {box, ""}});
+    }
+    return std::nullopt;
+  };
+  std::vector<std::string> problems;
+  importBehindCrashes(4, run, [&](std::size_t index, const BodyOutcome& outcome) {
+    EXPECT_EQ(index, problems.size());
+    EXPECT_EQ(outcome.imported.has_value(), outcome.problem.empty());
+    problems.push_back(outcome.problem);
+  });
+  EXPECT_EQ(problems, (std::vector<std::string>{"", "crashes at 1", "crashes at 2", ""}));
+  EXPECT_EQ(runs, (std::vector<std::size_t>{0, 2, 3}));
+  const auto crash = [](std::size_t, const TakeAnswer&) {
+    return std::optional(ModelingError("at once"));
+  };
+  const auto nobody = [](std::size_t, const BodyOutcome&) { ADD_FAILURE(); };
+  EXPECT_EQ(tests::errorOf([&] { importBehindCrashes(4, crash, nobody); }), "at once");
 }
 
 TEST(CadRefusals, OneOfSeveralSolidsDoesNotStopTheOthers) {
