@@ -38,5 +38,37 @@ TEST(CliCancel, AnInterruptEndsWithItsOwnExitCode) {
   EXPECT_LT(waited.count(), 6.0);
 }
 
+// Ctrl-C in a terminal also reaches the program that reads CAD files.
+TEST(CliCancel, AnInterruptOfAnImportIsNoDamagedFile) {
+  const Runner cli;
+  cli.run("new sphere --radius 25 -o p.json");
+  cli.run("export p.json -o p.step");
+  const std::string file = cli.path("p.step").string();
+  const std::string target = cli.path("imported.json").string();
+  const std::string messages = cli.path("messages.txt").string();
+  int cancelled = 0;
+  for (int wait = 20; wait <= 400; wait += 20) {
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      setpgid(0, 0);
+      if (!freopen(messages.c_str(), "w", stderr)) _exit(126);
+      execl(PALPA_CLI, "palpa-cli", "import", file.c_str(), "-o", target.c_str(),
+            static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait));
+    kill(-child, SIGINT);
+    int status = 0;
+    waitpid(child, &status, 0);
+    // At the very beginning the signal ends the program, at the end it comes too late.
+    if (WIFSIGNALED(status)) continue;
+    EXPECT_TRUE(WEXITSTATUS(status) == 5 || WEXITSTATUS(status) == 0)
+        << wait << " ms: " << cli.read("messages.txt");
+    if (WEXITSTATUS(status) == 5) ++cancelled;
+  }
+  EXPECT_GT(cancelled, 0);
+}
+
 }  // namespace
 }  // namespace palpa::cli_tests
