@@ -1,5 +1,6 @@
 #include "modeling/mesh/support_chords.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -25,6 +26,36 @@ void halve(SurfaceMesh& mesh, std::vector<bool>& isSupported, int triangle, int 
   copyTo(isSupported);
   for (std::vector<int>& region : mesh.trianglesOfRegion)
     if (std::binary_search(region.begin(), region.end(), triangle)) region.push_back(added);
+}
+
+/// True if a node at `at` divides both triangles of an edge into halves that point as they do and
+/// are not much smaller.
+bool dividesTriangles(const SurfaceMesh& mesh, const ElementEdge& edge, const Eigen::Vector3d& at) {
+  constexpr double kLeast = 0.1;  // a half at the middle of a straight edge has 0.5
+  const auto areaOf = [&](const std::array<int, 3>& nodes, int replaced) {
+    const auto position = [&](int node) { return node == replaced ? at : mesh.positions[node]; };
+    const Eigen::Vector3d a = position(nodes[0]), b = position(nodes[1]), c = position(nodes[2]);
+    return Eigen::Vector3d((b - a).cross(c - a));
+  };
+  constexpr int kNone = -1;
+  for (const int t : {edge.left, edge.right}) {
+    const Eigen::Vector3d whole = areaOf(mesh.triangles[t], kNone);
+    for (const int replaced : {edge.from, edge.to})
+      if (areaOf(mesh.triangles[t], replaced).dot(whole) < kLeast * whole.squaredNorm())
+        return false;
+  }
+  return true;
+}
+
+/// Where a chord is split: on the true surface, or on the chord itself if that point would fold its
+/// triangles. The chord of a rounded border passes over the surface beyond it, and the nearest
+/// point of that may lie on the border.
+MiddleNode middleOfChord(const SurfaceMesh& mesh, const ElementEdge& edge,
+                         const MiddleNodes& middles) {
+  MiddleNode middle = middles.of(edge);
+  if (mesh.parameters.empty() && !dividesTriangles(mesh, edge, middle.position))
+    middle.position = (mesh.positions[edge.from] + mesh.positions[edge.to]) / 2;
+  return middle;
 }
 
 /// Splits chords of which no two belong to one triangle; returns whether there were any.
@@ -58,7 +89,7 @@ bool splitSome(SurfaceMesh& mesh, std::vector<bool>& isSupported, const MiddleNo
     if (!isChord(edge.from, edge.to)) continue;
     if (touched.contains(edge.left) || touched.contains(edge.right)) continue;
     touched.insert({edge.left, edge.right});
-    const MiddleNode middle = middles.of(edge);
+    const MiddleNode middle = middleOfChord(mesh, edge, middles);
     const int node = static_cast<int>(mesh.positions.size());
     mesh.positions.push_back(middle.position);
     if (!mesh.parameters.empty()) mesh.parameters.push_back(middle.parameter);

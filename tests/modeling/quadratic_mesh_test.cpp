@@ -9,6 +9,7 @@
 #include "modeling/mesh/mesh.h"
 #include "modeling/mesh/mesh_follow.h"
 #include "modeling/mesh/nearest_point.h"
+#include "modeling/mesh/support_chords.h"
 #include "modeling/shapes/primitives.h"
 #include "modeling/solid/surface_evaluator.h"
 #include "test_bodies.h"
@@ -232,6 +233,50 @@ TEST(QuadraticMesh, FollowsTheControlPoints) {
     const SurfaceParameter& at = followed.update->mesh.parameters[k];
     EXPECT_LE((surface.position(at.patch, at.u, at.v) - followed.update->mesh.positions[k]).norm(),
               1e-9);
+  }
+}
+
+/// A unit cube whose top, of triangles 0 and 1, is a support: the diagonal 0 - 2 is a chord.
+SurfaceMesh cubeWithDiagonal() {
+  SurfaceMesh cube;
+  cube.positions = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1},
+                    {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  cube.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 7, 6}, {4, 6, 5}, {0, 4, 5}, {0, 5, 1},
+                    {1, 5, 6}, {1, 6, 2}, {2, 6, 7}, {2, 7, 3}, {3, 7, 4}, {3, 4, 0}};
+  for (const int face : {0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}) {
+    cube.patchOfTriangle.push_back(face);
+    cube.smoothingGroupOfTriangle.push_back(face);
+    cube.bordersOfTriangle.push_back(0);
+  }
+  return cube;
+}
+
+/// All middles at one point.
+class MiddlesAt final : public MiddleNodes {
+ public:
+  explicit MiddlesAt(Vector3d at) : at_(std::move(at)) {}
+  MiddleNode of(const ElementEdge&) const override { return {at_}; }
+
+ private:
+  Vector3d at_;
+};
+
+TEST(QuadraticMesh, AChordIsNotSplitOnTheBorder) {
+  // The nearest point of the surface, and where the chord is split.
+  const std::vector<std::pair<Vector3d, Vector3d>> cases{
+      {{0.5, 0.5, 1.1}, {0.5, 0.5, 1.1}},  // a bulge
+      {{0.6, 0.5, 1}, {0.6, 0.5, 1}},      // beside the chord
+      {{1, 0.5, 1}, {0.5, 0.5, 1}},        // on the border: a triangle without area
+      {{1.2, 0.5, 1}, {0.5, 0.5, 1}}};     // beyond it: a folded one
+  for (const auto& [nearest, expected] : cases) {
+    SurfaceMesh cube = cubeWithDiagonal();
+    std::vector<bool> isSupported(cube.triangles.size(), false);
+    isSupported[0] = isSupported[1] = true;
+    splitSupportChords(cube, isSupported, MiddlesAt(nearest));
+    ASSERT_EQ(cube.positions.size(), 9U);
+    EXPECT_EQ(cube.positions.back(), expected);
+    EXPECT_GT(measureQuality(cube).smallestAngle, 20);
+    EXPECT_EQ(checks::manifoldFault(cube), "");
   }
 }
 
