@@ -286,8 +286,10 @@ void importBehindCrashes(std::size_t count, const RunFrom& run, const TakeBody& 
 void importAllInSandbox(const std::filesystem::path& path, const std::string& text,
                         std::size_t count, const ImportOptions& options, const TakeBody& take,
                         double seconds, const Job& job) {
-  const Reading reading(path, text, seconds, job);
+  // A run after a crash reads the file again from the beginning: its progress would fall.
+  const Job quiet{job.stop, {}, job.threads};
   const auto run = [&](std::size_t first, const TakeAnswer& takeAnswer) {
+    const Reading reading(path, text, seconds, first == 0 ? job : quiet);
     return reading.run({.allFrom = first, .options = options}, takeAnswer);
   };
   importBehindCrashes(count, run, take);
