@@ -24,7 +24,7 @@ namespace {
 constexpr double kMinSine = 0.02;
 
 /// Number of elements from which residuals at many points are interpolated within clusters.
-constexpr int kClustersFrom = 1500;
+constexpr int kClustersFrom = 400;
 
 }  // namespace
 

@@ -150,9 +150,12 @@ BoundaryField QuadraticDiscretisation::estimatedError(const ReferenceProblem& pr
   // The estimate averages the residual with a rougher rule than the equations, whose error is about
   // five times theirs: measured on thin parts (docs/exchange.md). Other equations have no average.
   constexpr double kOfAveraged = 0.2;
+  // Rougher than other results: the residual is interpolated with about this error (residuals.h).
+  constexpr double kTolerance = 1e-4;
   const std::vector<bool> isAveraged = averagedNodes(surface_, slots_, problem.dofs());
   const auto share = [&](int node) { return isAveraged[node] ? kOfAveraged : 1.0; };
-  return bem::estimatedError(results(), problem, field, bulk, share, job);
+  const QuadraticQuadrature rough(surface_, kTolerance);
+  return bem::estimatedError(ElementResults(surface_, rough), problem, field, bulk, share, job);
 }
 
 std::optional<InteriorState> QuadraticDiscretisation::interiorState(const VectorXd& u,

@@ -73,14 +73,6 @@ Moments moments(const ElementPoints& points) {
   return sums;
 }
 
-/// Values of the six functions at a point, and zeros up to the stride of ElementPoints.
-void setBasis(double u, double v, double* basis) {
-  const double w = 1 - u - v;
-  const double values[kElementLanes] = {
-      w * (2 * w - 1), u * (2 * u - 1), v * (2 * v - 1), 4 * w * u, 4 * u * v, 4 * v * w, 0, 0};
-  std::copy_n(values, kElementLanes, basis);
-}
-
 std::array<std::array<Vector2d, 3>, 4> quarters(const std::array<Vector2d, 3>& c) {
   const Vector2d ab = (c[0] + c[1]) / 2, bc = (c[1] + c[2]) / 2, ca = (c[2] + c[0]) / 2;
   return {{{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
@@ -103,6 +95,7 @@ bool contains(const std::array<Vector2d, 3>& corners, const ElementPlace& place)
 QuadraticQuadrature::QuadraticQuadrature(const QuadraticSurface& surface, double tolerance)
     : surface_(surface),
       loops_(kelvinSumLoopsForThisProcessor()),
+      kernel_(quadraticKernelForThisProcessor()),
       accuracy_(0.1 * tolerance),
       tolerance_(std::clamp(tolerance, 1e-12, 1e-2)),
       ratio_(ratios(tolerance_)),
@@ -148,7 +141,7 @@ int QuadraticQuadrature::maxDepth(int element) const {
 
 QuadraticQuadrature::Cell QuadraticQuadrature::cellIn(int element, const Corners& corners) const {
   const auto at = [&](const Vector2d& local) {
-    return surface_.evaluate({element, local[0], local[1]}).position;
+    return surface_.position({element, local[0], local[1]});
   };
   Cell cell{corners, at((corners[0] + corners[1] + corners[2]) / 3), 0};
   for (int k = 0; k < 3; ++k)
@@ -177,35 +170,28 @@ void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& poi
   points.perDirection = 0;
   points.functions[0] = kFunctions;
   points.functions[1] = 0;
-  points.stride = roundUpToLanes(kFunctions);
+  points.stride = kElementLanes;
   points.geometry.resize(static_cast<std::size_t>(kPointValues) * points.count);
-  points.basis.resize(static_cast<std::size_t>(points.stride) * points.count);
-  for (std::size_t k = 0; k < rule.u.size(); ++k)
-    setBasis(rule.u[k], rule.v[k],
-             points.basis.data() + k * static_cast<std::size_t>(points.stride));
+  points.basis.resize(static_cast<std::size_t>(kElementLanes) * points.count);
+  kernel_.basis({points.count, rule.u.data(), rule.v.data(), points.basis.data()});
+  const double* polynomial = surface_.polynomial(index).data();
+  const BorderCoordinates& coordinates = surface_.coordinates(index);
+  if (coordinates.isPlain()) {
+    kernel_.place({polynomial, points.count, rule.u.data(), rule.v.data(), rule.weight.data(),
+                   points.geometry.data()});
+    return;
+  }
   const auto arrayOf = [&](const std::vector<double>& values) {
     return Eigen::Map<const ArrayXd>(values.data(), points.count);
   };
-  const BorderCoordinates& coordinates = surface_.coordinates(index);
   BorderCoordinates::Mapped at;
   coordinates.map(arrayOf(rule.u), arrayOf(rule.v), at);
   const ArrayXd weight = arrayOf(rule.weight) * at.determinant;
+  kernel_.place(
+      {polynomial, points.count, at.u.data(), at.v.data(), weight.data(), points.geometry.data()});
+  if (!surface_.hasBorderTractions(index)) return;
   Eigen::Map<Eigen::ArrayXXd> geometry(points.geometry.data(), points.count, kPointValues);
-  Eigen::ArrayX3d du(points.count, 3), dv(points.count, 3);
-  const QuadraticSurface::Polynomial& c = surface_.polynomial(index);
-  for (int i = 0; i < 3; ++i) {
-    geometry.col(i) = c(i, 0) + at.u * (c(i, 1) + at.u * c(i, 3) + at.v * c(i, 4)) +
-                      at.v * (c(i, 2) + at.v * c(i, 5));
-    du.col(i) = weight * (c(i, 1) + at.u * (2 * c(i, 3)) + at.v * c(i, 4));
-    dv.col(i) = c(i, 2) + at.u * c(i, 4) + at.v * (2 * c(i, 5));
-  }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, m = (i + 2) % 3;
-    geometry.col(3 + i) = du.col(j) * dv.col(m) - du.col(m) * dv.col(j);
-  }
-  geometry.col(6) =
-      (geometry.col(3).square() + geometry.col(4).square() + geometry.col(5).square()).sqrt();
-  if (surface_.hasBorderTractions(index)) geometry.col(6) /= at.root;
+  geometry.col(kPointValues - 1) /= at.root;
 }
 
 void QuadraticQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, int depth,

@@ -6,6 +6,7 @@
 #include "base/job.h"
 #include "bem/element/element_quadrature.h"
 #include "bem/element/polar_rule.h"
+#include "bem/quadratic/quadratic_kernel.h"
 #include "bem/quadratic/quadratic_surface.h"
 
 namespace palpa::bem {
@@ -71,6 +72,7 @@ class QuadraticQuadrature final : public ElementQuadrature {
 
   const QuadraticSurface& surface_;
   KelvinSumLoops loops_;
+  QuadraticKernel kernel_;
   SingularAccuracy accuracy_;
   double tolerance_;
   /// Smallest distance over radius of each rule, and with BorderCoordinates.

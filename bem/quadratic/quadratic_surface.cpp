@@ -138,6 +138,13 @@ SurfaceJet QuadraticSurface::evaluate(const ElementPlace& place) const {
           by(0, 1) * jet.du + by(1, 1) * jet.dv};
 }
 
+Vector3d QuadraticSurface::position(const ElementPlace& place) const {
+  const Polynomial& c = elements_[place.element].polynomial;
+  const Vector2d at = coordinates(place.element).geometric({place.u, place.v});
+  return c.col(0) + at[0] * (c.col(1) + at[0] * c.col(3) + at[1] * c.col(4)) +
+         at[1] * (c.col(2) + at[1] * c.col(5));
+}
+
 SurfaceJet QuadraticSurface::geometricJet(int element, const Vector2d& geometric) const {
   const Polynomial& c = elements_[element].polynomial;
   const double u = geometric[0], v = geometric[1];

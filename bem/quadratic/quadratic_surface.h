@@ -67,6 +67,7 @@ class QuadraticSurface final : public ElementSurface {
   /// u^2, uv, v^2.
   using Polynomial = Eigen::Matrix<double, 3, 6>;
   const Polynomial& polynomial(int element) const { return elements_[element].polynomial; }
+  Eigen::Vector3d position(const ElementPlace& place) const;
   /// Position and derivatives by the geometric coordinates.
   SurfaceJet geometricJet(int element, const Eigen::Vector2d& geometric) const;
   /// Elements that contain a node.
