@@ -173,6 +173,11 @@ void SurfaceActor::setCoarse(bool coarse) {
   updateVisibility();
 }
 
+std::size_t SurfaceActor::drawnTriangles() const {
+  vtkPolyData* drawn = isCoarse_ && !coarse_.isEmpty() ? coarse_.data() : surface_.Get();
+  return static_cast<std::size_t>(drawn->GetNumberOfPolys());
+}
+
 void SurfaceActor::setMarks(const std::vector<Mark>& marks) {
   marks_ = marks;
   colourTriangles();

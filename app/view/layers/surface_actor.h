@@ -42,6 +42,8 @@ class SurfaceActor {
   void setRegionsVisible(bool visible);
   /// Draws a large body with fewer triangles.
   void setCoarse(bool coarse);
+  /// With these settings, if anything is visible.
+  std::size_t drawnTriangles() const;
   /// Of everything; visible at first.
   void setVisible(bool visible);
   void setShading(Shading shading);

@@ -239,6 +239,10 @@ void Viewport::render(Quality quality) {
   parts.syncSize();
 }
 
+std::size_t Viewport::drawnTriangles() const {
+  return parts_->surface.drawnTriangles();
+}
+
 void Viewport::writePng(const std::filesystem::path& path) {
   render();
   view::writePng(parts_->window, path);

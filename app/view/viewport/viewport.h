@@ -211,6 +211,9 @@ class Viewport {
   /// Draws everything into the window.
   void render(Quality quality = Quality::kFine);
 
+  /// Triangles of the body in the last picture: fewer than it has while a large body moves.
+  std::size_t drawnTriangles() const;
+
   /// Draws finely and writes the picture of the window as PNG. Throws ViewError.
   void writePng(const std::filesystem::path& path);
 
