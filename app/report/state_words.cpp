@@ -35,7 +35,9 @@ std::string simplificationText(const modeling::MeshSimplification& simplificatio
     text += "; ";
     if (cutPins > 0) text += count(cutPins, "pin", "cut off");
     if (cutPins > 0 && filledHoles > 0) text += " and ";
-    if (filledHoles > 0) text += count(filledHoles, "hole", "filled");
+    if (filledHoles > 0)
+      text += filledHoles == 1 ? "1 hole or gap filled"
+                               : countText(filledHoles) + " holes and gaps filled";
     text += format(", all below %.3g mm", partsBelow);
   }
   return text + format("; the surface moved by up to %.3g mm", moved);

@@ -8,6 +8,7 @@
 
 #include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/feature_lengths.h"
+#include "modeling/mesh/narrow_gaps.h"
 #include "modeling/mesh/nearest_point.h"
 #include "modeling/mesh/short_edges.h"
 #include "modeling/mesh/triangle_crossings.h"
@@ -17,6 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kNarrow = 0.2;   // of the thinnest pins: the width of gaps that are filled
 constexpr double kUnmoved = 0.2;  // of the smallest length: fine curved surfaces made coarser
 
 /// Largest distance of the vertices and middles of triangles and edges of one surface from another.
@@ -89,8 +91,12 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
   double limit = 0;
   for (const Vector3d& x : body.positions()) limit = std::max(limit, smallest(x));
   if (limit == 0) return unchanged(body);
-  const auto [plain, pins, holes] = withoutSmallParts(
+  auto [whole, pins, holes] = withoutSmallParts(
       {body.positions(), body.triangles(), body.faceOfTriangle()}, thinnest, keptFaces, job);
+  double thickest = 0;
+  for (const Vector3d& x : body.positions()) thickest = std::max(thickest, thinnest(x));
+  const auto [plain, gaps] =
+      withoutNarrowGaps(std::move(whole), kNarrow * thickest, keptFaces, job);
   std::vector<double> lengths = featureLengths(plain, smallest, job);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     job.throwIfCancelled();
@@ -102,12 +108,12 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
       continue;
     }
     surface.cutPins = pins;
-    surface.filledHoles = holes;
+    surface.filledHoles = holes + gaps;
     const NearestOnTriangles before(plain.positions, plain.triangles);
     const NearestOnTriangles after(surface.positions, surface.triangles);
     surface.moved = std::max(distance(plain.positions, plain.triangles, after),
                              distance(surface.positions, surface.triangles, before));
-    surface.isNeeded = pins + holes > 0 || hasTinyEdges(plain, smallest) ||
+    surface.isNeeded = pins + holes + gaps > 0 || hasTinyEdges(plain, smallest) ||
                        surface.moved > kUnmoved * limit ||
                        smoothParts(surface.positions, surface.triangles) !=
                            smoothParts(plain.positions, plain.triangles);

@@ -156,8 +156,8 @@ void addSmallFeatures(PropertyPage& page, const ChangeMesh& change) {
     if (cutPins > 0)
       text += "; " + (cutPins == 1 ? tr("one pin cut off") : tr("%1 pins cut off").arg(cutPins));
     if (filledHoles > 0)
-      text += "; " +
-              (filledHoles == 1 ? tr("one hole filled") : tr("%1 holes filled").arg(filledHoles));
+      text += "; " + (filledHoles == 1 ? tr("one hole or gap filled")
+                                       : tr("%1 holes and gaps filled").arg(filledHoles));
     if (cutPins + filledHoles > 0) text += tr(", below %1").arg(page.shownLength(partsBelow));
     return text;
   });

@@ -1,0 +1,323 @@
+#include "modeling/mesh/narrow_gaps.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "modeling/body/closed_surfaces.h"
+#include "modeling/body/smooth_regions.h"
+#include "modeling/mesh/nearest_point.h"
+
+namespace palpa::modeling {
+namespace {
+
+using Eigen::Vector3d;
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+using Triangle = std::array<int, 3>;
+
+constexpr double kPiece = 5;      // largest edge of the pieces of triangles, in narrowest lengths
+constexpr double kFacing = -0.7;  // cosine of the normals on both sides of a gap
+constexpr double kOverlap = 0.1;  // of the width: how far a plate reaches into the surface
+constexpr std::size_t kMaxPieces = 400'000;
+constexpr std::size_t kMaxGaps = 200;
+
+Mesh toMesh(const FacedTriangles& surface) {
+  Mesh mesh;
+  for (const Vector3d& p : surface.positions) mesh.add_vertex({p.x(), p.y(), p.z()});
+  for (const auto& [a, b, c] : surface.triangles)
+    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
+  return mesh;
+}
+
+/// Position and triangles of a mesh, without faces.
+FacedTriangles toTriangles(const Mesh& mesh) {
+  FacedTriangles surface;
+  std::vector<int> number(mesh.num_vertices(), -1);
+  for (const auto vertex : mesh.vertices()) {
+    number[vertex] = static_cast<int>(surface.positions.size());
+    const auto& p = mesh.point(vertex);
+    surface.positions.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto face : mesh.faces()) {
+    Triangle& corners = surface.triangles.emplace_back();
+    int k = 0;
+    for (const auto vertex : vertices_around_face(mesh.halfedge(face), mesh))
+      corners[k++] = number[vertex];
+  }
+  return surface;
+}
+
+Vector3d areaVector(const FacedTriangles& of, std::size_t t) {
+  const auto& [a, b, c] = of.triangles[t];
+  return (of.positions[b] - of.positions[a]).cross(of.positions[c] - of.positions[a]);
+}
+
+/// True if some triangles face each other at less than `narrowest`, seen from their planes. Most
+/// bodies have none, and need not be divided.
+bool mayHaveGaps(const FacedTriangles& surface, double narrowest) {
+  using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+  std::vector<Box> boxes;
+  std::vector<Vector3d> normals;
+  const auto corner = [&](std::size_t t, int k) -> const Vector3d& {
+    return surface.positions[surface.triangles[t][k]];
+  };
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    normals.push_back(areaVector(surface, t).normalized());
+    const Vector3d reach = Vector3d::Constant(narrowest / 2);
+    const Vector3d low = corner(t, 0).cwiseMin(corner(t, 1)).cwiseMin(corner(t, 2)) - reach;
+    const Vector3d high = corner(t, 0).cwiseMax(corner(t, 1)).cwiseMax(corner(t, 2)) + reach;
+    boxes.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), t);
+  }
+  bool found = false;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& boxA, const Box& boxB) {
+    const std::size_t a = boxA.info(), b = boxB.info();
+    if (found || !(normals[a].dot(normals[b]) < kFacing)) return;
+    for (int k = 0; k < 3 && !found; ++k) {
+      const double above = normals[a].dot(corner(b, k) - corner(a, 0));
+      found = above > 0 && above < narrowest;
+    }
+  });
+  return found;
+}
+
+/// The surface with its triangles divided until no edge is longer than `length`; none if there
+/// would be too many.
+std::optional<FacedTriangles> inPieces(FacedTriangles surface, double length) {
+  for (bool hasLong = true; hasLong;) {
+    hasLong = false;
+    std::map<std::pair<int, int>, int> middles;
+    const auto middleOf = [&](int a, int b) {
+      const auto [known, isNew] = middles.try_emplace(std::minmax(a, b), -1);
+      if (isNew && (surface.positions[a] - surface.positions[b]).norm() > length) {
+        known->second = static_cast<int>(surface.positions.size());
+        surface.positions.push_back((surface.positions[a] + surface.positions[b]) / 2);
+      }
+      return known->second;
+    };
+    std::vector<Triangle> triangles;
+    std::vector<int> faces;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      // Halves of the longest edge first, so that pieces stay round.
+      const Triangle n = surface.triangles[t];
+      Triangle middle{};
+      int longest = 0;
+      const auto lengthOf = [&](int k) {
+        return (surface.positions[n[k]] - surface.positions[n[(k + 1) % 3]]).norm();
+      };
+      for (int k = 0; k < 3; ++k) {
+        middle[k] = middleOf(n[k], n[(k + 1) % 3]);
+        if (lengthOf(k) > lengthOf(longest)) longest = k;
+      }
+      const auto add = [&](int a, int b, int c) {
+        triangles.push_back({a, b, c});
+        faces.push_back(surface.faceOfTriangle[t]);
+      };
+      const int a = n[longest], b = n[(longest + 1) % 3], c = n[(longest + 2) % 3],
+                ab = middle[longest], bc = middle[(longest + 1) % 3],
+                ca = middle[(longest + 2) % 3];
+      if (ab < 0) {
+        add(a, b, c);
+        continue;
+      }
+      hasLong = true;
+      if (bc < 0) {
+        add(ab, b, c);
+      } else {
+        add(ab, b, bc);
+        add(ab, bc, c);
+      }
+      if (ca < 0) {
+        add(a, ab, c);
+      } else {
+        add(a, ab, ca);
+        add(ca, ab, c);
+      }
+    }
+    surface.triangles = std::move(triangles);
+    surface.faceOfTriangle = std::move(faces);
+    if (surface.triangles.size() > kMaxPieces) return std::nullopt;
+  }
+  return surface;
+}
+
+/// The gaps of a surface, as sets of pieces of the surface on one side.
+class Gaps {
+ public:
+  Gaps(const FacedTriangles& surface, FacedTriangles pieces, double narrowest,
+       const std::set<int>& keptFaces, const Job& job)
+      : pieces_(std::move(pieces)),
+        keptFaces_(keptFaces),
+        neighbours_(triangleNeighbours(pieces_.triangles)) {
+    std::map<int, double> areas;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+      areas[surface.faceOfTriangle[t]] += areaVector(surface, t).norm();
+    for (std::size_t t = 0; t < pieces_.triangles.size(); ++t)
+      normals_.push_back(areaVector(pieces_, t).normalized());
+    const NearestOnTriangles all(pieces_.positions, pieces_.triangles);
+    widths_.assign(pieces_.triangles.size(), 0);
+    for (std::size_t t = 0; t < widths_.size(); ++t) {
+      if (t % 256 == 0) job.throwIfCancelled();
+      const int face = pieces_.faceOfTriangle[t];
+      if (keptFaces.contains(face)) continue;
+      const auto& [a, b, c] = pieces_.triangles[t];
+      const Vector3d middle =
+          (pieces_.positions[a] + pieces_.positions[b] + pieces_.positions[c]) / 3;
+      const double width = all.distanceAlong(middle, normals_[t], static_cast<int>(t));
+      if (!(width < narrowest)) continue;
+      const int other = all.nearestTriangle(middle + width * normals_[t]);
+      const int facing = pieces_.faceOfTriangle[other];
+      if (keptFaces.contains(facing) || !(normals_[t].dot(normals_[other]) < kFacing)) continue;
+      // One side is enough: the smaller one, whose border mostly is the mouth of the gap.
+      if (std::pair(areas[face], face) <= std::pair(areas[facing], facing)) widths_[t] = width;
+    }
+  }
+
+  /// Plates that fill the gaps, one for each smooth part of their side.
+  std::vector<FacedTriangles> plates() const {
+    std::vector<FacedTriangles> plates;
+    std::vector<bool> isDone(widths_.size(), false);
+    for (std::size_t t = 0; t < widths_.size() && plates.size() < kMaxGaps; ++t) {
+      if (isDone[t] || widths_[t] == 0) continue;
+      if (auto plate = plateOver(smoothPart(static_cast<int>(t), isDone)))
+        plates.push_back(std::move(*plate));
+    }
+    return plates;
+  }
+
+ private:
+  std::vector<int> smoothPart(int first, std::vector<bool>& isDone) const {
+    std::vector<int> part{first};
+    isDone[first] = true;
+    for (std::size_t k = 0; k < part.size(); ++k)
+      for (const int other : neighbours_[part[k]]) {
+        if (isDone[other] || widths_[other] == 0) continue;
+        if (normals_[other].dot(normals_[part[k]]) < -kFacing) continue;
+        isDone[other] = true;
+        part.push_back(other);
+      }
+    return part;
+  }
+
+  /// None beside a face that must not change.
+  std::optional<FacedTriangles> plateOver(const std::vector<int>& part) const {
+    struct Corner {
+      int number = -1;
+      Vector3d normal = Vector3d::Zero(), aside = Vector3d::Zero();
+      double width = 0;
+    };
+    std::map<int, Corner> corners;
+    const std::set<int> own(part.begin(), part.end());
+    std::vector<std::pair<int, int>> border;
+    double widest = 0;
+    for (const int t : part) {
+      widest = std::max(widest, widths_[t]);
+      for (int k = 0; k < 3; ++k) {
+        const int a = pieces_.triangles[t][k], b = pieces_.triangles[t][(k + 1) % 3];
+        Corner& corner = corners[a];
+        corner.normal += areaVector(pieces_, t);
+        corner.width = std::max(corner.width, widths_[t]);
+        const int other = neighbours_[t][k];
+        if (own.contains(other)) continue;
+        if (keptFaces_.contains(pieces_.faceOfTriangle[other])) return std::nullopt;
+        border.emplace_back(a, b);
+        // Into a wall at the end of the gap; not quite to its mouth.
+        const Vector3d outward =
+            (pieces_.positions[b] - pieces_.positions[a]).cross(normals_[t]).normalized();
+        const bool isWall = normals_[other].dot(outward) < -0.3;
+        for (const int end : {a, b}) corners[end].aside += (isWall ? 1 : -1) * outward;
+      }
+    }
+    const double overlap = kOverlap * widest;
+    FacedTriangles plate;
+    for (const bool isFar : {false, true})
+      for (auto& [vertex, corner] : corners) {
+        if (!isFar) corner.number = static_cast<int>(plate.positions.size());
+        const double along = isFar ? corner.width + overlap : -overlap;
+        const double aside = corner.aside.norm();
+        plate.positions.push_back(pieces_.positions[vertex] + along * corner.normal.normalized());
+        if (aside > 0.1) plate.positions.back() += overlap / aside * corner.aside;
+      }
+    const int count = static_cast<int>(corners.size());
+    const auto near = [&](int vertex) { return corners.at(vertex).number; };
+    const auto far = [&](int vertex) { return near(vertex) + count; };
+    for (const int t : part) {
+      const auto& [a, b, c] = pieces_.triangles[t];
+      plate.triangles.push_back({near(a), near(c), near(b)});
+      plate.triangles.push_back({far(a), far(b), far(c)});
+    }
+    for (const auto& [a, b] : border) {
+      plate.triangles.push_back({near(a), near(b), far(b)});
+      plate.triangles.push_back({near(a), far(b), far(a)});
+    }
+    return plate;
+  }
+
+  FacedTriangles pieces_;
+  const std::set<int>& keptFaces_;
+  std::vector<std::array<int, 3>> neighbours_;
+  std::vector<Vector3d> normals_;
+  std::vector<double> widths_;  ///< of the gap over each piece; 0 without one
+};
+
+/// The union of both; none if the plate is no solid or CGAL finds surfaces that cut through
+/// themselves.
+std::optional<Mesh> unite(const Mesh& body, const FacedTriangles& plate) {
+  Mesh solid = toMesh(plate);
+  if (solid.number_of_faces() != plate.triangles.size() || !CGAL::is_closed(solid) ||
+      pmp::does_self_intersect(solid) || !pmp::is_outward_oriented(solid))
+    return std::nullopt;
+  Mesh one = body, united;
+  try {
+    if (!pmp::corefine_and_compute_union(one, solid, united,
+                                         pmp::parameters::throw_on_self_intersection(true)))
+      return std::nullopt;
+  } catch (const pmp::Corefinement::Self_intersection_exception&) {
+    return std::nullopt;
+  }
+  united.collect_garbage();
+  return united;
+}
+
+}  // namespace
+
+WithoutNarrowGaps withoutNarrowGaps(FacedTriangles surface, double narrowest,
+                                    const std::set<int>& keptFaces, const Job& job) {
+  WithoutNarrowGaps result{std::move(surface), 0};
+  if (!(narrowest > 0) || !mayHaveGaps(result.surface, narrowest)) return result;
+  auto pieces = inPieces(result.surface, kPiece * narrowest);
+  if (!pieces) return result;
+  const std::vector<FacedTriangles> plates =
+      Gaps(result.surface, std::move(*pieces), narrowest, keptFaces, job).plates();
+  if (plates.empty()) return result;
+  Mesh mesh = toMesh(result.surface);
+  int gaps = 0;
+  for (const FacedTriangles& plate : plates) {
+    job.throwIfCancelled();
+    if (auto united = unite(mesh, plate)) {
+      mesh = std::move(*united);
+      ++gaps;
+    }
+  }
+  if (gaps == 0 || pmp::does_self_intersect(mesh)) return result;
+  FacedTriangles filled = toTriangles(mesh);
+  if (closedSurfaceCount(filled.triangles) > closedSurfaceCount(result.surface.triangles))
+    return result;
+  const NearestOnTriangles before(result.surface.positions, result.surface.triangles);
+  for (const auto& [a, b, c] : filled.triangles)
+    filled.faceOfTriangle.push_back(result.surface.faceOfTriangle[before.nearestTriangle(
+        (filled.positions[a] + filled.positions[b] + filled.positions[c]) / 3)]);
+  return {std::move(filled), gaps};
+}
+
+}  // namespace palpa::modeling

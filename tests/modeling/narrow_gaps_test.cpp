@@ -1,0 +1,116 @@
+#include "modeling/mesh/narrow_gaps.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "modeling/body/mesh_body.h"
+#include "modeling/mesh/small_features.h"
+
+namespace palpa::modeling {
+namespace {
+
+constexpr double kDepth = 10;  // of the block along y, mm
+constexpr int kSlitBelow = 2;  // faces of the slit
+constexpr int kSlitAbove = 4;
+
+/// A block of 20 x 10 x 10 mm with a slit from one side, 12 mm deep. Faces 0 to 7 are the sides of
+/// its profile, 8 and 9 its ends.
+FacedTriangles blockWithSlit(double width) {
+  const double profile[8][2] = {{0, 0},         {20, 0},         {20, 5},  {8, 5},
+                                {8, 5 + width}, {20, 5 + width}, {20, 10}, {0, 10}};
+  FacedTriangles block;
+  for (const double y : {0.0, kDepth})
+    for (const auto& [x, z] : profile) block.positions.emplace_back(x, y, z);
+  const auto add = [&](int a, int b, int c, int face) {
+    block.triangles.push_back({a, b, c});
+    block.faceOfTriangle.push_back(face);
+  };
+  for (int k = 0; k < 8; ++k) {
+    const int next = (k + 1) % 8;
+    add(k, next, next + 8, k);
+    add(k, next + 8, k + 8, k);
+  }
+  constexpr int kEnd[6][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 7}, {4, 5, 6}, {4, 6, 7}};
+  for (const auto& [a, b, c] : kEnd) {
+    add(a, c, b, 8);
+    add(a + 8, b + 8, c + 8, 9);
+  }
+  for (auto& t : block.triangles) std::swap(t[1], t[2]);
+  return block;
+}
+
+/// Throws if the surface is not closed and manifold.
+MeshBody bodyOf(const FacedTriangles& surface) {
+  MeshBody::Data data{surface.positions, surface.triangles, surface.faceOfTriangle, {}};
+  for (int face = 0; face < 10; ++face) data.faceNames.push_back("face_" + std::to_string(face));
+  return MeshBody(data);
+}
+
+TEST(NarrowGaps, AreFilled) {
+  const FacedTriangles block = blockWithSlit(0.1);
+  ASSERT_NEAR(volume(bodyOf(block)), 2000 - 12, 1e-9);
+  const auto [filled, gaps] = withoutNarrowGaps(block, 0.3, {});
+  EXPECT_EQ(gaps, 1);
+  // At its mouths the plate ends a tenth of the gap's width inside.
+  FacedTriangles outside = filled;
+  for (int& face : outside.faceOfTriangle) face = 0;
+  MeshBody::Data data{outside.positions, outside.triangles, outside.faceOfTriangle, {"all"}};
+  EXPECT_NEAR(volume(MeshBody(data)), 2000, 0.1);
+}
+
+TEST(NarrowGaps, KeepTheFacesOfTheBody) {
+  const auto [filled, gaps] = withoutNarrowGaps(blockWithSlit(0.1), 0.3, {});
+  ASSERT_EQ(gaps, 1);
+  for (std::size_t t = 0; t < filled.triangles.size(); ++t) {
+    const auto& [a, b, c] = filled.triangles[t];
+    const Eigen::Vector3d middle =
+        (filled.positions[a] + filled.positions[b] + filled.positions[c]) / 3;
+    if (middle.z() < 1e-9) {
+      EXPECT_EQ(filled.faceOfTriangle[t], 0);
+    }
+    if (middle.x() < 1e-9) {
+      EXPECT_EQ(filled.faceOfTriangle[t], 7);
+    }
+  }
+}
+
+TEST(NarrowGaps, WiderOnesStay) {
+  const FacedTriangles block = blockWithSlit(0.5);
+  for (const double narrowest : {0.0, 0.3}) {
+    const auto [surface, gaps] = withoutNarrowGaps(block, narrowest, {});
+    EXPECT_EQ(gaps, 0);
+    EXPECT_EQ(surface.triangles, block.triangles);
+  }
+}
+
+TEST(NarrowGaps, AtKeptFacesStay) {
+  const FacedTriangles block = blockWithSlit(0.1);
+  for (const int kept : {kSlitBelow, kSlitAbove, 3, 8}) {
+    const auto [surface, gaps] = withoutNarrowGaps(block, 0.3, {kept});
+    EXPECT_EQ(gaps, 0) << kept;
+    EXPECT_EQ(surface.triangles, block.triangles);
+  }
+}
+
+TEST(NarrowGaps, AreStoppedByTheJob) {
+  std::stop_source source;
+  source.request_stop();
+  Job job;
+  job.stop = source.get_token();
+  EXPECT_THROW(withoutNarrowGaps(blockWithSlit(0.1), 0.3, {}, job), Cancelled);
+}
+
+TEST(NarrowGaps, CountAsFilledHoles) {
+  const MeshBody body = bodyOf(blockWithSlit(0.1));
+  const LengthAt two = [](const Eigen::Vector3d&) { return 2.0; };
+  const SimplifiedSurface simplified = withoutSmallFeatures(body, two, two, {});
+  EXPECT_TRUE(simplified.isNeeded);
+  EXPECT_EQ(simplified.filledHoles, 1);
+  // A body of which nothing is to be left out.
+  const LengthAt none = [](const Eigen::Vector3d&) { return 0.0; };
+  EXPECT_EQ(withoutSmallFeatures(body, none, none, {}).filledHoles, 0);
+}
+
+}  // namespace
+}  // namespace palpa::modeling
