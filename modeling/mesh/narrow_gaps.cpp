@@ -16,6 +16,7 @@
 
 #include "modeling/body/closed_surfaces.h"
 #include "modeling/body/smooth_regions.h"
+#include "modeling/mesh/divided_triangles.h"
 #include "modeling/mesh/nearest_point.h"
 
 namespace palpa::modeling {
@@ -28,7 +29,9 @@ using Triangle = std::array<int, 3>;
 
 constexpr double kPiece = 5;      // largest edge of the pieces of triangles, in narrowest lengths
 constexpr double kFacing = -0.7;  // cosine of the normals on both sides of a gap
-constexpr double kOverlap = 0.1;  // of the width: how far a plate reaches into the surface
+constexpr double kWall = -0.3;    // cosine of a wall's normal and the direction to it
+constexpr double kNoDirection = 0.1;  // length of a sum of unit vectors that nearly cancel
+constexpr double kOverlap = 0.1;      // of the width: how far a plate reaches into the surface
 constexpr std::size_t kMaxPieces = 400'000;
 constexpr std::size_t kMaxGaps = 200;
 
@@ -79,76 +82,21 @@ bool mayHaveGaps(const FacedTriangles& surface, double narrowest) {
     const Vector3d high = corner(t, 0).cwiseMax(corner(t, 1)).cwiseMax(corner(t, 2)) + reach;
     boxes.emplace_back(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()), t);
   }
+  // One of the corners of `other`: a small triangle beside a large, tilted one.
+  const auto isCloseAbove = [&](std::size_t t, std::size_t other) {
+    for (int k = 0; k < 3; ++k) {
+      const double height = normals[t].dot(corner(other, k) - corner(t, 0));
+      if (height > 0 && height < narrowest) return true;
+    }
+    return false;
+  };
   bool found = false;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& boxA, const Box& boxB) {
     const std::size_t a = boxA.info(), b = boxB.info();
-    if (found || !(normals[a].dot(normals[b]) < kFacing)) return;
-    for (int k = 0; k < 3 && !found; ++k) {
-      const double above = normals[a].dot(corner(b, k) - corner(a, 0));
-      found = above > 0 && above < narrowest;
-    }
+    if (!found && normals[a].dot(normals[b]) < kFacing)
+      found = isCloseAbove(a, b) || isCloseAbove(b, a);
   });
   return found;
-}
-
-/// The surface with its triangles divided until no edge is longer than `length`; none if there
-/// would be too many.
-std::optional<FacedTriangles> inPieces(FacedTriangles surface, double length) {
-  for (bool hasLong = true; hasLong;) {
-    hasLong = false;
-    std::map<std::pair<int, int>, int> middles;
-    const auto middleOf = [&](int a, int b) {
-      const auto [known, isNew] = middles.try_emplace(std::minmax(a, b), -1);
-      if (isNew && (surface.positions[a] - surface.positions[b]).norm() > length) {
-        known->second = static_cast<int>(surface.positions.size());
-        surface.positions.push_back((surface.positions[a] + surface.positions[b]) / 2);
-      }
-      return known->second;
-    };
-    std::vector<Triangle> triangles;
-    std::vector<int> faces;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      // Halves of the longest edge first, so that pieces stay round.
-      const Triangle n = surface.triangles[t];
-      Triangle middle{};
-      int longest = 0;
-      const auto lengthOf = [&](int k) {
-        return (surface.positions[n[k]] - surface.positions[n[(k + 1) % 3]]).norm();
-      };
-      for (int k = 0; k < 3; ++k) {
-        middle[k] = middleOf(n[k], n[(k + 1) % 3]);
-        if (lengthOf(k) > lengthOf(longest)) longest = k;
-      }
-      const auto add = [&](int a, int b, int c) {
-        triangles.push_back({a, b, c});
-        faces.push_back(surface.faceOfTriangle[t]);
-      };
-      const int a = n[longest], b = n[(longest + 1) % 3], c = n[(longest + 2) % 3],
-                ab = middle[longest], bc = middle[(longest + 1) % 3],
-                ca = middle[(longest + 2) % 3];
-      if (ab < 0) {
-        add(a, b, c);
-        continue;
-      }
-      hasLong = true;
-      if (bc < 0) {
-        add(ab, b, c);
-      } else {
-        add(ab, b, bc);
-        add(ab, bc, c);
-      }
-      if (ca < 0) {
-        add(a, ab, c);
-      } else {
-        add(a, ab, ca);
-        add(ca, ab, c);
-      }
-    }
-    surface.triangles = std::move(triangles);
-    surface.faceOfTriangle = std::move(faces);
-    if (surface.triangles.size() > kMaxPieces) return std::nullopt;
-  }
-  return surface;
 }
 
 /// The gaps of a surface, as sets of pieces of the surface on one side.
@@ -234,7 +182,7 @@ class Gaps {
         // Into a wall at the end of the gap; not quite to its mouth.
         const Vector3d outward =
             (pieces_.positions[b] - pieces_.positions[a]).cross(normals_[t]).normalized();
-        const bool isWall = normals_[other].dot(outward) < -0.3;
+        const bool isWall = normals_[other].dot(outward) < kWall;
         for (const int end : {a, b}) corners[end].aside += (isWall ? 1 : -1) * outward;
       }
     }
@@ -246,7 +194,7 @@ class Gaps {
         const double along = isFar ? corner.width + overlap : -overlap;
         const double aside = corner.aside.norm();
         plate.positions.push_back(pieces_.positions[vertex] + along * corner.normal.normalized());
-        if (aside > 0.1) plate.positions.back() += overlap / aside * corner.aside;
+        if (aside > kNoDirection) plate.positions.back() += overlap / aside * corner.aside;
       }
     const int count = static_cast<int>(corners.size());
     const auto near = [&](int vertex) { return corners.at(vertex).number; };
@@ -295,7 +243,7 @@ WithoutNarrowGaps withoutNarrowGaps(FacedTriangles surface, double narrowest,
                                     const std::set<int>& keptFaces, const Job& job) {
   WithoutNarrowGaps result{std::move(surface), 0};
   if (!(narrowest > 0) || !mayHaveGaps(result.surface, narrowest)) return result;
-  auto pieces = inPieces(result.surface, kPiece * narrowest);
+  auto pieces = dividedTriangles(result.surface, kPiece * narrowest, kMaxPieces);
   if (!pieces) return result;
   const std::vector<FacedTriangles> plates =
       Gaps(result.surface, std::move(*pieces), narrowest, keptFaces, job).plates();

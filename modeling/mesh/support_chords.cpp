@@ -49,7 +49,7 @@ bool dividesTriangles(const SurfaceMesh& mesh, const ElementEdge& edge, const Ei
 
 /// Where a chord is split: on the true surface, or on the chord itself if that point would fold its
 /// triangles. The chord of a rounded border passes over the surface beyond it, and the nearest
-/// point of that may lie on the border.
+/// point of that may lie on the border. Nodes of a solid keep the place of their parameters.
 MiddleNode middleOfChord(const SurfaceMesh& mesh, const ElementEdge& edge,
                          const MiddleNodes& middles) {
   MiddleNode middle = middles.of(edge);

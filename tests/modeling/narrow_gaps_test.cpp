@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "modeling/body/mesh_body.h"
+#include "modeling/mesh/divided_triangles.h"
 #include "modeling/mesh/small_features.h"
 
 namespace palpa::modeling {
@@ -14,11 +15,11 @@ constexpr double kDepth = 10;  // of the block along y, mm
 constexpr int kSlitBelow = 2;  // faces of the slit
 constexpr int kSlitAbove = 4;
 
-/// A block of 20 x 10 x 10 mm with a slit from one side, 12 mm deep. Faces 0 to 7 are the sides of
-/// its profile, 8 and 9 its ends.
-FacedTriangles blockWithSlit(double width) {
+/// A block of 20 x 10 x 10 mm with a slit from one side, 12 mm deep, with these widths at its mouth
+/// and at its end. Faces 0 to 7 are the sides of its profile, 8 and 9 its ends.
+FacedTriangles blockWithSlit(double width, double atEnd) {
   const double profile[8][2] = {{0, 0},         {20, 0},         {20, 5},  {8, 5},
-                                {8, 5 + width}, {20, 5 + width}, {20, 10}, {0, 10}};
+                                {8, 5 + atEnd}, {20, 5 + width}, {20, 10}, {0, 10}};
   FacedTriangles block;
   for (const double y : {0.0, kDepth})
     for (const auto& [x, z] : profile) block.positions.emplace_back(x, y, z);
@@ -40,6 +41,10 @@ FacedTriangles blockWithSlit(double width) {
   return block;
 }
 
+FacedTriangles blockWithSlit(double width) {
+  return blockWithSlit(width, width);
+}
+
 /// Throws if the surface is not closed and manifold.
 MeshBody bodyOf(const FacedTriangles& surface) {
   MeshBody::Data data{surface.positions, surface.triangles, surface.faceOfTriangle, {}};
@@ -57,6 +62,17 @@ TEST(NarrowGaps, AreFilled) {
   for (int& face : outside.faceOfTriangle) face = 0;
   MeshBody::Data data{outside.positions, outside.triangles, outside.faceOfTriangle, {"all"}};
   EXPECT_NEAR(volume(MeshBody(data)), 2000, 0.1);
+}
+
+TEST(NarrowGaps, WedgesAreFilledWhereTheyAreNarrow) {
+  // 0.1 to 0.9 mm wide, so that the third up to 0.3 mm is filled.
+  const FacedTriangles block = blockWithSlit(0.9, 0.1);
+  const auto [filled, gaps] = withoutNarrowGaps(block, 0.3, {});
+  EXPECT_EQ(gaps, 1);
+  MeshBody::Data data{filled.positions, filled.triangles, {}, {"all"}};
+  data.faceOfTriangle.assign(filled.triangles.size(), 0);
+  const double slit = 12 * 10 * (0.1 + 0.9) / 2, narrow = 3 * 10 * (0.1 + 0.3) / 2;
+  EXPECT_NEAR(volume(MeshBody(data)), 2000 - slit + narrow, 0.5 * narrow);
 }
 
 TEST(NarrowGaps, KeepTheFacesOfTheBody) {
@@ -110,6 +126,19 @@ TEST(NarrowGaps, CountAsFilledHoles) {
   // A body of which nothing is to be left out.
   const LengthAt none = [](const Eigen::Vector3d&) { return 0.0; };
   EXPECT_EQ(withoutSmallFeatures(body, none, none, {}).filledHoles, 0);
+}
+
+TEST(DividedTriangles, HaveNoLongEdgesAndTheSameSurface) {
+  const FacedTriangles block = blockWithSlit(0.1);
+  const auto pieces = dividedTriangles(block, 1.5, 100'000);
+  ASSERT_TRUE(pieces);
+  for (const auto& triangle : pieces->triangles)
+    for (int k = 0; k < 3; ++k)
+      EXPECT_LE((pieces->positions[triangle[k]] - pieces->positions[triangle[(k + 1) % 3]]).norm(),
+                1.5);
+  EXPECT_NEAR(volume(bodyOf(*pieces)), volume(bodyOf(block)), 1e-9);
+  EXPECT_NEAR(area(bodyOf(*pieces)), area(bodyOf(block)), 1e-9);
+  EXPECT_FALSE(dividedTriangles(block, 1.5, 100));
 }
 
 }  // namespace
