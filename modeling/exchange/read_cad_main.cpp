@@ -112,10 +112,8 @@ void readAll(Answers& answers, const char* path, const std::string& text,
 int main(int count, char** arguments) {
   using namespace palpa::modeling;
   if (count != kArguments + 1) return EXIT_FAILURE;
-  // Ends with its parent, also if the parent has already ended. Ctrl+C in a terminal reaches both
-  // programs; the parent says that it was cancelled.
+  // Ends with its parent, also if the parent has already ended.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  std::signal(SIGINT, SIG_IGN);
   if (::getppid() != std::atoi(arguments[1])) return EXIT_FAILURE;
   const double seconds = std::atof(arguments[2]);
   setLimits(seconds);

@@ -90,13 +90,16 @@ pid_t start(std::vector<std::string> words, int input, int output) {
   ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
   ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   // Default signals: otherwise the child inherits the ignored and blocked signals of the parent.
+  // Ctrl+C in a terminal reaches both programs, and the parent has to answer it: a child that ends
+  // by it looks like a crash. The block holds from the child's first instruction on.
   posix_spawnattr_t attributes;
   ::posix_spawnattr_init(&attributes);
-  sigset_t all, none;
+  sigset_t all, blocked;
   ::sigfillset(&all);
-  ::sigemptyset(&none);
+  ::sigemptyset(&blocked);
+  for (const int cancels : {SIGINT, SIGTERM}) ::sigaddset(&blocked, cancels);
   ::posix_spawnattr_setsigdefault(&attributes, &all);
-  ::posix_spawnattr_setsigmask(&attributes, &none);
+  ::posix_spawnattr_setsigmask(&attributes, &blocked);
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   pid_t process = -1;
   const int error =

@@ -5,6 +5,10 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <system_error>
 #include <thread>
 
 #include "tests/app/cli_runner.h"
@@ -38,7 +42,20 @@ TEST(CliCancel, AnInterruptEndsWithItsOwnExitCode) {
   EXPECT_LT(waited.count(), 6.0);
 }
 
-// Ctrl-C in a terminal also reaches the program that reads CAD files.
+/// Whether a process has a child process. A process that has ended has none.
+bool hasChild(pid_t process) {
+  std::error_code none;
+  const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
+  for (const auto& task : std::filesystem::directory_iterator(tasks, none)) {
+    std::ifstream children(task.path() / "children");
+    pid_t child = 0;
+    if (children >> child) return true;
+  }
+  return false;
+}
+
+// Ctrl-C in a terminal also reaches the program that reads CAD files, from its first instruction
+// on.
 TEST(CliCancel, AnInterruptOfAnImportIsNoDamagedFile) {
   const Runner cli;
   cli.run("new sphere --radius 25 -o p.json");
@@ -47,24 +64,30 @@ TEST(CliCancel, AnInterruptOfAnImportIsNoDamagedFile) {
   const std::string target = cli.path("imported.json").string();
   const std::string messages = cli.path("messages.txt").string();
   int cancelled = 0;
-  for (int wait = 20; wait <= 400; wait += 20) {
-    const pid_t child = fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
+  for (int wait = 0; wait <= 20; ++wait) {
+    const pid_t process = fork();
+    ASSERT_GE(process, 0);
+    if (process == 0) {
       setpgid(0, 0);
       if (!freopen(messages.c_str(), "w", stderr)) _exit(126);
       execl(PALPA_CLI, "palpa-cli", "import", file.c_str(), "-o", target.c_str(),
             static_cast<char*>(nullptr));
       _exit(127);
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(wait));
-    kill(-child, SIGINT);
     int status = 0;
-    waitpid(child, &status, 0);
-    // At the very beginning the signal ends the program, at the end it comes too late.
-    if (WIFSIGNALED(status)) continue;
+    pid_t ended = 0;
+    while (ended == 0 && !hasChild(process)) ended = waitpid(process, &status, WNOHANG);
+    ASSERT_EQ(ended, 0) << "ended before it started a program: " << cli.read("messages.txt");
+    std::this_thread::sleep_for(std::chrono::milliseconds(wait * wait));
+    kill(-process, SIGINT);
+    waitpid(process, &status, 0);
+    // A late signal finds the work done, or ends the program after its work.
+    if (WIFSIGNALED(status)) {
+      EXPECT_EQ(WTERMSIG(status), SIGINT);
+      continue;
+    }
     EXPECT_TRUE(WEXITSTATUS(status) == 5 || WEXITSTATUS(status) == 0)
-        << wait << " ms: " << cli.read("messages.txt");
+        << wait << ": " << cli.read("messages.txt");
     if (WEXITSTATUS(status) == 5) ++cancelled;
   }
   EXPECT_GT(cancelled, 0);
