@@ -143,11 +143,31 @@ QuadraticQuadrature::Cell QuadraticQuadrature::cellIn(int element, const Corners
   const auto at = [&](const Vector2d& local) {
     return surface_.position({element, local[0], local[1]});
   };
-  Cell cell{corners, at((corners[0] + corners[1] + corners[2]) / 3), 0};
-  for (int k = 0; k < 3; ++k)
-    for (const Vector2d& local : {corners[k], Vector2d((corners[k] + corners[(k + 1) % 3]) / 2)})
-      cell.radius = std::max(cell.radius, (at(local) - cell.center).norm());
+  Cell cell{corners, at((corners[0] + corners[1] + corners[2]) / 3), 0, 0, 0};
+  std::array<Vector3d, 3> corner;
+  for (int k = 0; k < 3; ++k) {
+    corner[k] = at(corners[k]);
+    const Vector3d middle = at((corners[k] + corners[(k + 1) % 3]) / 2);
+    for (const Vector3d& on : {corner[k], middle})
+      cell.radius = std::max(cell.radius, (on - cell.center).norm());
+  }
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double length = (corner[(k + 1) % 3] - corner[k]).squaredNorm();
+    if (length > longest) {
+      longest = length;
+      cell.longest = k;
+    }
+  }
+  const double area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+  cell.aspect = longest > 0 ? longest / std::max(area, 1e-12 * longest) : 0;
   return cell;
+}
+
+std::array<QuadraticQuadrature::Corners, 2> QuadraticQuadrature::halves(const Cell& cell) {
+  const Vector2d &a = cell.corners[cell.longest], &b = cell.corners[(cell.longest + 1) % 3],
+                 &c = cell.corners[(cell.longest + 2) % 3], middle = (a + b) / 2;
+  return {Corners{a, middle, c}, Corners{middle, b, c}};
 }
 
 void QuadraticQuadrature::addRule(const Corners& c, int rule, ElementRule& to) const {
@@ -196,9 +216,18 @@ void QuadraticQuadrature::place(int index, ElementRule& rule, ElementPoints& poi
 
 void QuadraticQuadrature::addNear(int index, const Cell& cell, const Vector3d& x, int depth,
                                   ElementRule& to) const {
-  const int rule = ruleFor(index, (x - cell.center).norm() / cell.radius, depth);
+  const double ratio = (x - cell.center).norm() / cell.radius;
+  const int rule = ruleFor(index, ratio, depth);
   if (rule >= 0 || depth >= maxDepth(index)) {
     addRule(cell.corners, rule >= 0 ? rule : kKeptRules - 1, to);
+    return;
+  }
+  // Quarters of an elongated cell are as elongated: near to a point their number would grow with
+  // the aspect ratio.
+  constexpr double kElongated = 4;
+  const auto& least = surface_.coordinates(index).isPlain() ? ratio_ : borderRatio_;
+  if (cell.aspect > kElongated && ratio < least.back()) {
+    for (const Corners& half : halves(cell)) addNear(index, cellIn(index, half), x, depth + 1, to);
     return;
   }
   for (const Corners& quarter : quarters(cell.corners))

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -84,6 +86,39 @@ TEST(QuadraticQuadrature, KeepsTheToleranceAtAllDistances) {
     std::printf("tolerance %.0e: apart %.1e, inside %.1e\n", tolerance, worst, worstInside);
     EXPECT_LE(worst, 5 * tolerance);
     EXPECT_LE(worstInside, 5 * tolerance);
+  }
+}
+
+/// Of a flat triangle (Van Oosterom and Strackee 1983), positive on the side of its normal.
+double solidAngle(const std::array<Vector3d, 3>& corners, const Vector3d& x) {
+  const Vector3d a = corners[0] - x, b = corners[1] - x, c = corners[2] - x;
+  return -2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                                b.dot(c) * a.norm() + c.dot(a) * b.norm());
+}
+
+TEST(QuadraticQuadrature, TakesFewPointsOnSlivers) {
+  constexpr double kTolerance = 1e-6;
+  for (const double aspect : {10.0, 100.0, 1000.0, 10000.0}) {
+    const std::array<Vector3d, 3> corners{Vector3d(0, 0, 0), Vector3d(1, 0, 0),
+                                          Vector3d(0.4, 1 / aspect, 0)};
+    BoundaryMesh mesh;
+    mesh.nodes = {corners.begin(), corners.end()};
+    for (int k = 0; k < 3; ++k) mesh.nodes.push_back((corners[k] + corners[(k + 1) % 3]) / 2);
+    mesh.triangles = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    mesh.smoothingGroups = mesh.tags = {0, 0, 0, 0};
+    const QuadraticSurface surface(mesh, TractionSlots(mesh));
+    const QuadraticQuadrature quadrature(surface, kTolerance);
+    const auto work = quadrature.makeWorkspace();
+    for (const double height : {0.03, 0.3, 3.0}) {
+      const Vector3d x(0.5, 0.3 / aspect, height / aspect);
+      // Quarters of quarters would be some millions for the longest.
+      EXPECT_LT(quadrature.points(0, x, nullptr, *work).used, 30000) << aspect << ' ' << height;
+      quadrature.integrate(0, x, nullptr, *work);
+      double sum = 0;
+      for (const KernelSums& sums : work->sums) sum += sums.of[6] + sums.of[8] + sums.of[11];
+      EXPECT_NEAR(std::abs(sum), std::abs(solidAngle(corners, x)), 20 * kTolerance)
+          << aspect << ' ' << height;
+    }
   }
 }
 
