@@ -13,6 +13,7 @@
 #include "modeling/mesh/mesh_regions.h"
 #include "modeling/mesh/nearest_point.h"
 #include "modeling/mesh/quadratic_mesh.h"
+#include "modeling/mesh/quarter_crossings.h"
 #include "modeling/mesh/surface_remesher.h"
 #include "modeling/mesh/triangle_crossings.h"
 
@@ -137,9 +138,13 @@ struct Attempt {
   }
 };
 
-/// Shares of the feature fraction that are tried until a mesh has no crossings. Other features
-/// vanish with each; slivers are worth two more attempts only.
-constexpr double kSharesOfFraction[] = {1, 0.8, 0.5, 0.2, 0};
+/// What is left out, in shares of the feature fraction, by the attempts until a mesh has no
+/// crossings. Other features vanish with each; slivers are worth two more attempts only.
+constexpr LeftOutFeatures kAttempts[] = {{1, NarrowGaps::kFilled},   {0.8, NarrowGaps::kFilled},
+                                         {0.5, NarrowGaps::kFilled}, {1, NarrowGaps::kKept},
+                                         {0.2, NarrowGaps::kKept},   {0, NarrowGaps::kKept}};
+
+constexpr std::size_t kMaxFound = 1000;  // crossings
 
 bool hasSlivers(const SurfaceMesh& mesh) {
   constexpr double kMinAngle = 1;  // degrees
@@ -150,7 +155,6 @@ bool hasSlivers(const SurfaceMesh& mesh) {
 std::pair<TaggedSurface, std::size_t> remeshWithoutCrossings(const MeshBodySurface& made,
                                                              const Job& job) {
   constexpr int kRounds = 2;
-  constexpr std::size_t kMaxFound = 1000;
   const Job quiet{job.stop, {}, job.threads};
   SizeField sizes = made.sizes;
   for (int round = 1;; ++round) {
@@ -170,12 +174,12 @@ std::pair<TaggedSurface, std::size_t> remeshWithoutCrossings(const MeshBodySurfa
   }
 }
 
-/// A mesh of the body without features smaller than `fraction` of the edge length. Throws
-/// ModelingError if it has lost the body's volume or a region.
+/// A mesh of the body without the features `leftOut`. Throws ModelingError if it has lost the
+/// body's volume or a region.
 Attempt tryMesh(const MeshBody& body, const MeshSettings& settings,
                 std::span<const MeshRegion> regions, std::span<const MeshFocus> foci,
-                double fraction, const Job& job) {
-  const auto made = meshBodySurface(body, settings, regions, foci, fraction, job);
+                const LeftOutFeatures& leftOut, const Job& job) {
+  const auto made = meshBodySurface(body, settings, regions, foci, leftOut, job);
   job.throwIfCancelled();
   auto [surface, crossings] = remeshWithoutCrossings(*made, job);
   checkVolume(surface, body, settings.edgeLength);
@@ -199,6 +203,8 @@ Attempt tryMesh(const MeshBody& body, const MeshSettings& settings,
         made->partsBelow, made->simplified.cutPins, made->simplified.filledHoles};
   attempt.crossings = crossings;
   attempt.hasSlivers = hasSlivers(mesh);
+  if (attempt.crossings == 0 && attempt.hasSlivers)
+    attempt.crossings = quarterCrossings(mesh, kMaxFound, {job.stop, {}, job.threads});
   return attempt;
 }
 
@@ -214,7 +220,7 @@ double estimateNodeCount(const MeshBody& body, const MeshSettings& settings,
   // More cannot be counted, only refused.
   if (!(rough <= kMaxNodes) || !(finest > 0)) return rough;
   const MeshSettings used = bounded(settings, body);
-  const auto made = meshBodySurface(body, used, regions, foci, used.featureFraction, job);
+  const auto made = meshBodySurface(body, used, regions, foci, {used.featureFraction}, job);
   // Nothing is as good an estimate as the mesh.
   if (const std::size_t known = made->meshedNodes; known > 0) return static_cast<double>(known);
   return expectedNodes(made->surface, made->sizes);
@@ -242,10 +248,10 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                       job.threads};
   std::optional<Attempt> best;
   std::exception_ptr fault;
-  for (const double share : kSharesOfFraction) {
-    const double fraction = share * used.featureFraction;
+  for (const auto& [share, gaps] : kAttempts) {
+    const double below = share * used.featureFraction;
     try {
-      Attempt attempt = tryMesh(body, used, regions, foci, fraction, remeshing);
+      Attempt attempt = tryMesh(body, used, regions, foci, {below, gaps}, remeshing);
       if (!best || attempt.isBetterThan(*best)) best = std::move(attempt);
     } catch (const EmptyRegionError&) {
       throw;
@@ -253,11 +259,11 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
       if (error.kind() == ModelingError::Kind::kTooLarge) throw;
       if (!fault) fault = std::current_exception();
     }
-    const bool mayImprove = share > 0.5;
-    if ((best && best->crossings == 0 && !(mayImprove && best->hasSlivers)) || fraction == 0) break;
+    const bool mayImprove = share > 0.5 && gaps == NarrowGaps::kFilled;
+    if ((best && best->crossings == 0 && !(mayImprove && best->hasSlivers)) || below == 0) break;
   }
   if (!best) std::rethrow_exception(fault);
-  meshBodySurface(body, used, regions, foci, used.featureFraction, job)->meshedNodes =
+  meshBodySurface(body, used, regions, foci, {used.featureFraction}, job)->meshedNodes =
       best->mesh.positions.size();
   job.report(Phase::kMesh, 1.0);
   return std::move(best->mesh);

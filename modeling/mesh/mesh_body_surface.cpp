@@ -211,21 +211,21 @@ SizeField sizeField(const MeshBodySurface& made, const SimplifiedSurface& bent,
 
 std::shared_ptr<const MeshBodySurface> make(const MeshBody& body, const MeshSettings& settings,
                                             std::span<const MeshRegion> regions,
-                                            std::span<const MeshFocus> foci, double fraction,
-                                            const Job& job) {
+                                            std::span<const MeshFocus> foci,
+                                            const LeftOutFeatures& leftOut, const Job& job) {
   const std::vector<RegionBorder> borders = distinctBorders(regions);
   const std::set<int> named = namedFaces(regions, body);
   const auto made = std::make_shared<MeshBodySurface>(settings.edgeLength);
   made->smallest = fractionOfLength(settings, borders, foci,
                                     std::max(kOfSmallest * settings.featureFraction, kMinFraction));
-  const LengthAt feature = fractionOfLength(settings, borders, foci, fraction);
+  const LengthAt feature = fractionOfLength(settings, borders, foci, leftOut.below);
   // Smaller features that stay after all are no reason to keep pins and holes.
-  const double ofParts = fraction > 0 ? settings.featureFraction : 0;
-  SimplifiedSurface bent =
-      withoutSmallFeatures(body, feature, partSize(settings, borders, foci, ofParts), named, job);
+  const double ofParts = leftOut.below > 0 ? settings.featureFraction : 0;
+  SimplifiedSurface bent = withoutSmallFeatures(
+      body, feature, partSize(settings, borders, foci, ofParts), named, leftOut.gaps, job);
   if (bent.isNeeded) {
     made->simplified = bent;
-    made->below = fraction * settings.edgeLength;
+    made->below = leftOut.below * settings.edgeLength;
     made->partsBelow = ofParts * settings.edgeLength;
   } else {
     made->simplified = {{body.positions(), body.triangles(), body.faceOfTriangle()}};
@@ -247,27 +247,25 @@ struct Known {
   std::vector<Region> regions;
   std::vector<bool> isSupport;
   std::vector<MeshFocus> foci;
-  double fraction;
+  LeftOutFeatures leftOut;
   std::shared_ptr<const MeshBodySurface> made;
 
   bool isFor(const Known& other) const {
     return &body.positions() == &other.body.positions() && settings == other.settings &&
            regions == other.regions && isSupport == other.isSupport && foci == other.foci &&
-           fraction == other.fraction;
+           leftOut == other.leftOut;
   }
 };
 
 }  // namespace
 
-std::shared_ptr<const MeshBodySurface> meshBodySurface(const MeshBody& body,
-                                                       const MeshSettings& settings,
-                                                       std::span<const MeshRegion> regions,
-                                                       std::span<const MeshFocus> foci,
-                                                       double fraction, const Job& job) {
+std::shared_ptr<const MeshBodySurface> meshBodySurface(
+    const MeshBody& body, const MeshSettings& settings, std::span<const MeshRegion> regions,
+    std::span<const MeshFocus> foci, const LeftOutFeatures& leftOut, const Job& job) {
   constexpr std::size_t kMaxKnown = 2;
   static std::mutex mutex;
   static std::list<Known> known;
-  Known wanted{body, settings, {}, {}, {foci.begin(), foci.end()}, fraction, {}};
+  Known wanted{body, settings, {}, {}, {foci.begin(), foci.end()}, leftOut, {}};
   for (const MeshRegion& region : regions) {
     wanted.regions.push_back(region.where);
     wanted.isSupport.push_back(region.isSupport);
@@ -277,7 +275,7 @@ std::shared_ptr<const MeshBodySurface> meshBodySurface(const MeshBody& body,
     for (const Known& one : known)
       if (one.isFor(wanted)) return one.made;
   }
-  wanted.made = make(body, settings, regions, foci, fraction, job);
+  wanted.made = make(body, settings, regions, foci, leftOut, job);
   const std::lock_guard lock(mutex);
   known.push_front(wanted);
   if (known.size() > kMaxKnown) known.pop_back();

@@ -33,15 +33,19 @@ struct MeshBodySurface {
 
 inline constexpr int kOtherFace = -1;
 
-/// The surface of a mesh body for a mesh with these settings, without features smaller than
-/// `fraction` of the edge length there. The last results are kept, so that a mesh after its
-/// estimate costs no more. Settings must be valid. Throws ModelingError as distinctBorders();
-/// Cancelled.
-std::shared_ptr<const MeshBodySurface> meshBodySurface(const MeshBody& body,
-                                                       const MeshSettings& settings,
-                                                       std::span<const MeshRegion> regions,
-                                                       std::span<const MeshFocus> foci,
-                                                       double fraction, const Job& job = {});
+/// Which features of a mesh body its mesh leaves out.
+struct LeftOutFeatures {
+  double below = 0;  ///< of the edge length there; 0: none
+  NarrowGaps gaps = NarrowGaps::kFilled;
+  bool operator==(const LeftOutFeatures&) const = default;
+};
+
+/// The surface of a mesh body for a mesh with these settings, without the features `leftOut`. The
+/// last results are kept, so that a mesh after its estimate costs no more. Settings must be valid.
+/// Throws ModelingError as distinctBorders(); Cancelled.
+std::shared_ptr<const MeshBodySurface> meshBodySurface(
+    const MeshBody& body, const MeshSettings& settings, std::span<const MeshRegion> regions,
+    std::span<const MeshFocus> foci, const LeftOutFeatures& leftOut, const Job& job = {});
 
 /// Expected number of nodes of a mesh with the sizes on the surface.
 double expectedNodes(const TaggedSurface& surface, const SizeField& sizes);

@@ -85,7 +85,7 @@ SimplifiedSurface unchanged(const MeshBody& body) {
 
 SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& smallest,
                                        const LengthAt& thinnest, const std::set<int>& keptFaces,
-                                       const Job& job) {
+                                       NarrowGaps narrow, const Job& job) {
   constexpr int kAttempts = 5;
   constexpr std::size_t kMaxCrossings = 1000;
   double limit = 0;
@@ -94,7 +94,8 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
   auto [whole, pins, holes] = withoutSmallParts(
       {body.positions(), body.triangles(), body.faceOfTriangle()}, thinnest, keptFaces, job);
   double thickest = 0;
-  for (const Vector3d& x : body.positions()) thickest = std::max(thickest, thinnest(x));
+  if (narrow == NarrowGaps::kFilled)
+    for (const Vector3d& x : body.positions()) thickest = std::max(thickest, thinnest(x));
   const auto [plain, gaps] =
       withoutNarrowGaps(std::move(whole), kNarrow * thickest, keptFaces, job);
   std::vector<double> lengths = featureLengths(plain, smallest, job);

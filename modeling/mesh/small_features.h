@@ -17,15 +17,17 @@ struct SimplifiedSurface : FacedTriangles {
   bool isNeeded = false;  ///< false if all features are still there
 };
 
+enum class NarrowGaps { kFilled, kKept };
+
 /// Removes features smaller than `smallest`: joins the ends of shorter edges so that the volume
 /// stays (Lindstrom and Turk, "Fast and memory efficient polygonal simplification", 1998; CGAL) and
 /// the two borders of narrower strips, after withoutSmallParts() with `thinnest`. Small fillets
 /// become edges, small steps disappear. Gaps narrower than a fifth of `thinnest` anywhere are
-/// filled. Curved surfaces keep at least ten edges per circle, walls their thickness, and the
-/// borders of `keptFaces` stay. Where the result would cut through itself, the features stay.
-/// Deterministic. Cost: about 30 µs per triangle. Throws Cancelled.
+/// filled, if wanted. Curved surfaces keep at least ten edges per circle, walls their thickness,
+/// and the borders of `keptFaces` stay. Where the result would cut through itself, the features
+/// stay. Deterministic. Cost: about 30 µs per triangle. Throws Cancelled.
 SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& smallest,
                                        const LengthAt& thinnest, const std::set<int>& keptFaces,
-                                       const Job& job = {});
+                                       NarrowGaps gaps, const Job& job = {});
 
 }  // namespace palpa::modeling

@@ -120,12 +120,14 @@ TEST(NarrowGaps, AreStoppedByTheJob) {
 TEST(NarrowGaps, CountAsFilledHoles) {
   const MeshBody body = bodyOf(blockWithSlit(0.1));
   const LengthAt two = [](const Eigen::Vector3d&) { return 2.0; };
-  const SimplifiedSurface simplified = withoutSmallFeatures(body, two, two, {});
+  const SimplifiedSurface simplified =
+      withoutSmallFeatures(body, two, two, {}, NarrowGaps::kFilled);
   EXPECT_TRUE(simplified.isNeeded);
   EXPECT_EQ(simplified.filledHoles, 1);
+  EXPECT_EQ(withoutSmallFeatures(body, two, two, {}, NarrowGaps::kKept).filledHoles, 0);
   // A body of which nothing is to be left out.
   const LengthAt none = [](const Eigen::Vector3d&) { return 0.0; };
-  EXPECT_EQ(withoutSmallFeatures(body, none, none, {}).filledHoles, 0);
+  EXPECT_EQ(withoutSmallFeatures(body, none, none, {}, NarrowGaps::kFilled).filledHoles, 0);
 }
 
 TEST(DividedTriangles, HaveNoLongEdgesAndTheSameSurface) {
