@@ -1,6 +1,8 @@
 #include "bem/compressed/averaged_blocks.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 #include "base/parallel.h"
@@ -22,41 +24,49 @@ class AveragedBlocks {
       : order_(order),
         surface_(surface),
         equations_(equations),
-        rows_(rows),
+        integrals_(rows),
         isWanted_(isWanted),
         columnCount_(order.positionCount() + order.slots.size()) {}
 
   BlockRows make(std::span<const AveragedRows::Total> totals, const Job& job) {
-    setColumns(job);
-    result_.blocks.assign(result_.columns.size(), {});
-    std::vector<const AveragedElement*> averaged;
-    for (const AveragedElement& element : equations_.averaged)
-      if (std::any_of(element.equations.begin(), element.equations.end(),
-                      [&](int e) { return isWanted_[e]; }))
-        averaged.push_back(&element);
-    constexpr std::size_t kAtOnce = 256;
-    ScratchPool<AveragedRows::Scratch> pool([&] { return rows_.makeScratch(); });
+    const std::vector<const AveragedElement*> averaged = wantedElements();
+    setColumns(averaged, job);
+    rows_.resize(last_.size());
+    constexpr std::size_t kAtOnce = 32;  // of some hundred kilobytes each
+    ScratchPool<AveragedRows::Scratch> pool([&] { return integrals_.makeScratch(); });
     std::vector<AveragedRows::Blocks> blocks(kAtOnce);
     std::vector<std::vector<std::size_t>> places(2, std::vector<std::size_t>(columnCount_));
+    std::vector<std::size_t> complete;
     for (std::size_t first = 0; first < averaged.size(); first += kAtOnce) {
       const std::size_t end = std::min(first + kAtOnce, averaged.size());
       parallelFor(static_cast<std::ptrdiff_t>(end - first),
                   partOfJob(job, first, end, averaged.size()), Phase::kAssemble,
                   [&](std::ptrdiff_t k) {
                     AveragedRows::Scratch scratch = pool.take();
-                    blocks[k] = rows_.blocks(*averaged[first + k], totals, scratch);
+                    blocks[k] = integrals_.blocks(*averaged[first + k], totals, scratch);
                     pool.giveBack(std::move(scratch));
                   });
+      complete.clear();
+      for (std::size_t k = first; k < end; ++k)
+        for (const int e : averaged[k]->equations) {
+          if (!isWanted_[e]) continue;
+          if (rows_[e].empty()) rows_[e].resize(ownColumns(static_cast<std::size_t>(e)));
+          if (last_[e] == k) complete.push_back(static_cast<std::size_t>(e));
+        }
       // In the order of the elements, so that the sums do not depend on the number of threads.
       parallelFor(2, job, [&](std::ptrdiff_t half) {
         for (std::size_t k = first; k < end; ++k)
           add(*averaged[k], blocks[k - first], half == 1, places[half]);
       });
+      parallelFor(static_cast<std::ptrdiff_t>(complete.size()), job,
+                  [&](std::ptrdiff_t k) { pack(complete[k]); });
     }
     return std::move(result_);
   }
 
  private:
+  using Row = std::vector<BlockNumbers>;
+
   int columnOfNode(int node) const { return order_.tree.positionOf()[node]; }
   int columnOfSlot(int slot) const {
     return static_cast<int>(order_.positionCount()) + order_.slotPositionOf[slot];
@@ -83,18 +93,44 @@ class AveragedBlocks {
     };
     for (const AveragedElement* element : elements) {
       addAll(element->near);
-      for (const int node : element->nodes) addAll(rows_.leftOut(static_cast<std::size_t>(node)));
+      for (const int node : element->nodes)
+        addAll(integrals_.leftOut(static_cast<std::size_t>(node)));
     }
     std::sort(columns.begin(), columns.end());
     return columns;
   }
 
-  void setColumns(const Job& job) {
+  /// Those with wanted equations, neighbours after one another, so that few rows are incomplete at
+  /// a time.
+  std::vector<const AveragedElement*> wantedElements() const {
+    std::vector<std::pair<int, const AveragedElement*>> found;
+    for (const AveragedElement& element : equations_.averaged)
+      if (std::any_of(element.equations.begin(), element.equations.end(),
+                      [&](int e) { return isWanted_[e]; }))
+        found.emplace_back(columnOfNode(surface_.coefficients(element.element).front()), &element);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<const AveragedElement*> elements;
+    for (const auto& [position, element] : found) elements.push_back(element);
+    return elements;
+  }
+
+  /// Number of columns of an equation without the last one, which is there for packRow().
+  std::size_t ownColumns(std::size_t e) const {
+    const std::size_t all = result_.begin[e + 1] - result_.begin[e];
+    return all > 0 ? all - 1 : 0;
+  }
+
+  void setColumns(const std::vector<const AveragedElement*>& averaged, const Job& job) {
     const auto equations = static_cast<std::ptrdiff_t>(equations_.weights.rows());
     std::vector<std::vector<const AveragedElement*>> elements(static_cast<std::size_t>(equations));
-    for (const AveragedElement& element : equations_.averaged)
-      for (const int e : element.equations)
-        if (isWanted_[e]) elements[e].push_back(&element);
+    last_.resize(elements.size());
+    for (std::size_t k = 0; k < averaged.size(); ++k)
+      for (const int e : averaged[k]->equations)
+        if (isWanted_[e]) {
+          elements[e].push_back(averaged[k]);
+          last_[e] = k;
+        }
     std::vector<std::vector<int>> columns(static_cast<std::size_t>(equations));
     ScratchPool<Marks> pool([&] {
       return Marks{std::vector<int>(static_cast<std::size_t>(surface_.elementCount()), -1),
@@ -108,12 +144,16 @@ class AveragedBlocks {
       pool.giveBack(std::move(marks));
     });
     result_.begin.assign(1, 0);
-    for (const auto& list : columns) result_.begin.push_back(result_.begin.back() + list.size());
+    for (const auto& list : columns)
+      result_.begin.push_back(result_.begin.back() + (list.empty() ? 0 : list.size() + 1));
     result_.columns.reserve(result_.begin.back());
     for (auto& list : columns) {
+      if (list.empty()) continue;
       result_.columns.insert(result_.columns.end(), list.begin(), list.end());
-      list = {};
+      result_.columns.push_back(list.front());
+      list = std::vector<int>();  // also gives back the memory, unlike an empty list
     }
+    result_.blocks.resize(result_.columns.size());
   }
 
   /// Adds the columns of nodes or slots. `places`: memory of one number per column.
@@ -125,11 +165,11 @@ class AveragedBlocks {
     for (std::size_t k = 0; k < element.equations.size(); ++k) {
       const auto e = static_cast<std::size_t>(element.equations[k]);
       if (!isWanted_[e]) continue;
-      for (std::size_t b = result_.begin[e]; b < result_.begin[e + 1]; ++b)
-        places[result_.columns[b]] = b;
+      const int* columns = result_.columns.data() + result_.begin[e];
+      for (std::size_t b = 0; b < rows_[e].size(); ++b) places[columns[b]] = b;
       for (std::size_t f = 0; f < functions.size(); ++f) {
         const int column = isOfSlots ? columnOfSlot(functions[f]) : columnOfNode(functions[f]);
-        std::array<float, 9>& block = result_.blocks[places[column]];
+        BlockNumbers& block = rows_[e][places[column]];
         for (int i = 0; i < 3; ++i)
           for (int c = 0; c < 3; ++c)
             block[3 * i + c] += static_cast<float>(
@@ -138,12 +178,27 @@ class AveragedBlocks {
     }
   }
 
+  void pack(std::size_t e) {
+    const auto columns = result_.columns.begin() + static_cast<std::ptrdiff_t>(result_.begin[e]);
+    const auto own = static_cast<std::ptrdiff_t>(ownColumns(e));
+    const auto ofNodes =
+        std::lower_bound(columns, columns + own, static_cast<int>(order_.positionCount())) -
+        columns;
+    const std::size_t largest =
+        packRow(rows_[e], static_cast<std::size_t>(ofNodes),
+                std::span(result_.blocks).subspan(result_.begin[e], rows_[e].size() + 1));
+    columns[own] = columns[static_cast<std::ptrdiff_t>(largest)];
+    rows_[e] = Row();  // also gives back the memory, unlike an empty list
+  }
+
   const CompressedOrder& order_;
   const ElementSurface& surface_;
   const WeightedEquations& equations_;
-  const AveragedRows& rows_;
+  const AveragedRows& integrals_;
   const std::vector<char>& isWanted_;
   const std::size_t columnCount_;
+  std::vector<std::size_t> last_;  ///< element of each equation, in order
+  std::vector<Row> rows_;          ///< of incomplete equations
   BlockRows result_;
 };
 

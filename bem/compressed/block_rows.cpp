@@ -1,6 +1,11 @@
 #include "bem/compressed/block_rows.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "bem/linalg/packed_numbers.h"
 
 namespace palpa::bem {
 
@@ -15,9 +20,10 @@ BlockRow mergedRow(BlockRowEntries& entries) {
     Matrix3d sum = Matrix3d::Zero();
     for (; k < entries.size() && entries[k].first == column; ++k) sum += entries[k].second;
     row.columns.push_back(column);
-    auto& block = row.blocks.emplace_back();
+    BlockNumbers numbers;
     for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c) block[3 * i + c] = static_cast<float>(sum(i, c));
+      for (int c = 0; c < 3; ++c) numbers[3 * i + c] = static_cast<float>(sum(i, c));
+    row.blocks.push_back(packed(numbers));
   }
   row.columns.shrink_to_fit();
   row.blocks.shrink_to_fit();
@@ -36,6 +42,59 @@ BlockRows joined(std::vector<BlockRow> rows) {
     row = {};
   }
   return result;
+}
+
+namespace {
+
+constexpr int kLowerHalf = 16;  // bits
+
+float scaleOf(const PackedBlock& block) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(block.scale) << kLowerHalf);
+}
+
+}  // namespace
+
+PackedBlock packed(const BlockNumbers& numbers) {
+  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
+  PackedBlock block;
+  const float largest = largestMagnitude(numbers);
+  if (largest == 0) return block;
+  if (!std::isfinite(largest)) {
+    block.scale = std::numeric_limits<std::uint16_t>::max();  // not a number
+    return block;
+  }
+  // The next larger one of the scales.
+  block.scale =
+      static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(largest / kMost) >> kLowerHalf) + 1);
+  const float scale = scaleOf(block);
+  for (int k = 0; k < 9; ++k)
+    block.digits[k] = static_cast<std::int16_t>(std::nearbyint(numbers[k] / scale));
+  return block;
+}
+
+BlockNumbers numbersOf(const PackedBlock& block) {
+  const float scale = scaleOf(block);
+  BlockNumbers numbers;
+  for (int k = 0; k < 9; ++k) numbers[k] = scale * static_cast<float>(block.digits[k]);
+  return numbers;
+}
+
+std::size_t packRow(std::span<const BlockNumbers> blocks, std::size_t summed,
+                    std::span<PackedBlock> to) {
+  std::array<double, 9> change{};
+  std::size_t most = 0;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    to[b] = packed(blocks[b]);
+    if (b >= summed) continue;
+    if (largestMagnitude(blocks[b]) > largestMagnitude(blocks[most])) most = b;
+    const BlockNumbers rounded = numbersOf(to[b]);
+    for (int k = 0; k < 9; ++k)
+      change[k] += static_cast<double>(blocks[b][k]) - static_cast<double>(rounded[k]);
+  }
+  BlockNumbers numbers{};
+  for (int k = 0; k < 9; ++k) numbers[k] = static_cast<float>(change[k]);
+  to.back() = packed(numbers);
+  return most;
 }
 
 }  // namespace palpa::bem

@@ -2,30 +2,51 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace palpa::bem {
 
-/// Sparse matrix of 3 x 3 blocks, row after row.
+/// A block of 3 x 3 numbers in 20 bytes: digits times a scale.
+struct PackedBlock {
+  std::array<std::int16_t, 9> digits{};
+  std::uint16_t scale = 0;  ///< upper half of the bits of a number of single precision
+};
+
+/// [3 i + c]
+using BlockNumbers = std::array<float, 9>;
+
+/// A block within 2^-15 of its largest number. If a number is not finite, none is afterwards.
+PackedBlock packed(const BlockNumbers& numbers);
+BlockNumbers numbersOf(const PackedBlock& block);
+
+/// Sparse matrix of 3 x 3 blocks, row after row. A row may have several blocks in a column.
 struct BlockRows {
-  std::vector<std::size_t> begin;            ///< of each row, and the end
-  std::vector<int> columns;                  ///< ascending in each row
-  std::vector<std::array<float, 9>> blocks;  ///< [3 i + c]
+  std::vector<std::size_t> begin;  ///< of each row, and the end
+  std::vector<int> columns;
+  std::vector<PackedBlock> blocks;
   std::size_t bytes() const {
     return begin.size() * sizeof(std::size_t) + columns.size() * sizeof(int) +
            blocks.size() * sizeof(blocks[0]);
   }
 };
 
+/// Packs blocks. The last one of `to`, one more than `blocks`, gets what this changes in the sum of
+/// the first `summed` blocks. In the column of the largest of these, whose index is returned, it
+/// leaves the product with a field of equal vectors as it was.
+std::size_t packRow(std::span<const BlockNumbers> blocks, std::size_t summed,
+                    std::span<PackedBlock> to);
+
 /// Blocks of one row in any order, with their columns.
 using BlockRowEntries = std::vector<std::pair<int, Eigen::Matrix3d>>;
-/// One row: columns ascend, blocks of one column are added.
+/// One row.
 struct BlockRow {
   std::vector<int> columns;
-  std::vector<std::array<float, 9>> blocks;
+  std::vector<PackedBlock> blocks;
 };
-/// Sorts the entries.
+/// Sorts the entries: columns ascend, blocks of one column are added.
 BlockRow mergedRow(BlockRowEntries& entries);
 BlockRows joined(std::vector<BlockRow> rows);
 

@@ -111,7 +111,7 @@ class CompressedAssembly {
           exact_.compute(point(p), column, leftOut(p), scratch, ofPoint.data());
           K.middleRows<3>(3 * static_cast<Index>(p - order_.pointBegin(leaf))) = ofPoint;
         }
-        if (!K.isZero(0)) result_.near_[k].push_back({column, std::move(K)});
+        if (!K.isZero(0)) result_.near_[k].push_back({column, PackedNumbers(K)});
       }
       pool.giveBack(std::move(scratch));
     });
@@ -178,12 +178,15 @@ class CompressedAssembly {
                        p < std::min(points, (task + 1) * kPointsPerTask); ++p) {
                     if (!isInShare(p)) continue;
                     scratch.entries.clear();
-                    if (leftOut(p).empty())
-                      for (const auto& [column, value] : functionsAt(p))
-                        scratch.entries.emplace_back(column, Matrix3d::Zero());
-                    else
+                    if (!leftOut(p).empty()) {
                       subtractLeftOut(p, scratch.rows, scratch.entries);
-                    rows[p] = mergedRow(scratch.entries);
+                      rows[p] = mergedRow(scratch.entries);
+                      continue;
+                    }
+                    for (const auto& [column, value] : functionsAt(p))
+                      rows[p].columns.push_back(column);
+                    rows[p].columns.push_back(rows[p].columns.front());  // see packRow()
+                    rows[p].blocks.resize(rows[p].columns.size());
                   }
                   pool.giveBack(std::move(scratch));
                 });
@@ -195,16 +198,22 @@ class CompressedAssembly {
     result_.applyToPoints(translations, sums, job);
     if (team_) sums = sumOverTeam(*team_, sums);
     std::vector<AveragedRows::Total> totals(equations_.points.size());
+    std::vector<BlockNumbers> blocks;
     for (int p = 0; p < points; ++p) {
       const Matrix3d sum = sums.middleRows<3>(3 * static_cast<Index>(p)).cast<double>();
       totals[order_.points[p]] = totalOf(-sum);
       if (!leftOut(p).empty() || !isInShare(p)) continue;
-      std::size_t k = result_.corrections_.begin[p];
+      blocks.clear();
       for (const auto& [column, value] : functionsAt(p)) {
-        std::array<float, 9>& block = result_.corrections_.blocks[k++];
+        BlockNumbers& block = blocks.emplace_back();
         for (int i = 0; i < 3; ++i)
           for (int c = 0; c < 3; ++c) block[3 * i + c] = static_cast<float>(-value * sum(i, c));
       }
+      BlockRows& to = result_.corrections_;
+      const std::size_t begin = to.begin[p];
+      const std::size_t largest =
+          packRow(blocks, blocks.size(), std::span(to.blocks).subspan(begin, blocks.size() + 1));
+      to.columns[begin + blocks.size()] = to.columns[begin + largest];
     }
     return totals;
   }

@@ -27,19 +27,27 @@ void addProduct(bool isByRows, int m, int k, const float* A, int stride, const f
                 A, stride, x, columns, 1, y, columns);
 }
 
-/// y += block x for three rows of x and y.
-void addBlock(const std::array<float, 9>& block, const float* x, Index columns, float* y) {
-  for (int i = 0; i < 3; ++i)
-    for (int c = 0; c < 3; ++c) {
-      const float factor = block[3 * i + c];
-      for (Index k = 0; k < columns; ++k) y[i * columns + k] += factor * x[c * columns + k];
-    }
+/// y += A(row, :) x for x and y with `columns` numbers per row; kColumns: the same, or 0.
+template <int kColumns>
+void addRow(const BlockRows& A, int row, const float* x, Index columns, float* y) {
+  if constexpr (kColumns > 0) columns = kColumns;
+  for (std::size_t b = A.begin[row]; b < A.begin[static_cast<std::size_t>(row) + 1]; ++b) {
+    const BlockNumbers block = numbersOf(A.blocks[b]);
+    const float* at = x + 3 * static_cast<Index>(A.columns[b]) * columns;
+    for (int i = 0; i < 3; ++i)
+      for (int c = 0; c < 3; ++c)
+        for (Index k = 0; k < columns; ++k)
+          y[i * columns + k] += block[3 * i + c] * at[c * columns + k];
+  }
 }
 
 /// y += A(row, :) x.
 void addRow(const BlockRows& A, int row, const RowMatrixXf& x, float* y) {
-  for (std::size_t k = A.begin[row]; k < A.begin[static_cast<std::size_t>(row) + 1]; ++k)
-    addBlock(A.blocks[k], x.row(3 * static_cast<Index>(A.columns[k])).data(), x.cols(), y);
+  // GMRES for the columns of a node has three.
+  if (x.cols() == 3)
+    addRow<3>(A, row, x.data(), 3, y);
+  else
+    addRow<0>(A, row, x.data(), x.cols(), y);
 }
 
 constexpr int kEquationsPerTask = 64;
@@ -58,7 +66,7 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
   for (std::size_t c = 0; c < far_.size(); ++c)
     for (std::size_t b = 0; b < far_[c].size(); ++b) {
       places[c].push_back(total);
-      total += static_cast<std::size_t>(far_[c][b].V.rows()) * x.cols();
+      total += static_cast<std::size_t>(far_[c][b].rank) * x.cols();
       blocks.emplace_back(static_cast<int>(c), static_cast<int>(b));
     }
   std::vector<float> right(total, 0);
@@ -72,17 +80,19 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
   constexpr std::ptrdiff_t kBlocksPerTask = 8;
   const auto count = static_cast<std::ptrdiff_t>(blocks.size());
   parallelFor((count + kBlocksPerTask - 1) / kBlocksPerTask, job, [&](std::ptrdiff_t task) {
+    std::vector<float> unpacked;
     for (std::ptrdiff_t k = task * kBlocksPerTask; k < std::min(count, (task + 1) * kBlocksPerTask);
          ++k) {
       const auto [c, b] = blocks[k];
       const FarBlock& block = far_[c][b];
-      const auto rank = static_cast<int>(block.V.rows());
+      const int rank = block.rank;
+      const float* V = block.V.unpack(unpacked);
       float* to = right.data() + places[c][b];
       const int ofNodes = order_.nodeColumns(block.column);
-      addProduct(false, rank, ofNodes, block.V.data(), rank, xOfNodes(block.column), columns, to);
+      addProduct(false, rank, ofNodes, V, rank, xOfNodes(block.column), columns, to);
       addProduct(false, rank, order_.slotColumns(block.column),
-                 block.V.data() + static_cast<std::ptrdiff_t>(ofNodes) * rank, rank,
-                 xOfSlots(block.column), columns, to);
+                 V + static_cast<std::ptrdiff_t>(ofNodes) * rank, rank, xOfSlots(block.column),
+                 columns, to);
     }
   });
   const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
@@ -92,22 +102,25 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
               rows = order_.rows(leaf);
     if (rows == 0) return;
     float* to = y.row(3 * static_cast<Index>(first)).data();
+    std::vector<float> unpacked;
     for (int c = leaf;; c = (c - 1) / 2) {
       for (std::size_t b = 0; b < far_[c].size(); ++b) {
-        const RowMatrixXf& U = far_[c][b].U;
-        const auto rank = static_cast<int>(U.cols());
-        addProduct(true, rows, rank,
-                   U.data() + 3 * static_cast<std::ptrdiff_t>(first - order_.pointBegin(c)) * rank,
-                   rank, right.data() + places[c][b], columns, to);
+        const auto rank = static_cast<std::size_t>(far_[c][b].rank);
+        const float* U =
+            far_[c][b].U.unpack(3 * static_cast<std::size_t>(first - order_.pointBegin(c)) * rank,
+                                static_cast<std::size_t>(rows) * rank, unpacked);
+        addProduct(true, rows, static_cast<int>(rank), U, static_cast<int>(rank),
+                   right.data() + places[c][b], columns, to);
       }
       if (c == 0) break;
     }
     for (const NearBlock& block : near_[k]) {
       const int ofNodes = order_.nodeColumns(block.column);
-      addProduct(false, rows, ofNodes, block.K.data(), rows, xOfNodes(block.column), columns, to);
+      const float* K = block.K.unpack(unpacked);
+      addProduct(false, rows, ofNodes, K, rows, xOfNodes(block.column), columns, to);
       addProduct(false, rows, order_.slotColumns(block.column),
-                 block.K.data() + static_cast<std::ptrdiff_t>(ofNodes) * rows, rows,
-                 xOfSlots(block.column), columns, to);
+                 K + static_cast<std::ptrdiff_t>(ofNodes) * rows, rows, xOfSlots(block.column),
+                 columns, to);
     }
     for (int point = first; point < order_.pointEnd(leaf); ++point)
       addRow(corrections_, point, x, y.row(3 * static_cast<Index>(point)).data());
@@ -173,25 +186,28 @@ void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size
   std::vector<Index> to;
   for (const FarBlock& block : far_[cluster]) {
     to.clear();
-    scratch.right.resize(block.V.rows(), static_cast<Index>(columns.size()));
+    const auto rank = static_cast<std::size_t>(block.rank);
+    scratch.right.resize(block.rank, static_cast<Index>(columns.size()));
     visitColumns(block.column, columns, [&](Index place, Index column) {
-      scratch.right.col(static_cast<Index>(to.size())) = block.V.col(column);
+      const float* V =
+          block.V.unpack(static_cast<std::size_t>(column) * rank, rank, scratch.unpacked);
+      std::copy_n(V, rank, scratch.right.col(static_cast<Index>(to.size())).data());
       to.push_back(place);
     });
     if (to.empty()) continue;
-    scratch.left.resize(block.U.cols(), 3 * some);
-    for (Index k = 0; k < some; ++k)
-      for (int i = 0; i < 3; ++i)
-        scratch.left.col(3 * k + i) =
-            block.U.row(3 * static_cast<Index>(scratch.points[begin + k] - first) + i).transpose();
+    scratch.left.resize(block.rank, 3 * some);
+    for (Index k = 0; k < some; ++k) {
+      const auto row = 3 * static_cast<std::size_t>(scratch.points[begin + k] - first);
+      const float* U = block.U.unpack(row * rank, 3 * rank, scratch.unpacked);
+      std::copy_n(U, 3 * rank, scratch.left.col(3 * k).data());
+    }
     // The columns of a cluster are contiguous, once among the nodes and once among the slots.
-    const auto rank = static_cast<int>(block.U.cols());
     for (std::size_t from = 0; from < to.size();) {
       std::size_t last = from + 1;
       while (last < to.size() && to[last] == to[last - 1] + 1) ++last;
       cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasTrans, static_cast<int>(3 * some),
-                  static_cast<int>(last - from), rank, 1, scratch.left.data(), rank,
-                  scratch.right.col(static_cast<Index>(from)).data(), rank, 1,
+                  static_cast<int>(last - from), block.rank, 1, scratch.left.data(), block.rank,
+                  scratch.right.col(static_cast<Index>(from)).data(), block.rank, 1,
                   scratch.ofPoints.row(3 * static_cast<Index>(begin)).data() + to[from],
                   static_cast<int>(scratch.ofPoints.cols()));
       from = last;
@@ -201,10 +217,13 @@ void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size
     const int leaf = cluster - ClusterTree::firstOf(order_.tree.levelCount() - 1);
     for (const NearBlock& block : near_[leaf])
       visitColumns(block.column, columns, [&](Index place, Index column) {
+        const auto rows = static_cast<std::size_t>(order_.rows(cluster));
+        const float* K =
+            block.K.unpack(static_cast<std::size_t>(column) * rows, rows, scratch.unpacked);
         for (Index k = 0; k < some; ++k)
           scratch.ofPoints.col(place).segment<3>(3 * (static_cast<Index>(begin) + k)) +=
-              block.K.col(column).segment<3>(3 *
-                                             static_cast<Index>(scratch.points[begin + k] - first));
+              Eigen::Map<const Eigen::Vector3f>(
+                  K + 3 * static_cast<std::ptrdiff_t>(scratch.points[begin + k] - first));
       });
     return;
   }
@@ -237,7 +256,8 @@ void CompressedOperators::expand(std::span<const int> equations, std::span<const
       for (int c = 0; c < 3; ++c) {
         const int place = scratch.places[3 * static_cast<std::size_t>(from.columns[b]) + c];
         if (place < 0) continue;
-        for (int i = 0; i < 3; ++i) matrix(3 * k + i, place) += from.blocks[b][3 * i + c];
+        const BlockNumbers block = numbersOf(from.blocks[b]);
+        for (int i = 0; i < 3; ++i) matrix(3 * k + i, place) += block[3 * i + c];
       }
   };
   scratch.placeOfPoint.resize(order_.points.size());

@@ -22,7 +22,8 @@ namespace palpa::bem {
 /// points in the equations, N what averaged elements have near.
 ///
 /// Rows and columns are in the order of a CompressedOrder; block columns are node positions, then
-/// slot positions behind them. Everything in single precision; immutable after assembly.
+/// slot positions behind them. Blocks are stored with 16 bits per number, products are computed in
+/// single precision; immutable after assembly.
 ///
 /// A member of a team has a share of the blocks, all others are zero: its functions give a summand
 /// of what the whole gives.
@@ -48,6 +49,7 @@ class CompressedOperators {
     std::vector<int> places, points, placeOfPoint;
     RowMatrixXf ofPoints;
     Eigen::MatrixXf left, right;
+    std::vector<float> unpacked;
   };
   void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch,
               RowMatrixXf& to) const;
@@ -68,7 +70,7 @@ class CompressedOperators {
   CompressedOperators() = default;
   struct NearBlock {
     int column;
-    Eigen::MatrixXf K;
+    PackedNumbers K;  ///< (rows, columns), by columns
   };
   /// P x for x in internal order, one row per column of P; y: one row per row of P.
   void applyToPoints(const RowMatrixXf& x, RowMatrixXf& y, const Job& job) const;

@@ -14,7 +14,7 @@ namespace palpa::bem {
 
 /// Errors of compressed problems; smaller ones take more memory and time.
 struct CompressionOptions {
-  /// Of the blocks of the operators, relative.
+  /// Of the blocks of the operators, relative; the rounding of the stored numbers remains below it.
   double operators = 3e-5;
   /// Of the factorisation that GMRES is preconditioned with, relative.
   double factors = 1e-3;

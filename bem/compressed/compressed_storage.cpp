@@ -20,7 +20,7 @@ BlockRows readRows(const ByteSource& source, std::size_t count) {
   BlockRows rows;
   rows.begin = readList<std::size_t>(source);
   rows.columns = readList<int>(source);
-  rows.blocks = readList<std::array<float, 9>>(source);
+  rows.blocks = readList<PackedBlock>(source);
   if (rows.begin.size() != count + 1 || rows.begin.front() != 0 ||
       rows.begin.back() != rows.columns.size() || rows.blocks.size() != rows.columns.size() ||
       !std::is_sorted(rows.begin.begin(), rows.begin.end()))
@@ -72,19 +72,19 @@ void CompressedOperators::write(const ByteSink& sink) const {
     std::vector<int> heads;
     for (const FarBlock& block : blocks) {
       heads.push_back(block.column);
-      heads.push_back(static_cast<int>(block.V.rows()));
+      heads.push_back(block.rank);
     }
     writeList(sink, heads);
     for (const FarBlock& block : blocks) {
-      writeNumbers(sink, block.U);
-      writeNumbers(sink, block.V);
+      block.U.write(sink);
+      block.V.write(sink);
     }
   }
   for (const auto& blocks : near_) {
     std::vector<int> columns;
     for (const NearBlock& block : blocks) columns.push_back(block.column);
     writeList(sink, columns);
-    for (const NearBlock& block : blocks) writeNumbers(sink, block.K);
+    for (const NearBlock& block : blocks) block.K.write(sink);
   }
   std::vector<int> rows, columns;
   std::vector<float> values;
@@ -113,16 +113,20 @@ CompressedOperators::CompressedOperators(const ByteSource& source)
     const std::vector<int> heads = readList<int>(source);
     for (std::size_t k = 0; k + 1 < heads.size(); k += 2) {
       checkCluster(heads[k]);
-      const int rank = heads[k + 1], rows = order_.rows(c), columns = order_.columns(heads[k]);
-      if (rank < 0 || rank > std::max(rows, columns)) throw DamagedData();
+      const int rank = heads[k + 1];
+      if (rank < 0 || rank > std::max(order_.rows(c), order_.columns(heads[k])))
+        throw DamagedData();
       FarBlock& block = far_[c].emplace_back();
       block.column = heads[k];
-      block.U.resize(rows, rank);
-      block.V.resize(rank, columns);
+      block.rank = rank;
     }
     for (FarBlock& block : far_[c]) {
-      readNumbers(source, block.U);
-      readNumbers(source, block.V);
+      const auto numbers = [&](int count, PackedNumbers::Bits bits) {
+        return PackedNumbers::read(
+            static_cast<std::size_t>(block.rank) * static_cast<std::size_t>(count), bits, source);
+      };
+      block.U = numbers(order_.rows(c), FarBlock::kBitsOfU);
+      block.V = numbers(order_.columns(block.column), FarBlock::kBitsOfV);
     }
   }
   const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
@@ -134,8 +138,9 @@ CompressedOperators::CompressedOperators(const ByteSource& source)
       blocks.push_back({column, {}});
     }
     for (NearBlock& block : blocks) {
-      block.K.resize(order_.rows(leaf), order_.columns(block.column));
-      readNumbers(source, block.K);
+      block.K = PackedNumbers::read(static_cast<std::size_t>(order_.rows(leaf)) *
+                                        static_cast<std::size_t>(order_.columns(block.column)),
+                                    PackedNumbers::Bits::k16, source);
     }
   }
   readWeights(source);
@@ -186,14 +191,13 @@ CompressedOperators::Sizes CompressedOperators::sizes() const {
   Sizes sizes;
   for (const auto& blocks : far_)
     for (const FarBlock& block : blocks) {
-      sizes.far += static_cast<std::size_t>(block.U.size() + block.V.size()) * sizeof(float);
-      sizes.meanRank += static_cast<double>(block.V.rows());
+      sizes.far += block.U.bytes() + block.V.bytes();
+      sizes.meanRank += block.rank;
       ++sizes.farBlocks;
     }
   if (sizes.farBlocks > 0) sizes.meanRank /= sizes.farBlocks;
   for (const auto& blocks : near_)
-    for (const NearBlock& block : blocks)
-      sizes.near += static_cast<std::size_t>(block.K.size()) * sizeof(float);
+    for (const NearBlock& block : blocks) sizes.near += block.K.bytes();
   sizes.averaged = averaged_.bytes() + corrections_.bytes();
   return sizes;
 }

@@ -155,17 +155,15 @@ class FarBlocks {
         (in_.division.pointBalls[row].centre - in_.division.functionBalls[column].centre).norm();
     const RowChoice choice =
         chooseRows(fieldsOf(column, skeleton, distance), static_cast<float>(in_.tolerance));
-    FarBlock block;
-    block.column = column;
     const auto rank = static_cast<int>(choice.rows.size());
-    block.U.resize(skeleton.weights.rows(), rank);
-    if (rank > 0 && block.U.rows() > 0)
-      cblas_sgemm(CblasRowMajor, CblasTrans, CblasTrans, static_cast<int>(block.U.rows()), rank,
+    RowMatrixXf U(skeleton.weights.rows(), rank);
+    if (U.size() > 0)
+      cblas_sgemm(CblasRowMajor, CblasTrans, CblasTrans, static_cast<int>(U.rows()), rank,
                   static_cast<int>(skeleton.weights.cols()), 1, skeleton.weights.data(),
                   static_cast<int>(skeleton.weights.rows()), choice.weights.data(),
-                  static_cast<int>(choice.weights.rows()), 0, block.U.data(), rank);
+                  static_cast<int>(choice.weights.rows()), 0, U.data(), rank);
     const int columns = in_.order.columns(column);
-    block.V.resize(rank, columns);
+    MatrixXf V(rank, columns);
     // The rows of a point are computed together.
     std::vector<int> byPoint(static_cast<std::size_t>(rank));
     std::iota(byPoint.begin(), byPoint.end(), 0);
@@ -181,9 +179,10 @@ class FarBlocks {
                           ofPoint.data());
         computed = position;
       }
-      block.V.row(k) = ofPoint.row(rowOf(k) % 3);
+      V.row(k) = ofPoint.row(rowOf(k) % 3);
     }
-    return block;
+    return {column, rank, PackedNumbers(U, FarBlock::kBitsOfU),
+            PackedNumbers(V, FarBlock::kBitsOfV)};
   }
 
   const FarBlockInputs& in_;

@@ -7,6 +7,7 @@
 #include "bem/compressed/block_division.h"
 #include "bem/compressed/block_share.h"
 #include "bem/compressed/exact_rows.h"
+#include "bem/linalg/packed_numbers.h"
 #include "bem/linalg/row_choice.h"
 #include "bem/model/boundary_mesh.h"
 #include "bem/model/material.h"
@@ -15,9 +16,13 @@ namespace palpa::bem {
 
 /// Low-rank block U V of the points of a cluster and the functions of another one.
 struct FarBlock {
-  int column;         ///< cluster of functions
-  RowMatrixXf U;      ///< (rows, rank)
-  Eigen::MatrixXf V;  ///< (rank, columns)
+  int column;       ///< cluster of functions
+  int rank = 0;     ///< of the block
+  PackedNumbers U;  ///< (rows, rank), by rows
+  PackedNumbers V;  ///< (rank, columns), by columns
+  /// Errors of U are noise in the equations, errors of V are the same for all points of the cluster
+  /// and do not average out.
+  static constexpr auto kBitsOfU = PackedNumbers::Bits::k16, kBitsOfV = PackedNumbers::Bits::k24;
 };
 
 /// What makeFarBlocks() reads.

@@ -28,11 +28,32 @@ constexpr int kSampleColumns = 32, kMoreColumns = 16, kTestColumns = 6;
 
 }  // namespace
 
+TileLu::PackedTile TileLu::packed(const Tile& tile) {
+  return {static_cast<int>(tile.X.cols()), static_cast<int>(tile.Y.cols()), PackedNumbers(tile.X),
+          PackedNumbers(tile.Y)};
+}
+
+void TileLu::unpack(int row, int column, Tile& to) const {
+  const PackedTile& from = tile(row, column);
+  to.X.resize(sizes_[row], from.rank);
+  to.Y.resize(from.rankOfY > 0 ? sizes_[column] : 0, from.rankOfY);
+  from.X.unpackTo(to.X.data());
+  from.Y.unpackTo(to.Y.data());
+}
+
+bool TileLu::unpackPair(int row, int m, int column, Tile& L, Tile& U) const {
+  if (tile(row, m).rank == 0 || tile(m, column).rank == 0) return false;
+  unpack(row, m, L);
+  unpack(m, column, U);
+  return true;
+}
+
 /// y = (base - Σ L U) x for a tile, or transposed.
 void TileLu::sample(int row, int column, int before, const MatrixXf& base, const MatrixXf& x,
                     bool isTransposed, MatrixXf& y, const Job& job) const {
   multiply(isTransposed, false, 1, base, x, 0, y);
   MatrixXf a, b;
+  Tile L, U;
   // op(tile) in: out = X Y^T in, or Y X^T in.
   const auto apply = [&](const Tile& tile, const MatrixXf& in, float alpha, float beta,
                          MatrixXf& out) {
@@ -45,8 +66,7 @@ void TileLu::sample(int row, int column, int before, const MatrixXf& base, const
   };
   for (int m = 0; m < before; ++m) {
     job.throwIfCancelled();
-    const Tile &L = tile(row, m), &U = tile(m, column);
-    if (L.rank() == 0 || U.rank() == 0) continue;
+    if (!unpackPair(row, m, column, L, U)) continue;
     apply(isTransposed ? L : U, x, 1, 0, b);
     apply(isTransposed ? U : L, b, -1, 1, y);
   }
@@ -54,10 +74,10 @@ void TileLu::sample(int row, int column, int before, const MatrixXf& base, const
 
 MatrixXf TileLu::denseUpdate(int row, int column, int before, MatrixXf base, const Job& job) const {
   MatrixXf left, middle;
+  Tile L, U;
   for (int m = 0; m < before; ++m) {
     job.throwIfCancelled();
-    const Tile &L = tile(row, m), &U = tile(m, column);
-    if (L.rank() == 0 || U.rank() == 0) continue;
+    if (!unpackPair(row, m, column, L, U)) continue;
     if (L.isDense()) {
       multiply(false, false, 1, L.X, U.X, 0, left);
     } else {
@@ -127,7 +147,7 @@ void TileLu::scaleColumns(int column, MatrixXf& tile) const {
   tile.array().rowwise() *= columnScales_.segment(begins_[column], sizes_[column]).transpose();
 }
 
-void TileLu::factorDiagonal(int k, MatrixXf diagonal, const Job& job) {
+MatrixXf TileLu::factorDiagonal(int k, MatrixXf diagonal, const Job& job) {
   scaleColumns(k, diagonal);
   // Parts of columns on several threads.
   constexpr Index kColumnsPerTask = 128;
@@ -135,10 +155,10 @@ void TileLu::factorDiagonal(int k, MatrixXf diagonal, const Job& job) {
   parallelFor((columns + kColumnsPerTask - 1) / kColumnsPerTask, job, [&](std::ptrdiff_t task) {
     const Index first = task * kColumnsPerTask, some = std::min(kColumnsPerTask, columns - first);
     MatrixXf part = diagonal.middleCols(first, some), a, b;
+    Tile L, U;
     for (int m = 0; m < k; ++m) {
       job.throwIfCancelled();
-      const Tile &L = tile(k, m), &U = tile(m, k);
-      if (L.rank() == 0 || U.rank() == 0) continue;
+      if (!unpackPair(k, m, k, L, U)) continue;
       if (U.isDense()) {
         b = U.X.middleCols(first, some);
       } else {
@@ -163,7 +183,8 @@ void TileLu::factorDiagonal(int k, MatrixXf diagonal, const Job& job) {
                       "the system of equations is singular near unknown " +
                           std::to_string(begins_[k] + info) + " of " + std::to_string(size()) +
                           "; check the supports and the mesh for degenerate places");
-  tile(k, k).X = std::move(diagonal);
+  tile(k, k) = packed({diagonal, {}});
+  return diagonal;
 }
 
 void TileLu::setColumnScales(TileBases& bases, const Team* team, const Job& job) {
@@ -186,11 +207,11 @@ void TileLu::setColumnScales(TileBases& bases, const Team* team, const Job& job)
   if (team) columnScales_ = sumOverTeam(*team, Eigen::VectorXf(columnScales_)).array();
 }
 
-TileLu::Tile TileLu::makeTile(int row, int column, MatrixXf base, const Job& job) const {
+TileLu::Tile TileLu::makeTile(int row, int column, MatrixXf base, const MatrixXf& diagonal,
+                              const Job& job) const {
   const int k = std::min(row, column);
   scaleColumns(column, base);
   Tile made = compress(row, column, k, std::move(base), job);
-  const MatrixXf& diagonal = tile(k, k).X;
   if (row > column) {  // L = A U^-1
     MatrixXf& right = made.isDense() ? made.X : made.Y;
     if (made.isDense())
@@ -227,13 +248,13 @@ TileLu::TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeBase
   };
   for (int k = 0; k < count(); ++k) {
     bases.collectStep(k, job);
-    factorDiagonal(k, take(k, k), job);
+    const MatrixXf diagonal = factorDiagonal(k, take(k, k), job);
     const int left = count() - k - 1;
     parallelFor(2 * static_cast<std::ptrdiff_t>(left), job, [&](std::ptrdiff_t task) {
       const int other = k + 1 + static_cast<int>(task / 2);
       if (!bases.isOurs(other)) return;
       const int row = task % 2 == 0 ? other : k, column = task % 2 == 0 ? k : other;
-      tile(row, column) = makeTile(row, column, take(row, column), job);
+      tile(row, column) = packed(makeTile(row, column, take(row, column), diagonal, job));
     });
     if (team) shareStep(k, *team);
     const double rest = static_cast<double>(left) / count();

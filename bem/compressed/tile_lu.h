@@ -8,6 +8,7 @@
 #include "base/job.h"
 #include "bem/base/team.h"
 #include "bem/compressed/tile_bases.h"
+#include "bem/linalg/packed_numbers.h"
 
 namespace palpa::bem {
 
@@ -15,7 +16,7 @@ namespace palpa::bem {
 /// others products of two narrow matrices where that is shorter (block low-rank; Amestoy et al.
 /// 2015). Tile by tile what the former rows and columns subtract is sampled with random vectors, so
 /// that it is never formed (Halko, Martinsson and Tropp 2011). Rows are exchanged within tiles of
-/// the diagonal only. In single precision; a preconditioner.
+/// the diagonal only. In single precision, stored as PackedNumbers; a preconditioner.
 ///
 /// Immutable; const use from several threads is safe.
 class TileLu {
@@ -53,16 +54,27 @@ class TileLu {
   struct Tile {
     Eigen::MatrixXf X, Y;
     bool isDense() const { return Y.size() == 0 && X.size() > 0; }
-    int rank() const { return static_cast<int>(X.cols()); }
+  };
+  /// The same with half of the memory.
+  struct PackedTile {
+    int rank = 0, rankOfY = 0;  ///< columns of X and Y
+    PackedNumbers X, Y;
   };
 
   int count() const { return static_cast<int>(sizes_.size()); }
-  Tile& tile(int row, int column) { return tiles_[row * sizes_.size() + column]; }
-  const Tile& tile(int row, int column) const { return tiles_[row * sizes_.size() + column]; }
+  PackedTile& tile(int row, int column) { return tiles_[row * sizes_.size() + column]; }
+  const PackedTile& tile(int row, int column) const { return tiles_[row * sizes_.size() + column]; }
+  static PackedTile packed(const Tile& tile);
+  /// `to`: also gives the memory.
+  void unpack(int row, int column, Tile& to) const;
+  /// Both L(row, m) and U(m, column); false if one of them is zero.
+  bool unpackPair(int row, int m, int column, Tile& L, Tile& U) const;
   void setColumnScales(TileBases& bases, const Team* team, const Job& job);
-  void factorDiagonal(int k, Eigen::MatrixXf diagonal, const Job& job);
+  /// Sets and returns the factors of tile (k, k), in one matrix.
+  Eigen::MatrixXf factorDiagonal(int k, Eigen::MatrixXf diagonal, const Job& job);
   /// Factor of a tile off the diagonal, of which the former ones are complete.
-  Tile makeTile(int row, int column, Eigen::MatrixXf base, const Job& job) const;
+  Tile makeTile(int row, int column, Eigen::MatrixXf base, const Eigen::MatrixXf& diagonal,
+                const Job& job) const;
   /// Gives the tiles of step k to all members.
   void shareStep(int k, const Team& team);
   void writeTile(int row, int column, const ByteSink& sink) const;
@@ -77,14 +89,19 @@ class TileLu {
   void scaleColumns(int column, Eigen::MatrixXf& tile) const;
   template <class Use>
   void forOthers(int first, int end, const Job& job, const Use& use) const;
-  static void subtract(const Tile& tile, bool isTransposed, const Eigen::MatrixXf& x,
-                       Eigen::MatrixXf& y);
+  /// Memory of a thread in a solution.
+  struct SolveScratch {
+    Tile tile;
+    Eigen::MatrixXf inner;
+  };
+  void subtract(int row, int column, bool isTransposed, const Eigen::MatrixXf& x,
+                Eigen::MatrixXf& y, SolveScratch& scratch) const;
   std::vector<Eigen::MatrixXf> partsOf(const Eigen::MatrixXf& x) const;
 
   std::vector<int> sizes_;
   std::vector<Eigen::Index> begins_;
   float tolerance_;
-  std::vector<Tile> tiles_;
+  std::vector<PackedTile> tiles_;
   std::vector<std::vector<int>> pivots_;
   Eigen::ArrayXf columnScales_;  ///< the factors are of the matrix with these times its columns
   double norm1_ = 0;

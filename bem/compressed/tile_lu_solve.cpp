@@ -11,8 +11,7 @@ using Eigen::MatrixXf;
 
 std::size_t TileLu::bytes() const {
   std::size_t bytes = 0;
-  for (const Tile& each : tiles_)
-    bytes += static_cast<std::size_t>(each.X.size() + each.Y.size()) * sizeof(float);
+  for (const PackedTile& each : tiles_) bytes += each.X.bytes() + each.Y.bytes();
   return bytes;
 }
 
@@ -20,7 +19,7 @@ int TileLu::largestRank() const {
   int largest = 0;
   for (int row = 0; row < count(); ++row)
     for (int column = 0; column < count(); ++column)
-      if (row != column) largest = std::max(largest, tile(row, column).rank());
+      if (row != column) largest = std::max(largest, tile(row, column).rank);
   return largest;
 }
 
@@ -28,7 +27,7 @@ double TileLu::meanRank() const {
   double sum = 0;
   for (int row = 0; row < count(); ++row)
     for (int column = 0; column < count(); ++column)
-      if (row != column) sum += tile(row, column).rank();
+      if (row != column) sum += tile(row, column).rank;
   return count() > 1 ? sum / (count() * (count() - 1.0)) : 0;
 }
 
@@ -37,19 +36,22 @@ void TileLu::forOthers(int first, int end, const Job& job, const Use& use) const
   constexpr int kTilesPerTask = 4;
   parallelFor((end - first + kTilesPerTask - 1) / kTilesPerTask, job, [&](std::ptrdiff_t task) {
     const int from = first + kTilesPerTask * static_cast<int>(task);
-    for (int k = from; k < std::min(end, from + kTilesPerTask); ++k) use(k);
+    SolveScratch scratch;
+    for (int k = from; k < std::min(end, from + kTilesPerTask); ++k) use(k, scratch);
   });
 }
 
-void TileLu::subtract(const Tile& tile, bool isTransposed, const MatrixXf& x, MatrixXf& y) {
-  if (tile.rank() == 0) return;
-  if (tile.isDense()) {
-    multiply(isTransposed, false, -1, tile.X, x, 1, y);
+void TileLu::subtract(int row, int column, bool isTransposed, const MatrixXf& x, MatrixXf& y,
+                      SolveScratch& scratch) const {
+  if (tile(row, column).rank == 0) return;
+  unpack(row, column, scratch.tile);
+  const MatrixXf &X = scratch.tile.X, &Y = scratch.tile.Y;
+  if (scratch.tile.isDense()) {
+    multiply(isTransposed, false, -1, X, x, 1, y);
     return;
   }
-  MatrixXf inner;
-  multiply(true, false, 1, isTransposed ? tile.X : tile.Y, x, 0, inner);
-  multiply(false, false, -1, isTransposed ? tile.Y : tile.X, inner, 1, y);
+  multiply(true, false, 1, isTransposed ? X : Y, x, 0, scratch.inner);
+  multiply(false, false, -1, isTransposed ? Y : X, scratch.inner, 1, y);
 }
 
 std::vector<MatrixXf> TileLu::partsOf(const MatrixXf& x) const {
@@ -60,14 +62,21 @@ std::vector<MatrixXf> TileLu::partsOf(const MatrixXf& x) const {
 
 void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
   std::vector<MatrixXf> parts = partsOf(x);
+  Tile diagonal;
   for (int k = 0; k < count(); ++k) {
+    unpack(k, k, diagonal);
     swapRows(pivots_[k], parts[k], true);
-    solveTriangular(CblasLeft, CblasLower, false, true, tile(k, k).X, parts[k]);
-    forOthers(k + 1, count(), job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
+    solveTriangular(CblasLeft, CblasLower, false, true, diagonal.X, parts[k]);
+    forOthers(k + 1, count(), job, [&](int i, SolveScratch& scratch) {
+      subtract(i, k, false, parts[k], parts[i], scratch);
+    });
   }
   for (int k = count() - 1; k >= 0; --k) {
-    solveTriangular(CblasLeft, CblasUpper, false, false, tile(k, k).X, parts[k]);
-    forOthers(0, k, job, [&](int i) { subtract(tile(i, k), false, parts[k], parts[i]); });
+    unpack(k, k, diagonal);
+    solveTriangular(CblasLeft, CblasUpper, false, false, diagonal.X, parts[k]);
+    forOthers(0, k, job, [&](int i, SolveScratch& scratch) {
+      subtract(i, k, false, parts[k], parts[i], scratch);
+    });
   }
   for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
   x.array().colwise() *= columnScales_;
@@ -76,14 +85,21 @@ void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
 void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
   x.array().colwise() *= columnScales_;
   std::vector<MatrixXf> parts = partsOf(x);
+  Tile diagonal;
   for (int k = 0; k < count(); ++k) {
-    solveTriangular(CblasLeft, CblasUpper, true, false, tile(k, k).X, parts[k]);
-    forOthers(k + 1, count(), job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
+    unpack(k, k, diagonal);
+    solveTriangular(CblasLeft, CblasUpper, true, false, diagonal.X, parts[k]);
+    forOthers(k + 1, count(), job, [&](int j, SolveScratch& scratch) {
+      subtract(k, j, true, parts[k], parts[j], scratch);
+    });
   }
   for (int k = count() - 1; k >= 0; --k) {
-    solveTriangular(CblasLeft, CblasLower, true, true, tile(k, k).X, parts[k]);
+    unpack(k, k, diagonal);
+    solveTriangular(CblasLeft, CblasLower, true, true, diagonal.X, parts[k]);
     swapRows(pivots_[k], parts[k], false);
-    forOthers(0, k, job, [&](int j) { subtract(tile(k, j), true, parts[k], parts[j]); });
+    forOthers(0, k, job, [&](int j, SolveScratch& scratch) {
+      subtract(k, j, true, parts[k], parts[j], scratch);
+    });
   }
   for (int k = 0; k < count(); ++k) x.middleRows(begins_[k], sizes_[k]) = parts[k];
 }

@@ -9,24 +9,28 @@
 namespace palpa::bem {
 
 void TileLu::writeTile(int row, int column, const ByteSink& sink) const {
-  const Tile& of = tile(row, column);
-  writeValue(sink, of.rank());
-  writeValue(sink, static_cast<int>(of.Y.cols()));
-  writeNumbers(sink, of.X);
-  writeNumbers(sink, of.Y);
+  const PackedTile& of = tile(row, column);
+  writeValue(sink, of.rank);
+  writeValue(sink, of.rankOfY);
+  of.X.write(sink);
+  of.Y.write(sink);
 }
 
 void TileLu::readTile(int row, int column, const ByteSource& source) {
-  Tile& to = tile(row, column);
   const int rank = readValue<int>(source), rankOfY = readValue<int>(source);
   const bool isDense = rankOfY == 0;
   if (rank < 0 || (isDense ? rank != 0 && rank != sizes_[column] : rank != rankOfY) ||
       rank > std::max(sizes_[row], sizes_[column]))
     throw DamagedData();
-  to.X.resize(sizes_[row], rank);
-  to.Y.resize(rankOfY > 0 ? sizes_[column] : 0, rankOfY);
-  readNumbers(source, to.X);
-  readNumbers(source, to.Y);
+  const auto numbers = [&](int rows, int columns) {
+    return PackedNumbers::read(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns),
+                               PackedNumbers::Bits::k16, source);
+  };
+  PackedTile& to = tile(row, column);
+  to.rank = rank;
+  to.rankOfY = rankOfY;
+  to.X = numbers(sizes_[row], rank);
+  to.Y = numbers(sizes_[column], rankOfY);
 }
 
 void TileLu::write(const ByteSink& sink) const {

@@ -172,7 +172,8 @@ TEST(CompressedProblem, IsMoreExactWithASmallerTolerance) {
   EXPECT_LT(other.differenceOfProducts(), 0.1 * one.differenceOfProducts());
   EXPECT_LT(one.compressed->operators().sizes().meanRank,
             other.compressed->operators().sizes().meanRank);
-  EXPECT_LT(other.differenceOfColumns(Effort::kRefined), 1e-4);
+  // Rounding of the stored numbers remains.
+  EXPECT_LT(other.differenceOfColumns(Effort::kRefined), 4e-4);
 }
 
 TEST(CompressedProblem, TranslationsHaveNoResidual) {

@@ -1,0 +1,129 @@
+#include "bem/linalg/packed_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "base/byte_reader.h"
+
+namespace palpa::bem {
+
+namespace {
+
+constexpr int kDigits = 15, kMoreDigits = 8, kBias = 127, kMantissaBits = 23;
+constexpr std::uint8_t kNotFinite = 255;
+
+void unpackGroups(const UnpackGroupsTask& task) {
+  static const UnpackGroups fastest = unpackGroupsForThisProcessor();
+  fastest(task);
+}
+
+std::size_t groupsFor(std::size_t size) {
+  return (size + PackedNumbers::kGroup - 1) / PackedNumbers::kGroup;
+}
+
+/// Factor of the digits of a group: the number of single precision with this exponent field.
+float scaleOf(std::uint8_t exponent) {
+  return std::bit_cast<float>(static_cast<std::uint32_t>(exponent) << kMantissaBits);
+}
+
+/// Exponent with which numbers of magnitude `largest` have digits of 15 bits.
+std::uint8_t exponentFor(float largest) {
+  if (!std::isfinite(largest)) return kNotFinite;
+  int exponent = 0;
+  std::frexp(largest, &exponent);  // largest < 2^exponent
+  return static_cast<std::uint8_t>(largest == 0 ? 0 : std::max(0, exponent - kDigits + kBias));
+}
+
+std::int16_t digitsOf(float number, std::uint8_t exponent) {
+  if (exponent == 0) return 0;
+  if (exponent == kNotFinite) return 1;
+  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int16_t>(
+      std::clamp(std::nearbyint(number / scaleOf(exponent)), -kMost, kMost));
+}
+
+/// Digits of 23 bits, as digitsOf() gives 15.
+std::int32_t manyDigitsOf(float number, std::uint8_t exponent) {
+  if (exponent == 0) return 0;
+  if (exponent == kNotFinite) return 1 << kMoreDigits;
+  constexpr double kMost = (1 << (kDigits + kMoreDigits)) - 1;
+  const double scale = static_cast<double>(scaleOf(exponent)) / (1 << kMoreDigits);
+  return static_cast<std::int32_t>(
+      std::clamp(std::nearbyint(static_cast<double>(number) / scale), -kMost, kMost));
+}
+
+}  // namespace
+
+float largestMagnitude(std::span<const float> numbers) {
+  float largest = 0;
+  for (const float number : numbers) {
+    if (!std::isfinite(number)) return std::numeric_limits<float>::infinity();
+    largest = std::max(largest, std::abs(number));
+  }
+  return largest;
+}
+
+PackedNumbers::PackedNumbers(std::span<const float> numbers, Bits bits)
+    : size_(numbers.size()), digits_(kGroup * groupsFor(size_)), exponents_(groupsFor(size_)) {
+  if (bits == Bits::k24) moreDigits_.resize(digits_.size());
+  for (std::size_t group = 0; group < exponents_.size(); ++group) {
+    const std::size_t begin = group * kGroup, end = std::min(begin + kGroup, size_);
+    const std::uint8_t exponent = exponents_[group] =
+        exponentFor(largestMagnitude(numbers.subspan(begin, end - begin)));
+    for (std::size_t k = begin; k < end; ++k) {
+      if (bits == Bits::k16) {
+        digits_[k] = digitsOf(numbers[k], exponent);
+      } else {
+        const std::int32_t digits = manyDigitsOf(numbers[k], exponent);
+        digits_[k] = static_cast<std::int16_t>(digits >> kMoreDigits);  // rounds down
+        moreDigits_[k] = static_cast<std::uint8_t>(digits & ((1 << kMoreDigits) - 1));
+      }
+    }
+  }
+}
+
+UnpackGroupsTask PackedNumbers::taskFor(std::size_t first, std::size_t groups, float* to) const {
+  return {digits_.data() + first * kGroup,
+          moreDigits_.empty() ? nullptr : moreDigits_.data() + first * kGroup,
+          exponents_.data() + first, groups, to};
+}
+
+void PackedNumbers::unpackTo(float* to) const {
+  const std::size_t whole = size_ / kGroup, begin = whole * kGroup;
+  unpackGroups(taskFor(0, whole, to));
+  if (begin == size_) return;
+  std::array<float, kGroup> rest;
+  unpackGroups(taskFor(whole, 1, rest.data()));
+  std::copy_n(rest.begin(), size_ - begin, to + begin);
+}
+
+const float* PackedNumbers::unpack(std::size_t begin, std::size_t count,
+                                   std::vector<float>& scratch) const {
+  const std::size_t first = begin / kGroup, groups = groupsFor(begin + count) - first;
+  if (scratch.size() < groups * kGroup) scratch.resize(groups * kGroup);
+  unpackGroups(taskFor(first, groups, scratch.data()));
+  return scratch.data() + begin % kGroup;
+}
+
+void PackedNumbers::write(const ByteSink& sink) const {
+  sink(std::as_bytes(std::span(digits_)));
+  sink(std::as_bytes(std::span(moreDigits_)));
+  sink(std::as_bytes(std::span(exponents_)));
+}
+
+PackedNumbers PackedNumbers::read(std::size_t size, Bits bits, const ByteSource& source) {
+  PackedNumbers numbers;
+  numbers.size_ = size;
+  numbers.digits_.resize(kGroup * groupsFor(size));
+  if (bits == Bits::k24) numbers.moreDigits_.resize(numbers.digits_.size());
+  numbers.exponents_.resize(groupsFor(size));
+  source(std::as_writable_bytes(std::span(numbers.digits_)));
+  source(std::as_writable_bytes(std::span(numbers.moreDigits_)));
+  source(std::as_writable_bytes(std::span(numbers.exponents_)));
+  return numbers;
+}
+
+}  // namespace palpa::bem
