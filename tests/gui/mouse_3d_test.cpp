@@ -162,7 +162,9 @@ TEST_F(Mouse3dInWindow, ThePinFollowsTheCapInSimulate) {
       5000))
       << simulation.snapshot().find(*id)->value.transpose();
   EXPECT_EQ(camera().direction, before.direction);
-  EXPECT_GT(simulation.snapshot().find(*id)->force.norm(), 0.1);
+  // On a busy machine the columns of the place come later than the motion.
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return simulation.snapshot().find(*id)->force.norm() > 0.1; }, 20000));
   keepPicture("mouse-3d-pin");
   // Turning the cap still turns the view; the second button releases all.
   daemon.hold({0, 0, 0}, {0, 350, 0}, 5);
