@@ -55,7 +55,7 @@ float scaleOf(const PackedBlock& block) {
 }  // namespace
 
 PackedBlock packed(const BlockNumbers& numbers) {
-  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
+  constexpr float kMaxDigits = std::numeric_limits<std::int16_t>::max();
   PackedBlock block;
   const float largest = largestMagnitude(numbers);
   if (largest == 0) return block;
@@ -64,8 +64,8 @@ PackedBlock packed(const BlockNumbers& numbers) {
     return block;
   }
   // The next larger one of the scales.
-  block.scale =
-      static_cast<std::uint16_t>((std::bit_cast<std::uint32_t>(largest / kMost) >> kLowerHalf) + 1);
+  block.scale = static_cast<std::uint16_t>(
+      (std::bit_cast<std::uint32_t>(largest / kMaxDigits) >> kLowerHalf) + 1);
   const float scale = scaleOf(block);
   for (int k = 0; k < 9; ++k)
     block.digits[k] = static_cast<std::int16_t>(std::nearbyint(numbers[k] / scale));

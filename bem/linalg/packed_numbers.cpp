@@ -37,22 +37,23 @@ std::uint8_t exponentFor(float largest) {
   return static_cast<std::uint8_t>(largest == 0 ? 0 : std::max(0, exponent - kDigits + kBias));
 }
 
+/// Digits of a number of a group with this exponent.
 std::int16_t digitsOf(float number, std::uint8_t exponent) {
   if (exponent == 0) return 0;
   if (exponent == kNotFinite) return 1;
-  constexpr float kMost = std::numeric_limits<std::int16_t>::max();
+  constexpr float kMaxDigits = std::numeric_limits<std::int16_t>::max();
   return static_cast<std::int16_t>(
-      std::clamp(std::nearbyint(number / scaleOf(exponent)), -kMost, kMost));
+      std::clamp(std::nearbyint(number / scaleOf(exponent)), -kMaxDigits, kMaxDigits));
 }
 
 /// Digits of 23 bits, as digitsOf() gives 15.
 std::int32_t manyDigitsOf(float number, std::uint8_t exponent) {
   if (exponent == 0) return 0;
   if (exponent == kNotFinite) return 1 << kMoreDigits;
-  constexpr double kMost = (1 << (kDigits + kMoreDigits)) - 1;
+  constexpr double kMaxDigits = (1 << (kDigits + kMoreDigits)) - 1;
   const double scale = static_cast<double>(scaleOf(exponent)) / (1 << kMoreDigits);
   return static_cast<std::int32_t>(
-      std::clamp(std::nearbyint(static_cast<double>(number) / scale), -kMost, kMost));
+      std::clamp(std::nearbyint(static_cast<double>(number) / scale), -kMaxDigits, kMaxDigits));
 }
 
 }  // namespace

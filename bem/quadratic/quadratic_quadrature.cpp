@@ -78,6 +78,13 @@ std::array<std::array<Vector2d, 3>, 4> quarters(const std::array<Vector2d, 3>& c
   return {{{c[0], ab, ca}, {ab, c[1], bc}, {ca, bc, c[2]}, {ab, bc, ca}}};
 }
 
+/// Both parts of a triangle, divided at the middle of the edge from corner `edge` to the next.
+std::array<std::array<Vector2d, 3>, 2> halves(const std::array<Vector2d, 3>& corners, int edge) {
+  const Vector2d &a = corners[edge], &b = corners[(edge + 1) % 3], &c = corners[(edge + 2) % 3],
+                 middle = (a + b) / 2;
+  return {{{a, middle, c}, {middle, b, c}}};
+}
+
 double cross(const Vector2d& a, const Vector2d& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
@@ -164,12 +171,6 @@ QuadraticQuadrature::Cell QuadraticQuadrature::cellIn(int element, const Corners
   return cell;
 }
 
-std::array<QuadraticQuadrature::Corners, 2> QuadraticQuadrature::halves(const Cell& cell) {
-  const Vector2d &a = cell.corners[cell.longest], &b = cell.corners[(cell.longest + 1) % 3],
-                 &c = cell.corners[(cell.longest + 2) % 3], middle = (a + b) / 2;
-  return {Corners{a, middle, c}, Corners{middle, b, c}};
-}
-
 void QuadraticQuadrature::addRule(const Corners& c, int rule, ElementRule& to) const {
   const ElementRule& unit = unitRule(rule);
   const Vector2d ab = c[1] - c[0], ac = c[2] - c[0];
@@ -227,7 +228,8 @@ void QuadraticQuadrature::addNear(int index, const Cell& cell, const Vector3d& x
   constexpr double kElongated = 4;
   const auto& least = surface_.coordinates(index).isPlain() ? ratio_ : borderRatio_;
   if (cell.aspect > kElongated && ratio < least.back()) {
-    for (const Corners& half : halves(cell)) addNear(index, cellIn(index, half), x, depth + 1, to);
+    for (const Corners& half : halves(cell.corners, cell.longest))
+      addNear(index, cellIn(index, half), x, depth + 1, to);
     return;
   }
   for (const Corners& quarter : quarters(cell.corners))
@@ -267,9 +269,7 @@ void QuadraticQuadrature::addSingular(int index, const Cell& cell, const Vector3
       addSingular(index, cellIn(index, quarter), x, place, depth + 1, to);
     return;
   }
-  const Vector2d &a = cell.corners[longest], &b = cell.corners[(longest + 1) % 3],
-                 &c = cell.corners[(longest + 2) % 3], middle = (a + b) / 2;
-  for (const Corners& half : {Corners{a, middle, c}, Corners{middle, b, c}})
+  for (const Corners& half : halves(cell.corners, longest))
     addSingular(index, cellIn(index, half), x, place, depth + 1, to);
 }
 

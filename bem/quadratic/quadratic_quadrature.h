@@ -63,7 +63,6 @@ class QuadraticQuadrature final : public ElementQuadrature {
   int ruleFor(int element, double ratio, int depth) const;
   int maxDepth(int element) const;
   Cell cellIn(int element, const Corners& corners) const;
-  static std::array<Corners, 2> halves(const Cell& cell);
   void addRule(const Corners& corners, int rule, ElementRule& to) const;
   void place(int element, ElementRule& rule, ElementPoints& points) const;
   void addNear(int element, const Cell& cell, const Eigen::Vector3d& x, int depth,

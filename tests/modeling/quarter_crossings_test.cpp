@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMost = 100;
+constexpr std::size_t kMaxFound = 100;
 
 /// Two triangles in a plane on both sides of an edge, whose ends are given; `height`: of one of
 /// them.
@@ -32,9 +32,9 @@ TEST(QuarterCrossings, AreFoundBesideSlivers) {
   for (int trial = 0; trial < 200; ++trial) {
     const Vector3d a(any(generator), any(generator), 0), b(any(generator), any(generator), 0);
     const SurfaceMesh sliver = pair(a, b, 1e-16);
-    if (triangleCrossings(sliver.positions, sliver.triangles, kMost).empty())
-      found += quarterCrossings(sliver, kMost) > 0 ? 1 : 0;
-    EXPECT_EQ(quarterCrossings(pair(a, b, 0.1), kMost), 0) << trial;
+    if (triangleCrossings(sliver.positions, sliver.triangles, kMaxFound).empty())
+      found += quarterCrossings(sliver, kMaxFound) > 0 ? 1 : 0;
+    EXPECT_EQ(quarterCrossings(pair(a, b, 0.1), kMaxFound), 0) << trial;
   }
   EXPECT_GT(found, 0);
 }
