@@ -43,16 +43,32 @@ class CompressedOperators {
   /// G p - H u of fields, with the rows of BoundaryOperators. Throws Cancelled.
   Eigen::MatrixXd apply(const Eigen::MatrixXd& u, const Eigen::MatrixXd& p, const Job& job) const;
 
-  /// Some rows and columns as a dense matrix, [3 k + i][column]. `equations`: any; `columns`:
-  /// ascending column numbers, 3 * (block column) + c, all of one cluster of the tree.
+  /// Keeps its memory, which is expensive to get, when its size changes.
+  class ReusedMatrix {
+   public:
+    void setZero(Eigen::Index rows, Eigen::Index columns);
+    Eigen::Map<RowMatrixXf> matrix() { return {numbers_.data(), rows_, columns_}; }
+
+   private:
+    std::vector<float> numbers_;
+    Eigen::Index rows_ = 0, columns_ = 0;
+  };
+  /// Some rows and columns as the dense matrix `ofEquations`, [3 k + i][column]. `equations`: any;
+  /// `columns`: ascending column numbers, 3 * (block column) + c, all of one cluster of the tree.
   struct Scratch {
     std::vector<int> places, points, placeOfPoint;
-    RowMatrixXf ofPoints;
+    ReusedMatrix ofPoints, ofEquations;
     Eigen::MatrixXf left, right;
     std::vector<float> unpacked;
   };
-  void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch,
-              RowMatrixXf& to) const;
+  void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch) const;
+  /// The same without N and the corrections of P, as a product of narrow matrices, left right^T.
+  /// False if a dense block reaches there or the rank would be above `maxRank`, or zero.
+  bool expandNarrow(std::span<const int> equations, std::span<const int> columns,
+                    Eigen::Index maxRank, Scratch& scratch, Eigen::MatrixXf& left,
+                    Eigen::MatrixXf& right) const;
+  /// Appends the block columns that N and the corrections of P have for some equations.
+  void appendSparseColumns(std::span<const int> equations, std::vector<int>& to) const;
   /// False if the blocks of these equations are all zero, because other members have them.
   bool reaches(std::span<const int> equations) const;
 
@@ -77,8 +93,25 @@ class CompressedOperators {
   void readWeights(const ByteSource& source);
   template <class Visit>
   void visitColumns(int cluster, std::span<const int> columns, const Visit& visit) const;
+  /// The points of some equations, ascending.
+  void setPoints(std::span<const int> equations, Scratch& scratch) const;
+  /// First of the points [begin, end) in the second son of a cluster.
+  std::size_t splitPoints(int cluster, std::size_t begin, std::size_t end,
+                          const Scratch& scratch) const;
   void expandPoints(int cluster, std::size_t begin, std::size_t end, std::span<const int> columns,
                     Scratch& scratch) const;
+  /// Sums points to equations with their weights.
+  void sumPoints(std::span<const int> equations, Scratch& scratch) const;
+  /// A block at points [begin, end) of the scratch.
+  struct FarPiece {
+    int cluster;
+    const FarBlock* block;
+    std::size_t begin, end;
+  };
+  /// False if a dense block reaches the columns, or the rank is above `maxRank`.
+  bool appendFarPieces(int cluster, std::size_t begin, std::size_t end,
+                       std::span<const int> columns, Eigen::Index maxRank, const Scratch& scratch,
+                       std::vector<FarPiece>& to) const;
 
   CompressedOrder order_;
   std::vector<std::vector<FarBlock>> far_;               ///< per cluster of points

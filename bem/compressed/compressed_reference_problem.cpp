@@ -48,6 +48,7 @@ class SystemTiles {
       setColumns(dofs, tile);
       tile.isZero = !operators_.reaches(tile.equations);
     }
+    markSparse();
   }
 
   std::vector<int> sizes() const {
@@ -62,19 +63,22 @@ class SystemTiles {
     return all;
   }
 
-  void make(int row, int column, CompressedOperators::Scratch& scratch, MatrixXf& to) const {
-    if (tiles_[row].isZero) {
-      to.resize(0, 0);
-      return;
-    }
+  LowRankTile make(int row, int column, CompressedOperators::Scratch& scratch) const {
+    const std::vector<int>& equations = tiles_[row].equations;
     const Tile& of = tiles_[column];
-    RowMatrixXf columns;
-    operators_.expand(tiles_[row].equations, of.columns, scratch, columns);
-    const MatrixXf byColumns = columns;
-    to.setZero(byColumns.rows(), of.combined.cols());
-    for (Index k = 0; k < of.combined.cols(); ++k)
-      for (Eigen::SparseMatrix<float>::InnerIterator entry(of.combined, k); entry; ++entry)
-        to.col(k) += entry.value() * byColumns.col(entry.row());
+    LowRankTile result;
+    if (tiles_[row].isZero) return result;
+    if (!tiles_[row].isSparseAt[column]) {
+      const auto smaller = static_cast<Index>(std::min(3 * equations.size(), of.columns.size()));
+      MatrixXf right;
+      if (operators_.expandNarrow(equations, of.columns, smaller / 2, scratch, result.X, right)) {
+        result.Y = of.combined.transpose() * right;
+        return result;
+      }
+    }
+    operators_.expand(equations, of.columns, scratch);
+    result.X = combine(scratch.ofEquations.matrix(), of.combined);
+    return result;
   }
 
  private:
@@ -83,6 +87,7 @@ class SystemTiles {
     std::vector<int> columns;             ///< of the operators
     Eigen::SparseMatrix<float> combined;  ///< (column of the operators, unknown)
     bool isZero = false;                  ///< other members have its blocks
+    std::vector<char> isSparseAt;         ///< per tile: sparse blocks of the equations reach there
   };
 
   /// A0 v = -[-H G] of the field of v.
@@ -117,6 +122,35 @@ class SystemTiles {
     tile.combined.setFromTriplets(entries.begin(), entries.end());
   }
 
+  /// columns * combined; by parts of the rows, which stay in the cache while they are turned.
+  static MatrixXf combine(const Eigen::Map<RowMatrixXf>& columns,
+                          const Eigen::SparseMatrix<float>& combined) {
+    constexpr Index kRows = 16;
+    MatrixXf result = MatrixXf::Zero(columns.rows(), combined.cols());
+    for (Index first = 0; first < columns.rows(); first += kRows) {
+      const Index rows = std::min(kRows, columns.rows() - first);
+      for (Index k = 0; k < combined.cols(); ++k)
+        for (Eigen::SparseMatrix<float>::InnerIterator entry(combined, k); entry; ++entry)
+          result.col(k).segment(first, rows) +=
+              entry.value() * columns.col(entry.row()).segment(first, rows);
+    }
+    return result;
+  }
+
+  void markSparse() {
+    const CompressedOrder& order = operators_.order();
+    std::vector<int> tileOf(order.positionCount() + order.slots.size(), -1), reached;
+    for (std::size_t t = 0; t < tiles_.size(); ++t)
+      for (const int column : tiles_[t].columns) tileOf[column / 3] = static_cast<int>(t);
+    for (Tile& tile : tiles_) {
+      tile.isSparseAt.resize(tiles_.size());
+      reached.clear();
+      operators_.appendSparseColumns(tile.equations, reached);
+      for (const int column : reached)
+        if (tileOf[column] >= 0) tile.isSparseAt[tileOf[column]] = 1;
+    }
+  }
+
   const CompressedOperators& operators_;
   std::vector<Tile> tiles_;
 };
@@ -141,10 +175,11 @@ CompressedReferenceProblem::CompressedReferenceProblem(DegreesOfFreedom dofMap,
   ScratchPool<CompressedOperators::Scratch> pool([] { return CompressedOperators::Scratch{}; });
   factors_ = std::make_unique<TileLu>(
       tiles.sizes(), static_cast<float>(options.factors),
-      [&](int row, int column, MatrixXf& to) {
+      [&](int row, int column) {
         CompressedOperators::Scratch scratch = pool.take();
-        tiles.make(row, column, scratch, to);
+        LowRankTile tile = tiles.make(row, column, scratch);
         pool.giveBack(std::move(scratch));
+        return tile;
       },
       job, team);
 }

@@ -36,8 +36,10 @@ void TileBases::addFrom(const Team::Bytes& bytes) {
 void TileBases::collect(const std::vector<Place>& places, const Job& job) {
   if (!team_) return;
   std::vector<MatrixXf> made(places.size());
-  parallelFor(static_cast<std::ptrdiff_t>(places.size()), job,
-              [&](std::ptrdiff_t k) { makeTile_(places[k].row, places[k].column, made[k]); });
+  parallelFor(static_cast<std::ptrdiff_t>(places.size()), job, [&](std::ptrdiff_t k) {
+    LowRankTile tile = makeTile_(places[k].row, places[k].column);
+    if (!tile.isZero()) made[k] = toDense(std::move(tile));
+  });
   std::vector<Team::Bytes> to(static_cast<std::size_t>(team_->count()));
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (made[k].size() == 0) continue;
@@ -60,16 +62,12 @@ void TileBases::collectStep(int k, const Job& job) {
   collect(places, job);
 }
 
-void TileBases::take(int row, int column, MatrixXf& to) {
-  if (!team_) {
-    makeTile_(row, column, to);
-    return;
-  }
+LowRankTile TileBases::take(int row, int column) {
+  if (!team_) return makeTile_(row, column);
   const auto found = ready_.find({row, column});
   if (found == ready_.end() || found->second.size() == 0)
-    to.setZero(sizes_[row], sizes_[column]);
-  else
-    to = std::move(found->second);
+    return {MatrixXf::Zero(sizes_[row], sizes_[column]), {}};
+  return {std::move(found->second), {}};
 }
 
 }  // namespace palpa::bem

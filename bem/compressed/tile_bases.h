@@ -8,6 +8,7 @@
 
 #include "base/job.h"
 #include "bem/base/team.h"
+#include "bem/compressed/low_rank_tile.h"
 
 namespace palpa::bem {
 
@@ -15,8 +16,8 @@ namespace palpa::bem {
 /// uses them. Alone, tiles are made when they are taken.
 class TileBases {
  public:
-  /// Writes tile (row, column), or an empty matrix for zero; several threads.
-  using MakeTile = std::function<void(int row, int column, Eigen::MatrixXf& to)>;
+  /// Makes tile (row, column); several threads.
+  using MakeTile = std::function<LowRankTile(int row, int column)>;
 
   /// `sizes`: rows of each tile. All references must outlive the object.
   TileBases(const std::vector<int>& sizes, const MakeTile& makeTile, const Team* team)
@@ -36,7 +37,7 @@ class TileBases {
   /// they are.
   void collectStep(int k, const Job& job);
   /// The tile, once after collect(). Several threads.
-  void take(int row, int column, Eigen::MatrixXf& to);
+  LowRankTile take(int row, int column);
 
  private:
   void append(const Place& place, const Eigen::MatrixXf& tile, Team::Bytes& to) const;

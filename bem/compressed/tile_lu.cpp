@@ -22,18 +22,26 @@ using Eigen::MatrixXf;
 
 namespace {
 
-/// Random vectors that a basis begins with, those that are added while it does not suffice, and
-/// those that test it.
-constexpr int kSampleColumns = 32, kMoreColumns = 16, kTestColumns = 6;
+/// Sums of the magnitudes in each column; of a narrow tile, whose neighbouring rows are similar,
+/// from one row of 17, so that all three components count.
+Eigen::VectorXd columnMagnitudes(const LowRankTile& tile) {
+  if (tile.isDense()) return tile.X.cwiseAbs().colwise().sum().cast<double>();
+  constexpr Index kStep = 17;
+  const MatrixXf rows = tile.X(Eigen::seq(0, Eigen::last, kStep), Eigen::all);
+  MatrixXf some;
+  multiply(false, true, 1, rows, tile.Y, 0, some);
+  return some.cwiseAbs().colwise().sum().cast<double>() *
+         (static_cast<double>(tile.X.rows()) / static_cast<double>(rows.rows()));
+}
 
 }  // namespace
 
-TileLu::PackedTile TileLu::packed(const Tile& tile) {
+TileLu::PackedTile TileLu::packed(const LowRankTile& tile) {
   return {static_cast<int>(tile.X.cols()), static_cast<int>(tile.Y.cols()), PackedNumbers(tile.X),
           PackedNumbers(tile.Y)};
 }
 
-void TileLu::unpack(int row, int column, Tile& to) const {
+void TileLu::unpack(int row, int column, LowRankTile& to) const {
   const PackedTile& from = tile(row, column);
   to.X.resize(sizes_[row], from.rank);
   to.Y.resize(from.rankOfY > 0 ? sizes_[column] : 0, from.rankOfY);
@@ -41,135 +49,56 @@ void TileLu::unpack(int row, int column, Tile& to) const {
   from.Y.unpackTo(to.Y.data());
 }
 
-bool TileLu::unpackPair(int row, int m, int column, Tile& L, Tile& U) const {
-  if (tile(row, m).rank == 0 || tile(m, column).rank == 0) return false;
-  unpack(row, m, L);
-  unpack(m, column, U);
-  return true;
+LowRankTile TileLu::unpacked(int row, int column) const {
+  LowRankTile tile;
+  unpack(row, column, tile);
+  return tile;
 }
 
-/// y = (base - Σ L U) x for a tile, or transposed.
-void TileLu::sample(int row, int column, int before, const MatrixXf& base, const MatrixXf& x,
-                    bool isTransposed, MatrixXf& y, const Job& job) const {
-  multiply(isTransposed, false, 1, base, x, 0, y);
-  MatrixXf a, b;
-  Tile L, U;
-  // op(tile) in: out = X Y^T in, or Y X^T in.
-  const auto apply = [&](const Tile& tile, const MatrixXf& in, float alpha, float beta,
-                         MatrixXf& out) {
-    if (tile.isDense()) {
-      multiply(isTransposed, false, alpha, tile.X, in, beta, out);
-      return;
+TileLu::Step TileLu::beginStep(int k, const Job& job) const {
+  Step step;
+  parallelFor(2, job, [&](std::ptrdiff_t side) {
+    SharedFactors& shared = side == 0 ? step.ofColumn : step.ofRow;
+    for (int m = 0; m < k; ++m) {
+      job.throwIfCancelled();
+      shared.factors.push_back(side == 0 ? unpacked(m, k) : unpacked(k, m));
+      if (side == 1) transpose(shared.factors.back());
     }
-    multiply(true, false, 1, isTransposed ? tile.X : tile.Y, in, 0, a);
-    multiply(false, false, alpha, isTransposed ? tile.Y : tile.X, a, beta, out);
-  };
-  for (int m = 0; m < before; ++m) {
-    job.throwIfCancelled();
-    if (!unpackPair(row, m, column, L, U)) continue;
-    apply(isTransposed ? L : U, x, 1, 0, b);
-    apply(isTransposed ? U : L, b, -1, 1, y);
-  }
+    shared.draw(sizes_[k], 7919 * static_cast<unsigned>(2 * k + side));
+  });
+  return step;
 }
 
-MatrixXf TileLu::denseUpdate(int row, int column, int before, MatrixXf base, const Job& job) const {
-  MatrixXf left, middle;
-  Tile L, U;
-  for (int m = 0; m < before; ++m) {
-    job.throwIfCancelled();
-    if (!unpackPair(row, m, column, L, U)) continue;
-    if (L.isDense()) {
-      multiply(false, false, 1, L.X, U.X, 0, left);
-    } else {
-      multiply(true, false, 1, L.Y, U.X, 0, middle);
-      if (U.isDense()) {
-        multiply(false, false, -1, L.X, middle, 1, base);
-        continue;
-      }
-      multiply(false, false, 1, L.X, middle, 0, left);
-    }
-    if (U.isDense())
-      base -= left;
-    else
-      multiply(false, true, -1, left, U.Y, 1, base);
-  }
-  return base;
+void TileLu::scaleColumns(int column, LowRankTile& tile) const {
+  const auto scales = columnScales_.segment(begins_[column], sizes_[column]);
+  if (tile.isDense())
+    tile.X.array().rowwise() *= scales.transpose();
+  else
+    tile.Y.array().colwise() *= scales;
 }
 
-TileLu::Tile TileLu::compress(int row, int column, int before, MatrixXf base,
-                              const Job& job) const {
-  const Index rows = base.rows(), columns = base.cols(), most = std::min(rows, columns) / 3;
-  Tile result;
-  MatrixXf basis(rows, 0), samples, projections;
-  unsigned seed = 7919 * static_cast<unsigned>(row * count() + column);
-  const auto sampleMore = [&](Index some) {
-    sample(row, column, before, base, randomMatrix(columns, some, ++seed), false, samples, job);
-  };
-  const auto subtractBasis = [&] {
-    if (basis.cols() == 0) return;
-    multiply(true, false, 1, basis, samples, 0, projections);
-    multiply(false, false, -1, basis, projections, 1, samples);
-  };
-  for (Index more = kSampleColumns;; more = kMoreColumns) {
-    if (basis.cols() + more > most) {
-      result.X = denseUpdate(row, column, before, std::move(base), job);
-      return result;
-    }
-    sampleMore(more);
-    subtractBasis();
-    orthonormalise(samples);
-    subtractBasis();  // orthogonal to rounding
-    orthonormalise(samples);
-    basis.conservativeResize(Eigen::NoChange, basis.cols() + more);
-    basis.rightCols(more) = samples;
-    sampleMore(kTestColumns);
-    subtractBasis();
-    if (samples.norm() < tolerance_ * std::sqrt(static_cast<float>(kTestColumns))) break;
-  }
-  MatrixXf onBasis;  // (columns, basis)
-  sample(row, column, before, base, basis, true, onBasis, job);
-  MatrixXf squares;
-  multiply(true, false, 1, onBasis, onBasis, 0, squares);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(squares.cast<double>());
-  // Singular values ascend.
-  Index first = 0;
-  double leftOut = 0;
-  const double limit = static_cast<double>(tolerance_) * tolerance_;
-  while (first < basis.cols() && leftOut + std::max(eigen.eigenvalues()[first], 0.0) < limit)
-    leftOut += std::max(eigen.eigenvalues()[first++], 0.0);
-  const MatrixXf turn = eigen.eigenvectors().rightCols(basis.cols() - first).cast<float>();
-  multiply(false, false, 1, basis, turn, 0, result.X);
-  multiply(false, false, 1, onBasis, turn, 0, result.Y);
-  return result;
-}
-
-void TileLu::scaleColumns(int column, MatrixXf& tile) const {
-  tile.array().rowwise() *= columnScales_.segment(begins_[column], sizes_[column]).transpose();
-}
-
-MatrixXf TileLu::factorDiagonal(int k, MatrixXf diagonal, const Job& job) {
-  scaleColumns(k, diagonal);
+MatrixXf TileLu::factorDiagonal(int k, const Step& step, LowRankTile base, const Job& job) {
+  scaleColumns(k, base);
+  MatrixXf diagonal = toDense(std::move(base));
   // Parts of columns on several threads.
   constexpr Index kColumnsPerTask = 128;
   const Index columns = diagonal.cols();
   parallelFor((columns + kColumnsPerTask - 1) / kColumnsPerTask, job, [&](std::ptrdiff_t task) {
     const Index first = task * kColumnsPerTask, some = std::min(kColumnsPerTask, columns - first);
-    MatrixXf part = diagonal.middleCols(first, some), a, b;
-    Tile L, U;
+    MatrixXf part = diagonal.middleCols(first, some), right, inner;
     for (int m = 0; m < k; ++m) {
       job.throwIfCancelled();
-      if (!unpackPair(k, m, k, L, U)) continue;
-      if (U.isDense()) {
-        b = U.X.middleCols(first, some);
-      } else {
-        const MatrixXf right = U.Y.middleRows(first, some);
-        multiply(false, true, 1, U.X, right, 0, b);
-      }
+      const LowRankTile &U = step.ofColumn.factors[m], &L = step.ofRow.factors[m];
+      if (U.isZero() || L.isZero()) continue;
+      if (U.isDense())
+        right = U.X.middleCols(first, some);
+      else
+        multiply(false, true, 1, U.X, U.Y.middleRows(first, some), 0, right);
       if (L.isDense()) {
-        multiply(false, false, -1, L.X, b, 1, part);
-      } else {
-        multiply(true, false, 1, L.Y, b, 0, a);
-        multiply(false, false, -1, L.X, a, 1, part);
+        multiply(true, false, -1, L.X, right, 1, part);
+      } else {  // L is transposed
+        multiply(true, false, 1, L.X, right, 0, inner);
+        multiply(false, false, -1, L.Y, inner, 1, part);
       }
     }
     diagonal.middleCols(first, some) = part;
@@ -198,8 +127,7 @@ void TileLu::setColumnScales(TileBases& bases, const Team* team, const Job& job)
     parallelFor(end - first, job, [&](std::ptrdiff_t task) {
       const int k = first + static_cast<int>(task);
       if (!bases.isOurs(k)) return;
-      MatrixXf diagonal;
-      bases.take(k, k, diagonal);
+      const MatrixXf diagonal = toDense(bases.take(k, k));
       columnScales_.segment(begins_[k], sizes_[k]) =
           diagonal.colwise().norm().transpose().array().max(1e-30F).inverse();
     });
@@ -207,19 +135,28 @@ void TileLu::setColumnScales(TileBases& bases, const Team* team, const Job& job)
   if (team) columnScales_ = sumOverTeam(*team, Eigen::VectorXf(columnScales_)).array();
 }
 
-TileLu::Tile TileLu::makeTile(int row, int column, MatrixXf base, const MatrixXf& diagonal,
-                              const Job& job) const {
-  const int k = std::min(row, column);
+LowRankTile TileLu::makeTile(int row, int column, const Step& step, LowRankTile base,
+                             const MatrixXf& diagonal, const Job& job) const {
   scaleColumns(column, base);
-  Tile made = compress(row, column, k, std::move(base), job);
-  if (row > column) {  // L = A U^-1
+  const bool isInColumn = row > column;  // the tiles of the row are made transposed
+  if (!isInColumn) transpose(base);
+  std::vector<LowRankTile> left;
+  for (int m = 0; m < std::min(row, column); ++m) {
+    left.push_back(isInColumn ? unpacked(row, m) : unpacked(m, column));
+    if (!isInColumn) transpose(left.back());
+  }
+  LowRankTile made =
+      TileDifference(std::move(base), std::move(left), isInColumn ? step.ofColumn : step.ofRow, job)
+          .compress(tolerance_, 7919 * static_cast<unsigned>(row * count() + column));
+  if (!isInColumn) transpose(made);
+  if (isInColumn) {  // L = A U^-1
     MatrixXf& right = made.isDense() ? made.X : made.Y;
     if (made.isDense())
       solveTriangular(CblasRight, CblasUpper, false, false, diagonal, right);
     else
       solveTriangular(CblasLeft, CblasUpper, true, false, diagonal, right);
   } else {  // U = L^-1 P A
-    swapRows(pivots_[k], made.X, true);
+    swapRows(pivots_[row], made.X, true);
     solveTriangular(CblasLeft, CblasLower, false, true, diagonal, made.X);
   }
   return made;
@@ -237,24 +174,24 @@ TileLu::TileLu(std::vector<int> sizes, float tolerance, const MakeTile& makeBase
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(size());
   std::mutex sumsMutex;
   const auto take = [&](int row, int column) {
-    MatrixXf base;
-    bases.take(row, column, base);
-    const Eigen::VectorXd magnitudes = base.cwiseAbs().colwise().sum().cast<double>();
+    LowRankTile base = bases.take(row, column);
+    const Eigen::VectorXd magnitudes = columnMagnitudes(base);
     const std::scoped_lock lock(sumsMutex);
     // All members of a team have the diagonal, one counts it.
     if (row != column || bases.isOurs(row))
-      sums.segment(begins_[column], base.cols()) += magnitudes;
+      sums.segment(begins_[column], sizes_[column]) += magnitudes;
     return base;
   };
   for (int k = 0; k < count(); ++k) {
     bases.collectStep(k, job);
-    const MatrixXf diagonal = factorDiagonal(k, take(k, k), job);
+    const Step step = beginStep(k, job);
+    const MatrixXf diagonal = factorDiagonal(k, step, take(k, k), job);
     const int left = count() - k - 1;
     parallelFor(2 * static_cast<std::ptrdiff_t>(left), job, [&](std::ptrdiff_t task) {
       const int other = k + 1 + static_cast<int>(task / 2);
       if (!bases.isOurs(other)) return;
       const int row = task % 2 == 0 ? other : k, column = task % 2 == 0 ? k : other;
-      tile(row, column) = packed(makeTile(row, column, take(row, column), diagonal, job));
+      tile(row, column) = packed(makeTile(row, column, step, take(row, column), diagonal, job));
     });
     if (team) shareStep(k, *team);
     const double rest = static_cast<double>(left) / count();

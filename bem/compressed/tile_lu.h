@@ -8,20 +8,21 @@
 #include "base/job.h"
 #include "bem/base/team.h"
 #include "bem/compressed/tile_bases.h"
+#include "bem/compressed/tile_difference.h"
 #include "bem/linalg/packed_numbers.h"
 
 namespace palpa::bem {
 
 /// Approximate LU factorisation of a square matrix in tiles: those on the diagonal are dense, the
 /// others products of two narrow matrices where that is shorter (block low-rank; Amestoy et al.
-/// 2015). Tile by tile what the former rows and columns subtract is sampled with random vectors, so
-/// that it is never formed (Halko, Martinsson and Tropp 2011). Rows are exchanged within tiles of
-/// the diagonal only. In single precision, stored as PackedNumbers; a preconditioner.
+/// 2015). What the former rows and columns subtract from a tile is not formed (TileDifference).
+/// Rows are exchanged within tiles of the diagonal only. In single precision, stored as
+/// PackedNumbers; a preconditioner.
 ///
 /// Immutable; const use from several threads is safe.
 class TileLu {
  public:
-  /// Writes tile (row, column) of the matrix, with the given sizes, to a matrix; several threads.
+  /// Makes tile (row, column) of the matrix, with the given sizes; several threads.
   using MakeTile = TileBases::MakeTile;
 
   /// `sizes`: rows of each tile. `tolerance`: of the singular values that are left out, over the
@@ -50,12 +51,7 @@ class TileLu {
   void solveTransposedInPlace(Eigen::MatrixXf& x, const Job& job) const;
 
  private:
-  /// X Y^T, or the dense X where Y is empty.
-  struct Tile {
-    Eigen::MatrixXf X, Y;
-    bool isDense() const { return Y.size() == 0 && X.size() > 0; }
-  };
-  /// The same with half of the memory.
+  /// A LowRankTile with half of the memory.
   struct PackedTile {
     int rank = 0, rankOfY = 0;  ///< columns of X and Y
     PackedNumbers X, Y;
@@ -64,34 +60,32 @@ class TileLu {
   int count() const { return static_cast<int>(sizes_.size()); }
   PackedTile& tile(int row, int column) { return tiles_[row * sizes_.size() + column]; }
   const PackedTile& tile(int row, int column) const { return tiles_[row * sizes_.size() + column]; }
-  static PackedTile packed(const Tile& tile);
+  static PackedTile packed(const LowRankTile& tile);
   /// `to`: also gives the memory.
-  void unpack(int row, int column, Tile& to) const;
-  /// Both L(row, m) and U(m, column); false if one of them is zero.
-  bool unpackPair(int row, int m, int column, Tile& L, Tile& U) const;
+  void unpack(int row, int column, LowRankTile& to) const;
+  LowRankTile unpacked(int row, int column) const;
   void setColumnScales(TileBases& bases, const Team* team, const Job& job);
+  /// The former factors of step k: U(m, k), and L(k, m) transposed.
+  struct Step {
+    SharedFactors ofColumn, ofRow;
+  };
+  Step beginStep(int k, const Job& job) const;
   /// Sets and returns the factors of tile (k, k), in one matrix.
-  Eigen::MatrixXf factorDiagonal(int k, Eigen::MatrixXf diagonal, const Job& job);
+  Eigen::MatrixXf factorDiagonal(int k, const Step& step, LowRankTile base, const Job& job);
   /// Factor of a tile off the diagonal, of which the former ones are complete.
-  Tile makeTile(int row, int column, Eigen::MatrixXf base, const Eigen::MatrixXf& diagonal,
-                const Job& job) const;
+  LowRankTile makeTile(int row, int column, const Step& step, LowRankTile base,
+                       const Eigen::MatrixXf& diagonal, const Job& job) const;
   /// Gives the tiles of step k to all members.
   void shareStep(int k, const Team& team);
   void writeTile(int row, int column, const ByteSink& sink) const;
   void readTile(int row, int column, const ByteSource& source);
-  Tile compress(int row, int column, int before, Eigen::MatrixXf base, const Job& job) const;
-  Eigen::MatrixXf denseUpdate(int row, int column, int before, Eigen::MatrixXf base,
-                              const Job& job) const;
-  void sample(int row, int column, int before, const Eigen::MatrixXf& base,
-              const Eigen::MatrixXf& x, bool isTransposed, Eigen::MatrixXf& y,
-              const Job& job) const;
 
-  void scaleColumns(int column, Eigen::MatrixXf& tile) const;
+  void scaleColumns(int column, LowRankTile& tile) const;
   template <class Use>
   void forOthers(int first, int end, const Job& job, const Use& use) const;
   /// Memory of a thread in a solution.
   struct SolveScratch {
-    Tile tile;
+    LowRankTile tile;
     Eigen::MatrixXf inner;
   };
   void subtract(int row, int column, bool isTransposed, const Eigen::MatrixXf& x,

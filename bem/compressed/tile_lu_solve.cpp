@@ -62,7 +62,7 @@ std::vector<MatrixXf> TileLu::partsOf(const MatrixXf& x) const {
 
 void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
   std::vector<MatrixXf> parts = partsOf(x);
-  Tile diagonal;
+  LowRankTile diagonal;
   for (int k = 0; k < count(); ++k) {
     unpack(k, k, diagonal);
     swapRows(pivots_[k], parts[k], true);
@@ -85,7 +85,7 @@ void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
 void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
   x.array().colwise() *= columnScales_;
   std::vector<MatrixXf> parts = partsOf(x);
-  Tile diagonal;
+  LowRankTile diagonal;
   for (int k = 0; k < count(); ++k) {
     unpack(k, k, diagonal);
     solveTriangular(CblasLeft, CblasUpper, true, false, diagonal.X, parts[k]);

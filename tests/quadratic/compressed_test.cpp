@@ -12,11 +12,9 @@
 #include "base/byte_reader.h"
 #include "bem/base/error.h"
 #include "bem/compressed/make_problem.h"
-#include "bem/compressed/tile_lu.h"
 #include "bem/dense/make_reference_problem.h"
 #include "bem/dense/transposed_solution.h"
 #include "bem/dense/update_reference_problem.h"
-#include "bem/linalg/row_choice.h"
 #include "quadratic_body.h"
 
 namespace palpa::bem::test {
@@ -94,50 +92,39 @@ std::unique_ptr<QuadraticDiscretisation> box() {
   return quadratic(mesh, onFlatFaces, {1});
 }
 
-TEST(RowChoice, InterpolatesAllRowsDespiteZeroBlocks) {
-  // Two groups of rows without a common column, as of components of fields on flat faces.
-  srand(3);
-  RowMatrixXf A = RowMatrixXf::Zero(60, 50);
-  A.topLeftCorner(30, 25) = MatrixXf::Random(30, 4) * MatrixXf::Random(4, 25);
-  A.bottomRightCorner(30, 25) = 0.1F * MatrixXf::Random(30, 3) * MatrixXf::Random(3, 25);
-  const RowChoice choice = chooseRows(A, 1e-4F);
-  EXPECT_EQ(choice.rows.size(), 7);
-  const MatrixXf chosen = A(choice.rows, Eigen::all);
-  EXPECT_LT((choice.weights * chosen - A).norm(), 1e-5F * A.norm());
-}
-
-TEST(TileLu, SolvesWithItsMatrixAndTheTransposed) {
-  // Points on a line: tiles off the diagonal are smooth and have small ranks.
-  constexpr int kTiles = 4, kSize = 250, kAll = kTiles * kSize;
-  const auto entry = [](int i, int j) {
-    const double distance = (i - j) / 60.0;
-    return static_cast<float>((i == j ? 40 : 0) + 1 / (1 + distance * distance) + 0.1 * (i > j));
-  };
-  MatrixXf A(kAll, kAll);
-  for (int j = 0; j < kAll; ++j)
-    for (int i = 0; i < kAll; ++i) A(i, j) = entry(i, j);
-  const TileLu factors(std::vector<int>(kTiles, kSize), 1e-5F,
-                       [&](int row, int column, MatrixXf& to) {
-                         to = A.block(row * kSize, column * kSize, kSize, kSize);
-                       },
-                       {});
-  EXPECT_LT(factors.meanRank(), 25);
-  EXPECT_GT(factors.meanRank(), 0);
-  EXPECT_NEAR(factors.norm1(), A.cwiseAbs().colwise().sum().maxCoeff(), 1e-4 * factors.norm1());
-  srand(2);
-  const MatrixXf expected = MatrixXf::Random(kAll, 3);
-  MatrixXf x = A * expected;
-  factors.solveInPlace(x, {});
-  EXPECT_LT((x - expected).norm(), 1e-3F * expected.norm());
-  x = A.transpose() * expected;
-  factors.solveTransposedInPlace(x, {});
-  EXPECT_LT((x - expected).norm(), 1e-3F * expected.norm());
-}
-
-TEST(TileLu, NamesASingularMatrix) {
-  EXPECT_THROW(
-      TileLu({40, 40}, 1e-3F, [](int, int, MatrixXf& to) { to = MatrixXf::Zero(40, 40); }, {}),
-      SolverError);
+TEST(CompressedOperators, AreNarrowBetweenDistantClusters) {
+  const BothForms sphere(test::sphere(12));
+  const CompressedOperators& operators = sphere.compressed->operators();
+  const CompressedOrder& order = operators.order();
+  const int first = ClusterTree::firstOf(4), end = ClusterTree::firstOf(5);
+  ASSERT_LE(end, order.tree.count());
+  CompressedOperators::Scratch scratch;
+  int narrow = 0, dense = 0;
+  for (int rows = first; rows < end; ++rows)
+    for (int of = first; of < end; of += 3) {
+      std::vector<int> equations, columns, reached;
+      for (int k = order.tree.cluster(rows).begin; k < order.tree.cluster(rows).end; ++k)
+        equations.push_back(order.tree.order()[k]);
+      for (int k = order.tree.cluster(of).begin; k < order.tree.cluster(of).end; ++k)
+        for (int c = 0; c < 3; ++c) columns.push_back(3 * k + c);
+      MatrixXf left, right;
+      if (!operators.expandNarrow(equations, columns, 700, scratch, left, right)) {
+        ++dense;
+        continue;
+      }
+      operators.appendSparseColumns(equations, reached);
+      if (std::any_of(reached.begin(), reached.end(), [&](int column) {
+            return 3 * column >= columns.front() && 3 * column <= columns.back();
+          }))
+        continue;
+      ++narrow;
+      EXPECT_LE(left.cols(), 700);
+      operators.expand(equations, columns, scratch);
+      const MatrixXf all = scratch.ofEquations.matrix();
+      EXPECT_LT((left * right.transpose() - all).norm(), 1e-6F * all.norm());
+    }
+  EXPECT_GT(narrow, 10);
+  EXPECT_GT(dense, 10);
 }
 
 TEST(CompressedProblem, AgreesWithDenseOneOnASphere) {
