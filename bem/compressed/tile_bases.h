@@ -16,7 +16,7 @@ namespace palpa::bem {
 /// uses them. Alone, tiles are made when they are taken.
 class TileBases {
  public:
-  /// Makes tile (row, column); several threads.
+  /// Makes tile (row, column), or one without numbers for zero; several threads.
   using MakeTile = std::function<LowRankTile(int row, int column)>;
 
   /// `sizes`: rows of each tile. All references must outlive the object.

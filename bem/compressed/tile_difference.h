@@ -23,7 +23,8 @@ struct SharedFactors {
 /// high: it is sampled with random vectors (Halko, Martinsson and Tropp 2011).
 class TileDifference {
  public:
-  /// `left`: the factors A, as many as the shared ones B, which must outlive the object.
+  /// `left`: the factors A, as many as the shared ones B. These and the job must outlive the
+  /// object.
   TileDifference(LowRankTile base, std::vector<LowRankTile> left, const SharedFactors& right,
                  const Job& job);
 
