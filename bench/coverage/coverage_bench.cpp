@@ -126,10 +126,9 @@ const std::vector<Variant>& variants(std::uint64_t number) {
   return all[number % 2];
 }
 
-/// `action`: of the cases that are run, `onlyEngine`: beginning of the names of variants; empty:
-/// all.
+/// `action`: of the cases that are run, `engines`: beginnings of the names of variants; empty: all.
 json run(std::uint64_t number, double truthNodes, const std::string& action,
-         const std::string& onlyEngine) {
+         const std::vector<std::string>& engines) {
   json result{{"number", number}};
   try {
     RandomCase random = randomCase(number);
@@ -156,7 +155,10 @@ json run(std::uint64_t number, double truthNodes, const std::string& action,
     const Solution truth = solve(project, places, false);
     result["truth"] = {{"unknowns", truth.unknowns}, {"seconds", truth.seconds}};
     for (const Variant& variant : variants(number)) {
-      if (!std::string_view(variant.name).starts_with(onlyEngine)) continue;
+      if (!engines.empty() && std::ranges::none_of(engines, [&](const std::string& engine) {
+            return std::string_view(variant.name).starts_with(engine);
+          }))
+        continue;
       try {
         set(variant.engine, variant.nodes, variant.accuracy);
         const Solution solution = solve(project, places, true);
@@ -259,7 +261,8 @@ int main(int argc, char** argv) {
   CLI::App options("Stated against true errors of displacements and forces over random bodies.");
   std::uint64_t first = 1, count = 10;
   double truthNodes = 3500;
-  std::string file, project, action, engine;
+  std::string file, project, action;
+  std::vector<std::string> engines;
   bool isSummary = false, isCheck = false;
   options.add_option("--first", first, "number of the first case");
   options.add_option("--cases", count, "how many");
@@ -268,7 +271,7 @@ int main(int argc, char** argv) {
   options.add_option("-o", file, "one line of JSON per case; cases that it holds are left out");
   options.add_option("--project", project, "only write the first case as a project file");
   options.add_option("--action", action, "only cases with grab, force, ball or bump");
-  options.add_option("--engine", engine, "only quadratic, splines or triangles");
+  options.add_option("--engine", engines, "only these of quadratic, splines and triangles");
   options.add_flag("--summary", isSummary, "only print the table of the file");
   options.add_flag("--check", isCheck,
                    "exit with 1 unless the stated errors cover enough of the true ones");
@@ -287,7 +290,7 @@ int main(int argc, char** argv) {
   }
   for (std::uint64_t number = first; !isSummary && number < first + count; ++number) {
     if (results.contains(number)) continue;
-    const nlohmann::json result = run(number, truthNodes, action, engine);
+    const nlohmann::json result = run(number, truthNodes, action, engines);
     if (result.is_null()) continue;
     results[number] = result;
     if (!file.empty()) std::ofstream(file, std::ios::app) << result.dump() << '\n';

@@ -29,7 +29,7 @@ bool hasCutSplines(const BoundarySetup& setup) {
 }  // namespace
 
 CoverFactors coverFactors(const BoundarySetup& setup) {
-  if (setup.engine == modeling::Engine::kTriangles) return {5, 5};
+  if (setup.engine == modeling::Engine::kTriangles) return {4.5, 4.5};
   if (setup.engine == modeling::Engine::kQuadratic) return {5, 0.8};
   return {hasCutSplines(setup) ? 2.8 : 1.5, 2.4};
 }
