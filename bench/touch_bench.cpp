@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -178,6 +179,18 @@ class Bench {
     }
   }
 
+  void firstForces() {
+    constexpr int kPlaces = 5;
+    const auto report = [this](const char* what, Eigen::Index answersPlacesFrom) {
+      const bench::Quantiles seconds =
+          bench::quantilesOf(bench::firstForces(model_, kPlaces, answersPlacesFrom));
+      add(std::string("first force of new places, ") + what + ", median", "s", seconds.p50);
+      add("  largest of " + std::to_string(seconds.count), "s", seconds.largest);
+    };
+    report("answered alone", 0);
+    report("with columns", std::numeric_limits<Eigen::Index>::max());
+  }
+
   nlohmann::json json() const { return {{"nodes", nodes_}, {"rows", rows_}}; }
 
  private:
@@ -233,13 +246,15 @@ int main(int argc, char** argv) {
   CLI::App options{"Times what touching the clamped sphere costs."};
   std::vector<int> cells{10, 20};
   double seconds = 10;
-  int large = 45;
+  int large = 45, quadratic = 0;
   std::string csv, json, tablePath;
   bool onlySlides = false;
   double elementLength = 0;
   options.add_option("--cells", cells,
                      "cells along a cube edge of the sphere's mesh; n is about 6 cells^2");
   options.add_option("--large", large, "cells for the field of a large mesh; 0: none");
+  options.add_option("--quadratic", quadratic,
+                     "cells of a sphere of quadratic triangles whose new places are touched");
   options.add_option("--seconds", seconds, "how long the loop runs; 0: not at all")
       ->check(CLI::Range(0.0, 3600.0));
   options.add_option("--csv", csv, "the forces of the slides around the sphere, of the last mesh");
@@ -269,6 +284,13 @@ int main(int argc, char** argv) {
     project.mesh.elementLength = elementLength;
     Bench bench(project);
     bench.slides("");
+    all.push_back(bench.json());
+  }
+  if (quadratic > 0) {
+    modeling::Project project = sphereProject(quadratic);
+    project.mesh.engine = modeling::Engine::kQuadratic;
+    Bench bench(project);
+    bench.firstForces();
     all.push_back(bench.json());
   }
   if (large > 0 && !onlySlides) all.push_back(Bench::largeField(large));

@@ -102,4 +102,27 @@ LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model
   return report;
 }
 
+std::vector<double> firstForces(const std::shared_ptr<const app::TouchModel>& model, int places,
+                                Eigen::Index answersPlacesFrom) {
+  app::TouchLoop::Options options;
+  options.answersPlacesFrom = answersPlacesFrom;
+  app::TouchLoop loop(options);
+  app::TouchSnapshot snapshot;
+  const auto number = loop.setModel(model);
+  while (loop.read(snapshot), snapshot.model != number) std::this_thread::sleep_for(1ms);
+  std::vector<double> times;
+  for (const Vector3d& at : pointsOnSphere(places)) {
+    std::this_thread::sleep_for(500ms);  // columns of other places have begun
+    const auto touched = Clock::now();
+    const app::TouchId id = loop.begin({Kind::kGrab, 3}, at, -0.02 * at);
+    do {
+      std::this_thread::sleep_for(200us);
+      loop.read(snapshot);
+    } while (!snapshot.find(id) || snapshot.find(id)->force.isZero(0));
+    times.push_back(secondsBetween(touched, snapshot.time));
+    loop.end(id);
+  }
+  return times;
+}
+
 }  // namespace palpa::bench

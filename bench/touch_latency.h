@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <vector>
 
 #include "app/core/live/touch_loop.h"
 #include "bench/timing.h"
@@ -25,5 +26,10 @@ struct LatencyReport {
 /// ones, beforehand.
 LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
                              std::chrono::duration<double> duration, bool computesAll);
+
+/// s from a grab of each of some new places on the sphere to its force, one after another, while
+/// columns are computed in the background. `answersPlacesFrom`: see TouchWorker::Options.
+std::vector<double> firstForces(const std::shared_ptr<const app::TouchModel>& model, int places,
+                                Eigen::Index answersPlacesFrom);
 
 }  // namespace palpa::bench

@@ -44,16 +44,6 @@ BlockRows joined(std::vector<BlockRow> rows) {
   return result;
 }
 
-namespace {
-
-constexpr int kLowerHalf = 16;  // bits
-
-float scaleOf(const PackedBlock& block) {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(block.scale) << kLowerHalf);
-}
-
-}  // namespace
-
 PackedBlock packed(const BlockNumbers& numbers) {
   constexpr float kMaxDigits = std::numeric_limits<std::int16_t>::max();
   PackedBlock block;
@@ -65,18 +55,11 @@ PackedBlock packed(const BlockNumbers& numbers) {
   }
   // The next larger one of the scales.
   block.scale = static_cast<std::uint16_t>(
-      (std::bit_cast<std::uint32_t>(largest / kMaxDigits) >> kLowerHalf) + 1);
-  const float scale = scaleOf(block);
+      (std::bit_cast<std::uint32_t>(largest / kMaxDigits) >> PackedBlock::kLowerHalf) + 1);
+  const float scale = block.scaleFactor();
   for (int k = 0; k < 9; ++k)
     block.digits[k] = static_cast<std::int16_t>(std::nearbyint(numbers[k] / scale));
   return block;
-}
-
-BlockNumbers numbersOf(const PackedBlock& block) {
-  const float scale = scaleOf(block);
-  BlockNumbers numbers;
-  for (int k = 0; k < 9; ++k) numbers[k] = scale * static_cast<float>(block.digits[k]);
-  return numbers;
 }
 
 std::size_t packRow(std::span<const BlockNumbers> blocks, std::size_t summed,

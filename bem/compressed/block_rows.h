@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -12,7 +13,11 @@ namespace palpa::bem {
 /// A block of 3 x 3 numbers in 20 bytes: digits times a scale.
 struct PackedBlock {
   std::array<std::int16_t, 9> digits{};
-  std::uint16_t scale = 0;  ///< upper half of the bits of a number of single precision
+  std::uint16_t scale = 0;               ///< upper half of the bits of a number of single precision
+  static constexpr int kLowerHalf = 16;  ///< bits
+  float scaleFactor() const {
+    return std::bit_cast<float>(static_cast<std::uint32_t>(scale) << kLowerHalf);
+  }
 };
 
 /// [3 i + c]
@@ -20,7 +25,13 @@ using BlockNumbers = std::array<float, 9>;
 
 /// A block within 2^-15 of its largest number. If a number is not finite, none is afterwards.
 PackedBlock packed(const BlockNumbers& numbers);
-BlockNumbers numbersOf(const PackedBlock& block);
+inline BlockNumbers numbersOf(const PackedBlock& block) {
+  const float scale = block.scaleFactor();
+  BlockNumbers numbers;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    numbers[k] = scale * static_cast<float>(block.digits[k]);
+  return numbers;
+}
 
 /// Sparse matrix of 3 x 3 blocks, row after row. A row may have several blocks in a column.
 struct BlockRows {

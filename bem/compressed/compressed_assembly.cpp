@@ -8,6 +8,7 @@
 #include "bem/base/team_data.h"
 #include "bem/compressed/averaged_blocks.h"
 #include "bem/compressed/compressed_operators.h"
+#include "bem/compressed/loaded_columns.h"
 #include "bem/element/averaged_rows.h"
 #include "bem/element/kelvin_blocks.h"
 #include "bem/linalg/blas_threads.h"
@@ -192,10 +193,10 @@ class CompressedAssembly {
                 });
     result_.corrections_ = joined(std::move(rows));
     RowMatrixXf translations = RowMatrixXf::Zero(
-                    3 * (result_.nodeCount() + static_cast<Index>(order_.slots.size())), 3),
+                    3 * (result_.nodeCount() + static_cast<Index>(order_.slots.size())) + 1, 3),
                 sums;
     for (Index k = 0; k < result_.nodeCount(); ++k) translations.middleRows<3>(3 * k).setIdentity();
-    result_.applyToPoints(translations, sums, job);
+    result_.applyToPoints(translations, LoadedColumns(order_, translations), sums, job);
     if (team_) sums = sumOverTeam(*team_, sums);
     std::vector<AveragedRows::Total> totals(equations_.points.size());
     std::vector<BlockNumbers> blocks;

@@ -3,9 +3,12 @@
 #include <cblas.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/compressed/loaded_columns.h"
+#include "bem/linalg/single_precision.h"
 
 namespace palpa::bem {
 
@@ -15,25 +18,57 @@ using Eigen::MatrixXf;
 
 namespace {
 
-/// y += A x for x and y with `columns` numbers per row. A: (m, k), by rows or by columns.
-void addProduct(bool isByRows, int m, int k, const float* A, int stride, const float* x,
-                int columns, float* y) {
+/// Rows of a matrix: few columns of numbers, `stride` apart, or `columns` numbers per row.
+template <class Number>
+struct Rows {
+  Number* numbers;
+  std::ptrdiff_t stride;
+};
+
+/// y += A x for x and y with some columns. A: (m, k), by rows or by columns.
+void addProduct(bool isByRows, int m, int k, const float* A, int stride, Rows<const float> x,
+                int columns, Rows<float> y) {
   if (m == 0 || k == 0) return;
-  if (columns == 1)
-    cblas_sgemv(isByRows ? CblasRowMajor : CblasColMajor, CblasNoTrans, m, k, 1, A, stride, x, 1, 1,
-                y, 1);
-  else
+  if (columns > kFewColumns) {
     cblas_sgemm(CblasRowMajor, isByRows ? CblasNoTrans : CblasTrans, CblasNoTrans, m, columns, k, 1,
-                A, stride, x, columns, 1, y, columns);
+                A, stride, x.numbers, columns, 1, y.numbers, columns);
+    return;
+  }
+  for (int c = 0; c < columns; ++c)
+    cblas_sgemv(isByRows ? CblasRowMajor : CblasColMajor, CblasNoTrans, m, k, 1, A, stride,
+                x.numbers + c * x.stride, 1, 1, y.numbers + c * y.stride, 1);
 }
 
-/// y += A(row, :) x for x and y with `columns` numbers per row; kColumns: the same, or 0.
-template <int kColumns>
-void addRow(const BlockRows& A, int row, const float* x, Index columns, float* y) {
-  if constexpr (kColumns > 0) columns = kColumns;
+/// y += A(row, :) x for three columns, which a single place has. Reads one number
+/// behind the last block.
+void addRowOfThree(const BlockRows& A, int row, const float* x, float* y) {
+  using Four = Eigen::Array4f;  // the last one is not used
+  using FourInX = Eigen::Map<const Four>;
+  std::array<Four, 3> sums{Four::Zero(), Four::Zero(), Four::Zero()};
   for (std::size_t b = A.begin[row]; b < A.begin[static_cast<std::size_t>(row) + 1]; ++b) {
     const BlockNumbers block = numbersOf(A.blocks[b]);
-    const float* at = x + 3 * static_cast<Index>(A.columns[b]) * columns;
+    const float* at = x + 9 * static_cast<Index>(A.columns[b]);
+    const FourInX x0(at), x1(at + 3), x2(at + 6);
+    for (std::size_t i = 0; i < 3; ++i)
+      sums[i] += block[3 * i] * x0 + block[3 * i + 1] * x1 + block[3 * i + 2] * x2;
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) y[3 * i + k] += sums[i][static_cast<Index>(k)];
+}
+
+/// y += A(row, :) x; x has a row more than A has columns.
+void addRow(const BlockRows& A, int row, const RowMatrixXf& x, const LoadedColumns& loaded,
+            float* y) {
+  const Index columns = x.cols();
+  const bool areFew = loaded.areFew();
+  if (columns == 3 && !areFew) {
+    addRowOfThree(A, row, x.data(), y);
+    return;
+  }
+  for (std::size_t b = A.begin[row]; b < A.begin[static_cast<std::size_t>(row) + 1]; ++b) {
+    if (areFew && !loaded.isLoaded(A.columns[b])) continue;
+    const BlockNumbers block = numbersOf(A.blocks[b]);
+    const float* at = x.data() + 3 * static_cast<Index>(A.columns[b]) * columns;
     for (int i = 0; i < 3; ++i)
       for (int c = 0; c < 3; ++c)
         for (Index k = 0; k < columns; ++k)
@@ -41,21 +76,12 @@ void addRow(const BlockRows& A, int row, const float* x, Index columns, float* y
   }
 }
 
-/// y += A(row, :) x.
-void addRow(const BlockRows& A, int row, const RowMatrixXf& x, float* y) {
-  // GMRES for the columns of a node has three.
-  if (x.cols() == 3)
-    addRow<3>(A, row, x.data(), 3, y);
-  else
-    addRow<0>(A, row, x.data(), x.cols(), y);
-}
-
 constexpr int kEquationsPerTask = 64;
 
 }  // namespace
 
-void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
-                                        const Job& job) const {
+void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumns& loaded,
+                                        RowMatrixXf& y, const Job& job) const {
   const ClusterTree& tree = order_.tree;
   const auto columns = static_cast<int>(x.cols());
   const Index nodes = nodeCount();
@@ -70,12 +96,16 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
       blocks.emplace_back(static_cast<int>(c), static_cast<int>(b));
     }
   std::vector<float> right(total, 0);
+  const bool areFew = columns <= kFewColumns;
+  const MatrixXf byColumns = areFew ? MatrixXf(x) : MatrixXf();
+  const auto rowsOfX = [&](Index row) {
+    return Rows<const float>{areFew ? byColumns.data() + row : x.data() + row * columns, x.rows()};
+  };
   const auto xOfNodes = [&](int cluster) {
-    return x.row(3 * static_cast<Index>(tree.cluster(cluster).begin)).data();
+    return rowsOfX(3 * static_cast<Index>(tree.cluster(cluster).begin));
   };
   const auto xOfSlots = [&](int cluster) {
-    return x.data() + 3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]) *
-                          static_cast<Index>(columns);
+    return rowsOfX(3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]));
   };
   constexpr std::ptrdiff_t kBlocksPerTask = 8;
   const auto count = static_cast<std::ptrdiff_t>(blocks.size());
@@ -85,9 +115,10 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
          ++k) {
       const auto [c, b] = blocks[k];
       const FarBlock& block = far_[c][b];
+      if (!loaded.reaches(block.column)) continue;
       const int rank = block.rank;
       const float* V = block.V.unpack(unpacked);
-      float* to = right.data() + places[c][b];
+      const Rows<float> to{right.data() + places[c][b], rank};
       const int ofNodes = order_.nodeColumns(block.column);
       addProduct(false, rank, ofNodes, V, rank, xOfNodes(block.column), columns, to);
       addProduct(false, rank, order_.slotColumns(block.column),
@@ -101,20 +132,24 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
     const int leaf = firstLeaf + static_cast<int>(k), first = order_.pointBegin(leaf),
               rows = order_.rows(leaf);
     if (rows == 0) return;
-    float* to = y.row(3 * static_cast<Index>(first)).data();
+    auto ofLeaf = y.middleRows(3 * static_cast<Index>(first), rows);
+    MatrixXf few = MatrixXf::Zero(areFew ? rows : 0, columns);
+    const Rows<float> to{areFew ? few.data() : ofLeaf.data(), rows};
     std::vector<float> unpacked;
     for (int c = leaf;; c = (c - 1) / 2) {
       for (std::size_t b = 0; b < far_[c].size(); ++b) {
+        if (!loaded.reaches(far_[c][b].column)) continue;
         const auto rank = static_cast<std::size_t>(far_[c][b].rank);
         const float* U =
             far_[c][b].U.unpack(3 * static_cast<std::size_t>(first - order_.pointBegin(c)) * rank,
                                 static_cast<std::size_t>(rows) * rank, unpacked);
         addProduct(true, rows, static_cast<int>(rank), U, static_cast<int>(rank),
-                   right.data() + places[c][b], columns, to);
+                   {right.data() + places[c][b], far_[c][b].rank}, columns, to);
       }
       if (c == 0) break;
     }
     for (const NearBlock& block : near_[k]) {
+      if (!loaded.reaches(block.column)) continue;
       const int ofNodes = order_.nodeColumns(block.column);
       const float* K = block.K.unpack(unpacked);
       addProduct(false, rows, ofNodes, K, rows, xOfNodes(block.column), columns, to);
@@ -122,8 +157,9 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, RowMatrixXf& y,
                  K + static_cast<std::ptrdiff_t>(ofNodes) * rows, rows, xOfSlots(block.column),
                  columns, to);
     }
+    if (areFew) ofLeaf = few;
     for (int point = first; point < order_.pointEnd(leaf); ++point)
-      addRow(corrections_, point, x, y.row(3 * static_cast<Index>(point)).data());
+      addRow(corrections_, point, x, loaded, y.row(3 * static_cast<Index>(point)).data());
   });
 }
 
@@ -134,14 +170,16 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
   MatrixXd result(3 * equations, u.cols());
   for (Index first = 0; first < u.cols(); first += kColumnsAtOnce) {
     const Index columns = std::min(kColumnsAtOnce, u.cols() - first);
-    RowMatrixXf x(3 * (nodes + slots), columns), y;
+    RowMatrixXf x(3 * (nodes + slots) + 1, columns), y;  // addRow() reads behind the last one
+    x.bottomRows<1>().setZero();
     for (Index k = 0; k < nodes; ++k)
       x.middleRows(3 * k, 3) =
           u.block(3 * static_cast<Index>(order_.tree.order()[k]), first, 3, columns).cast<float>();
     for (Index s = 0; s < slots; ++s)
       x.middleRows(3 * (nodes + s), 3) =
           p.block(3 * static_cast<Index>(order_.slots[s]), first, 3, columns).cast<float>();
-    applyToPoints(x, y, job);
+    const LoadedColumns loaded(order_, x);
+    applyToPoints(x, loaded, y, job);
     parallelFor(
         (equations + kEquationsPerTask - 1) / kEquationsPerTask, job, [&](std::ptrdiff_t task) {
           // In double precision: a team's sum differs by the rounding of points alone.
@@ -153,7 +191,7 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
             for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator w(weights_, e); w; ++w)
               sum += static_cast<double>(w.value()) * y.middleRows(3 * w.col(), 3).cast<double>();
             averaged.setZero();
-            addRow(averaged_, static_cast<int>(e), x, averaged.data());
+            addRow(averaged_, static_cast<int>(e), x, loaded, averaged.data());
             sum += averaged.cast<double>();
             for (int i = 0; i < 3; ++i)
               result.row(i * equations + e).segment(first, columns) = sum.row(i);

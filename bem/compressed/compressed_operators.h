@@ -16,6 +16,8 @@
 
 namespace palpa::bem {
 
+class LoadedColumns;
+
 /// Boundary operators K = [-H G] as K = W P + N. The rows of P belong to the points of equations,
 /// and are compressed in blocks (a hierarchical matrix): a block of a cluster of points and a
 /// distant cluster of functions is a product of two narrow matrices. W has the weights of the
@@ -88,8 +90,9 @@ class CompressedOperators {
     int column;
     PackedNumbers K;  ///< (rows, columns), by columns
   };
-  /// P x for x in internal order, one row per column of P; y: one row per row of P.
-  void applyToPoints(const RowMatrixXf& x, RowMatrixXf& y, const Job& job) const;
+  /// P x for x in internal order, one row per column of P and one more; y: one row per row of P.
+  void applyToPoints(const RowMatrixXf& x, const LoadedColumns& loaded, RowMatrixXf& y,
+                     const Job& job) const;
   void readWeights(const ByteSource& source);
   template <class Visit>
   void visitColumns(int cluster, std::span<const int> columns, const Visit& visit) const;

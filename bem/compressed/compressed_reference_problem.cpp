@@ -218,6 +218,24 @@ MatrixXd CompressedReferenceProblem::correction(const MatrixXd& r, const Job& jo
   return precondition(solution.x, job) * scale.asDiagonal();
 }
 
+MatrixXd CompressedReferenceProblem::firstCorrection(const MatrixXd& r, const Job& job) const {
+  constexpr int kMaxRounds = 3;
+  constexpr double kRemaining =
+      1.5e-3;  // relative error of the field; forces have a far smaller one
+  MatrixXd v = precondition(r, job);
+  using Norms = Eigen::Array<double, 1, Eigen::Dynamic>;  // of each column
+  Norms previous = v.colwise().norm();
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const MatrixXd step = precondition(r + residual(dofs().expand(v, MatrixXd()), job), job);
+    const Norms change = step.colwise().norm();
+    v += step;
+    // The next step would be smaller than this one as this one is smaller than the former.
+    if ((change.square() <= kRemaining * previous * v.colwise().norm().array()).all()) return v;
+    previous = change;
+  }
+  return correction(r, job);
+}
+
 double CompressedReferenceProblem::conditionEstimate(const Job& job) const {
   const auto n = static_cast<lapack_int>(factors_->size());
   // Zero, because LAPACKE refuses numbers that are not finite before they are set.

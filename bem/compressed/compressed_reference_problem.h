@@ -42,6 +42,8 @@ class CompressedReferenceProblem final : public ReferenceProblem {
   Eigen::MatrixXd residual(const BoundaryField& field, const Job& job) const override;
   /// By GMRES. Throws SolverError (kBadCondition) if it does not converge.
   Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
+  /// The factorisation's solution, in most cases corrected once: half of the operations of GMRES.
+  Eigen::MatrixXd firstCorrection(const Eigen::MatrixXd& r, const Job& job) const override;
   /// Unknowns by the approximate factorisation, without GMRES.
   Eigen::MatrixXd precondition(const Eigen::MatrixXd& residual, const Job& job) const;
   /// Of the approximate factorisation.

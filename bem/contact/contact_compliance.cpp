@@ -44,13 +44,10 @@ void ContactCompliance::remove(int first, int count) {
 }
 
 bool ContactCompliance::misses(const ContactMask& mask) {
-  bool any = false;
-  for (const int node : mask.nodes) {
-    if (columns_.has(node)) continue;
-    missing_.push_back(node);
-    any = true;
-  }
-  return any;
+  if (isAvailable(mask)) return false;
+  for (const int node : mask.nodes)
+    if (!columns_.has(node)) missing_.push_back(node);
+  return true;
 }
 
 bool ContactCompliance::place(int index, const SurfacePoint& point, double radius) {
@@ -62,7 +59,7 @@ bool ContactCompliance::place(int index, const SurfacePoint& point, double radiu
     return true;
   }
   const bool isPlaced = surface_.makeMask(point, radius, *workspace_, spare_);
-  if (isPlaced && misses(spare_) && entry.isPlaced && columns_.hasAll(entry.mask.nodes))
+  if (isPlaced && misses(spare_) && entry.isPlaced && isAvailable(entry.mask))
     return true;  // stays at its previous point
   std::swap(entry.mask, spare_);
   entry.isPlaced = isPlaced;
@@ -96,6 +93,27 @@ void ContactCompliance::respond(int index) {
   const DegreesOfFreedom& dofs = surface_.dofs();
   const auto rowCount = static_cast<Index>(rows_.size());
   if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
+  if (columns_.hasAll(mask.nodes)) {
+    sumColumns(mask);
+  } else {
+    const auto& unknowns = responseTo(mask)->unknowns;
+    for (Index i = 0; i < rowCount; ++i)
+      response_.middleRows<3>(3 * i) = unknowns.middleRows<3>(3 * static_cast<Index>(rows_[i]));
+  }
+  // At fixed nodes the unknowns in the fixed directions are tractions; the displacements are zero.
+  for (Index i = 0; i < rowCount; ++i) {
+    if (dofs.isFree(rows_[i])) continue;
+    Eigen::Matrix3f along = Eigen::Matrix3f::Zero();
+    const Eigen::Matrix3f frame = dofs.frame(rows_[i]).cast<float>();
+    for (int k = dofs.constrained(rows_[i]); k < 3; ++k)
+      along += frame.col(k) * response_.row(3 * i + k);
+    response_.middleRows<3>(3 * i) = along;
+  }
+}
+
+void ContactCompliance::sumColumns(const ContactMask& mask) {
+  const DegreesOfFreedom& dofs = surface_.dofs();
+  const auto rowCount = static_cast<Index>(rows_.size());
   response_.topRows(3 * rowCount).setZero();
   // The sums of a row stay in registers while the columns of some nodes are added. Four numbers are
   // read at a time; the fourth belongs to the next row and is dropped, but the last row has none.
@@ -128,15 +146,6 @@ void ContactCompliance::respond(int index) {
         response_.col(axis).segment<3>(3 * i) = sums[axis].head<3>();
     }
   }
-  // At fixed nodes the unknowns in the fixed directions are tractions; the displacements are zero.
-  for (Index i = 0; i < rowCount; ++i) {
-    if (dofs.isFree(rows_[i])) continue;
-    Eigen::Matrix3f along = Eigen::Matrix3f::Zero();
-    const Eigen::Matrix3f frame = dofs.frame(rows_[i]).cast<float>();
-    for (int k = dofs.constrained(rows_[i]); k < 3; ++k)
-      along += frame.col(k) * response_.row(3 * i + k);
-    response_.middleRows<3>(3 * i) = along;
-  }
 }
 
 Matrix3d ContactCompliance::measure(int index) const {
@@ -160,7 +169,7 @@ void ContactCompliance::update() {
   bool anyChanged = false;
   for (int k = 0; k < size(); ++k) {
     Entry& entry = masks_[k];
-    entry.isReady = entry.isPlaced && columns_.hasAll(entry.mask.nodes);
+    entry.isReady = entry.isPlaced && isAvailable(entry.mask);
     anyChanged = anyChanged || (entry.isReady && !entry.isCurrent);
     if (entry.isReady || entry.isZero) continue;
     raw_.middleRows<3>(3 * k).setZero();

@@ -9,8 +9,8 @@
 namespace palpa::bem {
 
 /// Masks on a body and the compliance D = Ψ^T Xi Φ between them. The compliance is updated from the
-/// available columns of Xi while masks are added, removed and slide. Masks keep their index in the
-/// list.
+/// available columns of Xi, or responses of whole masks, while masks are added, removed and slide.
+/// Masks keep their index in the list.
 ///
 /// Not thread-safe. After the first few calls no memory is allocated as long as masks do not grow.
 ///
@@ -32,11 +32,13 @@ class ContactCompliance {
   bool place(int index, const SurfacePoint& point, double radius);
   void clear(int index);
   bool isPlaced(int index) const { return masks_[index].isPlaced; }
-  /// True if all Green's columns of the mask were available at the last update(). Only such masks
-  /// are included in the compliance.
+  /// True if all Green's columns of the mask, or its response, were available at the last update().
+  /// Only such masks are included in the compliance.
   bool isReady(int index) const { return masks_[index].isReady; }
+  /// isReady() of the next update().
+  bool isAvailable(int index) const { return isAvailable(masks_[index].mask); }
   /// Displacement coefficients whose columns were not available to place() since the last
-  /// forgetMissing(); some appear twice.
+  /// forgetMissing(), of masks without a response; some appear twice.
   const std::vector<int>& missing() const { return missing_; }
   void forgetMissing() { missing_.clear(); }
   const ContactMask& mask(int index) const { return masks_[index].mask; }
@@ -58,12 +60,20 @@ class ContactCompliance {
     bool isCurrent = false;  // its blocks of raw_ are computed for the present mask
     bool isZero = true;      // its blocks of raw_ are zero
   };
-  /// Adds the nodes of a mask without columns to missing_; returns true if there are any.
+  const MaskResponses::Response* responseTo(const ContactMask& mask) const {
+    return columns_.responses().find(mask.point, mask.radius);
+  }
+  bool isAvailable(const ContactMask& mask) const {
+    return columns_.hasAll(mask.nodes) || responseTo(mask);
+  }
+  /// Adds the nodes of a mask without columns to missing_ and returns true, unless the mask is
+  /// available.
   bool misses(const ContactMask& mask);
   /// Collects the union of the measured nodes of some masks in rows_.
   void collectRows(bool onlyChanged);
   /// Computes Xi Φ of a mask in these rows.
   void respond(int index);
+  void sumColumns(const ContactMask& mask);
   void measureBase(int index);
   void symmetrise();
   /// Applies Ψ^T of a mask to the response.

@@ -118,6 +118,14 @@ const std::vector<int>& ContactSimulation::missing() {
   return set_.missing();
 }
 
+const ContactSimulation::Contact* ContactSimulation::waiting() const {
+  for (const Contact& contact : contacts_)
+    if (!contact.tool.presses() && set_.isPlaced(contact.firstMask) &&
+        !set_.isAvailable(contact.firstMask))
+      return &contact;
+  return nullptr;
+}
+
 void ContactSimulation::placeAll() {
   if (std::exchange(isPlaced_, false)) {
     for (Contact& contact : contacts_) {

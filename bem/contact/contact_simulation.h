@@ -150,6 +150,9 @@ class ContactSimulation {
     int firstMask = 0, maskCount = 0;
   };
   const std::vector<Contact>& contacts() const { return contacts_; }
+  /// A contact that stays in its place and waits for columns: the response of its mask suffices
+  /// (GreensColumns::computeResponse()). Null if there is none. After missing() or step().
+  const Contact* waiting() const;
   /// Null if there is no such contact.
   const Contact* find(Id id) const;
 

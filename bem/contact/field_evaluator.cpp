@@ -77,9 +77,16 @@ FieldEvaluator::Kept* FieldEvaluator::find(const PatchForce& patch) {
 void FieldEvaluator::addMask(const PatchForce& patch) {
   Kept kept;
   kept.asked = patch.radius;
-  if (!surface_.makeMask(patch.point, patch.radius, *workspace_, kept.mask) ||
-      !columns_.hasAll(kept.mask.nodes))
+  if (!surface_.makeMask(patch.point, patch.radius, *workspace_, kept.mask)) return;
+  if (!columns_.hasAll(kept.mask.nodes)) {
+    const auto* known = columns_.responses().find(patch.point, patch.radius);
+    if (!known) return;
+    kept.response = known->unknowns;
+    unknowns_.noalias() += kept.response * patch.force.cast<float>();
+    addTraction(kept.mask, patch.force);
+    kept_.push_back(std::move(kept));
     return;
+  }
   addTraction(kept.mask, patch.force);
   for (std::size_t k = 0; k < kept.mask.nodes.size(); ++k)
     direct_[kept.mask.nodes[k]] += kept.mask.traction[k] * patch.force;

@@ -20,8 +20,8 @@ class FieldEvaluator {
   FieldEvaluator(const ContactSurface& surface, const GreensColumns& columns,
                  const BoundaryField& base);
 
-  /// Evaluates the field of some patch forces; patches without columns are omitted. `field` has one
-  /// column; its `p` is unchanged unless `withTractions`.
+  /// Evaluates the field of some patch forces; patches without columns or response are omitted.
+  /// `field` has one column; its `p` is unchanged unless `withTractions`.
   void evaluate(std::span<const ContactSimulation::PatchForce> patches, bool withTractions,
                 BoundaryField& field);
 

@@ -15,8 +15,13 @@ void multiply(bool transposeA, bool transposeB, float alpha, const MatrixXf& A, 
               columns = transposeB ? B.rows() : B.cols();
   if (beta == 0) C.resize(rows, columns);
   if (rows == 0 || columns == 0) return;
-  if (inner == 0) {
-    if (beta == 0) C.setZero();
+  if (beta == 0 && (inner == 0 || columns <= kFewColumns)) C.setZero();
+  if (inner == 0) return;
+  if (columns <= kFewColumns && !transposeB) {
+    for (Index c = 0; c < columns; ++c)
+      cblas_sgemv(CblasColMajor, transposeA ? CblasTrans : CblasNoTrans, static_cast<int>(A.rows()),
+                  static_cast<int>(A.cols()), alpha, A.data(), static_cast<int>(A.rows()),
+                  B.col(c).data(), 1, beta, C.col(c).data(), 1);
     return;
   }
   cblas_sgemm(CblasColMajor, transposeA ? CblasTrans : CblasNoTrans,

@@ -8,6 +8,10 @@
 // Level 3 BLAS and LAPACK on matrices of single precision. Empty matrices are allowed.
 namespace palpa::bem {
 
+/// Up to as many columns are multiplied one by one: BLAS copies A to multiply it by several ones,
+/// which takes two to five times as long as the products.
+inline constexpr Eigen::Index kFewColumns = 4;
+
 /// C = alpha op(A) op(B) + beta C, op: transposes or not. C is resized where beta is 0.
 void multiply(bool transposeA, bool transposeB, float alpha, const Eigen::MatrixXf& A,
               const Eigen::MatrixXf& B, float beta, Eigen::MatrixXf& C);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bem/base/large_matrix.h"
+#include "bem/problem/mask_responses.h"
 #include "bem/problem/reference_problem.h"
 
 namespace palpa::bem {
@@ -69,6 +70,15 @@ class GreensColumns {
   void fillBlock(std::vector<int>& nodes, const std::vector<Eigen::Vector3d>& places,
                  const std::vector<Eigen::Vector3d>& points) const;
 
+  /// Responses to single masks, for places whose columns are not available yet.
+  const MaskResponses& responses() const { return responses_; }
+  /// Solves for the response of a mask, three columns instead of all of its nodes
+  /// (ReferenceProblem::Effort::kFirst). `point`, `radius`, `nodes` and `traction`: of the
+  /// ContactMask. Does nothing if the response is known, or if there are MaskResponses::kMaxCount.
+  /// Other threads may read and compute meanwhile. Throws Cancelled.
+  void computeResponse(const SurfacePoint& point, double radius, std::span<const int> nodes,
+                       std::span<const double> traction, const Job& job);
+
   /// The free nodes ordered by their distance from a point, nearest first: the order of computation
   /// for a touch there. `places`: of all nodes (ContactSurface::places()).
   std::vector<int> nodesNear(const std::vector<Eigen::Vector3d>& places,
@@ -95,6 +105,7 @@ class GreensColumns {
   std::vector<int> indexOfNode_;  // into nodes_; -1: not free
   std::unique_ptr<std::atomic<unsigned char>[]> isReady_;
   std::atomic<int> readyCount_{0};
+  MaskResponses responses_;
   LargeMatrix<float> columns_;
 };
 

@@ -19,12 +19,14 @@ MatrixXd withTerm(MatrixXd residual, const MatrixXd& bodyForceTerm) {
 
 MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, const Job& job,
                                  const MatrixXd& bodyForceTerm) const {
-  const int rounds = effort == Effort::kFast ? 1 : refinement_.rounds;
+  const int rounds = effort == Effort::kRefined ? refinement_.rounds : 1;
   MatrixXd v = MatrixXd::Zero(dofs().count(), known.u.cols());
   BoundaryField field = known;
   double previous = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
-    const MatrixXd step = correction(withTerm(residual(field, job), bodyForceTerm), job);
+    const MatrixXd rest = withTerm(residual(field, job), bodyForceTerm);
+    const MatrixXd step =
+        effort == Effort::kFirst ? firstCorrection(rest, job) : correction(rest, job);
     const double change = step.norm();
     if (!(change < 0.5 * previous)) break;  // refinement has reached the rounding of the residual
     v += step;

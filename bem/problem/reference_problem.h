@@ -21,10 +21,11 @@ class ReferenceProblem {
 
   const DegreesOfFreedom& dofs() const { return dofs_; }
 
-  enum class Effort { kRefined, kFast };
+  enum class Effort { kRefined, kFast, kFirst };
   /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u + term.
   /// kRefined iterates on the residual in double precision until it stops falling; kFast takes the
-  /// result of the factorisation. `bodyForceTerm`: Discretisation::bodyForceTerm() of each column;
+  /// result of the factorisation; kFirst is for a force that is wanted at once, in a field with an
+  /// error of up to 1e-3. `bodyForceTerm`: Discretisation::bodyForceTerm() of each column;
   /// empty if there is no body force. Throws Cancelled.
   Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
                         const Job& job = {}, const Eigen::MatrixXd& bodyForceTerm = {}) const;
@@ -36,6 +37,10 @@ class ReferenceProblem {
   /// solved by the factorisation without refinement. Throws Cancelled.
   virtual Eigen::MatrixXd correction(const Eigen::MatrixXd& residual,
                                      const Job& job = {}) const = 0;
+  /// correction() with the error of Effort::kFirst.
+  virtual Eigen::MatrixXd firstCorrection(const Eigen::MatrixXd& residual, const Job& job) const {
+    return correction(residual, job);
+  }
 
   /// The whole field: known plus unknown part.
   BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "allocation_counter.h"
+#include "app/core/live/touch_field.h"
 #include "app/core/results/touch.h"
 #include "app/core/system/destroy_in_background.h"
 #include "core_projects.h"
@@ -207,6 +208,50 @@ TEST(TouchLoop, TheFirstForceNeedsFewColumns) {
     loop.set(push, value);
     EXPECT_GT(await(loop, hasValue(push, value)).find(push)->force.norm(), 0);
   }
+}
+
+TEST(TouchLoop, LargeModelsAnswerAGrabbedPlaceBeforeItsColumns) {
+  TouchLoop::Options options;
+  options.computesAll = false;
+  options.answersPlacesFrom = 0;
+  TouchLoop loop(options);
+  const auto number = loop.setModel(sphere());
+  const Vector3d pull(0, 0.5, -2);
+  const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, pull);
+  const TouchSnapshot snapshot = await(loop, hasForce(id));
+  EXPECT_EQ(snapshot.columnsReady, 0);
+  const modeling::Touch touch{"exact", kTop, modeling::TouchKind::kGrab, pull, 8.0};
+  const TouchState exact = playTouches(*sphere(), std::span(&touch, 1));
+  EXPECT_LE((snapshot.find(id)->force - exact.contacts[0].force).norm(),
+            1e-4 * exact.contacts[0].force.norm());
+  TouchField field(loop.model(number));
+  EXPECT_LE((field.displacements(snapshot) - exact.field.u).norm(), 1e-4 * exact.field.u.norm());
+  // A tool that slides waits for columns, also beside a place that does not.
+  const TouchId push = loop.begin({Kind::kPush, 6, 0}, kSide, {24, 0, 0});
+  EXPECT_GT(await(loop, hasForce(push)).columnsReady, 0);
+  // An edited model takes over when it has an answer.
+  const auto edited = loop.setModel(largerSphere(1.01));
+  loop.end(push);
+  const TouchSnapshot after = await(loop, [edited](const TouchSnapshot& now) {
+    return now.model == edited && now.contactCount == 1;
+  });
+  EXPECT_GT(after.find(id)->force.norm(), 0.9 * snapshot.find(id)->force.norm());
+}
+
+TEST(TouchLoop, NewPlacesInterruptTheColumnsOfOthers) {
+  TouchLoop::Options options;
+  options.answersPlacesFrom = 0;
+  TouchLoop loop(options);
+  const auto number = loop.setModel(sphere());
+  for (int k = 0; k < 8; ++k) {
+    const double angle = 0.7 * k;
+    const TouchId id = loop.begin({Kind::kGrab, 6},
+                                  25 * Vector3d(std::cos(angle), std::sin(angle), 0), {0, 0, 0.1});
+    await(loop, hasForce(id));
+    loop.end(id);
+  }
+  EXPECT_TRUE(loop.status().error.empty());
+  await(loop, isComplete(number));
 }
 
 /// With splines coefficients are not nodes of the mesh.

@@ -8,6 +8,7 @@
 
 #include "app/verification/exact/simple_meshes.h"
 #include "bem/contact/bilateral_contact_solver.h"
+#include "bem/contact/field_evaluator.h"
 #include "bem/triangle/triangle_contact_surface.h"
 
 namespace palpa::bem {
@@ -250,6 +251,67 @@ TEST(ContactSimulation, AToolThatSlidesAheadOfItsColumnsKeepsItsForce) {
   whole.begin({Kind::kPush, 8, 0}, kTop, {6, 0, 23.2});
   whole.step(50);
   EXPECT_LE((simulation.find(id)->force - whole.contacts()[0].force).norm(), 1e-3 * force);
+}
+
+TEST(ContactSimulation, TheResponsesOfGrabbedPlacesReplaceColumns) {
+  GreensColumns none(sphere().problem);
+  const auto grab = [](ContactSimulation& simulation) {
+    simulation.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
+    simulation.begin({Kind::kForce, 6}, kSide, {-0.1, 0.05, 0});
+  };
+  ContactSimulation simulation(*sphere().surface, none, sphere().base, kSoft);
+  grab(simulation);
+  simulation.begin({Kind::kPush, 6, 0}, {0, 25, 0}, {0, 24, 0});
+  for (int places = 0; places < 2; ++places) {
+    simulation.step();
+    const ContactSimulation::Contact* waiting = simulation.waiting();
+    ASSERT_TRUE(waiting);
+    EXPECT_EQ(waiting->status, Status::kWaiting);
+    const ContactMask mask =
+        makeContactMask(*sphere().surface, waiting->point.position, waiting->tool.radius);
+    none.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, Job{});
+  }
+  simulation.step();
+  EXPECT_EQ(none.readyCount(), 0);
+  EXPECT_FALSE(simulation.waiting());  // a tool that slides needs columns
+  EXPECT_FALSE(simulation.missing().empty());
+  simulation.end(2);
+  simulation.step();
+  EXPECT_TRUE(simulation.missed().empty());
+  ContactSimulation whole = sphere().simulation();
+  grab(whole);
+  whole.step();
+  std::vector<ContactSimulation::PatchForce> patches;
+  for (int k = 0; k < 2; ++k) {
+    const auto &contact = simulation.contacts()[k], &expected = whole.contacts()[k];
+    EXPECT_EQ(contact.status, Status::kGrabbed);
+    EXPECT_LE((contact.force - expected.force).norm(), 1e-5 * expected.force.norm());
+    EXPECT_LE((contact.displacement - expected.displacement).norm(), 1e-5);
+    patches.insert(patches.end(), expected.patch.begin(), expected.patch.end());
+  }
+  FieldEvaluator fromResponses(*sphere().surface, none, sphere().base),
+      fromColumns(*sphere().surface, *sphere().columns, sphere().base);
+  BoundaryField field = sphere().base, expected = sphere().base;
+  for (int frame = 0; frame < 2; ++frame) {  // the second one uses what the first one kept
+    fromResponses.evaluate(patches, true, field);
+    fromColumns.evaluate(patches, true, expected);
+    EXPECT_LE((field.u - expected.u).norm(), 1e-5 * expected.u.norm());
+    EXPECT_LE((field.p - expected.p).norm(), 1e-4 * expected.p.norm());
+  }
+}
+
+TEST(MaskResponses, HoldALimitedNumberOfMasks) {
+  MaskResponses responses;
+  SurfacePoint point = sphere().surface->nearest(kTop);
+  for (int k = 0; k <= MaskResponses::kMaxCount; ++k)
+    responses.add({point, 1.0 + k, Eigen::MatrixX3f::Constant(3, 3, static_cast<float>(k))});
+  EXPECT_TRUE(responses.isFull());
+  ASSERT_TRUE(responses.find(point, 5));
+  EXPECT_EQ(responses.find(point, 5)->unknowns(0, 0), 4);
+  EXPECT_FALSE(responses.find(point, 5.5));
+  EXPECT_FALSE(responses.find(point, 1.0 + MaskResponses::kMaxCount));
+  point.position.x() += 1;
+  EXPECT_FALSE(responses.find(point, 5));
 }
 
 TEST(ContactSimulation, WaitsForColumnsAndRefusesHeldPlaces) {

@@ -60,6 +60,16 @@ struct BothForms {
         .maxCoeff();
   }
 
+  /// Relative difference of G p for tractions of a single slot in each of some columns.
+  double differenceOfLoads(Index columns) const {
+    const DegreesOfFreedom& dofs = compressed->dofs();
+    BoundaryField field{MatrixXd::Zero(dofs.nodalCount(), columns),
+                        MatrixXd::Zero(3 * static_cast<Index>(dofs.slotCount()), columns)};
+    for (Index k = 0; k < columns; ++k) field.p(3 * (17 + 31 * k) + k % 3, k) = 1;
+    const MatrixXd expected = dense().residual(field);
+    return (compressed->residual(field, {}) - expected).norm() / expected.norm();
+  }
+
   /// Relative difference of G p - H u for random coefficients.
   double differenceOfProducts() const {
     srand(1);
@@ -149,6 +159,20 @@ TEST(CompressedProblem, AgreesWithDenseOneOnFlatFaces) {
   ASSERT_GT(box.compressed->operators().sizes().farBlocks, 100);
   EXPECT_LT(box.differenceOfProducts(), 1e-4);
   EXPECT_LT(box.differenceOfColumns(Effort::kFast), 1e-3);
+}
+
+TEST(CompressedProblem, LoadsOfFewSlotsGiveTheirColumns) {
+  const BothForms box(test::box());
+  for (const Index columns : {1, 2, 3}) EXPECT_LT(box.differenceOfLoads(columns), 1e-4) << columns;
+}
+
+TEST(CompressedProblem, TheFirstSolutionIsCorrected) {
+  for (const double tolerance : {1e-3, 3e-2}) {
+    CompressionOptions options;
+    options.factors = tolerance;
+    const BothForms box(test::box(), options);
+    EXPECT_LT(box.differenceOfColumns(Effort::kFirst), 3e-3) << tolerance;
+  }
 }
 
 TEST(CompressedProblem, IsMoreExactWithASmallerTolerance) {

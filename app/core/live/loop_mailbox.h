@@ -23,6 +23,10 @@ struct ReadyModel {
 struct ColumnRequest {
   static constexpr int kMaxNodes = 1024;
   std::uint64_t number = 0;  ///< of the model
+  /// One of the contacts stays in its place, so that the response of its mask gives its force.
+  bool isOfPlace = false;
+  bem::SurfacePoint place{};
+  double radius = 0;  ///< mm, of the tool
   int count = 0;
   std::array<int, kMaxNodes> nodes{};
 };

@@ -29,8 +29,14 @@ void sleepUntil(TouchLoop::Clock::time_point time) {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
 }
 
-void copyNodes(const std::vector<int>& nodes, std::uint64_t number, ColumnRequest& request) {
+void copyRequest(const std::vector<int>& nodes, const bem::ContactSimulation::Contact* waiting,
+                 std::uint64_t number, ColumnRequest& request) {
   request.number = number;
+  request.isOfPlace = waiting != nullptr;
+  if (waiting) {
+    request.place = waiting->point;
+    request.radius = waiting->tool.radius;
+  }
   request.count = static_cast<int>(
       std::min<std::size_t>(nodes.size(), static_cast<std::size_t>(ColumnRequest::kMaxNodes)));
   std::copy_n(nodes.begin(), request.count, request.nodes.begin());
@@ -188,7 +194,9 @@ void TouchLoop::swapIfReady() {
     stepper.takeOver(*touched_->stepper);
     // If the contacts still wait for columns of the old model, nothing is lost by leaving it.
     if (!stepper.missing().empty() && touched_->stepper->simulation().missed().empty()) {
-      copyNodes(stepper.missing(), next_->number, mailbox_.requested.back().next);
+      const std::vector<int>& missing = stepper.missing();
+      copyRequest(missing, stepper.simulation().waiting(), next_->number,
+                  mailbox_.requested.back().next);
       mailbox_.requested.back().touched.count = 0;
       mailbox_.requested.publish();
       LoopMailbox::signal(mailbox_.workerSignal);
@@ -243,9 +251,10 @@ void TouchLoop::record(const TouchCommand& command) {
 
 /// Tells the worker which columns the step missed.
 void TouchLoop::askForColumns() {
-  const std::vector<int>& missed = touched_->stepper->simulation().missed();
-  if (missed.empty()) return;
-  copyNodes(missed, touched_->number, mailbox_.requested.back().touched);
+  const bem::ContactSimulation& simulation = touched_->stepper->simulation();
+  if (simulation.missed().empty()) return;
+  copyRequest(simulation.missed(), simulation.waiting(), touched_->number,
+              mailbox_.requested.back().touched);
   mailbox_.requested.back().next.count = 0;
   mailbox_.requested.publish();
   LoopMailbox::signal(mailbox_.workerSignal);

@@ -175,9 +175,42 @@ bool TouchWorker::prepare() {
   return true;
 }
 
+/// Solves for the place of a request. kNone: its columns are needed.
+TouchWorker::Answer TouchWorker::answerPlace(const TouchableModel& model,
+                                             const ColumnRequest& request,
+                                             const std::stop_token& stop) {
+  bem::GreensColumns& columns = *model.columns();
+  if (!request.isOfPlace || columns.rows() < options_.answersPlacesFrom) return Answer::kNone;
+  bem::ContactMask mask;
+  const auto workspace = model.surface().makeWorkspace();
+  if (!model.surface().makeMask(request.place, request.radius, *workspace, mask))
+    return Answer::kNone;
+  if (columns.responses().find(mask.point, mask.radius)) return Answer::kKnown;
+  if (columns.responses().isFull()) return Answer::kNone;
+  isUrgent_.store(true);
+  {
+    const std::lock_guard lock(mutex_);
+    fillerBlock_.request_stop();
+  }
+  const std::lock_guard lock(computing_);
+  Job job;
+  job.stop = stop;
+  job.threads = options_.threads;
+  columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, job);
+  return Answer::kComputed;
+}
+
 bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop_token& stop) {
   const std::shared_ptr<const TouchableModel> touched = model(request.number);
-  if (!touched) return false;
+  if (!touched || request.count == 0) return false;
+  switch (answerPlace(*touched, request, stop)) {
+    case Answer::kComputed:
+      return true;
+    case Answer::kKnown:
+      return false;  // what other contacts miss, they ask for again
+    case Answer::kNone:
+      break;
+  }
   std::vector<int> nodes;
   for (int k = 0; k < request.count; ++k)
     if (!touched->columns()->has(request.nodes[k])) nodes.push_back(request.nodes[k]);
@@ -199,13 +232,17 @@ bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop
 }
 
 bool TouchWorker::computeOthers(const std::stop_token& stop) {
-  if (!options_.computesAll || isUrgent_.load()) return false;
+  if (!options_.computesAll) return false;
   std::shared_ptr<const TouchableModel> newest;
+  std::stop_token ofBlock;
   {
     const std::lock_guard lock(mutex_);
     if (!models_.empty() && models_.back().number == status_.prepared)
       newest = models_.back().model;
+    fillerBlock_ = std::stop_source();
+    ofBlock = fillerBlock_.get_token();
   }
+  if (isUrgent_.load()) return false;  // from here on, the worker stops the block
   // The columns of an incremental update take long, and the full model replaces it soon.
   if (!newest || newest->model().report().residual || newest->columns()->isComplete() ||
       !hasMemoryFor(*newest, false))
@@ -214,8 +251,16 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
   focus_(points);
   std::vector<int> block;
   newest->columns()->fillBlock(block, newest->surface().places(), points);
+  const std::stop_callback both(stop, [this] {
+    const std::lock_guard lock(mutex_);
+    fillerBlock_.request_stop();
+  });
   const std::lock_guard lock(computing_);
-  compute(*newest, block, stop);
+  try {
+    compute(*newest, block, ofBlock);
+  } catch (const Cancelled&) {
+    if (stop.stop_requested()) throw;
+  }
   return true;
 }
 

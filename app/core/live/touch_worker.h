@@ -18,12 +18,18 @@ namespace palpa::app {
 /// Two threads that work for a touch loop. One prepares models, computes the columns that contacts
 /// wait for, and releases models that are not used any more. The other, of low priority, computes
 /// the remaining columns while the first is idle, columns around the focus first.
+///
+/// In large models, the block of columns that a new place needs takes seconds. There the first
+/// thread solves for the place alone, for which the other one stops, and leaves the columns around
+/// it to the other one.
 class TouchWorker {
  public:
   struct Options {
     int threads = 0;          ///< for columns; 0: all cores
     double columnsLimit = 0;  ///< bytes that columns may take; 0: what is available
     bool computesAll = true;  ///< false: only columns that contacts wait for
+    /// Models with as many unknowns answer new places alone first.
+    Eigen::Index answersPlacesFrom = 9000;
   };
   /// `focus` adds the points where columns are needed next to a list. It is called on the thread of
   /// low priority.
@@ -54,6 +60,9 @@ class TouchWorker {
   void repeat(const std::stop_token& stop, std::atomic<std::uint32_t>& signal, const Some& some);
   void releaseRetired();
   bool prepare();
+  enum class Answer { kNone, kKnown, kComputed };
+  Answer answerPlace(const TouchableModel& model, const ColumnRequest& request,
+                     const std::stop_token& stop);
   bool computeRequested(const ColumnRequest& request, const std::stop_token& stop);
   bool computeOthers(const std::stop_token& stop);
   void compute(const TouchableModel& model, std::span<const int> nodes,
@@ -90,6 +99,7 @@ class TouchWorker {
   /// hasMemoryFor().
   std::mutex computing_;
   std::atomic<bool> isUrgent_{false};  // contacts wait for columns: the filler pauses
+  std::stop_source fillerBlock_;       // stops the filler's present block; guarded by mutex_
   std::atomic<std::uint32_t> fillSignal_{0};
 
   std::jthread worker_, filler_;  // last: they use all of the above
