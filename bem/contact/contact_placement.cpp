@@ -63,12 +63,20 @@ void ContactSimulation::placeMasks(Contact& contact) {
   switch (contact.tool.kind) {
     case Kind::kGrab:
     case Kind::kForce:
-    case Kind::kPush:
       set_.place(contact.firstMask, contact.point, contact.tool.radius);
+      break;
+    case Kind::kPush:
+      set_.place(contact.firstMask, placeOfPush(contact), contact.tool.radius);
       break;
     case Kind::kBall:
       placeBall(contact);
   }
+}
+
+/// A mask that waits stays, bit for bit, because one place is answered.
+SurfacePoint ContactSimulation::placeOfPush(const Contact& contact) const {
+  const int mask = contact.firstMask;
+  return set_.isPlaced(mask) && !set_.isAvailable(mask) ? set_.mask(mask).point : contact.point;
 }
 
 /// Surface point below a tool's reference. The search starts slightly above the surface: seen from

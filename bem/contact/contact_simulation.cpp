@@ -118,12 +118,12 @@ const std::vector<int>& ContactSimulation::missing() {
   return set_.missing();
 }
 
-const ContactSimulation::Contact* ContactSimulation::waiting() const {
+std::optional<ContactSimulation::WaitingPlace> ContactSimulation::waiting() const {
   for (const Contact& contact : contacts_)
-    if (!contact.tool.presses() && set_.isPlaced(contact.firstMask) &&
+    if (!contact.tool.hasPatch() && set_.isPlaced(contact.firstMask) &&
         !set_.isAvailable(contact.firstMask))
-      return &contact;
-  return nullptr;
+      return WaitingPlace{set_.mask(contact.firstMask).point, contact.tool.radius};
+  return std::nullopt;
 }
 
 void ContactSimulation::placeAll() {

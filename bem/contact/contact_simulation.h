@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bem/contact/contact_compliance.h"
@@ -150,9 +151,14 @@ class ContactSimulation {
     int firstMask = 0, maskCount = 0;
   };
   const std::vector<Contact>& contacts() const { return contacts_; }
-  /// A contact that stays in its place and waits for columns: the response of its mask suffices
-  /// (GreensColumns::computeResponse()). Null if there is none. After missing() or step().
-  const Contact* waiting() const;
+  /// Place of a tool with one mask that waits for columns: the response of the mask suffices
+  /// (GreensColumns::computeResponse()). A tool that slides keeps this place until then.
+  struct WaitingPlace {
+    SurfacePoint point{};
+    double radius = 0;  ///< mm, of the tool
+  };
+  /// Of any contact, after missing() or step().
+  std::optional<WaitingPlace> waiting() const;
   /// Null if there is no such contact.
   const Contact* find(Id id) const;
 
@@ -181,6 +187,7 @@ class ContactSimulation {
  private:
   void placeAll();
   void placeMasks(Contact& contact);
+  SurfacePoint placeOfPush(const Contact& contact) const;
   SurfacePoint footOf(const Contact& contact) const;
   double meanCurvature(const Contact& contact, double distance) const;
   double touchedRadius(double depth, double curvature, double farCompliance) const;

@@ -226,12 +226,15 @@ TEST(TouchLoop, LargeModelsAnswerAGrabbedPlaceBeforeItsColumns) {
             1e-4 * exact.contacts[0].force.norm());
   TouchField field(loop.model(number));
   EXPECT_LE((field.displacements(snapshot) - exact.field.u).norm(), 1e-4 * exact.field.u.norm());
-  // A tool that slides waits for columns, also beside a place that does not.
   const TouchId push = loop.begin({Kind::kPush, 6, 0}, kSide, {24, 0, 0});
-  EXPECT_GT(await(loop, hasForce(push)).columnsReady, 0);
+  await(loop, hasForce(push));
+  // The many masks of a ball need columns, also beside places that do not.
+  const TouchId ball = loop.begin({Kind::kBall, 6, 0}, -kSide, {-30, 0, 0});
+  EXPECT_GT(await(loop, hasForce(ball)).columnsReady, 0);
   // An edited model takes over when it has an answer.
   const auto edited = loop.setModel(largerSphere(1.01));
   loop.end(push);
+  loop.end(ball);
   const TouchSnapshot after = await(loop, [edited](const TouchSnapshot& now) {
     return now.model == edited && now.contactCount == 1;
   });

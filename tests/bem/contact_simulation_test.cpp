@@ -253,6 +253,47 @@ TEST(ContactSimulation, AToolThatSlidesAheadOfItsColumnsKeepsItsForce) {
   EXPECT_LE((simulation.find(id)->force - whole.contacts()[0].force).norm(), 1e-3 * force);
 }
 
+/// Computes the response of a place that waits.
+void answer(ContactSimulation& simulation, GreensColumns& columns) {
+  simulation.step();
+  const auto waiting = simulation.waiting();
+  ASSERT_TRUE(waiting);
+  ContactMask mask;
+  const auto workspace = sphere().surface->makeWorkspace();
+  ASSERT_TRUE(sphere().surface->makeMask(waiting->point, waiting->radius, *workspace, mask));
+  columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, Job{});
+}
+
+TEST(ContactSimulation, APushingToolKeepsTheFirstPlaceThatIsAnswered) {
+  GreensColumns columns(sphere().problem);
+  ContactSimulation simulation(*sphere().surface, columns, sphere().base, kSoft);
+  const auto id = simulation.begin({Kind::kPush, 8, 0}, kTop, {0, 0, 24.5});
+  simulation.step();
+  const auto first = simulation.waiting();
+  ASSERT_TRUE(first);
+  simulation.set(id, {2, 0, 23});
+  simulation.step(3);
+  ASSERT_TRUE(simulation.waiting());
+  EXPECT_EQ(simulation.waiting()->point.position, first->point.position);
+  simulation.set(id, {8, 0, 22});
+  answer(simulation, columns);
+  simulation.step();
+  EXPECT_EQ(simulation.find(id)->status, Status::kSlipping);
+  EXPECT_GT(simulation.find(id)->force.norm(), 0);
+  EXPECT_FALSE(simulation.waiting());
+  // It slides when the columns have come, to the force that it has with all of them.
+  for (int round = 0; round < 10 && !simulation.missing().empty(); ++round) {
+    columns.compute(simulation.missing(), Job{});
+    simulation.step(20);
+  }
+  EXPECT_TRUE(simulation.missed().empty());
+  ContactSimulation whole = sphere().simulation();
+  whole.begin({Kind::kPush, 8, 0}, kTop, {8, 0, 22});
+  whole.step(50);
+  EXPECT_LE((simulation.find(id)->force - whole.contacts()[0].force).norm(),
+            1e-3 * whole.contacts()[0].force.norm());
+}
+
 TEST(ContactSimulation, TheResponsesOfGrabbedPlacesReplaceColumns) {
   GreensColumns none(sphere().problem);
   const auto grab = [](ContactSimulation& simulation) {
@@ -261,21 +302,14 @@ TEST(ContactSimulation, TheResponsesOfGrabbedPlacesReplaceColumns) {
   };
   ContactSimulation simulation(*sphere().surface, none, sphere().base, kSoft);
   grab(simulation);
-  simulation.begin({Kind::kPush, 6, 0}, {0, 25, 0}, {0, 24, 0});
-  for (int places = 0; places < 2; ++places) {
-    simulation.step();
-    const ContactSimulation::Contact* waiting = simulation.waiting();
-    ASSERT_TRUE(waiting);
-    EXPECT_EQ(waiting->status, Status::kWaiting);
-    const ContactMask mask =
-        makeContactMask(*sphere().surface, waiting->point.position, waiting->tool.radius);
-    none.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, Job{});
-  }
+  const auto ball = simulation.begin({Kind::kBall, 6, 0}, {0, 25, 0}, {0, 30.5, 0});
+  answer(simulation, none);
+  answer(simulation, none);
   simulation.step();
   EXPECT_EQ(none.readyCount(), 0);
-  EXPECT_FALSE(simulation.waiting());  // a tool that slides needs columns
+  EXPECT_FALSE(simulation.waiting());  // a ball has many masks, which need columns
   EXPECT_FALSE(simulation.missing().empty());
-  simulation.end(2);
+  simulation.end(ball);
   simulation.step();
   EXPECT_TRUE(simulation.missed().empty());
   ContactSimulation whole = sphere().simulation();

@@ -23,10 +23,9 @@ struct ReadyModel {
 struct ColumnRequest {
   static constexpr int kMaxNodes = 1024;
   std::uint64_t number = 0;  ///< of the model
-  /// One of the contacts stays in its place, so that the response of its mask gives its force.
+  /// The response of this place gives a contact its force.
   bool isOfPlace = false;
-  bem::SurfacePoint place{};
-  double radius = 0;  ///< mm, of the tool
+  bem::ContactSimulation::WaitingPlace place;
   int count = 0;
   std::array<int, kMaxNodes> nodes{};
 };

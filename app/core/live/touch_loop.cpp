@@ -29,14 +29,12 @@ void sleepUntil(TouchLoop::Clock::time_point time) {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &at, nullptr);
 }
 
-void copyRequest(const std::vector<int>& nodes, const bem::ContactSimulation::Contact* waiting,
+void copyRequest(const std::vector<int>& nodes, const bem::ContactSimulation& simulation,
                  std::uint64_t number, ColumnRequest& request) {
   request.number = number;
-  request.isOfPlace = waiting != nullptr;
-  if (waiting) {
-    request.place = waiting->point;
-    request.radius = waiting->tool.radius;
-  }
+  const auto waiting = simulation.waiting();
+  request.isOfPlace = waiting.has_value();
+  if (waiting) request.place = *waiting;
   request.count = static_cast<int>(
       std::min<std::size_t>(nodes.size(), static_cast<std::size_t>(ColumnRequest::kMaxNodes)));
   std::copy_n(nodes.begin(), request.count, request.nodes.begin());
@@ -195,8 +193,7 @@ void TouchLoop::swapIfReady() {
     // If the contacts still wait for columns of the old model, nothing is lost by leaving it.
     if (!stepper.missing().empty() && touched_->stepper->simulation().missed().empty()) {
       const std::vector<int>& missing = stepper.missing();
-      copyRequest(missing, stepper.simulation().waiting(), next_->number,
-                  mailbox_.requested.back().next);
+      copyRequest(missing, stepper.simulation(), next_->number, mailbox_.requested.back().next);
       mailbox_.requested.back().touched.count = 0;
       mailbox_.requested.publish();
       LoopMailbox::signal(mailbox_.workerSignal);
@@ -253,8 +250,7 @@ void TouchLoop::record(const TouchCommand& command) {
 void TouchLoop::askForColumns() {
   const bem::ContactSimulation& simulation = touched_->stepper->simulation();
   if (simulation.missed().empty()) return;
-  copyRequest(simulation.missed(), simulation.waiting(), touched_->number,
-              mailbox_.requested.back().touched);
+  copyRequest(simulation.missed(), simulation, touched_->number, mailbox_.requested.back().touched);
   mailbox_.requested.back().next.count = 0;
   mailbox_.requested.publish();
   LoopMailbox::signal(mailbox_.workerSignal);

@@ -175,15 +175,26 @@ bool TouchWorker::prepare() {
   return true;
 }
 
+bool TouchWorker::answersPlaces(const TouchableModel& model) const {
+  return model.columns()->rows() >= options_.answersPlacesFrom;
+}
+
+/// True if the other thread computes columns of this model, first around the contacts.
+bool TouchWorker::isFilled(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  return options_.computesAll && !models_.empty() && models_.back().number == number &&
+         number == status_.prepared && !models_.back().model->model().report().residual;
+}
+
 /// Solves for the place of a request. kNone: its columns are needed.
 TouchWorker::Answer TouchWorker::answerPlace(const TouchableModel& model,
                                              const ColumnRequest& request,
                                              const std::stop_token& stop) {
   bem::GreensColumns& columns = *model.columns();
-  if (!request.isOfPlace || columns.rows() < options_.answersPlacesFrom) return Answer::kNone;
+  if (!request.isOfPlace || !answersPlaces(model)) return Answer::kNone;
   bem::ContactMask mask;
   const auto workspace = model.surface().makeWorkspace();
-  if (!model.surface().makeMask(request.place, request.radius, *workspace, mask))
+  if (!model.surface().makeMask(request.place.point, request.place.radius, *workspace, mask))
     return Answer::kNone;
   if (columns.responses().find(mask.point, mask.radius)) return Answer::kKnown;
   if (columns.responses().isFull()) return Answer::kNone;
@@ -215,6 +226,9 @@ bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop
   for (int k = 0; k < request.count; ++k)
     if (!touched->columns()->has(request.nodes[k])) nodes.push_back(request.nodes[k]);
   if (nodes.empty()) return false;
+  // The next new place must not wait for the end of a long block.
+  if (answersPlaces(*touched) && isFilled(request.number) && hasMemoryFor(*touched, false))
+    return false;
   if (!hasMemoryFor(*touched, true)) {
     setError(kNoMemory);
     return false;

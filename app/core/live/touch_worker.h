@@ -60,6 +60,8 @@ class TouchWorker {
   void repeat(const std::stop_token& stop, std::atomic<std::uint32_t>& signal, const Some& some);
   void releaseRetired();
   bool prepare();
+  bool answersPlaces(const TouchableModel& model) const;
+  bool isFilled(std::uint64_t number) const;
   enum class Answer { kNone, kKnown, kComputed };
   Answer answerPlace(const TouchableModel& model, const ColumnRequest& request,
                      const std::stop_token& stop);
