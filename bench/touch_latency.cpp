@@ -21,6 +21,23 @@ double secondsBetween(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
+/// Waits until a loop touches a model.
+void begin(app::TouchLoop& loop, const std::shared_ptr<const app::TouchModel>& model) {
+  const auto number = loop.setModel(model);
+  app::TouchSnapshot snapshot;
+  while (loop.read(snapshot), snapshot.model != number) std::this_thread::sleep_for(1ms);
+}
+
+/// Waits for the first force of a contact.
+Clock::time_point timeOfForce(const app::TouchLoop& loop, app::TouchId id) {
+  app::TouchSnapshot snapshot;
+  do {
+    std::this_thread::sleep_for(200us);
+    loop.read(snapshot);
+  } while (!snapshot.find(id) || snapshot.find(id)->force.isZero(0));
+  return snapshot.time;
+}
+
 /// The work of a window while the loop runs.
 int display(const app::TouchLoop& loop, const std::stop_token& stop) {
   app::TouchSnapshot snapshot;
@@ -45,9 +62,7 @@ LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model
   app::TouchLoop::Options options;
   options.computesAll = computesAll;
   app::TouchLoop loop(options);
-  app::TouchSnapshot snapshot;
-  const auto number = loop.setModel(model);
-  while (loop.read(snapshot), snapshot.model != number) std::this_thread::sleep_for(1ms);
+  begin(loop, model);
   LatencyReport report;
   const auto touched = Clock::now();
   app::TouchId last = 0;
@@ -55,12 +70,9 @@ LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model
   for (std::size_t k = 0; k < points.size(); ++k) {
     last = loop.begin({Kind::kGrab, 3}, points[k], -0.02 * points[k]);
     if (k > 0) continue;
-    do {
-      std::this_thread::sleep_for(200us);
-      loop.read(snapshot);
-    } while (!snapshot.find(last) || snapshot.find(last)->force.isZero(0));
-    report.firstForce = secondsBetween(touched, snapshot.time);
+    report.firstForce = secondsBetween(touched, timeOfForce(loop, last));
   }
+  app::TouchSnapshot snapshot;
   const auto isTouching = [&] {
     loop.read(snapshot);
     return snapshot.contactCount == contacts &&
@@ -107,19 +119,13 @@ std::vector<double> firstForces(const std::shared_ptr<const app::TouchModel>& mo
   app::TouchLoop::Options options;
   options.answersPlacesFrom = answersPlacesFrom;
   app::TouchLoop loop(options);
-  app::TouchSnapshot snapshot;
-  const auto number = loop.setModel(model);
-  while (loop.read(snapshot), snapshot.model != number) std::this_thread::sleep_for(1ms);
+  begin(loop, model);
   std::vector<double> times;
   for (const Vector3d& at : pointsOnSphere(places)) {
     std::this_thread::sleep_for(500ms);  // columns of other places have begun
     const auto touched = Clock::now();
     const app::TouchId id = loop.begin({Kind::kGrab, 3}, at, -0.02 * at);
-    do {
-      std::this_thread::sleep_for(200us);
-      loop.read(snapshot);
-    } while (!snapshot.find(id) || snapshot.find(id)->force.isZero(0));
-    times.push_back(secondsBetween(touched, snapshot.time));
+    times.push_back(secondsBetween(touched, timeOfForce(loop, id)));
     loop.end(id);
   }
   return times;

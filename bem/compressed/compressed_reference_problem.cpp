@@ -220,8 +220,8 @@ MatrixXd CompressedReferenceProblem::correction(const MatrixXd& r, const Job& jo
 
 MatrixXd CompressedReferenceProblem::firstCorrection(const MatrixXd& r, const Job& job) const {
   constexpr int kMaxRounds = 3;
-  constexpr double kRemaining =
-      1.5e-3;  // relative error of the field; forces have a far smaller one
+  // Relative error of the field; forces have a far smaller one.
+  constexpr double kRemaining = 1.5e-3;
   MatrixXd v = precondition(r, job);
   using Norms = Eigen::Array<double, 1, Eigen::Dynamic>;  // of each column
   Norms previous = v.colwise().norm();

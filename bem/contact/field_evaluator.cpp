@@ -83,13 +83,11 @@ void FieldEvaluator::addMask(const PatchForce& patch) {
     if (!known) return;
     kept.response = known->unknowns;
     unknowns_.noalias() += kept.response * patch.force.cast<float>();
-    addTraction(kept.mask, patch.force);
-    kept_.push_back(std::move(kept));
-    return;
   }
   addTraction(kept.mask, patch.force);
-  for (std::size_t k = 0; k < kept.mask.nodes.size(); ++k)
-    direct_[kept.mask.nodes[k]] += kept.mask.traction[k] * patch.force;
+  if (kept.response.rows() == 0)
+    for (std::size_t k = 0; k < kept.mask.nodes.size(); ++k)
+      direct_[kept.mask.nodes[k]] += kept.mask.traction[k] * patch.force;
   kept_.push_back(std::move(kept));
 }
 

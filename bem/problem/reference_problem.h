@@ -25,7 +25,7 @@ class ReferenceProblem {
   /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u + term.
   /// kRefined iterates on the residual in double precision until it stops falling; kFast takes the
   /// result of the factorisation; kFirst is for a force that is wanted at once, in a field with an
-  /// error of up to 1e-3. `bodyForceTerm`: Discretisation::bodyForceTerm() of each column;
+  /// error of some 1e-3. `bodyForceTerm`: Discretisation::bodyForceTerm() of each column;
   /// empty if there is no body force. Throws Cancelled.
   Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
                         const Job& job = {}, const Eigen::MatrixXd& bodyForceTerm = {}) const;

@@ -534,8 +534,10 @@ TEST(TouchLoop, AllocatesNothingWhileContactsMove) {
 
 TEST(TouchLoop, SurvivesEverythingAtOnce) {
   const std::shared_ptr<const TouchModel> models[] = {sphere(), largerSphere(1.02), nullptr};
-  {
-    TouchLoop loop;
+  for (const bool answersPlaces : {false, true}) {
+    TouchLoop::Options options;
+    if (answersPlaces) options.answersPlacesFrom = 0;
+    TouchLoop loop(options);
     loop.setModel(sphere());
     std::vector<std::jthread> hands;
     for (int hand = 0; hand < 3; ++hand)
