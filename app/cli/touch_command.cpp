@@ -7,6 +7,7 @@
 #include "app/cli/errors.h"
 #include "app/cli/output_option.h"
 #include "app/cli/project_input.h"
+#include "app/cli/refinement_options.h"
 #include "app/cli/replay_report.h"
 #include "app/cli/result_file.h"
 #include "app/cli/sample_options.h"
@@ -38,6 +39,8 @@ class TouchCommand : public Command {
            "  palpa-cli touch ball.json --at 0,0,25 --displace 0,0,-2 --at 25,0,0 --kind pin\n"
            "    (two at once: the options of each follow its --at)\n"
            "  palpa-cli touch bracket.step --place auto --depth 1%   (opposite to the support)\n"
+           "  palpa-cli touch bracket.step --place auto --force-error 2%   (refines the mesh "
+           "for it)\n"
            "  palpa-cli touch projects/sphere.json   (plays the project's touches)\n"
            "  palpa-cli touch ball.json --at 0,0,25 --kind ball --displace 0,0,-2 --radius 6 "
            "--sweep 20 -o curve.csv\n"
@@ -50,6 +53,7 @@ class TouchCommand : public Command {
     input_.declare(options);
     input_.declareModel(options);
     touch_.declare(options);
+    refinement_.declare(options);
     samples_.declare(options);
     options
         .add_option("--recording", recording_,
@@ -74,6 +78,7 @@ class TouchCommand : public Command {
 
   void run(const Context& context) override {
     touch_.validate();
+    refinement_.validate();
     samples_.validate();
     if (!recording_.empty()) {
       replay(context);
@@ -91,21 +96,32 @@ class TouchCommand : public Command {
                                     ": the project has no recorded touches; give one with --place "
                                     "auto, or with --at x,y,z --displace x,y,z");
     }
-    const modeling::Project project = touch_.touched(read.project);
+    modeling::Project project = touch_.touched(read.project);
     if (read.project.supports.empty() && !project.supports.empty())
       read.held = modeling::proposeSupport(project.body);
-    const auto model = app::buildTouchModel(project, input_.buildOptions(), context.job());
-    const auto start = std::chrono::steady_clock::now();
-    app::TouchState state = touch_.play(*model, project, context);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    app::addErrors(*model, state, context.job());
+    double touchSeconds = 0;
+    const auto play = [&](const app::TouchModel& of, const modeling::Project& touched) {
+      const auto start = std::chrono::steady_clock::now();
+      app::TouchState state = touch_.play(of, touched, context);
+      touchSeconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      app::addErrors(of, state, context.job());
+      return state;
+    };
+    const app::ErrorGoal goal = refinement_.goal();
+    app::RefinedTouch touched =
+        app::refineTouch(project, goal, input_.buildOptions(), play, context.job());
+    const auto model = touched.model;
+    const app::TouchState& state = touched.state;
+    project = touched.project;
     std::vector<app::SweepRow> rows;
     if (sweepSteps > 0) rows = touch_.sweep(*model, project, sweepSteps, context);
     if (isSeries) touch_.writeSeries(*model, rows, output_.path(), context);
-    const StateReport report{*model, state, samples_.evaluate(*model, state), seconds.count(),
+    const StateReport report{*model, state, samples_.evaluate(*model, state), touchSeconds,
                              samples_.hasFormerName()};
     Json json = preparation(read, project);
     json.update(report.json());
+    if (refinement_.isGiven()) json["refinement"] = refinementJson(touched, goal);
     if (sweepSteps > 0) json["sweep"] = sweepJson(rows);
     if (isCurve) {
       std::ostringstream table;
@@ -115,7 +131,9 @@ class TouchCommand : public Command {
       writeResult(*model, state, json, output_.path());
     }
     deformed_.write(project, *model, state, context);
-    context.print(json, preparationText(read) + report.text() + sweepText(rows));
+    context.print(json, preparationText(read) +
+                            (refinement_.isGiven() ? refinementText(touched, goal) : "") +
+                            report.text() + sweepText(rows));
   }
 
  private:
@@ -164,10 +182,11 @@ class TouchCommand : public Command {
   }
 
   void replay(const Context& context) {
-    if (touch_.isGiven() || touch_.hasSteps() || samples_.isGiven() || !sweep_.empty())
+    if (touch_.isGiven() || touch_.hasSteps() || samples_.isGiven() || !sweep_.empty() ||
+        refinement_.isGiven())
       throw UsageError(
-          "--recording says itself what is touched; leave out --at, --node, --steps, --sweep "
-          "and --sample");
+          "--recording says itself what is touched; leave out --at, --node, --steps, --sweep, "
+          "--sample and --force-error");
     const bool isTable = isTableName(), isSeries = isSeriesName();
     if (output_.isGiven() && !isTable && !isSeries && output_.ending() != ".json")
       throw UsageError(
@@ -205,6 +224,7 @@ class TouchCommand : public Command {
 
   ProjectInput input_;
   TouchOptions touch_;
+  RefinementOptions refinement_;
   SampleOptions samples_;
   std::string recording_;
   std::string sweep_;

@@ -150,5 +150,44 @@ TEST_F(CliPlace, RefusesOptionsWithoutMeaning) {
   }
 }
 
+TEST_F(CliPlace, TheMeshIsRefinedUntilTheForcesHaveTheWishedError) {
+  cli_.run("new box --size 20,16,12 --edge-length 8 -o coarse.json");
+  const std::string touch = "touch coarse.json --engine quadratic --place auto";
+  const Json coarse = cli_.runJson(touch);
+  EXPECT_FALSE(coarse.contains("refinement"));
+  const double wished = coarse.at("force_error_estimate").get<double>() / 2;
+  const Json fine = cli_.runJson(touch + " --force-error " + std::to_string(100 * wished) + "%");
+  EXPECT_LE(fine.at("force_error_estimate").get<double>(), wished);
+  const Json& refinement = fine.at("refinement");
+  EXPECT_EQ(refinement.at("end"), "reached");
+  ASSERT_GE(refinement.at("meshes").size(), 2u);
+  const Json& first = refinement.at("meshes").front();
+  const Json& last = refinement.at("meshes").back();
+  EXPECT_EQ(first.at("nodes"), coarse.at("nodes"));
+  EXPECT_EQ(first.at("force_error_estimate"), coarse.at("force_error_estimate"));
+  EXPECT_EQ(first.at("edge_length_mm"), 8);
+  EXPECT_LT(last.at("edge_length_mm").get<double>(), 8);
+  EXPECT_EQ(refinement.at("taken"), refinement.at("meshes").size() - 1);
+  EXPECT_EQ(last.at("nodes"), fine.at("nodes"));
+  // The place stays.
+  EXPECT_EQ(fine.at("place"), coarse.at("place"));
+
+  const Json hurried = cli_.runJson(touch + " --force-error 0.001% --time-limit 0.001");
+  EXPECT_EQ(hurried.at("refinement").at("end"), "time");
+  EXPECT_EQ(hurried.at("nodes"), coarse.at("nodes"));
+  const Outcome text = cli_.run(touch + " --force-error 0.001% --time-limit 0.001");
+  EXPECT_NE(text.out.find("longer than the 0.001 s of --time-limit"), std::string::npos)
+      << text.out;
+}
+
+TEST_F(CliPlace, AWishedErrorIsAShareBelowOne) {
+  for (const char* bad : {"0", "-1%", "100%", "1", "much"})
+    EXPECT_EQ(cli_.run(std::string("touch b.json --place auto --force-error ") + bad).exitCode, 2)
+        << bad;
+  EXPECT_EQ(cli_.run("touch b.json --place auto --time-limit 5").exitCode, 2);
+  EXPECT_EQ(cli_.run("touch b.json --place auto --force-error 5% --time-limit 0").exitCode, 2);
+  EXPECT_EQ(cli_.run("touch b.json --recording r.json --force-error 5%").exitCode, 2);
+}
+
 }  // namespace
 }  // namespace palpa::cli_tests

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "app/core/model/model_memory.h"
+#include "app/core/results/finer_mesh.h"
 #include "app/core/setup/project_geometry.h"
-#include "modeling/error.h"
-#include "modeling/mesh/mesh.h"
-#include "modeling/project/mesh_foci.h"
 
 namespace palpa::app {
 namespace {
@@ -15,12 +13,6 @@ namespace {
 using Limit = AccuracyAdvice::Limit;
 using modeling::MeshSettings;
 
-/// Orders of convergence of the force under a fingertip that the mesh can represent, without an
-/// observation. Linear triangles have 2. Splines have up to 6 where they resolve all (bumps, see
-/// element_sizes.cpp), about 3 with edges and borders.
-constexpr double kTriangleOrder = 2, kSplineOrder = 3;
-/// Observed orders outside this range belong to meshes that are too coarse to show one.
-constexpr double kMinOrder = 1, kMaxOrder = 6;
 /// Contacts wider than fingertips by more than this factor limit the accuracy.
 constexpr double kWide = 1.05;
 /// Lengths are divided by a little more than expected to be necessary.
@@ -28,41 +20,6 @@ constexpr double kMargin = 1.05;
 /// A mesh with less than this many times the coefficients is not worth a rebuild.
 constexpr double kWorthwhile = 1.1;
 constexpr int kTries = 8;  // of sizes that fit the memory
-
-/// Divides all lengths of elements by `factor`.
-MeshSettings finer(MeshSettings mesh, bool hasSplines, double factor) {
-  // Three digits, so that fields show the number.
-  const auto rounded = [](double value, auto round) {
-    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
-    return round(value / unit) * unit;
-  };
-  const auto down = [&](double value) {
-    return rounded(value, [](double x) { return std::floor(x); });
-  };
-  if (!hasSplines)
-    mesh.edgeLength = down(mesh.edgeLength / factor);
-  else if (mesh.elementLength)
-    mesh.elementLength = down(*mesh.elementLength / factor);
-  else
-    mesh.splineDensity =
-        std::min(rounded(mesh.splineDensity * factor, [](double x) { return std::ceil(x); }),
-                 MeshSettings::kMaxSplineDensity);
-  return mesh;
-}
-
-/// Coefficients of displacement of a project with other mesh settings, about; infinite if they are
-/// impossible.
-double coefficientsOf(const modeling::Project& project, const MeshSettings& mesh) {
-  modeling::Project other = project;
-  other.mesh = mesh;
-  try {
-    if (usesSplines(other)) return ProjectGeometry(other).refinement().coefficients;
-    return modeling::estimateNodeCount(other.body, mesh, modeling::meshRegions(other),
-                                       modeling::meshFoci(other));
-  } catch (const modeling::ModelingError&) {
-    return INFINITY;
-  }
-}
 
 Limit limitOf(const modeling::Project& project, const TouchModel& model, const TouchError& error) {
   if (error.relative <= project.mesh.accuracy) return Limit::kNone;
@@ -74,17 +31,15 @@ Limit limitOf(const modeling::Project& project, const TouchModel& model, const T
   return Limit::kElementSize;
 }
 
-double observedOrder(const AccuracySample& former, const AccuracySample& present, bool hasSplines,
-                     double usual) {
-  const double refinement =
-      std::sqrt(static_cast<double>(present.coefficients) / std::max(former.coefficients, 1));
+/// The usual order without a comparable sample of a former mesh.
+double orderOf(const std::optional<AccuracySample>& former, double coefficients,
+               const TouchError& error, bool hasSplines) {
   const bool isComparable =
-      (hasSplines || std::max(former.error.widening, present.error.widening) <= kWide) &&
-      std::abs(std::log(refinement)) > 0.05 && former.error.relative > 0;
-  if (!isComparable) return usual;
-  const double order =
-      std::log(former.error.relative / present.error.relative) / std::log(refinement);
-  return std::isfinite(order) ? std::clamp(order, kMinOrder, kMaxOrder) : usual;
+      former && former->error.relative > 0 &&
+      (hasSplines || std::max(former->error.widening, error.widening) <= kWide);
+  if (!isComparable) return usualOrder(hasSplines);
+  return observedOrder(former->error.relative, error.relative,
+                       std::sqrt(coefficients / std::max(former->coefficients, 1)), hasSplines);
 }
 
 }  // namespace
@@ -102,9 +57,7 @@ AccuracyAdvice adviseAccuracy(const modeling::Project& project, const TouchModel
   const bool hasSplines = advice.hasSplines = model.setup().splines != nullptr;
   const double count = model.setup().discretisation->displacementCount();
   const double slots = model.setup().discretisation->slots().count();
-  const double usual = hasSplines ? kSplineOrder : kTriangleOrder;
-  advice.order =
-      former ? observedOrder(*former, {static_cast<int>(count), error}, hasSplines, usual) : usual;
+  advice.order = orderOf(former, count, error, hasSplines);
   const auto bytesOf = [&](double coefficients) {
     return expectedBytes(coefficients, coefficients * slots / count, model.setup().engine,
                          options.precision);
@@ -115,13 +68,13 @@ AccuracyAdvice adviseAccuracy(const modeling::Project& project, const TouchModel
   const double needed =
       narrowing *
       std::max(1.0, kMargin * std::pow(error.relative / advice.requested, 1 / advice.order));
-  const double before = coefficientsOf(project, project.mesh);
+  const double before = estimateCoefficients(project, project.mesh, job);
   double factor = needed;
   for (int k = 0; k < kTries; ++k) {
     job.throwIfCancelled();
-    const MeshSettings mesh = finer(project.mesh, hasSplines, factor);
+    const MeshSettings mesh = finerMesh(project.mesh, hasSplines, factor);
     // Estimates have an error that both have in common.
-    const double coefficients = coefficientsOf(project, mesh) * count / before;
+    const double coefficients = estimateCoefficients(project, mesh, job) * count / before;
     const double bytes = bytesOf(coefficients);
     if (k == 0) advice.neededBytes = bytes;
     const bool fits = advice.usableBytes <= 0 || bytes <= advice.usableBytes;
