@@ -3,10 +3,10 @@
 #include <cblas.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/parallel.h"
 #include "base/scratch_pool.h"
+#include "bem/compressed/block_products.h"
 #include "bem/compressed/loaded_columns.h"
 #include "bem/linalg/single_precision.h"
 
@@ -39,41 +39,13 @@ void addProduct(bool isByRows, int m, int k, const float* A, int stride, Rows<co
                 x.numbers + c * x.stride, 1, 1, y.numbers + c * y.stride, 1);
 }
 
-/// y += A(row, :) x for three columns, which a single place has. Reads one number
-/// behind the last block.
-void addRowOfThree(const BlockRows& A, int row, const float* x, float* y) {
-  using Four = Eigen::Array4f;  // the last one is not used
-  using FourInX = Eigen::Map<const Four>;
-  std::array<Four, 3> sums{Four::Zero(), Four::Zero(), Four::Zero()};
-  for (std::size_t b = A.begin[row]; b < A.begin[static_cast<std::size_t>(row) + 1]; ++b) {
-    const BlockNumbers block = numbersOf(A.blocks[b]);
-    const float* at = x + 9 * static_cast<Index>(A.columns[b]);
-    const FourInX x0(at), x1(at + 3), x2(at + 6);
-    for (std::size_t i = 0; i < 3; ++i)
-      sums[i] += block[3 * i] * x0 + block[3 * i + 1] * x1 + block[3 * i + 2] * x2;
-  }
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) y[3 * i + k] += sums[i][static_cast<Index>(k)];
-}
-
-/// y += A(row, :) x; x has a row more than A has columns.
+/// y += A(row, :) x; x has BlockProductTask::kRead rows more than A has columns.
 void addRow(const BlockRows& A, int row, const RowMatrixXf& x, const LoadedColumns& loaded,
             float* y) {
-  const Index columns = x.cols();
-  const bool areFew = loaded.areFew();
-  if (columns == 3 && !areFew) {
-    addRowOfThree(A, row, x.data(), y);
-    return;
-  }
-  for (std::size_t b = A.begin[row]; b < A.begin[static_cast<std::size_t>(row) + 1]; ++b) {
-    if (areFew && !loaded.isLoaded(A.columns[b])) continue;
-    const BlockNumbers block = numbersOf(A.blocks[b]);
-    const float* at = x.data() + 3 * static_cast<Index>(A.columns[b]) * columns;
-    for (int i = 0; i < 3; ++i)
-      for (int c = 0; c < 3; ++c)
-        for (Index k = 0; k < columns; ++k)
-          y[i * columns + k] += block[3 * i + c] * at[c * columns + k];
-  }
+  static const AddBlockProduct addBlockProduct = addBlockProductForThisProcessor();
+  const std::size_t begin = A.begin[row], end = A.begin[static_cast<std::size_t>(row) + 1];
+  addBlockProduct({A.blocks.data() + begin, A.columns.data() + begin, end - begin, x.data(),
+                   x.cols(), loaded.few(), y});
 }
 
 constexpr int kEquationsPerTask = 64;
@@ -107,10 +79,11 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
   const auto xOfSlots = [&](int cluster) {
     return rowsOfX(3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]));
   };
+  ScratchPool<std::vector<float>> pool([] { return std::vector<float>(); });
   constexpr std::ptrdiff_t kBlocksPerTask = 8;
   const auto count = static_cast<std::ptrdiff_t>(blocks.size());
   parallelFor((count + kBlocksPerTask - 1) / kBlocksPerTask, job, [&](std::ptrdiff_t task) {
-    std::vector<float> unpacked;
+    std::vector<float> unpacked = pool.take();
     for (std::ptrdiff_t k = task * kBlocksPerTask; k < std::min(count, (task + 1) * kBlocksPerTask);
          ++k) {
       const auto [c, b] = blocks[k];
@@ -125,6 +98,7 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
                  V + static_cast<std::ptrdiff_t>(ofNodes) * rank, rank, xOfSlots(block.column),
                  columns, to);
     }
+    pool.giveBack(std::move(unpacked));
   });
   const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
   y = RowMatrixXf::Zero(3 * static_cast<Index>(order_.points.size()), columns);
@@ -135,7 +109,7 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
     auto ofLeaf = y.middleRows(3 * static_cast<Index>(first), rows);
     MatrixXf few = MatrixXf::Zero(areFew ? rows : 0, columns);
     const Rows<float> to{areFew ? few.data() : ofLeaf.data(), rows};
-    std::vector<float> unpacked;
+    std::vector<float> unpacked = pool.take();
     for (int c = leaf;; c = (c - 1) / 2) {
       for (std::size_t b = 0; b < far_[c].size(); ++b) {
         if (!loaded.reaches(far_[c][b].column)) continue;
@@ -157,6 +131,7 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
                  K + static_cast<std::ptrdiff_t>(ofNodes) * rows, rows, xOfSlots(block.column),
                  columns, to);
     }
+    pool.giveBack(std::move(unpacked));
     if (areFew) ofLeaf = few;
     for (int point = first; point < order_.pointEnd(leaf); ++point)
       addRow(corrections_, point, x, loaded, y.row(3 * static_cast<Index>(point)).data());
@@ -170,8 +145,9 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
   MatrixXd result(3 * equations, u.cols());
   for (Index first = 0; first < u.cols(); first += kColumnsAtOnce) {
     const Index columns = std::min(kColumnsAtOnce, u.cols() - first);
-    RowMatrixXf x(3 * (nodes + slots) + 1, columns), y;  // addRow() reads behind the last one
-    x.bottomRows<1>().setZero();
+    constexpr Index kRead = BlockProductTask::kRead;
+    RowMatrixXf x(3 * (nodes + slots) + kRead, columns), y;
+    x.bottomRows<kRead>().setZero();
     for (Index k = 0; k < nodes; ++k)
       x.middleRows(3 * k, 3) =
           u.block(3 * static_cast<Index>(order_.tree.order()[k]), first, 3, columns).cast<float>();

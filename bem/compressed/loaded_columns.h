@@ -13,14 +13,16 @@ class LoadedColumns {
   /// `order` must outlive this object.
   LoadedColumns(const CompressedOrder& order, const RowMatrixXf& x);
 
-  bool isLoaded(int column) const { return isLoaded_[column] != 0; }
   /// True if any of a cluster is loaded.
   bool reaches(int cluster) const {
     const auto& c = tree_.cluster(cluster);
     return before_[c.begin] < before_[c.end];
   }
-  /// True if it pays to ask for single columns.
-  bool areFew() const { return 4 * static_cast<std::size_t>(before_.back()) < before_.size(); }
+  /// If it pays to ask for single columns: 0 for each one that is zero; otherwise null.
+  const char* few() const {
+    const bool areFew = 4 * static_cast<std::size_t>(before_.back()) < before_.size();
+    return areFew ? isLoaded_.data() : nullptr;
+  }
 
  private:
   const ClusterTree& tree_;

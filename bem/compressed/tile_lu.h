@@ -6,6 +6,7 @@
 
 #include "base/byte_stream.h"
 #include "base/job.h"
+#include "base/scratch_pool.h"
 #include "bem/base/team.h"
 #include "bem/compressed/tile_bases.h"
 #include "bem/compressed/tile_difference.h"
@@ -81,13 +82,20 @@ class TileLu {
   void readTile(int row, int column, const ByteSource& source);
 
   void scaleColumns(int column, LowRankTile& tile) const;
-  template <class Use>
-  void forOthers(int first, int end, const Job& job, const Use& use) const;
   /// Memory of a thread in a solution.
   struct SolveScratch {
     LowRankTile tile;
     Eigen::MatrixXf inner;
   };
+  struct SolveMemory {
+    LowRankTile diagonal, next;  ///< the tiles on the diagonal of a step and of the next one
+    ScratchPool<SolveScratch> pool{[] { return SolveScratch{}; }};
+  };
+  /// Uses tiles `first`, …, `end` - 1; meanwhile another thread unpacks tile (next, next), which
+  /// becomes `memory.diagonal` at the end. Nothing if there are no tiles.
+  template <class Use>
+  void forOthers(int first, int end, int next, SolveMemory& memory, const Job& job,
+                 const Use& use) const;
   void subtract(int row, int column, bool isTransposed, const Eigen::MatrixXf& x,
                 Eigen::MatrixXf& y, SolveScratch& scratch) const;
   std::vector<Eigen::MatrixXf> partsOf(const Eigen::MatrixXf& x) const;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "base/parallel.h"
 #include "bem/compressed/tile_lu.h"
@@ -32,13 +33,22 @@ double TileLu::meanRank() const {
 }
 
 template <class Use>
-void TileLu::forOthers(int first, int end, const Job& job, const Use& use) const {
+void TileLu::forOthers(int first, int end, int next, SolveMemory& memory, const Job& job,
+                       const Use& use) const {
+  if (first == end) return;
   constexpr int kTilesPerTask = 4;
-  parallelFor((end - first + kTilesPerTask - 1) / kTilesPerTask, job, [&](std::ptrdiff_t task) {
-    const int from = first + kTilesPerTask * static_cast<int>(task);
-    SolveScratch scratch;
+  const int tasks = (end - first + kTilesPerTask - 1) / kTilesPerTask;
+  parallelFor(1 + tasks, job, [&](std::ptrdiff_t task) {
+    if (task == 0) {
+      unpack(next, next, memory.next);
+      return;
+    }
+    const int from = first + kTilesPerTask * (static_cast<int>(task) - 1);
+    SolveScratch scratch = memory.pool.take();
     for (int k = from; k < std::min(end, from + kTilesPerTask); ++k) use(k, scratch);
+    memory.pool.giveBack(std::move(scratch));
   });
+  std::swap(memory.diagonal, memory.next);
 }
 
 void TileLu::subtract(int row, int column, bool isTransposed, const MatrixXf& x, MatrixXf& y,
@@ -62,19 +72,18 @@ std::vector<MatrixXf> TileLu::partsOf(const MatrixXf& x) const {
 
 void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
   std::vector<MatrixXf> parts = partsOf(x);
-  LowRankTile diagonal;
+  SolveMemory memory;
+  unpack(0, 0, memory.diagonal);
   for (int k = 0; k < count(); ++k) {
-    unpack(k, k, diagonal);
     swapRows(pivots_[k], parts[k], true);
-    solveTriangular(CblasLeft, CblasLower, false, true, diagonal.X, parts[k]);
-    forOthers(k + 1, count(), job, [&](int i, SolveScratch& scratch) {
+    solveTriangular(CblasLeft, CblasLower, false, true, memory.diagonal.X, parts[k]);
+    forOthers(k + 1, count(), k + 1, memory, job, [&](int i, SolveScratch& scratch) {
       subtract(i, k, false, parts[k], parts[i], scratch);
     });
   }
   for (int k = count() - 1; k >= 0; --k) {
-    unpack(k, k, diagonal);
-    solveTriangular(CblasLeft, CblasUpper, false, false, diagonal.X, parts[k]);
-    forOthers(0, k, job, [&](int i, SolveScratch& scratch) {
+    solveTriangular(CblasLeft, CblasUpper, false, false, memory.diagonal.X, parts[k]);
+    forOthers(0, k, k - 1, memory, job, [&](int i, SolveScratch& scratch) {
       subtract(i, k, false, parts[k], parts[i], scratch);
     });
   }
@@ -85,19 +94,18 @@ void TileLu::solveInPlace(MatrixXf& x, const Job& job) const {
 void TileLu::solveTransposedInPlace(MatrixXf& x, const Job& job) const {
   x.array().colwise() *= columnScales_;
   std::vector<MatrixXf> parts = partsOf(x);
-  LowRankTile diagonal;
+  SolveMemory memory;
+  unpack(0, 0, memory.diagonal);
   for (int k = 0; k < count(); ++k) {
-    unpack(k, k, diagonal);
-    solveTriangular(CblasLeft, CblasUpper, true, false, diagonal.X, parts[k]);
-    forOthers(k + 1, count(), job, [&](int j, SolveScratch& scratch) {
+    solveTriangular(CblasLeft, CblasUpper, true, false, memory.diagonal.X, parts[k]);
+    forOthers(k + 1, count(), k + 1, memory, job, [&](int j, SolveScratch& scratch) {
       subtract(k, j, true, parts[k], parts[j], scratch);
     });
   }
   for (int k = count() - 1; k >= 0; --k) {
-    unpack(k, k, diagonal);
-    solveTriangular(CblasLeft, CblasLower, true, true, diagonal.X, parts[k]);
+    solveTriangular(CblasLeft, CblasLower, true, true, memory.diagonal.X, parts[k]);
     swapRows(pivots_[k], parts[k], false);
-    forOthers(0, k, job, [&](int j, SolveScratch& scratch) {
+    forOthers(0, k, k - 1, memory, job, [&](int j, SolveScratch& scratch) {
       subtract(k, j, true, parts[k], parts[j], scratch);
     });
   }

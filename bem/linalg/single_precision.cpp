@@ -55,10 +55,18 @@ void orthonormalise(MatrixXf& matrix) {
 void solveTriangular(CBLAS_SIDE side, CBLAS_UPLO part, bool isTransposed, bool hasUnits,
                      const MatrixXf& triangle, MatrixXf& x) {
   if (x.size() == 0) return;
-  cblas_strsm(CblasColMajor, side, part, isTransposed ? CblasTrans : CblasNoTrans,
-              hasUnits ? CblasUnit : CblasNonUnit, static_cast<int>(x.rows()),
-              static_cast<int>(x.cols()), 1, triangle.data(), static_cast<int>(triangle.rows()),
-              x.data(), static_cast<int>(x.rows()));
+  const auto rows = static_cast<int>(triangle.rows());
+  const auto transposed = isTransposed ? CblasTrans : CblasNoTrans;
+  const auto diagonal = hasUnits ? CblasUnit : CblasNonUnit;
+  if (side == CblasLeft && x.cols() <= kFewColumns) {
+    for (Index c = 0; c < x.cols(); ++c)
+      cblas_strsv(CblasColMajor, part, transposed, diagonal, rows, triangle.data(), rows,
+                  x.col(c).data(), 1);
+    return;
+  }
+  cblas_strsm(CblasColMajor, side, part, transposed, diagonal, static_cast<int>(x.rows()),
+              static_cast<int>(x.cols()), 1, triangle.data(), rows, x.data(),
+              static_cast<int>(x.rows()));
 }
 
 void swapRows(const std::vector<int>& pivots, MatrixXf& x, bool isForward) {

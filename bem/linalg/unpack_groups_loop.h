@@ -1,30 +1,41 @@
 #pragma once
 
 #include <bit>
+#include <cstdint>
 #include <xsimd/xsimd.hpp>
 
 #include "bem/linalg/unpack_groups.h"
 
 namespace palpa::bem::detail {
 
-/// Plain loops that the compiler translates for the instruction set of the file; `Arch` gives each
-/// set a function.
+/// Vectors of the compiler: it unrolls plain loops over a group before it sees that they could be
+/// vectors. `Arch` gives each instruction set a function.
 template <class Arch>
 void unpackGroups(const UnpackGroupsTask& task) {
   constexpr std::size_t kGroup = 16;
   constexpr int kMantissaBits = 23, kMore = 1 << 8;
+  using Digits [[gnu::vector_size(kGroup * sizeof(std::int16_t))]] = std::int16_t;
+  using MoreDigits [[gnu::vector_size(kGroup)]] = std::uint8_t;
+  using Whole [[gnu::vector_size(kGroup * sizeof(std::int32_t))]] = std::int32_t;
+  using Numbers [[gnu::vector_size(kGroup * sizeof(float))]] = float;
   for (std::size_t group = 0; group < task.groups; ++group) {
     const auto scale =
         std::bit_cast<float>(static_cast<std::uint32_t>(task.exponents[group]) << kMantissaBits);
-    const std::int16_t* digits = task.digits + kGroup * group;
-    float* to = task.to + kGroup * group;
-    if (!task.moreDigits) {
-      for (std::size_t k = 0; k < kGroup; ++k) to[k] = scale * static_cast<float>(digits[k]);
-      continue;
+    Digits digits;
+    __builtin_memcpy(&digits, task.digits + kGroup * group, sizeof(digits));
+    Whole whole = __builtin_convertvector(digits, Whole);
+    Numbers numbers;
+    if (task.moreDigits) {
+      MoreDigits more;
+      __builtin_memcpy(&more, task.moreDigits + kGroup * group, sizeof(more));
+      // In two steps: GCC 12 converts 8 to 32 bits one by one.
+      const Digits wider = __builtin_convertvector(more, Digits);
+      whole = kMore * whole + __builtin_convertvector(wider, Whole);
+      numbers = scale / kMore * __builtin_convertvector(whole, Numbers);
+    } else {
+      numbers = scale * __builtin_convertvector(whole, Numbers);
     }
-    const std::uint8_t* more = task.moreDigits + kGroup * group;
-    for (std::size_t k = 0; k < kGroup; ++k)
-      to[k] = scale / kMore * static_cast<float>(kMore * digits[k] + more[k]);
+    __builtin_memcpy(task.to + kGroup * group, &numbers, sizeof(numbers));
   }
 }
 

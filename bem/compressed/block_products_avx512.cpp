@@ -1,0 +1,9 @@
+#include "bem/compressed/block_products_loop.h"
+
+namespace palpa::bem {
+
+void addBlockProductAvx512(const BlockProductTask& task) {
+  detail::addBlockProduct<xsimd::avx512f>(task);
+}
+
+}  // namespace palpa::bem

@@ -1,0 +1,20 @@
+#include "bem/base/instruction_set.h"
+#include "bem/compressed/block_products.h"
+
+namespace palpa::bem {
+
+AddBlockProduct addBlockProductForThisProcessor() {
+#ifdef PALPA_X86_VARIANTS
+  switch (instructionSet()) {
+    case InstructionSet::kAvx512:
+      return addBlockProductAvx512;
+    case InstructionSet::kAvx2:
+      return addBlockProductAvx2;
+    case InstructionSet::kBaseline:
+      break;
+  }
+#endif
+  return addBlockProductBaseline;
+}
+
+}  // namespace palpa::bem
