@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/setup/boundary_setup.h"
@@ -75,10 +76,6 @@ void measure(const std::string& name, const modeling::Project& project, const Se
   const Times solved = timesOf([&] {
     columns = compressed->greensColumns(dofs, bem::ReferenceProblem::Effort::kFast, settings.job);
   });
-  MatrixXd quick;
-  const Times first = timesOf([&] {
-    quick = compressed->greensColumns(dofs, bem::ReferenceProblem::Effort::kFirst, settings.job);
-  });
   const auto sizes = compressed->operators().sizes();
   std::printf(
       "%-20s n %6d  assembly %6.2f s  factors %6.2f s  (processor %6.1f s)  3 columns %5.2f s "
@@ -88,9 +85,15 @@ void measure(const std::string& name, const modeling::Project& project, const Se
   // Displacement of the loaded node per unit of traction: the inverse of the force.
   const auto inverseForces = [&](const MatrixXd& of) { return of.middleRows(dofs[0], 3).eval(); };
   const MatrixXd forces = inverseForces(columns).inverse();
-  std::printf("    first force: %5.2f s, differs by %.1e; fields by %.1e\n", first.wall,
-              (inverseForces(quick).inverse() - forces).norm() / forces.norm(),
-              (quick - columns).norm() / columns.norm());
+  for (const auto& [what, effort] : {std::pair("rough", bem::ReferenceProblem::Effort::kRough),
+                                     std::pair("better", bem::ReferenceProblem::Effort::kFirst)}) {
+    MatrixXd quick;
+    const Times first =
+        timesOf([&] { quick = compressed->greensColumns(dofs, effort, settings.job); });
+    std::printf("    first force, %-6s: %5.2f s, differs by %.1e; fields by %.1e\n", what,
+                first.wall, (inverseForces(quick).inverse() - forces).norm() / forces.norm(),
+                (quick - columns).norm() / columns.norm());
+  }
   std::printf(
       "    MB: %6.0f = far %.0f (%d blocks, mean rank %.1f) + near %.0f + averaged %.0f + factors "
       "%.0f (mean rank %.1f)\n",

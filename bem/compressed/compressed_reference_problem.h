@@ -44,6 +44,11 @@ class CompressedReferenceProblem final : public ReferenceProblem {
   Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
   /// The factorisation's solution, in most cases corrected once: half of the operations of GMRES.
   Eigen::MatrixXd firstCorrection(const Eigen::MatrixXd& r, const Job& job) const override;
+  /// The factorisation's solution alone.
+  Eigen::MatrixXd roughCorrection(const Eigen::MatrixXd& r, const Job& job) const override {
+    return precondition(r, job);
+  }
+  bool hasRoughSolution() const override { return true; }
   /// Unknowns by the approximate factorisation, without GMRES.
   Eigen::MatrixXd precondition(const Eigen::MatrixXd& residual, const Job& job) const;
   /// Of the approximate factorisation.

@@ -88,15 +88,18 @@ void ContactCompliance::collectRows(bool onlyChanged) {
   for (std::size_t i = 0; i < rows_.size(); ++i) rowOfNode_[rows_[i]] = static_cast<int>(i);
 }
 
-void ContactCompliance::respond(int index) {
+bool ContactCompliance::respond(int index) {
   const ContactMask& mask = masks_[index].mask;
   const DegreesOfFreedom& dofs = surface_.dofs();
   const auto rowCount = static_cast<Index>(rows_.size());
   if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
+  bool isRough = false;
   if (columns_.hasAll(mask.nodes)) {
     sumColumns(mask);
   } else {
-    const auto& unknowns = responseTo(mask)->unknowns;
+    const MaskResponses::Response& response = *responseTo(mask);
+    const auto& unknowns = response.unknowns;
+    isRough = response.isRough;
     for (Index i = 0; i < rowCount; ++i)
       response_.middleRows<3>(3 * i) = unknowns.middleRows<3>(3 * static_cast<Index>(rows_[i]));
   }
@@ -109,6 +112,7 @@ void ContactCompliance::respond(int index) {
       along += frame.col(k) * response_.row(3 * i + k);
     response_.middleRows<3>(3 * i) = along;
   }
+  return isRough;
 }
 
 void ContactCompliance::sumColumns(const ContactMask& mask) {
@@ -170,6 +174,7 @@ void ContactCompliance::update() {
   for (int k = 0; k < size(); ++k) {
     Entry& entry = masks_[k];
     entry.isReady = entry.isPlaced && isAvailable(entry.mask);
+    if (entry.isRough && isExact(entry.mask)) entry.isCurrent = false;
     anyChanged = anyChanged || (entry.isReady && !entry.isCurrent);
     if (entry.isReady || entry.isZero) continue;
     raw_.middleRows<3>(3 * k).setZero();
@@ -185,7 +190,7 @@ void ContactCompliance::update() {
     collectRows(false);
     for (int b = 0; b < size(); ++b) {
       if (!masks_[b].isReady || masks_[b].isCurrent) continue;
-      respond(b);
+      masks_[b].isRough = respond(b);
       for (int a = 0; a < size(); ++a)
         if (masks_[a].isReady) raw_.block<3, 3>(3 * a, 3 * b) = measure(a);
       measureBase(b);

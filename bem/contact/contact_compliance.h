@@ -59,6 +59,7 @@ class ContactCompliance {
     bool isReady = false;
     bool isCurrent = false;  // its blocks of raw_ are computed for the present mask
     bool isZero = true;      // its blocks of raw_ are zero
+    bool isRough = false;    // they come from a rough response
   };
   const MaskResponses::Response* responseTo(const ContactMask& mask) const {
     return columns_.responses().find(mask.point, mask.radius);
@@ -66,13 +67,18 @@ class ContactCompliance {
   bool isAvailable(const ContactMask& mask) const {
     return columns_.hasAll(mask.nodes) || responseTo(mask);
   }
+  /// True if columns or a response are available that are not rough.
+  bool isExact(const ContactMask& mask) const {
+    const MaskResponses::Response* response = responseTo(mask);
+    return (response && !response->isRough) || columns_.hasAll(mask.nodes);
+  }
   /// Adds the nodes of a mask without columns to missing_ and returns true, unless the mask is
   /// available.
   bool misses(const ContactMask& mask);
   /// Collects the union of the measured nodes of some masks in rows_.
   void collectRows(bool onlyChanged);
-  /// Computes Xi Φ of a mask in these rows.
-  void respond(int index);
+  /// Computes Xi Φ of a mask in these rows. True if a rough response gives it.
+  bool respond(int index);
   void sumColumns(const ContactMask& mask);
   void measureBase(int index);
   void symmetrise();

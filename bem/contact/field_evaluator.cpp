@@ -41,6 +41,7 @@ void FieldEvaluator::evaluate(std::span<const PatchForce> patches, bool withTrac
   for (const PatchForce& patch : patches) {
     if (Kept* kept = find(patch)) {
       // The mask was in the same place before, so it is likely to stay: storing its response pays.
+      if (kept->isRough) improve(*kept);
       if (kept->response.rows() == 0) sum(*kept);
       unknowns_.noalias() += kept->response * patch.force.cast<float>();
       addTraction(kept->mask, patch.force);
@@ -82,6 +83,7 @@ void FieldEvaluator::addMask(const PatchForce& patch) {
     const auto* known = columns_.responses().find(patch.point, patch.radius);
     if (!known) return;
     kept.response = known->unknowns;
+    kept.isRough = known->isRough;
     unknowns_.noalias() += kept.response * patch.force.cast<float>();
   }
   addTraction(kept.mask, patch.force);
@@ -98,6 +100,17 @@ void FieldEvaluator::sum(Kept& kept) const {
       kept.response.col(axis) +=
           static_cast<float>(kept.mask.traction[k] / surface_.dofs().tractionScale()) *
           Column(columns_.column(kept.mask.nodes[k], axis), columns_.rows());
+}
+
+void FieldEvaluator::improve(Kept& kept) const {
+  const auto* known = columns_.responses().find(kept.mask.point, kept.asked);
+  if (columns_.hasAll(kept.mask.nodes))
+    kept.response.resize(0, 3);  // sum()
+  else if (known && !known->isRough)
+    kept.response = known->unknowns;
+  else
+    return;
+  kept.isRough = false;
 }
 
 void FieldEvaluator::addTraction(const ContactMask& mask, const Vector3d& force) {

@@ -34,11 +34,14 @@ class FieldEvaluator {
     double asked = 0;                                  // radius
     Eigen::Matrix<float, Eigen::Dynamic, 3> response;  // Xi Φ; no rows before it is computed
     bool isUsed = false;
+    bool isRough = false;  // a better response will follow
   };
   /// Stored mask of a patch; null if there is none.
   Kept* find(const ContactSimulation::PatchForce& patch);
   void addMask(const ContactSimulation::PatchForce& patch);
   void sum(Kept& kept) const;
+  /// Replaces a rough response if a better one is available.
+  void improve(Kept& kept) const;
   void addTraction(const ContactMask& mask, const Eigen::Vector3d& force);
   void addNodes();
   void expand(bool withTractions, BoundaryField& field) const;

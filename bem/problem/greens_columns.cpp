@@ -142,17 +142,20 @@ void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3
 
 void GreensColumns::computeResponse(const SurfacePoint& point, double radius,
                                     std::span<const int> nodes, std::span<const double> traction,
-                                    const Job& job) {
+                                    const Job& job, ReferenceProblem::Effort effort) {
   const auto turn = waitForTurn(job);
-  if (responses_.isFull() || responses_.find(point, radius)) return;
+  if (responses_.isFull()) return;
+  const bool isRough = effort == ReferenceProblem::Effort::kRough && problem_->hasRoughSolution();
+  if (const auto* known = responses_.find(point, radius); known && (isRough || !known->isRough))
+    return;
   const DegreesOfFreedom& dofs = problem_->dofs();
   Eigen::MatrixXd known = Eigen::MatrixXd::Zero(dofs.nodalCount(), 3);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (int axis = 0; axis < 3; ++axis)
       known(3 * nodes[k] + axis, axis) = traction[k] / dofs.tractionScale();
-  const Eigen::MatrixXd unknowns = problem_->solve(
-      dofs.expand(Eigen::MatrixXd::Zero(rows_, 3), known), ReferenceProblem::Effort::kFirst, job);
-  responses_.add({point, radius, unknowns.cast<float>()});
+  const Eigen::MatrixXd unknowns =
+      problem_->solve(dofs.expand(Eigen::MatrixXd::Zero(rows_, 3), known), effort, job);
+  responses_.add({point, radius, unknowns.cast<float>(), isRough});
 }
 
 void GreensColumns::continueWith(std::shared_ptr<const ReferenceProblem> same) {

@@ -73,11 +73,13 @@ class GreensColumns {
   /// Responses to single masks, for places whose columns are not available yet.
   const MaskResponses& responses() const { return responses_; }
   /// Solves for the response of a mask, three columns instead of all of its nodes
-  /// (ReferenceProblem::Effort::kFirst). `point`, `radius`, `nodes` and `traction`: of the
-  /// ContactMask. Does nothing if the response is known, or if there are MaskResponses::kMaxCount.
-  /// Other threads may read and compute meanwhile. Throws Cancelled.
+  /// with the effort kFirst, or kRough, which kFirst may follow. `point`, `radius`, `nodes` and
+  /// `traction`: of the ContactMask. Does nothing if a response as good as this is known, or if
+  /// there are MaskResponses::kMaxCount. Other threads may read and compute meanwhile. Throws
+  /// Cancelled.
   void computeResponse(const SurfacePoint& point, double radius, std::span<const int> nodes,
-                       std::span<const double> traction, const Job& job);
+                       std::span<const double> traction, const Job& job,
+                       ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFirst);
 
   /// The free nodes ordered by their distance from a point, nearest first: the order of computation
   /// for a touch there. `places`: of all nodes (ContactSurface::places()).

@@ -19,9 +19,11 @@ class MaskResponses {
     double radius = 0;     ///< mm, of the mask; point and radius make the mask
     /// Unknowns v for a force of 1 N along x, y, z, as sums of the columns of GreensColumns.
     Eigen::Matrix<float, Eigen::Dynamic, 3> unknowns;
+    /// True if a better one will follow (ReferenceProblem::hasRoughSolution()).
+    bool isRough = false;
   };
 
-  /// Of exactly this mask; null if there is none. Valid as long as this object.
+  /// The newest one of exactly this mask; null if there is none. Valid as long as this object.
   const Response* find(const SurfacePoint& point, double radius) const;
   /// Discards the response if there are kMaxCount.
   void add(Response response);

@@ -21,12 +21,13 @@ class ReferenceProblem {
 
   const DegreesOfFreedom& dofs() const { return dofs_; }
 
-  enum class Effort { kRefined, kFast, kFirst };
+  enum class Effort { kRefined, kFast, kFirst, kRough };
   /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u + term.
   /// kRefined iterates on the residual in double precision until it stops falling; kFast takes the
-  /// result of the factorisation; kFirst is for a force that is wanted at once, in a field with an
-  /// error of some 1e-3. `bodyForceTerm`: Discretisation::bodyForceTerm() of each column;
-  /// empty if there is no body force. Throws Cancelled.
+  /// result of the factorisation; kFirst is for a force that is wanted soon, in a field with an
+  /// error of some 1e-3; kRough for one that is wanted at once, see hasRoughSolution().
+  /// `bodyForceTerm`: Discretisation::bodyForceTerm() of each column; empty if there is no body
+  /// force. Throws Cancelled.
   Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
                         const Job& job = {}, const Eigen::MatrixXd& bodyForceTerm = {}) const;
 
@@ -41,6 +42,13 @@ class ReferenceProblem {
   virtual Eigen::MatrixXd firstCorrection(const Eigen::MatrixXd& residual, const Job& job) const {
     return correction(residual, job);
   }
+  /// correction() with the error of Effort::kRough.
+  virtual Eigen::MatrixXd roughCorrection(const Eigen::MatrixXd& residual, const Job& job) const {
+    return firstCorrection(residual, job);
+  }
+  /// True if Effort::kRough is quicker than kFirst, and has larger errors: some 1e-2 in fields,
+  /// 1e-5 to 1e-3 in forces.
+  virtual bool hasRoughSolution() const { return false; }
 
   /// The whole field: known plus unknown part.
   BoundaryField solveField(const BoundaryField& known, Effort effort = Effort::kRefined,

@@ -14,7 +14,9 @@
 #include "app/core/live/touch_field.h"
 #include "app/core/results/touch.h"
 #include "app/core/system/destroy_in_background.h"
+#include "bem/compressed/make_problem.h"
 #include "core_projects.h"
+#include "tests/bem/roughly_solved.h"
 
 namespace palpa::app {
 namespace {
@@ -239,6 +241,51 @@ TEST(TouchLoop, LargeModelsAnswerAGrabbedPlaceBeforeItsColumns) {
     return now.model == edited && now.contactCount == 1;
   });
   EXPECT_GT(after.find(id)->force.norm(), 0.9 * snapshot.find(id)->force.norm());
+}
+
+/// The sphere with rough solutions that are 5 % wrong, made for each test.
+std::shared_ptr<const TouchModel> roughlySolvedSphere() {
+  BuildOptions options;
+  options.makeProblem = [](const bem::Discretisation& discretisation,
+                           const bem::ProblemInputs& inputs, const Job& job,
+                           bem::ReferenceProblemTimes* times) {
+    return std::make_unique<bem::RoughlySolved>(
+        bem::makeReferenceProblem(discretisation, inputs, job, times));
+  };
+  return buildTouchModel(test::clampedSphere(6), options, {});
+}
+
+TEST(TouchLoop, NewPlacesOfLargeModelsAreRoughAtFirst) {
+  const auto model = roughlySolvedSphere();
+  const auto& problem = dynamic_cast<const bem::RoughlySolved&>(*model->problem());
+  TouchLoop::Options options;
+  options.answersPlacesFrom = 0;
+  TouchLoop loop(options);
+  loop.setModel(model);
+  const Vector3d pull(0, 0.5, -2);
+  const modeling::Touch touch{"exact", kTop, modeling::TouchKind::kGrab, pull, 8.0};
+  const TouchState exact = playTouches(*sphere(), std::span(&touch, 1));
+  const Vector3d force = exact.contacts[0].force;
+  const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, pull);
+  await(loop, hasForce(id));
+  EXPECT_EQ(problem.roughCount(), 1);
+  // The other thread improves it.
+  await(loop, [&](const TouchSnapshot& snapshot) {
+    const auto* contact = snapshot.find(id);
+    return contact && (contact->force - force).norm() <= 1e-4 * force.norm();
+  });
+  EXPECT_EQ(problem.roughCount(), 1);
+}
+
+TEST(TouchLoop, NobodyImprovesRoughPlacesWithoutTheOtherThread) {
+  const auto model = roughlySolvedSphere();
+  TouchLoop::Options options;
+  options.answersPlacesFrom = 0;
+  options.computesAll = false;
+  TouchLoop loop(options);
+  loop.setModel(model);
+  await(loop, hasForce(loop.begin({Kind::kGrab, 8}, kTop, {0, 0, -1})));
+  EXPECT_EQ(dynamic_cast<const bem::RoughlySolved&>(*model->problem()).roughCount(), 0);
 }
 
 TEST(TouchLoop, NewPlacesInterruptTheColumnsOfOthers) {

@@ -10,6 +10,7 @@
 #include "bem/contact/bilateral_contact_solver.h"
 #include "bem/contact/field_evaluator.h"
 #include "bem/triangle/triangle_contact_surface.h"
+#include "tests/bem/roughly_solved.h"
 
 namespace palpa::bem {
 namespace {
@@ -332,6 +333,72 @@ TEST(ContactSimulation, TheResponsesOfGrabbedPlacesReplaceColumns) {
     EXPECT_LE((field.u - expected.u).norm(), 1e-5 * expected.u.norm());
     EXPECT_LE((field.p - expected.p).norm(), 1e-4 * expected.p.norm());
   }
+}
+
+/// A grab at the top with rough and better responses, and its field.
+struct RoughGrab {
+  GreensColumns columns{std::make_shared<RoughlySolved>(sphere().problem)};
+  ContactSimulation simulation{*sphere().surface, columns, sphere().base, kSoft};
+  FieldEvaluator evaluator{*sphere().surface, columns, sphere().base};
+  ContactMask mask;
+  Vector3d expectedForce;
+  BoundaryField expected = sphere().base;
+
+  RoughGrab() {
+    simulation.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
+    simulation.step();
+    const auto waiting = simulation.waiting();
+    sphere().surface->makeMask(waiting->point, waiting->radius, *sphere().surface->makeWorkspace(),
+                               mask);
+    ContactSimulation whole = sphere().simulation();
+    whole.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
+    whole.step();
+    expectedForce = whole.contacts()[0].force;
+    FieldEvaluator(*sphere().surface, *sphere().columns, sphere().base)
+        .evaluate(whole.contacts()[0].patch, true, expected);
+  }
+
+  void solve(ReferenceProblem::Effort effort) {
+    columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, Job{}, effort);
+  }
+  /// Relative difference of the force from `factor` times the right one.
+  double differenceOfForce(double factor) {
+    simulation.step();
+    return (simulation.contacts()[0].force - factor * expectedForce).norm() / expectedForce.norm();
+  }
+  /// Of the displacements under the grabbed place's right force.
+  double differenceOfField(double factor) {
+    BoundaryField field = sphere().base;
+    const ContactSimulation::PatchForce patch{mask.point, mask.radius, expectedForce};
+    evaluator.evaluate(std::span(&patch, 1), true, field);
+    return (field.u - factor * expected.u).norm() / expected.u.norm();
+  }
+};
+
+TEST(ContactSimulation, BetterResponsesReplaceRoughOnes) {
+  constexpr double kFactor = RoughlySolved::kFactor;
+  RoughGrab grab;
+  grab.solve(ReferenceProblem::Effort::kRough);
+  EXPECT_LE(grab.differenceOfForce(1 / kFactor), 1e-5);
+  EXPECT_LE(grab.differenceOfField(kFactor), 1e-5);
+  EXPECT_LE(grab.differenceOfField(kFactor), 1e-5);  // of the kept response
+  grab.solve(ReferenceProblem::Effort::kFirst);
+  EXPECT_FALSE(grab.columns.responses().find(grab.mask.point, grab.mask.radius)->isRough);
+  EXPECT_LE(grab.differenceOfForce(1), 1e-5);
+  EXPECT_LE(grab.differenceOfField(1), 1e-5);
+  // A rough one is of no use any more.
+  grab.solve(ReferenceProblem::Effort::kRough);
+  EXPECT_FALSE(grab.columns.responses().find(grab.mask.point, grab.mask.radius)->isRough);
+}
+
+TEST(ContactSimulation, ColumnsReplaceRoughResponses) {
+  RoughGrab grab;
+  grab.solve(ReferenceProblem::Effort::kRough);
+  EXPECT_GE(grab.differenceOfForce(1), 0.04);
+  EXPECT_GE(grab.differenceOfField(1), 0.04);
+  grab.columns.compute(grab.mask.nodes, Job{});
+  EXPECT_LE(grab.differenceOfForce(1), 1e-5);
+  EXPECT_LE(grab.differenceOfField(1), 1e-5);
 }
 
 TEST(MaskResponses, HoldALimitedNumberOfMasks) {

@@ -175,10 +175,6 @@ bool TouchWorker::prepare() {
   return true;
 }
 
-bool TouchWorker::answersPlaces(const TouchableModel& model) const {
-  return model.columns()->rows() >= options_.answersPlacesFrom;
-}
-
 /// True if the other thread computes columns of this model, first around the contacts.
 bool TouchWorker::isFilled(std::uint64_t number) const {
   const std::lock_guard lock(mutex_);
@@ -186,35 +182,10 @@ bool TouchWorker::isFilled(std::uint64_t number) const {
          number == status_.prepared && !models_.back().model->model().report().residual;
 }
 
-/// Solves for the place of a request. kNone: its columns are needed.
-TouchWorker::Answer TouchWorker::answerPlace(const TouchableModel& model,
-                                             const ColumnRequest& request,
-                                             const std::stop_token& stop) {
-  bem::GreensColumns& columns = *model.columns();
-  if (!request.isOfPlace || !answersPlaces(model)) return Answer::kNone;
-  bem::ContactMask mask;
-  const auto workspace = model.surface().makeWorkspace();
-  if (!model.surface().makeMask(request.place.point, request.place.radius, *workspace, mask))
-    return Answer::kNone;
-  if (columns.responses().find(mask.point, mask.radius)) return Answer::kKnown;
-  if (columns.responses().isFull()) return Answer::kNone;
-  isUrgent_.store(true);
-  {
-    const std::lock_guard lock(mutex_);
-    fillerBlock_.request_stop();
-  }
-  const std::lock_guard lock(computing_);
-  Job job;
-  job.stop = stop;
-  job.threads = options_.threads;
-  columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, job);
-  return Answer::kComputed;
-}
-
 bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop_token& stop) {
   const std::shared_ptr<const TouchableModel> touched = model(request.number);
   if (!touched || request.count == 0) return false;
-  switch (answerPlace(*touched, request, stop)) {
+  switch (answerPlace(touched, request, stop)) {
     case Answer::kComputed:
       return true;
     case Answer::kKnown:
@@ -257,6 +228,11 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
     ofBlock = fillerBlock_.get_token();
   }
   if (isUrgent_.load()) return false;  // from here on, the worker stops the block
+  const std::stop_callback both(stop, [this] {
+    const std::lock_guard lock(mutex_);
+    fillerBlock_.request_stop();
+  });
+  if (improvePlace(ofBlock)) return true;
   // The columns of an incremental update take long, and the full model replaces it soon.
   if (!newest || newest->model().report().residual || newest->columns()->isComplete() ||
       !hasMemoryFor(*newest, false))
@@ -265,10 +241,6 @@ bool TouchWorker::computeOthers(const std::stop_token& stop) {
   focus_(points);
   std::vector<int> block;
   newest->columns()->fillBlock(block, newest->surface().places(), points);
-  const std::stop_callback both(stop, [this] {
-    const std::lock_guard lock(mutex_);
-    fillerBlock_.request_stop();
-  });
   const std::lock_guard lock(computing_);
   try {
     compute(*newest, block, ofBlock);

@@ -20,8 +20,8 @@ namespace palpa::app {
 /// the remaining columns while the first is idle, columns around the focus first.
 ///
 /// In large models, the block of columns that a new place needs takes seconds. There the first
-/// thread solves for the place alone, for which the other one stops, and leaves the columns around
-/// it to the other one.
+/// thread solves for the place alone, for which the other one stops, roughly where that is quicker,
+/// and leaves the better solution and the columns around the place to the other one.
 class TouchWorker {
  public:
   struct Options {
@@ -63,10 +63,11 @@ class TouchWorker {
   bool answersPlaces(const TouchableModel& model) const;
   bool isFilled(std::uint64_t number) const;
   enum class Answer { kNone, kKnown, kComputed };
-  Answer answerPlace(const TouchableModel& model, const ColumnRequest& request,
-                     const std::stop_token& stop);
+  Answer answerPlace(const std::shared_ptr<const TouchableModel>& model,
+                     const ColumnRequest& request, const std::stop_token& stop);
   bool computeRequested(const ColumnRequest& request, const std::stop_token& stop);
   bool computeOthers(const std::stop_token& stop);
+  bool improvePlace(const std::stop_token& stop);
   void compute(const TouchableModel& model, std::span<const int> nodes,
                const std::stop_token& stop);
   bool hasMemoryFor(const TouchableModel& model, bool isUrgent) const;
@@ -82,6 +83,13 @@ class TouchWorker {
     std::shared_ptr<const TouchableModel> model;
   };
 
+  /// A place with a rough response.
+  struct RoughPlace {
+    std::weak_ptr<const TouchableModel> model;
+    bem::SurfacePoint point;
+    double radius = 0;  ///< mm, of the mask
+  };
+
   LoopMailbox& mailbox_;
   const Options options_;
   const std::function<void(std::vector<Eigen::Vector3d>&)> focus_;
@@ -90,6 +98,7 @@ class TouchWorker {
   Status status_;
   std::optional<PendingModel> pending_;
   std::vector<Numbered> models_;  // handed to the loop and not retired yet
+  std::vector<RoughPlace> rough_;
 
   // Only the worker uses them.
   ModelCache::Key columnsKey_;
