@@ -79,6 +79,9 @@ class TouchCommand : public Command {
   void run(const Context& context) override {
     touch_.validate();
     refinement_.validate();
+    // Its number is of another place on every mesh.
+    if (refinement_.isGiven() && touch_.isNode())
+      throw UsageError("--force-error has no meaning for a single node");
     samples_.validate();
     if (!recording_.empty()) {
       replay(context);

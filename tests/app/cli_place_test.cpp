@@ -187,6 +187,7 @@ TEST_F(CliPlace, AWishedErrorIsAShareBelowOne) {
   EXPECT_EQ(cli_.run("touch b.json --place auto --time-limit 5").exitCode, 2);
   EXPECT_EQ(cli_.run("touch b.json --place auto --force-error 5% --time-limit 0").exitCode, 2);
   EXPECT_EQ(cli_.run("touch b.json --recording r.json --force-error 5%").exitCode, 2);
+  EXPECT_EQ(cli_.run("touch b.json --node 3 --displace 0,0,-1 --force-error 5%").exitCode, 2);
 }
 
 }  // namespace
