@@ -17,7 +17,7 @@ struct BlockProductTask {
   const char* isLoaded;  ///< of each column: false if x is zero there; null: none is known
   float* y;              ///< [3][width]
 
-  static constexpr std::ptrdiff_t kRead = 3;
+  static constexpr std::ptrdiff_t kRead = 3;  ///< whole vectors are read
 };
 
 void addBlockProductBaseline(const BlockProductTask&);

@@ -26,6 +26,7 @@ void addBlockProduct(const BlockProductTask& task, std::ptrdiff_t first, std::pt
     if (task.isLoaded && !task.isLoaded[column]) continue;
     const PackedBlock& block = task.blocks[b];
     const std::int16_t* digits = &block.digits[0];
+    // As PackedBlock::scaleFactor(), which must not get a version for one instruction set.
     const auto scale =
         std::bit_cast<float>(static_cast<std::uint32_t>(block.scale) << PackedBlock::kLowerHalf);
     float factors[9];

@@ -10,6 +10,7 @@
 // A touch on finer and finer meshes, until the stated error of its forces is small enough.
 namespace palpa::app {
 
+/// When to stop.
 struct ErrorGoal {
   double error = 0.05;  ///< relative, of the forces (StateError::ofForces()), > 0
   double seconds = 60;  ///< no mesh that is expected to end later is begun
@@ -26,6 +27,7 @@ struct RefinementStep {
   double bytes = 0;         ///< of the operators and factors
 };
 
+/// The best of the meshes, and why there is no better one.
 struct RefinedTouch {
   enum class End {
     kReached,  ///< the error is at most the goal
@@ -44,7 +46,7 @@ struct RefinedTouch {
   // Of all:
   std::vector<RefinementStep> steps;  ///< at least one
   End end = End::kReached;
-  std::string reason;
+  std::string reason;  ///< of End::kFailed: the message for users
 };
 
 /// Plays a touch on a model and adds the errors of the state.
