@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "app/core/setup/project_geometry.h"
 #include "bem/compressed/make_problem.h"
 #include "bem/dense/make_reference_problem.h"
+#include "bem/problem/greens_columns.h"
 #include "bem/quadratic/quadratic_discretisation.h"
 #include "bench/sphere.h"
 #include "bench/timing.h"
@@ -54,6 +56,44 @@ std::vector<int> topmostDofs(const bem::Discretisation& on, const bem::DegreesOf
   return {3 * best, 3 * best + 1, 3 * best + 2};
 }
 
+/// Unit forces on the free nodes nearest to the one of some unit forces: a block of columns.
+std::vector<int> blockAround(int dof, const bem::Discretisation& on,
+                             const bem::DegreesOfFreedom& dofs) {
+  const Eigen::Vector3d middle = on.places()[dof / 3];
+  std::vector<int> nodes;
+  for (int k = 0; k < on.displacementCount(); ++k)
+    if (dofs.isFree(k)) nodes.push_back(k);
+  std::sort(nodes.begin(), nodes.end(), [&](int a, int b) {
+    return (on.places()[a] - middle).squaredNorm() < (on.places()[b] - middle).squaredNorm();
+  });
+  nodes.resize(std::min<std::size_t>(nodes.size(), bem::GreensColumns::kBlock));
+  std::vector<int> block;
+  for (const int node : nodes)
+    for (int axis = 0; axis < 3; ++axis) block.push_back(3 * node + axis);
+  return block;
+}
+
+/// Times of columns, and how far the displacements of the loaded nodes and all unknowns are from
+/// refined ones.
+void measureColumns(const bem::CompressedReferenceProblem& problem, const std::vector<int>& dofs,
+                    const Job& job) {
+  using Effort = bem::ReferenceProblem::Effort;
+  MatrixXd refined;
+  for (const auto& [what, effort] :
+       {std::pair("refined", Effort::kRefined), std::pair("fast", Effort::kFast),
+        std::pair("rough", Effort::kRough)}) {
+    MatrixXd columns;
+    const Times times = timesOf([&] { columns = problem.greensColumns(dofs, effort, job); });
+    if (effort == Effort::kRefined) refined = columns;
+    const auto compliance = [&](const MatrixXd& of) { return of(dofs, Eigen::all).eval(); };
+    std::printf(
+        "    %3zu columns, %-7s: %6.2f s (%6.2f); compliance differs by %.1e, fields by %.1e\n",
+        dofs.size(), what, times.wall, times.processor,
+        (compliance(columns) - compliance(refined)).norm() / compliance(refined).norm(),
+        (columns - refined).norm() / refined.norm());
+  }
+}
+
 void measure(const std::string& name, const modeling::Project& project, const Settings& settings) {
   const app::ProjectGeometry geometry(project);
   const app::BoundarySetup setup = app::makeBoundarySetup(
@@ -72,28 +112,11 @@ void measure(const std::string& name, const modeling::Project& project, const Se
                                                      settings.job, &parts);
   });
   const std::vector<int> dofs = topmostDofs(*on, compressed->dofs());
-  MatrixXd columns;
-  const Times solved = timesOf([&] {
-    columns = compressed->greensColumns(dofs, bem::ReferenceProblem::Effort::kFast, settings.job);
-  });
   const auto sizes = compressed->operators().sizes();
-  std::printf(
-      "%-20s n %6d  assembly %6.2f s  factors %6.2f s  (processor %6.1f s)  3 columns %5.2f s "
-      "(%5.2f)\n",
-      name.c_str(), on->displacementCount(), parts.assemble, parts.factorise, made.processor,
-      solved.wall, solved.processor);
-  // Displacement of the loaded node per unit of traction: the inverse of the force.
-  const auto inverseForces = [&](const MatrixXd& of) { return of.middleRows(dofs[0], 3).eval(); };
-  const MatrixXd forces = inverseForces(columns).inverse();
-  for (const auto& [what, effort] : {std::pair("rough", bem::ReferenceProblem::Effort::kRough),
-                                     std::pair("better", bem::ReferenceProblem::Effort::kFirst)}) {
-    MatrixXd quick;
-    const Times first =
-        timesOf([&] { quick = compressed->greensColumns(dofs, effort, settings.job); });
-    std::printf("    first force, %-6s: %5.2f s, differs by %.1e; fields by %.1e\n", what,
-                first.wall, (inverseForces(quick).inverse() - forces).norm() / forces.norm(),
-                (quick - columns).norm() / columns.norm());
-  }
+  std::printf("%-20s n %6d  assembly %6.2f s  factors %6.2f s  (processor %6.1f s)\n", name.c_str(),
+              on->displacementCount(), parts.assemble, parts.factorise, made.processor);
+  measureColumns(*compressed, dofs, settings.job);
+  measureColumns(*compressed, blockAround(dofs[0], *on, compressed->dofs()), settings.job);
   std::printf(
       "    MB: %6.0f = far %.0f (%d blocks, mean rank %.1f) + near %.0f + averaged %.0f + factors "
       "%.0f (mean rank %.1f)\n",
@@ -114,7 +137,11 @@ void measure(const std::string& name, const modeling::Project& project, const Se
   const Times solvedDense = timesOf([&] {
     expected = dense->greensColumns(dofs, bem::ReferenceProblem::Effort::kRefined, settings.job);
   });
-  const MatrixXd expectedForces = inverseForces(expected).inverse();
+  const MatrixXd columns =
+      compressed->greensColumns(dofs, bem::ReferenceProblem::Effort::kRefined, settings.job);
+  // Displacement of the loaded node per unit of traction: the inverse of the force.
+  const MatrixXd forces = columns.middleRows(dofs[0], 3).inverse(),
+                 expectedForces = expected.middleRows(dofs[0], 3).inverse();
   std::printf(
       "    dense: assembly %6.2f s  factors %6.2f s  (processor %6.1f s)  3 columns %5.2f s  %.0f "
       "MB; difference of columns %.1e, of forces %.1e\n",

@@ -181,14 +181,22 @@ class Bench {
 
   void firstForces() {
     constexpr int kPlaces = 5;
-    const auto report = [this](const char* what, Eigen::Index answersPlacesFrom) {
-      const bench::Quantiles seconds =
-          bench::quantilesOf(bench::firstForces(model_, kPlaces, answersPlacesFrom));
-      add(std::string("first force of new places, ") + what + ", median", "s", seconds.p50);
-      add("  largest of " + std::to_string(seconds.count), "s", seconds.largest);
+    const auto report = [this](const std::string& tool, const bem::ContactTool& with,
+                               const std::string& what, Eigen::Index answersPlacesFrom) {
+      bench::NewPlaces times = bench::touchNewPlaces(model_, with, kPlaces, answersPlacesFrom);
+      const bench::Quantiles first = bench::quantilesOf(std::move(times.first)),
+                             settled = bench::quantilesOf(std::move(times.settled));
+      add("first force of new places, " + tool + ", " + what + ", median", "s", first.p50);
+      add("  largest of " + std::to_string(first.count), "s", first.largest);
+      add("  until it stays within 1 %, median", "s", settled.p50);
+      add("  largest", "s", settled.largest);
     };
-    report("answered alone", 0);
-    report("with columns", std::numeric_limits<Eigen::Index>::max());
+    for (const auto& [tool, with] :
+         {std::pair<std::string, bem::ContactTool>{"grab", {Kind::kGrab, 3}},
+          std::pair<std::string, bem::ContactTool>{"ball", {Kind::kBall, 10, 0}}}) {
+      report(tool, with, "answered alone", 0);
+      report(tool, with, "with columns", std::numeric_limits<Eigen::Index>::max());
+    }
   }
 
   nlohmann::json json() const { return {{"nodes", nodes_}, {"rows", rows_}}; }

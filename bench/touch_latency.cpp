@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 #include <thread>
+#include <utility>
 
 #include "app/core/live/touch_field.h"
 #include "bench/sphere.h"
@@ -114,18 +115,35 @@ LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model
   return report;
 }
 
-std::vector<double> firstForces(const std::shared_ptr<const app::TouchModel>& model, int places,
-                                Eigen::Index answersPlacesFrom) {
+NewPlaces touchNewPlaces(const std::shared_ptr<const app::TouchModel>& model,
+                         const bem::ContactTool& tool, int places, Eigen::Index answersPlacesFrom) {
+  constexpr std::chrono::seconds kSettling{10};
+  constexpr double kSettled = 0.01, kDepth = 0.04;  // relative to the force and the radius
   app::TouchLoop::Options options;
   options.answersPlacesFrom = answersPlacesFrom;
   app::TouchLoop loop(options);
   begin(loop, model);
-  std::vector<double> times;
+  NewPlaces times;
   for (const Vector3d& at : pointsOnSphere(places)) {
     std::this_thread::sleep_for(500ms);  // columns of other places have begun
+    const Vector3d value = tool.kind == Kind::kBall
+                               ? Vector3d((1 - kDepth + tool.radius / at.norm()) * at)
+                               : Vector3d(-kDepth * at);
     const auto touched = Clock::now();
-    const app::TouchId id = loop.begin({Kind::kGrab, 3}, at, -0.02 * at);
-    times.push_back(secondsBetween(touched, timeOfForce(loop, id)));
+    const app::TouchId id = loop.begin(tool, at, value);
+    times.first.push_back(secondsBetween(touched, timeOfForce(loop, id)));
+    std::vector<std::pair<double, Vector3d>> forces;
+    app::TouchSnapshot snapshot;
+    do {
+      loop.read(snapshot);
+      forces.emplace_back(secondsBetween(touched, snapshot.time), snapshot.find(id)->force);
+      std::this_thread::sleep_for(5ms);
+    } while (snapshot.time - touched < kSettling);
+    const Vector3d last = forces.back().second;
+    const auto differing = std::find_if(forces.rbegin(), forces.rend(), [&](const auto& each) {
+      return (each.second - last).norm() > kSettled * last.norm();
+    });
+    times.settled.push_back(differing == forces.rend() ? times.first.back() : differing->first);
     loop.end(id);
   }
   return times;

@@ -27,9 +27,14 @@ struct LatencyReport {
 LatencyReport measureLatency(const std::shared_ptr<const app::TouchModel>& model, int contacts,
                              std::chrono::duration<double> duration, bool computesAll);
 
-/// s from a grab of each of some new places on the sphere to its force, one after another, while
-/// columns are computed in the background. `answersPlacesFrom`: see TouchWorker::Options.
-std::vector<double> firstForces(const std::shared_ptr<const app::TouchModel>& model, int places,
-                                Eigen::Index answersPlacesFrom);
+/// Times of touches of new places, one after another, while columns are computed in the background.
+struct NewPlaces {
+  std::vector<double> first;    ///< s until there is a force
+  std::vector<double> settled;  ///< s until it is within 1 % of its value 10 s later
+};
+/// A tool that grabs or presses some places on the sphere. `answersPlacesFrom`: see
+/// TouchWorker::Options.
+NewPlaces touchNewPlaces(const std::shared_ptr<const app::TouchModel>& model,
+                         const bem::ContactTool& tool, int places, Eigen::Index answersPlacesFrom);
 
 }  // namespace palpa::bench

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/byte_reader.h"
+#include "base/parallel.h"
 #include "base/scratch_pool.h"
 #include "bem/base/error.h"
 #include "bem/linalg/gmres.h"
@@ -191,12 +192,17 @@ MatrixXd CompressedReferenceProblem::residual(const BoundaryField& field, const 
 MatrixXd CompressedReferenceProblem::precondition(const MatrixXd& r, const Job& job) const {
   const auto m = static_cast<Index>(equations_.size());
   MatrixXf x(r.rows(), r.cols());
-  for (Index k = 0; k < m; ++k)
-    for (int i = 0; i < 3; ++i) x.row(3 * k + i) = r.row(i * m + equations_[k]).cast<float>();
+  parallelFor(r.cols(), job, [&](std::ptrdiff_t c) {
+    for (Index k = 0; k < m; ++k)
+      for (int i = 0; i < 3; ++i) x(3 * k + i, c) = static_cast<float>(r(i * m + equations_[k], c));
+  });
   factors_->solveInPlace(x, job);
   MatrixXd v(r.rows(), r.cols());
-  for (Index k = 0; k < m; ++k)
-    v.middleRows<3>(3 * static_cast<Index>(equations_[k])) = x.middleRows<3>(3 * k).cast<double>();
+  parallelFor(r.cols(), job, [&](std::ptrdiff_t c) {
+    for (Index k = 0; k < m; ++k)
+      v.col(c).segment<3>(3 * static_cast<Index>(equations_[k])) =
+          x.col(c).segment<3>(3 * k).cast<double>();
+  });
   return v;
 }
 
@@ -218,10 +224,10 @@ MatrixXd CompressedReferenceProblem::correction(const MatrixXd& r, const Job& jo
   return precondition(solution.x, job) * scale.asDiagonal();
 }
 
-MatrixXd CompressedReferenceProblem::firstCorrection(const MatrixXd& r, const Job& job) const {
+MatrixXd CompressedReferenceProblem::fastCorrection(const MatrixXd& r, const Job& job) const {
   constexpr int kMaxRounds = 3;
   // Relative error of the field; forces have a far smaller one.
-  constexpr double kRemaining = 1.5e-3;
+  constexpr double kRemaining = 2e-4;
   MatrixXd v = precondition(r, job);
   using Norms = Eigen::Array<double, 1, Eigen::Dynamic>;  // of each column
   Norms previous = v.colwise().norm();

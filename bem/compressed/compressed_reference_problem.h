@@ -43,7 +43,7 @@ class CompressedReferenceProblem final : public ReferenceProblem {
   /// By GMRES. Throws SolverError (kBadCondition) if it does not converge.
   Eigen::MatrixXd correction(const Eigen::MatrixXd& r, const Job& job) const override;
   /// The factorisation's solution, in most cases corrected once: half of the operations of GMRES.
-  Eigen::MatrixXd firstCorrection(const Eigen::MatrixXd& r, const Job& job) const override;
+  Eigen::MatrixXd fastCorrection(const Eigen::MatrixXd& r, const Job& job) const override;
   /// The factorisation's solution alone.
   Eigen::MatrixXd roughCorrection(const Eigen::MatrixXd& r, const Job& job) const override {
     return precondition(r, job);

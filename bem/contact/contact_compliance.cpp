@@ -46,7 +46,7 @@ void ContactCompliance::remove(int first, int count) {
 bool ContactCompliance::misses(const ContactMask& mask) {
   if (isAvailable(mask)) return false;
   for (const int node : mask.nodes)
-    if (!columns_.has(node)) missing_.push_back(node);
+    if (!columns_.hasRough(node)) missing_.push_back(node);
   return true;
 }
 
@@ -93,13 +93,15 @@ bool ContactCompliance::respond(int index) {
   const DegreesOfFreedom& dofs = surface_.dofs();
   const auto rowCount = static_cast<Index>(rows_.size());
   if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
-  bool isRough = false;
-  if (columns_.hasAll(mask.nodes)) {
+  // Before, because columns may come meanwhile.
+  bool isRough = !isExact(mask);
+  const MaskResponses::Response* response =
+      columns_.hasAll(mask.nodes) ? nullptr : responseTo(mask);
+  if (!response) {
     sumColumns(mask);
   } else {
-    const MaskResponses::Response& response = *responseTo(mask);
-    const auto& unknowns = response.unknowns;
-    isRough = response.isRough;
+    const auto& unknowns = response->unknowns;
+    isRough = response->isRough;
     for (Index i = 0; i < rowCount; ++i)
       response_.middleRows<3>(3 * i) = unknowns.middleRows<3>(3 * static_cast<Index>(rows_[i]));
   }

@@ -38,7 +38,7 @@ class ContactCompliance {
   /// isReady() of the next update().
   bool isAvailable(int index) const { return isAvailable(masks_[index].mask); }
   /// Displacement coefficients whose columns were not available to place() since the last
-  /// forgetMissing(), of masks without a response; some appear twice.
+  /// forgetMissing(), not even rough ones, of masks without a response; some appear twice.
   const std::vector<int>& missing() const { return missing_; }
   void forgetMissing() { missing_.clear(); }
   const ContactMask& mask(int index) const { return masks_[index].mask; }
@@ -59,13 +59,13 @@ class ContactCompliance {
     bool isReady = false;
     bool isCurrent = false;  // its blocks of raw_ are computed for the present mask
     bool isZero = true;      // its blocks of raw_ are zero
-    bool isRough = false;    // they come from a rough response
+    bool isRough = false;    // they come from a rough response or rough columns
   };
   const MaskResponses::Response* responseTo(const ContactMask& mask) const {
     return columns_.responses().find(mask.point, mask.radius);
   }
   bool isAvailable(const ContactMask& mask) const {
-    return columns_.hasAll(mask.nodes) || responseTo(mask);
+    return columns_.hasAllRough(mask.nodes) || responseTo(mask);
   }
   /// True if columns or a response are available that are not rough.
   bool isExact(const ContactMask& mask) const {
@@ -77,7 +77,7 @@ class ContactCompliance {
   bool misses(const ContactMask& mask);
   /// Collects the union of the measured nodes of some masks in rows_.
   void collectRows(bool onlyChanged);
-  /// Computes Xi Φ of a mask in these rows. True if a rough response gives it.
+  /// Computes Xi Φ of a mask in these rows. True if it is rough.
   bool respond(int index);
   void sumColumns(const ContactMask& mask);
   void measureBase(int index);

@@ -80,11 +80,15 @@ void FieldEvaluator::addMask(const PatchForce& patch) {
   kept.asked = patch.radius;
   if (!surface_.makeMask(patch.point, patch.radius, *workspace_, kept.mask)) return;
   if (!columns_.hasAll(kept.mask.nodes)) {
-    const auto* known = columns_.responses().find(patch.point, patch.radius);
-    if (!known) return;
-    kept.response = known->unknowns;
-    kept.isRough = known->isRough;
-    unknowns_.noalias() += kept.response * patch.force.cast<float>();
+    if (const auto* known = columns_.responses().find(patch.point, patch.radius)) {
+      kept.response = known->unknowns;
+      kept.isRough = known->isRough;
+      unknowns_.noalias() += kept.response * patch.force.cast<float>();
+    } else if (columns_.hasAllRough(kept.mask.nodes)) {
+      kept.isRough = true;
+    } else {
+      return;
+    }
   }
   addTraction(kept.mask, patch.force);
   if (kept.response.rows() == 0)

@@ -7,12 +7,14 @@
 
 namespace palpa::bem {
 
+using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 GreensColumns::GreensColumns(std::shared_ptr<const ReferenceProblem> problem)
     : problem_(std::move(problem)),
       rows_(problem_->dofs().count()),
-      indexOfNode_(problem_->dofs().nodeCount(), -1) {
+      indexOfNode_(problem_->dofs().nodeCount(), -1),
+      rough_(static_cast<std::size_t>(problem_->dofs().nodeCount())) {
   const DegreesOfFreedom& dofs = problem_->dofs();
   for (int node = 0; node < dofs.nodeCount(); ++node) {
     if (!dofs.isFree(node)) continue;
@@ -31,6 +33,10 @@ GreensColumns::GreensColumns(std::shared_ptr<const ReferenceProblem> problem)
 
 bool GreensColumns::hasAll(std::span<const int> nodes) const {
   return std::all_of(nodes.begin(), nodes.end(), [this](int node) { return has(node); });
+}
+
+bool GreensColumns::hasAllRough(std::span<const int> nodes) const {
+  return std::all_of(nodes.begin(), nodes.end(), [this](int node) { return hasRough(node); });
 }
 
 std::unique_lock<std::timed_mutex> GreensColumns::waitForTurn(const Job& job) {
@@ -65,6 +71,16 @@ KnownColumns GreensColumns::copyOf(std::span<const int> nodes) const {
   return known;
 }
 
+MatrixXd GreensColumns::solveBlock(std::span<const int> nodes, ReferenceProblem::Effort effort,
+                                   const Job& job) const {
+  std::vector<int> dofs;
+  // BLAS treats the last columns of a block differently if their number is odd.
+  for (std::size_t k = 0; k < kBlock; ++k)
+    for (int axis = 0; axis < 3; ++axis)
+      dofs.push_back(3 * nodes[std::min(k, nodes.size() - 1)] + axis);
+  return problem_->greensColumns(dofs, effort, job);
+}
+
 void GreensColumns::compute(std::span<const int> nodes, const Job& job,
                             ReferenceProblem::Effort effort) {
   std::vector<int> missing;
@@ -74,18 +90,12 @@ void GreensColumns::compute(std::span<const int> nodes, const Job& job,
     missing.push_back(node);
     isListed[node] = true;
   }
-  std::vector<int> dofs;
   for (std::size_t first = 0; first < missing.size(); first += kBlock) {
     const auto turn = waitForTurn(job);
     const std::size_t last = std::min(missing.size(), first + kBlock);
     const std::span<const int> block(missing.data() + first, last - first);
     if (hasAll(block)) continue;  // another thread has computed them
-    dofs.clear();
-    // BLAS treats the last columns of a block differently if their number is odd.
-    for (std::size_t k = 0; k < kBlock; ++k)
-      for (int axis = 0; axis < 3; ++axis)
-        dofs.push_back(3 * block[std::min(k, block.size() - 1)] + axis);
-    const Eigen::MatrixXd columns = problem_->greensColumns(dofs, effort, job);
+    const MatrixXd columns = solveBlock(block, effort, job);
     for (std::size_t k = 0; k < block.size(); ++k) {
       if (has(block[k])) continue;  // in use; the same numbers
       const int index = indexOfNode_[block[k]];
@@ -96,6 +106,20 @@ void GreensColumns::compute(std::span<const int> nodes, const Job& job,
     }
     job.report(Phase::kGreensFunction,
                static_cast<double>(last) / static_cast<double>(missing.size()));
+  }
+}
+
+void GreensColumns::computeRough(std::span<const int> nodes, const Job& job) {
+  const auto turn = waitForTurn(job);
+  std::vector<int> missing;
+  for (const int node : nodes)
+    if (indexOfNode_[node] >= 0 && !hasRough(node)) missing.push_back(node);
+  for (std::size_t first = 0; first < missing.size() && takesRough(); first += kBlock) {
+    const auto block =
+        std::span(missing).subspan(first, std::min<std::size_t>(missing.size() - first, kBlock));
+    std::vector<int> indices;
+    for (const int node : block) indices.push_back(indexOfNode_[node]);
+    rough_.add(indices, solveBlock(block, ReferenceProblem::Effort::kRough, job).cast<float>());
   }
 }
 
@@ -116,7 +140,7 @@ void GreensColumns::computeAround(std::span<const int> nodes, const std::vector<
 }
 
 void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3d>& places,
-                              const std::vector<Vector3d>& points) const {
+                              const std::vector<Vector3d>& points, bool isRough) const {
   const std::size_t blocks = std::max<std::size_t>((nodes.size() + kBlock - 1) / kBlock, 1);
   const std::size_t wanted = kBlock * blocks - nodes.size();
   if (wanted == 0) return;
@@ -126,7 +150,7 @@ void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3
   };
   std::vector<Candidate> others;
   for (const int node : nodes_) {
-    if (has(node) || std::find(nodes.begin(), nodes.end(), node) != nodes.end()) continue;
+    if (has(node, isRough) || std::find(nodes.begin(), nodes.end(), node) != nodes.end()) continue;
     double distance = points.empty() ? 0 : std::numeric_limits<double>::infinity();
     for (const Vector3d& point : points)
       distance = std::min(distance, (places[node] - point).squaredNorm());
@@ -140,6 +164,19 @@ void GreensColumns::fillBlock(std::vector<int>& nodes, const std::vector<Vector3
   for (std::size_t k = 0; k < room; ++k) nodes.push_back(others[k].node);
 }
 
+std::vector<int> GreensColumns::blockFor(std::span<const int> nodes,
+                                         const std::vector<Vector3d>& places, bool isRough) const {
+  std::vector<int> block;
+  for (const int node : nodes) {
+    if (block.size() == kBlock) break;
+    if (indexOfNode_[node] >= 0 && !has(node, isRough) &&
+        std::find(block.begin(), block.end(), node) == block.end())
+      block.push_back(node);
+  }
+  if (!block.empty()) fillBlock(block, places, {places[block.front()]}, isRough);
+  return block;
+}
+
 void GreensColumns::computeResponse(const SurfacePoint& point, double radius,
                                     std::span<const int> nodes, std::span<const double> traction,
                                     const Job& job, ReferenceProblem::Effort effort) {
@@ -149,12 +186,12 @@ void GreensColumns::computeResponse(const SurfacePoint& point, double radius,
   if (const auto* known = responses_.find(point, radius); known && (isRough || !known->isRough))
     return;
   const DegreesOfFreedom& dofs = problem_->dofs();
-  Eigen::MatrixXd known = Eigen::MatrixXd::Zero(dofs.nodalCount(), 3);
+  MatrixXd known = MatrixXd::Zero(dofs.nodalCount(), 3);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (int axis = 0; axis < 3; ++axis)
       known(3 * nodes[k] + axis, axis) = traction[k] / dofs.tractionScale();
-  const Eigen::MatrixXd unknowns =
-      problem_->solve(dofs.expand(Eigen::MatrixXd::Zero(rows_, 3), known), effort, job);
+  const MatrixXd unknowns =
+      problem_->solve(dofs.expand(MatrixXd::Zero(rows_, 3), known), effort, job);
   responses_.add({point, radius, unknowns.cast<float>(), isRough});
 }
 

@@ -9,6 +9,7 @@
 #include "bem/base/large_matrix.h"
 #include "bem/problem/mask_responses.h"
 #include "bem/problem/reference_problem.h"
+#include "bem/problem/rough_columns.h"
 
 namespace palpa::bem {
 
@@ -30,21 +31,30 @@ class GreensColumns {
 
   const ReferenceProblem& problem() const { return *problem_; }
 
-  /// True if the three columns of a node are available; always false for a node that is not free.
+  /// True if the three columns of a node are available, not rough ones; always false for a node
+  /// that is not free.
   bool has(int node) const {
     return indexOfNode_[node] >= 0 &&
            isReady_[indexOfNode_[node]].load(std::memory_order_acquire) != 0;
   }
   bool hasAll(std::span<const int> nodes) const;
+  /// The same with rough ones, which better ones will replace.
+  bool hasRough(int node) const {
+    return has(node) || (indexOfNode_[node] >= 0 && rough_.find(indexOfNode_[node]));
+  }
+  bool hasAllRough(std::span<const int> nodes) const;
   /// Number of free nodes with available columns.
   int readyCount() const { return readyCount_.load(std::memory_order_acquire); }
   int nodeCount() const { return static_cast<int>(nodes_.size()); }
   bool isComplete() const { return readyCount() == nodeCount(); }
 
   /// The three columns of a free node, rows() numbers each: unknowns v per unit of the scaled
-  /// traction along x, y, z. has(node) must be true.
+  /// traction along x, y, z. hasRough(node) must be true; rough only while nothing better is known.
   const float* column(int node, int axis) const {
-    return columns_.data() + rows_ * (3 * static_cast<Eigen::Index>(indexOfNode_[node]) + axis);
+    const int index = indexOfNode_[node];
+    if (isReady_[index].load(std::memory_order_acquire) == 0)
+      return rough_.find(index) + rows_ * axis;
+    return columns_.data() + rows_ * (3 * static_cast<Eigen::Index>(index) + axis);
   }
   Eigen::Index rows() const { return rows_; }
 
@@ -66,20 +76,32 @@ class GreensColumns {
   void computeAround(std::span<const int> nodes, const std::vector<Eigen::Vector3d>& places,
                      const Job& job);
   /// Adds free nodes without columns to a list of distinct nodes, nearest to some points first,
-  /// until it fills its last block. Without points: by their number.
+  /// until it fills its last block. Without points: by their number. `isRough`: without rough
+  /// columns.
   void fillBlock(std::vector<int>& nodes, const std::vector<Eigen::Vector3d>& places,
-                 const std::vector<Eigen::Vector3d>& points) const;
+                 const std::vector<Eigen::Vector3d>& points, bool isRough = false) const;
+  /// The first free ones of some nodes without columns, filled with the nodes nearest to the first
+  /// of them. Empty if all have columns. `isRough`: rough ones suffice.
+  std::vector<int> blockFor(std::span<const int> nodes, const std::vector<Eigen::Vector3d>& places,
+                            bool isRough = false) const;
+
+  /// Computes rough columns of distinct nodes that have none, in blocks. Does nothing without
+  /// hasRoughSolution() of the problem, or if there are RoughColumns::kMaxBlocks blocks of them.
+  /// Other threads may read, and compute when this ends. Throws Cancelled.
+  void computeRough(std::span<const int> nodes, const Job& job);
+  /// False if computeRough() does nothing.
+  bool takesRough() const { return problem_->hasRoughSolution() && !rough_.isFull(); }
 
   /// Responses to single masks, for places whose columns are not available yet.
   const MaskResponses& responses() const { return responses_; }
-  /// Solves for the response of a mask, three columns instead of all of its nodes
-  /// with the effort kFirst, or kRough, which kFirst may follow. `point`, `radius`, `nodes` and
+  /// Solves for the response of a mask, three columns instead of all of its nodes,
+  /// with the effort kFast, or kRough, which kFast may follow. `point`, `radius`, `nodes` and
   /// `traction`: of the ContactMask. Does nothing if a response as good as this is known, or if
   /// there are MaskResponses::kMaxCount. Other threads may read and compute meanwhile. Throws
   /// Cancelled.
   void computeResponse(const SurfacePoint& point, double radius, std::span<const int> nodes,
                        std::span<const double> traction, const Job& job,
-                       ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFirst);
+                       ReferenceProblem::Effort effort = ReferenceProblem::Effort::kFast);
 
   /// The free nodes ordered by their distance from a point, nearest first: the order of computation
   /// for a touch there. `places`: of all nodes (ContactSurface::places()).
@@ -87,6 +109,10 @@ class GreensColumns {
                              const Eigen::Vector3d& point) const;
 
   std::size_t bytes() const { return columns_.bytes(); }
+  /// Memory of the columns that are available.
+  double usedBytes() const {
+    return blockBytes() * (static_cast<double>(readyCount()) / kBlock + rough_.count());
+  }
   /// Memory that compute() needs for a block.
   double blockBytes() const { return 3.0 * kBlock * static_cast<double>(rows_) * sizeof(float); }
 
@@ -99,6 +125,10 @@ class GreensColumns {
 
  private:
   std::unique_lock<std::timed_mutex> waitForTurn(const Job& job);
+  bool has(int node, bool isRough) const { return isRough ? hasRough(node) : has(node); }
+  /// Columns of kBlock nodes; the last one is repeated.
+  Eigen::MatrixXd solveBlock(std::span<const int> nodes, ReferenceProblem::Effort effort,
+                             const Job& job) const;
 
   std::timed_mutex computing_;  // held by the thread that computes a block
   std::shared_ptr<const ReferenceProblem> problem_;
@@ -108,6 +138,7 @@ class GreensColumns {
   std::unique_ptr<std::atomic<unsigned char>[]> isReady_;
   std::atomic<int> readyCount_{0};
   MaskResponses responses_;
+  RoughColumns rough_;
   LargeMatrix<float> columns_;
 };
 

@@ -25,7 +25,7 @@ MatrixXd ReferenceProblem::solve(const BoundaryField& known, Effort effort, cons
   double previous = std::numeric_limits<double>::infinity();
   for (int round = 0; round < rounds; ++round) {
     const MatrixXd rest = withTerm(residual(field, job), bodyForceTerm);
-    const MatrixXd step = effort == Effort::kFirst   ? firstCorrection(rest, job)
+    const MatrixXd step = effort == Effort::kFast    ? fastCorrection(rest, job)
                           : effort == Effort::kRough ? roughCorrection(rest, job)
                                                      : correction(rest, job);
     const double change = step.norm();

@@ -21,11 +21,11 @@ class ReferenceProblem {
 
   const DegreesOfFreedom& dofs() const { return dofs_; }
 
-  enum class Effort { kRefined, kFast, kFirst, kRough };
+  enum class Effort { kRefined, kFast, kRough };
   /// Unknowns v (dofs().count() rows) for known fields, one column each: A0 v = G p - H u + term.
   /// kRefined iterates on the residual in double precision until it stops falling; kFast takes the
-  /// result of the factorisation; kFirst is for a force that is wanted soon, in a field with an
-  /// error of some 1e-3; kRough for one that is wanted at once, see hasRoughSolution().
+  /// result of the factorisation, with an error below some 1e-4; kRough is for a force that is
+  /// wanted at once, see hasRoughSolution().
   /// `bodyForceTerm`: Discretisation::bodyForceTerm() of each column; empty if there is no body
   /// force. Throws Cancelled.
   Eigen::MatrixXd solve(const BoundaryField& known, Effort effort = Effort::kRefined,
@@ -38,15 +38,15 @@ class ReferenceProblem {
   /// solved by the factorisation without refinement. Throws Cancelled.
   virtual Eigen::MatrixXd correction(const Eigen::MatrixXd& residual,
                                      const Job& job = {}) const = 0;
-  /// correction() with the error of Effort::kFirst.
-  virtual Eigen::MatrixXd firstCorrection(const Eigen::MatrixXd& residual, const Job& job) const {
+  /// correction() with the error of Effort::kFast.
+  virtual Eigen::MatrixXd fastCorrection(const Eigen::MatrixXd& residual, const Job& job) const {
     return correction(residual, job);
   }
   /// correction() with the error of Effort::kRough.
   virtual Eigen::MatrixXd roughCorrection(const Eigen::MatrixXd& residual, const Job& job) const {
-    return firstCorrection(residual, job);
+    return fastCorrection(residual, job);
   }
-  /// True if Effort::kRough is quicker than kFirst, and has larger errors: some 1e-2 in fields,
+  /// True if Effort::kRough is quicker than kFast, and has larger errors: some 1e-2 in fields,
   /// 1e-5 to 1e-3 in forces.
   virtual bool hasRoughSolution() const { return false; }
 

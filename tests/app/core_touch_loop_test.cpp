@@ -16,7 +16,7 @@
 #include "app/core/system/destroy_in_background.h"
 #include "bem/compressed/make_problem.h"
 #include "core_projects.h"
-#include "tests/bem/roughly_solved.h"
+#include "touch_loop_sphere.h"
 
 namespace palpa::app {
 namespace {
@@ -25,71 +25,16 @@ using namespace std::chrono_literals;
 using Eigen::Vector3d;
 using Kind = bem::ContactTool::Kind;
 using Status = TouchSnapshot::Status;
-
-const Vector3d kTop(0, 0, 25), kSide(25, 0, 0);
-
-std::shared_ptr<const TouchModel> build(const modeling::Project& project) {
-  return buildTouchModel(project, {}, {});
-}
-
-const std::shared_ptr<const TouchModel>& sphere() {
-  static const auto shared = build(test::clampedSphere(6));
-  return shared;
-}
-
-/// The same sphere a little larger.
-std::shared_ptr<const TouchModel> largerSphere(double factor) {
-  modeling::Project project = test::clampedSphere(6);
-  auto& solid = std::get<modeling::Solid>(project.body);
-  std::vector<Vector3d> points = solid.controlPoints();
-  for (Vector3d& point : points) point *= factor;
-  project.body = solid.withControlPoints(std::move(points));
-  return build(project);
-}
-
-/// Waits until the snapshots of a loop fulfil a condition; fails after a minute.
-TouchSnapshot await(const TouchLoop& loop,
-                    const std::function<bool(const TouchSnapshot&)>& condition) {
-  TouchSnapshot snapshot;
-  const auto end = std::chrono::steady_clock::now() + 60s;
-  do {
-    loop.read(snapshot);
-    if (condition(snapshot)) return snapshot;
-    std::this_thread::sleep_for(200us);
-  } while (std::chrono::steady_clock::now() < end);
-  const auto status = loop.status();
-  ADD_FAILURE() << "waited for a minute; model " << snapshot.model << " of " << status.newest
-                << " (prepared " << status.prepared << "), step " << snapshot.step << ", "
-                << snapshot.contactCount << " contacts, residual " << snapshot.residual
-                << ", converged " << snapshot.isConverged << ", columns " << snapshot.columnsReady
-                << ", error \"" << status.error << "\"";
-  return snapshot;
-}
-
-auto hasForce(TouchId id) {
-  return [id](const TouchSnapshot& snapshot) {
-    const auto* contact = snapshot.find(id);
-    return contact && contact->force.norm() > 0;
-  };
-}
-
-/// Has a step been made with this value?
-auto hasValue(TouchId id, const Vector3d& value) {
-  return [id, value](const TouchSnapshot& snapshot) {
-    const auto* contact = snapshot.find(id);
-    return contact && contact->value == value && contact->status != Status::kWaiting;
-  };
-}
-
-auto stepsAfter(std::uint64_t step) {
-  return [step](const TouchSnapshot& snapshot) { return snapshot.step >= step; };
-}
-
-auto isComplete(std::uint64_t model) {
-  return [model](const TouchSnapshot& snapshot) {
-    return snapshot.model == model && snapshot.columnsReady == 1;
-  };
-}
+using test::await;
+using test::build;
+using test::hasForce;
+using test::hasValue;
+using test::isComplete;
+using test::kSide;
+using test::kTop;
+using test::largerSphere;
+using test::sphere;
+using test::stepsAfter;
 
 TEST(TripleBuffer, HandsOverTheNewestWholeValue) {
   struct Pair {
@@ -210,98 +155,6 @@ TEST(TouchLoop, TheFirstForceNeedsFewColumns) {
     loop.set(push, value);
     EXPECT_GT(await(loop, hasValue(push, value)).find(push)->force.norm(), 0);
   }
-}
-
-TEST(TouchLoop, LargeModelsAnswerAGrabbedPlaceBeforeItsColumns) {
-  TouchLoop::Options options;
-  options.computesAll = false;
-  options.answersPlacesFrom = 0;
-  TouchLoop loop(options);
-  const auto number = loop.setModel(sphere());
-  const Vector3d pull(0, 0.5, -2);
-  const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, pull);
-  const TouchSnapshot snapshot = await(loop, hasForce(id));
-  EXPECT_EQ(snapshot.columnsReady, 0);
-  const modeling::Touch touch{"exact", kTop, modeling::TouchKind::kGrab, pull, 8.0};
-  const TouchState exact = playTouches(*sphere(), std::span(&touch, 1));
-  EXPECT_LE((snapshot.find(id)->force - exact.contacts[0].force).norm(),
-            1e-4 * exact.contacts[0].force.norm());
-  TouchField field(loop.model(number));
-  EXPECT_LE((field.displacements(snapshot) - exact.field.u).norm(), 1e-4 * exact.field.u.norm());
-  const TouchId push = loop.begin({Kind::kPush, 6, 0}, kSide, {24, 0, 0});
-  await(loop, hasForce(push));
-  // The many masks of a ball need columns, also beside places that do not.
-  const TouchId ball = loop.begin({Kind::kBall, 6, 0}, -kSide, {-30, 0, 0});
-  EXPECT_GT(await(loop, hasForce(ball)).columnsReady, 0);
-  // An edited model takes over when it has an answer.
-  const auto edited = loop.setModel(largerSphere(1.01));
-  loop.end(push);
-  loop.end(ball);
-  const TouchSnapshot after = await(loop, [edited](const TouchSnapshot& now) {
-    return now.model == edited && now.contactCount == 1;
-  });
-  EXPECT_GT(after.find(id)->force.norm(), 0.9 * snapshot.find(id)->force.norm());
-}
-
-/// The sphere with rough solutions that are 5 % wrong, made for each test.
-std::shared_ptr<const TouchModel> roughlySolvedSphere() {
-  BuildOptions options;
-  options.makeProblem = [](const bem::Discretisation& discretisation,
-                           const bem::ProblemInputs& inputs, const Job& job,
-                           bem::ReferenceProblemTimes* times) {
-    return std::make_unique<bem::RoughlySolved>(
-        bem::makeReferenceProblem(discretisation, inputs, job, times));
-  };
-  return buildTouchModel(test::clampedSphere(6), options, {});
-}
-
-TEST(TouchLoop, NewPlacesOfLargeModelsAreRoughAtFirst) {
-  const auto model = roughlySolvedSphere();
-  const auto& problem = dynamic_cast<const bem::RoughlySolved&>(*model->problem());
-  TouchLoop::Options options;
-  options.answersPlacesFrom = 0;
-  TouchLoop loop(options);
-  loop.setModel(model);
-  const Vector3d pull(0, 0.5, -2);
-  const modeling::Touch touch{"exact", kTop, modeling::TouchKind::kGrab, pull, 8.0};
-  const TouchState exact = playTouches(*sphere(), std::span(&touch, 1));
-  const Vector3d force = exact.contacts[0].force;
-  const TouchId id = loop.begin({Kind::kGrab, 8}, kTop, pull);
-  await(loop, hasForce(id));
-  EXPECT_EQ(problem.roughCount(), 1);
-  // The other thread improves it.
-  await(loop, [&](const TouchSnapshot& snapshot) {
-    const auto* contact = snapshot.find(id);
-    return contact && (contact->force - force).norm() <= 1e-4 * force.norm();
-  });
-  EXPECT_EQ(problem.roughCount(), 1);
-}
-
-TEST(TouchLoop, NobodyImprovesRoughPlacesWithoutTheOtherThread) {
-  const auto model = roughlySolvedSphere();
-  TouchLoop::Options options;
-  options.answersPlacesFrom = 0;
-  options.computesAll = false;
-  TouchLoop loop(options);
-  loop.setModel(model);
-  await(loop, hasForce(loop.begin({Kind::kGrab, 8}, kTop, {0, 0, -1})));
-  EXPECT_EQ(dynamic_cast<const bem::RoughlySolved&>(*model->problem()).roughCount(), 0);
-}
-
-TEST(TouchLoop, NewPlacesInterruptTheColumnsOfOthers) {
-  TouchLoop::Options options;
-  options.answersPlacesFrom = 0;
-  TouchLoop loop(options);
-  const auto number = loop.setModel(sphere());
-  for (int k = 0; k < 8; ++k) {
-    const double angle = 0.7 * k;
-    const TouchId id = loop.begin({Kind::kGrab, 6},
-                                  25 * Vector3d(std::cos(angle), std::sin(angle), 0), {0, 0, 0.1});
-    await(loop, hasForce(id));
-    loop.end(id);
-  }
-  EXPECT_TRUE(loop.status().error.empty());
-  await(loop, isComplete(number));
 }
 
 /// With splines coefficients are not nodes of the mesh.

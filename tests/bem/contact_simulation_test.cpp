@@ -1,16 +1,11 @@
 #include "bem/contact/contact_simulation.h"
-#include "bem/dense/make_reference_problem.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
-#include <numeric>
 
-#include "app/verification/exact/simple_meshes.h"
 #include "bem/contact/bilateral_contact_solver.h"
-#include "bem/contact/field_evaluator.h"
-#include "bem/triangle/triangle_contact_surface.h"
-#include "tests/bem/roughly_solved.h"
+#include "tests/bem/contact_sphere.h"
 
 namespace palpa::bem {
 namespace {
@@ -18,46 +13,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using Kind = ContactTool::Kind;
-
-constexpr Material kSoft{0.1, 0.45};
 using Status = ContactSimulation::Status;
-
-/// Silicone-like sphere of radius 25 mm, fixed below z = -20 mm, with all its columns.
-struct Sphere {
-  BoundaryMesh mesh;
-  TractionSlots slots;
-  std::shared_ptr<const ReferenceProblem> problem;
-  BoundaryField base;
-  std::unique_ptr<TriangleContactSurface> surface;
-  std::unique_ptr<GreensColumns> columns;
-
-  explicit Sphere(int n) : mesh(tagged(n)), slots(mesh) {
-    std::vector<SlotCondition> conditions;
-    for (const auto& slot : slots.slots)
-      conditions.push_back(slot.tag == 1 ? SlotCondition::kFixed : SlotCondition::kTraction);
-    problem = makeDenseReferenceProblem(mesh, slots, {conditions, kSoft, {}, Precision::kDouble});
-    base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
-    surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
-    columns = std::make_unique<GreensColumns>(problem);
-    std::vector<int> all(mesh.nodeCount());
-    std::iota(all.begin(), all.end(), 0);
-    columns->compute(all, Job{});
-  }
-  static BoundaryMesh tagged(int n) {
-    BoundaryMesh mesh = verification::sphereMesh(25, n);
-    for (int t = 0; t < mesh.triangleCount(); ++t)
-      mesh.tags[t] = mesh.point(t, Vector3d::Constant(1.0 / 3))[2] < -20 ? 1 : 0;
-    return mesh;
-  }
-  ContactSimulation simulation() const { return {*surface, *columns, base, kSoft}; }
-};
-
-const Sphere& sphere() {
-  static const Sphere shared(10);  // 602 nodes, edges of 3.9 mm
-  return shared;
-}
-
-const Vector3d kTop(0, 0, 25), kSide(25, 0, 0);
+using test::kSide;
+using test::kSoft;
+using test::kTop;
+using test::sphere;
 
 TEST(ContactSimulation, GrabsLikeTheExactSolver) {
   ContactSimulation simulation = sphere().simulation();
@@ -252,167 +212,6 @@ TEST(ContactSimulation, AToolThatSlidesAheadOfItsColumnsKeepsItsForce) {
   whole.begin({Kind::kPush, 8, 0}, kTop, {6, 0, 23.2});
   whole.step(50);
   EXPECT_LE((simulation.find(id)->force - whole.contacts()[0].force).norm(), 1e-3 * force);
-}
-
-/// Computes the response of a place that waits.
-void answer(ContactSimulation& simulation, GreensColumns& columns) {
-  simulation.step();
-  const auto waiting = simulation.waiting();
-  ASSERT_TRUE(waiting);
-  ContactMask mask;
-  const auto workspace = sphere().surface->makeWorkspace();
-  ASSERT_TRUE(sphere().surface->makeMask(waiting->point, waiting->radius, *workspace, mask));
-  columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, Job{});
-}
-
-TEST(ContactSimulation, APushingToolKeepsTheFirstPlaceThatIsAnswered) {
-  GreensColumns columns(sphere().problem);
-  ContactSimulation simulation(*sphere().surface, columns, sphere().base, kSoft);
-  const auto id = simulation.begin({Kind::kPush, 8, 0}, kTop, {0, 0, 24.5});
-  simulation.step();
-  const auto first = simulation.waiting();
-  ASSERT_TRUE(first);
-  simulation.set(id, {2, 0, 23});
-  simulation.step(3);
-  ASSERT_TRUE(simulation.waiting());
-  EXPECT_EQ(simulation.waiting()->point.position, first->point.position);
-  simulation.set(id, {8, 0, 22});
-  answer(simulation, columns);
-  simulation.step();
-  EXPECT_EQ(simulation.find(id)->status, Status::kSlipping);
-  EXPECT_GT(simulation.find(id)->force.norm(), 0);
-  EXPECT_FALSE(simulation.waiting());
-  // It slides when the columns have come, to the force that it has with all of them.
-  for (int round = 0; round < 10 && !simulation.missing().empty(); ++round) {
-    columns.compute(simulation.missing(), Job{});
-    simulation.step(20);
-  }
-  EXPECT_TRUE(simulation.missed().empty());
-  ContactSimulation whole = sphere().simulation();
-  whole.begin({Kind::kPush, 8, 0}, kTop, {8, 0, 22});
-  whole.step(50);
-  EXPECT_LE((simulation.find(id)->force - whole.contacts()[0].force).norm(),
-            1e-3 * whole.contacts()[0].force.norm());
-}
-
-TEST(ContactSimulation, TheResponsesOfGrabbedPlacesReplaceColumns) {
-  GreensColumns none(sphere().problem);
-  const auto grab = [](ContactSimulation& simulation) {
-    simulation.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
-    simulation.begin({Kind::kForce, 6}, kSide, {-0.1, 0.05, 0});
-  };
-  ContactSimulation simulation(*sphere().surface, none, sphere().base, kSoft);
-  grab(simulation);
-  const auto ball = simulation.begin({Kind::kBall, 6, 0}, {0, 25, 0}, {0, 30.5, 0});
-  answer(simulation, none);
-  answer(simulation, none);
-  simulation.step();
-  EXPECT_EQ(none.readyCount(), 0);
-  EXPECT_FALSE(simulation.waiting());  // a ball has many masks, which need columns
-  EXPECT_FALSE(simulation.missing().empty());
-  simulation.end(ball);
-  simulation.step();
-  EXPECT_TRUE(simulation.missed().empty());
-  ContactSimulation whole = sphere().simulation();
-  grab(whole);
-  whole.step();
-  std::vector<ContactSimulation::PatchForce> patches;
-  for (int k = 0; k < 2; ++k) {
-    const auto &contact = simulation.contacts()[k], &expected = whole.contacts()[k];
-    EXPECT_EQ(contact.status, Status::kGrabbed);
-    EXPECT_LE((contact.force - expected.force).norm(), 1e-5 * expected.force.norm());
-    EXPECT_LE((contact.displacement - expected.displacement).norm(), 1e-5);
-    patches.insert(patches.end(), expected.patch.begin(), expected.patch.end());
-  }
-  FieldEvaluator fromResponses(*sphere().surface, none, sphere().base),
-      fromColumns(*sphere().surface, *sphere().columns, sphere().base);
-  BoundaryField field = sphere().base, expected = sphere().base;
-  for (int frame = 0; frame < 2; ++frame) {  // the second one uses what the first one kept
-    fromResponses.evaluate(patches, true, field);
-    fromColumns.evaluate(patches, true, expected);
-    EXPECT_LE((field.u - expected.u).norm(), 1e-5 * expected.u.norm());
-    EXPECT_LE((field.p - expected.p).norm(), 1e-4 * expected.p.norm());
-  }
-}
-
-/// A grab at the top with rough and better responses, and its field.
-struct RoughGrab {
-  GreensColumns columns{std::make_shared<RoughlySolved>(sphere().problem)};
-  ContactSimulation simulation{*sphere().surface, columns, sphere().base, kSoft};
-  FieldEvaluator evaluator{*sphere().surface, columns, sphere().base};
-  ContactMask mask;
-  Vector3d expectedForce;
-  BoundaryField expected = sphere().base;
-
-  RoughGrab() {
-    simulation.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
-    simulation.step();
-    const auto waiting = simulation.waiting();
-    sphere().surface->makeMask(waiting->point, waiting->radius, *sphere().surface->makeWorkspace(),
-                               mask);
-    ContactSimulation whole = sphere().simulation();
-    whole.begin({Kind::kGrab, 8}, kTop, {0, 0.5, -2});
-    whole.step();
-    expectedForce = whole.contacts()[0].force;
-    FieldEvaluator(*sphere().surface, *sphere().columns, sphere().base)
-        .evaluate(whole.contacts()[0].patch, true, expected);
-  }
-
-  void solve(ReferenceProblem::Effort effort) {
-    columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, Job{}, effort);
-  }
-  /// Relative difference of the force from `factor` times the right one.
-  double differenceOfForce(double factor) {
-    simulation.step();
-    return (simulation.contacts()[0].force - factor * expectedForce).norm() / expectedForce.norm();
-  }
-  /// Of the displacements under the grabbed place's right force.
-  double differenceOfField(double factor) {
-    BoundaryField field = sphere().base;
-    const ContactSimulation::PatchForce patch{mask.point, mask.radius, expectedForce};
-    evaluator.evaluate(std::span(&patch, 1), true, field);
-    return (field.u - factor * expected.u).norm() / expected.u.norm();
-  }
-};
-
-TEST(ContactSimulation, BetterResponsesReplaceRoughOnes) {
-  constexpr double kFactor = RoughlySolved::kFactor;
-  RoughGrab grab;
-  grab.solve(ReferenceProblem::Effort::kRough);
-  EXPECT_LE(grab.differenceOfForce(1 / kFactor), 1e-5);
-  EXPECT_LE(grab.differenceOfField(kFactor), 1e-5);
-  EXPECT_LE(grab.differenceOfField(kFactor), 1e-5);  // of the kept response
-  grab.solve(ReferenceProblem::Effort::kFirst);
-  EXPECT_FALSE(grab.columns.responses().find(grab.mask.point, grab.mask.radius)->isRough);
-  EXPECT_LE(grab.differenceOfForce(1), 1e-5);
-  EXPECT_LE(grab.differenceOfField(1), 1e-5);
-  // A rough one is of no use any more.
-  grab.solve(ReferenceProblem::Effort::kRough);
-  EXPECT_FALSE(grab.columns.responses().find(grab.mask.point, grab.mask.radius)->isRough);
-}
-
-TEST(ContactSimulation, ColumnsReplaceRoughResponses) {
-  RoughGrab grab;
-  grab.solve(ReferenceProblem::Effort::kRough);
-  EXPECT_GE(grab.differenceOfForce(1), 0.04);
-  EXPECT_GE(grab.differenceOfField(1), 0.04);
-  grab.columns.compute(grab.mask.nodes, Job{});
-  EXPECT_LE(grab.differenceOfForce(1), 1e-5);
-  EXPECT_LE(grab.differenceOfField(1), 1e-5);
-}
-
-TEST(MaskResponses, HoldALimitedNumberOfMasks) {
-  MaskResponses responses;
-  SurfacePoint point = sphere().surface->nearest(kTop);
-  for (int k = 0; k <= MaskResponses::kMaxCount; ++k)
-    responses.add({point, 1.0 + k, Eigen::MatrixX3f::Constant(3, 3, static_cast<float>(k))});
-  EXPECT_TRUE(responses.isFull());
-  ASSERT_TRUE(responses.find(point, 5));
-  EXPECT_EQ(responses.find(point, 5)->unknowns(0, 0), 4);
-  EXPECT_FALSE(responses.find(point, 5.5));
-  EXPECT_FALSE(responses.find(point, 1.0 + MaskResponses::kMaxCount));
-  point.position.x() += 1;
-  EXPECT_FALSE(responses.find(point, 5));
 }
 
 TEST(ContactSimulation, WaitsForColumnsAndRefusesHeldPlaces) {

@@ -21,8 +21,6 @@ constexpr const char* kNoMemory =
     "there is no memory left for touching further places; take a larger edge length or close other "
     "programs";
 
-constexpr std::size_t kBlock = bem::GreensColumns::kBlock;
-
 }  // namespace
 
 TouchWorker::TouchWorker(LoopMailbox& mailbox, Options options,
@@ -193,23 +191,16 @@ bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop
     case Answer::kNone:
       break;
   }
-  std::vector<int> nodes;
-  for (int k = 0; k < request.count; ++k)
-    if (!touched->columns()->has(request.nodes[k])) nodes.push_back(request.nodes[k]);
-  if (nodes.empty()) return false;
+  const std::span nodes(request.nodes.data(), static_cast<std::size_t>(request.count));
+  const std::vector<int> block = touched->columns()->blockFor(nodes, touched->surface().places());
+  if (block.empty()) return false;
   // The next new place must not wait for the end of a long block.
   if (answersPlaces(*touched) && isFilled(request.number) && hasMemoryFor(*touched, false))
-    return false;
+    return computeRough(*touched, nodes, stop);
   if (!hasMemoryFor(*touched, true)) {
     setError(kNoMemory);
     return false;
   }
-  std::vector<int> block;
-  for (const int node : nodes)
-    if (block.size() < kBlock && std::find(block.begin(), block.end(), node) == block.end())
-      block.push_back(node);
-  touched->columns()->fillBlock(block, touched->surface().places(),
-                                {touched->surface().places()[block.front()]});
   isUrgent_.store(true);
   const std::lock_guard lock(computing_);
   compute(*touched, block, stop);
@@ -262,9 +253,9 @@ void TouchWorker::compute(const TouchableModel& model, std::span<const int> node
 bool TouchWorker::hasMemoryFor(const TouchableModel& model, bool isUrgent) const {
   const bem::GreensColumns& columns = *model.columns();
   const double block = columns.blockBytes();
-  const double used = block / bem::GreensColumns::kBlock * columns.readyCount();
   const double part = isUrgent ? 1.0 : kIdlePart;
-  if (options_.columnsLimit > 0 && used + block > part * options_.columnsLimit) return false;
+  if (options_.columnsLimit > 0 && columns.usedBytes() + block > part * options_.columnsLimit)
+    return false;
   const double available = availableMemory();
   return available <= 0 || block + kReserve < (isUrgent ? available : kIdlePart * available);
 }

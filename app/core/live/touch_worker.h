@@ -21,7 +21,8 @@ namespace palpa::app {
 ///
 /// In large models, the block of columns that a new place needs takes seconds. There the first
 /// thread solves for the place alone, for which the other one stops, roughly where that is quicker,
-/// and leaves the better solution and the columns around the place to the other one.
+/// and leaves the better solution and the columns around the place to the other one. Contacts with
+/// several masks (balls) get rough columns instead, which the other one replaces.
 class TouchWorker {
  public:
   struct Options {
@@ -68,6 +69,9 @@ class TouchWorker {
   bool computeRequested(const ColumnRequest& request, const std::stop_token& stop);
   bool computeOthers(const std::stop_token& stop);
   bool improvePlace(const std::stop_token& stop);
+  bool computeRough(const TouchableModel& model, std::span<const int> nodes,
+                    const std::stop_token& stop);
+  void stopFiller();
   void compute(const TouchableModel& model, std::span<const int> nodes,
                const std::stop_token& stop);
   bool hasMemoryFor(const TouchableModel& model, bool isUrgent) const;

@@ -21,24 +21,43 @@ TouchWorker::Answer TouchWorker::answerPlace(const std::shared_ptr<const Touchab
     return Answer::kNone;
   if (columns.responses().find(mask.point, mask.radius)) return Answer::kKnown;
   if (columns.responses().isFull()) return Answer::kNone;
-  isUrgent_.store(true);
-  {
-    const std::lock_guard lock(mutex_);
-    fillerBlock_.request_stop();
-  }
+  stopFiller();
   const std::lock_guard lock(computing_);
   Job job;
   job.stop = stop;
   job.threads = options_.threads;
   // Rough only if the other thread will improve it.
   columns.computeResponse(mask.point, mask.radius, mask.nodes, mask.traction, job,
-                          isFilled(request.number) ? Effort::kRough : Effort::kFirst);
+                          isFilled(request.number) ? Effort::kRough : Effort::kFast);
   const auto* response = columns.responses().find(mask.point, mask.radius);
   if (response && response->isRough) {
     const std::lock_guard places(mutex_);
     rough_.push_back({model, mask.point, mask.radius});
   }
   return Answer::kComputed;
+}
+
+/// The filler pauses, and computes its present block again later.
+void TouchWorker::stopFiller() {
+  isUrgent_.store(true);
+  const std::lock_guard lock(mutex_);
+  fillerBlock_.request_stop();
+}
+
+/// Computes rough columns of some nodes without any. False: there is nothing to do.
+bool TouchWorker::computeRough(const TouchableModel& model, std::span<const int> nodes,
+                               const std::stop_token& stop) {
+  bem::GreensColumns& columns = *model.columns();
+  if (!columns.takesRough()) return false;
+  const std::vector<int> block = columns.blockFor(nodes, model.surface().places(), true);
+  if (block.empty()) return false;
+  stopFiller();
+  const std::lock_guard lock(computing_);
+  Job job;
+  job.stop = stop;
+  job.threads = options_.threads;
+  columns.computeRough(block, job);
+  return true;
 }
 
 /// Solves again for the oldest place with a rough response. False: there is none.
@@ -63,7 +82,7 @@ bool TouchWorker::improvePlace(const std::stop_token& stop) {
   const std::lock_guard lock(computing_);
   try {
     model->columns()->computeResponse(place.point, place.radius, mask.nodes, mask.traction, job,
-                                      Effort::kFirst);
+                                      Effort::kFast);
   } catch (const Cancelled&) {  // for a new place, or at the end
     const std::lock_guard places(mutex_);
     rough_.insert(rough_.begin(), place);
