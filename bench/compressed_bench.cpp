@@ -115,8 +115,6 @@ void measure(const std::string& name, const modeling::Project& project, const Se
   const auto sizes = compressed->operators().sizes();
   std::printf("%-20s n %6d  assembly %6.2f s  factors %6.2f s  (processor %6.1f s)\n", name.c_str(),
               on->displacementCount(), parts.assemble, parts.factorise, made.processor);
-  measureColumns(*compressed, dofs, settings.job);
-  measureColumns(*compressed, blockAround(dofs[0], *on, compressed->dofs()), settings.job);
   std::printf(
       "    MB: %6.0f = far %.0f (%d blocks, mean rank %.1f) + near %.0f + averaged %.0f + factors "
       "%.0f (mean rank %.1f)\n",
@@ -126,7 +124,10 @@ void measure(const std::string& name, const modeling::Project& project, const Se
       static_cast<double>(compressed->factors().bytes()) / kMega, compressed->factors().meanRank());
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  std::printf("    peak %.0f MB\n", static_cast<double>(usage.ru_maxrss) * 1024 / kMega);
+  std::printf("    peak before columns %.0f MB\n",
+              static_cast<double>(usage.ru_maxrss) * 1024 / kMega);
+  measureColumns(*compressed, dofs, settings.job);
+  measureColumns(*compressed, blockAround(dofs[0], *on, compressed->dofs()), settings.job);
   std::fflush(stdout);
   if (on->displacementCount() > settings.mostDenseNodes) return;
   inputs.precision = bem::Precision::kSingle;

@@ -1,7 +1,6 @@
 #include "bem/problem/greens_columns.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <new>
 
@@ -39,12 +38,10 @@ bool GreensColumns::hasAllRough(std::span<const int> nodes) const {
   return std::all_of(nodes.begin(), nodes.end(), [this](int node) { return hasRough(node); });
 }
 
-std::unique_lock<std::timed_mutex> GreensColumns::waitForTurn(const Job& job) {
-  constexpr std::chrono::milliseconds kCheckInterval{5};
-  std::unique_lock lock(computing_, std::defer_lock);
-  do job.throwIfCancelled();
-  while (!lock.try_lock_for(kCheckInterval));
-  return lock;
+std::unique_lock<StoppableMutex> GreensColumns::waitForTurn(const Job& job) {
+  job.throwIfCancelled();
+  computing_.lock(job.stop);
+  return std::unique_lock(computing_, std::adopt_lock);
 }
 
 void GreensColumns::take(const KnownColumns& known) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/stoppable_mutex.h"
 #include "bem/base/large_matrix.h"
 #include "bem/problem/mask_responses.h"
 #include "bem/problem/reference_problem.h"
@@ -124,13 +125,13 @@ class GreensColumns {
   static constexpr int kBlock = 32;
 
  private:
-  std::unique_lock<std::timed_mutex> waitForTurn(const Job& job);
+  std::unique_lock<StoppableMutex> waitForTurn(const Job& job);
   bool has(int node, bool isRough) const { return isRough ? hasRough(node) : has(node); }
   /// Columns of kBlock nodes; the last one is repeated.
   Eigen::MatrixXd solveBlock(std::span<const int> nodes, ReferenceProblem::Effort effort,
                              const Job& job) const;
 
-  std::timed_mutex computing_;  // held by the thread that computes a block
+  StoppableMutex computing_;  // held by the thread that computes a block
   std::shared_ptr<const ReferenceProblem> problem_;
   Eigen::Index rows_;
   std::vector<int> nodes_;        // the free ones
