@@ -93,15 +93,12 @@ bool ContactCompliance::respond(int index) {
   const DegreesOfFreedom& dofs = surface_.dofs();
   const auto rowCount = static_cast<Index>(rows_.size());
   if (response_.rows() < 3 * rowCount) response_.resize(6 * rowCount, 3);
-  // Before, because columns may come meanwhile.
-  bool isRough = !isExact(mask);
-  const MaskResponses::Response* response =
-      columns_.hasAll(mask.nodes) ? nullptr : responseTo(mask);
+  const bool hasColumns = columns_.hasAll(mask.nodes);
+  const MaskResponses::Response* response = hasColumns ? nullptr : responseTo(mask);
   if (!response) {
     sumColumns(mask);
   } else {
     const auto& unknowns = response->unknowns;
-    isRough = response->isRough;
     for (Index i = 0; i < rowCount; ++i)
       response_.middleRows<3>(3 * i) = unknowns.middleRows<3>(3 * static_cast<Index>(rows_[i]));
   }
@@ -114,7 +111,7 @@ bool ContactCompliance::respond(int index) {
       along += frame.col(k) * response_.row(3 * i + k);
     response_.middleRows<3>(3 * i) = along;
   }
-  return isRough;
+  return !hasColumns && (!response || response->isRough);
 }
 
 void ContactCompliance::sumColumns(const ContactMask& mask) {

@@ -1,20 +1,16 @@
 #include "app/core/live/touch_loop.h"
-#include "app/core/model/build_touch_model.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include "allocation_counter.h"
-#include "app/core/live/touch_field.h"
 #include "app/core/results/touch.h"
 #include "app/core/system/destroy_in_background.h"
-#include "bem/compressed/make_problem.h"
 #include "core_projects.h"
 #include "touch_loop_sphere.h"
 

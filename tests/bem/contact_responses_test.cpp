@@ -49,10 +49,7 @@ TEST(ContactResponses, APushingToolKeepsTheFirstPlaceThatIsAnswered) {
   EXPECT_GT(simulation.find(id)->force.norm(), 0);
   EXPECT_FALSE(simulation.waiting());
   // It slides when the columns have come, to the force that it has with all of them.
-  for (int round = 0; round < 10 && !simulation.missing().empty(); ++round) {
-    columns.compute(simulation.missing(), Job{});
-    simulation.step(20);
-  }
+  test::computeMissing(simulation, columns);
   EXPECT_TRUE(simulation.missed().empty());
   ContactSimulation whole = sphere().simulation();
   whole.begin({Kind::kPush, 8, 0}, kTop, {8, 0, 22});

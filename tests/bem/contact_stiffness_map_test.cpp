@@ -2,60 +2,34 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <numeric>
 
 #include "app/verification/exact/simple_meshes.h"
 #include "bem/contact/bilateral_contact_solver.h"
-#include "bem/contact/contact_simulation.h"
 #include "bem/contact/stiffness_map.h"
-#include "bem/dense/make_reference_problem.h"
-#include "bem/triangle/triangle_contact_surface.h"
+#include "tests/bem/contact_body.h"
 
 namespace palpa::bem {
 namespace {
 
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 enum class Support { kFixed, kRoller };
 
 constexpr Material kMaterial{1.0, 0.3};
 
 /// Box of 20 x 20 x 10 mm with sharp edges whose bottom is fixed.
-struct Box {
-  BoundaryMesh mesh;
-  TractionSlots slots;
-  std::shared_ptr<const ReferenceProblem> problem;
-  BoundaryField base;
-  std::unique_ptr<TriangleContactSurface> surface;
-  std::unique_ptr<GreensColumns> columns;
-
+struct Box : test::ContactBody {
   explicit Box(Support bottom)
-      : mesh(verification::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4)), slots(mesh) {
-    constexpr int kLeft = 0, kBottom = 4;  // tags
-    std::vector<SlotCondition> conditions;
-    for (const auto& slot : slots.slots) {
-      // Rollers alone would let the box slide, so one side is fixed as well.
-      if (bottom == Support::kRoller)
-        conditions.push_back(slot.tag == kLeft     ? SlotCondition::kFixed
-                             : slot.tag == kBottom ? SlotCondition::kRoller
-                                                   : SlotCondition::kTraction);
-      else
-        conditions.push_back(slot.tag == kBottom ? SlotCondition::kFixed
-                                                 : SlotCondition::kTraction);
-    }
-    problem =
-        makeDenseReferenceProblem(mesh, slots, {conditions, kMaterial, {}, Precision::kDouble});
-    base = {VectorXd::Zero(3 * mesh.nodeCount()), VectorXd::Zero(3 * slots.count())};
-    surface = std::make_unique<TriangleContactSurface>(mesh, slots, problem->dofs());
-    columns = std::make_unique<GreensColumns>(problem);
-  }
-  void computeAll() {
-    std::vector<int> all(mesh.nodeCount());
-    std::iota(all.begin(), all.end(), 0);
-    columns->compute(all, Job{});
-  }
+      : ContactBody(verification::boxMesh({0, 0, 0}, {20, 20, 10}, 8, 8, 4), kMaterial,
+                    [bottom](int tag) {
+                      constexpr int kLeft = 0, kBottom = 4;
+                      // Rollers alone would let the box slide, so one side is fixed as well.
+                      if (bottom == Support::kRoller)
+                        return tag == kLeft     ? SlotCondition::kFixed
+                               : tag == kBottom ? SlotCondition::kRoller
+                                                : SlotCondition::kTraction;
+                      return tag == kBottom ? SlotCondition::kFixed : SlotCondition::kTraction;
+                    }) {}
   int slotNear(const Vector3d& at, const Vector3d& normal) const {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();

@@ -191,12 +191,18 @@ bool TouchWorker::computeRequested(const ColumnRequest& request, const std::stop
     case Answer::kNone:
       break;
   }
+  // The next new place must not wait for the end of a long block: the other thread computes it.
+  const bool isRough =
+      answersPlaces(*touched) && isFilled(request.number) && hasMemoryFor(*touched, false);
+  if (isRough && !touched->columns()->takesRough()) return false;
   const std::span nodes(request.nodes.data(), static_cast<std::size_t>(request.count));
-  const std::vector<int> block = touched->columns()->blockFor(nodes, touched->surface().places());
+  const std::vector<int> block =
+      touched->columns()->blockFor(nodes, touched->surface().places(), isRough);
   if (block.empty()) return false;
-  // The next new place must not wait for the end of a long block.
-  if (answersPlaces(*touched) && isFilled(request.number) && hasMemoryFor(*touched, false))
-    return computeRough(*touched, nodes, stop);
+  if (isRough) {
+    computeRough(*touched, block, stop);
+    return true;
+  }
   if (!hasMemoryFor(*touched, true)) {
     setError(kNoMemory);
     return false;

@@ -69,7 +69,7 @@ class TouchWorker {
   bool computeRequested(const ColumnRequest& request, const std::stop_token& stop);
   bool computeOthers(const std::stop_token& stop);
   bool improvePlace(const std::stop_token& stop);
-  bool computeRough(const TouchableModel& model, std::span<const int> nodes,
+  void computeRough(const TouchableModel& model, std::span<const int> nodes,
                     const std::stop_token& stop);
   void stopFiller();
   void compute(const TouchableModel& model, std::span<const int> nodes,

@@ -44,20 +44,15 @@ void TouchWorker::stopFiller() {
   fillerBlock_.request_stop();
 }
 
-/// Computes rough columns of some nodes without any. False: there is nothing to do.
-bool TouchWorker::computeRough(const TouchableModel& model, std::span<const int> nodes,
+/// Computes rough columns of some nodes without any.
+void TouchWorker::computeRough(const TouchableModel& model, std::span<const int> nodes,
                                const std::stop_token& stop) {
-  bem::GreensColumns& columns = *model.columns();
-  if (!columns.takesRough()) return false;
-  const std::vector<int> block = columns.blockFor(nodes, model.surface().places(), true);
-  if (block.empty()) return false;
   stopFiller();
   const std::lock_guard lock(computing_);
   Job job;
   job.stop = stop;
   job.threads = options_.threads;
-  columns.computeRough(block, job);
-  return true;
+  model.columns()->computeRough(nodes, job);
 }
 
 /// Solves again for the oldest place with a rough response. False: there is none.
