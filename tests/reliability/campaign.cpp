@@ -73,6 +73,9 @@ Usage usageNow() {
 Campaign::Campaign(const char* name, int argc, char** argv, double seconds, long rounds,
                    std::vector<std::string> others)
     : name_(name), seconds_(seconds), requestedRounds_(rounds) {
+  // malloc_trim() does not return the free end of any but the first arena: with one arena per
+  // thread the resident size varies by 70 MiB at constant use, with a single one by 2 MiB.
+  ::mallopt(M_ARENA_MAX, 1);
   for (int i = 1; i < argc; i += 2) {
     const std::string option = argv[i];
     if (i + 1 == argc) endWithUsage(name_, others);
