@@ -16,11 +16,11 @@ using Eigen::MatrixXd;
 
 namespace {
 
-class AveragedBlocks {
+class AveragedBlocksMaker {
  public:
-  AveragedBlocks(const CompressedOrder& order, const ElementSurface& surface,
-                 const WeightedEquations& equations, const AveragedRows& rows,
-                 const std::vector<char>& isWanted)
+  AveragedBlocksMaker(const CompressedOrder& order, const ElementSurface& surface,
+                      const WeightedEquations& equations, const AveragedRows& rows,
+                      const std::vector<char>& isWanted)
       : order_(order),
         surface_(surface),
         equations_(equations),
@@ -28,7 +28,7 @@ class AveragedBlocks {
         isWanted_(isWanted),
         columnCount_(order.positionCount() + order.slots.size()) {}
 
-  BlockRows make(std::span<const AveragedRows::Total> totals, const Job& job) {
+  AveragedBlocks make(std::span<const AveragedRows::Total> totals, const Job& job) {
     const std::vector<const AveragedElement*> averaged = wantedElements();
     setColumns(averaged, job);
     rows_.resize(last_.size());
@@ -48,10 +48,11 @@ class AveragedBlocks {
                   });
       complete.clear();
       for (std::size_t k = first; k < end; ++k)
-        for (const int e : averaged[k]->equations) {
+        for (const int equation : averaged[k]->equations) {
+          const auto e = static_cast<std::size_t>(equation);
           if (!isWanted_[e]) continue;
-          if (rows_[e].empty()) rows_[e].resize(ownColumns(static_cast<std::size_t>(e)));
-          if (last_[e] == k) complete.push_back(static_cast<std::size_t>(e));
+          if (rows_[e].empty()) rows_[e].resize(columnsOfNodes(e) + columnsOfSlots(e));
+          if (last_[e] == k) complete.push_back(e);
         }
       // In the order of the elements, so that the sums do not depend on the number of threads.
       parallelFor(2, job, [&](std::ptrdiff_t half) {
@@ -115,11 +116,12 @@ class AveragedBlocks {
     return elements;
   }
 
-  /// Number of columns of an equation without the last one, which is there for packRow().
-  std::size_t ownColumns(std::size_t e) const {
-    const std::size_t all = result_.begin[e + 1] - result_.begin[e];
+  /// Numbers of columns of an equation, without the last one among the nodes.
+  std::size_t columnsOfNodes(std::size_t e) const {
+    const std::size_t all = result_.ofNodes.columns.count(e);
     return all > 0 ? all - 1 : 0;
   }
+  std::size_t columnsOfSlots(std::size_t e) const { return result_.ofSlots.columns.count(e); }
 
   void setColumns(const std::vector<const AveragedElement*>& averaged, const Job& job) {
     const auto equations = static_cast<std::ptrdiff_t>(equations_.weights.rows());
@@ -143,17 +145,20 @@ class AveragedBlocks {
         columns[e] = columnsOf(static_cast<int>(e), elements[e], marks);
       pool.giveBack(std::move(marks));
     });
-    result_.begin.assign(1, 0);
-    for (const auto& list : columns)
-      result_.begin.push_back(result_.begin.back() + (list.empty() ? 0 : list.size() + 1));
-    result_.columns.reserve(result_.begin.back());
+    const auto nodes = static_cast<int>(order_.positionCount());
+    result_.ofNodes.columns.reserve(columns.size());
+    result_.ofSlots.columns.reserve(columns.size());
     for (auto& list : columns) {
-      if (list.empty()) continue;
-      result_.columns.insert(result_.columns.end(), list.begin(), list.end());
-      result_.columns.push_back(list.front());
+      const auto split = std::lower_bound(list.begin(), list.end(), nodes);
+      const std::vector<int> ofSlots(split, list.end());
+      list.erase(split, list.end());
+      if (!list.empty()) list.push_back(list.front());  // see packRow()
+      result_.ofNodes.columns.appendRow(list);
+      result_.ofSlots.columns.appendRow(ofSlots);
       list = std::vector<int>();  // also gives back the memory, unlike an empty list
     }
-    result_.blocks.resize(result_.columns.size());
+    result_.ofNodes.blocks.resize(result_.ofNodes.columns.blockCount());
+    result_.ofSlots.blocks.resize(result_.ofSlots.columns.blockCount());
   }
 
   /// Adds the columns of nodes or slots. `places`: memory of one number per column.
@@ -165,8 +170,15 @@ class AveragedBlocks {
     for (std::size_t k = 0; k < element.equations.size(); ++k) {
       const auto e = static_cast<std::size_t>(element.equations[k]);
       if (!isWanted_[e]) continue;
-      const int* columns = result_.columns.data() + result_.begin[e];
-      for (std::size_t b = 0; b < rows_[e].size(); ++b) places[columns[b]] = b;
+      const BlockColumns& columns = isOfSlots ? result_.ofSlots.columns : result_.ofNodes.columns;
+      // The last block of a row is not in rows_, and repeats the first column until the row is
+      // complete.
+      const std::size_t firstPlace = isOfSlots ? columnsOfNodes(e) : 0,
+                        own = isOfSlots ? columnsOfSlots(e) : columnsOfNodes(e);
+      columns.visit(e, [&](std::size_t block, int column) {
+        const std::size_t place = block - columns.begin(e);
+        if (place < own) places[column] = firstPlace + place;
+      });
       for (std::size_t f = 0; f < functions.size(); ++f) {
         const int column = isOfSlots ? columnOfSlot(functions[f]) : columnOfNode(functions[f]);
         BlockNumbers& block = rows_[e][places[column]];
@@ -179,15 +191,18 @@ class AveragedBlocks {
   }
 
   void pack(std::size_t e) {
-    const auto columns = result_.columns.begin() + static_cast<std::ptrdiff_t>(result_.begin[e]);
-    const auto own = static_cast<std::ptrdiff_t>(ownColumns(e));
-    const auto ofNodes =
-        std::lower_bound(columns, columns + own, static_cast<int>(order_.positionCount())) -
-        columns;
-    const std::size_t largest =
-        packRow(rows_[e], static_cast<std::size_t>(ofNodes),
-                std::span(result_.blocks).subspan(result_.begin[e], rows_[e].size() + 1));
-    columns[own] = columns[static_cast<std::ptrdiff_t>(largest)];
+    BlockRows<PackedBlock>& nodes = result_.ofNodes;
+    BlockRows<PackedSymmetricBlock>& slots = result_.ofSlots;
+    const std::span<const BlockNumbers> all(rows_[e]);
+    const std::size_t own = columnsOfNodes(e), begin = nodes.columns.begin(e);
+    if (own > 0) {
+      const std::size_t largest =
+          packRow(all.first(own), std::span(nodes.blocks).subspan(begin, own + 1));
+      nodes.columns.repeatColumnAtEnd(e, begin + largest);
+    }
+    std::transform(all.begin() + static_cast<std::ptrdiff_t>(own), all.end(),
+                   slots.blocks.begin() + static_cast<std::ptrdiff_t>(slots.columns.begin(e)),
+                   packedSymmetric);
     rows_[e] = Row();  // also gives back the memory, unlike an empty list
   }
 
@@ -198,17 +213,17 @@ class AveragedBlocks {
   const std::vector<char>& isWanted_;
   const std::size_t columnCount_;
   std::vector<std::size_t> last_;  ///< element of each equation, in order
-  std::vector<Row> rows_;          ///< of incomplete equations
-  BlockRows result_;
+  std::vector<Row> rows_;          ///< of incomplete equations: blocks of nodes, then of slots
+  AveragedBlocks result_;
 };
 
 }  // namespace
 
-BlockRows makeAveragedBlocks(const CompressedOrder& order, const ElementSurface& surface,
-                             const WeightedEquations& equations, const AveragedRows& rows,
-                             std::span<const AveragedRows::Total> totals,
-                             const std::vector<char>& isWanted, const Job& job) {
-  return AveragedBlocks(order, surface, equations, rows, isWanted).make(totals, job);
+AveragedBlocks makeAveragedBlocks(const CompressedOrder& order, const ElementSurface& surface,
+                                  const WeightedEquations& equations, const AveragedRows& rows,
+                                  std::span<const AveragedRows::Total> totals,
+                                  const std::vector<char>& isWanted, const Job& job) {
+  return AveragedBlocksMaker(order, surface, equations, rows, isWanted).make(totals, job);
 }
 
 }  // namespace palpa::bem

@@ -2,7 +2,11 @@
 
 namespace palpa::bem {
 
-void addBlockProductAvx2(const BlockProductTask& task) {
+void addBlockProductAvx2(const BlockProductTask<PackedBlock>& task) {
+  detail::addBlockProduct<xsimd::fma3<xsimd::avx2>>(task);
+}
+
+void addBlockProductAvx2(const BlockProductTask<PackedSymmetricBlock>& task) {
   detail::addBlockProduct<xsimd::fma3<xsimd::avx2>>(task);
 }
 

@@ -2,7 +2,11 @@
 
 namespace palpa::bem {
 
-void addBlockProductAvx512(const BlockProductTask& task) {
+void addBlockProductAvx512(const BlockProductTask<PackedBlock>& task) {
+  detail::addBlockProduct<xsimd::avx512f>(task);
+}
+
+void addBlockProductAvx512(const BlockProductTask<PackedSymmetricBlock>& task) {
   detail::addBlockProduct<xsimd::avx512f>(task);
 }
 

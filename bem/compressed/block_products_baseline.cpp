@@ -2,7 +2,11 @@
 
 namespace palpa::bem {
 
-void addBlockProductBaseline(const BlockProductTask& task) {
+void addBlockProductBaseline(const BlockProductTask<PackedBlock>& task) {
+  detail::addBlockProduct<xsimd::default_arch>(task);
+}
+
+void addBlockProductBaseline(const BlockProductTask<PackedSymmetricBlock>& task) {
   detail::addBlockProduct<xsimd::default_arch>(task);
 }
 

@@ -30,23 +30,26 @@ BlockRow mergedRow(BlockRowEntries& entries) {
   return row;
 }
 
-BlockRows joined(std::vector<BlockRow> rows) {
-  BlockRows result;
-  result.begin.push_back(0);
-  for (const BlockRow& row : rows) result.begin.push_back(result.begin.back() + row.columns.size());
-  result.columns.reserve(result.begin.back());
-  result.blocks.reserve(result.begin.back());
+BlockRows<PackedBlock> joined(std::vector<BlockRow> rows) {
+  BlockRows<PackedBlock> result;
+  result.columns.reserve(rows.size());
+  std::size_t count = 0;
+  for (const BlockRow& row : rows) count += row.blocks.size();
+  result.blocks.reserve(count);
   for (BlockRow& row : rows) {
-    result.columns.insert(result.columns.end(), row.columns.begin(), row.columns.end());
+    result.columns.appendRow(row.columns);
     result.blocks.insert(result.blocks.end(), row.blocks.begin(), row.blocks.end());
     row = {};
   }
   return result;
 }
 
-PackedBlock packed(const BlockNumbers& numbers) {
+namespace {
+
+template <std::size_t kCount>
+PackedNumbersOfBlock<kCount> packedNumbers(const std::array<float, kCount>& numbers) {
   constexpr float kMaxDigits = std::numeric_limits<std::int16_t>::max();
-  PackedBlock block;
+  PackedNumbersOfBlock<kCount> block;
   const float largest = largestMagnitude(numbers);
   if (largest == 0) return block;
   if (!std::isfinite(largest)) {
@@ -57,18 +60,27 @@ PackedBlock packed(const BlockNumbers& numbers) {
   block.scale = static_cast<std::uint16_t>(
       (std::bit_cast<std::uint32_t>(largest / kMaxDigits) >> PackedBlock::kLowerHalf) + 1);
   const float scale = block.scaleFactor();
-  for (int k = 0; k < 9; ++k)
+  for (std::size_t k = 0; k < kCount; ++k)
     block.digits[k] = static_cast<std::int16_t>(std::nearbyint(numbers[k] / scale));
   return block;
 }
 
-std::size_t packRow(std::span<const BlockNumbers> blocks, std::size_t summed,
-                    std::span<PackedBlock> to) {
+}  // namespace
+
+PackedBlock packed(const BlockNumbers& numbers) {
+  return packedNumbers(numbers);
+}
+
+PackedSymmetricBlock packedSymmetric(const BlockNumbers& n) {
+  return packedNumbers(
+      std::array{n[0], (n[1] + n[3]) / 2, (n[2] + n[6]) / 2, n[4], (n[5] + n[7]) / 2, n[8]});
+}
+
+std::size_t packRow(std::span<const BlockNumbers> blocks, std::span<PackedBlock> to) {
   std::array<double, 9> change{};
   std::size_t most = 0;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     to[b] = packed(blocks[b]);
-    if (b >= summed) continue;
     if (largestMagnitude(blocks[b]) > largestMagnitude(blocks[most])) most = b;
     const BlockNumbers rounded = numbersOf(to[b]);
     for (int k = 0; k < 9; ++k)

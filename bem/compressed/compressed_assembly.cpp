@@ -210,11 +210,12 @@ class CompressedAssembly {
         for (int i = 0; i < 3; ++i)
           for (int c = 0; c < 3; ++c) block[3 * i + c] = static_cast<float>(-value * sum(i, c));
       }
-      BlockRows& to = result_.corrections_;
-      const std::size_t begin = to.begin[p];
-      const std::size_t largest =
-          packRow(blocks, blocks.size(), std::span(to.blocks).subspan(begin, blocks.size() + 1));
-      to.columns[begin + blocks.size()] = to.columns[begin + largest];
+      BlockRows<PackedBlock>& to = result_.corrections_;
+      const auto row = static_cast<std::size_t>(p);
+      const std::size_t begin = to.columns.begin(row),
+                        largest =
+                            packRow(blocks, std::span(to.blocks).subspan(begin, blocks.size() + 1));
+      to.columns.repeatColumnAtEnd(row, begin + largest);
     }
     return totals;
   }

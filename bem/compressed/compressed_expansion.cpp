@@ -125,20 +125,23 @@ void CompressedOperators::expand(std::span<const int> equations, std::span<const
   expandPoints(0, 0, scratch.points.size(), columns, scratch);
   scratch.places.resize(3 * (order_.tree.order().size() + order_.slots.size()), -1);
   for (std::size_t k = 0; k < columns.size(); ++k) scratch.places[columns[k]] = static_cast<int>(k);
-  const auto addRow = [&](const BlockRows& from, int row, Eigen::Map<RowMatrixXf> matrix, Index k) {
-    for (std::size_t b = from.begin[row]; b < from.begin[static_cast<std::size_t>(row) + 1]; ++b)
+  const auto addRow = [&](const auto& from, int row, Eigen::Map<RowMatrixXf> matrix, Index k) {
+    from.columns.visit(static_cast<std::size_t>(row), [&](std::size_t number, int column) {
       for (int c = 0; c < 3; ++c) {
-        const int place = scratch.places[3 * static_cast<std::size_t>(from.columns[b]) + c];
+        const int place = scratch.places[3 * static_cast<std::size_t>(column) + c];
         if (place < 0) continue;
-        const BlockNumbers block = numbersOf(from.blocks[b]);
+        const BlockNumbers block = numbersOf(from.blocks[number]);
         for (int i = 0; i < 3; ++i) matrix(3 * k + i, place) += block[3 * i + c];
       }
+    });
   };
   for (std::size_t k = 0; k < scratch.points.size(); ++k)
     addRow(corrections_, scratch.points[k], scratch.ofPoints.matrix(), static_cast<Index>(k));
   sumPoints(equations, scratch);
-  for (std::size_t k = 0; k < equations.size(); ++k)
-    addRow(averaged_, equations[k], scratch.ofEquations.matrix(), static_cast<Index>(k));
+  for (std::size_t k = 0; k < equations.size(); ++k) {
+    addRow(averaged_.ofNodes, equations[k], scratch.ofEquations.matrix(), static_cast<Index>(k));
+    addRow(averaged_.ofSlots, equations[k], scratch.ofEquations.matrix(), static_cast<Index>(k));
+  }
   for (const int column : columns) scratch.places[column] = -1;
 }
 
@@ -203,14 +206,15 @@ bool CompressedOperators::expandNarrow(std::span<const int> equations, std::span
 
 void CompressedOperators::appendSparseColumns(std::span<const int> equations,
                                               std::vector<int>& to) const {
-  const auto append = [&](const BlockRows& from, std::size_t row) {
-    to.insert(to.end(), from.columns.begin() + static_cast<std::ptrdiff_t>(from.begin[row]),
-              from.columns.begin() + static_cast<std::ptrdiff_t>(from.begin[row + 1]));
+  const auto append = [&](const BlockColumns& columns, int row) {
+    columns.visit(static_cast<std::size_t>(row),
+                  [&](std::size_t, int column) { to.push_back(column); });
   };
   for (const int e : equations) {
-    append(averaged_, static_cast<std::size_t>(e));
+    append(averaged_.ofNodes.columns, e);
+    append(averaged_.ofSlots.columns, e);
     for (Weights::InnerIterator w(weights_, e); w; ++w)
-      append(corrections_, static_cast<std::size_t>(w.col()));
+      append(corrections_.columns, static_cast<int>(w.col()));
   }
 }
 

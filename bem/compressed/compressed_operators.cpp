@@ -39,13 +39,14 @@ void addProduct(bool isByRows, int m, int k, const float* A, int stride, Rows<co
                 x.numbers + c * x.stride, 1, 1, y.numbers + c * y.stride, 1);
 }
 
-/// y += A(row, :) x; x has BlockProductTask::kRead rows more than A has columns.
-void addRow(const BlockRows& A, int row, const RowMatrixXf& x, const LoadedColumns& loaded,
-            float* y) {
+/// y += A(row, :) x; x has kReadBehind rows more than A has columns.
+template <class Block>
+void addRow(const BlockRows<Block>& A, std::size_t row, const RowMatrixXf& x,
+            const LoadedColumns& loaded, float* y) {
   static const AddBlockProduct addBlockProduct = addBlockProductForThisProcessor();
-  const std::size_t begin = A.begin[row], end = A.begin[static_cast<std::size_t>(row) + 1];
-  addBlockProduct({A.blocks.data() + begin, A.columns.data() + begin, end - begin, x.data(),
-                   x.cols(), loaded.few(), y});
+  const std::span<const ColumnRun> runs = A.columns.runs(row);
+  addBlockProduct(BlockProductTask<Block>{A.blocks.data() + A.columns.begin(row), runs.data(),
+                                          runs.size(), x.data(), x.cols(), loaded.few(), y});
 }
 
 constexpr int kEquationsPerTask = 64;
@@ -134,7 +135,8 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
     pool.giveBack(std::move(unpacked));
     if (areFew) ofLeaf = few;
     for (int point = first; point < order_.pointEnd(leaf); ++point)
-      addRow(corrections_, point, x, loaded, y.row(3 * static_cast<Index>(point)).data());
+      addRow(corrections_, static_cast<std::size_t>(point), x, loaded,
+             y.row(3 * static_cast<Index>(point)).data());
   });
 }
 
@@ -146,9 +148,8 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
   MatrixXd result(3 * equations, u.cols());
   for (Index first = 0; first < u.cols(); first += columnsAtOnce) {
     const Index columns = std::min(columnsAtOnce, u.cols() - first);
-    constexpr Index kRead = BlockProductTask::kRead;
-    RowMatrixXf x(3 * (nodes + slots) + kRead, columns), y;
-    x.bottomRows<kRead>().setZero();
+    RowMatrixXf x(3 * (nodes + slots) + kReadBehind, columns), y;
+    x.bottomRows<kReadBehind>().setZero();
     for (Index k = 0; k < nodes; ++k)
       x.middleRows(3 * k, 3) =
           u.block(3 * static_cast<Index>(order_.tree.order()[k]), first, 3, columns).cast<float>();
@@ -168,7 +169,9 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
             for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator w(weights_, e); w; ++w)
               sum += static_cast<double>(w.value()) * y.middleRows(3 * w.col(), 3).cast<double>();
             averaged.setZero();
-            addRow(averaged_, static_cast<int>(e), x, loaded, averaged.data());
+            const auto row = static_cast<std::size_t>(e);
+            addRow(averaged_.ofNodes, row, x, loaded, averaged.data());
+            addRow(averaged_.ofSlots, row, x, loaded, averaged.data());
             sum += averaged.cast<double>();
             for (int i = 0; i < 3; ++i)
               result.row(i * equations + e).segment(first, columns) = sum.row(i);

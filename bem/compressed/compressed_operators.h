@@ -6,6 +6,7 @@
 #include "base/byte_stream.h"
 #include "base/job.h"
 #include "bem/base/team.h"
+#include "bem/compressed/averaged_blocks.h"
 #include "bem/compressed/block_rows.h"
 #include "bem/compressed/compressed_order.h"
 #include "bem/compressed/far_blocks.h"
@@ -119,9 +120,9 @@ class CompressedOperators {
   CompressedOrder order_;
   std::vector<std::vector<FarBlock>> far_;               ///< per cluster of points
   std::vector<std::vector<NearBlock>> near_;             ///< per leaf, counted from the first
-  BlockRows corrections_;                                ///< added to P
+  BlockRows<PackedBlock> corrections_;                   ///< added to P
   Eigen::SparseMatrix<float, Eigen::RowMajor> weights_;  ///< (equation, point position)
-  BlockRows averaged_;                                   ///< N
+  AveragedBlocks averaged_;                              ///< N
 };
 
 /// Assembles the operators of quadratic triangles (or other elements with one coefficient per node

@@ -10,39 +10,37 @@ using Eigen::Index;
 
 namespace {
 
-void writeRows(const BlockRows& rows, const ByteSink& sink) {
-  writeList(sink, rows.begin);
-  writeList(sink, rows.columns);
+template <class Block>
+void writeRows(const BlockRows<Block>& rows, const ByteSink& sink) {
+  rows.columns.write(sink);
   writeList(sink, rows.blocks);
 }
 
-BlockRows readRows(const ByteSource& source, std::size_t count) {
-  BlockRows rows;
-  rows.begin = readList<std::size_t>(source);
-  rows.columns = readList<int>(source);
-  rows.blocks = readList<PackedBlock>(source);
-  if (rows.begin.size() != count + 1 || rows.begin.front() != 0 ||
-      rows.begin.back() != rows.columns.size() || rows.blocks.size() != rows.columns.size() ||
-      !std::is_sorted(rows.begin.begin(), rows.begin.end()))
-    throw DamagedData();
-  return rows;
+template <class Block>
+void readRows(BlockRows<Block>& rows, const ByteSource& source, std::size_t count,
+              int columnCount) {
+  rows.columns = BlockColumns::read(source, count, columnCount);
+  rows.blocks = readList<Block>(source);
+  if (rows.blocks.size() != rows.columns.blockCount()) throw DamagedData();
 }
 
-/// The rows of both, of which one has no blocks in each row.
-BlockRows merged(const BlockRows& a, const BlockRows& b) {
-  BlockRows both;
-  both.begin.push_back(0);
-  both.columns.reserve(a.columns.size() + b.columns.size());
-  both.blocks.reserve(both.columns.capacity());
-  for (std::size_t row = 0; row + 1 < a.begin.size(); ++row) {
-    for (const BlockRows* from : {&a, &b})
-      for (std::size_t k = from->begin[row]; k < from->begin[row + 1]; ++k) {
-        both.columns.push_back(from->columns[k]);
-        both.blocks.push_back(from->blocks[k]);
-      }
-    both.begin.push_back(both.columns.size());
+/// Adds rows to others, of which one has no blocks in each row.
+template <class Block>
+void addRows(BlockRows<Block>& to, const BlockRows<Block>& from) {
+  BlockRows<Block> both;
+  const std::size_t rows = to.columns.rowCount();
+  both.columns.reserve(rows);
+  both.blocks.reserve(to.blocks.size() + from.blocks.size());
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (const BlockRows<Block>* some : {&std::as_const(to), &from}) {
+      const auto begin =
+          some->blocks.begin() + static_cast<std::ptrdiff_t>(some->columns.begin(row));
+      both.blocks.insert(both.blocks.end(), begin,
+                         begin + static_cast<std::ptrdiff_t>(some->columns.count(row)));
+    }
+    both.columns.appendRow(to.columns.runs(row), from.columns.runs(row));
   }
-  return both;
+  to = std::move(both);
 }
 
 /// Appends blocks and restores their order: columns ascend.
@@ -62,8 +60,9 @@ void append(std::vector<std::vector<Block>>& to, std::vector<std::vector<Block>>
 void CompressedOperators::add(CompressedOperators share) {
   append(far_, share.far_);
   append(near_, share.near_);
-  corrections_ = merged(corrections_, share.corrections_);
-  averaged_ = merged(averaged_, share.averaged_);
+  addRows(corrections_, share.corrections_);
+  addRows(averaged_.ofNodes, share.averaged_.ofNodes);
+  addRows(averaged_.ofSlots, share.averaged_.ofSlots);
 }
 
 void CompressedOperators::write(const ByteSink& sink) const {
@@ -99,7 +98,8 @@ void CompressedOperators::write(const ByteSink& sink) const {
   writeList(sink, columns);
   writeList(sink, values);
   writeRows(corrections_, sink);
-  writeRows(averaged_, sink);
+  writeRows(averaged_.ofNodes, sink);
+  writeRows(averaged_.ofSlots, sink);
 }
 
 CompressedOperators::CompressedOperators(const ByteSource& source)
@@ -144,8 +144,11 @@ CompressedOperators::CompressedOperators(const ByteSource& source)
     }
   }
   readWeights(source);
-  corrections_ = readRows(source, order_.points.size());
-  averaged_ = readRows(source, static_cast<std::size_t>(equationCount()));
+  const auto equations = static_cast<std::size_t>(equationCount());
+  const int nodes = nodeCount(), all = nodes + static_cast<int>(order_.slots.size());
+  readRows(corrections_, source, order_.points.size(), all);
+  readRows(averaged_.ofNodes, source, equations, nodes);
+  readRows(averaged_.ofSlots, source, equations, all);
 }
 
 void CompressedOperators::readWeights(const ByteSource& source) {
@@ -166,11 +169,11 @@ void CompressedOperators::readWeights(const ByteSource& source) {
 
 bool CompressedOperators::reaches(std::span<const int> equations) const {
   using Weights = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-  const auto hasRow = [](const BlockRows& rows, std::size_t row) {
-    return rows.begin[row] < rows.begin[row + 1];
+  const auto hasRow = [](const BlockColumns& columns, int row) {
+    return columns.count(static_cast<std::size_t>(row)) > 0;
   };
   const auto hasPoint = [&](int point) {
-    if (hasRow(corrections_, static_cast<std::size_t>(point))) return true;
+    if (hasRow(corrections_.columns, point)) return true;
     const auto after = std::upper_bound(order_.firstPoint.begin(), order_.firstPoint.end(), point);
     int cluster = order_.tree.leafOf(static_cast<int>(after - order_.firstPoint.begin()) - 1);
     if (!near_[cluster - ClusterTree::firstOf(order_.tree.levelCount() - 1)].empty()) return true;
@@ -180,7 +183,7 @@ bool CompressedOperators::reaches(std::span<const int> equations) const {
     }
   };
   for (const int e : equations) {
-    if (hasRow(averaged_, static_cast<std::size_t>(e))) return true;
+    if (hasRow(averaged_.ofNodes.columns, e) || hasRow(averaged_.ofSlots.columns, e)) return true;
     for (Weights::InnerIterator w(weights_, e); w; ++w)
       if (hasPoint(static_cast<int>(w.col()))) return true;
   }

@@ -2,18 +2,29 @@
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace palpa::bem {
 
-/// A block of 3 x 3 numbers in 20 bytes: digits times a scale.
-struct PackedBlock {
-  std::array<std::int16_t, 9> digits{};  ///< [3 i + c]
+/// Numbers of a block of 3 x 3: digits times a scale.
+template <std::size_t kCount>
+struct PackedNumbersOfBlock {
+  std::array<std::int16_t, kCount> digits{};
   std::uint16_t scale = 0;               ///< upper half of the bits of a number of single precision
   static constexpr int kLowerHalf = 16;  ///< bits
   float scaleFactor() const {
     return std::bit_cast<float>(static_cast<std::uint32_t>(scale) << kLowerHalf);
   }
+};
+/// In 20 bytes, digits [3 i + c].
+using PackedBlock = PackedNumbersOfBlock<9>;
+/// In 14 bytes, the upper triangle by rows: xx, xy, xz, yy, yz, zz.
+using PackedSymmetricBlock = PackedNumbersOfBlock<6>;
+
+/// Columns that follow each other.
+struct ColumnRun {
+  int first, count;
 };
 
 }  // namespace palpa::bem

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Kind = ContactCondition::Kind;
+using ConditionKind = ContactCondition::Kind;
 
 /// Cost of a Newton step besides the elimination, per contact, in multiplications.
 constexpr double kContactWork = 1000;
@@ -26,8 +26,8 @@ struct Projected {
 Projected project(const ContactCondition& condition, const Vector3d& f, const Vector3d& d,
                   double penalty) {
   const Vector3d trial = f - penalty * (d - condition.value);
-  if (condition.kind == Kind::kGrab) return {trial, ContactStatus::kGrabbed};
-  if (condition.kind == Kind::kForce) return {condition.value, ContactStatus::kForced};
+  if (condition.kind == ConditionKind::kGrab) return {trial, ContactStatus::kGrabbed};
+  if (condition.kind == ConditionKind::kForce) return {condition.value, ContactStatus::kForced};
   const double pressing = trial.dot(condition.normal);
   if (pressing <= 0) return {Vector3d::Zero(), ContactStatus::kOpen};
   const Vector3d tangential = trial - pressing * condition.normal;
@@ -92,7 +92,7 @@ double FrictionalContactSolver::findSharedPlaces(const Problem& problem) {
   shared_.setZero(count);
   traces_.resize(count);
   for (Index k = 0; k < count; ++k)
-    traces_[k] = problem.conditions[k].kind == Kind::kForce
+    traces_[k] = problem.conditions[k].kind == ConditionKind::kForce
                      ? 0.0
                      : problem.compliance.block<3, 3>(3 * k, 3 * k).trace();
   double largest = 0;
@@ -154,7 +154,7 @@ void FrictionalContactSolver::start(const Problem& problem, ContactForces& solut
     penalty_[k] = trace > 0 ? 3.0 / trace : 0.0;
     // Prescribed forces hold from the start, so that they do not disturb the statuses of the
     // others.
-    if (problem.conditions[k].kind == Kind::kForce)
+    if (problem.conditions[k].kind == ConditionKind::kForce)
       solution.forces.segment<3>(3 * k) = problem.conditions[k].value;
   }
   displacements_.noalias() = problem.free + problem.compliance * solution.forces;

@@ -123,18 +123,17 @@ TEST(PackedNumbers, AreTheSameWithEveryInstructionSet) {
   }
 }
 
-TEST(PackedRow, KeepsTheSumOfTheChosenBlocks) {
+TEST(PackedRow, KeepsTheSumOfTheBlocks) {
   std::mt19937 generator(7);
   std::uniform_real_distribution<float> anyNumber(-8, 8);
-  std::vector<BlockNumbers> blocks(12);
+  std::vector<BlockNumbers> blocks(8);
   for (auto& block : blocks)
     for (float& number : block) number = anyNumber(generator);
-  constexpr std::size_t kSummed = 8;
   std::vector<PackedBlock> packed(blocks.size() + 1);
-  EXPECT_LT(packRow(blocks, kSummed, packed), kSummed);
+  EXPECT_LT(packRow(blocks, packed), blocks.size());
   for (std::size_t k = 0; k < 9; ++k) {
     double expected = 0, rounded = 0;
-    for (std::size_t b = 0; b < kSummed; ++b) {
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
       expected += static_cast<double>(blocks[b][k]);
       rounded += static_cast<double>(numbersOf(packed[b])[k]);
     }
@@ -142,6 +141,57 @@ TEST(PackedRow, KeepsTheSumOfTheChosenBlocks) {
     EXPECT_NEAR(sum, expected, 1e-7);
     EXPECT_NEAR(rounded, expected, 1e-3);
   }
+}
+
+TEST(PackedSymmetricBlock, IsTheSymmetricPart) {
+  const BlockNumbers numbers{8, 1.5F, -2, 0.5F, 4, 3, -4, 2, -1};
+  const BlockNumbers expected{8, 1, -3, 1, 4, 2.5F, -3, 2.5F, -1};
+  const BlockNumbers found = numbersOf(packedSymmetric(numbers));
+  for (std::size_t k = 0; k < 9; ++k) EXPECT_NEAR(found[k], expected[k], 8 * 0x1p-15) << k;
+  EXPECT_EQ(numbersOf(packedSymmetric({})), BlockNumbers{});
+  EXPECT_TRUE(std::isnan(numbersOf(packedSymmetric({INFINITY}))[4]));
+}
+
+TEST(BlockColumns, KeepRowsAsRuns) {
+  BlockColumns columns;
+  columns.appendRow(std::vector<int>{2, 3, 4, 9, 2});
+  columns.appendRow(std::vector<int>{});
+  columns.appendRow(std::vector<int>{5, 5});
+  const auto row = [](const BlockColumns& some, std::size_t k) {
+    std::vector<int> found;
+    some.visit(k, [&](std::size_t number, int column) {
+      EXPECT_EQ(number, some.begin(k) + found.size());
+      found.push_back(column);
+    });
+    EXPECT_EQ(found.size(), some.count(k));
+    return found;
+  };
+  columns.repeatColumnAtEnd(0, 3);
+  EXPECT_EQ(row(columns, 0), (std::vector{2, 3, 4, 9, 9}));
+  columns.repeatColumnAtEnd(0, 1);
+  EXPECT_EQ(row(columns, 0), (std::vector{2, 3, 4, 9, 3}));
+  EXPECT_EQ(columns.runs(0).size(), 3U);
+  EXPECT_EQ(row(columns, 1), std::vector<int>{});
+  EXPECT_EQ(row(columns, 2), (std::vector{5, 5}));
+  EXPECT_EQ(columns.blockCount(), 7U);
+
+  std::vector<std::byte> stored;
+  columns.write([&](std::span<const std::byte> bytes) {
+    stored.insert(stored.end(), bytes.begin(), bytes.end());
+  });
+  const auto readBack = [&](std::size_t rows, int columnCount) {
+    std::span<const std::byte> rest(stored);
+    return BlockColumns::read(
+        [&](std::span<std::byte> to) {
+          std::copy_n(rest.begin(), to.size(), to.begin());
+          rest = rest.subspan(to.size());
+        },
+        rows, columnCount);
+  };
+  const BlockColumns again = readBack(3, 10);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(row(again, k), row(columns, k));
+  EXPECT_THROW(readBack(2, 10), DamagedData);
+  EXPECT_THROW(readBack(3, 9), DamagedData);
 }
 
 }  // namespace
