@@ -63,38 +63,69 @@ void CompressedOperators::sumPoints(std::span<const int> equations, Scratch& scr
           w.value() * points.middleRows<3>(3 * static_cast<Index>(scratch.placeOfPoint[w.col()]));
 }
 
+void CompressedOperators::unpackColumns(const FarBlock& block, std::span<const int> columns,
+                                        Scratch& scratch) const {
+  scratch.to.clear();
+  scratch.from.clear();
+  visitColumns(block.column, columns, [&](Index place, Index column) {
+    scratch.to.push_back(place);
+    scratch.from.push_back(static_cast<int>(column));
+  });
+  const std::vector<int>& from = scratch.from;
+  const int rank = block.rank();
+  scratch.right.resize(rank, static_cast<Index>(from.size()));
+  const int ofNodes = order_.nodeColumns(block.column);
+  const auto split = std::lower_bound(from.begin(), from.end(), ofNodes) - from.begin();
+  const auto copy = [&](const GradedRows& V, int first, std::ptrdiff_t begin, std::ptrdiff_t end) {
+    if (begin == end) return;
+    const int least = from[begin];
+    const GradedRows::Unpacked some =
+        V.unpack(least - first, from[end - 1] + 1 - least, scratch.unpacked);
+    for (int r = 0; r < rank; ++r) {
+      const float* row = some.numbers + static_cast<std::ptrdiff_t>(r) * some.stride;
+      for (std::ptrdiff_t k = begin; k < end; ++k) scratch.right(r, k) = row[from[k] - least];
+    }
+  };
+  copy(block.ofNodes, 0, 0, split);
+  copy(block.ofSlots, ofNodes, split, static_cast<std::ptrdiff_t>(from.size()));
+}
+
+void CompressedOperators::unpackRows(int cluster, const FarBlock& block, std::size_t begin,
+                                     std::size_t end, Scratch& scratch) const {
+  const std::vector<int>& points = scratch.points;
+  const int first = points[begin], rank = block.rank();
+  scratch.left.resize(rank, 3 * static_cast<Index>(end - begin));
+  const GradedRows::Unpacked U =
+      block.U.unpack(3 * (first - order_.pointBegin(cluster)), 3 * (points[end - 1] + 1 - first),
+                     scratch.unpacked);
+  for (int r = 0; r < rank; ++r) {
+    const float* row = U.numbers + static_cast<std::ptrdiff_t>(r) * U.stride;
+    float* to = scratch.left.row(r).data();
+    for (std::size_t k = begin; k < end; ++k, to += 3)
+      std::copy_n(row + 3 * (points[k] - first), 3, to);
+  }
+}
+
 void CompressedOperators::expandPoints(int cluster, std::size_t begin, std::size_t end,
                                        std::span<const int> columns, Scratch& scratch) const {
   if (begin == end) return;
   const int first = order_.pointBegin(cluster);
   const auto some = static_cast<Index>(end - begin);
-  std::vector<Index> to;
   for (const FarBlock& block : far_[cluster]) {
-    to.clear();
-    const auto rank = static_cast<std::size_t>(block.rank);
-    scratch.right.resize(block.rank, static_cast<Index>(columns.size()));
-    visitColumns(block.column, columns, [&](Index place, Index column) {
-      const float* V =
-          block.V.unpack(static_cast<std::size_t>(column) * rank, rank, scratch.unpacked);
-      std::copy_n(V, rank, scratch.right.col(static_cast<Index>(to.size())).data());
-      to.push_back(place);
-    });
-    if (to.empty()) continue;
-    scratch.left.resize(block.rank, 3 * some);
-    for (Index k = 0; k < some; ++k) {
-      const auto row = 3 * static_cast<std::size_t>(scratch.points[begin + k] - first);
-      const float* U = block.U.unpack(row * rank, 3 * rank, scratch.unpacked);
-      std::copy_n(U, 3 * rank, scratch.left.col(3 * k).data());
-    }
+    unpackColumns(block, columns, scratch);
+    if (scratch.to.empty()) continue;
+    unpackRows(cluster, block, begin, end, scratch);
     // The columns of a cluster are contiguous, once among the nodes and once among the slots.
-    for (std::size_t from = 0; from < to.size();) {
+    for (std::size_t from = 0; from < scratch.to.size();) {
       std::size_t last = from + 1;
-      while (last < to.size() && to[last] == to[last - 1] + 1) ++last;
-      cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasTrans, static_cast<int>(3 * some),
-                  static_cast<int>(last - from), block.rank, 1, scratch.left.data(), block.rank,
-                  scratch.right.col(static_cast<Index>(from)).data(), block.rank, 1,
-                  scratch.ofPoints.matrix().row(3 * static_cast<Index>(begin)).data() + to[from],
-                  static_cast<int>(scratch.ofPoints.matrix().cols()));
+      while (last < scratch.to.size() && scratch.to[last] == scratch.to[last - 1] + 1) ++last;
+      cblas_sgemm(
+          CblasRowMajor, CblasTrans, CblasNoTrans, static_cast<int>(3 * some),
+          static_cast<int>(last - from), block.rank(), 1, scratch.left.data(),
+          static_cast<int>(scratch.left.cols()), scratch.right.data() + from,
+          static_cast<int>(scratch.right.cols()), 1,
+          scratch.ofPoints.matrix().row(3 * static_cast<Index>(begin)).data() + scratch.to[from],
+          static_cast<int>(scratch.ofPoints.matrix().cols()));
       from = last;
     }
   }
@@ -157,7 +188,7 @@ bool CompressedOperators::appendFarPieces(int cluster, std::size_t begin, std::s
   for (const FarBlock& block : far_[cluster])
     if (reaches(block.column)) to.push_back({cluster, &block, begin, end});
   Index rank = 0;
-  for (const FarPiece& piece : to) rank += piece.block->rank;
+  for (const FarPiece& piece : to) rank += piece.block->rank();
   if (rank > maxRank) return false;
   if (order_.tree.isLeaf(cluster)) {
     const auto& near = near_[cluster - ClusterTree::firstOf(order_.tree.levelCount() - 1)];
@@ -177,27 +208,21 @@ bool CompressedOperators::expandNarrow(std::span<const int> equations, std::span
   if (!appendFarPieces(0, 0, scratch.points.size(), columns, maxRank, scratch, pieces))
     return false;
   Index all = 0;
-  for (const FarPiece& piece : pieces) all += piece.block->rank;
+  for (const FarPiece& piece : pieces) all += piece.block->rank();
   if (all == 0) return false;
   scratch.ofPoints.setZero(3 * static_cast<Index>(scratch.points.size()), all);
   right.setZero(static_cast<Index>(columns.size()), all);
   Index at = 0;
   for (const FarPiece& piece : pieces) {
-    const auto rank = static_cast<std::size_t>(piece.block->rank);
-    const int first = order_.pointBegin(piece.cluster);
-    for (std::size_t k = piece.begin; k < piece.end; ++k) {
-      const auto row = 3 * static_cast<std::size_t>(scratch.points[k] - first);
-      const float* U = piece.block->U.unpack(row * rank, 3 * rank, scratch.unpacked);
-      for (std::size_t i = 0; i < 3; ++i)
-        std::copy_n(U + i * rank, rank,
-                    scratch.ofPoints.matrix().row(static_cast<Index>(3 * k + i)).data() + at);
-    }
-    visitColumns(piece.block->column, columns, [&](Index place, Index column) {
-      const float* V =
-          piece.block->V.unpack(static_cast<std::size_t>(column) * rank, rank, scratch.unpacked);
-      for (std::size_t r = 0; r < rank; ++r) right(place, at + static_cast<Index>(r)) = V[r];
-    });
-    at += piece.block->rank;
+    const Index rank = piece.block->rank();
+    unpackRows(piece.cluster, *piece.block, piece.begin, piece.end, scratch);
+    scratch.ofPoints.matrix().block(3 * static_cast<Index>(piece.begin), at, scratch.left.cols(),
+                                    rank) = scratch.left.transpose();
+    unpackColumns(*piece.block, columns, scratch);
+    for (Index r = 0; r < rank; ++r)
+      for (std::size_t k = 0; k < scratch.to.size(); ++k)
+        right(scratch.to[k], at + r) = scratch.right(r, static_cast<Index>(k));
+    at += rank;
   }
   sumPoints(equations, scratch);
   left = scratch.ofEquations.matrix();

@@ -65,7 +65,7 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
   for (std::size_t c = 0; c < far_.size(); ++c)
     for (std::size_t b = 0; b < far_[c].size(); ++b) {
       places[c].push_back(total);
-      total += static_cast<std::size_t>(far_[c][b].rank) * x.cols();
+      total += static_cast<std::size_t>(far_[c][b].rank()) * x.cols();
       blocks.emplace_back(static_cast<int>(c), static_cast<int>(b));
     }
   std::vector<float> right(total, 0);
@@ -90,14 +90,14 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
       const auto [c, b] = blocks[k];
       const FarBlock& block = far_[c][b];
       if (!loaded.reaches(block.column)) continue;
-      const int rank = block.rank;
-      const float* V = block.V.unpack(unpacked);
+      const int rank = block.rank();
       const Rows<float> to{right.data() + places[c][b], rank};
-      const int ofNodes = order_.nodeColumns(block.column);
-      addProduct(false, rank, ofNodes, V, rank, xOfNodes(block.column), columns, to);
-      addProduct(false, rank, order_.slotColumns(block.column),
-                 V + static_cast<std::ptrdiff_t>(ofNodes) * rank, rank, xOfSlots(block.column),
-                 columns, to);
+      const auto add = [&](const GradedRows& V, int width, Rows<const float> from) {
+        const GradedRows::Unpacked some = V.unpack(0, width, unpacked);
+        addProduct(true, rank, width, some.numbers, some.stride, from, columns, to);
+      };
+      add(block.ofNodes, order_.nodeColumns(block.column), xOfNodes(block.column));
+      add(block.ofSlots, order_.slotColumns(block.column), xOfSlots(block.column));
     }
     pool.giveBack(std::move(unpacked));
   });
@@ -114,12 +114,11 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
     for (int c = leaf;; c = (c - 1) / 2) {
       for (std::size_t b = 0; b < far_[c].size(); ++b) {
         if (!loaded.reaches(far_[c][b].column)) continue;
-        const auto rank = static_cast<std::size_t>(far_[c][b].rank);
-        const float* U =
-            far_[c][b].U.unpack(3 * static_cast<std::size_t>(first - order_.pointBegin(c)) * rank,
-                                static_cast<std::size_t>(rows) * rank, unpacked);
-        addProduct(true, rows, static_cast<int>(rank), U, static_cast<int>(rank),
-                   {right.data() + places[c][b], far_[c][b].rank}, columns, to);
+        const int rank = far_[c][b].rank();
+        const GradedRows::Unpacked U =
+            far_[c][b].U.unpack(3 * (first - order_.pointBegin(c)), rows, unpacked);
+        addProduct(false, rows, rank, U.numbers, U.stride, {right.data() + places[c][b], rank},
+                   columns, to);
       }
       if (c == 0) break;
     }

@@ -61,7 +61,9 @@ class CompressedOperators {
   struct Scratch {
     std::vector<int> places, points, placeOfPoint;
     ReusedMatrix ofPoints, ofEquations;
-    Eigen::MatrixXf left, right;
+    RowMatrixXf left, right;       // U of some points and V of some columns
+    std::vector<Eigen::Index> to;  // places of these columns in the result
+    std::vector<int> from;         // their numbers in the block
     std::vector<float> unpacked;
   };
   void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch) const;
@@ -102,6 +104,11 @@ class CompressedOperators {
   /// First of the points [begin, end) in the second son of a cluster.
   std::size_t splitPoints(int cluster, std::size_t begin, std::size_t end,
                           const Scratch& scratch) const;
+  /// Fills `right` with the columns of V that are in `columns`, `to` with their places there.
+  void unpackColumns(const FarBlock& block, std::span<const int> columns, Scratch& scratch) const;
+  /// Fills `left` with the columns of U of points [begin, end) of the scratch.
+  void unpackRows(int cluster, const FarBlock& block, std::size_t begin, std::size_t end,
+                  Scratch& scratch) const;
   void expandPoints(int cluster, std::size_t begin, std::size_t end, std::span<const int> columns,
                     Scratch& scratch) const;
   /// Sums points to equations with their weights.

@@ -71,12 +71,13 @@ void CompressedOperators::write(const ByteSink& sink) const {
     std::vector<int> heads;
     for (const FarBlock& block : blocks) {
       heads.push_back(block.column);
-      heads.push_back(block.rank);
+      heads.push_back(block.rank());
     }
     writeList(sink, heads);
     for (const FarBlock& block : blocks) {
       block.U.write(sink);
-      block.V.write(sink);
+      block.ofNodes.write(sink);
+      block.ofSlots.write(sink);
     }
   }
   for (const auto& blocks : near_) {
@@ -116,17 +117,14 @@ CompressedOperators::CompressedOperators(const ByteSource& source)
       const int rank = heads[k + 1];
       if (rank < 0 || rank > std::max(order_.rows(c), order_.columns(heads[k])))
         throw DamagedData();
-      FarBlock& block = far_[c].emplace_back();
-      block.column = heads[k];
-      block.rank = rank;
+      far_[c].push_back({heads[k], {}, {}, {}});
     }
-    for (FarBlock& block : far_[c]) {
-      const auto numbers = [&](int count, PackedNumbers::Bits bits) {
-        return PackedNumbers::read(
-            static_cast<std::size_t>(block.rank) * static_cast<std::size_t>(count), bits, source);
-      };
-      block.U = numbers(order_.rows(c), FarBlock::kBitsOfU);
-      block.V = numbers(order_.columns(block.column), FarBlock::kBitsOfV);
+    for (std::size_t k = 0; k < far_[c].size(); ++k) {
+      FarBlock& block = far_[c][k];
+      const int rank = heads[2 * k + 1];
+      block.U = GradedRows::read(rank, order_.rows(c), source);
+      block.ofNodes = GradedRows::read(rank, order_.nodeColumns(block.column), source);
+      block.ofSlots = GradedRows::read(rank, order_.slotColumns(block.column), source);
     }
   }
   const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
@@ -194,8 +192,8 @@ CompressedOperators::Sizes CompressedOperators::sizes() const {
   Sizes sizes;
   for (const auto& blocks : far_)
     for (const FarBlock& block : blocks) {
-      sizes.far += block.U.bytes() + block.V.bytes();
-      sizes.meanRank += block.rank;
+      sizes.far += block.bytes();
+      sizes.meanRank += block.rank();
       ++sizes.farBlocks;
     }
   if (sizes.farBlocks > 0) sizes.meanRank /= sizes.farBlocks;

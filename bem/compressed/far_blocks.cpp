@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/part_of_job.h"
 #include "base/scratch_pool.h"
+#include "bem/compressed/graded_factors.h"
 #include "bem/element/skeleton.h"
 
 namespace palpa::bem {
@@ -156,14 +157,15 @@ class FarBlocks {
     const RowChoice choice =
         chooseRows(fieldsOf(column, skeleton, distance), static_cast<float>(in_.tolerance));
     const auto rank = static_cast<int>(choice.rows.size());
-    RowMatrixXf U(skeleton.weights.rows(), rank);
+    RowMatrixXf U(rank, skeleton.weights.rows());
     if (U.size() > 0)
-      cblas_sgemm(CblasRowMajor, CblasTrans, CblasTrans, static_cast<int>(U.rows()), rank,
-                  static_cast<int>(skeleton.weights.cols()), 1, skeleton.weights.data(),
-                  static_cast<int>(skeleton.weights.rows()), choice.weights.data(),
-                  static_cast<int>(choice.weights.rows()), 0, U.data(), rank);
+      cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rank, static_cast<int>(U.cols()),
+                  static_cast<int>(skeleton.weights.cols()), 1, choice.weights.data(),
+                  static_cast<int>(choice.weights.rows()), skeleton.weights.data(),
+                  static_cast<int>(skeleton.weights.rows()), 0, U.data(),
+                  static_cast<int>(U.cols()));
     const int columns = in_.order.columns(column);
-    MatrixXf V(rank, columns);
+    RowMatrixXf V(rank, columns);
     // The rows of a point are computed together.
     std::vector<int> byPoint(static_cast<std::size_t>(rank));
     std::iota(byPoint.begin(), byPoint.end(), 0);
@@ -181,8 +183,10 @@ class FarBlocks {
       }
       V.row(k) = ofPoint.row(rowOf(k) % 3);
     }
-    return {column, rank, PackedNumbers(U, FarBlock::kBitsOfU),
-            PackedNumbers(V, FarBlock::kBitsOfV)};
+    // As in fieldsOf().
+    const auto importance = static_cast<float>(in_.shear / distance);
+    GradedFactors factors = gradedFactors(U, V, in_.order.slotColumns(column), importance);
+    return {column, std::move(factors.U), std::move(factors.V1), std::move(factors.V2)};
   }
 
   const FarBlockInputs& in_;

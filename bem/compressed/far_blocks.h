@@ -7,22 +7,20 @@
 #include "bem/compressed/block_division.h"
 #include "bem/compressed/block_share.h"
 #include "bem/compressed/exact_rows.h"
-#include "bem/linalg/packed_numbers.h"
+#include "bem/linalg/graded_rows.h"
 #include "bem/linalg/row_choice.h"
 #include "bem/model/boundary_mesh.h"
 #include "bem/model/material.h"
 
 namespace palpa::bem {
 
-/// Low-rank block U V of the points of a cluster and the functions of another one.
+/// Low-rank block U^T V of the points of a cluster and the functions of another one.
 struct FarBlock {
-  int column;       ///< cluster of functions
-  int rank = 0;     ///< of the block
-  PackedNumbers U;  ///< (rows, rank), by rows
-  PackedNumbers V;  ///< (rank, columns), by columns
-  /// Errors of U are noise in the equations, errors of V are the same for all points of the cluster
-  /// and do not average out.
-  static constexpr auto kBitsOfU = PackedNumbers::Bits::k16, kBitsOfV = PackedNumbers::Bits::k24;
+  int column;                   ///< cluster of functions
+  GradedRows U;                 ///< (rank, rows)
+  GradedRows ofNodes, ofSlots;  ///< V: (rank, columns of each kind), whose numbers differ in size
+  int rank() const { return U.rowCount(); }
+  std::size_t bytes() const { return U.bytes() + ofNodes.bytes() + ofSlots.bytes(); }
 };
 
 /// What makeFarBlocks() reads.

@@ -12,7 +12,7 @@ namespace palpa::bem {
 
 namespace {
 
-constexpr int kDigits = 15, kMoreDigits = 8, kBias = 127, kMantissaBits = 23;
+constexpr int kDigits = 15, kMoreDigits = 8, kFewDigits = 7, kBias = 127, kMantissaBits = 23;
 constexpr std::uint8_t kNotFinite = 255;
 
 void unpackGroups(const UnpackGroupsTask& task) {
@@ -56,6 +56,16 @@ std::int32_t manyDigitsOf(float number, std::uint8_t exponent) {
       std::clamp(std::nearbyint(static_cast<double>(number) / scale), -kMaxDigits, kMaxDigits));
 }
 
+/// Digits of 7 bits and the sign, as digitsOf() gives 15.
+std::uint8_t fewDigitsOf(float number, std::uint8_t exponent) {
+  if (exponent == 0) return 0;
+  if (exponent == kNotFinite) return 1;
+  constexpr float kMaxDigits = (1 << kFewDigits) - 1;
+  const float scale = scaleOf(exponent) * (1 << (kDigits - kFewDigits));
+  return static_cast<std::uint8_t>(static_cast<std::int8_t>(
+      std::clamp(std::nearbyint(number / scale), -kMaxDigits, kMaxDigits)));
+}
+
 }  // namespace
 
 float largestMagnitude(std::span<const float> numbers) {
@@ -67,15 +77,22 @@ float largestMagnitude(std::span<const float> numbers) {
   return largest;
 }
 
+PackedNumbers::PackedNumbers(std::size_t size, Bits bits)
+    : size_(size), exponents_(groupsFor(size)) {
+  if (bits != Bits::k8) digits_.resize(kGroup * exponents_.size());
+  if (bits != Bits::k16) moreDigits_.resize(kGroup * exponents_.size());
+}
+
 PackedNumbers::PackedNumbers(std::span<const float> numbers, Bits bits)
-    : size_(numbers.size()), digits_(kGroup * groupsFor(size_)), exponents_(groupsFor(size_)) {
-  if (bits == Bits::k24) moreDigits_.resize(digits_.size());
+    : PackedNumbers(numbers.size(), bits) {
   for (std::size_t group = 0; group < exponents_.size(); ++group) {
     const std::size_t begin = group * kGroup, end = std::min(begin + kGroup, size_);
     const std::uint8_t exponent = exponents_[group] =
         exponentFor(largestMagnitude(numbers.subspan(begin, end - begin)));
     for (std::size_t k = begin; k < end; ++k) {
-      if (bits == Bits::k16) {
+      if (bits == Bits::k8) {
+        moreDigits_[k] = fewDigitsOf(numbers[k], exponent);
+      } else if (bits == Bits::k16) {
         digits_[k] = digitsOf(numbers[k], exponent);
       } else {
         const std::int32_t digits = manyDigitsOf(numbers[k], exponent);
@@ -87,9 +104,13 @@ PackedNumbers::PackedNumbers(std::span<const float> numbers, Bits bits)
 }
 
 UnpackGroupsTask PackedNumbers::taskFor(std::size_t first, std::size_t groups, float* to) const {
-  return {digits_.data() + first * kGroup,
+  return {digits_.empty() ? nullptr : digits_.data() + first * kGroup,
           moreDigits_.empty() ? nullptr : moreDigits_.data() + first * kGroup,
           exponents_.data() + first, groups, to};
+}
+
+void PackedNumbers::unpackGroupsTo(std::size_t first, std::size_t groups, float* to) const {
+  if (groups > 0) unpackGroups(taskFor(first, groups, to));
 }
 
 void PackedNumbers::unpackTo(float* to) const {
@@ -116,11 +137,7 @@ void PackedNumbers::write(const ByteSink& sink) const {
 }
 
 PackedNumbers PackedNumbers::read(std::size_t size, Bits bits, const ByteSource& source) {
-  PackedNumbers numbers;
-  numbers.size_ = size;
-  numbers.digits_.resize(kGroup * groupsFor(size));
-  if (bits == Bits::k24) numbers.moreDigits_.resize(numbers.digits_.size());
-  numbers.exponents_.resize(groupsFor(size));
+  PackedNumbers numbers(size, bits);
   source(std::as_writable_bytes(std::span(numbers.digits_)));
   source(std::as_writable_bytes(std::span(numbers.moreDigits_)));
   source(std::as_writable_bytes(std::span(numbers.exponents_)));

@@ -15,14 +15,14 @@ namespace palpa::bem {
 /// Largest magnitude; infinite if a number is not finite.
 float largestMagnitude(std::span<const float> numbers);
 
-/// Numbers of single precision in about 16 or 24 bits each: groups of kGroup have a common exponent
-/// (block floating point). Each number is within 2^-15 or 2^-23 of the largest magnitude of its
-/// group. Numbers below 2^-111 become zero; a group with a number that is not finite has no finite
-/// numbers.
+/// Numbers of single precision in about 8, 16 or 24 bits each: groups of kGroup have a common
+/// exponent (block floating point). Each number is within 2^-7, 2^-15 or 2^-23 of the largest
+/// magnitude of its group. Numbers below 2^-111 become zero; a group with a number that is not
+/// finite has no finite numbers.
 class PackedNumbers {
  public:
   static constexpr std::size_t kGroup = 16;
-  enum class Bits { k16, k24 };
+  enum class Bits { k8, k16, k24 };
 
   PackedNumbers() = default;
   explicit PackedNumbers(std::span<const float> numbers, Bits bits = Bits::k16);
@@ -40,6 +40,8 @@ class PackedNumbers {
   /// Numbers `begin`, …, `begin + count - 1`, in memory that the caller keeps for the next call.
   const float* unpack(std::size_t begin, std::size_t count, std::vector<float>& scratch) const;
   const float* unpack(std::vector<float>& scratch) const { return unpack(0, size_, scratch); }
+  /// Writes whole groups, kGroup numbers each; behind the numbers there are zeros.
+  void unpackGroupsTo(std::size_t first, std::size_t groups, float* to) const;
   /// Writes all numbers.
   void unpackTo(float* to) const;
 
@@ -48,11 +50,12 @@ class PackedNumbers {
   static PackedNumbers read(std::size_t size, Bits bits, const ByteSource& source);
 
  private:
+  PackedNumbers(std::size_t size, Bits bits);
   UnpackGroupsTask taskFor(std::size_t first, std::size_t groups, float* to) const;
 
   std::size_t size_ = 0;
-  std::vector<std::int16_t> digits_;      ///< whole groups
-  std::vector<std::uint8_t> moreDigits_;  ///< 8 bits that follow these, or empty
+  std::vector<std::int16_t> digits_;      ///< whole groups, or empty
+  std::vector<std::uint8_t> moreDigits_;  ///< 8 bits that follow these, or all there are, or empty
   std::vector<std::uint8_t> exponents_;   ///< of each group, see scaleOf()
 };
 

@@ -7,8 +7,8 @@
 namespace palpa::bem {
 
 struct UnpackGroupsTask {
-  const std::int16_t* digits;      ///< [group][PackedNumbers::kGroup]
-  const std::uint8_t* moreDigits;  ///< the same, or null
+  const std::int16_t* digits;      ///< [group][PackedNumbers::kGroup], or null
+  const std::uint8_t* moreDigits;  ///< that follow these, or null; signed ones without these
   const std::uint8_t* exponents;   ///< [group]
   std::size_t groups;
   float* to;  ///< [group][PackedNumbers::kGroup]

@@ -1,4 +1,4 @@
-// Numbers of 16 bits with common exponents, and rows of packed blocks.
+// Numbers of 8 to 24 bits with common exponents, and rows of packed blocks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,8 @@ using Bits = PackedNumbers::Bits;
 
 TEST(PackedNumbers, AreWithinTheirBoundOfTheLargestInTheirGroup) {
   const std::vector<float> numbers = numbersOfAllSizes(1003);  // the last group is not complete
-  for (const auto& [bits, digits, bytes] : {std::tuple{Bits::k16, 15, 2.2}, {Bits::k24, 23, 3.2}}) {
+  for (const auto& [bits, digits, bytes] :
+       {std::tuple{Bits::k8, 7, 1.2}, {Bits::k16, 15, 2.2}, {Bits::k24, 23, 3.2}}) {
     const PackedNumbers packed(numbers, bits);
     EXPECT_EQ(packed.size(), numbers.size());
     EXPECT_LT(static_cast<double>(packed.bytes()), bytes * static_cast<double>(numbers.size()));
@@ -64,7 +65,7 @@ TEST(PackedNumbers, KeepWholeNumbersUpTo15Bits) {
 }
 
 TEST(PackedNumbers, KeepZeroAndDoNotHideWhatIsNotFinite) {
-  for (const Bits bits : {Bits::k16, Bits::k24}) {
+  for (const Bits bits : {Bits::k8, Bits::k16, Bits::k24}) {
     std::vector<float> numbers(PackedNumbers::kGroup, 1.0F), all(numbers.size());
     for (const float bad :
          {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
@@ -78,12 +79,12 @@ TEST(PackedNumbers, KeepZeroAndDoNotHideWhatIsNotFinite) {
     EXPECT_EQ(all, zeros);
     const float most = std::numeric_limits<float>::max();
     PackedNumbers(std::vector<float>{most}, bits).unpackTo(all.data());
-    EXPECT_NEAR(all[0] / most, 1, 1e-4);
+    EXPECT_NEAR(all[0] / most, 1, bits == Bits::k8 ? 0x1p-7 : 1e-4);
   }
 }
 
 TEST(PackedNumbers, AreReadAsTheyWereWritten) {
-  for (const Bits bits : {Bits::k16, Bits::k24}) {
+  for (const Bits bits : {Bits::k8, Bits::k16, Bits::k24}) {
     const PackedNumbers packed(numbersOfAllSizes(100), bits);
     std::vector<std::byte> stored;
     packed.write([&](std::span<const std::byte> bytes) {
@@ -108,15 +109,18 @@ TEST(PackedNumbers, AreTheSameWithEveryInstructionSet) {
   std::vector<std::uint8_t> more;
   for (int k = 0; k < 3 * static_cast<int>(PackedNumbers::kGroup); ++k) {
     digits.push_back(static_cast<std::int16_t>(700 * k - 16000));
-    more.push_back(static_cast<std::uint8_t>(37 * k));
+    more.push_back(static_cast<std::uint8_t>(37 * k + 11));
   }
   const std::vector<std::uint8_t> exponents{90, 0, 140};
-  for (const std::uint8_t* moreDigits :
-       {static_cast<const std::uint8_t*>(nullptr), static_cast<const std::uint8_t*>(more.data())}) {
+  const std::int16_t* const noDigits = nullptr;
+  const std::uint8_t* const noMore = nullptr;
+  for (const auto& [someDigits, moreDigits] :
+       {std::pair{noDigits, static_cast<const std::uint8_t*>(more.data())},
+        {static_cast<const std::int16_t*>(digits.data()), noMore},
+        {digits.data(), more.data()}}) {
     std::vector<float> baseline(digits.size()), fastest(digits.size());
-    unpackGroupsBaseline({digits.data(), moreDigits, exponents.data(), 3, baseline.data()});
-    unpackGroupsForThisProcessor()(
-        {digits.data(), moreDigits, exponents.data(), 3, fastest.data()});
+    unpackGroupsBaseline({someDigits, moreDigits, exponents.data(), 3, baseline.data()});
+    unpackGroupsForThisProcessor()({someDigits, moreDigits, exponents.data(), 3, fastest.data()});
     EXPECT_EQ(baseline, fastest);
     EXPECT_NE(baseline[0], 0);
     EXPECT_EQ(baseline[PackedNumbers::kGroup], 0);
