@@ -103,12 +103,13 @@ class TouchCommand : public Command {
     if (read.project.supports.empty() && !project.supports.empty())
       read.held = modeling::proposeSupport(project.body);
     double touchSeconds = 0;
-    const auto play = [&](const app::TouchModel& of, const modeling::Project& touched) {
+    const auto play = [&](const app::TouchModel& of, const modeling::Project& touched,
+                          const Job& job) {
       const auto start = std::chrono::steady_clock::now();
-      app::TouchState state = touch_.play(of, touched, context);
+      app::TouchState state = touch_.play(of, touched, context, job);
       touchSeconds =
           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      app::addErrors(of, state, context.job());
+      app::addErrors(of, state, job);
       return state;
     };
     const app::ErrorGoal goal = refinement_.goal();

@@ -266,12 +266,12 @@ int TouchOptions::steps() const {
 }
 
 app::TouchState TouchOptions::play(const app::TouchModel& model, const modeling::Project& project,
-                                   const Context& context) const {
+                                   const Context& context, const Job& job) const {
   if (!node_.empty()) {
     return app::touchNode(model, parseNode(node_),
                           parseVector("--displace", option(kDisplace).values.front()));
   }
-  app::TouchState state = app::playTouches(model, project.touches, steps(), context.job());
+  app::TouchState state = app::playTouches(model, project.touches, steps(), job);
   context.progress.clear();
   return state;
 }

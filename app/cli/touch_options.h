@@ -39,7 +39,12 @@ class TouchOptions {
 
   /// Plays the touches of a project of touched(), or --node. Throws SolverError, Cancelled.
   app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
-                       const Context& context) const;
+                       const Context& context) const {
+    return play(model, project, context, context.job());
+  }
+  /// The same with another job.
+  app::TouchState play(const app::TouchModel& model, const modeling::Project& project,
+                       const Context& context, const Job& job) const;
 
   /// The same touches at 0 to `count` parts of their displacements and forces. Not with isNode().
   /// Throws SolverError, Cancelled.

@@ -92,11 +92,7 @@ class AveragedBlocksMaker {
         for (const int slot : surface_.slots(element)) add(columnOfSlot(slot));
       }
     };
-    for (const AveragedElement* element : elements) {
-      addAll(element->near);
-      for (const int node : element->nodes)
-        addAll(integrals_.leftOut(static_cast<std::size_t>(node)));
-    }
+    for (const AveragedElement* element : elements) addAll(element->near);
     std::sort(columns.begin(), columns.end());
     return columns;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "bem/element/kelvin_blocks.h"
 
@@ -37,13 +38,18 @@ AveragedRows::AveragedRows(const ElementSurface& surface, const ElementQuadratur
       part_(part),
       loops_(kelvinSumLoopsForThisProcessor()),
       leftOut_(equations.points.size()) {
-  std::vector<int> all;
+  std::vector<char> isSet(equations.points.size(), 0);
+  std::vector<int> common;
   for (const AveragedElement& element : equations.averaged)
     for (const int node : element.nodes) {
-      all.clear();
-      std::set_union(leftOut_[node].begin(), leftOut_[node].end(), element.near.begin(),
-                     element.near.end(), std::back_inserter(all));
-      leftOut_[node] = all;
+      if (std::exchange(isSet[node], 1) == 0) {
+        leftOut_[node] = element.near;
+        continue;
+      }
+      common.clear();
+      std::set_intersection(leftOut_[node].begin(), leftOut_[node].end(), element.near.begin(),
+                            element.near.end(), std::back_inserter(common));
+      leftOut_[node] = common;
     }
 }
 
@@ -74,14 +80,10 @@ void AveragedRows::number(const AveragedElement& element, Blocks& blocks, Scratc
     }
   };
   std::vector<int> chosen;
-  const auto addAll = [&](std::span<const int> elements) {
-    for (const int e : inPart(elements, chosen)) {
-      add(surface_.coefficients(e), scratch.placeOfCoefficient, blocks.coefficients);
-      add(surface_.slots(e), scratch.placeOfSlot, blocks.slots);
-    }
-  };
-  addAll(element.near);
-  for (const int node : element.nodes) addAll(leftOut_[node]);
+  for (const int e : inPart(element.near, chosen)) {
+    add(surface_.coefficients(e), scratch.placeOfCoefficient, blocks.coefficients);
+    add(surface_.slots(e), scratch.placeOfSlot, blocks.slots);
+  }
 }
 
 void AveragedRows::addSums(int element, const Eigen::Vector3d& x, const ElementPlace* inside,
@@ -145,10 +147,12 @@ AveragedRows::Blocks AveragedRows::blocks(const AveragedElement& element,
   for (Index k = 0; k < nodes; ++k) {
     const std::vector<int>& leftOut = leftOut_[element.nodes[k]];
     others.clear();
-    std::set_difference(leftOut.begin(), leftOut.end(), element.near.begin(), element.near.end(),
+    std::set_difference(element.near.begin(), element.near.end(), leftOut.begin(), leftOut.end(),
                         std::back_inserter(others));
     for (const int e : inPart(others, chosen))
       addSums(e, equations_.points[element.nodes[k]].position, nullptr, points + k, scratch);
+    scratch.T.col(points + k) *= -1;
+    scratch.U.col(points + k) *= -1;
   }
   if (!part_) subtractTranslation(element, totals, scratch);
   Eigen::MatrixXd weights(points + nodes, static_cast<Index>(element.equations.size()));

@@ -10,10 +10,10 @@
 
 namespace palpa::bem {
 
-/// What averaged elements add to the rows of their equations: the integrals over near elements, and
-/// over the elements that the rows of their nodes leave out, because they are near to another
-/// element at the node. All references must outlive the object; const use from several threads is
-/// safe.
+/// What averaged elements add to the rows of their equations: the integrals over near elements,
+/// less what the rows of their nodes have of these. The rows of a node leave out the elements that
+/// are near to all averaged elements at the node. All references must outlive the object; const use
+/// from several threads is safe.
 class AveragedRows {
  public:
   /// `part`: ascending elements over which integrals are taken, without subtraction; none: all.

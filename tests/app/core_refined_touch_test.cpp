@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include "app/core/results/error_estimate.h"
 #include "app/core/results/finer_mesh.h"
@@ -30,9 +32,9 @@ modeling::Project sphere() {
   return project;
 }
 
-TouchState play(const TouchModel& model, const modeling::Project& project) {
-  TouchState state = playTouches(model, project.touches);
-  addErrors(model, state);
+TouchState play(const TouchModel& model, const modeling::Project& project, const Job& job) {
+  TouchState state = playTouches(model, project.touches, 0, job);
+  addErrors(model, state, job);
   return state;
 }
 
@@ -79,7 +81,7 @@ TEST(RefinedTouch, TheForceIsRightToTheReachedError) {
   modeling::Project splines = sphere();
   splines.mesh.engine = modeling::Engine::kSplines;
   splines.mesh.accuracy = 0.002;
-  const TouchState exact = play(*buildTouchModel(splines, {}, {}), splines);
+  const TouchState exact = play(*buildTouchModel(splines, {}, {}), splines, {});
   const Eigen::Vector3d force = exact.contacts[0].force;
   EXPECT_LT((touch.state.contacts[0].force - force).norm(),
             (goal.error + exact.forceErrorEstimate.value()) * force.norm());
@@ -107,14 +109,39 @@ TEST(RefinedTouch, EndsWhenTimeMeshesOrMemoryDo) {
   EXPECT_EQ(full.end, End::kMemory);
 }
 
+/// A finer mesh may take much longer than expected.
+TEST(RefinedTouch, DoesNotWaitForAMeshBeyondTheTime) {
+  ErrorGoal goal;
+  goal.error = 1e-9;
+  int plays = 0;
+  double first = 0;
+  const auto slow = [&](const TouchModel& model, const modeling::Project& project, const Job& job) {
+    if (++plays == 1) return play(model, project, job);
+    while (true) {
+      job.throwIfCancelled();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  };
+  for (goal.seconds = 1; plays < 2 && goal.seconds < 1000; goal.seconds *= 2) {
+    plays = 0;
+    const RefinedTouch touch = refineTouch(sphere(), goal, {}, slow, {});
+    EXPECT_EQ(touch.steps.size(), 1u);
+    EXPECT_EQ(touch.end, End::kTime);
+    first = touch.steps[0].error;
+  }
+  EXPECT_EQ(plays, 2);
+  EXPECT_GT(first, 0);
+}
+
 TEST(RefinedTouch, KeepsWhatItHasIfAFinerMeshFails) {
   ErrorGoal goal;
   goal.error = 1e-9;
   goal.seconds = 600;
   int plays = 0;
-  const auto failing = [&](const TouchModel& model, const modeling::Project& project) {
+  const auto failing = [&](const TouchModel& model, const modeling::Project& project,
+                           const Job& job) {
     if (++plays == 2) throw std::runtime_error("the second mesh is bad");
-    return play(model, project);
+    return play(model, project, job);
   };
   const RefinedTouch touch = refineTouch(sphere(), goal, {}, failing, {});
   EXPECT_EQ(touch.end, End::kFailed);
@@ -131,8 +158,9 @@ TEST(RefinedTouch, TakesTheMeshWithTheSmallestError) {
   const ErrorGoal goal{0.095, 600, 3};
   // The second mesh is the best one.
   int plays = 0;
-  const auto worse = [&](const TouchModel& model, const modeling::Project& project) {
-    TouchState state = play(model, project);
+  const auto worse = [&](const TouchModel& model, const modeling::Project& project,
+                         const Job& job) {
+    TouchState state = play(model, project, job);
     state.forceErrorEstimate = std::array{0.15, 0.1, 0.12}.at(plays++);
     return state;
   };
@@ -153,8 +181,9 @@ TEST(RefinedTouch, CanBeCancelledBetweenMeshes) {
   std::stop_source source;
   Job job;
   job.stop = source.get_token();
-  const auto once = [&](const TouchModel& model, const modeling::Project& project) {
-    TouchState state = play(model, project);
+  const auto once = [&](const TouchModel& model, const modeling::Project& project,
+                        const Job& given) {
+    TouchState state = play(model, project, given);
     source.request_stop();
     return state;
   };

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
+#include <thread>
 #include <utility>
 
 #include "app/core/model/model_memory.h"
 #include "app/core/results/finer_mesh.h"
+#include "base/worker_thread.h"
 
 namespace palpa::app {
 namespace {
@@ -33,6 +37,24 @@ constexpr double kFactorWithoutGrowth = 1.5, kMaxFactorWithoutGrowth = 16;
 constexpr double kTimeExponent = 2;
 /// Growth of the memory, likewise.
 constexpr double kMemoryExponent = 2;
+/// A clock cannot add much more.
+constexpr double kMaxSeconds = 1e8;
+
+/// Cancels what has its token at a time, or with another token.
+class Deadline {
+ public:
+  Deadline(const Clock::time_point& time, const std::stop_token& other)
+      : withOther_(other, [this] { source_.request_stop(); }),
+        timer_([this, time](const std::stop_token& end) {
+          if (sleepUntil(time, end)) source_.request_stop();
+        }) {}
+  std::stop_token token() const { return source_.get_token(); }
+
+ private:
+  std::stop_source source_;
+  std::stop_callback<std::function<void()>> withOther_;
+  std::jthread timer_;  // last: it uses the source
+};
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -121,8 +143,12 @@ RefinedTouch refineTouch(const modeling::Project& project, const ErrorGoal& goal
   RefinedTouch touch;
   touch.project = project;
   touch.model = buildTouchModel(project, options, job);
-  touch.state = play(*touch.model, project);
+  touch.state = play(*touch.model, project, job);
   touch.steps.push_back(stepOf(project, *touch.model, touch.state, start));
+  const auto lifetime = std::chrono::duration<double>(std::min(goal.seconds, kMaxSeconds));
+  const Deadline deadline(start + std::chrono::duration_cast<Clock::duration>(lifetime), job.stop);
+  Job ofFiner = job;
+  ofFiner.stop = deadline.token();
   while (const auto mesh = next.after(touch, touch.end, job)) {
     const Clock::time_point begun = Clock::now();
     modeling::Project finer = touch.project;
@@ -130,8 +156,12 @@ RefinedTouch refineTouch(const modeling::Project& project, const ErrorGoal& goal
     std::shared_ptr<const TouchModel> model;
     TouchState state;
     try {
-      model = buildTouchModel(finer, options, job);
-      state = play(*model, finer);
+      model = buildTouchModel(finer, options, ofFiner);
+      state = play(*model, finer, ofFiner);
+    } catch (const Cancelled&) {
+      job.throwIfCancelled();
+      touch.end = End::kTime;
+      return touch;
     } catch (const ModelTooLarge&) {
       touch.end = End::kMemory;
       return touch;

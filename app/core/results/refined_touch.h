@@ -13,7 +13,7 @@ namespace palpa::app {
 /// When to stop.
 struct ErrorGoal {
   double error = 0.05;  ///< relative, of the forces (StateError::ofForces()), > 0
-  double seconds = 60;  ///< no mesh that is expected to end later is begun
+  double seconds = 60;  ///< no finer mesh that is expected to end later is begun, or awaited longer
   int maxMeshes = 6;    ///< the first one is the project's
 };
 
@@ -33,7 +33,7 @@ struct RefinedTouch {
     kReached,  ///< the error is at most the goal
     kMeshes,   ///< ErrorGoal::maxMeshes
     kNoFiner,  ///< shorter elements give no finer mesh
-    kTime,     ///< the next mesh would end too late
+    kTime,     ///< the next mesh would end too late, or did
     kMemory,   ///< the next mesh does not fit
     kFailed,   ///< the next mesh could not be made or solved: `reason`
   };
@@ -49,8 +49,9 @@ struct RefinedTouch {
   std::string reason;  ///< of End::kFailed: the message for users
 };
 
-/// Plays a touch on a model and adds the errors of the state.
-using PlayTouch = std::function<TouchState(const TouchModel&, const modeling::Project&)>;
+/// Plays a touch on a model and adds the errors of the state. Throws Cancelled.
+using PlayTouch =
+    std::function<TouchState(const TouchModel&, const modeling::Project&, const Job&)>;
 
 /// Builds the model of `project`, plays, and repeats this with shorter elements everywhere until
 /// the forces have the wished error. The length follows from the error, which is assumed to fall
