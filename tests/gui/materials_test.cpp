@@ -1,3 +1,4 @@
+#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -157,8 +158,9 @@ TEST_F(Materials, OwnOnesAreSavedRenamedAndDeletedForAllProjects) {
   EXPECT_EQ(material().youngsModulus, 0.9);
   inDialog([&](MaterialDialog& dialog) {
     EXPECT_EQ(list(dialog).currentItem()->text(0), "Batch 7");
-    QTest::qWait(50);  // until the dialog is active
+    QApplication::setActiveWindow(&dialog);  // shortcuts need an active window
     list(dialog).setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return list(dialog).hasFocus(); }));
     QTest::keyClick(&list(dialog), Qt::Key_Delete);
     EXPECT_NE(list(dialog).topLevelItem(0)->text(0), "Batch 7");
     EXPECT_EQ(shownIn(dialog, "name"), "Batch 7");
