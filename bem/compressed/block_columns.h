@@ -14,7 +14,7 @@ class BlockColumns {
  public:
   std::size_t rowCount() const { return firstBlock_.size() - 1; }
   std::size_t blockCount() const { return firstBlock_.back(); }
-  /// Number of the first block of a row, or of all.
+  /// Number of the first block of a row among the blocks of all rows.
   std::size_t begin(std::size_t row) const { return firstBlock_[row]; }
   std::size_t count(std::size_t row) const { return firstBlock_[row + 1] - firstBlock_[row]; }
   std::span<const ColumnRun> runs(std::size_t row) const {
@@ -29,7 +29,9 @@ class BlockColumns {
   }
 
   void reserve(std::size_t rows);
+  /// Appends a row with a block in each of these columns, in this order.
   void appendRow(std::span<const int> columns);
+  /// Appends a row with the blocks of both.
   void appendRow(std::span<const ColumnRun> first, std::span<const ColumnRun> second);
   /// Gives the last block of a row, whose column does not follow the one before, the column of
   /// block `number` of all.
