@@ -43,13 +43,17 @@ Mesh toMesh(const FacedTriangles& surface) {
   return mesh;
 }
 
-/// Position and triangles of a mesh, without faces.
+/// Positions and triangles of a mesh, without faces, in an order that follows from the positions.
+/// CGAL's order of what it unites depends on addresses in memory, and with it what later steps make
+/// of the surface.
 FacedTriangles toTriangles(const Mesh& mesh) {
+  std::vector<std::pair<Mesh::Point, Mesh::Vertex_index>> vertices;
+  for (const auto vertex : mesh.vertices()) vertices.emplace_back(mesh.point(vertex), vertex);
+  std::sort(vertices.begin(), vertices.end());
   FacedTriangles surface;
-  std::vector<int> number(mesh.num_vertices(), -1);
-  for (const auto vertex : mesh.vertices()) {
+  std::map<Mesh::Vertex_index, int> number;
+  for (const auto& [p, vertex] : vertices) {
     number[vertex] = static_cast<int>(surface.positions.size());
-    const auto& p = mesh.point(vertex);
     surface.positions.emplace_back(p.x(), p.y(), p.z());
   }
   for (const auto face : mesh.faces()) {
@@ -57,7 +61,9 @@ FacedTriangles toTriangles(const Mesh& mesh) {
     int k = 0;
     for (const auto vertex : vertices_around_face(mesh.halfedge(face), mesh))
       corners[k++] = number[vertex];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
   }
+  std::sort(surface.triangles.begin(), surface.triangles.end());
   return surface;
 }
 
@@ -220,12 +226,12 @@ class Gaps {
 
 /// The union of both; none if the plate is no solid or CGAL finds surfaces that cut through
 /// themselves.
-std::optional<Mesh> unite(const Mesh& body, const FacedTriangles& plate) {
+std::optional<FacedTriangles> unite(const FacedTriangles& body, const FacedTriangles& plate) {
   Mesh solid = toMesh(plate);
   if (solid.number_of_faces() != plate.triangles.size() || !CGAL::is_closed(solid) ||
       pmp::does_self_intersect(solid) || !pmp::is_outward_oriented(solid))
     return std::nullopt;
-  Mesh one = body, united;
+  Mesh one = toMesh(body), united;
   try {
     if (!pmp::corefine_and_compute_union(one, solid, united,
                                          pmp::parameters::throw_on_self_intersection(true)))
@@ -233,8 +239,7 @@ std::optional<Mesh> unite(const Mesh& body, const FacedTriangles& plate) {
   } catch (const pmp::Corefinement::Self_intersection_exception&) {
     return std::nullopt;
   }
-  united.collect_garbage();
-  return united;
+  return toTriangles(united);
 }
 
 }  // namespace
@@ -248,17 +253,16 @@ WithoutNarrowGaps withoutNarrowGaps(FacedTriangles surface, double narrowest,
   const std::vector<FacedTriangles> plates =
       Gaps(result.surface, std::move(*pieces), narrowest, keptFaces, job).plates();
   if (plates.empty()) return result;
-  Mesh mesh = toMesh(result.surface);
+  FacedTriangles filled = result.surface;
   int gaps = 0;
   for (const FacedTriangles& plate : plates) {
     job.throwIfCancelled();
-    if (auto united = unite(mesh, plate)) {
-      mesh = std::move(*united);
+    if (auto united = unite(filled, plate)) {
+      filled = std::move(*united);
       ++gaps;
     }
   }
-  if (gaps == 0 || pmp::does_self_intersect(mesh)) return result;
-  FacedTriangles filled = toTriangles(mesh);
+  if (gaps == 0 || pmp::does_self_intersect(toMesh(filled))) return result;
   if (closedSurfaceCount(filled.triangles) > closedSurfaceCount(result.surface.triangles))
     return result;
   const NearestOnTriangles before(result.surface.positions, result.surface.triangles);

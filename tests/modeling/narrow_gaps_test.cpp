@@ -109,6 +109,22 @@ TEST(NarrowGaps, AtKeptFacesStay) {
   }
 }
 
+TEST(NarrowGaps, LeaveTheSameSurfaceWhereverItLiesInMemory) {
+  // Turned, so that faces are flat up to rounding only.
+  FacedTriangles block = blockWithSlit(0.3, 0.05);
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  for (Eigen::Vector3d& x : block.positions) x = turn * x;
+  const FacedTriangles first = withoutNarrowGaps(block, 0.35, {}).surface;
+  std::vector<std::vector<char>> between;
+  for (int k = 1; k < 20; ++k) {
+    for (int some = 0; some < 50; ++some)
+      between.emplace_back(static_cast<std::size_t>(137 * k + 31 * some));
+    const FacedTriangles again = withoutNarrowGaps(block, 0.35, {}).surface;
+    EXPECT_EQ(again.positions, first.positions);
+    EXPECT_EQ(again.triangles, first.triangles);
+  }
+}
+
 TEST(NarrowGaps, AreStoppedByTheJob) {
   std::stop_source source;
   source.request_stop();
