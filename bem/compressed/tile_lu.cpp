@@ -36,17 +36,40 @@ Eigen::VectorXd columnMagnitudes(const LowRankTile& tile) {
 
 }  // namespace
 
-TileLu::PackedTile TileLu::packed(const LowRankTile& tile) {
-  return {static_cast<int>(tile.X.cols()), static_cast<int>(tile.Y.cols()), PackedNumbers(tile.X),
-          PackedNumbers(tile.Y)};
+TileLu::PackedTile TileLu::packed(const LowRankTile& tile) const {
+  // With 8 bits, numbers have errors of 2^-9 of the largest in their group on average: many small
+  // summands together remain below the tolerance.
+  constexpr float kSmall = 8;
+  const Index rank = tile.X.cols();
+  Index small = 0;  // singular values ascend
+  if (!tile.isDense())
+    while (small < rank &&
+           tile.X.col(small).norm() * tile.Y.col(small).norm() < kSmall * tolerance_)
+      ++small;
+  const auto numbers = [](const MatrixXf& of, Index first, Index columns,
+                          PackedNumbers::Bits bits) {
+    return PackedNumbers(
+        std::span(of.data() + first * of.rows(), static_cast<std::size_t>(columns * of.rows())),
+        bits);
+  };
+  using Bits = PackedNumbers::Bits;
+  return {static_cast<int>(rank),
+          static_cast<int>(tile.Y.cols()),
+          static_cast<int>(small),
+          numbers(tile.X, 0, small, Bits::k8),
+          numbers(tile.Y, 0, small, Bits::k8),
+          numbers(tile.X, small, rank - small, Bits::k16),
+          numbers(tile.Y, small, std::max<Index>(0, tile.Y.cols() - small), Bits::k16)};
 }
 
 void TileLu::unpack(int row, int column, LowRankTile& to) const {
   const PackedTile& from = tile(row, column);
   to.X.resize(sizes_[row], from.rank);
   to.Y.resize(from.rankOfY > 0 ? sizes_[column] : 0, from.rankOfY);
-  from.X.unpackTo(to.X.data());
-  from.Y.unpackTo(to.Y.data());
+  from.smallX.unpackTo(to.X.data());
+  from.smallY.unpackTo(to.Y.data());
+  from.X.unpackTo(to.X.data() + from.smallX.size());
+  from.Y.unpackTo(to.Y.data() + from.smallY.size());
 }
 
 LowRankTile TileLu::unpacked(int row, int column) const {

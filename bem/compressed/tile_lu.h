@@ -52,16 +52,18 @@ class TileLu {
   void solveTransposedInPlace(Eigen::MatrixXf& x, const Job& job) const;
 
  private:
-  /// A LowRankTile with half of the memory.
+  /// A LowRankTile with less than half of the memory. Summands of a product that hardly exceed the
+  /// tolerance come first and have 8 bits, the others 16.
   struct PackedTile {
-    int rank = 0, rankOfY = 0;  ///< columns of X and Y
-    PackedNumbers X, Y;
+    int rank = 0, rankOfY = 0, smallSummands = 0;  ///< columns of X and Y
+    PackedNumbers smallX, smallY, X, Y;
+    std::size_t bytes() const { return smallX.bytes() + smallY.bytes() + X.bytes() + Y.bytes(); }
   };
 
   int count() const { return static_cast<int>(sizes_.size()); }
   PackedTile& tile(int row, int column) { return tiles_[row * sizes_.size() + column]; }
   const PackedTile& tile(int row, int column) const { return tiles_[row * sizes_.size() + column]; }
-  static PackedTile packed(const LowRankTile& tile);
+  PackedTile packed(const LowRankTile& tile) const;
   /// `to`: also gives the memory.
   void unpack(int row, int column, LowRankTile& to) const;
   LowRankTile unpacked(int row, int column) const;

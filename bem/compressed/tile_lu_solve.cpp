@@ -12,7 +12,7 @@ using Eigen::MatrixXf;
 
 std::size_t TileLu::bytes() const {
   std::size_t bytes = 0;
-  for (const PackedTile& each : tiles_) bytes += each.X.bytes() + each.Y.bytes();
+  for (const PackedTile& each : tiles_) bytes += each.bytes();
   return bytes;
 }
 

@@ -12,25 +12,30 @@ void TileLu::writeTile(int row, int column, const ByteSink& sink) const {
   const PackedTile& of = tile(row, column);
   writeValue(sink, of.rank);
   writeValue(sink, of.rankOfY);
-  of.X.write(sink);
-  of.Y.write(sink);
+  writeValue(sink, of.smallSummands);
+  for (const PackedNumbers* numbers : {&of.smallX, &of.smallY, &of.X, &of.Y}) numbers->write(sink);
 }
 
 void TileLu::readTile(int row, int column, const ByteSource& source) {
-  const int rank = readValue<int>(source), rankOfY = readValue<int>(source);
+  const int rank = readValue<int>(source), rankOfY = readValue<int>(source),
+            small = readValue<int>(source);
   const bool isDense = rankOfY == 0;
   if (rank < 0 || (isDense ? rank != 0 && rank != sizes_[column] : rank != rankOfY) ||
-      rank > std::max(sizes_[row], sizes_[column]))
+      rank > std::max(sizes_[row], sizes_[column]) || small < 0 || small > rankOfY)
     throw DamagedData();
-  const auto numbers = [&](int rows, int columns) {
+  using Bits = PackedNumbers::Bits;
+  const auto numbers = [&](int rows, int columns, Bits bits) {
     return PackedNumbers::read(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns),
-                               PackedNumbers::Bits::k16, source);
+                               bits, source);
   };
   PackedTile& to = tile(row, column);
   to.rank = rank;
   to.rankOfY = rankOfY;
-  to.X = numbers(sizes_[row], rank);
-  to.Y = numbers(sizes_[column], rankOfY);
+  to.smallSummands = small;
+  to.smallX = numbers(sizes_[row], small, Bits::k8);
+  to.smallY = numbers(sizes_[column], small, Bits::k8);
+  to.X = numbers(sizes_[row], rank - small, Bits::k16);
+  to.Y = numbers(sizes_[column], rankOfY - small, Bits::k16);
 }
 
 void TileLu::write(const ByteSink& sink) const {
