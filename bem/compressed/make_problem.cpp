@@ -21,7 +21,7 @@ bool isCompressed(Precision wanted, bool isQuadratic, double nodeCount) {
 double expectedBytes(double nodeCount, double slotCount, bool isQuadratic, Precision precision) {
   if (isCompressed(precision, isQuadratic, nodeCount)) {
     // Spheres of 3,500 to 49,000 nodes take 73 to 105 KB per node and up to a fifth more at their
-    // peak; a connector with long elements, which are near to many others, takes 180.
+    // peak; a connector of thin walls with long elements takes 250.
     constexpr double kMargin = 1.45, kAtThousand = 72e3, kPerDoubling = 8e3;
     return kMargin * (nodeCount + slotCount) / 2 *
            (kAtThousand + kPerDoubling * std::max(0.0, std::log2(nodeCount / 1000)));

@@ -90,7 +90,7 @@ bool isThin(const std::vector<Ball>& balls, int element) {
 }
 
 /// Distance over the radius of an element from which Kelvin's kernels are interpolated over it:
-/// forces on eight parts change by 4e-5 of themselves in the median, displacements of a box under
+/// forces on eight parts change by 2e-5 of themselves in the median, displacements of a box under
 /// even stress by 8e-5.
 constexpr double kFar = 5;
 
