@@ -195,6 +195,24 @@ TEST(QuadraticSolution, AnUpdateEqualsARebuild) {
   EXPECT_TRUE(std::isinf(updateError(*before, *other, inputs)));
 }
 
+TEST(QuadraticSolution, APlateThatBecomesThinIsRebuilt) {
+  // Its elements have other equations then.
+  const auto before = quadratic(boxMesh({0, 0, 0}, {40, 40, 20}, 8, 8, 4), onFlatFaces, {4});
+  const auto errorOfDent = [&](double depth) {
+    BoundaryMesh dented = before->mesh();
+    for (Vector3d& x : dented.nodes) {
+      const double distance = (x - Vector3d(20, 20, 20)).norm() / 8;
+      if (distance < 1) x.z() -= depth * std::pow(1 - distance * distance, 2);
+    }
+    std::vector<SlotCondition> conditions;
+    for (const auto& slot : before->slots().slots) conditions.push_back(fixedTags({4})(slot.tag));
+    return updateError(*before, QuadraticDiscretisation(dented, {4}),
+                       {conditions, {0.1, 0.45}, {1e-6}, Precision::kSingle});
+  };
+  EXPECT_LE(errorOfDent(0.5), 1e-4);
+  EXPECT_TRUE(std::isinf(errorOfDent(8)));
+}
+
 TEST(QuadraticSurface, RefusesFoldedElements) {
   EXPECT_THROW(quadratic(boxMesh({0, 0, 0}, {1, 1, 1}, 1, 1, 1),
                          [](const Vector3d& a, const Vector3d& b, double) {
