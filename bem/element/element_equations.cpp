@@ -38,6 +38,17 @@ WeightedEquations WeightedEquations::only(std::span<const int> equations) const 
   return some;
 }
 
+void addPoints(const AveragedElement& element, std::vector<CollocationPlace>& points,
+               std::vector<Eigen::Triplet<double>>& weights) {
+  for (std::size_t q = 0; q < element.points.size(); ++q) {
+    for (std::size_t e = 0; e < element.equations.size(); ++e)
+      weights.emplace_back(
+          element.equations[e], static_cast<int>(points.size()),
+          element.weights(static_cast<Eigen::Index>(e), static_cast<Eigen::Index>(q)));
+    points.push_back(element.points[q]);
+  }
+}
+
 void setWeights(WeightedEquations& equations, Eigen::Index equationCount,
                 std::vector<Eigen::Triplet<double>> weights) {
   for (const AveragedElement& element : equations.averaged) {
@@ -54,10 +65,6 @@ void setWeights(WeightedEquations& equations, Eigen::Index equationCount,
 WeightedEquations atPoints(const WeightedEquations& equations) {
   WeightedEquations result;
   std::vector<Eigen::Triplet<double>> weights;
-  const auto add = [&](Eigen::Index equation, double weight) {
-    weights.emplace_back(static_cast<int>(equation), static_cast<int>(result.points.size()),
-                         weight);
-  };
   std::vector<bool> isNode(equations.points.size(), false);
   for (const AveragedElement& element : equations.averaged)
     for (const int node : element.nodes) isNode[node] = true;
@@ -66,15 +73,12 @@ WeightedEquations atPoints(const WeightedEquations& equations) {
     for (Eigen::SparseMatrix<double>::InnerIterator w(equations.weights,
                                                       static_cast<Eigen::Index>(p));
          w; ++w)
-      add(w.row(), w.value());
+      weights.emplace_back(static_cast<int>(w.row()), static_cast<int>(result.points.size()),
+                           w.value());
     result.points.push_back(equations.points[p]);
   }
   for (const AveragedElement& element : equations.averaged)
-    for (Eigen::Index q = 0; q < element.weights.cols(); ++q) {
-      for (Eigen::Index e = 0; e < element.weights.rows(); ++e)
-        add(element.equations[e], element.weights(e, q));
-      result.points.push_back(element.points[q]);
-    }
+    addPoints(element, result.points, weights);
   result.weights.resize(equations.weights.rows(), static_cast<Eigen::Index>(result.points.size()));
   result.weights.setFromTriplets(weights.begin(), weights.end());
   return result;

@@ -36,6 +36,10 @@ struct WeightedEquations {
   WeightedEquations only(std::span<const int> equations) const;
 };
 
+/// Adds the points of an element's rule and their weights (equation, point) in its equations.
+void addPoints(const AveragedElement& element, std::vector<CollocationPlace>& points,
+               std::vector<Eigen::Triplet<double>>& weights);
+
 /// Adds the weights of averaged elements for their far elements: `averaged` of the equations is
 /// set, `weights` (equation, point) are the weights of the other points, which may be repeated.
 /// `equationCount`: number of all equations.

@@ -151,21 +151,6 @@ AveragedElement averagedOver(const QuadraticSurface& surface, int element,
   return averaged;
 }
 
-/// Adds the points of an element and their weights, divided by the sum of each equation's.
-void addPoints(AveragedElement element, const Eigen::VectorXd& sums, WeightedEquations& equations,
-               std::vector<Eigen::Triplet<double>>& weights) {
-  for (std::size_t q = 0; q < element.points.size(); ++q) {
-    for (std::size_t k = 0; k < element.equations.size(); ++k) {
-      const int equation = element.equations[k];
-      weights.emplace_back(
-          equation, static_cast<int>(equations.points.size()),
-          element.weights(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(q)) /
-              sums[equation]);
-    }
-    equations.points.push_back(std::move(element.points[q]));
-  }
-}
-
 /// Replaces the collocation points of some nodes by the mean of the residual around them, weighted
 /// with their hat functions. These reproduce rigid motions, so that sums of the residual over parts
 /// of the body vanish: in a thin part, which hangs on the body by a small cross-section, the
@@ -205,10 +190,11 @@ WeightedEquations averaged(const QuadraticSurface& surface, std::vector<Collocat
     }
     equations.averaged.push_back(std::move(element));
   }
-  for (AveragedElement& element : equations.averaged)
-    for (std::size_t k = 0; k < element.equations.size(); ++k)
-      element.weights.row(static_cast<Eigen::Index>(k)) /= sums[element.equations[k]];
-  for (AveragedElement& element : thin) addPoints(std::move(element), sums, equations, weights);
+  for (std::vector<AveragedElement>* elements : {&equations.averaged, &thin})
+    for (AveragedElement& element : *elements)
+      for (std::size_t k = 0; k < element.equations.size(); ++k)
+        element.weights.row(static_cast<Eigen::Index>(k)) /= sums[element.equations[k]];
+  for (const AveragedElement& element : thin) addPoints(element, equations.points, weights);
   setWeights(equations, static_cast<Eigen::Index>(points.size()), std::move(weights));
   return equations;
 }

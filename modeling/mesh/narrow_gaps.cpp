@@ -51,7 +51,7 @@ FacedTriangles toTriangles(const Mesh& mesh) {
   for (const auto vertex : mesh.vertices()) vertices.emplace_back(mesh.point(vertex), vertex);
   std::sort(vertices.begin(), vertices.end());
   FacedTriangles surface;
-  std::map<Mesh::Vertex_index, int> number;
+  std::vector<int> number(mesh.num_vertices(), -1);
   for (const auto& [p, vertex] : vertices) {
     number[vertex] = static_cast<int>(surface.positions.size());
     surface.positions.emplace_back(p.x(), p.y(), p.z());
