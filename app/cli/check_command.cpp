@@ -88,8 +88,7 @@ class CheckCommand : public Command {
       const auto& conditions = setup.conditions.ofSlot;
       const bem::Discretisation& on = *setup.discretisation;
       on.checkSolvable(conditions, setup.material);
-      bytes = app::expectedBytes(on.displacementCount(), on.slots().count(), setup.engine,
-                                 bem::Precision::kAutomatic);
+      bytes = app::expectedBytes(bem::sizeOf(on), setup.engine, bem::Precision::kAutomatic);
     });
     return bytes;
   }

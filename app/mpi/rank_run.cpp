@@ -104,8 +104,7 @@ void RankRun::checkSameMesh(const bem::Discretisation& on) const {
 void RankRun::checkMemory(const bem::Discretisation& on) const {
   // Every rank has the factors and its part of the operators, rank 0 all of them in the end.
   constexpr double kOfFactors = 0.5;
-  const double whole = bem::expectedBytes(on.displacementCount(), on.slots().count(), true,
-                                          bem::Precision::kCompressed);
+  const double whole = bem::expectedBytes(bem::sizeOf(on), true, bem::Precision::kCompressed);
   double mine = whole * (kOfFactors + (1 - kOfFactors) / team_.count());
   if (team_.index() == 0) mine = whole;
   MPI_Comm machine = MPI_COMM_NULL;

@@ -17,9 +17,16 @@ inline constexpr int kCompressedFrom = 4000;
 /// True if operators of so many nodes are compressed.
 bool isCompressed(Precision wanted, bool isQuadratic, double nodeCount);
 
-/// Peak memory of making a reference problem in bytes, before anything is allocated. Compressed:
-/// 45 % above what the operators of a sphere take, because it depends on the shape.
-double expectedBytes(double nodeCount, double slotCount, bool isQuadratic, Precision precision);
+/// What the memory of a reference problem depends on; any finite or infinite numbers.
+struct ProblemSize {
+  double nodes = 0;      ///< displacement coefficients
+  double slots = 0;      ///< of tractions
+  double thinShare = 0;  ///< of quadratic elements, 0 … 1: see thinShare() in quadratic_assembly.h
+};
+ProblemSize sizeOf(const Discretisation& discretisation);
+
+/// Peak memory of making a reference problem in bytes, before anything is allocated.
+double expectedBytes(const ProblemSize& size, bool isQuadratic, Precision precision);
 
 /// Assembles and factorises a problem, compressed or dense. Throws SolverError if it cannot be
 /// solved, Cancelled on stop.

@@ -89,6 +89,12 @@ bool isThin(const std::vector<Ball>& balls, int element) {
   return balls[element].radius > kThin * thicknessUnder(balls, element);
 }
 
+std::vector<Ball> ballsAbout(const QuadraticSurface& surface) {
+  std::vector<Ball> balls;
+  for (int e = 0; e < surface.elementCount(); ++e) balls.push_back(ballAbout(surface, e));
+  return balls;
+}
+
 /// Distance over the radius of an element from which Kelvin's kernels are interpolated over it:
 /// forces on eight parts change by 2e-5 of themselves in the median, displacements of a box under
 /// even stress by 8e-5.
@@ -166,8 +172,7 @@ WeightedEquations averaged(const QuadraticSurface& surface, std::vector<Collocat
       weights.emplace_back(static_cast<int>(k), static_cast<int>(equations.points.size()), 1);
       equations.points.push_back(std::move(points[k]));
     }
-  std::vector<Ball> balls;
-  for (int e = 0; e < surface.elementCount(); ++e) balls.push_back(ballAbout(surface, e));
+  const std::vector<Ball> balls = ballsAbout(surface);
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(surface.coefficientCount());
   std::vector<int> pointOfNode(static_cast<std::size_t>(surface.coefficientCount()), -1);
   std::vector<AveragedElement> thin;
@@ -200,6 +205,15 @@ WeightedEquations averaged(const QuadraticSurface& surface, std::vector<Collocat
 }
 
 }  // namespace
+
+double thinShare(const QuadraticSurface& surface) {
+  constexpr int kSample = 1000;
+  const int step = 1 + surface.elementCount() / kSample;
+  const std::vector<Ball> balls = ballsAbout(surface);
+  int thin = 0, seen = 0;
+  for (int e = 0; e < surface.elementCount(); e += step, ++seen) thin += isThin(balls, e) ? 1 : 0;
+  return seen > 0 ? static_cast<double>(thin) / seen : 0;
+}
 
 std::vector<bool> averagedNodes(const QuadraticSurface& surface, const TractionSlots& slots,
                                 const DegreesOfFreedom& dofs) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "app/core/model/geometry_error.h"
 #include "app/core/model/model_memory.h"
@@ -43,7 +44,7 @@ std::string errorOf(const modeling::Project& project, const BuildOptions& option
 BuildOptions smallMemory() {
   BuildOptions options;
   options.memoryLimit =
-      expectedBytes(400, 1000, modeling::Engine::kQuadratic, bem::Precision::kAutomatic);
+      expectedBytes({400, 1000}, modeling::Engine::kQuadratic, bem::Precision::kAutomatic);
   return options;
 }
 
@@ -63,7 +64,7 @@ TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
   project.mesh.edgeLength = 1.5;
   BuildOptions options;
   options.memoryLimit =
-      0.5 * expectedBytes(modeling::estimateNodeCount(project.body, project.mesh, {}), 0,
+      0.5 * expectedBytes({modeling::estimateNodeCount(project.body, project.mesh, {}), 0},
                           modeling::engineOf(project), bem::Precision::kAutomatic);
   EXPECT_NE(errorOf(project, options).find("of memory for"), std::string::npos);
   const auto mesh = suggestMesh(project, options, {});
@@ -72,7 +73,7 @@ TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
   const modeling::SurfaceMesh surface =
       modeling::mesh(project.body, *mesh, modeling::meshRegions(project));
   const auto nodes = static_cast<double>(surface.positions.size());
-  EXPECT_LE(expectedBytes(nodes, nodes, modeling::Engine::kQuadratic, bem::Precision::kAutomatic),
+  EXPECT_LE(expectedBytes({nodes, nodes}, modeling::Engine::kQuadratic, bem::Precision::kAutomatic),
             options.memoryLimit);
   for (const auto& finding : modeling::checkGeometry(surface, project.body))
     EXPECT_FALSE(finding.isError) << finding.message;
@@ -80,11 +81,11 @@ TEST(LargePart, TheSuggestedEdgeLengthFitsIntoMemoryAndBoundsABody) {
 
 TEST(LargePart, OperatorsAreCompressedWhereOnlySoTheyFitIntoMemory) {
   const auto bytes = [](double nodes, bem::Precision precision) {
-    return expectedBytes(nodes, nodes, modeling::Engine::kQuadratic, precision);
+    return expectedBytes({nodes, nodes}, modeling::Engine::kQuadratic, precision);
   };
   const auto chosen = [](double nodes, double limit, bem::Precision wanted,
                          modeling::Engine engine = modeling::Engine::kQuadratic) {
-    return fittingPrecision(nodes, nodes, engine, wanted, limit);
+    return fittingPrecision({nodes, nodes}, engine, wanted, limit);
   };
   using enum bem::Precision;
   const double between = 0.5 * (bytes(3000, kAutomatic) + bytes(3000, kCompressed));
@@ -107,6 +108,21 @@ TEST(LargePart, OperatorsAreCompressedWhereOnlySoTheyFitIntoMemory) {
   EXPECT_LT(model->report().memory, options.memoryLimit);
 }
 
+TEST(LargePart, ModelsOfFewerNodesAreCompressedOnRequest) {
+  modeling::Project sphere = test::clampedSphere(8);
+  sphere.mesh.engine = modeling::Engine::kQuadratic;
+  const auto storage = [&](std::optional<int> from) {
+    BuildOptions options;
+    options.compressedFrom = from;
+    return buildTouchModel(sphere, options, {})->report().storage;
+  };
+  EXPECT_EQ(storage({}), "dense");
+  EXPECT_EQ(storage(50), "compressed");
+  EXPECT_EQ(storage(2000), "dense");
+  sphere.mesh.engine = modeling::Engine::kTriangles;
+  EXPECT_EQ(storage(50), "dense");
+}
+
 TEST(LargePart, TheSuggestionIsNothingIfNoMeshFits) {
   BuildOptions options;
   options.memoryLimit = 1000;  // bytes
@@ -118,7 +134,7 @@ TEST(LargePart, ThePipelineAddsTheSuggestionToTheFailure) {
   project.mesh.edgeLength = 1.5;
   BuildOptions options;
   options.memoryLimit =
-      0.5 * expectedBytes(modeling::estimateNodeCount(project.body, project.mesh, {}), 0,
+      0.5 * expectedBytes({modeling::estimateNodeCount(project.body, project.mesh, {}), 0},
                           modeling::engineOf(project), bem::Precision::kAutomatic);
   RebuildPipeline pipeline(options);
   pipeline.submit(project);

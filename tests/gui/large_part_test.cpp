@@ -20,7 +20,7 @@ TEST_F(LargePart, AButtonTakesTheEdgeLengthThatFitsIntoMemory) {
   const double nodes = modeling::estimateNodeCount(project.body, project.mesh, {});
   window_->settings().setMemoryLimitGiB(
       0.5 *
-      app::expectedBytes(nodes, nodes, modeling::Engine::kTriangles, bem::Precision::kAutomatic) /
+      app::expectedBytes({nodes, nodes}, modeling::Engine::kTriangles, bem::Precision::kAutomatic) /
       (1024.0 * 1024 * 1024));
   editor().start(project);
   const auto buttons = [this] { return window_->messages().findChildren<QPushButton*>("remedy"); };

@@ -110,6 +110,19 @@ TEST(AveragedEquations, NothingIsInterpolatedOverLeads) {
   EXPECT_TRUE(hasInterpolatedTop(20));
 }
 
+TEST(AveragedEquations, TheShareOfThinElementsIsCounted) {
+  const auto shareOf = [](double thickness, int cells, int layers) {
+    const BoundaryMesh box =
+        verification::boxMesh({0, 0, 0}, {40, 40, thickness}, cells, cells, layers);
+    return thinShare(quadratic(box, onFlatFaces, {4})->surface());
+  };
+  EXPECT_EQ(shareOf(40, 8, 8), 0);
+  // 4 * 8 * 2 of the 320 elements lie on the sides.
+  EXPECT_NEAR(shareOf(8, 8, 1), 0.8, 1e-12);
+  // More elements than are tested; 4 * 24 * 2 of 2,496 lie on the sides.
+  EXPECT_NEAR(shareOf(2, 24, 1), 1 - 192.0 / 2496, 0.02);
+}
+
 TEST(AveragedEquations, SomeEquationsAreTheSameRows) {
   const auto bar = slenderBar(1, 12);
   const WeightedEquations equations = equationsOf(*bar);

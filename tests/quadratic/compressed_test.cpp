@@ -145,8 +145,7 @@ TEST(CompressedProblem, AgreesWithDenseOneOnASphere) {
   EXPECT_LT(sphere.differenceOfColumns(Effort::kFast), 5e-4);
   EXPECT_LT(sphere.differenceOfColumns(Effort::kRefined), 5e-4);
   EXPECT_LT(sphere.compressed->bytes(), sphere.dense().bytes());
-  const double expected = expectedBytes(sphere.on->displacementCount(), sphere.on->slots().count(),
-                                        true, Precision::kCompressed);
+  const double expected = expectedBytes(sizeOf(*sphere.on), true, Precision::kCompressed);
   EXPECT_LT(static_cast<double>(sphere.compressed->bytes()), expected);
   EXPECT_GT(static_cast<double>(sphere.compressed->bytes()), 0.4 * expected);
   const double condition = sphere.dense().conditionEstimate();
@@ -242,8 +241,8 @@ TEST(CompressedProblem, IsChosenForLargeQuadraticMeshesOnly) {
   EXPECT_TRUE(isCompressed(Precision::kCompressed, true, 100));
   // Where both fit, the choice saves memory, and more in larger models.
   const auto share = [](double nodes) {
-    return expectedBytes(nodes, nodes, true, Precision::kAutomatic) /
-           expectedBytes(nodes, nodes, true, Precision::kSingle);
+    return expectedBytes({nodes, nodes}, true, Precision::kAutomatic) /
+           expectedBytes({nodes, nodes}, true, Precision::kSingle);
   };
   EXPECT_LT(share(kCompressedFrom), 1);
   EXPECT_LT(share(4 * kCompressedFrom), 0.5 * share(kCompressedFrom));

@@ -12,6 +12,9 @@ namespace palpa::app {
 struct BuildOptions {
   std::optional<double> edgeLength;  ///< mm; replaces the project's edge length
   bem::Precision precision = bem::Precision::kAutomatic;
+  /// Nodes of quadratic triangles from which an automatic precision is kCompressed; absent:
+  /// bem::kCompressedFrom.
+  std::optional<int> compressedFrom;
   /// If absent, the default of the engine: for splines a thousandth of the requested accuracy.
   std::optional<bem::AssemblyOptions> assembly;
   /// Bytes that the model may take; 0: 85 % of the available memory.

@@ -66,11 +66,14 @@ double ModelBuilder::lap() {
   return std::chrono::duration<double>(now - std::exchange(lapStart_, now)).count();
 }
 
-bem::Precision ModelBuilder::checkFits(double coefficients, double slots) const {
+bem::Precision ModelBuilder::checkFits(const bem::ProblemSize& size) const {
   const modeling::Engine engine = modeling::engineOf(geometry_.project());
-  const bem::Precision precision =
-      fittingPrecision(coefficients, slots, engine, options_.precision, options_.memoryLimit);
-  app::checkMemory(settings_, engine, coefficients, slots, precision, options_.memoryLimit);
+  bem::Precision precision =
+      fittingPrecision(size, engine, options_.precision, options_.memoryLimit);
+  if (precision == bem::Precision::kAutomatic && engine == modeling::Engine::kQuadratic &&
+      options_.compressedFrom && size.nodes >= *options_.compressedFrom)
+    precision = bem::Precision::kCompressed;
+  app::checkMemory(settings_, engine, size, precision, options_.memoryLimit);
   return precision;
 }
 
@@ -85,12 +88,12 @@ void ModelBuilder::prepare() {
 void ModelBuilder::checkExpectedMemory() const {
   if (geometry_.usesSplines()) {
     const double coefficients = geometry_.refinement().coefficients;
-    checkFits(coefficients, kSlotsPerCoefficient * coefficients);
+    checkFits({coefficients, kSlotsPerCoefficient * coefficients});
   } else {
     const double nodes =
         modeling::estimateNodeCount(geometry_.project().body, settings_, geometry_.regions(),
                                     modeling::meshFoci(geometry_.project()));
-    checkFits(nodes, nodes);
+    checkFits({nodes, nodes});
   }
 }
 
@@ -140,8 +143,7 @@ bem::ProblemInputs ModelBuilder::problemInputs() const {
 }
 
 void ModelBuilder::checkMemory() {
-  const bem::Discretisation& discretisation = *model_->setup().discretisation;
-  precision_ = checkFits(discretisation.displacementCount(), discretisation.slots().count());
+  precision_ = checkFits(bem::sizeOf(*model_->setup().discretisation));
 }
 
 void ModelBuilder::makeProblem(const TouchModel* former) {

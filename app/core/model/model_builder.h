@@ -6,6 +6,7 @@
 
 #include "app/core/model/build_touch_model.h"
 #include "app/core/setup/project_geometry.h"
+#include "bem/compressed/make_problem.h"
 
 namespace palpa::app {
 
@@ -38,7 +39,7 @@ class ModelBuilder {
   void mesh();
   /// checkExpectedMemory() with the numbers of the setup; chooses how the operators are stored.
   void checkMemory();
-  bem::Precision checkFits(double coefficients, double slots) const;
+  bem::Precision checkFits(const bem::ProblemSize& size) const;
   /// Computes the parts of the model that the body force determines, once it has its problem.
   void addBodyForce();
   bem::ProblemInputs problemInputs() const;

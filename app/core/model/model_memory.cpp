@@ -6,7 +6,6 @@
 #include "app/core/system/memory.h"
 #include "base/count_text.h"
 #include "base/text.h"
-#include "bem/compressed/make_problem.h"
 
 namespace palpa::app {
 namespace {
@@ -33,38 +32,36 @@ double usableMemory(double limit) {
   return limit > 0 ? limit : 0.85 * availableMemory();
 }
 
-double expectedBytes(double coefficients, double slots, modeling::Engine engine,
+double expectedBytes(const bem::ProblemSize& size, modeling::Engine engine,
                      bem::Precision precision) {
-  return bem::expectedBytes(coefficients, slots, engine == modeling::Engine::kQuadratic, precision);
+  return bem::expectedBytes(size, engine == modeling::Engine::kQuadratic, precision);
 }
 
-bem::Precision fittingPrecision(double coefficients, double slots, modeling::Engine engine,
+bem::Precision fittingPrecision(const bem::ProblemSize& size, modeling::Engine engine,
                                 bem::Precision wanted, double limit) {
   const double usable = usableMemory(limit);
   if (usable <= 0 || wanted != bem::Precision::kAutomatic || engine != modeling::Engine::kQuadratic)
     return wanted;
   const auto fits = [&](bem::Precision precision) {
-    return expectedBytes(coefficients, slots, engine, precision) <= usable;
+    return expectedBytes(size, engine, precision) <= usable;
   };
   const bool needsCompression = !fits(wanted) && fits(bem::Precision::kCompressed);
   return needsCompression ? bem::Precision::kCompressed : wanted;
 }
 
 void checkMemory(const modeling::MeshSettings& settings, modeling::Engine engine,
-                 double coefficients, double slots, bem::Precision precision,
-                 double requestedLimit) {
+                 const bem::ProblemSize& size, bem::Precision precision, double requestedLimit) {
   const double limit = usableMemory(requestedLimit);
   if (limit <= 0) return;
-  const double bytes = expectedBytes(coefficients, slots, engine, precision);
+  const double bytes = expectedBytes(size, engine, precision);
   if (bytes <= limit) return;
   const double excess = bytes / limit;
   const bool hasSplines = engine == modeling::Engine::kSplines;
   // Memory grows with the square of the number of unknowns, compressed with the number itself.
   const double power =
-      bem::isCompressed(precision, engine == modeling::Engine::kQuadratic, coefficients) ? 0.5
-                                                                                         : 0.25;
+      bem::isCompressed(precision, engine == modeling::Engine::kQuadratic, size.nodes) ? 0.5 : 0.25;
   throw ModelTooLarge(
-      "the model needs " + formatBytes(bytes) + " of memory for " + estimateText(coefficients) +
+      "the model needs " + formatBytes(bytes) + " of memory for " + estimateText(size.nodes) +
           (hasSplines ? " spline coefficients, and " : " nodes, and ") + formatBytes(limit) +
           " can be used; " + advice(settings, hasSplines, std::pow(excess, power)),
       excess);

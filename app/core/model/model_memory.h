@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/error.h"
+#include "bem/compressed/make_problem.h"
 #include "bem/problem/problem_inputs.h"
 #include "modeling/mesh/mesh_settings.h"
 
@@ -23,21 +24,19 @@ class ModelTooLarge : public bem::SolverError {
 /// unknown.
 double usableMemory(double limit);
 
-/// Bytes of a model with these numbers of displacement coefficients (with triangles: nodes) and
-/// traction slots, any finite or infinite numbers.
-double expectedBytes(double coefficients, double slots, modeling::Engine engine,
+/// Bytes of a model.
+double expectedBytes(const bem::ProblemSize& size, modeling::Engine engine,
                      bem::Precision precision);
 
 /// How a model of these sizes is stored: as wanted, but compressed where the choice is automatic
 /// and only the compressed operators fit into memory. `limit`: bytes, 0 for 85 % of the memory
 /// available now.
-bem::Precision fittingPrecision(double coefficients, double slots, modeling::Engine engine,
+bem::Precision fittingPrecision(const bem::ProblemSize& size, modeling::Engine engine,
                                 bem::Precision wanted, double limit);
 
 /// Throws ModelTooLarge if a model does not fit into memory; the message names the sizes
-/// and a remedy. `coefficients`: number of displacement coefficients, with triangles of nodes;
-/// `slots`: number of traction slots; `limit`: bytes, 0 for 85 % of the memory available now.
+/// and a remedy. `limit`: bytes, 0 for 85 % of the memory available now.
 void checkMemory(const modeling::MeshSettings& settings, modeling::Engine engine,
-                 double coefficients, double slots, bem::Precision precision, double limit);
+                 const bem::ProblemSize& size, bem::Precision precision, double limit);
 
 }  // namespace palpa::app

@@ -19,6 +19,8 @@ constexpr double kWide = 1.05;
 constexpr double kMargin = 1.05;
 /// A mesh with less than this many times the coefficients is not worth a rebuild.
 constexpr double kWorthwhile = 1.1;
+/// Growth of the time of compressed models with the number of coefficients (docs/performance.md).
+constexpr double kCompressedTimePower = 1.4;
 constexpr int kTries = 8;  // of sizes that fit the memory
 
 Limit limitOf(const modeling::Project& project, const TouchModel& model, const TouchError& error) {
@@ -58,9 +60,10 @@ AccuracyAdvice adviseAccuracy(const modeling::Project& project, const TouchModel
   const double count = model.setup().discretisation->displacementCount();
   const double slots = model.setup().discretisation->slots().count();
   advice.order = orderOf(former, count, error, hasSplines);
+  const double thinShare = bem::sizeOf(*model.setup().discretisation).thinShare;
   const auto bytesOf = [&](double coefficients) {
-    return expectedBytes(coefficients, coefficients * slots / count, model.setup().engine,
-                         options.precision);
+    return expectedBytes({coefficients, coefficients * slots / count, thinShare},
+                         model.setup().engine, options.precision);
   };
   // The narrowest contact that triangles can represent has the same error on all meshes: it falls
   // when contacts are as narrow as a fingertip. Splines represent even their narrowest well.
@@ -96,8 +99,10 @@ AccuracyAdvice adviseAccuracy(const modeling::Project& project, const TouchModel
                                                  advice.reached * std::pow(reached, -advice.order));
     const BuildReport& report = model.report();
     const double growth = coefficients / count;
-    advice.seconds = report.assembleSeconds * growth * growth +
-                     report.factoriseSeconds * growth * growth * growth;
+    const bool isCompressed = report.storage == "compressed";
+    advice.seconds =
+        report.assembleSeconds * std::pow(growth, isCompressed ? kCompressedTimePower : 2) +
+        report.factoriseSeconds * std::pow(growth, isCompressed ? kCompressedTimePower : 3);
     return advice;
   }
   return advice;

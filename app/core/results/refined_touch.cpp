@@ -32,11 +32,14 @@ constexpr double kSmallFactor = 1.2;
 constexpr double kMinGrowth = 1.05;
 /// Curved bodies have a coarsest mesh, whatever the length of the elements.
 constexpr double kFactorWithoutGrowth = 1.5, kMaxFactorWithoutGrowth = 16;
-/// Growth of the time with the number of coefficients: between assembly and compressed operators
-/// (1 to 1.5), dense assembly (2) and factorisation (3).
-constexpr double kTimeExponent = 2;
-/// Growth of the memory, likewise.
-constexpr double kMemoryExponent = 2;
+/// Growth of time and memory with the number of coefficients.
+struct Growth {
+  double time, memory;
+};
+/// Dense: the time is between assembly (2) and factorisation (3), and error estimates (1 to 1.5).
+constexpr Growth kDense{2, 2};
+/// Spheres of 5,000 to 50,000 nodes: 1.35 and 1.07 (docs/performance.md).
+constexpr Growth kCompressed{1.5, 1.2};
 /// A clock cannot add much more.
 constexpr double kMaxSeconds = 1e8;
 
@@ -76,6 +79,8 @@ class NextMesh {
     const double remaining = goal_.seconds - secondsSince(start_);
     if (remaining < last.seconds) return stop(End::kTime, end);
     const bool hasSplines = touch.model->setup().splines != nullptr;
+    const bool isQuadratic = modeling::engineOf(touch.project) == modeling::Engine::kQuadratic;
+    const int compressedFrom = options_.compressedFrom.value_or(bem::kCompressedFrom);
     // Narrow parts have short edges already, and cells come in whole numbers, so the number of
     // nodes does not follow from the factor. Estimates have an error that both have in common.
     const double present = estimateCoefficients(touch.project, last.mesh, job);
@@ -90,9 +95,11 @@ class NextMesh {
     while (growth < kMinGrowth && factor < kMaxFactorWithoutGrowth)
       growth = growthOf(factor *= kFactorWithoutGrowth);
     for (; growth >= kMinGrowth; growth = growthOf(factor = std::sqrt(factor))) {
-      if (!(last.seconds * std::pow(growth, kTimeExponent) <= remaining))
+      const Growth& power =
+          isQuadratic && growth * last.coefficients >= compressedFrom ? kCompressed : kDense;
+      if (!(last.seconds * std::pow(growth, power.time) <= remaining))
         end = End::kTime;
-      else if (usable > 0 && !(last.bytes * std::pow(growth, kMemoryExponent) <= usable))
+      else if (usable > 0 && !(last.bytes * std::pow(growth, power.memory) <= usable))
         end = End::kMemory;
       else
         return finerMesh(last.mesh, hasSplines, factor);
