@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "base/parallel.h"
@@ -40,7 +39,6 @@ class CompressedAssembly {
         constants_(ElementRows(surface, quadrature, material).constants()),
         averaged_(surface, quadrature, constants_, equations, std::nullopt),
         order_(makeCompressedOrder(surface, equations, nodes, slots)),
-        sums_(order_, equations),
         exact_(surface, quadrature, constants_, order_) {
     useOneBlasThread();
     for (const int p : order_.points) points_.push_back(equations.points[p].position);
@@ -48,13 +46,12 @@ class CompressedAssembly {
   }
 
   CompressedOperators run(double tolerance) {
-    result_.order_ = sums_.order();
-    result_.weights_ = sums_.weights();
+    result_.order_ = order_;
+    setWeights();
     setLeaves();
-    translations_ = MatrixXf::Zero(3 * static_cast<Index>(order_.points.size()), 3);
-    result_.far_ = makeFarBlocks({order_, sums_, division_, exact_, equations_, points_, nodes_,
-                                  slots_, constants_, shear_, tolerance, share_},
-                                 translations_, partOfJob(job_, 0, 0.5));
+    result_.far_ = makeFarBlocks({order_, division_, exact_, equations_, points_, nodes_, slots_,
+                                  constants_, shear_, tolerance, share_},
+                                 partOfJob(job_, 0, 0.5));
     addNearBlocks(partOfJob(job_, 0.5, 0.65));
     const std::vector<AveragedRows::Total> totals = addCorrections(partOfJob(job_, 0.65, 0.75));
     result_.averaged_ = makeAveragedBlocks(order_, surface_, equations_, averaged_, totals,
@@ -68,17 +65,26 @@ class CompressedAssembly {
     return equations_.points[order_.points[position]];
   }
 
-  void setLeaves() {
-    const CompressedOrder& rows = sums_.order();
-    leafOfRow_.resize(rows.points.size());
-    for (std::size_t position = 0; position < rows.positionCount(); ++position)
-      for (int row = rows.firstPoint[position]; row < rows.firstPoint[position + 1]; ++row)
-        leafOfRow_[row] = tree().leafOf(static_cast<int>(position));
+  void setWeights() {
+    std::vector<Eigen::Triplet<float>> weights;
+    for (Index p = 0; p < equations_.weights.cols(); ++p)
+      for (Eigen::SparseMatrix<double>::InnerIterator w(equations_.weights, p); w; ++w)
+        weights.emplace_back(static_cast<int>(w.row()), order_.pointPositionOf[p],
+                             static_cast<float>(w.value()));
+    result_.weights_.resize(equations_.weights.rows(), equations_.weights.cols());
+    result_.weights_.setFromTriplets(weights.begin(), weights.end());
   }
 
-  bool isInShare(int row) const { return share_.hasRows(leafOfRow_[row]); }
+  void setLeaves() {
+    leafOfPoint_.resize(equations_.points.size());
+    for (std::size_t position = 0; position < order_.positionCount(); ++position)
+      for (int p = order_.firstPoint[position]; p < order_.firstPoint[position + 1]; ++p)
+        leafOfPoint_[p] = tree().leafOf(static_cast<int>(position));
+  }
 
-  /// Whether N of an equation is in the share: with the first of its rows.
+  bool isInShare(int position) const { return share_.hasRows(leafOfPoint_[position]); }
+
+  /// Whether N of an equation is in the share: with the rows of its first point.
   std::vector<char> equationsOfShare() const {
     std::vector<char> isInShareOf(static_cast<std::size_t>(result_.equationCount()));
     for (int e = 0; e < result_.equationCount(); ++e) {
@@ -106,20 +112,15 @@ class CompressedAssembly {
           exact_.compute(point(p), column, leftOut(p), scratch, ofPoint.data());
           K.middleRows<3>(3 * static_cast<Index>(p - order_.pointBegin(leaf))) = ofPoint;
         }
-        if (sums_.hasSums(leaf))
-          for (Index c = 0; c < order_.nodeColumns(column); c += 3)
-            translations_.middleRows(3 * static_cast<Index>(order_.pointBegin(leaf)), K.rows()) +=
-                K.middleCols<3>(c);
-        if (!K.isZero(0))
-          result_.near_[k].push_back({column, PackedNumbers(sums_.sum(leaf, std::move(K)))});
+        if (!K.isZero(0)) result_.near_[k].push_back({column, PackedNumbers(K)});
       }
       pool.giveBack(std::move(scratch));
     });
   }
 
   /// Takes the elements that a point leaves out from its distant blocks.
-  void subtractLeftOut(int leaf, int position, ExactRows::Scratch& scratch,
-                       BlockRowEntries& row) const {
+  void subtractLeftOut(int position, ExactRows::Scratch& scratch, BlockRowEntries& row) const {
+    const int leaf = leafOfPoint_[position];
     for (const int e : leftOut(position)) {
       const std::vector<int>&nodes = surface_.coefficients(e), &slots = surface_.slots(e);
       const auto isDistant = [&](int node) {
@@ -143,72 +144,50 @@ class CompressedAssembly {
     }
   }
 
-  /// What makes a row vanish for translations, by column: its points leave out no element. `sum`:
-  /// the product of the row with translations.
-  std::map<int, Matrix3d> correctionOf(int row, const Matrix3d& sum) const {
-    const auto movedAt = [&](Index p) -> Matrix3d {
-      return translations_.middleRows<3>(3 * p).cast<double>();
-    };
-    using Part = PointSums::Weights::InnerIterator;
-    // Each point vanishes by functions at that point, or slender parts turn. What the row has
-    // besides is rounding.
-    Matrix3d besides = sum;
-    double weights = 0;
-    for (Part w(sums_.points(), row); w; ++w) {
-      besides -= static_cast<double>(w.value()) * movedAt(w.col());
-      weights += static_cast<double>(w.value());
-    }
-    std::map<int, Matrix3d> blocks;
+  /// Functions at a point that leaves out no element, ascending by position.
+  std::vector<std::pair<int, double>> functionsAt(int position) const {
+    const ElementPlace& place = point(position).places.front();
     std::vector<double> basis;
-    for (Part w(sums_.points(), row); w; ++w) {
-      const auto weight = static_cast<double>(w.value());
-      const Matrix3d ofPoint = -weight * (movedAt(w.col()) + besides / weights);
-      const ElementPlace& place = point(static_cast<int>(w.col())).places.front();
-      surface_.evaluateBasis(place, basis);
-      for (std::size_t f = 0; f < basis.size(); ++f) {
-        if (basis[f] == 0) continue;
-        const int column = tree().positionOf()[surface_.coefficients(place.element)[f]];
-        blocks.try_emplace(column, Matrix3d::Zero()).first->second += basis[f] * ofPoint;
-      }
-    }
-    return blocks;
+    surface_.evaluateBasis(place, basis);
+    std::vector<std::pair<int, double>> functions;
+    for (std::size_t f = 0; f < basis.size(); ++f)
+      if (basis[f] != 0)
+        functions.emplace_back(tree().positionOf()[surface_.coefficients(place.element)[f]],
+                               basis[f]);
+    std::sort(functions.begin(), functions.end());
+    return functions;
   }
 
   std::span<const int> leftOut(int position) const {
     return averaged_.leftOut(static_cast<std::size_t>(order_.points[position]));
   }
-  /// The first point of a row. Points that leave out elements are not summed.
-  int firstPointOf(int row) const {
-    return static_cast<int>(PointSums::Weights::InnerIterator(sums_.points(), row).col());
-  }
 
   /// Completes P; returns the sums of its rows in the form of AveragedRows.
   std::vector<AveragedRows::Total> addCorrections(const Job& job) {
-    const auto rowCount = static_cast<std::ptrdiff_t>(sums_.points().rows());
-    std::vector<BlockRow> rows(static_cast<std::size_t>(rowCount));
+    const auto points = static_cast<std::ptrdiff_t>(equations_.points.size());
+    std::vector<BlockRow> rows(equations_.points.size());
     struct Scratch {
       ExactRows::Scratch rows;
       BlockRowEntries entries;
     };
     ScratchPool<Scratch> pool([&] { return Scratch{exact_.makeScratch(), {}}; });
-    constexpr std::ptrdiff_t kRowsPerTask = 16;
-    parallelFor((rowCount + kRowsPerTask - 1) / kRowsPerTask, job, Phase::kAssemble,
+    constexpr std::ptrdiff_t kPointsPerTask = 16;
+    parallelFor((points + kPointsPerTask - 1) / kPointsPerTask, job, Phase::kAssemble,
                 [&](std::ptrdiff_t task) {
                   Scratch scratch = pool.take();
-                  for (auto r = static_cast<int>(task * kRowsPerTask);
-                       r < std::min(rowCount, (task + 1) * kRowsPerTask); ++r) {
-                    if (!isInShare(r)) continue;
+                  for (auto p = static_cast<int>(task * kPointsPerTask);
+                       p < std::min(points, (task + 1) * kPointsPerTask); ++p) {
+                    if (!isInShare(p)) continue;
                     scratch.entries.clear();
-                    const int p = firstPointOf(r);
                     if (!leftOut(p).empty()) {
-                      subtractLeftOut(leafOfRow_[r], p, scratch.rows, scratch.entries);
-                      rows[r] = mergedRow(scratch.entries);
+                      subtractLeftOut(p, scratch.rows, scratch.entries);
+                      rows[p] = mergedRow(scratch.entries);
                       continue;
                     }
-                    for (const auto& [column, block] : correctionOf(r, Matrix3d::Zero()))
-                      rows[r].columns.push_back(column);
-                    rows[r].columns.push_back(rows[r].columns.front());  // see packRow()
-                    rows[r].blocks.resize(rows[r].columns.size());
+                    for (const auto& [column, value] : functionsAt(p))
+                      rows[p].columns.push_back(column);
+                    rows[p].columns.push_back(rows[p].columns.front());  // see packRow()
+                    rows[p].blocks.resize(rows[p].columns.size());
                   }
                   pool.giveBack(std::move(scratch));
                 });
@@ -217,26 +196,22 @@ class CompressedAssembly {
                     3 * (result_.nodeCount() + static_cast<Index>(order_.slots.size())) + 1, 3),
                 sums;
     for (Index k = 0; k < result_.nodeCount(); ++k) translations.middleRows<3>(3 * k).setIdentity();
-    result_.applyToPoints(translations, LoadedColumns(result_.order_, translations), sums, job);
-    if (team_) {
-      sums = sumOverTeam(*team_, sums);
-      translations_ = sumOverTeam(*team_, RowMatrixXf(translations_));
-    }
+    result_.applyToPoints(translations, LoadedColumns(order_, translations), sums, job);
+    if (team_) sums = sumOverTeam(*team_, sums);
     std::vector<AveragedRows::Total> totals(equations_.points.size());
     std::vector<BlockNumbers> blocks;
-    for (int r = 0; r < rowCount; ++r) {
-      const Matrix3d sum = sums.middleRows<3>(3 * static_cast<Index>(r)).cast<double>();
-      const int p = firstPointOf(r);
-      totals[order_.points[p]] = totalOf(-sum);  // of single points; no other is used
-      if (!leftOut(p).empty() || !isInShare(r)) continue;
+    for (int p = 0; p < points; ++p) {
+      const Matrix3d sum = sums.middleRows<3>(3 * static_cast<Index>(p)).cast<double>();
+      totals[order_.points[p]] = totalOf(-sum);
+      if (!leftOut(p).empty() || !isInShare(p)) continue;
       blocks.clear();
-      for (const auto& [column, block] : correctionOf(r, sum)) {
-        BlockNumbers& numbers = blocks.emplace_back();
+      for (const auto& [column, value] : functionsAt(p)) {
+        BlockNumbers& block = blocks.emplace_back();
         for (int i = 0; i < 3; ++i)
-          for (int c = 0; c < 3; ++c) numbers[3 * i + c] = static_cast<float>(block(i, c));
+          for (int c = 0; c < 3; ++c) block[3 * i + c] = static_cast<float>(-value * sum(i, c));
       }
       BlockRows<PackedBlock>& to = result_.corrections_;
-      const auto row = static_cast<std::size_t>(r);
+      const auto row = static_cast<std::size_t>(p);
       const std::size_t begin = to.columns.begin(row),
                         largest =
                             packRow(blocks, std::span(to.blocks).subspan(begin, blocks.size() + 1));
@@ -271,13 +246,11 @@ class CompressedAssembly {
   const BlockShare share_;
   const KelvinConstants constants_;
   const AveragedRows averaged_;
-  const CompressedOrder order_;  ///< of the points
-  const PointSums sums_;
+  const CompressedOrder order_;
   const ExactRows exact_;
   std::vector<Vector3d> points_;  ///< by position
   BlockDivision division_;
-  std::vector<int> leafOfRow_;
-  MatrixXf translations_;  ///< (3 point + i, c): products of points' rows, of leaves with sums
+  std::vector<int> leafOfPoint_;
   CompressedOperators result_;
 };
 

@@ -25,10 +25,7 @@ constexpr int kSourcePlaces = 32;
 
 struct Skeleton {
   std::vector<int> rows;  ///< 3 * point position + i
-  MatrixXf weights;       ///< (row of the cluster in PointSums, row of the skeleton)
-  MatrixXf ofPoints;      ///< the same for its points, if the cluster has sums
-
-  const MatrixXf& pointWeights() const { return ofPoints.size() > 0 ? ofPoints : weights; }
+  MatrixXf weights;       ///< (row of the cluster, row of the skeleton)
 };
 
 class FarBlocks {
@@ -48,7 +45,7 @@ class FarBlocks {
     }
   }
 
-  std::vector<std::vector<FarBlock>> make(MatrixXf& translations, const Job& job) {
+  std::vector<std::vector<FarBlock>> make(const Job& job) {
     int top = tree_.levelCount();
     std::size_t pairs = 0, done = 0;
     for (int level = tree_.levelCount() - 1; level >= 0; --level)
@@ -66,37 +63,28 @@ class FarBlocks {
       if (level + 1 < tree_.levelCount())
         for (int c = ClusterTree::firstOf(level + 1); c < ClusterTree::firstOf(level + 2); ++c)
           skeletons_[c] = {};
-      done = makeLevel(level, done, pairs, translations, job);
+      done = makeLevel(level, done, pairs, job);
     }
     return std::move(blocks_);
   }
 
  private:
   /// Makes the blocks of a level after `done` of all `pairs`; returns how many are done then.
-  std::size_t makeLevel(int level, std::size_t done, std::size_t pairs, MatrixXf& translations,
-                        const Job& job) {
+  std::size_t makeLevel(int level, std::size_t done, std::size_t pairs, const Job& job) {
     std::vector<std::pair<int, std::size_t>> ofLevel;
     for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c) {
       blocks_[c].resize(columns_[c].size());
       for (std::size_t b = 0; b < blocks_[c].size(); ++b) ofLevel.emplace_back(c, b);
     }
-    std::vector<MatrixXf> moved(ofLevel.size());
     ScratchPool<ExactRows::Scratch> pool([&] { return in_.exact.makeScratch(); });
     parallelFor(static_cast<std::ptrdiff_t>(ofLevel.size()),
                 partOfJob(job, done, done + ofLevel.size(), pairs), Phase::kAssemble,
                 [&](std::ptrdiff_t k) {
                   const auto [c, b] = ofLevel[k];
                   ExactRows::Scratch scratch = pool.take();
-                  blocks_[c][b] = makeBlock(c, columns_[c][b], moved[k], scratch, job);
+                  blocks_[c][b] = makeBlock(c, columns_[c][b], scratch, job);
                   pool.giveBack(std::move(scratch));
                 });
-    // In their order, so that the sums do not depend on the number of threads.
-    for (std::size_t k = 0; k < ofLevel.size(); ++k) {
-      const int c = ofLevel[k].first;
-      if (moved[k].size() > 0)
-        translations.middleRows(3 * static_cast<Index>(in_.order.pointBegin(c)),
-                                in_.order.rows(c)) += skeletons_[c].ofPoints * moved[k];
-    }
     return done + ofLevel.size();
   }
 
@@ -118,36 +106,24 @@ class FarBlocks {
         chooseSkeleton(in_.constants, in_.points, candidates, ball, in_.tolerance / 2);
     Skeleton skeleton;
     for (const int row : choice.rows) skeleton.rows.push_back(candidates[row]);
-    const bool hasSums = in_.sums.hasSums(cluster);
     if (tree_.isLeaf(cluster)) {
-      if (hasSums) skeleton.ofPoints = choice.weights;
-      skeleton.weights = in_.sums.sum(cluster, std::move(choice.weights));
+      skeleton.weights = std::move(choice.weights);
       return skeleton;
     }
-    const Skeleton &first = skeletons_[2 * cluster + 1], &second = skeletons_[2 * cluster + 2];
-    skeleton.weights = throughSons(first.weights, second.weights, choice.weights);
-    if (hasSums)
-      skeleton.ofPoints = throughSons(first.pointWeights(), second.pointWeights(), choice.weights);
-    return skeleton;
-  }
-
-  /// Weights of a cluster with the weights of its sons, and `ofSkeletons` of its skeleton in the
-  /// skeletons of the sons.
-  static MatrixXf throughSons(const MatrixXf& first, const MatrixXf& second,
-                              const MatrixXf& ofSkeletons) {
-    MatrixXf weights(first.rows() + second.rows(), ofSkeletons.cols());
+    skeleton.weights.resize(in_.order.rows(cluster), choice.weights.cols());
     Index row = 0, candidate = 0;
-    for (const MatrixXf* ofSon : {&first, &second}) {
-      if (ofSon->size() > 0)
-        cblas_sgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(ofSon->rows()),
-                    static_cast<int>(ofSkeletons.cols()), static_cast<int>(ofSon->cols()), 1,
-                    ofSon->data(), static_cast<int>(ofSon->rows()), ofSkeletons.data() + candidate,
-                    static_cast<int>(ofSkeletons.rows()), 0, weights.data() + row,
-                    static_cast<int>(weights.rows()));
-      row += ofSon->rows();
-      candidate += ofSon->cols();
+    for (int son = 2 * cluster + 1; son <= 2 * cluster + 2; ++son) {
+      const MatrixXf& ofSon = skeletons_[son].weights;
+      if (ofSon.size() > 0)
+        cblas_sgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, static_cast<int>(ofSon.rows()),
+                    static_cast<int>(choice.weights.cols()), static_cast<int>(ofSon.cols()), 1,
+                    ofSon.data(), static_cast<int>(ofSon.rows()), choice.weights.data() + candidate,
+                    static_cast<int>(choice.weights.rows()), 0, skeleton.weights.data() + row,
+                    static_cast<int>(skeleton.weights.rows()));
+      row += ofSon.rows();
+      candidate += ofSon.cols();
     }
-    return weights;
+    return skeleton;
   }
 
   /// Kernels of some places of a distant cluster at the rows of a skeleton.
@@ -174,9 +150,7 @@ class FarBlocks {
     return fields;
   }
 
-  /// `moved`: gets the product with translations at the rows of the skeleton, if there are sums.
-  FarBlock makeBlock(int row, int column, MatrixXf& moved, ExactRows::Scratch& scratch,
-                     const Job& job) const {
+  FarBlock makeBlock(int row, int column, ExactRows::Scratch& scratch, const Job& job) const {
     const Skeleton& skeleton = skeletons_[row];
     const double distance =
         (in_.division.pointBalls[row].centre - in_.division.functionBalls[column].centre).norm();
@@ -209,12 +183,6 @@ class FarBlocks {
       }
       V.row(k) = ofPoint.row(rowOf(k) % 3);
     }
-    if (in_.sums.hasSums(row)) {
-      MatrixXf ofTranslations = MatrixXf::Zero(rank, 3);
-      for (int k = 0; k < in_.order.nodeColumns(column); k += 3)
-        ofTranslations += V.middleCols<3>(k);
-      moved = choice.weights * ofTranslations;
-    }
     // As in fieldsOf().
     const auto importance = static_cast<float>(in_.shear / distance);
     GradedFactors factors = gradedFactors(U, V, in_.order.slotColumns(column), importance);
@@ -231,9 +199,8 @@ class FarBlocks {
 
 }  // namespace
 
-std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs,
-                                                 MatrixXf& translations, const Job& job) {
-  return FarBlocks(inputs).make(translations, job);
+std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job) {
+  return FarBlocks(inputs).make(job);
 }
 
 }  // namespace palpa::bem

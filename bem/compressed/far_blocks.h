@@ -7,7 +7,6 @@
 #include "bem/compressed/block_division.h"
 #include "bem/compressed/block_share.h"
 #include "bem/compressed/exact_rows.h"
-#include "bem/compressed/point_sums.h"
 #include "bem/linalg/graded_rows.h"
 #include "bem/linalg/row_choice.h"
 #include "bem/model/boundary_mesh.h"
@@ -15,7 +14,7 @@
 
 namespace palpa::bem {
 
-/// Low-rank block U^T V of the rows of a cluster and the functions of another one.
+/// Low-rank block U^T V of the points of a cluster and the functions of another one.
 struct FarBlock {
   int column;                   ///< cluster of functions
   GradedRows U;                 ///< (rank, rows)
@@ -27,7 +26,6 @@ struct FarBlock {
 /// What makeFarBlocks() reads.
 struct FarBlockInputs {
   const CompressedOrder& order;
-  const PointSums& sums;  ///< the rows of the blocks
   const BlockDivision& division;
   const ExactRows& exact;
   const WeightedEquations& equations;
@@ -44,9 +42,7 @@ struct FarBlockInputs {
 /// from a cluster of functions are smooth functions of the point: in each cluster of points a
 /// skeleton is chosen, from the leaves up, then from its rows for each block those from which the
 /// fields of its functions are interpolated; only their integrals are computed. The choices use
-/// kernels at points instead of integrals. `translations`, (3 point + i, c): for points of clusters
-/// with sums, the products of their rows with translations are added. Throws Cancelled.
-std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs,
-                                                 Eigen::MatrixXf& translations, const Job& job);
+/// kernels at points instead of integrals. Throws Cancelled.
+std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job);
 
 }  // namespace palpa::bem

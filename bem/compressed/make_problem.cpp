@@ -29,9 +29,9 @@ ProblemSize sizeOf(const Discretisation& discretisation) {
 double expectedBytes(const ProblemSize& size, bool isQuadratic, Precision precision) {
   if (isCompressed(precision, isQuadratic, size.nodes)) {
     // Spheres of 8,700 to 48,700 nodes take 87 to 105 KB per node at their peak, within 3 % of
-    // this. CAD parts with thin walls and pins are within 22 %, but a row of separate pins takes 40
-    // % less.
-    constexpr double kAtThousand = 65.5e3, kPerDoubling = 7.2e3, kOfThin = 90e3;
+    // this. Six CAD parts with thin walls and pins are within 21 %, but a row of pins takes 40 %
+    // less.
+    constexpr double kAtThousand = 65.5e3, kPerDoubling = 7.2e3, kOfThin = 140e3;
     return (size.nodes + size.slots) / 2 *
            (kAtThousand + kPerDoubling * std::max(0.0, std::log2(size.nodes / 1000)) +
             kOfThin * size.thinShare);
