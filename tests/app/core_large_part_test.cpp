@@ -121,6 +121,16 @@ TEST(LargePart, ModelsOfFewerNodesAreCompressedOnRequest) {
   EXPECT_EQ(storage(2000), "dense");
   sphere.mesh.engine = modeling::Engine::kTriangles;
   EXPECT_EQ(storage(50), "dense");
+
+  // Leads and walls are less exact compressed.
+  modeling::Project thin = plate();
+  thin.mesh.edgeLength = 4;
+  BuildOptions options;
+  options.compressedFrom = 50;
+  const auto model = buildTouchModel(thin, options, {});
+  ASSERT_GT(model->report().nodes, 50);
+  ASSERT_EQ(modeling::engineOf(thin), modeling::Engine::kQuadratic);
+  EXPECT_EQ(model->report().storage, "dense");
 }
 
 TEST(LargePart, TheSuggestionIsNothingIfNoMeshFits) {

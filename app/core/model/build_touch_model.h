@@ -12,8 +12,8 @@ namespace palpa::app {
 struct BuildOptions {
   std::optional<double> edgeLength;  ///< mm; replaces the project's edge length
   bem::Precision precision = bem::Precision::kAutomatic;
-  /// Nodes of quadratic triangles from which an automatic precision is kCompressed; absent:
-  /// bem::kCompressedFrom.
+  /// Nodes of quadratic triangles from which an automatic precision is kCompressed, unless most of
+  /// the body is thin; absent: bem::kCompressedFrom.
   std::optional<int> compressedFrom;
   /// If absent, the default of the engine: for splines a thousandth of the requested accuracy.
   std::optional<bem::AssemblyOptions> assembly;
