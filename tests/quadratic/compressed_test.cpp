@@ -159,7 +159,7 @@ TEST(CompressedProblem, AgreesWithDenseOneOnASlenderBar) {
   BoundaryMesh mesh = verification::boxMesh({0, 0, 0}, {30, 3, 2}, 30, 2, 2);
   for (int& tag : mesh.tags) tag = tag == 0 ? 1 : 0;  // the support is the face at x = 0
   const BothForms bar(quadratic(mesh, onFlatFaces, {1}));
-  ASSERT_EQ(thinShare(bar.on->surface()), 1);
+  ASSERT_GT(thinShare(bar.on->surface()), 0.9);
   ASSERT_GT(bar.compressed->operators().sizes().farBlocks, 60);
   EXPECT_LT(bar.differenceOfProducts(), 1e-4);
   // Small residuals of rotations turn the end of the bar by 3 %.
