@@ -29,7 +29,7 @@ ProblemSize sizeOf(const Discretisation& discretisation) {
 double expectedBytes(const ProblemSize& size, bool isQuadratic, Precision precision) {
   if (isCompressed(precision, isQuadratic, size.nodes)) {
     // Spheres of 8,700 to 48,700 nodes take 87 to 105 KB per node at their peak, within 3 % of
-    // this. Six CAD parts with thin walls and pins are within 21 %, but a row of pins takes 40 %
+    // this. Five CAD parts with thin walls and pins are within 21 %, but a row of pins takes 40 %
     // less.
     constexpr double kAtThousand = 65.5e3, kPerDoubling = 7.2e3, kOfThin = 140e3;
     return (size.nodes + size.slots) / 2 *

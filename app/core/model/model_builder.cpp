@@ -23,10 +23,6 @@ constexpr double kSlotsPerCoefficient = 1.5;
 
 /// Integrals follow the wished accuracy where it counts. Forces of quadratic triangles on four CAD
 /// parts change by at most 4e-6 of themselves if their integrals are a hundred times as accurate.
-/// Small residuals of compressed operators turn the ends of leads: a capacitor on its leads moved
-/// by 5 % more. Bodies with more thin elements are compressed only where dense ones take too long.
-constexpr double kMaxThinShare = 0.6;
-
 bem::AssemblyOptions assemblyFor(modeling::Engine engine, double accuracy) {
   if (engine == modeling::Engine::kTriangles) return {};
   if (engine == modeling::Engine::kQuadratic) return {std::min(1e-2 * accuracy, 1e-4)};
@@ -74,9 +70,8 @@ bem::Precision ModelBuilder::checkFits(const bem::ProblemSize& size) const {
   const modeling::Engine engine = modeling::engineOf(geometry_.project());
   bem::Precision precision =
       fittingPrecision(size, engine, options_.precision, options_.memoryLimit);
-  if (precision == bem::Precision::kAutomatic && engine == modeling::Engine::kQuadratic &&
-      options_.compressedFrom && size.nodes >= *options_.compressedFrom &&
-      size.thinShare <= kMaxThinShare)
+  if (precision == bem::Precision::kAutomatic &&
+      choosesCompressed(size, engine, options_.compressedFrom))
     precision = bem::Precision::kCompressed;
   app::checkMemory(settings_, engine, size, precision, options_.memoryLimit);
   return precision;

@@ -37,6 +37,16 @@ double expectedBytes(const bem::ProblemSize& size, modeling::Engine engine,
   return bem::expectedBytes(size, engine == modeling::Engine::kQuadratic, precision);
 }
 
+bool choosesCompressed(const bem::ProblemSize& size, modeling::Engine engine,
+                       std::optional<int> from) {
+  // Small residuals of compressed operators turn the ends of leads: the force on a capacitor's
+  // leads was 5 % too large (decision 056).
+  constexpr double kMaxThinShare = 0.6;
+  if (engine != modeling::Engine::kQuadratic) return false;
+  return size.nodes >= bem::kCompressedFrom ||
+         (from && size.nodes >= *from && size.thinShare <= kMaxThinShare);
+}
+
 bem::Precision fittingPrecision(const bem::ProblemSize& size, modeling::Engine engine,
                                 bem::Precision wanted, double limit) {
   const double usable = usableMemory(limit);

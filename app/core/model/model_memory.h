@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "bem/base/error.h"
 #include "bem/compressed/make_problem.h"
 #include "bem/problem/problem_inputs.h"
@@ -27,6 +29,11 @@ double usableMemory(double limit);
 /// Bytes of a model.
 double expectedBytes(const bem::ProblemSize& size, modeling::Engine engine,
                      bem::Precision precision);
+
+/// True if an automatic precision compresses a model: from bem::kCompressedFrom nodes of quadratic
+/// triangles on, and from `from` nodes on unless most of the body is thin.
+bool choosesCompressed(const bem::ProblemSize& size, modeling::Engine engine,
+                       std::optional<int> from);
 
 /// How a model of these sizes is stored: as wanted, but compressed where the choice is automatic
 /// and only the compressed operators fit into memory. `limit`: bytes, 0 for 85 % of the memory

@@ -79,8 +79,8 @@ class NextMesh {
     const double remaining = goal_.seconds - secondsSince(start_);
     if (remaining < last.seconds) return stop(End::kTime, end);
     const bool hasSplines = touch.model->setup().splines != nullptr;
-    const bool isQuadratic = modeling::engineOf(touch.project) == modeling::Engine::kQuadratic;
-    const int compressedFrom = options_.compressedFrom.value_or(bem::kCompressedFrom);
+    const bem::ProblemSize size = bem::sizeOf(*touch.model->setup().discretisation);
+    const modeling::Engine engine = modeling::engineOf(touch.project);
     // Narrow parts have short edges already, and cells come in whole numbers, so the number of
     // nodes does not follow from the factor. Estimates have an error that both have in common.
     const double present = estimateCoefficients(touch.project, last.mesh, job);
@@ -96,7 +96,10 @@ class NextMesh {
       growth = growthOf(factor *= kFactorWithoutGrowth);
     for (; growth >= kMinGrowth; growth = growthOf(factor = std::sqrt(factor))) {
       const Growth& power =
-          isQuadratic && growth * last.coefficients >= compressedFrom ? kCompressed : kDense;
+          choosesCompressed({growth * last.coefficients, growth * size.slots, size.thinShare},
+                            engine, options_.compressedFrom)
+              ? kCompressed
+              : kDense;
       if (!(last.seconds * std::pow(growth, power.time) <= remaining))
         end = End::kTime;
       else if (usable > 0 && !(last.bytes * std::pow(growth, power.memory) <= usable))
