@@ -140,9 +140,9 @@ struct Attempt {
 
 /// What is left out, in shares of the feature fraction, by the attempts until a mesh has no
 /// crossings. Other features vanish with each; slivers are worth two more attempts only.
-constexpr LeftOutFeatures kAttempts[] = {{1, NarrowGaps::kFilled},   {0.8, NarrowGaps::kFilled},
-                                         {0.5, NarrowGaps::kFilled}, {1, NarrowGaps::kKept},
-                                         {0.2, NarrowGaps::kKept},   {0, NarrowGaps::kKept}};
+constexpr LeftOutFeatures kAttempts[] = {{1, ThinPlaces::kRemoved},   {0.8, ThinPlaces::kRemoved},
+                                         {0.5, ThinPlaces::kRemoved}, {1, ThinPlaces::kKept},
+                                         {0.2, ThinPlaces::kKept},    {0, ThinPlaces::kKept}};
 
 constexpr std::size_t kMaxFound = 1000;  // crossings
 
@@ -248,10 +248,10 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
                       job.threads};
   std::optional<Attempt> best;
   std::exception_ptr fault;
-  for (const auto& [share, gaps] : kAttempts) {
+  for (const auto& [share, thin] : kAttempts) {
     const double below = share * used.featureFraction;
     try {
-      Attempt attempt = tryMesh(body, used, regions, foci, {below, gaps}, remeshing);
+      Attempt attempt = tryMesh(body, used, regions, foci, {below, thin}, remeshing);
       if (!best || attempt.isBetterThan(*best)) best = std::move(attempt);
     } catch (const EmptyRegionError&) {
       throw;
@@ -259,7 +259,7 @@ SurfaceMesh mesh(const MeshBody& body, const MeshSettings& settings,
       if (error.kind() == ModelingError::Kind::kTooLarge) throw;
       if (!fault) fault = std::current_exception();
     }
-    const bool mayImprove = share > 0.5 && gaps == NarrowGaps::kFilled;
+    const bool mayImprove = share > 0.5 && thin == ThinPlaces::kRemoved;
     if ((best && best->crossings == 0 && !(mayImprove && best->hasSlivers)) || below == 0) break;
   }
   if (!best) std::rethrow_exception(fault);

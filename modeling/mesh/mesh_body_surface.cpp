@@ -222,7 +222,7 @@ std::shared_ptr<const MeshBodySurface> make(const MeshBody& body, const MeshSett
   // Smaller features that stay after all are no reason to keep pins and holes.
   const double ofParts = leftOut.below > 0 ? settings.featureFraction : 0;
   SimplifiedSurface bent = withoutSmallFeatures(
-      body, feature, partSize(settings, borders, foci, ofParts), named, leftOut.gaps, job);
+      body, feature, partSize(settings, borders, foci, ofParts), named, leftOut.thin, job);
   if (bent.isNeeded) {
     made->simplified = bent;
     made->below = leftOut.below * settings.edgeLength;

@@ -36,7 +36,7 @@ inline constexpr int kOtherFace = -1;
 /// Which features of a mesh body its mesh leaves out.
 struct LeftOutFeatures {
   double below = 0;  ///< of the edge length there; 0: none
-  NarrowGaps gaps = NarrowGaps::kFilled;
+  ThinPlaces thin = ThinPlaces::kRemoved;
   bool operator==(const LeftOutFeatures&) const = default;
 };
 

@@ -1,16 +1,11 @@
 #include "modeling/mesh/narrow_gaps.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,13 +13,13 @@
 #include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/divided_triangles.h"
 #include "modeling/mesh/nearest_point.h"
+#include "modeling/mesh/surface_boolean.h"
 
 namespace palpa::modeling {
 namespace {
 
 using Eigen::Vector3d;
-namespace pmp = CGAL::Polygon_mesh_processing;
-using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+
 using Triangle = std::array<int, 3>;
 
 constexpr double kPiece = 5;      // largest edge of the pieces of triangles, in narrowest lengths
@@ -34,38 +29,6 @@ constexpr double kNoDirection = 0.1;  // length of a sum of unit vectors that ne
 constexpr double kOverlap = 0.1;      // of the width: how far a plate reaches into the surface
 constexpr std::size_t kMaxPieces = 400'000;
 constexpr std::size_t kMaxGaps = 200;
-
-Mesh toMesh(const FacedTriangles& surface) {
-  Mesh mesh;
-  for (const Vector3d& p : surface.positions) mesh.add_vertex({p.x(), p.y(), p.z()});
-  for (const auto& [a, b, c] : surface.triangles)
-    mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
-  return mesh;
-}
-
-/// Positions and triangles of a mesh, without faces, in an order that follows from the positions.
-/// CGAL's order of what it unites depends on addresses in memory, and with it what later steps make
-/// of the surface.
-FacedTriangles toTriangles(const Mesh& mesh) {
-  std::vector<std::pair<Mesh::Point, Mesh::Vertex_index>> vertices;
-  for (const auto vertex : mesh.vertices()) vertices.emplace_back(mesh.point(vertex), vertex);
-  std::sort(vertices.begin(), vertices.end());
-  FacedTriangles surface;
-  std::vector<int> number(mesh.num_vertices(), -1);
-  for (const auto& [p, vertex] : vertices) {
-    number[vertex] = static_cast<int>(surface.positions.size());
-    surface.positions.emplace_back(p.x(), p.y(), p.z());
-  }
-  for (const auto face : mesh.faces()) {
-    Triangle& corners = surface.triangles.emplace_back();
-    int k = 0;
-    for (const auto vertex : vertices_around_face(mesh.halfedge(face), mesh))
-      corners[k++] = number[vertex];
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  }
-  std::sort(surface.triangles.begin(), surface.triangles.end());
-  return surface;
-}
 
 Vector3d areaVector(const FacedTriangles& of, std::size_t t) {
   const auto& [a, b, c] = of.triangles[t];
@@ -110,9 +73,7 @@ class Gaps {
  public:
   Gaps(const FacedTriangles& surface, FacedTriangles pieces, double narrowest,
        const std::set<int>& keptFaces, const Job& job)
-      : pieces_(std::move(pieces)),
-        keptFaces_(keptFaces),
-        neighbours_(triangleNeighbours(pieces_.triangles)) {
+      : pieces_(std::move(pieces)), neighbours_(triangleNeighbours(pieces_.triangles)) {
     std::map<int, double> areas;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
       areas[surface.faceOfTriangle[t]] += areaVector(surface, t).norm();
@@ -120,10 +81,11 @@ class Gaps {
       normals_.push_back(areaVector(pieces_, t).normalized());
     const NearestOnTriangles all(pieces_.positions, pieces_.triangles);
     widths_.assign(pieces_.triangles.size(), 0);
+    const std::vector<bool> isKept = besideFaces(keptFaces);
     for (std::size_t t = 0; t < widths_.size(); ++t) {
       if (t % 256 == 0) job.throwIfCancelled();
+      if (isKept[t]) continue;
       const int face = pieces_.faceOfTriangle[t];
-      if (keptFaces.contains(face)) continue;
       const auto& [a, b, c] = pieces_.triangles[t];
       const Vector3d middle =
           (pieces_.positions[a] + pieces_.positions[b] + pieces_.positions[c]) / 3;
@@ -131,7 +93,7 @@ class Gaps {
       if (!(width < narrowest)) continue;
       const int other = all.nearestTriangle(middle + width * normals_[t]);
       const int facing = pieces_.faceOfTriangle[other];
-      if (keptFaces.contains(facing) || !(normals_[t].dot(normals_[other]) < kFacing)) continue;
+      if (isKept[other] || !(normals_[t].dot(normals_[other]) < kFacing)) continue;
       // One side is enough: the smaller one, whose border mostly is the mouth of the gap.
       if (std::pair(areas[face], face) <= std::pair(areas[facing], facing)) widths_[t] = width;
     }
@@ -143,13 +105,26 @@ class Gaps {
     std::vector<bool> isDone(widths_.size(), false);
     for (std::size_t t = 0; t < widths_.size() && plates.size() < kMaxGaps; ++t) {
       if (isDone[t] || widths_[t] == 0) continue;
-      if (auto plate = plateOver(smoothPart(static_cast<int>(t), isDone)))
-        plates.push_back(std::move(*plate));
+      const std::vector<int> part = smoothPart(static_cast<int>(t), isDone);
+      if (!part.empty()) plates.push_back(plateOver(part));
     }
     return plates;
   }
 
  private:
+  /// The pieces of faces, and those with a vertex on one.
+  std::vector<bool> besideFaces(const std::set<int>& faces) const {
+    std::vector<bool> isVertexOf(pieces_.positions.size(), false);
+    for (std::size_t t = 0; t < pieces_.triangles.size(); ++t)
+      if (faces.contains(pieces_.faceOfTriangle[t]))
+        for (const int vertex : pieces_.triangles[t]) isVertexOf[vertex] = true;
+    std::vector<bool> isBeside;
+    for (const Triangle& corners : pieces_.triangles)
+      isBeside.push_back(std::any_of(corners.begin(), corners.end(),
+                                     [&](int vertex) { return isVertexOf[vertex]; }));
+    return isBeside;
+  }
+
   std::vector<int> smoothPart(int first, std::vector<bool>& isDone) const {
     std::vector<int> part{first};
     isDone[first] = true;
@@ -160,11 +135,31 @@ class Gaps {
         isDone[other] = true;
         part.push_back(other);
       }
+    removePinches(part);
     return part;
   }
 
-  /// None beside a face that must not change.
-  std::optional<FacedTriangles> plateOver(const std::vector<int>& part) const {
+  /// Removes the pieces at vertices where the border of the part touches itself: the plate would
+  /// not be manifold there.
+  void removePinches(std::vector<int>& part) const {
+    for (bool isPinched = true; isPinched;) {
+      const std::set<int> own(part.begin(), part.end());
+      std::map<int, int> borderEdges;
+      for (const int t : part)
+        for (int k = 0; k < 3; ++k)
+          if (!own.contains(neighbours_[t][k])) ++borderEdges[pieces_.triangles[t][k]];
+      const auto isAtPinch = [&](int t) {
+        const Triangle& corners = pieces_.triangles[t];
+        return std::any_of(corners.begin(), corners.end(), [&](int vertex) {
+          const auto edges = borderEdges.find(vertex);
+          return edges != borderEdges.end() && edges->second > 1;
+        });
+      };
+      isPinched = std::erase_if(part, isAtPinch) > 0;
+    }
+  }
+
+  FacedTriangles plateOver(const std::vector<int>& part) const {
     struct Corner {
       int number = -1;
       Vector3d normal = Vector3d::Zero(), aside = Vector3d::Zero();
@@ -183,7 +178,6 @@ class Gaps {
         corner.width = std::max(corner.width, widths_[t]);
         const int other = neighbours_[t][k];
         if (own.contains(other)) continue;
-        if (keptFaces_.contains(pieces_.faceOfTriangle[other])) return std::nullopt;
         border.emplace_back(a, b);
         // Into a wall at the end of the gap; not quite to its mouth.
         const Vector3d outward =
@@ -218,29 +212,10 @@ class Gaps {
   }
 
   FacedTriangles pieces_;
-  const std::set<int>& keptFaces_;
   std::vector<std::array<int, 3>> neighbours_;
   std::vector<Vector3d> normals_;
   std::vector<double> widths_;  ///< of the gap over each piece; 0 without one
 };
-
-/// The union of both; none if the plate is no solid or CGAL finds surfaces that cut through
-/// themselves.
-std::optional<FacedTriangles> unite(const FacedTriangles& body, const FacedTriangles& plate) {
-  Mesh solid = toMesh(plate);
-  if (solid.number_of_faces() != plate.triangles.size() || !CGAL::is_closed(solid) ||
-      pmp::does_self_intersect(solid) || !pmp::is_outward_oriented(solid))
-    return std::nullopt;
-  Mesh one = toMesh(body), united;
-  try {
-    if (!pmp::corefine_and_compute_union(one, solid, united,
-                                         pmp::parameters::throw_on_self_intersection(true)))
-      return std::nullopt;
-  } catch (const pmp::Corefinement::Self_intersection_exception&) {
-    return std::nullopt;
-  }
-  return toTriangles(united);
-}
 
 }  // namespace
 
@@ -257,18 +232,15 @@ WithoutNarrowGaps withoutNarrowGaps(FacedTriangles surface, double narrowest,
   int gaps = 0;
   for (const FacedTriangles& plate : plates) {
     job.throwIfCancelled();
-    if (auto united = unite(filled, plate)) {
+    if (auto united = unionOf(filled, plate)) {
       filled = std::move(*united);
       ++gaps;
     }
   }
-  if (gaps == 0 || pmp::does_self_intersect(toMesh(filled))) return result;
+  if (gaps == 0 || cutsThroughItself(filled)) return result;
   if (closedSurfaceCount(filled.triangles) > closedSurfaceCount(result.surface.triangles))
     return result;
-  const NearestOnTriangles before(result.surface.positions, result.surface.triangles);
-  for (const auto& [a, b, c] : filled.triangles)
-    filled.faceOfTriangle.push_back(result.surface.faceOfTriangle[before.nearestTriangle(
-        (filled.positions[a] + filled.positions[b] + filled.positions[c]) / 3)]);
+  takeFaces(filled, result.surface);
   return {std::move(filled), gaps};
 }
 

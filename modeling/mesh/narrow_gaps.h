@@ -17,10 +17,10 @@ struct WithoutNarrowGaps {
 /// `narrowest` (mm, a twentieth of the edge length of the mesh; 0 keeps gaps): the boundary
 /// integral equations on both sides of a much narrower gap than the elements are nearly the same.
 /// Each gap is filled with a plate that reaches slightly into the surface on both sides, except at
-/// its mouth, and united with the body (CGAL, corefinement). Gaps at faces of `keptFaces` stay, and
-/// all of them if a surface would cut through itself or get a cavity. `surface`: closed, oriented,
-/// manifold; so is the result. Deterministic. Cost: some µs per triangle, and 20 ms per gap. Throws
-/// Cancelled.
+/// its mouth, and united with the body (CGAL, corefinement). `keptFaces` and their borders stay: at
+/// gaps beside them the plate ends before, at most five times `narrowest`. All gaps stay if a
+/// surface would cut through itself or get a cavity. `surface`: closed, oriented, manifold; so is
+/// the result. Deterministic. Cost: some µs per triangle, and 20 ms per gap. Throws Cancelled.
 WithoutNarrowGaps withoutNarrowGaps(FacedTriangles surface, double narrowest,
                                     const std::set<int>& keptFaces, const Job& job = {});
 

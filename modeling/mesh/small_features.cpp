@@ -8,6 +8,7 @@
 
 #include "modeling/body/smooth_regions.h"
 #include "modeling/mesh/feature_lengths.h"
+#include "modeling/mesh/knife_edges.h"
 #include "modeling/mesh/narrow_gaps.h"
 #include "modeling/mesh/nearest_point.h"
 #include "modeling/mesh/short_edges.h"
@@ -18,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNarrow = 0.2;   // of the thinnest pins: the width of gaps that are filled
+constexpr double kNarrow = 0.2;   // of the thinnest pins: the width of gaps and knife edges
 constexpr double kUnmoved = 0.2;  // of the smallest length: fine curved surfaces made coarser
 
 /// Largest distance of the vertices and middles of triangles and edges of one surface from another.
@@ -85,7 +86,7 @@ SimplifiedSurface unchanged(const MeshBody& body) {
 
 SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& smallest,
                                        const LengthAt& thinnest, const std::set<int>& keptFaces,
-                                       NarrowGaps narrow, const Job& job) {
+                                       ThinPlaces thin, const Job& job) {
   constexpr int kAttempts = 5;
   constexpr std::size_t kMaxCrossings = 1000;
   double limit = 0;
@@ -93,11 +94,11 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
   if (limit == 0) return unchanged(body);
   auto [whole, pins, holes] = withoutSmallParts(
       {body.positions(), body.triangles(), body.faceOfTriangle()}, thinnest, keptFaces, job);
-  double thickest = 0;
-  if (narrow == NarrowGaps::kFilled)
-    for (const Vector3d& x : body.positions()) thickest = std::max(thickest, thinnest(x));
-  const auto [plain, gaps] =
-      withoutNarrowGaps(std::move(whole), kNarrow * thickest, keptFaces, job);
+  double narrow = 0;
+  if (thin == ThinPlaces::kRemoved)
+    for (const Vector3d& x : body.positions()) narrow = std::max(narrow, kNarrow * thinnest(x));
+  auto [filled, gaps] = withoutNarrowGaps(std::move(whole), narrow, keptFaces, job);
+  const auto [plain, knives] = withoutKnifeEdges(std::move(filled), narrow, keptFaces, job);
   std::vector<double> lengths = featureLengths(plain, smallest, job);
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     job.throwIfCancelled();
@@ -108,13 +109,13 @@ SimplifiedSurface withoutSmallFeatures(const MeshBody& body, const LengthAt& sma
       keepAt(crossings, attempt >= 2, surface, plain, lengths);
       continue;
     }
-    surface.cutPins = pins;
+    surface.cutPins = pins + knives;
     surface.filledHoles = holes + gaps;
     const NearestOnTriangles before(plain.positions, plain.triangles);
     const NearestOnTriangles after(surface.positions, surface.triangles);
     surface.moved = std::max(distance(plain.positions, plain.triangles, after),
                              distance(surface.positions, surface.triangles, before));
-    surface.isNeeded = pins + holes + gaps > 0 || hasTinyEdges(plain, smallest) ||
+    surface.isNeeded = surface.cutPins + surface.filledHoles > 0 || hasTinyEdges(plain, smallest) ||
                        surface.moved > kUnmoved * limit ||
                        smoothParts(surface.positions, surface.triangles) !=
                            smoothParts(plain.positions, plain.triangles);

@@ -16,8 +16,8 @@ struct MeshSimplification {
   double moved = 0;       ///< mm, the largest distance of the surface from the rest of the body's
   int vanishedFaces = 0;  ///< of the body
   double partsBelow = 0;  ///< mm: thinner pins and narrower holes may be missing
-  int cutPins = 0;        ///< pins that are missing
-  int filledHoles = 0;    ///< holes that are missing
+  int cutPins = 0;        ///< pins and knife edges that are missing
+  int filledHoles = 0;    ///< holes and gaps that are missing
 };
 
 /// Closed, oriented triangle mesh of a body's surface.

@@ -38,9 +38,14 @@ std::vector<MeshFocus> meshFoci(const Project& project) {
   const Engine engine = engineOf(project);
   std::vector<MeshFocus> foci;
   if (engine == Engine::kSplines) return foci;
+  const double usual = project.mesh.edgeLength;
+  const bool leavesPartsOut = std::holds_alternative<MeshBody>(project.body);
   const auto add = [&](const Eigen::Vector3d& center, double radius, double share = 1) {
     const double length = share * shareOfRadius(engine) * radius;
-    if (radius > 0 && length < project.mesh.edgeLength) foci.push_back({center, radius, length});
+    if (radius > 0 && length < usual)
+      foci.push_back({center, radius, length});
+    else if (leavesPartsOut)
+      foci.push_back({center, usual, usual});
   };
   for (const Touch& touch : project.touches)
     add(touch.at, loadedRadius(touch), infoOf(touch.kind).isBall ? kShareUnderBalls : 1);

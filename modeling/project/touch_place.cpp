@@ -23,6 +23,7 @@ constexpr double kEqualHeight = 0.02;          // of the largest height
 constexpr double kEqualClearance = 0.05;       // of the largest clearance
 constexpr double kOpposed = 0.2;     // length of the mean normal below which the normals cancel
 constexpr double kMinRadius = 0.25;  // of the wished one
+constexpr double kTurned = 0.5;      // cosine of the angle at which a surface has turned away
 
 struct Candidate {
   Vector3d position, normal;
@@ -131,6 +132,28 @@ std::vector<Candidate> spread(const Held& held, const Vector3d& away) {
   return result;
 }
 
+/// Limits the clearances to the distances of candidates that look in quite another direction, but
+/// not in the opposite one: the sides of a pin, not the other face of a plate.
+void limitToSmoothParts(std::vector<Candidate>& candidates, double radius) {
+  std::vector<const Candidate*> alongX;
+  for (const Candidate& each : candidates) alongX.push_back(&each);
+  const auto x = [](const Candidate* each) { return each->position.x(); };
+  std::sort(alongX.begin(), alongX.end(),
+            [&](const Candidate* a, const Candidate* b) { return x(a) < x(b); });
+  std::vector<double> limits;
+  for (const Candidate& each : candidates) {
+    double limit = std::min(each.clearance, radius);
+    auto near =
+        std::lower_bound(alongX.begin(), alongX.end(), each.position.x() - limit,
+                         [&](const Candidate* other, double value) { return x(other) < value; });
+    for (; near != alongX.end() && x(*near) < each.position.x() + limit; ++near)
+      if (std::abs((*near)->normal.dot(each.normal)) < kTurned)
+        limit = std::min(limit, ((*near)->position - each.position).norm());
+    limits.push_back(limit < radius ? limit : each.clearance);
+  }
+  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].clearance = limits[i];
+}
+
 /// The highest candidate that fulfils the limits; of equally high ones the clearest, of equally
 /// clear ones the one nearest to the axis through the supports' centroid.
 const Candidate* highest(const std::vector<Candidate>& candidates, double leastClearance,
@@ -196,6 +219,7 @@ TouchPlace placeOppositeToSupports(const Body& body, const std::vector<Support>&
     each.clearance = std::min(edges.distance(each.position), toSupport);
     if (away.isZero()) each.height = toSupport;
   }
+  limitToSmoothParts(candidates, radius);
   const Candidate* best = choose(candidates, radius, surface.size);
   return {best->position, best->normal,
           twoDigits(std::clamp(best->clearance, kMinRadius * radius, radius))};

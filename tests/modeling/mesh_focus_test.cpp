@@ -95,5 +95,18 @@ TEST(MeshFociOfAProject, AreItsNarrowTouchesAndBumps) {
   EXPECT_TRUE(meshFoci(project).empty());
 }
 
+// Their pins could be left out by the mesh.
+TEST(MeshFociOfAProject, AreAllTouchesOfAMeshBody) {
+  Project project;
+  project.body = test::icosphere(25, 2);
+  project.mesh = settingsOf(Engine::kTriangles, 4);
+  project.touches.push_back({"wide", {0, 0, 25}, TouchKind::kGrab, {0, 0, -1}, 20.0});
+  project.touches.push_back({"by default", {0, 25, 0}, TouchKind::kGrab, {0, -1, 0}});
+  const auto foci = meshFoci(project);
+  ASSERT_EQ(foci.size(), 2U);
+  EXPECT_EQ(foci[0], (MeshFocus{{0, 0, 25}, 4, 4}));
+  EXPECT_EQ(foci[1], (MeshFocus{{0, 25, 0}, 4, 4}));
+}
+
 }  // namespace
 }  // namespace palpa::modeling

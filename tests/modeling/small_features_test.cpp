@@ -133,7 +133,7 @@ TEST(SmallFeatures, MiddleNodesStayOnTheSimplifiedSurface) {
 
 TEST(SmallFeatures, CurvedSurfacesStayRound) {
   const MeshBody body = test::icosphere(10, 5);
-  const SimplifiedSurface sphere = withoutSmallFeatures(body, kTwo, kTwo, {}, NarrowGaps::kFilled);
+  const SimplifiedSurface sphere = withoutSmallFeatures(body, kTwo, kTwo, {}, ThinPlaces::kRemoved);
   EXPECT_FALSE(sphere.isNeeded);
   EXPECT_LT(sphere.positions.size(), body.positions().size());
   for (const Vector3d& x : sphere.positions) EXPECT_NEAR(x.norm(), 10, 0.3);
@@ -144,7 +144,7 @@ TEST(SmallFeatures, CanBeCancelled) {
   stop.request_stop();
   Job job;
   job.stop = stop.get_token();
-  EXPECT_THROW(withoutSmallFeatures(groovedBlock(), kTwo, kTwo, {}, NarrowGaps::kFilled, job),
+  EXPECT_THROW(withoutSmallFeatures(groovedBlock(), kTwo, kTwo, {}, ThinPlaces::kRemoved, job),
                Cancelled);
 }
 

@@ -20,6 +20,7 @@
 #include "mesh_checks.h"
 #include "modeling/body/mesh_body.h"
 #include "modeling/mesh/mesh.h"
+#include "modeling/project/mesh_foci.h"
 
 namespace palpa::modeling {
 namespace {
@@ -184,6 +185,12 @@ TEST(SmallParts, AMeshReportsThem) {
   const SurfaceMesh touched = mesh(body, settings, {}, {}, {{focus}});
   EXPECT_EQ(touched.simplification.cutPins, 0);
   EXPECT_GT(checks::enclosedVolume(touched), 1001.5);
+  // So does a touch that is too wide to need a finer mesh.
+  Project project;
+  project.body = body;
+  project.mesh = settings;
+  project.touches.push_back({"wide", focus.center, TouchKind::kGrab, {0, 0, -1}, 15.0});
+  EXPECT_EQ(mesh(body, settings, {}, {}, meshFoci(project)).simplification.cutPins, 0);
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "modeling/error.h"
+#include "modeling/mesh/surface_boolean.h"
 #include "modeling/project/proposed_support.h"
 #include "modeling/shapes/primitives.h"
 #include "tests/modeling/test_bodies.h"
@@ -104,6 +106,29 @@ TEST(TouchPlace, IsTheSameAtEveryCallAndMovesWithTheBody) {
   const std::vector<Support> supports{holding({"bottom"})};
   const TouchPlace once = placeOppositeToSupports(box, supports, 4);
   EXPECT_EQ(placeOppositeToSupports(box, supports, 4).position, once.position);
+}
+
+// A pin is higher than the top of its block, but narrower than the touch.
+TEST(TouchPlace, IsNotOnAThinPinBesideAWideFace) {
+  const auto surfaceOf = [](const MeshBody& body) {
+    return FacedTriangles{body.positions(), body.triangles(), body.faceOfTriangle()};
+  };
+  const FacedTriangles block = surfaceOf(test::plainBox({8, 8, 8.2}));
+  FacedTriangles pin = surfaceOf(test::bodyOf(makeCylinder(0.4, 20), 0.3));
+  const double top =
+      std::max_element(block.positions.begin(), block.positions.end(),
+                       [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); })
+          ->z();
+  for (Vector3d& x : pin.positions) x = Vector3d(x.z() + 7.5, x.y() + 4, -x.x() + top - 0.2);
+  const auto both = unionOf(block, pin);
+  ASSERT_TRUE(both);
+  MeshBody::Data data{both->positions, both->triangles, {}, {"all"}};
+  data.faceOfTriangle.assign(both->triangles.size(), 0);
+  const Body body = MeshBody(std::move(data));
+  const std::vector<Support> supports{supportOfLowestTenth(body)};
+  EXPECT_NEAR(placeOppositeToSupports(body, supports, 2).position.z(), top, 1e-9);
+  // A touch as narrow as the pin takes the highest place.
+  EXPECT_GT(placeOppositeToSupports(body, supports, 0.3).position.z(), top + 0.1);
 }
 
 TEST(TouchPlace, SaysThatThereIsNoSupportOrNoFreePlace) {
