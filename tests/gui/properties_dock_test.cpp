@@ -58,6 +58,15 @@ TEST_F(PropertiesDock, TheProjectsMaterialAndMeshAreEdited) {
   keepPicture("properties-project");
 }
 
+TEST_F(PropertiesDock, FactsOfTheModelAppearWithIt) {
+  useEmptyCache();
+  ASSERT_TRUE(window_->openFile(PALPA_TEST_DATA "/cad/bored_cylinder.step"));
+  EXPECT_EQ(fact("simplification"), "…");
+  waitForModel();
+  EXPECT_TRUE(QTest::qWaitFor([this] { return fact("simplification") == "nothing"; }))
+      << fact("simplification").toStdString();
+}
+
 TEST_F(PropertiesDock, AValueThatTakesLongLeavesTheWindowFree) {
   using namespace std::chrono_literals;
   std::binary_semaphore go(0);

@@ -65,6 +65,13 @@ PropertiesDock::PropertiesDock(const Workspace& workspace)
     later_.start();
   });
   connect(&editor, &Editor::projectChanged, this, &PropertiesDock::showChange);
+  connect(&editor, &Editor::rebuildChanged, this, [this] {
+    // Some values are facts of the model. Its progress changes none of them.
+    const std::shared_ptr<const app::TouchModel> model = workspace_.editor.model();
+    if (model_.lock() == model) return;
+    model_ = model;
+    later_.start();
+  });
   connect(&workspace.settings, &Settings::changed, this, [this] {
     page_->refresh();
     page_->refreshSlowValues();

@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <memory>
 
 #include "app/gui/document/editor.h"
 #include "app/gui/properties/property_page.h"
@@ -42,6 +43,7 @@ class PropertiesDock : public QDockWidget {
   PropertyPage* page_ = nullptr;
   QString key_;
   QTimer soon_, later_;
+  std::weak_ptr<const app::TouchModel> model_;  // whose facts are shown or soon will be
 };
 
 }  // namespace palpa::gui

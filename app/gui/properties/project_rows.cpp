@@ -154,7 +154,8 @@ void addSmallFeatures(PropertyPage& page, const ChangeMesh& change) {
     QString text = tr("features below %1; the surface moved by up to %2")
                        .arg(page.shownLength(below), page.shownLength(moved));
     if (cutPins > 0)
-      text += "; " + (cutPins == 1 ? tr("one pin cut off") : tr("%1 pins cut off").arg(cutPins));
+      text += "; " + (cutPins == 1 ? tr("one pin or knife edge cut off")
+                                   : tr("%1 pins and knife edges cut off").arg(cutPins));
     if (filledHoles > 0)
       text += "; " + (filledHoles == 1 ? tr("one hole or gap filled")
                                        : tr("%1 holes and gaps filled").arg(filledHoles));
