@@ -116,10 +116,11 @@ void measure(const std::string& name, const modeling::Project& project, const Se
   std::printf("%-20s n %6d  assembly %6.2f s  factors %6.2f s  (processor %6.1f s)\n", name.c_str(),
               on->displacementCount(), parts.assemble, parts.factorise, made.processor);
   std::printf(
-      "    MB: %6.0f = far %.0f (%d blocks, mean rank %.1f) + near %.0f + averaged %.0f + factors "
+      "    MB: %6.0f = far %.0f (%d blocks, mean rank %.1f, %d bases) + near %.0f + averaged %.0f "
+      "+ factors "
       "%.0f (mean rank %.1f)\n",
       static_cast<double>(compressed->bytes()) / kMega, static_cast<double>(sizes.far) / kMega,
-      sizes.farBlocks, sizes.meanRank, static_cast<double>(sizes.near) / kMega,
+      sizes.farBlocks, sizes.meanRank, sizes.bases, static_cast<double>(sizes.near) / kMega,
       static_cast<double>(sizes.averaged) / kMega,
       static_cast<double>(compressed->factors().bytes()) / kMega, compressed->factors().meanRank());
   rusage usage{};
@@ -169,7 +170,8 @@ int main(int argc, char** argv) {
                      "cells along a cube edge of the sphere's mesh; without files 18, 26 and 41");
   options.add_option("projects", files, "project files")->check(CLI::ExistingFile);
   options.add_option("--dense-up-to", settings.mostDenseNodes, "nodes of a dense problem, at most");
-  options.add_option("--operators", settings.compression.operators, "tolerance of the operators");
+  options.add_option("--operators", settings.compression.operators,
+                     "tolerance of the operators; 0: chosen");
   options.add_option("--factors", settings.compression.factors, "tolerance of the factors");
   options.add_option("--tile", settings.compression.tileNodes, "nodes per tile; 0: automatic");
   options.add_option("--threads", settings.job.threads, "0: all cores");

@@ -8,7 +8,7 @@ namespace palpa::mpi {
 /// The command line of palpa-mpi.
 struct RankOptions {
   std::string project, model;
-  double tolerance = 3e-5;           ///< of the blocks, relative
+  double tolerance = 0;              ///< of the blocks, relative; 0: chosen
   std::optional<double> edgeLength;  ///< mm
   int columns = 128;                 ///< nodes at each touch whose columns are stored
   int threads = 1;                   ///< of each rank

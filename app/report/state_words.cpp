@@ -26,18 +26,18 @@ std::string meshText(const app::TouchModel& model) {
 std::string simplificationText(const modeling::MeshSimplification& simplification) {
   const auto& [below, moved, vanishedFaces, partsBelow, cutPins, filledHoles] = simplification;
   if (!(below > 0)) return "";
-  const auto count = [](int number, const char* noun, const char* what) {
-    return countText(number) + ' ' + noun + (number == 1 ? " " : "s ") + what;
+  const auto count = [](int number, const char* one, const char* several) {
+    return countText(number) + ' ' + (number == 1 ? one : several);
   };
   std::string text = format("features below %.3g mm are meshed over", below);
-  if (vanishedFaces > 0) text += " (" + count(vanishedFaces, "face", "vanished") + ')';
+  if (vanishedFaces > 0)
+    text += " (" + count(vanishedFaces, "face vanished", "faces vanished") + ')';
   if (cutPins + filledHoles > 0) {
     text += "; ";
-    if (cutPins > 0) text += count(cutPins, "pin", "cut off");
+    if (cutPins > 0)
+      text += count(cutPins, "pin or knife edge cut off", "pins and knife edges cut off");
     if (cutPins > 0 && filledHoles > 0) text += " and ";
-    if (filledHoles > 0)
-      text += filledHoles == 1 ? "1 hole or gap filled"
-                               : countText(filledHoles) + " holes and gaps filled";
+    if (filledHoles > 0) text += count(filledHoles, "hole or gap filled", "holes and gaps filled");
     text += format(", all below %.3g mm", partsBelow);
   }
   return text + format("; the surface moved by up to %.3g mm", moved);

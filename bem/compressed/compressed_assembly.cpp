@@ -11,28 +11,32 @@
 #include "bem/compressed/loaded_columns.h"
 #include "bem/element/averaged_rows.h"
 #include "bem/element/kelvin_blocks.h"
+#include "bem/element/rigid_motions.h"
 #include "bem/linalg/blas_threads.h"
+#include "bem/quadratic/rigid_products.h"
 
 namespace palpa::bem {
 
 using Eigen::Index;
 using Eigen::Matrix3d;
+using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 using Eigen::Vector3d;
 
-/// One assembly: makes the blocks and corrects the rows of P so that translations have no residual.
+/// One assembly: makes the blocks and corrects the rows so that rigid motions have no residual.
 class CompressedAssembly {
  public:
   CompressedAssembly(const ElementSurface& surface, const ElementQuadrature& quadrature,
                      const WeightedEquations& equations, const std::vector<Vector3d>& nodes,
-                     const TractionSlots& slots, const Material& material, const Job& job,
-                     const Team* team)
+                     const TractionSlots& slots, const Material& material,
+                     const RigidProducts& rigid, const Job& job, const Team* team)
       : surface_(surface),
         quadrature_(quadrature),
         equations_(equations),
         nodes_(nodes),
         slots_(slots),
         shear_(material.shear()),
+        rigid_(rigid),
         job_(job),
         team_(team),
         share_(team),
@@ -49,13 +53,17 @@ class CompressedAssembly {
     result_.order_ = order_;
     setWeights();
     setLeaves();
-    result_.far_ = makeFarBlocks({order_, division_, exact_, equations_, points_, nodes_, slots_,
-                                  constants_, shear_, tolerance, share_},
-                                 partOfJob(job_, 0, 0.5));
+    FarBlocks far = makeFarBlocks({order_, division_, exact_, equations_, points_, nodes_, slots_,
+                                   constants_, shear_, tolerance, share_, team_ == nullptr},
+                                  partOfJob(job_, 0, 0.5));
+    result_.far_ = std::move(far.blocks);
+    result_.bases_ = std::move(far.bases);
     addNearBlocks(partOfJob(job_, 0.5, 0.65));
     const std::vector<AveragedRows::Total> totals = addCorrections(partOfJob(job_, 0.65, 0.75));
+    const std::vector<char> isInShareOf = equationsOfShare();
     result_.averaged_ = makeAveragedBlocks(order_, surface_, equations_, averaged_, totals,
-                                           equationsOfShare(), partOfJob(job_, 0.75, 1));
+                                           isInShareOf, partOfJob(job_, 0.75, 1));
+    addRigidCorrections(isInShareOf);
     return std::move(result_);
   }
 
@@ -220,6 +228,31 @@ class CompressedAssembly {
     return totals;
   }
 
+  /// Makes R of what P and N leave.
+  void addRigidCorrections(const std::vector<char>& isWanted) {
+    const auto count = static_cast<Index>(isWanted.size());
+    std::vector<BlockRow> rows(isWanted.size());
+    result_.rigid_ = joined(rows);
+    const MatrixXd none = MatrixXd::Zero(3 * static_cast<Index>(order_.slots.size()), 6);
+    MatrixXd residuals = result_.apply(rigid_.motions, none, job_);
+    if (team_) residuals = sumOverTeam(*team_, residuals);
+    residuals += rigid_.products;  // of H, the others are of -H
+    const RigidCorrection correction(surface_, equations_, rigid_.motions);
+    constexpr Index kPerTask = 64;
+    parallelFor((count + kPerTask - 1) / kPerTask, job_, [&](std::ptrdiff_t task) {
+      BlockRowEntries entries;
+      for (Index e = task * kPerTask; e < std::min(count, (task + 1) * kPerTask); ++e) {
+        if (!isWanted[e] || !rigid_.areKnown[e]) continue;
+        entries.clear();
+        for (const auto& [node, block] :
+             correction.blocks(e, residuals(Eigen::seqN(e, 3, count), Eigen::all)))
+          entries.emplace_back(tree().positionOf()[node], block);
+        rows[e] = mergedRow(entries);
+      }
+    });
+    result_.rigid_ = joined(std::move(rows));
+  }
+
   /// The sums of Kelvin's kernels whose block is `T`.
   AveragedRows::Total totalOf(const Matrix3d& T) const {
     const Matrix3d block = T / constants_.weightT;
@@ -241,6 +274,7 @@ class CompressedAssembly {
   const std::vector<Vector3d>& nodes_;
   const TractionSlots& slots_;
   const double shear_;  ///< MPa
+  const RigidProducts& rigid_;
   const Job& job_;
   const Team* const team_;
   const BlockShare share_;
@@ -259,9 +293,11 @@ CompressedOperators assembleCompressed(const ElementSurface& surface,
                                        const WeightedEquations& equations,
                                        const std::vector<Vector3d>& nodes,
                                        const TractionSlots& slots, const Material& material,
-                                       double tolerance, const Job& job, const Team* team) {
+                                       const RigidProducts& rigid, double tolerance, const Job& job,
+                                       const Team* team) {
   material.validate();
-  return CompressedAssembly(surface, quadrature, equations, nodes, slots, material, job, team)
+  return CompressedAssembly(surface, quadrature, equations, nodes, slots, material, rigid, job,
+                            team)
       .run(tolerance);
 }
 

@@ -72,22 +72,38 @@ void CompressedOperators::unpackColumns(const FarBlock& block, std::span<const i
     scratch.from.push_back(static_cast<int>(column));
   });
   const std::vector<int>& from = scratch.from;
-  const int rank = block.rank();
-  scratch.right.resize(rank, static_cast<Index>(from.size()));
   const int ofNodes = order_.nodeColumns(block.column);
   const auto split = std::lower_bound(from.begin(), from.end(), ofNodes) - from.begin();
-  const auto copy = [&](const GradedRows& V, int first, std::ptrdiff_t begin, std::ptrdiff_t end) {
+  const auto copy = [&](const GradedRows& V, int first, std::ptrdiff_t begin, std::ptrdiff_t end,
+                        RowMatrixXf& to) {
     if (begin == end) return;
     const int least = from[begin];
     const GradedRows::Unpacked some =
         V.unpack(least - first, from[end - 1] + 1 - least, scratch.unpacked);
-    for (int r = 0; r < rank; ++r) {
+    for (int r = 0; r < V.rowCount(); ++r) {
       const float* row = some.numbers + static_cast<std::ptrdiff_t>(r) * some.stride;
-      for (std::ptrdiff_t k = begin; k < end; ++k) scratch.right(r, k) = row[from[k] - least];
+      for (std::ptrdiff_t k = begin; k < end; ++k) to(r, k) = row[from[k] - least];
     }
   };
-  copy(block.ofNodes, 0, 0, split);
-  copy(block.ofSlots, ofNodes, split, static_cast<std::ptrdiff_t>(from.size()));
+  const auto copyBoth = [&](const auto& V, int rows, RowMatrixXf& to) {
+    to.resize(rows, static_cast<Index>(from.size()));
+    copy(V.ofNodes, 0, 0, split, to);
+    copy(V.ofSlots, ofNodes, split, static_cast<std::ptrdiff_t>(from.size()), to);
+  };
+  if (!block.isCombined()) {
+    copyBoth(block, block.rank(), scratch.right);
+    return;
+  }
+  const ClusterBasis& basis = bases_[block.column];
+  scratch.right.resize(block.rank(), static_cast<Index>(from.size()));
+  if (from.empty()) return;
+  copyBoth(basis, basis.size(), scratch.ofBasis);
+  const GradedRows::Unpacked some =
+      block.coefficients.unpack(0, basis.size(), scratch.unpackedCoefficients);
+  cblas_sgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, block.rank(),
+              static_cast<int>(from.size()), basis.size(), 1, some.numbers, some.stride,
+              scratch.ofBasis.data(), static_cast<int>(from.size()), 0, scratch.right.data(),
+              static_cast<int>(from.size()));
 }
 
 void CompressedOperators::unpackRows(int cluster, const FarBlock& block, std::size_t begin,
@@ -172,6 +188,7 @@ void CompressedOperators::expand(std::span<const int> equations, std::span<const
   for (std::size_t k = 0; k < equations.size(); ++k) {
     addRow(averaged_.ofNodes, equations[k], scratch.ofEquations.matrix(), static_cast<Index>(k));
     addRow(averaged_.ofSlots, equations[k], scratch.ofEquations.matrix(), static_cast<Index>(k));
+    addRow(rigid_, equations[k], scratch.ofEquations.matrix(), static_cast<Index>(k));
   }
   for (const int column : columns) scratch.places[column] = -1;
 }
@@ -238,6 +255,7 @@ void CompressedOperators::appendSparseColumns(std::span<const int> equations,
   for (const int e : equations) {
     append(averaged_.ofNodes.columns, e);
     append(averaged_.ofSlots.columns, e);
+    append(rigid_.columns, e);
     for (Weights::InnerIterator w(weights_, e); w; ++w)
       append(corrections_.columns, static_cast<int>(w.col()));
   }

@@ -58,16 +58,23 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
   const ClusterTree& tree = order_.tree;
   const auto columns = static_cast<int>(x.cols());
   const Index nodes = nodeCount();
-  // First the right factors of all blocks, then everything that belongs to the rows of a leaf.
+  // First products with all bases, then with the right factors of all blocks, then everything that
+  // belongs to the rows of a leaf.
   std::vector<std::vector<std::size_t>> places(far_.size());
   std::vector<std::pair<int, int>> blocks;
-  std::size_t total = 0;
+  std::vector<std::size_t> placesOfBases;
+  std::size_t total = 0, totalOfBases = 0;
   for (std::size_t c = 0; c < far_.size(); ++c)
     for (std::size_t b = 0; b < far_[c].size(); ++b) {
       places[c].push_back(total);
       total += static_cast<std::size_t>(far_[c][b].rank()) * x.cols();
       blocks.emplace_back(static_cast<int>(c), static_cast<int>(b));
     }
+  for (const ClusterBasis& basis : bases_) {
+    placesOfBases.push_back(totalOfBases);
+    totalOfBases += static_cast<std::size_t>(basis.size()) * x.cols();
+  }
+  std::vector<float> ofBases(totalOfBases, 0);
   std::vector<float> right(total, 0);
   const bool areFew = columns <= kFewColumns;
   const MatrixXf byColumns = areFew ? MatrixXf(x) : MatrixXf();
@@ -81,6 +88,25 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
     return rowsOfX(3 * (nodes + order_.firstSlot[tree.cluster(cluster).begin]));
   };
   ScratchPool<std::vector<float>> pool([] { return std::vector<float>(); });
+  /// to += V x for V of the functions of a cluster.
+  const auto addFunctions = [&](int cluster, const auto& V, int rows, Rows<float> to,
+                                std::vector<float>& unpacked) {
+    const auto add = [&](const GradedRows& some, int width, Rows<const float> from) {
+      const GradedRows::Unpacked numbers = some.unpack(0, width, unpacked);
+      addProduct(true, rows, width, numbers.numbers, numbers.stride, from, columns, to);
+    };
+    add(V.ofNodes, order_.nodeColumns(cluster), xOfNodes(cluster));
+    add(V.ofSlots, order_.slotColumns(cluster), xOfSlots(cluster));
+  };
+  parallelFor(static_cast<std::ptrdiff_t>(bases_.size()), job, [&](std::ptrdiff_t k) {
+    const auto cluster = static_cast<int>(k);
+    const int size = bases_[cluster].size();
+    if (size == 0 || !loaded.reaches(cluster)) return;
+    std::vector<float> unpacked = pool.take();
+    addFunctions(cluster, bases_[cluster], size, {ofBases.data() + placesOfBases[cluster], size},
+                 unpacked);
+    pool.giveBack(std::move(unpacked));
+  });
   constexpr std::ptrdiff_t kBlocksPerTask = 8;
   const auto count = static_cast<std::ptrdiff_t>(blocks.size());
   parallelFor((count + kBlocksPerTask - 1) / kBlocksPerTask, job, [&](std::ptrdiff_t task) {
@@ -92,12 +118,14 @@ void CompressedOperators::applyToPoints(const RowMatrixXf& x, const LoadedColumn
       if (!loaded.reaches(block.column)) continue;
       const int rank = block.rank();
       const Rows<float> to{right.data() + places[c][b], rank};
-      const auto add = [&](const GradedRows& V, int width, Rows<const float> from) {
-        const GradedRows::Unpacked some = V.unpack(0, width, unpacked);
-        addProduct(true, rank, width, some.numbers, some.stride, from, columns, to);
-      };
-      add(block.ofNodes, order_.nodeColumns(block.column), xOfNodes(block.column));
-      add(block.ofSlots, order_.slotColumns(block.column), xOfSlots(block.column));
+      if (!block.isCombined()) {
+        addFunctions(block.column, block, rank, to, unpacked);
+        continue;
+      }
+      const int size = bases_[block.column].size();
+      const GradedRows::Unpacked some = block.coefficients.unpack(0, size, unpacked);
+      addProduct(true, rank, size, some.numbers, some.stride,
+                 {ofBases.data() + placesOfBases[block.column], size}, columns, to);
     }
     pool.giveBack(std::move(unpacked));
   });
@@ -171,6 +199,7 @@ MatrixXd CompressedOperators::apply(const MatrixXd& u, const MatrixXd& p, const 
             const auto row = static_cast<std::size_t>(e);
             addRow(averaged_.ofNodes, row, x, loaded, averaged.data());
             addRow(averaged_.ofSlots, row, x, loaded, averaged.data());
+            addRow(rigid_, row, x, loaded, averaged.data());
             sum += averaged.cast<double>();
             for (int i = 0; i < 3; ++i)
               result.row(i * equations + e).segment(first, columns) = sum.row(i);

@@ -18,11 +18,13 @@
 namespace palpa::bem {
 
 class LoadedColumns;
+struct RigidProducts;
 
-/// Boundary operators K = [-H G] as K = W P + N. The rows of P belong to the points of equations,
-/// and are compressed in blocks (a hierarchical matrix): a block of a cluster of points and a
-/// distant cluster of functions is a product of two narrow matrices. W has the weights of the
-/// points in the equations, N what averaged elements have near.
+/// Boundary operators K = [-H G] as K = W P + N + R. The rows of P belong to the points of
+/// equations, and are compressed in blocks (a hierarchical matrix): a block of a cluster of points
+/// and a distant cluster of functions is a product of two narrow matrices. W has the weights of the
+/// points in the equations, N what averaged elements have near, R makes the products of
+/// rigid motions exact.
 ///
 /// Rows and columns are in the order of a CompressedOrder; block columns are node positions, then
 /// slot positions behind them. Blocks are stored with 16 bits per number, products are computed in
@@ -64,15 +66,16 @@ class CompressedOperators {
     RowMatrixXf left, right;       // U of some points and V of some columns
     std::vector<Eigen::Index> to;  // places of these columns in the result
     std::vector<int> from;         // their numbers in the block
-    std::vector<float> unpacked;
+    RowMatrixXf ofBasis;           // these columns of a basis
+    std::vector<float> unpacked, unpackedCoefficients;
   };
   void expand(std::span<const int> equations, std::span<const int> columns, Scratch& scratch) const;
-  /// The same without N and the corrections of P, as a product of narrow matrices, left right^T.
+  /// The same without N, R and the corrections of P, as a product of narrow matrices, left right^T.
   /// False if a dense block reaches there or the rank would be above `maxRank`, or zero.
   bool expandNarrow(std::span<const int> equations, std::span<const int> columns,
                     Eigen::Index maxRank, Scratch& scratch, Eigen::MatrixXf& left,
                     Eigen::MatrixXf& right) const;
-  /// Appends the block columns that N and the corrections of P have for some equations.
+  /// Appends the block columns that N, R and the corrections of P have for some equations.
   void appendSparseColumns(std::span<const int> equations, std::vector<int>& to) const;
   /// False if the blocks of these equations are all zero, because other members have them.
   bool reaches(std::span<const int> equations) const;
@@ -81,7 +84,7 @@ class CompressedOperators {
   /// Sizes for reports: bytes of the low-rank blocks, the dense blocks and N; mean rank.
   struct Sizes {
     std::size_t far = 0, near = 0, averaged = 0;
-    int farBlocks = 0;
+    int farBlocks = 0, bases = 0;
     double meanRank = 0;
   };
   Sizes sizes() const;
@@ -126,21 +129,24 @@ class CompressedOperators {
 
   CompressedOrder order_;
   std::vector<std::vector<FarBlock>> far_;               ///< per cluster of points
+  std::vector<ClusterBasis> bases_;                      ///< per cluster of functions
   std::vector<std::vector<NearBlock>> near_;             ///< per leaf, counted from the first
   BlockRows<PackedBlock> corrections_;                   ///< added to P
   Eigen::SparseMatrix<float, Eigen::RowMajor> weights_;  ///< (equation, point position)
   AveragedBlocks averaged_;                              ///< N
+  BlockRows<PackedBlock> rigid_;                         ///< R
 };
 
 /// Assembles the operators of quadratic triangles (or other elements with one coefficient per node
-/// and slot). `nodes`: positions of the displacement coefficients; `tolerance`: of each block, 1e-3
-/// … 1e-6 of its largest rows; `team`: makes this member's share. Throws Cancelled.
+/// and slot). `nodes`: positions of the displacement coefficients; `rigid`: of the equations;
+/// `tolerance`: of each block, 1e-3 … 1e-6 of its largest rows; `team`: makes this member's share.
+/// Throws Cancelled.
 CompressedOperators assembleCompressed(const ElementSurface& surface,
                                        const ElementQuadrature& quadrature,
                                        const WeightedEquations& equations,
                                        const std::vector<Eigen::Vector3d>& nodes,
                                        const TractionSlots& slots, const Material& material,
-                                       double tolerance, const Job& job,
+                                       const RigidProducts& rigid, double tolerance, const Job& job,
                                        const Team* team = nullptr);
 
 }  // namespace palpa::bem

@@ -15,7 +15,8 @@ namespace palpa::bem {
 /// Errors of compressed problems; smaller ones take more memory and time.
 struct CompressionOptions {
   /// Of the blocks of the operators, relative; the rounding of the stored numbers remains below it.
-  double operators = 3e-5;
+  /// 0: chosen, see operatorTolerance().
+  double operators = 0;
   /// Of the factorisation that GMRES is preconditioned with, relative.
   double factors = 1e-3;
   int tileNodes = 0;  ///< nodes per tile of the factorisation, at least; 0: chosen by size

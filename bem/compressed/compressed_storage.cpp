@@ -63,21 +63,34 @@ void CompressedOperators::add(CompressedOperators share) {
   addRows(corrections_, share.corrections_);
   addRows(averaged_.ofNodes, share.averaged_.ofNodes);
   addRows(averaged_.ofSlots, share.averaged_.ofSlots);
+  addRows(rigid_, share.rigid_);
 }
 
 void CompressedOperators::write(const ByteSink& sink) const {
   bem::write(order_, sink);
+  std::vector<int> sizes;
+  for (const ClusterBasis& basis : bases_) sizes.push_back(basis.size());
+  writeList(sink, sizes);
+  for (const ClusterBasis& basis : bases_) {
+    basis.ofNodes.write(sink);
+    basis.ofSlots.write(sink);
+  }
   for (const auto& blocks : far_) {
     std::vector<int> heads;
     for (const FarBlock& block : blocks) {
       heads.push_back(block.column);
       heads.push_back(block.rank());
+      heads.push_back(block.isCombined() ? 1 : 0);
     }
     writeList(sink, heads);
     for (const FarBlock& block : blocks) {
       block.U.write(sink);
-      block.ofNodes.write(sink);
-      block.ofSlots.write(sink);
+      if (block.isCombined()) {
+        block.coefficients.write(sink);
+      } else {
+        block.ofNodes.write(sink);
+        block.ofSlots.write(sink);
+      }
     }
   }
   for (const auto& blocks : near_) {
@@ -101,6 +114,7 @@ void CompressedOperators::write(const ByteSink& sink) const {
   writeRows(corrections_, sink);
   writeRows(averaged_.ofNodes, sink);
   writeRows(averaged_.ofSlots, sink);
+  writeRows(rigid_, sink);
 }
 
 CompressedOperators::CompressedOperators(const ByteSource& source)
@@ -109,22 +123,37 @@ CompressedOperators::CompressedOperators(const ByteSource& source)
   const auto checkCluster = [&](int cluster) {
     if (cluster < 0 || cluster >= tree.count()) throw DamagedData();
   };
+  const std::vector<int> sizes = readList<int>(source);
+  if (sizes.size() != static_cast<std::size_t>(tree.count())) throw DamagedData();
+  bases_.resize(sizes.size());
+  for (int c = 0; c < tree.count(); ++c) {
+    if (sizes[c] < 0 || sizes[c] > order_.columns(c)) throw DamagedData();
+    bases_[c].ofNodes = GradedRows::read(sizes[c], order_.nodeColumns(c), source);
+    bases_[c].ofSlots = GradedRows::read(sizes[c], order_.slotColumns(c), source);
+  }
   far_.resize(static_cast<std::size_t>(tree.count()));
   for (int c = 0; c < tree.count(); ++c) {
     const std::vector<int> heads = readList<int>(source);
-    for (std::size_t k = 0; k + 1 < heads.size(); k += 2) {
+    if (heads.size() % 3 != 0) throw DamagedData();
+    for (std::size_t k = 0; k < heads.size(); k += 3) {
       checkCluster(heads[k]);
       const int rank = heads[k + 1];
       if (rank < 0 || rank > std::max(order_.rows(c), order_.columns(heads[k])))
         throw DamagedData();
-      far_[c].push_back({heads[k], {}, {}, {}});
+      far_[c].push_back({heads[k], {}});
     }
     for (std::size_t k = 0; k < far_[c].size(); ++k) {
       FarBlock& block = far_[c][k];
-      const int rank = heads[2 * k + 1];
+      const int rank = heads[3 * k + 1];
       block.U = GradedRows::read(rank, order_.rows(c), source);
-      block.ofNodes = GradedRows::read(rank, order_.nodeColumns(block.column), source);
-      block.ofSlots = GradedRows::read(rank, order_.slotColumns(block.column), source);
+      if (heads[3 * k + 2] != 0) {
+        const int size = bases_[block.column].size();
+        if (size == 0) throw DamagedData();
+        block.coefficients = GradedRows::read(rank, size, source);
+      } else {
+        block.ofNodes = GradedRows::read(rank, order_.nodeColumns(block.column), source);
+        block.ofSlots = GradedRows::read(rank, order_.slotColumns(block.column), source);
+      }
     }
   }
   const int firstLeaf = ClusterTree::firstOf(tree.levelCount() - 1);
@@ -147,6 +176,7 @@ CompressedOperators::CompressedOperators(const ByteSource& source)
   readRows(corrections_, source, order_.points.size(), all);
   readRows(averaged_.ofNodes, source, equations, nodes);
   readRows(averaged_.ofSlots, source, equations, all);
+  readRows(rigid_, source, equations, nodes);
 }
 
 void CompressedOperators::readWeights(const ByteSource& source) {
@@ -166,7 +196,6 @@ void CompressedOperators::readWeights(const ByteSource& source) {
 }
 
 bool CompressedOperators::reaches(std::span<const int> equations) const {
-  using Weights = Eigen::SparseMatrix<float, Eigen::RowMajor>;
   const auto hasRow = [](const BlockColumns& columns, int row) {
     return columns.count(static_cast<std::size_t>(row)) > 0;
   };
@@ -181,8 +210,10 @@ bool CompressedOperators::reaches(std::span<const int> equations) const {
     }
   };
   for (const int e : equations) {
-    if (hasRow(averaged_.ofNodes.columns, e) || hasRow(averaged_.ofSlots.columns, e)) return true;
-    for (Weights::InnerIterator w(weights_, e); w; ++w)
+    if (hasRow(averaged_.ofNodes.columns, e) || hasRow(averaged_.ofSlots.columns, e) ||
+        hasRow(rigid_.columns, e))
+      return true;
+    for (decltype(weights_)::InnerIterator w(weights_, e); w; ++w)
       if (hasPoint(static_cast<int>(w.col()))) return true;
   }
   return false;
@@ -196,10 +227,14 @@ CompressedOperators::Sizes CompressedOperators::sizes() const {
       sizes.meanRank += block.rank();
       ++sizes.farBlocks;
     }
+  for (const ClusterBasis& basis : bases_) {
+    sizes.far += basis.bytes();
+    if (basis.size() > 0) ++sizes.bases;
+  }
   if (sizes.farBlocks > 0) sizes.meanRank /= sizes.farBlocks;
   for (const auto& blocks : near_)
     for (const NearBlock& block : blocks) sizes.near += block.K.bytes();
-  sizes.averaged = averaged_.bytes() + corrections_.bytes();
+  sizes.averaged = averaged_.bytes() + corrections_.bytes() + rigid_.bytes();
   return sizes;
 }
 

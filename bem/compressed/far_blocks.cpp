@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
 #include "base/part_of_job.h"
 #include "base/scratch_pool.h"
-#include "bem/compressed/graded_factors.h"
+#include "bem/compressed/falling_factors.h"
 #include "bem/element/skeleton.h"
 
 namespace palpa::bem {
@@ -22,21 +23,24 @@ namespace {
 
 /// Places of a distant cluster whose kernels stand for the kernels of all its functions.
 constexpr int kSourcePlaces = 32;
+/// Blocks whose right factors are stored together, at least.
+constexpr std::size_t kBlocksAtOnce = 256;
 
 struct Skeleton {
   std::vector<int> rows;  ///< 3 * point position + i
   MatrixXf weights;       ///< (row of the cluster, row of the skeleton)
 };
 
-class FarBlocks {
+class FarBlocksMaker {
  public:
-  explicit FarBlocks(const FarBlockInputs& inputs)
+  explicit FarBlocksMaker(const FarBlockInputs& inputs)
       : in_(inputs),
         tree_(inputs.order.tree),
         columns_(tree_.count()),
         isNeeded_(tree_.count()),
-        skeletons_(tree_.count()),
-        blocks_(tree_.count()) {
+        skeletons_(tree_.count()) {
+    result_.blocks.resize(static_cast<std::size_t>(tree_.count()));
+    result_.bases.resize(static_cast<std::size_t>(tree_.count()));
     for (int c = 0; c < tree_.count(); ++c) {
       const std::vector<int>& all = in_.division.far[c];
       for (std::size_t b = 0; b < all.size(); ++b)
@@ -45,7 +49,7 @@ class FarBlocks {
     }
   }
 
-  std::vector<std::vector<FarBlock>> make(const Job& job) {
+  FarBlocks make(const Job& job) {
     int top = tree_.levelCount();
     std::size_t pairs = 0, done = 0;
     for (int level = tree_.levelCount() - 1; level >= 0; --level)
@@ -65,27 +69,82 @@ class FarBlocks {
           skeletons_[c] = {};
       done = makeLevel(level, done, pairs, job);
     }
-    return std::move(blocks_);
+    return std::move(result_);
   }
 
  private:
+  /// A block of a level, whose right factor is not stored yet.
+  struct Made {
+    int row;  ///< cluster of points
+    FarBlock* to;
+    RightFactor right;
+  };
+
   /// Makes the blocks of a level after `done` of all `pairs`; returns how many are done then.
   std::size_t makeLevel(int level, std::size_t done, std::size_t pairs, const Job& job) {
-    std::vector<std::pair<int, std::size_t>> ofLevel;
+    std::vector<std::vector<Made>> byColumn(static_cast<std::size_t>(tree_.count()));
     for (int c = ClusterTree::firstOf(level); c < ClusterTree::firstOf(level + 1); ++c) {
-      blocks_[c].resize(columns_[c].size());
-      for (std::size_t b = 0; b < blocks_[c].size(); ++b) ofLevel.emplace_back(c, b);
+      std::vector<FarBlock>& blocks = result_.blocks[c];
+      for (const int column : columns_[c]) blocks.push_back({column, {}});
+      for (FarBlock& block : blocks) byColumn[block.column].push_back({c, &block, {}});
     }
+    // Some clusters of functions at a time, because right factors are large before they are stored.
     ScratchPool<ExactRows::Scratch> pool([&] { return in_.exact.makeScratch(); });
-    parallelFor(static_cast<std::ptrdiff_t>(ofLevel.size()),
-                partOfJob(job, done, done + ofLevel.size(), pairs), Phase::kAssemble,
-                [&](std::ptrdiff_t k) {
-                  const auto [c, b] = ofLevel[k];
-                  ExactRows::Scratch scratch = pool.take();
-                  blocks_[c][b] = makeBlock(c, columns_[c][b], scratch, job);
-                  pool.giveBack(std::move(scratch));
-                });
-    return done + ofLevel.size();
+    std::vector<Made*> made;
+    std::vector<int> columns;
+    const auto finish = [&] {
+      const std::size_t end = done + made.size();
+      parallelFor(static_cast<std::ptrdiff_t>(made.size()), partOfJob(job, done, end, pairs),
+                  Phase::kAssemble, [&](std::ptrdiff_t k) {
+                    ExactRows::Scratch scratch = pool.take();
+                    makeBlock(*made[k], scratch, job);
+                    pool.giveBack(std::move(scratch));
+                  });
+      parallelFor(static_cast<std::ptrdiff_t>(columns.size()), job,
+                  [&](std::ptrdiff_t k) { storeRightFactors(columns[k], byColumn[columns[k]]); });
+      done = end;
+      made.clear();
+      columns.clear();
+    };
+    for (std::size_t column = 0; column < byColumn.size(); ++column) {
+      if (byColumn[column].empty()) continue;
+      columns.push_back(static_cast<int>(column));
+      for (Made& one : byColumn[column]) made.push_back(&one);
+      if (made.size() >= kBlocksAtOnce) finish();
+    }
+    finish();
+    return done;
+  }
+
+  /// Stores and empties the right factors of the blocks of a cluster of functions.
+  void storeRightFactors(int column, std::vector<Made>& made) {
+    const Index ofNodes = in_.order.nodeColumns(column), ofSlots = in_.order.slotColumns(column);
+    std::vector<const RightFactor*> factors;
+    double distance = 0;
+    for (const Made& one : made) {
+      factors.push_back(&one.right);
+      distance += distanceOf(one.row, column) / static_cast<double>(made.size());
+    }
+    std::optional<CombinedFactors> combined;
+    if (in_.hasBases)
+      combined = combineFactors(factors, ofSlots, static_cast<float>(in_.shear / distance),
+                                static_cast<unsigned>(column));
+    for (std::size_t k = 0; k < made.size(); ++k) {
+      FarBlock& to = *made[k].to;
+      if (combined) {
+        to.coefficients = std::move(combined->coefficients[k]);
+      } else if (made[k].right.V.rows() > 0) {
+        const RightFactor& right = made[k].right;
+        to.ofNodes = {right.V.leftCols(ofNodes), right.bits};
+        to.ofSlots = {right.V.rightCols(ofSlots), right.bits};
+      }
+    }
+    if (combined) result_.bases[column] = std::move(combined->basis);
+    made = std::vector<Made>();  // also gives back the memory
+  }
+
+  double distanceOf(int row, int column) const {
+    return (in_.division.pointBalls[row].centre - in_.division.functionBalls[column].centre).norm();
   }
 
   /// Rows of a cluster from which the fields of all distant forces are interpolated, chosen among
@@ -150,10 +209,10 @@ class FarBlocks {
     return fields;
   }
 
-  FarBlock makeBlock(int row, int column, ExactRows::Scratch& scratch, const Job& job) const {
-    const Skeleton& skeleton = skeletons_[row];
-    const double distance =
-        (in_.division.pointBalls[row].centre - in_.division.functionBalls[column].centre).norm();
+  void makeBlock(Made& made, ExactRows::Scratch& scratch, const Job& job) const {
+    const int column = made.to->column;
+    const Skeleton& skeleton = skeletons_[made.row];
+    const double distance = distanceOf(made.row, column);
     const RowChoice choice =
         chooseRows(fieldsOf(column, skeleton, distance), static_cast<float>(in_.tolerance));
     const auto rank = static_cast<int>(choice.rows.size());
@@ -185,8 +244,9 @@ class FarBlocks {
     }
     // As in fieldsOf().
     const auto importance = static_cast<float>(in_.shear / distance);
-    GradedFactors factors = gradedFactors(U, V, in_.order.slotColumns(column), importance);
-    return {column, std::move(factors.U), std::move(factors.V1), std::move(factors.V2)};
+    FallingFactors factors = fallingFactors(U, V, in_.order.slotColumns(column), importance);
+    made.to->U = {factors.U, factors.bitsOfU};
+    made.right = {std::move(factors.V), std::move(factors.bitsOfV)};
   }
 
   const FarBlockInputs& in_;
@@ -194,13 +254,13 @@ class FarBlocks {
   std::vector<std::vector<int>> columns_;  ///< clusters of functions of the blocks of the share
   std::vector<char> isNeeded_;             ///< skeletons for these blocks
   std::vector<Skeleton> skeletons_;
-  std::vector<std::vector<FarBlock>> blocks_;
+  FarBlocks result_;
 };
 
 }  // namespace
 
-std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job) {
-  return FarBlocks(inputs).make(job);
+FarBlocks makeFarBlocks(const FarBlockInputs& inputs, const Job& job) {
+  return FarBlocksMaker(inputs).make(job);
 }
 
 }  // namespace palpa::bem

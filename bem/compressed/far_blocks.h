@@ -6,6 +6,7 @@
 #include "base/job.h"
 #include "bem/compressed/block_division.h"
 #include "bem/compressed/block_share.h"
+#include "bem/compressed/cluster_basis.h"
 #include "bem/compressed/exact_rows.h"
 #include "bem/linalg/graded_rows.h"
 #include "bem/linalg/row_choice.h"
@@ -16,11 +17,22 @@ namespace palpa::bem {
 
 /// Low-rank block U^T V of the points of a cluster and the functions of another one.
 struct FarBlock {
-  int column;                   ///< cluster of functions
-  GradedRows U;                 ///< (rank, rows)
-  GradedRows ofNodes, ofSlots;  ///< V: (rank, columns of each kind), whose numbers differ in size
+  int column;                       ///< cluster of functions
+  GradedRows U;                     ///< (rank, rows)
+  GradedRows ofNodes{}, ofSlots{};  ///< V: (rank, columns of each kind), whose numbers differ in
+                                    ///< size; empty if V = coefficients * basis of the cluster
+  GradedRows coefficients{};        ///< (rank, size of the basis), or empty
   int rank() const { return U.rowCount(); }
-  std::size_t bytes() const { return U.bytes() + ofNodes.bytes() + ofSlots.bytes(); }
+  bool isCombined() const { return coefficients.rowCount() > 0; }
+  std::size_t bytes() const {
+    return U.bytes() + ofNodes.bytes() + ofSlots.bytes() + coefficients.bytes();
+  }
+};
+
+/// All blocks.
+struct FarBlocks {
+  std::vector<std::vector<FarBlock>> blocks;  ///< per cluster of points
+  std::vector<ClusterBasis> bases;            ///< per cluster of functions; empty without one
 };
 
 /// What makeFarBlocks() reads.
@@ -36,6 +48,7 @@ struct FarBlockInputs {
   double shear;      ///< MPa
   double tolerance;  ///< of each block, relative
   BlockShare share;  ///< the blocks that are made
+  bool hasBases;     ///< whether V is combined from bases where that takes less memory
 };
 
 /// The blocks of all distant pairs of the share, per cluster of points. Rows of the operators far
@@ -43,6 +56,6 @@ struct FarBlockInputs {
 /// skeleton is chosen, from the leaves up, then from its rows for each block those from which the
 /// fields of its functions are interpolated; only their integrals are computed. The choices use
 /// kernels at points instead of integrals. Throws Cancelled.
-std::vector<std::vector<FarBlock>> makeFarBlocks(const FarBlockInputs& inputs, const Job& job);
+FarBlocks makeFarBlocks(const FarBlockInputs& inputs, const Job& job);
 
 }  // namespace palpa::bem

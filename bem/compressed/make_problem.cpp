@@ -9,6 +9,7 @@
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/quadratic/quadratic_quadrature.h"
+#include "bem/quadratic/rigid_products.h"
 
 namespace palpa::bem {
 
@@ -26,13 +27,27 @@ ProblemSize sizeOf(const Discretisation& discretisation) {
   return size;
 }
 
+namespace {
+
+constexpr double kSmallTolerance = 3e-6, kUsualTolerance = 3e-5;
+
+}  // namespace
+
+double operatorTolerance(const ProblemSize& size) {
+  // The small one takes 6 % more memory, which large bodies without thin parts save: their forces
+  // stay the same to 1e-5.
+  constexpr double kManyNodes = 10e3, kThinShare = 0.01;
+  return size.nodes < kManyNodes || size.thinShare > kThinShare ? kSmallTolerance : kUsualTolerance;
+}
+
 double expectedBytes(const ProblemSize& size, bool isQuadratic, Precision precision) {
   if (isCompressed(precision, isQuadratic, size.nodes)) {
-    // Spheres of 8,700 to 48,700 nodes take 87 to 105 KB per node at their peak, within 3 % of
+    // Spheres of 3,500 to 46,700 nodes take 79 to 87 KB per node at their peak, within 4 % of
     // this. Five CAD parts with thin walls and pins are within 21 %, but a row of pins takes 40 %
     // less.
-    constexpr double kAtThousand = 65.5e3, kPerDoubling = 7.2e3, kOfThin = 140e3;
-    return (size.nodes + size.slots) / 2 *
+    constexpr double kAtThousand = 75e3, kPerDoubling = 2.1e3, kOfThin = 140e3;
+    const double ofTolerance = operatorTolerance(size) == kSmallTolerance ? 1.06 : 1;
+    return ofTolerance * (size.nodes + size.slots) / 2 *
            (kAtThousand + kPerDoubling * std::max(0.0, std::log2(size.nodes / 1000)) +
             kOfThin * size.thinShare);
   }
@@ -82,8 +97,10 @@ std::unique_ptr<CompressedReferenceProblem> makeCompressedReferenceProblem(
     const WeightedEquations equations =
         quadraticEquations(on.surface(), on.mesh(), on.slots(), dofs);
     const QuadraticQuadrature quadrature(on.surface(), inputs.assembly.tolerance);
-    return assembleCompressed(on.surface(), quadrature, equations, on.places(), on.slots(),
-                              inputs.material, options.operators, job, team);
+    const RigidProducts rigid = rigidProducts(on, equations, inputs.material, inputs.assembly, job);
+    return assembleCompressed(
+        on.surface(), quadrature, equations, on.places(), on.slots(), inputs.material, rigid,
+        options.operators > 0 ? options.operators : operatorTolerance(sizeOf(on)), job, team);
   }();
   const double assembled = seconds();
   auto problem = std::make_unique<CompressedReferenceProblem>(std::move(dofs), std::move(operators),

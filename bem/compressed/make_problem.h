@@ -25,6 +25,9 @@ struct ProblemSize {
 };
 ProblemSize sizeOf(const Discretisation& discretisation);
 
+/// Tolerance of the blocks of compressed operators. Leads and soft walls amplify their errors.
+double operatorTolerance(const ProblemSize& size);
+
 /// Peak memory of making a reference problem in bytes, before anything is allocated.
 double expectedBytes(const ProblemSize& size, bool isQuadratic, Precision precision);
 

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "bem/dense/dense_reference_problem.h"
+#include "bem/dense/quadratic_operators.h"
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
 #include "bem/spline/spline_assembly.h"
@@ -83,8 +84,8 @@ std::unique_ptr<ReferenceProblem> makeQuadratic(const QuadraticDiscretisation& o
   return make(
       inputs.precision, std::move(dofs),
       [&](auto scalar) {
-        return assemble<decltype(scalar)>(on.surface(), equations, inputs.material, inputs.assembly,
-                                          job);
+        return makeQuadraticOperators<decltype(scalar)>(on, equations, inputs.material,
+                                                        inputs.assembly, job);
       },
       job, times);
 }

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "bem/dense/moved_part.h"
+#include "bem/dense/quadratic_operators.h"
 #include "bem/dense/updated_reference_problem.h"
 #include "bem/quadratic/quadratic_assembly.h"
 #include "bem/quadratic/quadratic_discretisation.h"
@@ -195,8 +196,8 @@ std::unique_ptr<ReferenceProblem> updateQuadratic(
   return update(
       base, std::move(dofs), std::move(*moved),
       [&]<class Scalar>(Scalar, const std::vector<int>& some) {
-        return assemble<Scalar>(after.surface(), equations.only(some), inputs.material,
-                                inputs.assembly, job);
+        return makeQuadraticOperators<Scalar>(after, equations.only(some), inputs.material,
+                                              inputs.assembly, job);
       },
       partOn(before.surface()), partOn(after.surface()), job, times);
 }

@@ -77,7 +77,11 @@ TEST(CliCancel, AnInterruptOfAnImportIsNoDamagedFile) {
     int status = 0;
     pid_t ended = 0;
     while (ended == 0 && !hasChild(process)) ended = waitpid(process, &status, WNOHANG);
-    ASSERT_EQ(ended, 0) << "ended before it started a program: " << cli.read("messages.txt");
+    if (ended != 0) {
+      // On a busy machine the program may do all of its work while this loop waits for a processor.
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << cli.read("messages.txt");
+      continue;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(wait * wait));
     kill(-process, SIGINT);
     waitpid(process, &status, 0);

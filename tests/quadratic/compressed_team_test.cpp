@@ -72,22 +72,35 @@ TEST(BlockShare, GivesEachBlockToOneMember) {
   }
 }
 
-/// The problem of one process.
+/// The problem of a team of one.
 const CompressedReferenceProblem& alone() {
   static const auto on = heldBox();
-  static const Problem problem =
-      makeCompressedReferenceProblem(*on, inputsFor(*on), {}, oneThread());
+  static const Problem problem = std::move(makeByTeam(*on, 1)[0]);
   return *problem;
 }
 
-class CompressedTeam : public testing::TestWithParam<int> {
+/// Teams store right factors as they are, so that no member's share depends on the others'.
+TEST(CompressedTeam, OfOneMakesTheProblemThatIsMadeWithoutOne) {
+  const auto on = heldBox();
+  const Problem withoutTeam = makeCompressedReferenceProblem(*on, inputsFor(*on), {}, oneThread());
+  EXPECT_GT(withoutTeam->operators().sizes().bases, 0);
+  EXPECT_EQ(alone().operators().sizes().bases, 0);
+  const BoundaryField field = randomField(alone().dofs());
+  const MatrixXd expected = withoutTeam->residual(field, {});
+  EXPECT_LT((alone().residual(field, {}) - expected).norm(), 2e-6 * expected.norm());
+  const std::vector<int> columns{300, 301, 302};
+  const MatrixXd ofColumns = withoutTeam->greensColumns(columns);
+  EXPECT_LT((alone().greensColumns(columns) - ofColumns).norm(), 2e-5 * ofColumns.norm());
+}
+
+class CompressedTeams : public testing::TestWithParam<int> {
  protected:
   /// Where two members share a leaf, its rows are summed up in another order.
   double rounding() const { return GetParam() == 3 ? 1e-6 : 1e-14; }
 };
-INSTANTIATE_TEST_SUITE_P(Members, CompressedTeam, testing::Values(2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(Members, CompressedTeams, testing::Values(2, 3, 4));
 
-TEST_P(CompressedTeam, MakesTheSameProblem) {
+TEST_P(CompressedTeams, MakeTheSameProblem) {
   const auto on = heldBox();
   std::vector<Problem> members = makeByTeam(*on, GetParam());
   const BoundaryField field = randomField(alone().dofs());

@@ -1,4 +1,4 @@
-#include "bem/compressed/graded_factors.h"
+#include "bem/compressed/falling_factors.h"
 
 #include <cblas.h>
 
@@ -14,9 +14,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Errors that rounding may make, relative to the largest summand. Errors of U are noise in the
-/// equations; errors of V are the same for all points of the cluster and do not average out.
-constexpr double kErrorOfU = 0x1p-15, kErrorOfV = 0x1p-21;
 /// Summands below this are left out.
 constexpr double kNothing = 0x1p-21;
 
@@ -31,7 +28,8 @@ RowMatrixXf productOf(const RowMatrixXf& A, const RowMatrixXf& B) {
   return product;
 }
 
-/// Bits with which rows of these sizes have errors below `error`; falling.
+}  // namespace
+
 std::vector<PackedNumbers::Bits> bitsFor(const VectorXd& sizes, double error) {
   using Bits = PackedNumbers::Bits;
   std::vector<Bits> bits(static_cast<std::size_t>(sizes.size()));
@@ -46,11 +44,9 @@ std::vector<PackedNumbers::Bits> bitsFor(const VectorXd& sizes, double error) {
   return bits;
 }
 
-}  // namespace
-
-GradedFactors gradedFactors(const RowMatrixXf& U, const RowMatrixXf& V, Index columnsOfV2,
-                            float importance) {
-  const Index rank = V.rows(), columnsOfV1 = V.cols() - columnsOfV2;
+FallingFactors fallingFactors(const RowMatrixXf& U, const RowMatrixXf& V, Index columnsOfV2,
+                              float importance) {
+  const Index rank = V.rows();
   if (rank == 0) return {};
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> weighted =
       V.cast<double>();
@@ -63,7 +59,7 @@ GradedFactors gradedFactors(const RowMatrixXf& U, const RowMatrixXf& V, Index co
   if (solver.info() != Eigen::Success || !gram.allFinite()) {
     const std::vector<PackedNumbers::Bits> all(static_cast<std::size_t>(rank),
                                                PackedNumbers::Bits::k24);
-    return {{U, all}, {V.leftCols(columnsOfV1), all}, {V.rightCols(columnsOfV2), all}};
+    return {U, V, all, all};
   }
   const RowMatrixXf vectors = solver.eigenvectors().rowwise().reverse().cast<float>();
   const RowMatrixXf ofU = productOf(vectors, U), ofV = productOf(vectors, V);
@@ -73,10 +69,8 @@ GradedFactors gradedFactors(const RowMatrixXf& U, const RowMatrixXf& V, Index co
   Index kept = rank;
   while (kept > 1 && sizes[kept - 1] < kNothing * largest) --kept;
   const VectorXd relative = sizes.head(kept) / (largest > 0 ? largest : 1);
-  const std::vector<PackedNumbers::Bits> bits = bitsFor(relative, kErrorOfV);
-  return {{ofU.topRows(kept), bitsFor(relative, kErrorOfU)},
-          {ofV.topLeftCorner(kept, columnsOfV1), bits},
-          {ofV.topRightCorner(kept, columnsOfV2), bits}};
+  return {ofU.topRows(kept), ofV.topRows(kept), bitsFor(relative, kErrorOfU),
+          bitsFor(relative, kErrorOfV)};
 }
 
 }  // namespace palpa::bem
