@@ -214,8 +214,11 @@ void FrictionalContactSolver::newtonStep(const Problem& problem, ContactForces& 
       const Matrix3d plane = Matrix3d::Identity() - n * n.transpose();
       const Vector3d trial = plane * (f - r * off);
       const double pressing = n.dot(f - r * off), length = trial.norm();
-      const Vector3d e = trial / length;
-      const Matrix3d turn = condition.friction * pressing / length * (plane - e * e.transpose());
+      // Without friction, a place that moves along the normal alone slips by rounding errors, or,
+      // summed up in this order, by nothing: any direction will do then.
+      const Vector3d e = length > 0 ? Vector3d(trial / length) : Vector3d::Zero();
+      const double turning = length > 0 ? condition.friction * pressing / length : 0.0;
+      const Matrix3d turn = turning * (plane - e * e.transpose());
       // F = r g n + f_t - μ (λ - r g) e
       value = r * n.dot(off) * n + plane * f - condition.friction * pressing * e;
       a = r * (n * n.transpose() + condition.friction * e * n.transpose() + turn);

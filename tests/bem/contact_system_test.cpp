@@ -153,6 +153,23 @@ TEST(FrictionalContactSolver, TheSolutionWithoutFrictionDoesNotDependOnTheStart)
   EXPECT_EQ(warm.iterations, 0);
 }
 
+TEST(FrictionalContactSolver, StartsWithPlacesThatMoveAlongTheirNormalsAlone) {
+  // As below a ball that suddenly presses into a body at rest. Rounding errors decide about slip.
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    RandomContacts contacts(12, 0, seed);
+    contacts.free.setZero();
+    for (ContactCondition& condition : contacts.conditions) {
+      condition.kind = Kind::kUnilateral;
+      condition.value = condition.value.norm() * condition.normal;
+    }
+    FrictionalContactSolver solver;
+    ContactForces solution;
+    solver.solve(contacts.compliance, contacts.free, contacts.conditions, solution);
+    ASSERT_TRUE(solution.converged) << seed;
+    expectLaws(contacts, solution);
+  }
+}
+
 TEST(FrictionalContactSolver, ReleasesWhenTheToolIsWithdrawn) {
   const MatrixXd compliance = MatrixXd::Identity(3, 3);
   const VectorXd free = VectorXd::Zero(3);

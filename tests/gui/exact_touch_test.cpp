@@ -70,9 +70,12 @@ class ExactTouch : public WindowTest {
     auto failure = testing::AssertionFailure() << "expected " << force.transpose() << " N, found ";
     if (touched().empty()) return failure << "no contact";
     const auto& last = touched().back();
-    return failure << last.force.transpose() << " N, at " << last.value.transpose() << ", status "
-                   << static_cast<int>(last.status) << ", columns ready "
-                   << simulation().snapshot().columnsReady;
+    const app::TouchSnapshot& snapshot = simulation().snapshot();
+    return failure << last.force.transpose() << " N, at " << last.value.transpose() << " above "
+                   << last.point.position.transpose() << ", status "
+                   << static_cast<int>(last.status) << ", columns ready " << snapshot.columnsReady
+                   << (snapshot.isConverged ? ", converged" : ", not converged") << ", residual "
+                   << snapshot.residual << ", step " << snapshot.step;
   }
   app::TouchState exact(const modeling::Touch& touch) {
     return app::playTouches(*editor().model(), std::span(&touch, 1));
