@@ -264,7 +264,7 @@ TouchPage makeTouchPage(const modeling::Project& project, const std::string& ver
   page.materialName = project.material.name;
   page.version = version;
   if (settings.radius > 0 && page.radius > 1.01 * settings.radius)
-    addNotice(page.notice, "touches have a radius of " + numberText(page.radius) +
+    addNotice(page.notice, "touches have a radius of " + roundedText(page.radius) +
                                " mm instead of " + numberText(settings.radius) +
                                ", the smallest that the mesh carries everywhere; mesh the body "
                                "with shorter edges, or with triangles, for smaller touches");
